@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/diagnostic.h"
+#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/limits.h"
+
+/// The compiler's facade: program text in, checked IR, counts, diagnostics and GLSL out. No GL, no
+/// X11, no environment, no global state; safe to call from any thread.
+namespace arbiter::fp {
+
+/// Refuse a program over the API limits, as the hardware's driver would, or load it and say so.
+enum class LimitPolicy : std::uint8_t { Enforce, Report };
+
+struct CompileOptions {
+  Limits limits;
+  LimitPolicy policy = LimitPolicy::Enforce;
+};
+
+/// The result of parse and check (no optimisation): what the API's queries and `arbiter check` say.
+struct CheckResult {
+  std::vector<Diagnostic> diagnostics; ///< in text order of the errors, at most kMaxDiagnostics
+  /// The checked program; empty if there is any error.
+  std::optional<ir::Program> program;
+  ResourceCounts counts;        ///< by the API's rules; zero if there is an error
+  ResourceCounts nativeCounts;  ///< of the modelled hardware; equal to counts until the model lands
+  bool underNativeLimits = false;
+
+  [[nodiscard]] bool ok() const { return program.has_value(); }
+  /// Byte offset of the first error, or -1 (GL_PROGRAM_ERROR_POSITION_ARB).
+  [[nodiscard]] std::int32_t errorPosition() const;
+  /// All diagnostics rendered, for GL_PROGRAM_ERROR_STRING_ARB; empty if there are none.
+  [[nodiscard]] std::string errorString(std::string_view text) const;
+};
+
+[[nodiscard]] CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options);
+
+/// One sampler of the emitted GLSL.
+struct GlslSampler {
+  std::string uniform; ///< "arb_tex3"
+  std::uint8_t unit = 0;
+  ir::TexTarget target = ir::TexTarget::Tex2D;
+};
+
+/// One element of the uniform array `arb_param`, which the layer must fill. State that GLSL 1.20
+/// offers as a trustworthy built-in is not here: the text reads the built-in.
+struct GlslUniform {
+  ir::Parameter parameter; ///< kind Env, Local, or State
+};
+
+/// A GLSL 1.20 fragment shader, to be linked alone (fixed-function or ARB vertex programs feed it).
+struct GlslShader {
+  std::string text;
+  std::vector<GlslUniform> uniforms; ///< element i of `uniform vec4 arb_param[N]`
+  std::vector<GlslSampler> samplers;
+  bool writesDepth = false;
+  bool kills = false;
+};
+
+/// What the emitter may use of its host.
+struct GlslHost {
+  bool textureRectangle = true;     ///< GL_ARB_texture_rectangle
+  bool fragCoordConventions = true; ///< GL_ARB_fragment_coord_conventions
+  bool drawBuffers = true;
+};
+
+/// Optimises a copy of the program and writes it as GLSL. Requires a program from
+/// checkFragmentProgram; cannot fail on one.
+[[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {});
+
+/// The pass pipeline of opt/ over the program, until nothing moves.
+void optimise(ir::Program &program);
+
+} // namespace arbiter::fp

@@ -1,0 +1,178 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fp_compiler/span.h"
+
+/// The checked program as data: straight-line code over vec4 registers. No text, no GL.
+namespace arbiter::fp::ir {
+
+/// Traits of an opcode; the columns of ops.def.
+enum Trait : std::uint16_t {
+  None = 0,
+  PerComponent = 1,
+  Replicates = 2,
+  Commutative = 4,
+  Texture = 8,
+  Kills = 16,
+  FixedMask = 32,
+};
+
+enum class Opcode : std::uint8_t {
+#define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc) Enumerator,
+#include "fp_compiler/ir/ops.def"
+#undef FP_OP
+};
+
+#define FP_OP(...) +1
+inline constexpr int kOpcodeCount = 0
+#include "fp_compiler/ir/ops.def"
+    ;
+#undef FP_OP
+
+/// One row of ops.def.
+struct OpInfo {
+  const char *name;     ///< enumerator, "Add"
+  const char *mnemonic; ///< "ADD"
+  const char *shapes;   ///< one letter an operand, "VV"
+  std::uint16_t traits; ///< Trait bits
+  const char *section;  ///< of ARB_fragment_program
+  const char *doc;      ///< one line
+
+  [[nodiscard]] bool has(Trait trait) const { return (traits & trait) != 0; }
+  [[nodiscard]] int operandCount() const { return int(std::char_traits<char>::length(shapes)); }
+};
+
+[[nodiscard]] const OpInfo &info(Opcode op);
+
+using Vec4 = std::array<float, 4>;
+
+/// Register files. A relative operand (vertex programs) would add an address register file; the
+/// fragment language has absolute operands only.
+enum class File : std::uint8_t {
+  Temporary, ///< index into Program::temporaries
+  Attribute, ///< index into Program::attributes
+  Parameter, ///< index into Program::parameters (constants, env, local and state rows)
+  Output,    ///< index into Program::outputs; written only
+};
+
+/// What one component of a swizzled operand reads. Zero and One appear through SWZ and through
+/// passes that compose it.
+enum class Select : std::uint8_t { X, Y, Z, W, Zero, One };
+
+using Swizzle = std::array<Select, 4>;
+inline constexpr Swizzle kIdentity = {Select::X, Select::Y, Select::Z, Select::W};
+
+/// A source operand. Component i reads register[swizzle[i]], negated where bit i of `negate` is
+/// set. A scalar operand (shape S) repeats its component four times.
+struct Operand {
+  File file = File::Temporary;
+  std::uint16_t index = 0;
+  Swizzle swizzle = kIdentity;
+  std::uint8_t negate = 0; ///< bit 0 = x .. bit 3 = w
+  Span span;               ///< of the operand's text
+  bool operator==(const Operand &) const = default;
+};
+
+/// A destination: a register, the components written (bit 0 = x), and _SAT.
+struct Destination {
+  File file = File::Temporary;
+  std::uint16_t index = 0;
+  std::uint8_t mask = 0xF;
+  bool saturate = false; ///< clamp to [0,1] before the write; NaN becomes 0
+  Span span;
+};
+
+enum class TexTarget : std::uint8_t {
+  Tex1D, Tex2D, Tex3D, Cube, Rect, Shadow1D, Shadow2D, ShadowRect
+};
+
+struct Instruction {
+  Opcode op = Opcode::Mov;
+  Destination dst; ///< unused where the opcode Kills
+  std::array<Operand, 3> src;
+  std::uint8_t unit = 0;                  ///< Texture opcodes: image unit
+  TexTarget target = TexTarget::Tex2D;    ///< Texture opcodes
+  Span span;                              ///< of the whole statement
+};
+
+/// Fragment attributes (3.11.3.1, table X.2); `index` counts for TexCoord only.
+enum class AttributeKind : std::uint8_t { ColorPrimary, ColorSecondary, TexCoord, FogCoord, Position };
+struct Attribute {
+  AttributeKind kind = AttributeKind::ColorPrimary;
+  std::uint8_t index = 0;
+  bool operator==(const Attribute &) const = default;
+};
+
+enum class OutputKind : std::uint8_t { Color, Depth };
+/// result.color[index], or result.depth, whose value is component z (index 2) of the register.
+struct Output {
+  OutputKind kind = OutputKind::Color;
+  std::uint8_t index = 0;
+  bool operator==(const Output &) const = default;
+};
+
+/// One row of GL state (3.11.3.2, tables X.3.1 to X.3.7).
+enum class StateItem : std::uint8_t {
+  MaterialAmbient, MaterialDiffuse, MaterialSpecular, MaterialEmission, MaterialShininess,
+  LightAmbient, LightDiffuse, LightSpecular, LightPosition, LightAttenuation, LightSpotDirection,
+  LightHalf, LightModelAmbient, LightModelSceneColor, LightProdAmbient, LightProdDiffuse,
+  LightProdSpecular, TexEnvColor, FogColor, FogParams, DepthRange,
+  MatrixModelview, MatrixProjection, MatrixMvp, MatrixTexture, MatrixPalette, MatrixProgram,
+};
+enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans };
+
+struct StateRef {
+  StateItem item = StateItem::MaterialAmbient;
+  bool back = false;       ///< material, scene colour and light product of the back face
+  std::uint8_t index = 0;  ///< light, texture unit, or matrix number
+  MatrixModifier modifier = MatrixModifier::Plain;
+  std::uint8_t row = 0;    ///< matrices: 0..3
+  bool operator==(const StateRef &) const = default;
+};
+
+enum class ParameterKind : std::uint8_t { Constant, Env, Local, State };
+/// One vec4 row that the program may read.
+struct Parameter {
+  ParameterKind kind = ParameterKind::Constant;
+  Vec4 constant = {};       ///< Constant
+  std::uint16_t index = 0;  ///< Env, Local
+  StateRef state;           ///< State
+};
+
+/// A declared temporary; the name is kept for listings only (a later declaration may be unused).
+struct Temporary {
+  std::string name;
+};
+
+enum class FogMode : std::uint8_t { None, Exp, Exp2, Linear };
+enum class Precision : std::uint8_t { Unspecified, Fastest, Nicest };
+
+/// The program's options (3.11.4.5).
+struct Options {
+  FogMode fog = FogMode::None;
+  Precision precision = Precision::Unspecified;
+  bool shadow = false;             ///< ARB_fragment_program_shadow
+  bool drawBuffers = false;        ///< ARB_draw_buffers / ATI_draw_buffers
+  bool originUpperLeft = false;    ///< ARB_fragment_coord_conventions
+  bool pixelCenterInteger = false; ///< ARB_fragment_coord_conventions
+  bool operator==(const Options &) const = default;
+};
+
+/// How arithmetic is done. Host: IEEE single with the host's multiplication. Later modes (0*x = 0,
+/// 24-bit floats) are further enumerators; the interpreter takes the mode as an argument.
+enum class Numerics : std::uint8_t { Host };
+
+/// A whole program. Registers not written read as zero, on every path.
+struct Program {
+  Options options;
+  std::vector<Temporary> temporaries;
+  std::vector<Attribute> attributes;
+  std::vector<Parameter> parameters;
+  std::vector<Output> outputs;
+  std::vector<Instruction> code;
+};
+
+} // namespace arbiter::fp::ir

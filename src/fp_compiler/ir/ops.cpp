@@ -1,0 +1,17 @@
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp::ir {
+
+namespace {
+constexpr OpInfo kTable[] = {
+#define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc)                                  \
+  {#Enumerator, mnemonic, shapes, std::uint16_t(traits), section, doc},
+#include "fp_compiler/ir/ops.def"
+#undef FP_OP
+};
+static_assert(std::size(kTable) == kOpcodeCount);
+} // namespace
+
+const OpInfo &info(Opcode op) { return kTable[std::size_t(op)]; }
+
+} // namespace arbiter::fp::ir
