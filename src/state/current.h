@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+
+namespace arbiter::host {
+struct HostTable;
+}
+
+namespace arbiter::state {
+
+class Context;
+
+/// What every generated entry point reads, and nothing else: it leads the Context so that a
+/// passed-on call costs one thread-local load, one test and the host's jump.
+struct ContextHot {
+  /// The host's functions for this context's provider. Never null: the null context's table holds
+  /// the next definition in the process, or a function that does nothing.
+  const host::HostTable *host = nullptr;
+  /// Non-zero if a draw must call Context::beginDraw first: dirty bits, list compilation, counters
+  /// that want each draw. Zero on the hot path.
+  std::uint32_t attention = 0;
+  /// The host's current program is the layer's; whoever would observe it restores the
+  /// application's first (Context::restoreApplicationProgram).
+  bool hostProgramIsOurs = false;
+  bool insideBeginEnd = false;
+  /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
+  std::uint16_t listMode = 0;
+  /// The counter of the path that draws take at present (host GLSL, host untouched).
+  std::uint64_t *drawCounter = nullptr;
+};
+
+/// The calling thread's context: a static null context before the first make-current, never null.
+/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this is.
+extern thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
+
+} // namespace arbiter::state
