@@ -1,0 +1,44 @@
+/* Arbiter: a driver layer for OpenGL that implements the assembly-program extensions.
+ *
+ * Arbiter has no API of its own to link to: an application calls plain OpenGL and finds
+ * GL_ARB_fragment_program in its extension string. This header states what a program that starts
+ * others under Arbiter may rely on. It is C89 and needs no GL header.
+ *
+ * Starting a program under Arbiter (what `arbiter run` does):
+ *   LD_PRELOAD       has the path of libGLX_arbiter.so.0 (pkg-config --variable=preload arbiter).
+ *                    Its constructor selects the layer for GLX and EGL through libglvnd.
+ *   LD_LIBRARY_PATH  begins with the folder of the front libOSMesa.so.8
+ *                    (pkg-config --variable=osmesadir arbiter), for programs that load OSMesa.
+ * Both are inherited by child processes. In a set-user-id program neither has any effect.
+ *
+ * The variables below rule the layer; arbiter(7) gives their values. They are read once, when the
+ * library is loaded or first used; a value that cannot be used is reported in the log and ignored.
+ */
+#ifndef GL_ARBITER_H
+#define GL_ARBITER_H
+
+#define ARBITER_VERSION_MAJOR 0
+#define ARBITER_VERSION_MINOR 1
+#define ARBITER_VERSION_PATCH 0
+
+/* major * 10000 + minor * 100 + patch */
+#define ARBITER_VERSION                                                                            \
+  (ARBITER_VERSION_MAJOR * 10000 + ARBITER_VERSION_MINOR * 100 + ARBITER_VERSION_PATCH)
+
+/* The file name to preload, and its soname. */
+#define ARBITER_PRELOAD_LIBRARY "libGLX_arbiter.so.0"
+
+/* Names of the environment variables. */
+#define ARBITER_ENV_PROFILE "ARBITER_PROFILE"
+#define ARBITER_ENV_LIMITS "ARBITER_LIMITS"
+#define ARBITER_ENV_STATS "ARBITER_STATS"
+#define ARBITER_ENV_LOG "ARBITER_LOG"
+#define ARBITER_ENV_DEBUG "ARBITER_DEBUG"
+#define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
+
+/* The "schema" number at the top of the JSON that ARBITER_STATS and `arbiter check --json` write. It
+ * changes when a member changes its meaning or goes; a new member does not change it. */
+#define ARBITER_STATS_SCHEMA 1
+#define ARBITER_CHECK_SCHEMA 1
+
+#endif /* GL_ARBITER_H */

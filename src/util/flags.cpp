@@ -1,0 +1,222 @@
+#include "util/flags.h"
+
+#include <cstdlib>
+#include <unistd.h>
+
+#include "util/file.h"
+#include "util/suggest.h"
+
+namespace arbiter {
+
+namespace {
+
+constexpr EnvInfo kEnvironment[] = {
+#define ARBITER_ENV(Enumerator, name, values, fallback, doc) {name, values, fallback, doc},
+#include "util/flags.def"
+};
+
+constexpr DebugFlagInfo kDebugFlags[] = {
+#define ARBITER_DEBUG_FLAG(Enumerator, name, doc) {name, doc},
+#include "util/flags.def"
+};
+static_assert(std::size(kDebugFlags) <= 32, "Settings::debug has 32 bits");
+
+struct LevelName {
+  const char *name;
+  LogLevel level;
+};
+constexpr LevelName kLevels[] = {
+    {"off", LogLevel::Off},   {"error", LogLevel::Error}, {"warn", LogLevel::Warn},
+    {"info", LogLevel::Info}, {"debug", LogLevel::Debug},
+};
+
+const LevelName *findLevel(std::string_view text) {
+  for (const LevelName &row : kLevels)
+    if (text == row.name)
+      return &row;
+  return nullptr;
+}
+
+/// Quotes a value for a message: its first bytes, made printable.
+std::string quoted(std::string_view value) {
+  std::string text = "\"";
+  for (const char c : value.substr(0, 40))
+    text += c < 0x20 || c == 0x7F ? '?' : c;
+  return text + (value.size() > 40 ? "...\"" : "\"");
+}
+
+/// Collects warnings that begin with a variable's name.
+struct Reader {
+  const std::function<const char *(const char *)> &lookup;
+  std::vector<std::string> &warnings;
+
+  void warn(Env variable, const std::string &text) {
+    warnings.push_back(std::string(info(variable).name) + ": " + text + "; ignored");
+  }
+
+  /// Empty: not set, set to nothing, or hostile.
+  std::string_view read(Env variable) {
+    const char *raw = lookup(info(variable).name);
+    if (raw == nullptr)
+      return {};
+    const std::string_view value(raw);
+    if (value.size() > kMaxEnvBytes) {
+      warn(variable, "longer than " + std::to_string(kMaxEnvBytes) + " bytes");
+      return {};
+    }
+    for (const char c : value) {
+      if ((c >= 0 && c < 0x20) || c == 0x7F) {
+        warn(variable, "a control character in the value");
+        return {};
+      }
+    }
+    return value;
+  }
+};
+
+void readLog(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Log);
+  if (value.empty())
+    return;
+  if (const LevelName *row = findLevel(value)) {
+    result.logLevel = row->level;
+    return;
+  }
+  const std::size_t colon = value.find(':');
+  const LevelName *row =
+      colon == std::string_view::npos ? nullptr : findLevel(value.substr(0, colon));
+  if (row != nullptr && colon + 1 < value.size()) {
+    result.logLevel = row->level;
+    result.logPath = value.substr(colon + 1);
+  } else if (row == nullptr && value.find('/') != std::string_view::npos) {
+    result.logLevel = LogLevel::Info;
+    result.logPath = value;
+  } else {
+    reader.warn(Env::Log, "expected off, error, warn, info, debug, a path with a slash, or "
+                          "LEVEL:FILE, not " +
+                              quoted(value));
+  }
+}
+
+void readDebug(Reader &reader, Settings &result) {
+  std::string_view list = reader.read(Env::Debug);
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string_view name = list.substr(0, comma);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+    if (name.empty())
+      continue;
+    bool known = false;
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < std::size(kDebugFlags); ++i) {
+      names.emplace_back(kDebugFlags[i].name);
+      if (name == kDebugFlags[i].name) {
+        result.debug |= 1u << i;
+        known = true;
+      }
+    }
+    if (!known) {
+      const std::string_view near = closest(name, names);
+      reader.warn(Env::Debug, "no flag " + quoted(name) +
+                                  (near.empty() ? std::string(" (help lists them)")
+                                                : " (did you mean " + std::string(near) + "?)"));
+      return; // one warning for one bad value
+    }
+  }
+}
+
+void readLimits(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Limits);
+  if (value == "report")
+    result.enforceLimits = false;
+  else if (!value.empty() && value != "enforce")
+    reader.warn(Env::Limits, "expected enforce or report, not " + quoted(value));
+}
+
+/// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
+void readHostVendor(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::HostVendor);
+  const auto nameByte = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           c == '-';
+  };
+  for (const char c : value) {
+    if (!nameByte(c)) {
+      reader.warn(Env::HostVendor,
+                  "expected letters, digits, - and _ (mesa, nvidia), not " + quoted(value));
+      return;
+    }
+  }
+  if (value == "arbiter")
+    reader.warn(Env::HostVendor, "Arbiter cannot be its own host");
+  else
+    result.hostVendor = value;
+}
+
+const Settings *readProcess() {
+  std::vector<std::string> warnings;
+  auto *result = new Settings(parseSettings(
+      [](const char *name) -> const char * { return ::secure_getenv(name); }, warnings));
+  if (!configureLog(result->logLevel, result->logPath.c_str()))
+    warnings.push_back("ARBITER_LOG: cannot open the file (it must be a regular file, no symbolic "
+                       "link); logging to standard error");
+  for (const std::string &warning : warnings)
+    logWarn("settings", "%s", warning.c_str());
+  if (result->has(DebugFlag::Help))
+    writeAll(STDERR_FILENO, flagsHelp());
+  return result;
+}
+
+} // namespace
+
+std::span<const EnvInfo> environmentTable() { return kEnvironment; }
+std::span<const DebugFlagInfo> debugFlagTable() { return kDebugFlags; }
+const EnvInfo &info(Env variable) { return kEnvironment[std::size_t(variable)]; }
+
+Settings parseSettings(const std::function<const char *(const char *)> &lookup,
+                       std::vector<std::string> &warnings) {
+  Settings result;
+  Reader reader{lookup, warnings};
+  readLog(reader, result);
+  readDebug(reader, result);
+  readLimits(reader, result);
+  readHostVendor(reader, result);
+  result.statsPath = reader.read(Env::Stats);
+  if (const std::string_view profile = reader.read(Env::Profile); !profile.empty())
+    result.profile = profile;
+  return result;
+}
+
+const Settings &settings() noexcept {
+  // Never destroyed: calls may come from destructors of the application, after ours would have run.
+  static const Settings *const instance = []() -> const Settings * {
+    try {
+      return readProcess();
+    } catch (...) {
+      return nullptr; // out of memory before anything was asked of us
+    }
+  }();
+  if (instance != nullptr)
+    return *instance;
+  static const Settings defaults;
+  return defaults;
+}
+
+std::string flagsHelp() {
+  std::string text = "ARBITER_DEBUG=FLAG[,FLAG...]\n";
+  for (const DebugFlagInfo &row : kDebugFlags) {
+    std::string name = row.name;
+    name.resize(std::max<std::size_t>(name.size() + 1, 12), ' ');
+    text += "  " + name + row.doc + "\n";
+  }
+  text += "Other variables\n";
+  for (const EnvInfo &row : kEnvironment) {
+    text += "  " + std::string(row.name) + "=" + row.values;
+    if (*row.fallback != '\0')
+      text += " (default " + std::string(row.fallback) + ")";
+    text += "\n      " + std::string(row.doc) + "\n";
+  }
+  return text;
+}
+
+} // namespace arbiter

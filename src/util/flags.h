@@ -1,0 +1,71 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "util/log.h"
+
+/// What the environment asks for. One table, flags.def, holds every variable and flag.
+namespace arbiter {
+
+enum class Env : std::uint8_t {
+#define ARBITER_ENV(Enumerator, name, values, fallback, doc) Enumerator,
+#include "util/flags.def"
+};
+
+enum class DebugFlag : std::uint8_t {
+#define ARBITER_DEBUG_FLAG(Enumerator, name, doc) Enumerator,
+#include "util/flags.def"
+};
+
+struct EnvInfo {
+  const char *name;     ///< "ARBITER_LOG"
+  const char *values;   ///< "LEVEL|FILE"
+  const char *fallback; ///< the default as text; empty for none
+  const char *doc;
+};
+struct DebugFlagInfo {
+  const char *name; ///< as in ARBITER_DEBUG
+  const char *doc;
+};
+
+[[nodiscard]] std::span<const EnvInfo> environmentTable();
+[[nodiscard]] std::span<const DebugFlagInfo> debugFlagTable();
+[[nodiscard]] const EnvInfo &info(Env variable);
+
+/// The environment, parsed. Defaults are those of a process with no ARBITER_ variable.
+struct Settings {
+  std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
+  bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
+  std::string statsPath;        ///< empty: none; expandPid() is still to be applied
+  LogLevel logLevel = LogLevel::Warn;
+  std::string logPath;     ///< empty: standard error
+  std::string hostVendor;  ///< empty: libglvnd's own choice
+  std::uint32_t debug = 0; ///< one bit a DebugFlag
+
+  [[nodiscard]] bool has(DebugFlag flag) const { return (debug >> unsigned(flag) & 1u) != 0; }
+};
+
+/// Longer values are refused: no path or list that is meant can be longer.
+inline constexpr std::size_t kMaxEnvBytes = 4096;
+
+/// Parses values as `lookup` gives them (nullptr: not set). A value that cannot be used leaves the
+/// default and adds one line to `warnings`.
+[[nodiscard]] Settings parseSettings(const std::function<const char *(const char *)> &lookup,
+                                     std::vector<std::string> &warnings);
+
+/// This process's settings: read by secure_getenv once, at the first call (none in a set-user-id
+/// program). The first call also opens the log, writes the warnings to it, and prints the help if
+/// asked. Never throws; later changes of the environment are not seen.
+[[nodiscard]] const Settings &settings() noexcept;
+
+/// Shorthand for settings().has(flag); keep the answer where calls are hot.
+[[nodiscard]] inline bool debugFlag(DebugFlag flag) noexcept { return settings().has(flag); }
+
+/// The text of ARBITER_DEBUG=help.
+[[nodiscard]] std::string flagsHelp();
+
+} // namespace arbiter

@@ -1,0 +1,119 @@
+#include "util/flags.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+namespace arbiter {
+namespace {
+
+struct Parsed {
+  Settings settings;
+  std::vector<std::string> warnings;
+};
+
+Parsed parse(const std::map<std::string, std::string> &environment) {
+  Parsed parsed;
+  parsed.settings = parseSettings(
+      [&](const char *name) -> const char * {
+        const auto found = environment.find(name);
+        return found == environment.end() ? nullptr : found->second.c_str();
+      },
+      parsed.warnings);
+  return parsed;
+}
+
+TEST(Settings, DefaultsAreWhatTheTableSays) {
+  const Parsed parsed = parse({});
+  EXPECT_TRUE(parsed.warnings.empty());
+  EXPECT_EQ(parsed.settings.profile, info(Env::Profile).fallback);
+  EXPECT_STREQ(info(Env::Limits).fallback, "enforce");
+  EXPECT_TRUE(parsed.settings.enforceLimits);
+  EXPECT_STREQ(info(Env::Log).fallback, "warn");
+  EXPECT_EQ(parsed.settings.logLevel, LogLevel::Warn);
+  EXPECT_EQ(parsed.settings.debug, 0u);
+  EXPECT_EQ(parsed.settings.statsPath, "");
+}
+
+TEST(Settings, EmptyValuesAreDefaults) {
+  std::map<std::string, std::string> environment;
+  for (const EnvInfo &row : environmentTable())
+    environment[row.name] = "";
+  const Parsed parsed = parse(environment);
+  EXPECT_TRUE(parsed.warnings.empty());
+  EXPECT_EQ(parsed.settings.profile, "r300");
+}
+
+TEST(Settings, ReadsEveryVariable) {
+  const Parsed parsed = parse({{"ARBITER_PROFILE", "nv30"},
+                               {"ARBITER_LIMITS", "report"},
+                               {"ARBITER_STATS", "/tmp/s-%p.json"},
+                               {"ARBITER_LOG", "debug:/tmp/log"},
+                               {"ARBITER_DEBUG", "glsl,,text"},
+                               {"ARBITER_HOST_VENDOR", "mesa"}});
+  EXPECT_TRUE(parsed.warnings.empty());
+  EXPECT_EQ(parsed.settings.profile, "nv30");
+  EXPECT_FALSE(parsed.settings.enforceLimits);
+  EXPECT_EQ(parsed.settings.statsPath, "/tmp/s-%p.json");
+  EXPECT_EQ(parsed.settings.logLevel, LogLevel::Debug);
+  EXPECT_EQ(parsed.settings.logPath, "/tmp/log");
+  EXPECT_TRUE(parsed.settings.has(DebugFlag::Glsl));
+  EXPECT_TRUE(parsed.settings.has(DebugFlag::Text));
+  EXPECT_FALSE(parsed.settings.has(DebugFlag::Help));
+  EXPECT_EQ(parsed.settings.hostVendor, "mesa");
+}
+
+TEST(Settings, LogTakesALevelAPathOrBoth) {
+  EXPECT_EQ(parse({{"ARBITER_LOG", "off"}}).settings.logLevel, LogLevel::Off);
+  const Parsed path = parse({{"ARBITER_LOG", "./a:b"}});
+  EXPECT_EQ(path.settings.logLevel, LogLevel::Info);
+  EXPECT_EQ(path.settings.logPath, "./a:b");
+  for (const char *bad : {"verbose", "debug:", "4", "DEBUG"}) {
+    const Parsed parsed = parse({{"ARBITER_LOG", bad}});
+    EXPECT_EQ(parsed.warnings.size(), 1u) << bad;
+    EXPECT_EQ(parsed.settings.logLevel, LogLevel::Warn) << bad;
+    EXPECT_EQ(parsed.settings.logPath, "") << bad;
+  }
+}
+
+TEST(Settings, AnUnknownFlagNamesTheNearestAndKeepsTheOthers) {
+  const Parsed parsed = parse({{"ARBITER_DEBUG", "text,glssl"}});
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_EQ(parsed.warnings[0], "ARBITER_DEBUG: no flag \"glssl\" (did you mean glsl?); ignored");
+  EXPECT_TRUE(parsed.settings.has(DebugFlag::Text));
+}
+
+TEST(Settings, HostileValuesGiveOneWarningAndAreIgnored) {
+  const std::string huge(kMaxEnvBytes + 1, 'a');
+  for (const EnvInfo &row : environmentTable()) {
+    for (const std::string &bad : {huge, std::string("r300\x1b[2J"), std::string("/tmp/a\nb")}) {
+      const Parsed parsed = parse({{row.name, bad}});
+      ASSERT_EQ(parsed.warnings.size(), 1u) << row.name;
+      EXPECT_EQ(parsed.warnings[0].rfind(row.name, 0), 0u);
+      EXPECT_LT(parsed.warnings[0].size(), 200u);
+      EXPECT_EQ(parsed.settings.profile, "r300");
+      EXPECT_EQ(parsed.settings.logPath, "");
+      EXPECT_EQ(parsed.settings.statsPath, "");
+      EXPECT_EQ(parsed.settings.hostVendor, "");
+      EXPECT_TRUE(parsed.settings.enforceLimits);
+    }
+  }
+}
+
+TEST(Settings, TheHostVendorIsAPlainNameAndNotOurselves) {
+  for (const char *bad : {"../evil", "a/b", "me sa", "arbiter"}) {
+    const Parsed parsed = parse({{"ARBITER_HOST_VENDOR", bad}});
+    EXPECT_EQ(parsed.warnings.size(), 1u) << bad;
+    EXPECT_EQ(parsed.settings.hostVendor, "") << bad;
+  }
+}
+
+TEST(Settings, HelpListsEveryRow) {
+  const std::string help = flagsHelp();
+  for (const EnvInfo &row : environmentTable())
+    EXPECT_NE(help.find(row.name), std::string::npos) << row.name;
+  for (const DebugFlagInfo &row : debugFlagTable())
+    EXPECT_NE(help.find(std::string("  ") + row.name + " "), std::string::npos) << row.name;
+}
+
+} // namespace
+} // namespace arbiter
