@@ -30,6 +30,7 @@ struct ContextHot {
 
 /// The calling thread's context: a static null context before the first make-current, never null.
 /// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this is.
-extern thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
+/// constinit: without it each access would first call a TLS initialiser.
+extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
 
 } // namespace arbiter::state
