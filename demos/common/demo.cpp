@@ -1,0 +1,160 @@
+#include "common/demo.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <epoxy/gl.h>
+
+namespace demos {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string glString(GLenum name) {
+  const auto *text = reinterpret_cast<const char *>(glGetString(name));
+  return text ? text : "unknown";
+}
+
+/// True if GL has recorded an error, which it prints.
+bool reportGlErrors(int frame) {
+  bool any = false;
+  for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
+    std::fprintf(stderr, "frame %d: GL error 0x%04x\n", frame, error);
+    any = true;
+  }
+  return any;
+}
+
+bool verifyFrame(Demo &demo, const Image &picture, int frame, int &maxError, std::size_t &beyond) {
+  const Tolerance tolerance = demo.tolerance();
+  const Image reference = demo.reference(picture.width, picture.height, frame);
+  const Difference difference = compare(picture, reference, tolerance);
+  maxError = std::max(maxError, difference.maxError);
+  beyond = std::max(beyond, difference.beyond);
+  if (!difference.ok) {
+    const auto [x, y] = std::pair(difference.worst.x, difference.worst.y);
+    const glm::vec4 is = picture.at(x, y) * 255.0f, should = reference.at(x, y) * 255.0f;
+    std::fprintf(stderr, "frame %d: %zu pixels are wrong, worst at (%d, %d): (%g %g %g), not (%g %g %g)\n",
+                 frame, difference.beyond, x, y, is.r, is.g, is.b, should.r, should.g, should.b);
+  }
+  return difference.ok;
+}
+
+int drawFrames(Demo &demo, Surface &surface, const Options &options) {
+  const int frames =
+      options.frames ? options.frames : (options.verify ? demo.verifyFrames() : 1);
+  bool ok = true;
+  int maxError = 0;
+  std::size_t beyond = 0;
+  Image picture;
+  for (int frame = 0; frame < frames && ok; ++frame) {
+    demo.draw(surface, frame);
+    ok = !reportGlErrors(frame);
+    if (options.verify || frame + 1 == frames)
+      picture = surface.readPixels();
+    if (options.verify)
+      ok = verifyFrame(demo, picture, frame, maxError, beyond) && ok;
+    surface.present();
+  }
+  if (options.verify) {
+    const Tolerance tolerance = demo.tolerance();
+    std::printf("%s%s%s: %s, %d frame%s of %dx%d, max error %d of 255 (tolerance %d",
+                demo.name().c_str(), options.form.empty() ? "" : " ", options.form.c_str(),
+                ok ? "ok" : "FAILED", frames, frames == 1 ? "" : "s", surface.width(),
+                surface.height(), maxError, tolerance.levels);
+    if (tolerance.outliers > 0)
+      std::printf(", and %g%% of the pixels beyond it; at most %zu are", 100 * tolerance.outliers,
+                  beyond);
+    std::printf(")\n");
+  }
+  if (!options.out.empty() && !writePng(picture, options.out))
+    ok = false;
+  return ok ? kExitOk : kExitFailed;
+}
+
+/// Prints {"demo", "renderer", "width", "height", "frames", "ms_per_frame"}: the median.
+int benchFrames(Demo &demo, Surface &surface, const Options &options) {
+  const int frames = options.frames ? options.frames : 100;
+  constexpr int kWarmUp = 5;
+  std::vector<double> times;
+  for (int frame = 0; frame < frames + kWarmUp; ++frame) {
+    const auto begin = Clock::now();
+    demo.draw(surface, frame);
+    glFinish();
+    const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+    if (frame >= kWarmUp)
+      times.push_back(time.count());
+  }
+  std::nth_element(times.begin(), times.begin() + frames / 2, times.end());
+  std::printf("{\"demo\": \"%s\", \"form\": \"%s\", \"renderer\": \"%s\", \"width\": %d, "
+              "\"height\": %d, \"frames\": %d, \"ms_per_frame\": %.4f}\n",
+              demo.name().c_str(), options.form.c_str(), glString(GL_RENDERER).c_str(),
+              surface.width(), surface.height(), frames, times[std::size_t(frames / 2)]);
+  return reportGlErrors(frames) ? kExitFailed : kExitOk;
+}
+
+void printInfo(const Demo &demo) {
+  std::printf("{\"demo\": \"%s\", \"vendor\": \"%s\", \"renderer\": \"%s\", \"version\": \"%s\", "
+              "\"programs\": [",
+              demo.name().c_str(), glString(GL_VENDOR).c_str(), glString(GL_RENDERER).c_str(),
+              glString(GL_VERSION).c_str());
+  const char *comma = "";
+  for (const std::string &counts : demo.programCounts()) {
+    std::printf("%s%s", comma, counts.c_str());
+    comma = ", ";
+  }
+  std::printf("]}\n");
+}
+
+int runOn(Demo &demo, Surface &surface, const Options &options) {
+  if (!epoxy_has_gl_extension("GL_ARB_fragment_program")) {
+    std::fprintf(stderr, "skipped: %s has no GL_ARB_fragment_program\n",
+                 glString(GL_RENDERER).c_str());
+    return kExitSkipped;
+  }
+  glViewport(0, 0, surface.width(), surface.height());
+  if (!demo.start(surface, options) || reportGlErrors(-1))
+    return kExitFailed;
+  if (options.info)
+    printInfo(demo);
+  if (options.bench)
+    return benchFrames(demo, surface, options);
+  if (surface.window() && !options.verify && options.out.empty()) {
+    runWindow(demo, surface, options.frames);
+    return kExitOk;
+  }
+  if (options.info && !options.verify && options.out.empty())
+    return kExitOk;
+  return drawFrames(demo, surface, options);
+}
+
+} // namespace
+
+int run(Demo &demo, int argc, char **argv) {
+  Options options;
+  int exitCode = kExitOk;
+  if (!parseOptions(demo, argc, argv, options, exitCode))
+    return exitCode;
+  const std::unique_ptr<Surface> surface =
+      options.headless ? makeHeadless(options.width, options.height, options.pbuffer)
+                       : makeWindow(options.width, options.height, demo.name());
+  if (!surface)
+    return kExitFailed;
+  exitCode = runOn(demo, *surface, options);
+  demo.stop();
+  return exitCode;
+}
+
+void drawQuad(const std::vector<glm::vec2> &offsets) {
+  static constexpr float kCorners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  glBegin(GL_QUADS);
+  for (const auto &[x, y] : kCorners) {
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+      glMultiTexCoord2f(GLenum(GL_TEXTURE1 + i), x + offsets[i].x, y + offsets[i].y);
+    glTexCoord2f(x, y);
+    glVertex2f(2 * x - 1, 2 * y - 1);
+  }
+  glEnd();
+}
+
+} // namespace demos

@@ -1,0 +1,42 @@
+#pragma once
+#include <epoxy/gl.h>
+#include <glm/vec4.hpp>
+#include <string>
+#include <string_view>
+
+namespace demos {
+
+/// One file of demos/programs, built in.
+struct ProgramText {
+  std::string_view name;
+  std::string_view text;
+};
+extern const ProgramText kProgramTexts[];
+extern const unsigned kProgramTextCount;
+
+/// A fragment program object of the current context, deleted with this.
+class Program {
+public:
+  Program() = default;
+  ~Program();
+  Program(const Program &) = delete;
+  Program &operator=(const Program &) = delete;
+
+  /// Loads a built-in text, or the file at \p overridePath if that is not empty. If GL rejects it,
+  /// prints GL's message and the line at GL_PROGRAM_ERROR_POSITION_ARB, and returns false.
+  [[nodiscard]] bool load(std::string_view name, const std::string &overridePath = {});
+
+  /// Binds and enables it.
+  void use() const;
+  static void disable();
+  /// Sets a local parameter; the program need not be in use, but is bound afterwards.
+  void local(GLuint index, const glm::vec4 &value) const;
+  /// glGetProgramivARB's counts as a JSON object.
+  [[nodiscard]] std::string countsAsJson() const;
+
+private:
+  GLuint m_name = 0;
+  std::string m_label;
+};
+
+} // namespace demos

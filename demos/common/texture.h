@@ -1,0 +1,35 @@
+#pragma once
+#include "common/image.h"
+#include <cstdint>
+#include <epoxy/gl.h>
+#include <vector>
+
+namespace demos {
+
+enum class Filter { Nearest, Linear };
+enum class Wrap { Clamp, Repeat };
+
+/// A texture object of the current context, deleted with this.
+class Texture {
+public:
+  Texture() = default;
+  ~Texture();
+  Texture(const Texture &) = delete;
+  Texture &operator=(const Texture &) = delete;
+
+  void create2d(const Image &image, Filter filter, Wrap wrap);
+  /// Red and green of 16 bits a texel, 2 values each; blue is 0 and alpha 1.
+  void create2dPairs16(int width, int height, const std::vector<std::uint16_t> &redGreen);
+  void create1d(const Image &row, Filter filter);
+  /// Binds it to texture image unit \p unit and leaves that unit active.
+  void bind(GLuint unit) const;
+  /// Texture feedback: copies the read buffer's lower left width x height pixels into level 0.
+  void copyFromFramebuffer(GLuint unit, int width, int height) const;
+
+private:
+  void begin(GLenum target, Filter filter, Wrap wrap);
+  GLuint m_name = 0;
+  GLenum m_target = GL_TEXTURE_2D;
+};
+
+} // namespace demos

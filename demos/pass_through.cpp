@@ -1,0 +1,54 @@
+#include "common/demo.h"
+#include "common/pictures.h"
+#include "common/program.h"
+#include "common/texture.h"
+
+#include <optional>
+
+namespace demos {
+namespace {
+
+/// One sample goes to the framebuffer, untouched: what the other demos start from.
+class PassThrough final : public Demo {
+public:
+  [[nodiscard]] std::string name() const override { return "pass-through"; }
+  [[nodiscard]] std::string summary() const override {
+    return "Draws a picture through a fragment program of one instruction.";
+  }
+  // A nearest sample of an 8-bit texel, written to 8 bits, is that texel.
+  [[nodiscard]] Tolerance tolerance() const override { return {}; }
+
+  [[nodiscard]] bool start(const Surface &surface, const Options &options) override {
+    m_picture = makeLandscape(surface.width(), surface.height());
+    m_gl.emplace();
+    m_gl->texture.create2d(m_picture, Filter::Nearest, Wrap::Clamp);
+    return m_gl->program.load("pass_through.fp", options.program);
+  }
+  void draw(const Surface &, int) override {
+    m_gl->texture.bind(0);
+    m_gl->program.use();
+    drawQuad();
+    Program::disable();
+  }
+  [[nodiscard]] Image reference(int, int, int) override { return m_picture; }
+  void stop() override { m_gl.reset(); }
+  [[nodiscard]] std::vector<std::string> programCounts() const override {
+    return {m_gl->program.countsAsJson()};
+  }
+
+private:
+  struct Objects {
+    Texture texture;
+    Program program;
+  };
+  Image m_picture;
+  std::optional<Objects> m_gl;
+};
+
+} // namespace
+} // namespace demos
+
+int main(int argc, char **argv) {
+  demos::PassThrough demo;
+  return demos::run(demo, argc, argv);
+}
