@@ -34,15 +34,15 @@ bool verifyFrame(Demo &demo, const Image &picture, int frame, int &maxError, std
   if (!difference.ok) {
     const auto [x, y] = std::pair(difference.worst.x, difference.worst.y);
     const glm::vec4 is = picture.at(x, y) * 255.0f, should = reference.at(x, y) * 255.0f;
-    std::fprintf(stderr, "frame %d: %zu pixels are wrong, worst at (%d, %d): (%g %g %g), not (%g %g %g)\n",
+    std::fprintf(stderr,
+                 "frame %d: %zu pixels are wrong, worst at (%d, %d): (%g %g %g), not (%g %g %g)\n",
                  frame, difference.beyond, x, y, is.r, is.g, is.b, should.r, should.g, should.b);
   }
   return difference.ok;
 }
 
 int drawFrames(Demo &demo, Surface &surface, const Options &options) {
-  const int frames =
-      options.frames ? options.frames : (options.verify ? demo.verifyFrames() : 1);
+  const int frames = options.frames ? options.frames : (options.verify ? demo.verifyFrames() : 1);
   bool ok = true;
   int maxError = 0;
   std::size_t beyond = 0;

@@ -29,8 +29,7 @@ glm::vec4 Image::sampleLinear(glm::vec2 coordinate) const {
   const auto row = [&](int y) { return std::clamp(y, 0, height - 1); };
   const int x = int(base.x), y = int(base.y);
   const glm::vec4 low = glm::mix(at(column(x), row(y)), at(column(x + 1), row(y)), part.x);
-  const glm::vec4 high =
-      glm::mix(at(column(x), row(y + 1)), at(column(x + 1), row(y + 1)), part.x);
+  const glm::vec4 high = glm::mix(at(column(x), row(y + 1)), at(column(x + 1), row(y + 1)), part.x);
   return glm::mix(low, high, part.y);
 }
 

@@ -15,10 +15,18 @@ std::string footer(Demo &demo) {
   text += demo.controls();
   text += "  Space  pause    Escape  close\n"
           "\nExamples:\n"
-          "  " + name + "\n"
-          "  " + name + " --headless --out " + name + ".png\n"
-          "  " + name + " --headless --verify --size 256x256\n"
-          "  " + name + " --headless --bench --frames 100\n"
+          "  " +
+          name +
+          "\n"
+          "  " +
+          name + " --headless --out " + name +
+          ".png\n"
+          "  " +
+          name +
+          " --headless --verify --size 256x256\n"
+          "  " +
+          name +
+          " --headless --bench --frames 100\n"
           "\nExit codes: 0 done, 1 failed, 77 the host has no ARB_fragment_program.";
   return text;
 }
@@ -54,7 +62,8 @@ bool parseOptions(Demo &demo, int argc, char **argv, Options &options, int &exit
       ->type_name("FILE.fp")
       ->check(CLI::ExistingFile);
   app.add_flag("--headless", options.headless, "draw without a display");
-  app.add_flag("--pbuffer", options.pbuffer, "with --headless: a pbuffer, not a framebuffer object");
+  app.add_flag("--pbuffer", options.pbuffer,
+               "with --headless: a pbuffer, not a framebuffer object");
   app.add_flag("--verify", options.verify,
                "compare every frame with a plain C++ computation of it");
   app.add_flag("--bench", options.bench, "print the median time of a frame as JSON");

@@ -10,8 +10,7 @@ namespace {
 
 /// Prints FILE:LINE:COLUMN, the message, the line and a caret.
 void reportError(const std::string &label, std::string_view text, GLint position) {
-  const auto *message =
-      reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
+  const auto *message = reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
   const std::size_t at = std::min(text.size(), std::size_t(std::max(position, 0)));
   const std::size_t newline = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;

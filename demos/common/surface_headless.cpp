@@ -25,7 +25,8 @@ bool contains(const char *extensions, const char *name) {
 std::vector<EGLDisplay> candidates() {
   const char *client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   std::vector<EGLDisplay> gpus, software;
-  if (contains(client, "EGL_EXT_device_enumeration") && contains(client, "EGL_EXT_platform_device")) {
+  if (contains(client, "EGL_EXT_device_enumeration") &&
+      contains(client, "EGL_EXT_platform_device")) {
     EGLDeviceEXT devices[16];
     EGLint count = 0;
     if (eglQueryDevicesEXT(16, devices, &count)) {
@@ -67,9 +68,21 @@ private:
 bool HeadlessSurface::openOn(EGLDisplay display, bool pbuffer) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
     return false;
-  const EGLint want[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                         EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8,
-                         EGL_DEPTH_SIZE, 24, EGL_NONE};
+  const EGLint want[] = {EGL_SURFACE_TYPE,
+                         EGL_PBUFFER_BIT,
+                         EGL_RENDERABLE_TYPE,
+                         EGL_OPENGL_BIT,
+                         EGL_RED_SIZE,
+                         8,
+                         EGL_GREEN_SIZE,
+                         8,
+                         EGL_BLUE_SIZE,
+                         8,
+                         EGL_ALPHA_SIZE,
+                         8,
+                         EGL_DEPTH_SIZE,
+                         24,
+                         EGL_NONE};
   EGLConfig configs[64];
   EGLint count = 0;
   if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, want, configs, 64, &count))
