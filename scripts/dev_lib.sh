@@ -1,0 +1,138 @@
+# shellcheck shell=bash disable=SC2154  # root, build, out and jobs are of ./dev
+# What the verbs of ./dev share: packages, configuring, a display, counting results.
+
+step() { printf '\n==> %s\n' "$*"; }
+
+fail() {
+  printf 'dev: %s\n' "$*" >&2
+  exit 1
+}
+
+as_root() {
+  if [[ $(id -u) == 0 ]]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "packages are missing and neither root nor sudo is at hand; as root: $*"
+  fi
+}
+
+# Installs the packages of the named groups that are missing. Nothing is asked of the network
+# when nothing is missing.
+need() {
+  local group package
+  local -a missing=()
+  command -v dpkg-query >/dev/null || return 0
+  for group in "$@"; do
+    declare -n list="packages_$group"
+    for package in "${list[@]}"; do
+      if [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+        missing+=("$package")
+      fi
+    done
+  done
+  [[ ${#missing[@]} == 0 ]] && return 0
+  step "installing ${#missing[@]} packages: ${missing[*]}" >&2
+  # stdout may be the output of `./dev run -- COMMAND`.
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "${missing[@]}" >&2
+}
+
+# usage: configure TREE OPTIONS...
+configure() {
+  local tree=$1
+  shift
+  if [[ ! -f $tree/build.ninja ]]; then
+    step "configuring $(basename "$tree")" >&2
+    meson setup "$tree" "$root" "$@" >&2
+  elif [[ $# -gt 0 ]]; then
+    # Only a changed option touches the tree; an equal one would still make ninja look again.
+    local option
+    local -a changed=()
+    for option in "$@"; do
+      [[ $option == -D* ]] || continue
+      option_is "$tree" "${option#-D}" || changed+=("$option")
+    done
+    if [[ ${#changed[@]} -gt 0 ]]; then meson configure "$tree" "${changed[@]}" >&2; fi
+  fi
+}
+
+option_is() {
+  meson introspect --buildoptions "$1" | python3 -c '
+import json, sys
+name, _, value = sys.argv[1].partition("=")
+for option in json.load(sys.stdin):
+    if option["name"] == name:
+        have = option["value"]
+        have = str(have).lower() if isinstance(have, bool) else str(have)
+        sys.exit(0 if have == value else 1)
+sys.exit(1)' "$2"
+}
+
+compile() {
+  step "building $(basename "$1") with $jobs jobs" >&2
+  ninja -C "$1" -j "$jobs" >&2
+}
+
+# Tests see a plain GL of software, whatever the caller has set.
+plain_environment() {
+  local name
+  for name in $(compgen -e | grep -E '^(ARBITER_|__GLX_|__EGL_|MESA_|GALLIUM_|LIBGL_)' || true); do
+    unset "$name"
+  done
+  unset LD_PRELOAD
+  export LIBGL_ALWAYS_SOFTWARE=1
+}
+
+# A display of our own on a free number, gone with this script.
+start_display() {
+  local file
+  file=$(mktemp)
+  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$file" >/dev/null 2>&1 &
+  display_pid=$!
+  trap 'kill "$display_pid" 2>/dev/null || true' EXIT
+  local tries
+  for ((tries = 0; tries < 100; tries++)); do
+    [[ -s $file ]] && break
+    sleep 0.1
+  done
+  [[ -s $file ]] || fail "Xvfb did not start"
+  DISPLAY=:$(tr -d '\n' <"$file")
+  export DISPLAY
+  unset WAYLAND_DISPLAY XAUTHORITY
+  rm -f "$file"
+}
+
+fresh_results() {
+  rm -rf "$out/test"
+  mkdir -p "$out/test"
+  failures=0
+}
+
+# Runs one part of a verb and goes on when it fails: the counts at the end show all parts.
+record() {
+  "$@" || {
+    printf 'dev: failed: %s\n' "$*" >&2
+    failures=$((failures + 1))
+  }
+}
+
+# usage: meson_tests TREE OPTIONS...
+meson_tests() {
+  local tree=$1
+  shift
+  step "unit tests, clients, demonstrations"
+  rm -f "$tree/meson-logs/testlog.json"
+  record meson test -C "$tree" --no-rebuild --print-errorlogs --num-processes "$jobs" "$@"
+  record python3 "$root/scripts/tally.py" meson "$tree/meson-logs/testlog.json" \
+    "$out/test/meson.json"
+}
+
+# Ends with the plain line of counts; a part that failed without a count still fails the verb.
+finish_results() {
+  step "results"
+  python3 "$root/scripts/tally.py" total "$out/test" || failures=$((failures + 1))
+  [[ $failures == 0 ]] || exit 1
+}

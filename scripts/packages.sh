@@ -1,0 +1,30 @@
+# shellcheck shell=bash disable=SC2034  # the arrays are read by ./dev
+# Debian 12 packages by what needs them; docs/dependencies.md says why each is here.
+
+# The layer, the command and the demonstrations: what compiles, and the software GL they run on.
+packages_build=(
+  g++ meson ninja-build ccache pkg-config python3
+  libgl-dev libegl-dev libopengl-dev libglvnd-dev libglvnd-core-dev libx11-dev libxext-dev
+  khronos-api libosmesa6-dev libepoxy-dev libglm-dev libglfw3-dev libpng-dev
+  libfmt-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev
+  libgl1 libglx0 libegl1 libopengl0 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libosmesa6
+)
+
+# `./dev test`: unit tests, the clients, piglit and a display for them.
+packages_test=(
+  libgtest-dev libgmock-dev glslang-tools xvfb xauth piglit
+  libsdl2-dev libglew-dev
+)
+
+# The one real program of `./dev test`.
+packages_openscad=(openscad)
+
+# `./dev real`: the other real programs.
+packages_real=(
+  openscad mplayer ffmpeg
+  libirrlicht-dev libirrlicht-doc wine wine64 gcc-mingw-w64-x86-64
+)
+
+packages_bench=(libbenchmark-dev xvfb xauth)
+packages_check=(clang-format clang-tidy)
+packages_fuzz=(clang-14 libclang-rt-14-dev)

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Runs the demonstrations headless under the layer: one PNG and one statistics file each.
+
+Prints where the pictures are and what the layer did for each. With --list, prints the names.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+
+def demos_of(build):
+    """{name: path} of the executables that demos/meson.build declares."""
+    targets = json.loads(subprocess.run(
+        ["meson", "introspect", "--targets", str(build)], check=True, capture_output=True,
+        text=True).stdout)
+    found = {}
+    for target in targets:
+        folder = pathlib.Path(target["defined_in"]).parent.name
+        path = pathlib.Path(target["filename"][0])
+        if target["type"] == "executable" and folder == "demos" and not path.name.endswith("_test"):
+            found[path.name] = path
+    return found
+
+
+def summary(path):
+    """One line about what the layer saw: programs with their counts, draws by path."""
+    try:
+        stats = json.loads(path.read_text())
+    except (OSError, ValueError):
+        return "no statistics"
+    programs = stats.get("programs", [])
+    draws = stats.get("draws", {})
+    parts = ["%d program%s" % (len(programs), "" if len(programs) == 1 else "s")]
+    counts = [p.get("counts", p) for p in programs]
+    for count in counts[:3]:
+        alu, tex = count.get("alu_instructions"), count.get("tex_instructions")
+        if alu is not None and tex is not None:
+            parts.append("%s ALU + %s TEX" % (alu, tex))
+    if isinstance(draws, dict):
+        parts += ["%s %s" % (value, key.replace("_", " ")) for key, value in draws.items()
+                  if isinstance(value, int) and value]
+    return ", ".join(parts)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("name", nargs="?")
+    args = parser.parse_args()
+
+    demos = demos_of(args.build)
+    if args.list:
+        print("\n".join(sorted(demos)))
+        return 0
+    if args.name and args.name not in demos:
+        print("no demonstration '%s'; there are: %s" % (args.name, ", ".join(sorted(demos))),
+              file=sys.stderr)
+        return 2
+    chosen = [args.name] if args.name else sorted(demos)
+    if not chosen:
+        print("no demonstrations are built", file=sys.stderr)
+        return 1
+
+    layer = args.build / "src/interposer/libGLX_arbiter.so.0"
+    if not layer.exists():
+        print("the layer is not built: %s" % layer, file=sys.stderr)
+        return 1
+    args.out.mkdir(parents=True, exist_ok=True)
+    failed = 0
+    for number, name in enumerate(chosen, 1):
+        picture = args.out / (name + ".png")
+        stats = args.out / (name + ".json")
+        for old in (picture, stats):
+            old.unlink(missing_ok=True)
+        environment = dict(os.environ, LD_PRELOAD=str(layer), ARBITER_STATS=str(stats),
+                           LIBGL_ALWAYS_SOFTWARE="1")
+        print("[%d/%d] %s" % (number, len(chosen), name), flush=True)
+        run = subprocess.run([str(demos[name]), "--headless", "--out", str(picture)],
+                             env=environment)
+        if run.returncode or not picture.exists():
+            print("      failed with status %d" % run.returncode)
+            failed += 1
+            continue
+        print("      %s\n      %s" % (picture, summary(stats)), flush=True)
+    print("%d of %d demonstrations drew their picture into %s"
+          % (len(chosen) - failed, len(chosen), args.out))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Fails on an #include that goes against the house's one way down.
+
+    interposer -> dispatch -> state -> {fp_compiler, swrast, host} -> util
+
+tools and builder sit on fp_compiler, swrast and the public interface; demonstrations are clients
+and see none of it. swrast sees of the compiler only a plain ABI header. What a room may take from
+outside is checked too: the compiler and util know no GL and no X11, and nothing that enters an
+application uses libepoxy, which is the clients' loader.
+
+usage: include_graph.py ROOT | include_graph.py --self-test
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+# The rooms that a room includes directly or from further down.
+ALLOWED = {
+    "util": set(),
+    "fp_compiler": {"util"},
+    "swrast": {"util", "public"},
+    "host": {"util", "public"},
+    "state": {"fp_compiler", "swrast", "host", "util", "public"},
+    "dispatch": {"state", "fp_compiler", "swrast", "host", "util", "public"},
+    "interposer": {"dispatch", "state", "fp_compiler", "swrast", "host", "util", "public"},
+    "tools": {"fp_compiler", "swrast", "util", "public"},
+    "builder": {"fp_compiler", "swrast", "util", "public"},
+    "demos": {"public"},
+    "public": set(),
+}
+
+# Single headers that may be seen across an edge that is otherwise closed.
+EXCEPTIONS = {("swrast", "fp_compiler/abi.h")}
+
+WINDOWS = r"GL/|GLES\d?/|EGL/|KHR/|X11/|glvnd/"
+LOADERS = r"epoxy/|GLFW/"
+FORBIDDEN_OUTSIDE = {
+    "util": re.compile(WINDOWS + "|" + LOADERS),
+    "fp_compiler": re.compile(WINDOWS + "|" + LOADERS),
+    "host": re.compile(LOADERS),
+    "swrast": re.compile(LOADERS),
+    "state": re.compile(LOADERS),
+    "dispatch": re.compile(LOADERS),
+    "interposer": re.compile(LOADERS),
+}
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.M)
+SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".c", ".def", ".inc", ".in"}
+
+
+def room_of(path, root):
+    parts = path.relative_to(root).parts
+    if parts[0] == "src" and len(parts) > 2:
+        return parts[1]
+    if parts[0] == "demos":
+        return "demos"
+    if parts[0] == "include":
+        return "public"
+    return None
+
+
+def is_test(path):
+    return path.stem.endswith("_test") or path.stem.endswith("_bench")
+
+
+def target_room(name, quoted, source, root):
+    """(room, name from src/) that an include leads to; (None, name) if it is from outside."""
+    if quoted:
+        # The folder of the including file is searched first, as the compiler does.
+        beside = (source.parent / name).resolve()
+        if beside.exists() and root.resolve() in beside.parents:
+            room = room_of(beside, root.resolve())
+            if room:
+                inside = beside.relative_to(root.resolve())
+                return room, str(pathlib.Path(*inside.parts[1:]))
+    if (root / "include" / name).exists():
+        return "public", name
+    first = name.split("/")[0]
+    if "/" in name and (first in ALLOWED or (root / "src" / first).is_dir()):
+        return first, name  # also what the build generates into a room
+    return None, name
+
+
+def check(root):
+    """The list of complaints about the tree at root, and the number of includes read."""
+    complaints, edges = [], 0
+    sources = [p for folder in ("src", "demos", "include") if (root / folder).is_dir()
+               for p in sorted((root / folder).rglob("*")) if p.suffix in SUFFIXES]
+    for source in sources:
+        room = room_of(source, root)
+        if room is None:
+            continue
+        where = source.relative_to(root)
+        if room not in ALLOWED:
+            complaints.append("%s: room '%s' has no row in the include graph" % (where, room))
+            continue
+        for bracket, name in INCLUDE.findall(source.read_text(errors="replace")):
+            edges += 1
+            target, inside = target_room(name, bracket == '"', source, root)
+            if target is None:
+                outside = FORBIDDEN_OUTSIDE.get(room)
+                if outside and outside.match(name) and not is_test(source):
+                    complaints.append("%s: %s may not include <%s>" % (where, room, name))
+            elif target != room and target not in ALLOWED[room] \
+                    and (room, inside) not in EXCEPTIONS:
+                complaints.append("%s: %s -> %s (%s) is no edge of the graph"
+                                  % (where, room, target, name))
+    return complaints, edges
+
+
+PLANTED = [
+    # (file, text, complaints expected)
+    ("src/util/hash.h", '#include "state/context.h"\n', 1),
+    ("src/fp_compiler/front/lexer.cpp", "#include <GL/gl.h>\n", 1),
+    ("src/swrast/bins.cpp", '#include "fp_compiler/ir/ir.h"\n', 1),
+    ("src/swrast/bins.cpp", '#include "fp_compiler/abi.h"\n', 0),
+    ("src/host/table.h", '#include "../state/context.h"\n', 1),
+    ("src/dispatch/generated.cpp", '#include "interposer/fronts.h"\n', 1),
+    ("src/state/context.cpp", '#include <epoxy/gl.h>\n', 1),
+    ("src/state/context.cpp", '#include "host/table.h"\n#include "util/hash.h"\n', 0),
+    ("src/kitchen/sink.h", "", 1),
+    ("demos/twirl.cpp", '#include "fp_compiler/compiler.h"\n', 1),
+    ("demos/twirl.cpp", '#include <epoxy/gl.h>\n#include "common/window.h"\n', 0),
+]
+
+
+def self_test():
+    """A planted bad edge is found, a good one is not complained about."""
+    for name, text, expected in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for path in ("src/state/context.h", "src/host/table.h", "src/util/hash.h",
+                         "demos/common/window.h"):
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text("")
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text)
+            complaints, _ = check(root)
+            assert len(complaints) == expected, (name, text, complaints)
+    print("%d passed, 0 failed, 0 skipped" % len(PLANTED))
+    return 0
+
+
+def main():
+    if sys.argv[1:] == ["--self-test"]:
+        return self_test()
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    complaints, edges = check(pathlib.Path(sys.argv[1]))
+    for complaint in complaints:
+        print(complaint, file=sys.stderr)
+    print("%d includes read, %d against the graph" % (edges, len(complaints)))
+    return 1 if complaints or not edges else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
