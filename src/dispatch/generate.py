@@ -214,8 +214,11 @@ def thunk_body(command, action):
     lead = "  ContextHot *const t = t_current;\n"
     drop = "return;" if result == "void" else f"return {{}};"
     if action == "own":
-        call = f"{give}handlers::{name}({command.arguments(['here()'])});"
-        return f"  {call}\n"
+        ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        if result == "void":
+            return lead + ("  if (t->passThrough) [[unlikely]] {\n"
+                           f"    {call}\n    return;\n  }}\n  {ours}\n")
+        return lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n  {ours}\n"
     if action in ("draw", "validate"):
         count = "  ++*t->drawCounter;\n" if action == "draw" else ""
         return (lead + "  if (t->attention) [[unlikely]] {\n"
@@ -285,6 +288,27 @@ bool isOurs(const void *function) {
     return "".join(out)
 
 
+def null_table_source(table):
+    """The table of the null context: each function looks for the next definition when called."""
+    out = [HEADING, '#include "interposer/null_host.h"\n\n#include "host/host_table.h"\n\n',
+           "namespace arbiter::interposer {\n\nnamespace {\n\n"]
+    for name in table.members:
+        command = table.commands[name]
+        root = table.entry_names(name)[0]
+        give = "" if command.result == "void" else "return "
+        out.append(f"{command.result} null{name}({command.declare()}) {{\n"
+                   f'  static constinit NextFunction s_next{{"{root}"}};\n'
+                   f"  const NullCall call(s_next);\n  if (call.function())\n"
+                   f"    {give}reinterpret_cast<{command.result} (*)({command.types()})>"
+                   f"(call.function())({command.arguments()});\n"
+                   + ("" if command.result == "void" else "  return {};\n") + "}\n")
+    out.append("\n} // namespace\n\nconst host::HostTable &nullHost() {\n"
+               "  static constexpr host::HostTable kTable = {\n")
+    out += [f"      .{name} = null{name},\n" for name in table.members]
+    out.append("  };\n  return kTable;\n}\n\n} // namespace arbiter::interposer\n")
+    return "".join(out)
+
+
 def export_names(table):
     names = list(table.config.get("exports", {}).get("names", []))
     for name in table.action:
@@ -303,7 +327,7 @@ def main():
     parser.add_argument("toml")
     writers = {"host-header": host_table_header, "host-source": host_table_source,
                "handlers": handlers_header, "entry-points": entry_points_source,
-               "version-script": version_script,
+               "null-table": null_table_source, "version-script": version_script,
                "export-list": lambda t: "".join(n + "\n" for n in export_names(t))}
     for option in writers:
         parser.add_argument("--" + option, metavar="FILE")

@@ -24,6 +24,9 @@ struct ContextHot {
   bool insideBeginEnd = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
+  /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the entries
+  /// that state owns go to the host as well, without a call into state.
+  bool passThrough = false;
   /// The counter of the path that draws take at present (host GLSL, host untouched).
   std::uint64_t *drawCounter = nullptr;
 };

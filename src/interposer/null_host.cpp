@@ -1,0 +1,45 @@
+#include "interposer/null_host.h"
+
+#include <dlfcn.h>
+
+#include "dispatch/entry_points.h"
+
+namespace arbiter::interposer {
+
+namespace {
+
+/// The calling thread is inside a call to the next definition.
+constinit thread_local bool t_insideNullCall __attribute__((tls_model("initial-exec"))) = false;
+
+void *resolve(const char *name) {
+  // dlerror belongs to the application: a miss of ours must not be what it reads next.
+  void *function = dlsym(RTLD_NEXT, name);
+  if (!function)
+    function = dlsym(RTLD_DEFAULT, name);
+  if (!function)
+    (void)dlerror();
+  return dispatch::isOurs(function) ? nullptr : function;
+}
+
+} // namespace
+
+NullCall::NullCall(NextFunction &next) {
+  if (t_insideNullCall)
+    return;
+  void *function = next.function.load(std::memory_order_acquire);
+  if (!function) {
+    function = resolve(next.name);
+    next.function.store(function, std::memory_order_release);
+  }
+  if (function) {
+    t_insideNullCall = true;
+    m_function = function;
+  }
+}
+
+NullCall::~NullCall() {
+  if (m_function)
+    t_insideNullCall = false;
+}
+
+} // namespace arbiter::interposer

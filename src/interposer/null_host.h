@@ -1,0 +1,33 @@
+#pragma once
+#include <atomic>
+
+#include "host/host_table.h"
+
+/// What a GL call does while no context of ours is current: it goes to the next definition in the
+/// process (a libGL whose contexts do not pass through us, a library that an absolute path named),
+/// or nowhere. Resolved at the first call of each, because that library may be loaded late.
+namespace arbiter::interposer {
+
+/// The function after ours in the order of lookup, once found.
+struct NextFunction {
+  const char *name;
+  std::atomic<void *> function{nullptr};
+};
+
+/// One call on its way to the next definition. function() is null where there is none, and in a call
+/// that came back to us: libGL's own stub may lead here.
+class NullCall {
+public:
+  explicit NullCall(NextFunction &next);
+  ~NullCall();
+  NullCall(const NullCall &) = delete;
+  NullCall &operator=(const NullCall &) = delete;
+  [[nodiscard]] void *function() const { return m_function; }
+
+private:
+  void *m_function = nullptr;
+};
+
+[[nodiscard]] const host::HostTable &nullHost();
+
+} // namespace arbiter::interposer
