@@ -1,0 +1,187 @@
+#include "fp_compiler/back/glsl/expression.h"
+
+#include <algorithm>
+
+namespace arbiter::fp::glsl {
+
+using ir::Instruction;
+using ir::Opcode;
+using ir::Operand;
+
+namespace {
+/// One instruction's text; the operands are read where they stand, so one assignment latches them.
+struct Writer {
+  const Registers &registers;
+  const Instruction &instruction;
+  const Components &components;
+  const Proofs &proofs;
+
+  std::string vec(int operand, const Components &at) const {
+    return vector(registers, instruction.src[std::size_t(operand)], at);
+  }
+  std::string vec(int operand) const { return vec(operand, components); }
+  std::string at(int operand, int position) const {
+    return component(registers, instruction.src[std::size_t(operand)], position);
+  }
+  std::string call(const char *function) const {
+    return std::string(function) + "(" + vec(0) + ")";
+  }
+  std::string call2(const char *function) const {
+    return std::string(function) + "(" + vec(0) + ", " + vec(1) + ")";
+  }
+  std::string infix(const char *symbol) const { return vec(0) + " " + symbol + " " + vec(1); }
+
+  /// One scalar in every component of the mask.
+  std::string replicate(const std::string &scalar) const {
+    return compose(std::vector<std::string>(components.size(), scalar));
+  }
+  std::string scalarCall(const char *function) const {
+    return replicate(std::string(function) + "(" + at(0, 0) + ")");
+  }
+  /// For the result components whose texts are given.
+  std::string pick(const std::array<std::string, 4> &results) const {
+    std::vector<std::string> parts;
+    for (const int position : components)
+      parts.push_back(results[std::size_t(position)]);
+    return compose(parts);
+  }
+
+  /// 0/1 by a comparison; the vector functions take no scalars.
+  std::string compare(const char *symbol, const char *function) const {
+    if (components.size() == 1)
+      return "float(" + infix(symbol) + ")";
+    return typeName(components.size()) + "(" + call2(function) + ")";
+  }
+
+  std::string cmp() const;
+  std::string power(const std::string &base, const std::string &exponent) const;
+  std::string lit() const;
+  std::string cross() const;
+};
+
+/// A ternary each, not mix(): mix() multiplies the branch that is not taken.
+std::string Writer::cmp() const {
+  const Operand &condition = instruction.src[0];
+  const bool alike = std::all_of(components.begin(), components.end(), [&](int position) {
+    return at(0, position) == at(0, components.front());
+  });
+  if (alike)
+    return component(registers, condition, components.front()) + " < 0.0 ? " + vec(1) + " : " +
+           vec(2);
+  std::vector<std::string> parts;
+  for (const int position : components)
+    parts.push_back(at(0, position) + " < 0.0 ? " + at(1, position) + " : " + at(2, position));
+  return compose(parts);
+}
+
+/// GLSL leaves pow(0, 0) and a negative base undefined; hosts give NaN.
+std::string Writer::power(const std::string &base, const std::string &exponent) const {
+  const std::string guarded = proofs.baseNotNegative ? base : "max(" + base + ", 0.0)";
+  const std::string text = "pow(" + guarded + ", " + exponent + ")";
+  return proofs.exponentNotZero ? text : "(" + exponent + " == 0.0 ? 1.0 : " + text + ")";
+}
+
+std::string Writer::lit() const {
+  const std::string exponent = "clamp(" + at(0, 3) + ", -127.99999, 127.99999)";
+  return pick({"1.0", "max(" + at(0, 0) + ", 0.0)",
+               "(" + at(0, 0) + " > 0.0 ? " + power(at(0, 1), exponent) + " : 0.0)", "1.0"});
+}
+
+std::string Writer::cross() const {
+  const std::string product = "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")";
+  if (components.back() == 3)
+    return "vec4(" + product + ", 0.0)" + suffix(components);
+  return components.size() == 3 ? product : product + suffix(components);
+}
+} // namespace
+
+std::string expression(const Registers &registers, const Instruction &instruction,
+                       const Components &components, const Proofs &proofs) {
+  const Writer w{registers, instruction, components, proofs};
+  const Components xyz = {0, 1, 2};
+  const Components all = {0, 1, 2, 3};
+  switch (instruction.op) {
+  case Opcode::Abs:
+    return w.call("abs");
+  case Opcode::Add:
+    return w.infix("+");
+  case Opcode::Cmp:
+    return w.cmp();
+  case Opcode::Cos:
+    return w.scalarCall("cos");
+  case Opcode::Dp3:
+    return w.replicate("dot(" + w.vec(0, xyz) + ", " + w.vec(1, xyz) + ")");
+  case Opcode::Dp4:
+    return w.replicate("dot(" + w.vec(0, all) + ", " + w.vec(1, all) + ")");
+  case Opcode::Dph:
+    return w.replicate("dot(" + w.vec(0, xyz) + ", " + w.vec(1, xyz) + ") + " + w.at(1, 3));
+  case Opcode::Dst:
+    return w.pick({"1.0", w.at(0, 1) + " * " + w.at(1, 1), w.at(0, 2), w.at(1, 3)});
+  case Opcode::Ex2:
+    return w.scalarCall("exp2");
+  case Opcode::Flr:
+    return w.call("floor");
+  case Opcode::Frc:
+    return w.call("fract");
+  case Opcode::Lg2:
+    return w.scalarCall("log2");
+  case Opcode::Lit:
+    return w.lit();
+  case Opcode::Lrp:
+    return "mix(" + w.vec(2) + ", " + w.vec(1) + ", " + w.vec(0) + ")";
+  case Opcode::Mad:
+    return w.infix("*") + " + " + w.vec(2);
+  case Opcode::Max:
+    return w.call2("max");
+  case Opcode::Min:
+    return w.call2("min");
+  case Opcode::Mov:
+  case Opcode::Swz:
+    return w.vec(0);
+  case Opcode::Mul:
+    return w.infix("*");
+  case Opcode::Pow:
+    return w.replicate(w.power(w.at(0, 0), w.at(1, 0)));
+  case Opcode::Rcp:
+    return w.replicate("1.0 / " + w.at(0, 0));
+  case Opcode::Rsq:
+    return w.replicate("inversesqrt(abs(" + w.at(0, 0) + "))");
+  case Opcode::Scs:
+    return w.pick({"cos(" + w.at(0, 0) + ")", "sin(" + w.at(0, 0) + ")", "0.0", "0.0"});
+  case Opcode::Sge:
+    return w.compare(">=", "greaterThanEqual");
+  case Opcode::Sin:
+    return w.scalarCall("sin");
+  case Opcode::Slt:
+    return w.compare("<", "lessThan");
+  case Opcode::Sub:
+    return w.infix("-");
+  case Opcode::Xpd:
+    return w.cross();
+  case Opcode::Tex:
+  case Opcode::Txp:
+  case Opcode::Txb:
+    return sample(registers, instruction) + suffix(components);
+  case Opcode::Kil:
+    break; // has no result
+  }
+  return "";
+}
+
+std::string killCondition(const Registers &registers, const Operand &operand) {
+  std::vector<std::string> parts;
+  Components distinct;
+  for (int position = 0; position < 4; ++position) {
+    const std::string text = component(registers, operand, position);
+    if (std::find(parts.begin(), parts.end(), text) == parts.end()) {
+      parts.push_back(text);
+      distinct.push_back(position);
+    }
+  }
+  if (distinct.size() == 1)
+    return parts.front() + " < 0.0";
+  return "any(lessThan(" + vector(registers, operand, distinct) + ", " + typeName(distinct.size()) +
+         "(0.0)))";
+}
+
+} // namespace arbiter::fp::glsl

@@ -1,0 +1,10 @@
+#pragma once
+#include "fp_compiler/compiler.h"
+
+namespace arbiter::fp::glsl {
+
+/// Writes a validated program as a GLSL 1.20 fragment shader, instruction by instruction; the
+/// meaning is that of ir/semantics.h. Does not optimise.
+[[nodiscard]] GlslShader emit(const ir::Program &program, const GlslHost &host);
+
+} // namespace arbiter::fp::glsl

@@ -1,0 +1,63 @@
+#include "fp_compiler/back/glsl/expression.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp::glsl {
+
+using ir::Instruction;
+using ir::Opcode;
+using ir::TexTarget;
+
+namespace {
+/// How a target is sampled. `projective` takes the divisor as a last component; targets without
+/// one divide by hand. Shadow1D's second coordinate is a placeholder.
+struct TargetText {
+  const char *function;
+  const char *projective; ///< nullptr: divide by hand
+  bool bias;
+};
+
+TargetText targetText(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+    return {"texture1D", "texture1DProj", true};
+  case TexTarget::Tex2D:
+    return {"texture2D", "texture2DProj", true};
+  case TexTarget::Tex3D:
+    return {"texture3D", nullptr, true};
+  case TexTarget::Cube:
+    return {"textureCube", nullptr, true};
+  case TexTarget::Rect:
+    return {"texture2DRect", nullptr, false};
+  case TexTarget::Shadow1D:
+    return {"shadow1D", "shadow1DProj", true};
+  case TexTarget::Shadow2D:
+    return {"shadow2D", "shadow2DProj", true};
+  case TexTarget::ShadowRect:
+    return {"shadow2DRect", nullptr, false};
+  }
+  return {"", nullptr, false};
+}
+} // namespace
+
+std::string sample(const Registers &registers, const Instruction &instruction) {
+  const ir::Operand &operand = instruction.src[0];
+  const TargetText text = targetText(instruction.target);
+  Components coordinate = positions(ir::coordinateMask(instruction.target));
+  if (instruction.target == TexTarget::Shadow1D)
+    coordinate = {0, 0, 2};
+  const std::string sampler = "(arb_tex" + std::to_string(instruction.unit) + ", ";
+  if (instruction.op == Opcode::Txp) {
+    if (text.projective != nullptr) {
+      Components projected = coordinate;
+      projected.push_back(3);
+      return text.projective + sampler + vector(registers, operand, projected) + ")";
+    }
+    return text.function + sampler + vector(registers, operand, coordinate) + " / " +
+           component(registers, operand, 3) + ")";
+  }
+  const std::string bias =
+      instruction.op == Opcode::Txb && text.bias ? ", " + component(registers, operand, 3) : "";
+  return text.function + sampler + vector(registers, operand, coordinate) + bias + ")";
+}
+
+} // namespace arbiter::fp::glsl

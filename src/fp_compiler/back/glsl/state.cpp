@@ -1,0 +1,108 @@
+#include "fp_compiler/back/glsl/state.h"
+
+namespace arbiter::fp::glsl {
+
+using ir::MatrixModifier;
+using ir::StateItem;
+using ir::StateRef;
+
+namespace {
+StateText variable(std::string text) { return {std::move(text), true}; }
+StateText expression(std::string text) { return {std::move(text), false}; }
+
+/// ARB rows against GLSL columns: row r of M is column r of its transpose.
+StateText matrixRow(const std::string &name, const StateRef &ref, const std::string &index) {
+  const char *suffix = "";
+  switch (ref.modifier) {
+  case MatrixModifier::Plain:
+    suffix = "Transpose";
+    break;
+  case MatrixModifier::Inverse:
+    suffix = "InverseTranspose";
+    break;
+  case MatrixModifier::Transpose:
+    suffix = "";
+    break;
+  case MatrixModifier::InvTrans:
+    suffix = "Inverse";
+    break;
+  }
+  return variable(name + suffix + index + "[" + std::to_string(ref.row) + "]");
+}
+
+/// Table X.2.3: the product's rgb, the material's alpha.
+StateText lightProduct(const std::string &light, const std::string &material, const char *field) {
+  const std::string color = material + "." + field;
+  return expression("vec4(" + light + "." + field + ".rgb * " + color + ".rgb, " + color + ".a)");
+}
+} // namespace
+
+std::optional<StateText> stateText(const StateRef &ref) {
+  const std::string material = ref.back ? "gl_BackMaterial" : "gl_FrontMaterial";
+  const std::string bracket = "[" + std::to_string(ref.index) + "]";
+  const std::string light = "gl_LightSource" + bracket;
+  switch (ref.item) {
+  case StateItem::MaterialAmbient:
+    return variable(material + ".ambient");
+  case StateItem::MaterialDiffuse:
+    return variable(material + ".diffuse");
+  case StateItem::MaterialSpecular:
+    return variable(material + ".specular");
+  case StateItem::MaterialEmission:
+    return variable(material + ".emission");
+  case StateItem::MaterialShininess:
+    return expression("vec4(" + material + ".shininess, 0.0, 0.0, 1.0)");
+  case StateItem::LightAmbient:
+    return variable(light + ".ambient");
+  case StateItem::LightDiffuse:
+    return variable(light + ".diffuse");
+  case StateItem::LightSpecular:
+    return variable(light + ".specular");
+  case StateItem::LightPosition:
+    return variable(light + ".position");
+  case StateItem::LightAttenuation:
+    return expression("vec4(" + light + ".constantAttenuation, " + light + ".linearAttenuation, " +
+                      light + ".quadraticAttenuation, " + light + ".spotExponent)");
+  case StateItem::LightSpotDirection:
+    return expression("vec4(" + light + ".spotDirection, " + light + ".spotCosCutoff)");
+  case StateItem::LightHalf:
+    return expression("vec4(normalize(normalize(" + light +
+                      ".position.xyz) + vec3(0.0, 0.0, 1.0)), 1.0)");
+  case StateItem::LightModelAmbient:
+    return variable("gl_LightModel.ambient");
+  case StateItem::LightModelSceneColor:
+    return expression("vec4(gl_LightModel.ambient.rgb * " + material + ".ambient.rgb + " +
+                      material + ".emission.rgb, " + material + ".diffuse.a)");
+  case StateItem::LightProdAmbient:
+    return lightProduct(light, material, "ambient");
+  case StateItem::LightProdDiffuse:
+    return lightProduct(light, material, "diffuse");
+  case StateItem::LightProdSpecular:
+    return lightProduct(light, material, "specular");
+  case StateItem::FogColor:
+    return variable("gl_Fog.color");
+  case StateItem::FogParams:
+    return expression("vec4(gl_Fog.density, gl_Fog.start, gl_Fog.end, "
+                      "1.0 / (gl_Fog.end - gl_Fog.start))");
+  case StateItem::DepthRange:
+    return expression("vec4(gl_DepthRange.near, gl_DepthRange.far, gl_DepthRange.diff, 1.0)");
+  case StateItem::MatrixModelview:
+    // modelview[n > 0] is ARB_vertex_blend's; no built-in holds it.
+    if (ref.index != 0)
+      return std::nullopt;
+    return matrixRow("gl_ModelViewMatrix", ref, "");
+  case StateItem::MatrixProjection:
+    return matrixRow("gl_ProjectionMatrix", ref, "");
+  case StateItem::MatrixMvp:
+    return matrixRow("gl_ModelViewProjectionMatrix", ref, "");
+  case StateItem::MatrixTexture:
+    return matrixRow("gl_TextureMatrix", ref, bracket);
+  case StateItem::TexEnvColor:
+  case StateItem::MatrixPalette:
+  case StateItem::MatrixProgram:
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+} // namespace arbiter::fp::glsl

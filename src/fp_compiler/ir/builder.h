@@ -1,0 +1,57 @@
+#pragma once
+#include <initializer_list>
+#include <string_view>
+
+#include "fp_compiler/ir/ir.h"
+
+/// Builds programs in tests and generators: `b.op(Opcode::Mad, b.color(), {t.xyz..., ...})`.
+namespace arbiter::fp::ir {
+
+/// An operand under construction; every function returns a changed copy.
+struct Source : Operand {
+  /// "x", "wzyx", "rgba"-free: one letter of xyzw01 (repeated) or four.
+  [[nodiscard]] Source swz(std::string_view letters) const;
+  /// All four components change sign.
+  [[nodiscard]] Source operator-() const;
+  /// Bits of \p mask change sign.
+  [[nodiscard]] Source negated(std::uint8_t mask) const;
+};
+
+/// A destination under construction.
+struct Target : Destination {
+  /// "x", "xz", "xyzw"
+  [[nodiscard]] Target mask(std::string_view letters) const;
+  [[nodiscard]] Target sat() const;
+  /// The same register as an operand.
+  [[nodiscard]] Source read() const;
+};
+
+class Builder {
+public:
+  /// Declares a temporary, named "t<n>" if no name is given.
+  Target temporary(std::string_view name = {});
+  Target color(int index = 0);
+  Target depth();
+  Source attribute(AttributeKind kind, int index = 0);
+  Source constant(float x, float y, float z, float w);
+  Source constant(float all) { return constant(all, all, all, all); }
+  Source env(int index);
+  Source local(int index);
+  Source state(const StateRef &ref);
+
+  Builder &op(Opcode opcode, const Target &dst, std::initializer_list<Source> sources);
+  Builder &tex(Opcode opcode, const Target &dst, const Source &coordinate, int unit,
+               TexTarget target);
+  Builder &kil(const Source &source);
+
+  Options &options() { return m_program.options; }
+  [[nodiscard]] const Program &program() const { return m_program; }
+  [[nodiscard]] Program take() { return std::move(m_program); }
+
+private:
+  Target output(Output wanted);
+  Source parameter(Parameter wanted);
+  Program m_program;
+};
+
+} // namespace arbiter::fp::ir
