@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "fp_compiler/hw/profile.h"
+
+/// What generate_profiles.py writes. Plain constants, so that loading the library runs no code.
+namespace arbiter::fp::hw {
+
+struct BuiltinRow {
+  std::uint32_t value;
+  const char *source;
+};
+
+struct BuiltinProfile {
+  const char *name;
+  const char *description;
+  bool fromHost;
+  BuiltinRow rows[kRowCount]; ///< in the order of rows.def
+};
+
+[[nodiscard]] std::span<const BuiltinProfile> builtinTable();
+
+} // namespace arbiter::fp::hw

@@ -1,0 +1,254 @@
+#include "fp_compiler/hw/profile.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "util/suggest.h"
+
+namespace {
+/// Thrown where the TOML parser finds itself in a state that it holds to be impossible.
+struct ParserBroken {};
+void require(bool possible) {
+  if (!possible)
+    throw ParserBroken();
+}
+} // namespace
+
+// toml++ 3.3 asserts, or in a release build assumes, what bad text can break ("[[["). In a library
+// that lives in an application that must be an error, whatever the build type.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expr) ::require(bool(expr))
+#define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+namespace arbiter::fp::hw {
+
+namespace {
+
+/// A profile is a page of text; more is a mistake.
+constexpr std::size_t kMaxFileBytes = 256u << 10;
+
+/// Collects the first error, with its place.
+struct Reader {
+  std::string_view path;
+  std::string error;
+
+  bool fail(const toml::source_region &where, const std::string &text) {
+    if (error.empty())
+      error = std::string(path) + ":" + std::to_string(where.begin.line) + ":" +
+              std::to_string(where.begin.column) + ": " + text;
+    return false;
+  }
+};
+
+std::string meant(std::string_view typed, std::span<const std::string_view> known) {
+  const std::string_view near = closest(typed, known);
+  return near.empty() ? std::string() : "; did you mean \"" + std::string(near) + "\"?";
+}
+
+std::string joined(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names)
+    text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::string unknownName(std::string_view name) {
+  const std::vector<std::string_view> names = builtinNames();
+  return "no profile \"" + std::string(name.substr(0, 64)) + "\"" + meant(name, names) +
+         " (built in: " + joined(names) + "; or the path of a TOML file)";
+}
+
+bool readValue(Reader &reader, Profile &profile, const RowInfo &info, const toml::node &node,
+               std::string source) {
+  const std::string name = std::string(info.table) + "." + info.key;
+  const toml::value<std::int64_t> *number = node.as_integer();
+  if (number == nullptr)
+    return reader.fail(node.source(), name + " must be a whole number");
+  const std::int64_t value = number->get();
+  if (value < 0 || value > std::int64_t(info.most))
+    return reader.fail(node.source(), name + " = " + std::to_string(value) +
+                                          " is out of range: 0 to " + std::to_string(info.most));
+  profile.set(info.row, std::uint32_t(value), std::move(source));
+  return true;
+}
+
+/// `key = 96`, or `key = { value = 96, source = "where the number is from" }`.
+bool readRow(Reader &reader, Profile &profile, const RowInfo &info, const toml::node &node) {
+  const std::string here =
+      std::string(reader.path) + ":" + std::to_string(node.source().begin.line);
+  const toml::table *table = node.as_table();
+  if (table == nullptr)
+    return readValue(reader, profile, info, node, here);
+  const toml::node *value = table->get("value");
+  if (value == nullptr)
+    return reader.fail(node.source(), std::string(info.table) + "." + info.key + " has no value");
+  for (const auto &[key, child] : *table) {
+    if (key.str() == "source" && !child.is_string())
+      return reader.fail(child.source(), "source must be a string");
+    if (key.str() != "value" && key.str() != "source")
+      return reader.fail(key.source(), "unknown key \"" + std::string(key.str()) +
+                                           "\": a row has value and source");
+  }
+  return readValue(reader, profile, info, *value,
+                   table->get("source") ? std::string(*(*table)["source"].value<std::string_view>())
+                                        : here);
+}
+
+bool readTable(Reader &reader, Profile &profile, std::string_view name, const toml::table &table,
+               std::array<bool, kRowCount> &seen) {
+  std::vector<std::string_view> keys;
+  for (const RowInfo &info : rows())
+    if (name == info.table)
+      keys.emplace_back(info.key);
+  for (const auto &[key, node] : table) {
+    const RowInfo *found = nullptr;
+    for (const RowInfo &info : rows())
+      if (name == info.table && key.str() == info.key)
+        found = &info;
+    if (found == nullptr)
+      return reader.fail(key.source(), "unknown row \"" + std::string(name) + "." +
+                                           std::string(key.str()) + "\"" + meant(key.str(), keys));
+    if (!readRow(reader, profile, *found, node))
+      return false;
+    seen[std::size_t(found->row)] = true;
+  }
+  return true;
+}
+
+/// The keys outside of tables: name, description, inherits, from_host.
+bool readHead(Reader &reader, Profile &profile, std::string_view key, const toml::node &node) {
+  if (key == "from_host") {
+    const toml::value<bool> *flag = node.as_boolean();
+    if (flag == nullptr)
+      return reader.fail(node.source(), "from_host must be true or false");
+    profile.fromHost = flag->get();
+    return true;
+  }
+  const toml::value<std::string> *text = node.as_string();
+  if (text == nullptr)
+    return reader.fail(node.source(), std::string(key) + " must be a string");
+  if (key == "name")
+    profile.name = text->get();
+  else if (key == "description")
+    profile.description = text->get();
+  return true;
+}
+
+bool inherit(Reader &reader, Profile &profile, const toml::node &node) {
+  const std::string_view name = node.value_or(std::string_view());
+  const Profile *base = findBuiltin(name);
+  if (base == nullptr)
+    return reader.fail(node.source(), unknownName(name));
+  profile = *base;
+  return true;
+}
+
+bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
+  std::array<bool, kRowCount> seen = {};
+  if (const toml::node *base = root.get("inherits")) {
+    if (!inherit(reader, profile, *base))
+      return false;
+    seen.fill(true);
+  }
+  // The file's own name unless it says otherwise: an inherited one would pass for the original.
+  profile.name = reader.path;
+  for (const auto &[key, node] : root) {
+    const std::string_view name = key.str();
+    if (name == "inherits")
+      continue;
+    static constexpr std::string_view kHead[] = {"name", "description", "inherits", "from_host",
+                                                 "api",  "native",      "state"};
+    if (name == "api" || name == "native" || name == "state") {
+      const toml::table *table = node.as_table();
+      if (table == nullptr)
+        return reader.fail(node.source(), std::string(name) + " must be a table");
+      if (!readTable(reader, profile, name, *table, seen))
+        return false;
+    } else if (name == "name" || name == "description" || name == "from_host") {
+      if (!readHead(reader, profile, name, node))
+        return false;
+    } else {
+      return reader.fail(key.source(),
+                         "unknown key \"" + std::string(name) + "\"" + meant(name, kHead));
+    }
+  }
+  for (const RowInfo &info : rows())
+    if (!seen[std::size_t(info.row)])
+      return reader.fail(root.source(), "no row " + std::string(info.table) + "." + info.key +
+                                            ", and nothing inherited (inherits = \"r300\")");
+  return true;
+}
+
+/// Reads a regular file whole. \returns false with errno set.
+bool readFile(const char *path, std::string &text) {
+  const int descriptor = ::open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (descriptor < 0)
+    return false;
+  struct stat status = {};
+  bool good = ::fstat(descriptor, &status) == 0;
+  if (good && !S_ISREG(status.st_mode)) {
+    errno = EINVAL;
+    good = false;
+  }
+  char buffer[4096];
+  ssize_t count = 0;
+  while (good && (count = ::read(descriptor, buffer, sizeof buffer)) != 0) {
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count > 0 && text.size() + std::size_t(count) > kMaxFileBytes)
+      errno = EFBIG;
+    good = count > 0 && text.size() + std::size_t(count) <= kMaxFileBytes;
+    if (good)
+      text.append(buffer, std::size_t(count));
+  }
+  const int failure = errno;
+  ::close(descriptor);
+  errno = failure;
+  return good;
+}
+
+} // namespace
+
+Result<Profile, ProfileError> parseProfile(std::string_view text, std::string_view path) {
+  Reader reader{path, {}};
+  try {
+    const toml::parse_result parsed = toml::parse(text, path);
+    if (!parsed) {
+      reader.fail(parsed.error().source(), std::string(parsed.error().description()));
+      return ProfileError{reader.error};
+    }
+    Profile profile;
+    if (!readProfile(reader, profile, parsed.table()))
+      return ProfileError{reader.error};
+    return profile;
+  } catch (const ParserBroken &) {
+    return ProfileError{std::string(path) + ": not TOML: a stray bracket or an odd character where "
+                                            "a name should be"};
+  }
+}
+
+Result<Profile, ProfileError> loadProfile(std::string_view nameOrPath) {
+  try {
+    if (const Profile *builtin = findBuiltin(nameOrPath))
+      return *builtin;
+    if (nameOrPath.find('/') == std::string_view::npos && !nameOrPath.ends_with(".toml"))
+      return ProfileError{unknownName(nameOrPath)};
+    const std::string path(nameOrPath);
+    std::string text;
+    if (!readFile(path.c_str(), text))
+      return ProfileError{path + ": " + std::strerror(errno)};
+    return parseProfile(text, path);
+  } catch (...) {
+    return ProfileError{"out of memory while a profile was read"};
+  }
+}
+
+} // namespace arbiter::fp::hw

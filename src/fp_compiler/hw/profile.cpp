@@ -1,0 +1,75 @@
+#include "fp_compiler/hw/profile.h"
+
+#include "fp_compiler/hw/builtin.h"
+
+namespace arbiter::fp::hw {
+
+namespace {
+
+constexpr RowInfo kRows[] = {
+#define PROFILE_ROW(Enumerator, table, key, member, glName, least, most)                           \
+  {Row::Enumerator, #table, #key, glName, least, most},
+#include "fp_compiler/hw/rows.def"
+#undef PROFILE_ROW
+};
+
+std::uint32_t &member(Limits &limits, Row row) {
+  switch (row) {
+#define PROFILE_ROW(Enumerator, table, key, member, glName, least, most)                           \
+  case Row::Enumerator:                                                                            \
+    return limits.member;
+#include "fp_compiler/hw/rows.def"
+#undef PROFILE_ROW
+  }
+  return limits.api.instructions; // every enumerator has its case
+}
+
+std::vector<Profile> makeBuiltins() {
+  std::vector<Profile> profiles;
+  for (const BuiltinProfile &from : builtinTable()) {
+    Profile &profile = profiles.emplace_back();
+    profile.name = from.name;
+    profile.description = from.description;
+    profile.fromHost = from.fromHost;
+    for (const RowInfo &info : kRows) {
+      const BuiltinRow &row = from.rows[std::size_t(info.row)];
+      profile.set(info.row, row.value, row.source);
+    }
+  }
+  return profiles;
+}
+
+const std::vector<Profile> &builtins() {
+  // Never destroyed: an application's last GL calls may come from destructors.
+  static const std::vector<Profile> &profiles = *new std::vector<Profile>(makeBuiltins());
+  return profiles;
+}
+
+} // namespace
+
+std::span<const RowInfo> rows() { return kRows; }
+
+std::uint32_t Profile::value(Row row) const {
+  return member(const_cast<Limits &>(fragment), row); // read only
+}
+
+void Profile::set(Row row, std::uint32_t value, std::string source) {
+  member(fragment, row) = value;
+  sources[std::size_t(row)] = std::move(source);
+}
+
+std::vector<std::string_view> builtinNames() {
+  std::vector<std::string_view> names;
+  for (const BuiltinProfile &profile : builtinTable())
+    names.emplace_back(profile.name);
+  return names;
+}
+
+const Profile *findBuiltin(std::string_view name) {
+  for (const Profile &profile : builtins())
+    if (profile.name == name)
+      return &profile;
+  return nullptr;
+}
+
+} // namespace arbiter::fp::hw

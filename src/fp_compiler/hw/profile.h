@@ -1,0 +1,73 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/limits.h"
+#include "util/result.h"
+
+/// Hardware profiles: limits as data, each number with its source. Built-in ones come from
+/// profiles/*.toml at build time; a user's is a TOML file of the same form (docs/profiles.md).
+namespace arbiter::fp::hw {
+
+enum class Row : std::uint8_t {
+#define PROFILE_ROW(Enumerator, table, key, member, glName, least, most) Enumerator,
+#include "fp_compiler/hw/rows.def"
+#undef PROFILE_ROW
+};
+
+#define PROFILE_ROW(...) +1
+inline constexpr int kRowCount = 0
+#include "fp_compiler/hw/rows.def"
+    ;
+#undef PROFILE_ROW
+
+struct RowInfo {
+  Row row;
+  const char *table;   ///< "api", "native" or "state"
+  const char *key;     ///< "alu_instructions"
+  const char *glName;  ///< without GL_
+  std::uint32_t least; ///< what the specification guarantees; a profile may go below it
+  std::uint32_t most;  ///< what Arbiter can hold; a profile may not go above it
+};
+[[nodiscard]] std::span<const RowInfo> rows();
+
+struct Profile {
+  std::string name;
+  std::string description;
+  /// The numbers of the fragment target. Vertex programs go by the host's limits.
+  Limits fragment;
+  /// The numbers are to be asked from the host's driver, by the names in rows(); those here are
+  /// documented defaults for when there is no driver to ask (`arbiter check`).
+  bool fromHost = false;
+  std::array<std::string, kRowCount> sources;
+
+  [[nodiscard]] std::uint32_t value(Row row) const;
+  void set(Row row, std::uint32_t value, std::string source);
+};
+
+struct ProfileError {
+  /// One line; begins with "file:line:column: " where a file is at fault.
+  std::string message;
+};
+
+inline constexpr std::string_view kDefaultProfile = "r300";
+
+/// The built-in profiles' names, the default first.
+[[nodiscard]] std::vector<std::string_view> builtinNames();
+
+/// \returns nullptr for a name that is not built in. Valid for the life of the process.
+[[nodiscard]] const Profile *findBuiltin(std::string_view name);
+
+/// A built-in name, or the path of a TOML file: anything with a slash or ending in ".toml".
+/// Never throws; an unknown name's error lists the known ones.
+[[nodiscard]] Result<Profile, ProfileError> loadProfile(std::string_view nameOrPath);
+
+/// A TOML text as loadProfile() reads it from a file; `path` is for messages and sources.
+[[nodiscard]] Result<Profile, ProfileError> parseProfile(std::string_view text,
+                                                         std::string_view path);
+
+} // namespace arbiter::fp::hw

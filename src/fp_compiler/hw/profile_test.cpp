@@ -1,0 +1,132 @@
+#include "fp_compiler/hw/profile.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace arbiter::fp::hw {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string errorOf(std::string_view text) {
+  const auto result = parseProfile(text, "p.toml");
+  return result ? "" : result.error().message;
+}
+
+TEST(Profiles, TheDefaultIsARadeon9700) {
+  const Profile *profile = findBuiltin(kDefaultProfile);
+  ASSERT_NE(profile, nullptr);
+  EXPECT_EQ(builtinNames().front(), kDefaultProfile);
+  EXPECT_EQ(profile->fragment.api, (ResourceCounts{96, 64, 32, 4, 32, 32, 10}));
+  EXPECT_EQ(profile->fragment.native, profile->fragment.api);
+  EXPECT_EQ(profile->fragment.textureImageUnits, 16u);
+  EXPECT_EQ(profile->fragment.textureCoords, 8u);
+  EXPECT_FALSE(profile->fromHost);
+}
+
+TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
+  const Profile *profile = findBuiltin("r300-catalyst-2004");
+  ASSERT_NE(profile, nullptr);
+  EXPECT_EQ(profile->fragment.api, (ResourceCounts{160, 128, 32, 31, 32, 32, 10}));
+  EXPECT_EQ(profile->fragment.native, findBuiltin("r300")->fragment.native);
+}
+
+// ARB_fragment_program's state tables: no built-in profile may promise less.
+TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
+  EXPECT_EQ(builtinNames().size(), 6u);
+  for (const std::string_view name : builtinNames()) {
+    const Profile *profile = findBuiltin(name);
+    ASSERT_NE(profile, nullptr) << name;
+    EXPECT_FALSE(profile->description.empty()) << name;
+    for (const RowInfo &row : rows()) {
+      EXPECT_GE(profile->value(row.row), row.least) << name << " " << row.glName;
+      EXPECT_LE(profile->value(row.row), row.most) << name << " " << row.glName;
+      EXPECT_FALSE(profile->sources[std::size_t(row.row)].empty()) << name << " " << row.glName;
+    }
+  }
+  EXPECT_TRUE(findBuiltin("host")->fromHost);
+}
+
+TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
+  const auto result = loadProfile("r3000");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message,
+            "no profile \"r3000\"; did you mean \"r300\"? (built in: r300, r300-catalyst-2004, "
+            "r420, nv30, i915, host; or the path of a TOML file)");
+  EXPECT_EQ(findBuiltin("r3000"), nullptr);
+}
+
+TEST(UserProfile, InheritsAndOverrides) {
+  const auto result = parseProfile("name = 'small'\ninherits = 'r300'\n[api]\ntemporaries = 16\n"
+                                   "attribs = { value = 11, source = 'me' }\n",
+                                   "p.toml");
+  ASSERT_TRUE(result) << result.error().message;
+  const Profile &profile = result.value();
+  EXPECT_EQ(profile.name, "small");
+  EXPECT_EQ(profile.fragment.api.temporaries, 16u);
+  EXPECT_EQ(profile.sources[std::size_t(Row::ApiTemporaries)], "p.toml:4");
+  EXPECT_EQ(profile.sources[std::size_t(Row::ApiAttribs)], "me");
+  EXPECT_EQ(profile.fragment.native.temporaries, 32u);
+}
+
+TEST(UserProfile, ANamelessOneIsCalledByItsPath) {
+  const auto result = parseProfile("inherits = 'r300'\n", "p.toml");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result.value().name, "p.toml");
+}
+
+TEST(UserProfile, ErrorsHaveFileLineAndColumn) {
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\n  temporarys = 3\n"),
+              StartsWith("p.toml:3:3: unknown row \"api.temporarys\"; did you mean"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\ntemporaries = -1\n"),
+              StartsWith("p.toml:3:15: api.temporaries = -1 is out of range: 0 to 4096"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[state]\ntexture_image_units = 33\n"),
+              HasSubstr("out of range: 0 to 32"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\ntemporaries = '3'\n"),
+              StartsWith("p.toml:3:15: api.temporaries must be a whole number"));
+  EXPECT_THAT(errorOf("inherits = 'r30'\n"),
+              StartsWith("p.toml:1:12: no profile \"r30\"; did you"));
+  EXPECT_THAT(errorOf("inherit = 'r300'\n"),
+              StartsWith("p.toml:1:1: unknown key \"inherit\"; did you mean \"inherits\"?"));
+  EXPECT_THAT(errorOf("name = 'x'\n"), HasSubstr("no row api.instructions, and nothing inherited"));
+  EXPECT_THAT(errorOf("a = [1\n"), StartsWith("p.toml:"));
+  EXPECT_THAT(errorOf("inherits = 3\n"), HasSubstr("no profile"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\napi = 3\n"), HasSubstr("api must be a table"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\nattribs = {source = 'x'}\n"),
+              HasSubstr("api.attribs has no value"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\nattribs = {value = 1, source = 2}\n"),
+              HasSubstr("source must be a string"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\nattribs = {value = 1, why = 'x'}\n"),
+              HasSubstr("unknown key \"why\""));
+}
+
+TEST(UserProfile, HostileTextIsAnErrorNotACrash) {
+  EXPECT_NE(errorOf(std::string(5000, '[')), "");
+  EXPECT_NE(errorOf(std::string("a = \xff\xfe")), "");
+  EXPECT_NE(errorOf("a = 99999999999999999999"), "");
+  std::string nested = "a = ";
+  nested += std::string(100000, '[');
+  EXPECT_NE(errorOf(nested), "");
+}
+
+TEST(UserProfile, FilesAreReadWholeOrRefused) {
+  char pattern[] = "/tmp/arbiter-profile-XXXXXX";
+  ASSERT_NE(::mkdtemp(pattern), nullptr);
+  const std::filesystem::path folder = pattern;
+  std::ofstream(folder / "good.toml") << "inherits = 'nv30'\n";
+  std::ofstream(folder / "big.toml") << std::string(300 << 10, '\n');
+  EXPECT_TRUE(loadProfile((folder / "good.toml").string()));
+  const auto big = loadProfile((folder / "big.toml").string());
+  ASSERT_FALSE(big);
+  EXPECT_THAT(big.error().message, HasSubstr("big.toml: "));
+  EXPECT_FALSE(loadProfile(folder.string()));
+  EXPECT_FALSE(loadProfile((folder / "none.toml").string()));
+  std::filesystem::remove_all(folder);
+}
+
+} // namespace
+} // namespace arbiter::fp::hw
