@@ -25,7 +25,8 @@ struct SliderKeys {
 constexpr SliderKeys kSliderKeys[] = {{GLFW_KEY_LEFT, GLFW_KEY_RIGHT},
                                       {GLFW_KEY_DOWN, GLFW_KEY_UP},
                                       {GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET},
-                                      {GLFW_KEY_COMMA, GLFW_KEY_PERIOD}};
+                                      {GLFW_KEY_COMMA, GLFW_KEY_PERIOD},
+                                      {GLFW_KEY_MINUS, GLFW_KEY_EQUAL}};
 
 bool moveSlider(Demo &demo, int key) {
   const std::vector<Slider *> sliders = demo.sliders();

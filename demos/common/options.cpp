@@ -6,12 +6,12 @@ namespace demos {
 namespace {
 
 std::string footer(Demo &demo) {
-  static constexpr const char *kKeys[] = {"Left/Right", "Down/Up", "[ and ]", ", and ."};
+  static constexpr const char *kKeys[] = {"Left/Right", "Down/Up", "[ and ]", ", and .", "- and ="};
   const std::string name = demo.name();
   std::string text = "In the window:\n";
   std::size_t i = 0;
   for (const Slider *slider : demo.sliders())
-    text += "  " + std::string(kKeys[i++ % 4]) + "  " + slider->name + "\n";
+    text += "  " + std::string(kKeys[i++ % std::size(kKeys)]) + "  " + slider->name + "\n";
   text += demo.controls();
   text += "  Space  pause    Escape  close\n"
           "\nExamples:\n"
