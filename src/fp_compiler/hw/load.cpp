@@ -11,7 +11,7 @@
 namespace {
 /// Thrown where the TOML parser finds itself in a state that it holds to be impossible.
 struct ParserBroken {};
-void require(bool possible) {
+constexpr void require(bool possible) {
   if (!possible)
     throw ParserBroken();
 }
