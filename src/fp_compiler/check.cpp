@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/front/parser.h"
+
+namespace arbiter::fp {
+
+namespace {
+
+bool fits(const ResourceCounts &counts, const ResourceCounts &limits) {
+  return counts.instructions <= limits.instructions &&
+         counts.aluInstructions <= limits.aluInstructions &&
+         counts.texInstructions <= limits.texInstructions &&
+         counts.texIndirections <= limits.texIndirections &&
+         counts.temporaries <= limits.temporaries && counts.parameters <= limits.parameters &&
+         counts.attribs <= limits.attribs;
+}
+
+} // namespace
+
+std::int32_t CheckResult::errorPosition() const {
+  const auto found = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic &d) {
+    return d.severity == Severity::Error;
+  });
+  return found == diagnostics.end() ? -1 : std::int32_t(found->span.begin);
+}
+
+std::string CheckResult::errorString(std::string_view text) const {
+  std::string all;
+  for (const Diagnostic &diagnostic : diagnostics)
+    all += render("program", text, diagnostic);
+  return all;
+}
+
+CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {
+  ParseResult parsed = parseFragmentProgram(text, options);
+  CheckResult result;
+  result.diagnostics = std::move(parsed.diagnostics);
+  result.program = std::move(parsed.program);
+  if (result.program) {
+    result.counts = parsed.counts;
+    result.nativeCounts = parsed.counts;
+    result.underNativeLimits = fits(result.nativeCounts, options.limits.native);
+  }
+  return result;
+}
+
+} // namespace arbiter::fp

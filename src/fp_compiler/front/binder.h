@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "fp_compiler/front/budget.h"
+#include "fp_compiler/front/indirections.h"
+
+namespace arbiter::fp {
+
+/// Builds the ir::Program: gives every distinct binding one row, counts it, and appends checked
+/// instructions. Cost per call does not grow with the program.
+class Binder {
+public:
+  Binder(const CompileOptions &options, Reporter &reporter);
+
+  /// Each returns the row's index. `where` is the binding's text, the position of an excess.
+  std::uint16_t temporary(std::string_view name, Span where);
+  std::uint16_t attribute(ir::Attribute attribute, Span where);
+  std::uint16_t output(ir::Output output);
+  std::uint16_t constant(const ir::Vec4 &value, Span where);
+  std::uint16_t env(std::uint32_t index, Span where);
+  std::uint16_t local(std::uint32_t index, Span where);
+  std::uint16_t state(const ir::StateRef &ref, Span where);
+
+  /// Counts and appends. `opcode` is where an excess is reported.
+  void instruction(const ir::Instruction &instruction, Span opcode);
+
+  /// The options are over: their debits hold from here.
+  void setOptions(const ir::Options &options);
+
+  [[nodiscard]] const ResourceCounts &counts() const { return m_budget.counts(); }
+  [[nodiscard]] ir::Program takeProgram() { return std::move(m_program); }
+
+private:
+  using Bits = std::array<std::uint32_t, 4>;
+  struct BitsHash {
+    std::size_t operator()(const Bits &bits) const;
+  };
+  std::uint16_t row(std::uint64_t key, const ir::Parameter &parameter, Span where);
+  std::uint16_t append(const ir::Parameter &parameter);
+
+  Reporter &m_reporter;
+  Budget m_budget;
+  IndirectionCounter m_indirections;
+  ir::Program m_program;
+  std::unordered_map<std::uint64_t, std::uint16_t> m_stateRows;
+  /// Rows by their bits: -0 and 0 are one parameter by the API's count, but two values.
+  std::unordered_map<Bits, std::uint16_t, BitsHash> m_constantRows;
+  std::unordered_set<Bits, BitsHash> m_constantsCounted;
+};
+
+} // namespace arbiter::fp

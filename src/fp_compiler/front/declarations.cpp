@@ -1,0 +1,198 @@
+#include "fp_compiler/front/numeral.h"
+#include "fp_compiler/front/parser.h"
+
+namespace arbiter::fp {
+
+/// <establishName>: any identifier that is not reserved. A name that is taken is reported by
+/// declare(), after the rest of the statement has been read.
+bool Parser::newName(Token &name) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a new name");
+  name = m_tokens.next();
+  if (classify(text(name)).keyword != Keyword::None)
+    error(DiagnosticId::ReservedName, name.span, quote(text(name)) + " is a reserved word",
+          "choose another name");
+  return true;
+}
+
+void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
+  if (classify(text(name)).keyword != Keyword::None)
+    return;
+  const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span});
+  if (before)
+    error(DiagnosticId::RedeclaredName, name.span, quote(text(name)) + " is declared twice",
+          "the first declaration is in line " +
+              std::to_string(locate(m_text, before->declared.begin).line));
+}
+
+bool Parser::parseTemp() {
+  do {
+    Token name;
+    if (!newName(name))
+      return false;
+    declare(name, SymbolKind::Temporary, m_binder.temporary(text(name), name.span));
+  } while (m_tokens.accept(TokenKind::Comma));
+  return expect(TokenKind::Semicolon, "',' or ';'");
+}
+
+bool Parser::parseAttrib() {
+  Token name;
+  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+    return false;
+  std::uint16_t row = 0;
+  const bool isBinding = keywordAt().keyword == Keyword::Fragment;
+  if (atWord(0, "vertex"))
+    error(DiagnosticId::VertexOnly, m_tokens.peek().span,
+          "vertex attributes belong to vertex programs", "use fragment.*");
+  else if (!isBinding)
+    unexpected("fragment.*");
+  const bool parsed = isBinding && parseAttributeBinding(Place::Declaration, row);
+  declare(name, parsed ? SymbolKind::Attribute : SymbolKind::Unknown, row);
+  return parsed && expect(TokenKind::Semicolon, "';'");
+}
+
+bool Parser::parseOutput() {
+  Token name;
+  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+    return false;
+  std::uint16_t row = 0;
+  const bool isBinding = keywordAt().keyword == Keyword::Result;
+  if (!isBinding)
+    unexpected("result.color or result.depth");
+  const bool parsed = isBinding && parseResultBinding(Place::Declaration, row);
+  declare(name, parsed ? SymbolKind::Output : SymbolKind::Unknown, row);
+  return parsed && expect(TokenKind::Semicolon, "';'");
+}
+
+bool Parser::parseAlias() {
+  Token name;
+  if (!newName(name) || !expect(TokenKind::Equals, "'='"))
+    return false;
+  Symbol symbol;
+  if (!m_tokens.at(TokenKind::Identifier)) {
+    declare(name, SymbolKind::Unknown, 0);
+    return unexpected("the name of a variable");
+  }
+  const Token target = m_tokens.next();
+  if (classify(text(target)).keyword != Keyword::None) {
+    declare(name, SymbolKind::Unknown, 0);
+    error(DiagnosticId::BadAlias, target.span, quote(text(target)) + " names no variable",
+          "ALIAS takes a declared name; use ATTRIB, PARAM or OUTPUT to name a binding");
+    return false;
+  }
+  if (const Symbol *found = m_symbols.find(text(target)))
+    symbol = *found;
+  else
+    error(DiagnosticId::BadAlias, target.span,
+          "ALIAS of " + quote(text(target)) + ", which is not declared",
+          m_symbols.suggest(text(target)));
+  declare(name, symbol.kind, symbol.index);
+  return expect(TokenKind::Semicolon, "';'");
+}
+
+bool Parser::parseParam() {
+  Token name;
+  if (!newName(name))
+    return false;
+  if (m_tokens.at(TokenKind::OpenBracket))
+    return parseParamArray(name);
+  bool parsed = expect(TokenKind::Equals, "'=' or '['");
+  Rows rows;
+  if (parsed) {
+    const Token first = m_tokens.peek();
+    switch (keywordAt().keyword) {
+    case Keyword::State:
+      m_tokens.next();
+      parsed = parseStateBinding(first.span.begin, false, rows);
+      break;
+    case Keyword::Program:
+      m_tokens.next();
+      parsed = parseProgramBinding(first.span.begin, false, rows);
+      break;
+    default:
+      rows.resize(1);
+      parsed = parseConstant(true, rows[0]);
+    }
+  }
+  const bool known = parsed && !rows.empty();
+  declare(name, known ? SymbolKind::Parameter : SymbolKind::Unknown, known ? rows[0] : 0);
+  return parsed && expect(TokenKind::Semicolon, "';'");
+}
+
+bool Parser::parseParamArray(const Token &name) {
+  m_tokens.next();
+  const std::size_t errorsBefore = m_reporter.errorCount();
+  std::optional<std::uint32_t> size;
+  Rows rows;
+  bool parsed = parseArraySize(size) && expect(TokenKind::CloseBracket, "']'") &&
+                expect(TokenKind::Equals, "'='") && expect(TokenKind::OpenBrace, "'{'");
+  while (parsed) {
+    parsed = parseArrayItem(size, rows);
+    if (!parsed || !m_tokens.accept(TokenKind::Comma))
+      break;
+  }
+  // An element in error may stand for any number of rows.
+  const auto sound = [&] { return parsed && m_reporter.errorCount() == errorsBefore; };
+  if (sound() && size && rows.size() < *size && m_tokens.at(TokenKind::CloseBrace))
+    error(DiagnosticId::ArraySizeMismatch, m_tokens.peek().span,
+          std::to_string(rows.size()) + " elements in an array of " + std::to_string(*size));
+  parsed = parsed && expect(TokenKind::CloseBrace, "',' or '}'");
+  const bool known = sound() && m_arrays.size() < kMaxArrayEntries;
+  declare(name, known ? SymbolKind::ParameterArray : SymbolKind::Unknown,
+          std::uint16_t(m_arrays.size()));
+  if (known)
+    m_arrays.push_back(std::move(rows));
+  return parsed && expect(TokenKind::Semicolon, "';'");
+}
+
+bool Parser::parseArraySize(std::optional<std::uint32_t> &size) {
+  if (m_tokens.at(TokenKind::CloseBracket))
+    return true;
+  if (!m_tokens.at(TokenKind::Integer))
+    return unexpected("the size of the array or ']'");
+  const Token token = m_tokens.next();
+  size = fp::parseInteger(text(token));
+  const std::uint32_t limit = m_limits.api.parameters;
+  const std::string message = "an array of more than " + std::to_string(limit) + " parameters";
+  if (*size == 0)
+    error(DiagnosticId::ArraySize, token.span, "an array of no elements");
+  else if (*size > limit && m_policy == LimitPolicy::Report)
+    m_reporter.warning(DiagnosticId::ArraySize, token.span, message);
+  else if (*size > limit)
+    error(DiagnosticId::ArraySize, token.span, message);
+  return true;
+}
+
+bool Parser::parseArrayItem(std::optional<std::uint32_t> size, Rows &rows) {
+  const Token first = m_tokens.peek();
+  const std::size_t before = rows.size();
+  bool parsed = false;
+  switch (keywordAt().keyword) {
+  case Keyword::State:
+    m_tokens.next();
+    parsed = parseStateBinding(first.span.begin, true, rows);
+    break;
+  case Keyword::Program:
+    m_tokens.next();
+    parsed = parseProgramBinding(first.span.begin, true, rows);
+    break;
+  default: {
+    std::uint16_t row = 0;
+    parsed = parseConstant(true, row);
+    if (parsed)
+      rows.push_back(row);
+  }
+  }
+  if (size && *size != 0 && before <= *size && rows.size() > *size)
+    error(DiagnosticId::ArraySizeMismatch, first.span,
+          "more elements than the array's size, " + std::to_string(*size));
+  m_arrayEntries += rows.size() - before;
+  if (m_arrayEntries > kMaxArrayEntries) {
+    error(DiagnosticId::ArrayEntries, first.span,
+          "more than " + std::to_string(kMaxArrayEntries) + " elements in arrays");
+    return false;
+  }
+  return parsed;
+}
+
+} // namespace arbiter::fp

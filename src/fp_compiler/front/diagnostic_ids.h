@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+namespace arbiter::fp {
+
+enum class DiagnosticId : std::uint8_t {
+#define FP_DIAGNOSTIC(Enumerator, id, meaning) Enumerator,
+#include "fp_compiler/front/diagnostic_ids.def"
+#undef FP_DIAGNOSTIC
+};
+
+/// One row of diagnostic_ids.def.
+struct DiagnosticInfo {
+  const char *id;      ///< "undeclared-name"
+  const char *meaning; ///< one line
+};
+
+[[nodiscard]] const DiagnosticInfo &info(DiagnosticId id);
+/// All rows, in the table's order.
+[[nodiscard]] std::span<const DiagnosticInfo> diagnosticTable();
+
+} // namespace arbiter::fp

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp {
+
+/// Follows the nodes of the texture dependency chain by the API's rule (3.11.6): masks and suffixes
+/// are ignored, and only temporaries matter.
+class IndirectionCounter {
+public:
+  /// True if this instruction opens a new node, which it then is part of.
+  bool add(const ir::Instruction &instruction);
+
+private:
+  /// The node in which a temporary was last touched; 0 for never.
+  struct Touched {
+    std::uint32_t written = 0;
+    std::uint32_t byAlu = 0;
+  };
+  Touched &touched(std::uint16_t temporary);
+
+  std::uint32_t m_node = 1;
+  std::vector<Touched> m_temporaries;
+};
+
+} // namespace arbiter::fp

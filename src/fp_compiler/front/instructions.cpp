@@ -1,0 +1,216 @@
+#include <algorithm>
+
+#include "fp_compiler/front/numeral.h"
+#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/suffix.h"
+#include "fp_compiler/front/suggest.h"
+
+namespace arbiter::fp {
+
+namespace {
+
+struct TargetRow {
+  std::string_view word;
+  ir::TexTarget target;
+  bool shadow;
+};
+
+constexpr TargetRow kTargets[] = {
+    {"1D", ir::TexTarget::Tex1D, false},         {"2D", ir::TexTarget::Tex2D, false},
+    {"3D", ir::TexTarget::Tex3D, false},         {"CUBE", ir::TexTarget::Cube, false},
+    {"RECT", ir::TexTarget::Rect, false},        {"SHADOW1D", ir::TexTarget::Shadow1D, true},
+    {"SHADOW2D", ir::TexTarget::Shadow2D, true}, {"SHADOWRECT", ir::TexTarget::ShadowRect, true},
+};
+
+std::string_view wordOf(ir::TexTarget target) {
+  for (const TargetRow &row : kTargets)
+    if (row.target == target)
+      return row.word;
+  return {};
+}
+
+} // namespace
+
+bool Parser::parseInstruction(const Token &opcode, const Word &word) {
+  const ir::OpInfo &op = info(word.op);
+  ir::Instruction instruction;
+  instruction.op = word.op;
+  if (!op.has(ir::Kills)) {
+    if (!parseDestination(instruction.dst) || !expect(TokenKind::Comma, "','"))
+      return false;
+    instruction.dst.saturate = word.saturate;
+  }
+  for (int i = 0; i < op.operandCount(); ++i) {
+    ir::Operand &operand = instruction.src[std::size_t(i)];
+    if (i > 0 && !expect(TokenKind::Comma, "','"))
+      return false;
+    if (word.op == ir::Opcode::Swz ? !parseSwzSource(operand)
+                                   : !parseSource(op.shapes[i] == 'S', operand))
+      return false;
+  }
+  if (word.op == ir::Opcode::Swz && !parseExtendedSwizzle(instruction.src[0]))
+    return false;
+  if (op.has(ir::Texture) && !parseTexture(instruction))
+    return false;
+  instruction.span = spanFrom(opcode.span.begin);
+  if (!expect(TokenKind::Semicolon, "';'"))
+    return false;
+  m_binder.instruction(instruction, opcode.span);
+  return true;
+}
+
+/// <maskedDstReg>
+bool Parser::parseDestination(ir::Destination &destination) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  if (!parseDestinationRegister(destination))
+    return false;
+  if (m_tokens.accept(TokenKind::Dot) && !parseMask(destination.mask))
+    return false;
+  destination.span = spanFrom(begin);
+  return true;
+}
+
+bool Parser::parseDestinationRegister(ir::Destination &destination) {
+  const Token first = m_tokens.peek();
+  const Word word = keywordAt();
+  if (word.keyword == Keyword::Result) {
+    destination.file = ir::File::Output;
+    return parseResultBinding(Place::Operand, destination.index);
+  }
+  if (first.kind != TokenKind::Identifier || word.keyword != Keyword::None)
+    return readOnlyDestination(first, word);
+  m_tokens.next();
+  const Symbol *symbol = m_symbols.find(text(first));
+  if (!symbol)
+    return undeclared(first);
+  switch (symbol->kind) {
+  case SymbolKind::Temporary:
+    destination.file = ir::File::Temporary;
+    break;
+  case SymbolKind::Output:
+    destination.file = ir::File::Output;
+    break;
+  case SymbolKind::Unknown:
+    return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
+  case SymbolKind::Attribute:
+  case SymbolKind::Parameter:
+  case SymbolKind::ParameterArray:
+    error(DiagnosticId::ReadOnly, first.span,
+          std::string(symbol->kind == SymbolKind::Attribute ? "the attribute " : "the parameter ") +
+              quote(text(first)) + " cannot be written",
+          "write a temporary or a result");
+    if (symbol->kind == SymbolKind::ParameterArray && m_tokens.at(TokenKind::OpenBracket)) {
+      std::uint32_t index = 0;
+      return parseIndex(UINT32_MAX, DiagnosticId::ArrayIndex, "array index", index);
+    }
+    return true;
+  }
+  if (m_tokens.at(TokenKind::OpenBracket)) {
+    error(DiagnosticId::NotAnArray, m_tokens.peek().span, quote(text(first)) + " is no array");
+    return false;
+  }
+  destination.index = symbol->index;
+  return true;
+}
+
+/// A destination that begins with no name and no "result".
+bool Parser::readOnlyDestination(const Token &first, const Word &word) {
+  const bool attribute = word.keyword == Keyword::Fragment;
+  const bool parameter = word.keyword == Keyword::State || word.keyword == Keyword::Program ||
+                         first.kind == TokenKind::OpenBrace || first.kind == TokenKind::Integer ||
+                         first.kind == TokenKind::Float;
+  if (!attribute && !parameter)
+    return unexpected("a temporary or a result");
+  error(DiagnosticId::ReadOnly, first.span,
+        attribute ? "an attribute cannot be written" : "a parameter cannot be written",
+        "write a temporary or a result");
+  ir::Operand ignored;
+  return parseSourceRegister(ignored);
+}
+
+/// <optionalMask>, after its dot.
+bool Parser::parseMask(std::uint8_t &mask) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a write mask");
+  const Token token = m_tokens.next();
+  const SuffixError wrong = readMask(text(token), mask);
+  if (!wrong)
+    return true;
+  const std::uint32_t at = token.span.begin + wrong.offset;
+  error(DiagnosticId::BadMask, {at, token.span.end},
+        "bad write mask " + quote(text(token)) + ": " + wrong.reason,
+        "a mask names x, y, z, w, or r, g, b, a, in this order");
+  return true;
+}
+
+/// <extendedSwizzle>, from the comma before it.
+bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
+  char set = 0;
+  operand.negate = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!expect(TokenKind::Comma, "','"))
+      return false;
+    if (m_tokens.at(TokenKind::Minus))
+      operand.negate |= std::uint8_t(1u << i);
+    if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus))
+      m_tokens.next();
+    if (!m_tokens.at(TokenKind::Identifier) && !m_tokens.at(TokenKind::Integer))
+      return unexpected("0, 1 or a component");
+    const Token token = m_tokens.next();
+    const SuffixError wrong = readSelector(text(token), set, operand.swizzle[i]);
+    if (wrong)
+      error(DiagnosticId::SwzSelector, {token.span.begin + wrong.offset, token.span.end},
+            "bad selector " + quote(text(token)) + ": " + wrong.reason,
+            "SWZ selects by 0, 1, and x, y, z, w or r, g, b, a");
+  }
+  operand.span.end = m_tokens.lastEnd();
+  return true;
+}
+
+/// <texImageUnit> "," <texTarget>, from the comma before them.
+bool Parser::parseTexture(ir::Instruction &instruction) {
+  if (!expect(TokenKind::Comma, "','"))
+    return false;
+  if (keywordAt().keyword != Keyword::Texture)
+    return unexpected("texture[n]");
+  m_tokens.next();
+  std::uint32_t unit = 0;
+  const std::size_t errorsBefore = m_reporter.errorCount();
+  if (!parseOptionalIndex(std::min(m_limits.textureImageUnits, 256u), DiagnosticId::ImageUnit,
+                          "texture image unit", unit) ||
+      !expect(TokenKind::Comma, "','"))
+    return false;
+  const bool unitKnown = m_reporter.errorCount() == errorsBefore;
+  if (!m_tokens.at(TokenKind::Identifier) && !m_tokens.at(TokenKind::Dimension))
+    return unexpected("a texture target");
+  const Token token = m_tokens.next();
+  const auto *row = std::find_if(std::begin(kTargets), std::end(kTargets),
+                                 [&](const TargetRow &r) { return r.word == text(token); });
+  if (row == std::end(kTargets)) {
+    error(DiagnosticId::UnknownTarget, token.span, "unknown texture target " + quote(text(token)),
+          didYouMean(text(token),
+                     {"1D", "2D", "3D", "CUBE", "RECT", "SHADOW1D", "SHADOW2D", "SHADOWRECT"},
+                     "the targets are 1D, 2D, 3D, CUBE and RECT"));
+    return true;
+  }
+  if (row->shadow && !m_options.shadow)
+    error(DiagnosticId::ShadowTarget, token.span,
+          std::string(row->word) + " needs a program option",
+          "add OPTION ARB_fragment_program_shadow;");
+  instruction.unit = std::uint8_t(unit);
+  instruction.target = row->target;
+  if (!unitKnown)
+    return true;
+  if (m_units.size() <= unit)
+    m_units.resize(unit + 1);
+  UnitUse &use = m_units[unit];
+  if (use.used && use.target != row->target)
+    error(DiagnosticId::TargetConflict, token.span,
+          "texture[" + std::to_string(unit) + "] is sampled as " + std::string(row->word) +
+              " and before as " + std::string(wordOf(use.target)),
+          "one texture image unit has one target in a program");
+  use = {true, use.used ? use.target : row->target};
+  return true;
+}
+
+} // namespace arbiter::fp

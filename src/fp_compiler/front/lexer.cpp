@@ -1,0 +1,197 @@
+#include "fp_compiler/front/lexer.h"
+
+#include "fp_compiler/limits.h"
+
+namespace arbiter::fp {
+
+namespace {
+
+enum ByteClass : std::uint8_t { kOther, kSpace, kLetter, kDigit };
+
+// The C library's classes follow the locale, the grammar does not.
+constexpr std::array<ByteClass, 256> makeClasses() {
+  std::array<ByteClass, 256> classes{};
+  for (char c : {' ', '\t', '\n', '\r'})
+    classes[std::uint8_t(c)] = kSpace;
+  for (int c = 'a'; c <= 'z'; ++c)
+    classes[std::size_t(c)] = classes[std::size_t(c - 'a' + 'A')] = kLetter;
+  for (int c = '0'; c <= '9'; ++c)
+    classes[std::size_t(c)] = kDigit;
+  classes['_'] = classes['$'] = kLetter;
+  return classes;
+}
+constexpr auto kClasses = makeClasses();
+
+ByteClass classOf(char c) { return kClasses[std::uint8_t(c)]; }
+
+constexpr TokenKind punctuation(char c) {
+  switch (c) {
+  case ',':
+    return TokenKind::Comma;
+  case ';':
+    return TokenKind::Semicolon;
+  case '[':
+    return TokenKind::OpenBracket;
+  case ']':
+    return TokenKind::CloseBracket;
+  case '{':
+    return TokenKind::OpenBrace;
+  case '}':
+    return TokenKind::CloseBrace;
+  case '=':
+    return TokenKind::Equals;
+  case '+':
+    return TokenKind::Plus;
+  case '-':
+    return TokenKind::Minus;
+  default:
+    return TokenKind::InvalidByte;
+  }
+}
+
+} // namespace
+
+const char *name(TokenKind kind) {
+  switch (kind) {
+  case TokenKind::EndOfText:
+    return "EndOfText";
+  case TokenKind::Identifier:
+    return "Identifier";
+  case TokenKind::Integer:
+    return "Integer";
+  case TokenKind::Float:
+    return "Float";
+  case TokenKind::Dimension:
+    return "Dimension";
+  case TokenKind::Comma:
+    return "Comma";
+  case TokenKind::Semicolon:
+    return "Semicolon";
+  case TokenKind::Dot:
+    return "Dot";
+  case TokenKind::DotDot:
+    return "DotDot";
+  case TokenKind::OpenBracket:
+    return "OpenBracket";
+  case TokenKind::CloseBracket:
+    return "CloseBracket";
+  case TokenKind::OpenBrace:
+    return "OpenBrace";
+  case TokenKind::CloseBrace:
+    return "CloseBrace";
+  case TokenKind::Equals:
+    return "Equals";
+  case TokenKind::Plus:
+    return "Plus";
+  case TokenKind::Minus:
+    return "Minus";
+  case TokenKind::InvalidByte:
+    return "InvalidByte";
+  case TokenKind::OverlongIdentifier:
+    return "OverlongIdentifier";
+  case TokenKind::OverlongNumeral:
+    return "OverlongNumeral";
+  }
+  return "";
+}
+
+bool Lexer::is(std::uint32_t pos, char c) const { return pos < m_text.size() && m_text[pos] == c; }
+
+bool Lexer::digitAt(std::uint32_t pos) const {
+  return pos < m_text.size() && classOf(m_text[pos]) == kDigit;
+}
+
+void Lexer::skipDigits() {
+  while (digitAt(m_pos))
+    ++m_pos;
+}
+
+void Lexer::skipWhitespace() {
+  while (m_pos < m_text.size()) {
+    if (classOf(m_text[m_pos]) == kSpace) {
+      ++m_pos;
+    } else if (m_text[m_pos] == '#') {
+      while (m_pos < m_text.size() && m_text[m_pos] != '\n' && m_text[m_pos] != '\r')
+        ++m_pos;
+    } else {
+      return;
+    }
+  }
+}
+
+Token Lexer::finish(TokenKind kind, std::uint32_t begin) { return {kind, {begin, m_pos}}; }
+
+Token Lexer::identifier(std::uint32_t begin) {
+  while (m_pos < m_text.size() && classOf(m_text[m_pos]) >= kLetter)
+    ++m_pos;
+  return finish(m_pos - begin > kMaxIdentifierBytes ? TokenKind::OverlongIdentifier
+                                                    : TokenKind::Identifier,
+                begin);
+}
+
+Token Lexer::numeral(std::uint32_t begin) {
+  skipDigits();
+  if (m_pos == begin + 1 && is(m_pos, 'D') && m_text[begin] >= '1' && m_text[begin] <= '3' &&
+      (m_pos + 1 == m_text.size() || classOf(m_text[m_pos + 1]) < kLetter)) {
+    ++m_pos;
+    return finish(TokenKind::Dimension, begin);
+  }
+  TokenKind kind = TokenKind::Integer;
+  // "0..3" is a range, not "0." and ".3".
+  if (is(m_pos, '.') && !is(m_pos + 1, '.')) {
+    ++m_pos;
+    skipDigits();
+    kind = TokenKind::Float;
+  }
+  if (is(m_pos, 'e') || is(m_pos, 'E')) {
+    const std::uint32_t sign = is(m_pos + 1, '+') || is(m_pos + 1, '-') ? 1 : 0;
+    if (digitAt(m_pos + 1 + sign)) {
+      m_pos += 1 + sign;
+      skipDigits();
+      kind = TokenKind::Float;
+    }
+  }
+  return finish(m_pos - begin > kMaxNumeralBytes ? TokenKind::OverlongNumeral : kind, begin);
+}
+
+Token Lexer::next() {
+  skipWhitespace();
+  const std::uint32_t begin = m_pos;
+  if (begin >= m_text.size())
+    return {TokenKind::EndOfText, {std::uint32_t(m_text.size()), std::uint32_t(m_text.size())}};
+  const char c = m_text[begin];
+  if (classOf(c) == kLetter)
+    return identifier(begin);
+  if (classOf(c) == kDigit || (c == '.' && digitAt(begin + 1)))
+    return numeral(begin);
+  ++m_pos;
+  if (c != '.')
+    return finish(punctuation(c), begin);
+  if (!is(m_pos, '.'))
+    return finish(TokenKind::Dot, begin);
+  ++m_pos;
+  return finish(TokenKind::DotDot, begin);
+}
+
+TokenStream::TokenStream(std::string_view text, std::uint32_t begin)
+    : m_text(text), m_lexer(text, begin), m_lastEnd(begin) {
+  for (Token &token : m_ahead)
+    token = m_lexer.next();
+}
+
+Token TokenStream::next() {
+  const Token token = m_ahead[0];
+  m_ahead[0] = m_ahead[1];
+  m_ahead[1] = m_lexer.next();
+  m_lastEnd = token.span.end;
+  return token;
+}
+
+bool TokenStream::accept(TokenKind kind) {
+  if (!at(kind))
+    return false;
+  next();
+  return true;
+}
+
+} // namespace arbiter::fp

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "fp_compiler/front/token.h"
+
+namespace arbiter::fp {
+
+/// Cuts a program string into tokens, by length and not by a terminator; reads no byte outside
+/// [text.data(), text.data() + text.size()). Spaces, tabs, newlines, carriage returns and comments
+/// (`#` to the end of the line) separate tokens (3.11.2). Requires text.size() <= kMaxTextBytes.
+class Lexer {
+public:
+  explicit Lexer(std::string_view text, std::uint32_t begin = 0) : m_text(text), m_pos(begin) {}
+
+  /// The next token; EndOfText, with the empty span at the text's end, for ever after the last.
+  [[nodiscard]] Token next();
+
+private:
+  void skipWhitespace();
+  Token finish(TokenKind kind, std::uint32_t begin);
+  Token identifier(std::uint32_t begin);
+  Token numeral(std::uint32_t begin);
+  void skipDigits();
+  [[nodiscard]] bool digitAt(std::uint32_t pos) const;
+  [[nodiscard]] bool is(std::uint32_t pos, char c) const;
+
+  std::string_view m_text;
+  std::uint32_t m_pos;
+};
+
+/// A lexer with two tokens of look-ahead, which is all that the grammar needs.
+class TokenStream {
+public:
+  TokenStream(std::string_view text, std::uint32_t begin);
+
+  [[nodiscard]] const Token &peek(int ahead = 0) const { return m_ahead[std::size_t(ahead)]; }
+  [[nodiscard]] bool at(TokenKind kind) const { return m_ahead[0].kind == kind; }
+  Token next();
+  /// Consumes the next token if it is of this kind.
+  bool accept(TokenKind kind);
+  [[nodiscard]] std::string_view text(const Token &token) const {
+    return m_text.substr(token.span.begin, token.span.end - token.span.begin);
+  }
+  /// The end of the token that was consumed last.
+  [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
+
+private:
+  std::string_view m_text;
+  Lexer m_lexer;
+  std::array<Token, 2> m_ahead;
+  std::uint32_t m_lastEnd;
+};
+
+} // namespace arbiter::fp

@@ -1,0 +1,181 @@
+#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/suffix.h"
+
+namespace arbiter::fp {
+
+/// <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
+bool Parser::parseSource(bool scalar, ir::Operand &operand) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  if (m_tokens.at(TokenKind::Minus))
+    operand.negate = 0xF;
+  if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus))
+    m_tokens.next();
+  if (!parseSourceRegister(operand) || !parseSwizzle(scalar, operand.swizzle))
+    return false;
+  operand.span = spanFrom(begin);
+  return true;
+}
+
+/// SWZ's operand is a bare <srcReg>: its components have their own signs.
+bool Parser::parseSwzSource(ir::Operand &operand) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  if (m_tokens.at(TokenKind::Minus) || m_tokens.at(TokenKind::Plus)) {
+    error(DiagnosticId::SwzOperand, m_tokens.peek().span, "the operand of SWZ takes no sign",
+          "put the sign on the selectors: -x, -y, -z, -w");
+    m_tokens.next();
+  }
+  if (!parseSourceRegister(operand))
+    return false;
+  operand.span = spanFrom(begin);
+  if (m_tokens.at(TokenKind::Dot)) {
+    error(DiagnosticId::SwzOperand, m_tokens.peek().span, "the operand of SWZ takes no suffix",
+          "the four selectors behind it choose the components");
+    m_tokens.next();
+    if (m_tokens.at(TokenKind::Identifier))
+      m_tokens.next();
+  }
+  return true;
+}
+
+/// <srcReg>
+bool Parser::parseSourceRegister(ir::Operand &operand) {
+  const Token first = m_tokens.peek();
+  if (first.kind == TokenKind::OpenBrace || first.kind == TokenKind::Integer ||
+      first.kind == TokenKind::Float) {
+    operand.file = ir::File::Parameter;
+    return parseConstant(false, operand.index);
+  }
+  if (first.kind != TokenKind::Identifier)
+    return unexpected("an operand");
+  Rows rows;
+  switch (keywordAt().keyword) {
+  case Keyword::None:
+    return parseNamedSource(operand);
+  case Keyword::Fragment:
+    operand.file = ir::File::Attribute;
+    return parseAttributeBinding(Place::Operand, operand.index);
+  case Keyword::State:
+    m_tokens.next();
+    if (!parseStateBinding(first.span.begin, false, rows))
+      return false;
+    break;
+  case Keyword::Program:
+    m_tokens.next();
+    if (!parseProgramBinding(first.span.begin, false, rows))
+      return false;
+    break;
+  case Keyword::Result:
+    error(DiagnosticId::WriteOnly, first.span, "a result cannot be read",
+          "compute in a temporary and move it to the result");
+    return parseResultBinding(Place::Operand, operand.index);
+  default:
+    return unexpected("an operand");
+  }
+  operand.file = ir::File::Parameter;
+  operand.index = rows[0];
+  return true;
+}
+
+bool Parser::parseNamedSource(ir::Operand &operand) {
+  const Token name = m_tokens.next();
+  const Symbol *symbol = m_symbols.find(text(name));
+  if (!symbol)
+    return undeclared(name);
+  operand.index = symbol->index;
+  switch (symbol->kind) {
+  case SymbolKind::Temporary:
+    operand.file = ir::File::Temporary;
+    break;
+  case SymbolKind::Attribute:
+    operand.file = ir::File::Attribute;
+    break;
+  case SymbolKind::Parameter:
+    operand.file = ir::File::Parameter;
+    break;
+  case SymbolKind::ParameterArray:
+    return parseArrayElement(name, *symbol, operand);
+  case SymbolKind::Output:
+    error(DiagnosticId::WriteOnly, name.span, "the result " + quote(text(name)) + " cannot be read",
+          "compute in a temporary and move it to the result");
+    return true;
+  case SymbolKind::Unknown:
+    return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
+  }
+  if (m_tokens.at(TokenKind::OpenBracket)) {
+    error(DiagnosticId::NotAnArray, m_tokens.peek().span, quote(text(name)) + " is no array");
+    return skipIndex();
+  }
+  return true;
+}
+
+bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Operand &operand) {
+  const Rows &rows = m_arrays[array.index];
+  operand.file = ir::File::Parameter;
+  operand.index = rows[0];
+  if (!m_tokens.at(TokenKind::OpenBracket)) {
+    const Token token = m_tokens.peek();
+    error(DiagnosticId::ArrayNotIndexed, token.span,
+          "the array " + quote(text(name)) + " needs an index",
+          "write " + quote(std::string(text(name).substr(0, 40)) + "[0]"));
+    return true;
+  }
+  std::uint32_t index = 0;
+  if (!parseIndex(std::uint32_t(rows.size()), DiagnosticId::ArrayIndex, "array index", index))
+    return false;
+  operand.index = rows[index];
+  return true;
+}
+
+/// Passes over "[" ... "]" behind a name that has been reported.
+bool Parser::skipIndex() {
+  m_tokens.next();
+  while (m_tokens.at(TokenKind::Identifier) || m_tokens.at(TokenKind::Integer) ||
+         m_tokens.at(TokenKind::Dot) || m_tokens.at(TokenKind::Plus) ||
+         m_tokens.at(TokenKind::Minus)) {
+    if (beginsStatement(keywordAt().keyword))
+      return false;
+    m_tokens.next();
+  }
+  return expect(TokenKind::CloseBracket, "']'");
+}
+
+/// Reports a name once; it is accepted from here on. False where nothing that follows makes sense.
+bool Parser::undeclared(const Token &name) {
+  const std::string_view word = text(name);
+  const bool vertex = word == "vertex";
+  if (vertex)
+    error(DiagnosticId::VertexOnly, name.span, "vertex attributes belong to vertex programs",
+          "a fragment program reads fragment.*");
+  else
+    error(DiagnosticId::UndeclaredName, name.span, quote(word) + " is not declared",
+          m_symbols.suggest(word));
+  m_symbols.declare(word, {});
+  if (vertex)
+    return false;
+  return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
+}
+
+/// <optionalSuffix> or <scalarSuffix>, with its dot.
+bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle) {
+  if (!m_tokens.at(TokenKind::Dot)) {
+    if (scalar)
+      error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
+            "this operand is a scalar and needs one component",
+            "choose one of x, y, z, w: write .x behind it");
+    return true;
+  }
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a component");
+  const Token token = m_tokens.next();
+  const SuffixError wrong = readSwizzle(text(token), scalar, swizzle);
+  if (wrong)
+    error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
+          {token.span.begin + wrong.offset, token.span.end},
+          "bad suffix " + quote(text(token)) + ": " + wrong.reason,
+          scalar ? "a scalar operand takes one of x, y, z, w or r, g, b, a"
+                 : "a suffix is one or four of x, y, z, w, or of r, g, b, a");
+  return true;
+}
+
+} // namespace arbiter::fp

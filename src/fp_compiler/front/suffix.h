@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp {
+
+/// Why a suffix is wrong, and the first wrong letter; false if it is right.
+struct SuffixError {
+  const char *reason = nullptr;
+  std::uint32_t offset = 0;
+  explicit operator bool() const { return reason != nullptr; }
+};
+
+/// A swizzle without its dot: one component, which is repeated, or four (only one if `scalar`).
+[[nodiscard]] SuffixError readSwizzle(std::string_view word, bool scalar, ir::Swizzle &swizzle);
+
+/// A write mask without its dot: one to four components in order; bit 0 is x.
+[[nodiscard]] SuffixError readMask(std::string_view word, std::uint8_t &mask);
+
+/// One selector of an extended swizzle. `set` is 0, or a letter of the set that the selectors
+/// before it belong to; it is updated.
+[[nodiscard]] SuffixError readSelector(std::string_view word, char &set, ir::Select &select);
+
+} // namespace arbiter::fp

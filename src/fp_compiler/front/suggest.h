@@ -1,0 +1,23 @@
+#pragma once
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace arbiter::fp {
+
+/// The candidate nearest to a misspelled word by edit distance (insertion, deletion, replacement,
+/// a swap of neighbours), ignoring case at no cost less than one; empty if none is near. Looks at a
+/// bounded number of candidates of bounded length, so its cost does not grow with the program.
+[[nodiscard]] std::string_view nearest(std::string_view word,
+                                       std::span<const std::string_view> candidates);
+
+/// "did you mean 'x'?", or the fallback.
+[[nodiscard]] std::string didYouMean(std::string_view word,
+                                     std::span<const std::string_view> candidates,
+                                     std::string fallback = {});
+[[nodiscard]] std::string didYouMean(std::string_view word,
+                                     std::initializer_list<std::string_view> candidates,
+                                     std::string fallback = {});
+
+} // namespace arbiter::fp

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "fp_compiler/span.h"
+
+namespace arbiter::fp {
+
+enum class SymbolKind : std::uint8_t {
+  Unknown, ///< used though undeclared, or declared in error: reported once, then accepted
+  Temporary,
+  Attribute,
+  Parameter,
+  ParameterArray,
+  Output,
+};
+
+/// What a name stands for. An ALIAS has a copy of its variable's symbol.
+struct Symbol {
+  SymbolKind kind = SymbolKind::Unknown;
+  std::uint16_t index = 0; ///< row of the register file; of an array, its number
+  Span declared;           ///< the name where it was declared
+};
+
+/// The names of a program (3.11.3). Keys view the program text, which must outlive the table.
+class SymbolTable {
+public:
+  /// Declares a name, unless it stands for something known: then returns that.
+  const Symbol *declare(std::string_view name, const Symbol &symbol);
+  [[nodiscard]] const Symbol *find(std::string_view name) const;
+  /// A hint for a name that is not here.
+  [[nodiscard]] std::string suggest(std::string_view name) const;
+
+private:
+  std::unordered_map<std::string_view, Symbol> m_symbols;
+  std::vector<std::string_view> m_latest; ///< the names to suggest, bounded
+};
+
+} // namespace arbiter::fp
