@@ -90,7 +90,8 @@ plain_environment() {
 start_display() {
   local file
   file=$(mktemp)
-  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$file" >/dev/null 2>&1 &
+  # Without -noreset it starts anew when its last client leaves, and refuses the next meanwhile.
+  Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -nolisten tcp 3>"$file" >/dev/null 2>&1 &
   display_pid=$!
   trap 'kill "$display_pid" 2>/dev/null || true' EXIT
   local tries

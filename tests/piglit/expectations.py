@@ -1,0 +1,76 @@
+"""Expected differences between the bare host and the layer.
+
+One line a difference, four fields with ` | ` between them:
+
+    test or pattern (* matches anything) | result on the bare host | result under the layer | reason
+
+A line without a reason is an error, and so is one whose tests ran and showed no such difference:
+the files say what is true now.
+"""
+
+import fnmatch
+import pathlib
+import re
+
+STATUSES = ("pass", "warn", "fail", "crash", "timeout", "skip", "incomplete", "missing",
+            "dmesg-warn", "dmesg-fail")
+
+
+class Expectation:
+    def __init__(self, where, pattern, bare, layer, reason):
+        self.where, self.pattern, self.bare, self.layer = where, pattern, bare, layer
+        self.reason, self.used = reason, False
+
+    def matches(self, test):
+        # Square brackets are parts of names here, not sets of characters.
+        return fnmatch.fnmatchcase(test, re.sub(r"\[", "[[]", self.pattern))
+
+    def explains(self, test, bare, layer):
+        return self.bare == bare and self.layer == layer and self.matches(test)
+
+
+def parse(text, where):
+    rows = []
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip() or line.startswith("#"):
+            continue
+        fields = [field.strip() for field in line.split(" | ")]
+        place = "%s:%d" % (where, number)
+        if len(fields) != 4 or not all(fields):
+            raise ValueError("%s: four fields wanted: test | bare | layer | reason" % place)
+        if fields[1] not in STATUSES or fields[2] not in STATUSES or fields[1] == fields[2]:
+            raise ValueError("%s: two different results wanted, of %s"
+                             % (place, ", ".join(STATUSES)))
+        rows.append(Expectation(place, *fields))
+    return rows
+
+
+def load(profile):
+    path = pathlib.Path(__file__).parent / "expectations" / (profile + ".txt")
+    return parse(path.read_text(), path.name)
+
+
+def differences(bare, layer):
+    """{test: (bare result, layer result)} where they differ."""
+    return {test: (bare.get(test, "missing"), layer.get(test, "missing"))
+            for test in sorted(set(bare) | set(layer))
+            if bare.get(test, "missing") != layer.get(test, "missing")}
+
+
+def judge(changes, rows):
+    """(explained, unexpected) of {test: (bare, layer)}; marks the rows used."""
+    explained, unexpected = {}, {}
+    for test, (bare, layer) in changes.items():
+        row = next((r for r in rows if r.explains(test, bare, layer)), None)
+        if row:
+            row.used = True
+            explained[test] = row.reason
+        else:
+            unexpected[test] = (bare, layer)
+    return explained, unexpected
+
+
+def stale(rows, ran):
+    """Rows whose tests ran without the difference they speak of."""
+    return [row for row in rows
+            if not row.used and any(row.matches(test) for test in ran)]

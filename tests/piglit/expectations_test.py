@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Tests of the comparison itself: that a worse result fails, and that its excuses are held to."""
+
+import unittest
+
+import compare
+import expectations
+import run as piglit
+
+
+class Expectations(unittest.TestCase):
+    ROW = "spec@x@a* | skip | pass | the layer has it\n"
+
+    def test_a_difference_without_a_row_is_unexpected(self):
+        changes = expectations.differences({"t": "pass", "u": "pass"}, {"t": "fail", "u": "pass"})
+        explained, unexpected = expectations.judge(changes, expectations.parse(self.ROW, "f"))
+        self.assertEqual(unexpected, {"t": ("pass", "fail")})
+        self.assertFalse(explained)
+
+    def test_a_row_explains_its_own_difference_only(self):
+        rows = expectations.parse(self.ROW, "f")
+        explained, unexpected = expectations.judge(
+            {"spec@x@a1": ("skip", "pass"), "spec@x@a2": ("skip", "fail")}, rows)
+        self.assertEqual(list(explained), ["spec@x@a1"])
+        self.assertEqual(list(unexpected), ["spec@x@a2"])
+
+    def test_a_test_that_vanished_is_a_difference(self):
+        self.assertEqual(expectations.differences({"t": "pass"}, {}), {"t": ("pass", "missing")})
+
+    def test_brackets_are_characters(self):
+        row = expectations.parse("t[1] | pass | fail | why\n", "f")[0]
+        self.assertTrue(row.matches("t[1]"))
+        self.assertFalse(row.matches("t1"))
+
+    def test_a_row_needs_a_reason_and_two_results(self):
+        for text in ("t | pass | fail\n", "t | pass | fail | \n", "t | pass | pass | why\n",
+                     "t | good | bad | why\n"):
+            with self.assertRaises(ValueError, msg=text):
+                expectations.parse(text, "f")
+
+    def test_a_row_that_nothing_used_is_stale_if_its_test_ran(self):
+        rows = expectations.parse(self.ROW, "f")
+        self.assertEqual(expectations.stale(rows, {"other"}), [])
+        self.assertEqual(expectations.stale(rows, {"spec@x@a1"}), rows)
+
+    def test_every_stored_file_parses(self):
+        for profile in ("host", "r300"):
+            expectations.load(profile)
+
+
+class RunAgain(unittest.TestCase):
+    def test_what_stays_is_no_flake(self):
+        tests = {"a": "quick_gl", "b": "quick_gl"}
+        sides = (lambda some: dict.fromkeys(some, "pass"),
+                 lambda some: {name: "fail" if name == "a" else "pass" for name in some})
+        steady, flakes = compare.run_again(
+            {"a": ("pass", "fail"), "b": ("pass", "fail")}, tests, sides, 2)
+        self.assertEqual((list(steady), list(flakes)), (["a"], ["b"]))
+
+
+class Flatten(unittest.TestCase):
+    def test_subtests_are_rows(self):
+        table = piglit.flatten({"tests": {"t": {"result": "fail", "subtests": {
+            "__type__": "Subtests", "x": "pass", "y": "fail"}}}})
+        self.assertEqual(table, {"t": "fail", "t/x": "pass", "t/y": "fail"})
+        self.assertEqual(piglit.test_of("t/x", {"t"}), "t")
+        self.assertEqual(piglit.test_of("t", {"t"}), "t")
+
+
+if __name__ == "__main__":
+    unittest.main()

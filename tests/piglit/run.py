@@ -1,0 +1,73 @@
+"""One run of piglit over a list of tests, and its results as a plain table."""
+
+import bz2
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+
+from profiles import PROFILES
+
+# What a test's environment is cleared of, so that the two sides differ by the layer alone.
+FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PRELOAD", "PIGLIT_")
+
+
+def environment(layer=None, profile=None, extra=None):
+    env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
+    env["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    env["PIGLIT_NO_FAST_SKIP"] = "1"  # a skip is the test's own answer, not the framework's guess
+    if layer:
+        env["LD_PRELOAD"] = str(layer)
+        env["ARBITER_PROFILE"] = profile
+    env.update(extra or {})
+    return env
+
+
+def run(tests, folder, env, jobs, platform, timeout=60):
+    """Runs {test: profile}; returns {test: status} with subtests as `test/subtest`."""
+    folder = pathlib.Path(folder)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    table = {}
+    for profile in PROFILES:  # piglit takes a list of tests for one profile at a time
+        names = [name for name, home in tests.items() if home == profile]
+        if not names:
+            continue
+        listing = folder / (profile + ".txt")
+        listing.write_text("\n".join(names) + "\n")
+        results = folder / profile
+        command = ["piglit", "run", "--jobs", str(jobs), "--platform", platform,
+                   "--timeout", str(timeout), "--test-list", str(listing),
+                   "--log-level", "quiet", profile, str(results)]
+        log = folder / (profile + ".log")
+        with open(log, "w") as stream:
+            done = subprocess.run(command, env=env, stdout=stream, stderr=subprocess.STDOUT,
+                                  stdin=subprocess.DEVNULL)
+        if done.returncode:
+            raise RuntimeError("piglit ended with %d; see %s" % (done.returncode, log))
+        table.update(flatten(load(results)))
+    return table
+
+
+def load(results):
+    for path in sorted(results.glob("results.json*")):
+        if path.suffix == ".bz2":
+            return json.loads(bz2.decompress(path.read_bytes()))
+        return json.loads(path.read_text())
+    raise RuntimeError("no results in %s" % results)
+
+
+def flatten(document):
+    table = {}
+    for name, test in document["tests"].items():
+        table[name] = test["result"]
+        for subtest, status in (test.get("subtests") or {}).items():
+            if subtest != "__type__":  # how the framework's JSON marks the type of the table
+                table["%s/%s" % (name, subtest)] = status
+    return table
+
+
+def test_of(key, names):
+    """The test that a key of the table belongs to: subtests run with their test."""
+    return key if key in names else key.rsplit("/", 1)[0]
