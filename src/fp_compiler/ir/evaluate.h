@@ -1,0 +1,44 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/semantics.h"
+
+namespace arbiter::fp::ir {
+
+/// One texture access, as the target sees it: TXP has divided already.
+struct Sample {
+  TexTarget target = TexTarget::Tex2D;
+  std::uint8_t unit = 0;
+  Vec4 coordinate = {}; ///< s, t, r (r is the reference of a shadow target); w is 0
+  float bias = 0.0f;    ///< TXB's
+};
+
+/// Everything outside a program that its result depends on. Empty functions give zeros.
+struct Inputs {
+  /// One vec4 for each of Program::attributes, in that order; missing ones are zero.
+  std::span<const Vec4> attributes;
+  /// Values of Env, Local and State rows.
+  std::function<Vec4(const Parameter &)> parameter;
+  std::function<Vec4(const Sample &)> texture;
+  /// The fog coordinate, for the fog options.
+  float fogCoordinate = 0.0f;
+  Numerics numerics = Numerics::Host;
+  /// Sees, and may change, each result before _SAT and the write. For error analysis.
+  std::function<void(const Instruction &, Vec4 &)> result;
+};
+
+/// What a program makes of one fragment.
+struct Evaluation {
+  std::vector<Vec4> outputs;  ///< one for each of Program::outputs; not clamped without fog option
+  std::optional<float> depth; ///< if the program writes result.depth.z; not clamped
+  bool killed = false;        ///< then the rest is zero
+};
+
+/// The reference interpreter (semantics.h). Requires: validate(program) finds nothing.
+[[nodiscard]] Evaluation evaluate(const Program &program, const Inputs &inputs);
+
+} // namespace arbiter::fp::ir

@@ -1,0 +1,167 @@
+#include "fp_compiler/ir/semantics.h"
+
+#include <cassert>
+#include <cfloat>
+#include <cmath>
+
+namespace arbiter::fp::ir {
+
+namespace {
+Vec4 all(float value) { return {value, value, value, value}; }
+
+template <typename F> Vec4 map(const Vec4 &a, F function) {
+  return {function(a[0]), function(a[1]), function(a[2]), function(a[3])};
+}
+
+template <typename F> Vec4 zip(const Vec4 &a, const Vec4 &b, F function) {
+  return {function(a[0], b[0]), function(a[1], b[1]), function(a[2], b[2]), function(a[3], b[3])};
+}
+
+template <typename F> Vec4 zip(const Vec4 &a, const Vec4 &b, const Vec4 &c, F function) {
+  return {function(a[0], b[0], c[0]), function(a[1], b[1], c[1]), function(a[2], b[2], c[2]),
+          function(a[3], b[3], c[3])};
+}
+
+float product(float a, float b) { return flushed(a * b); }
+float sum(float a, float b) { return flushed(a + b); }
+
+float dot3(const Vec4 &a, const Vec4 &b) {
+  return sum(sum(product(a[0], b[0]), product(a[1], b[1])), product(a[2], b[2]));
+}
+
+float maximum(float a, float b) {
+  if (std::isnan(a) || std::isnan(b))
+    return std::isnan(a) ? b : a;
+  if (a == b)
+    return std::signbit(a) ? b : a;
+  return a > b ? a : b;
+}
+
+float minimum(float a, float b) {
+  if (std::isnan(a) || std::isnan(b))
+    return std::isnan(a) ? b : a;
+  if (a == b)
+    return std::signbit(a) ? a : b;
+  return a < b ? a : b;
+}
+
+float power(float a, float b) {
+  if (b == 0.0f)
+    return 1.0f;
+  const double base = maximum(a, 0.0f);
+  return float(std::exp2(double(b) * std::log2(base)));
+}
+
+Vec4 lit(const Vec4 &a) {
+  constexpr float kLimit = 127.99999f; // 128 - 2^-17
+  const float exponent = minimum(maximum(a[3], -kLimit), kLimit);
+  return {1.0f, maximum(a[0], 0.0f), a[0] > 0.0f ? power(a[1], exponent) : 0.0f, 1.0f};
+}
+
+Vec4 cross(const Vec4 &a, const Vec4 &b) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return product(a[i], b[j]) - product(a[j], b[i]);
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1), 0.0f};
+}
+
+Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
+  switch (op) {
+  case Opcode::Abs:
+    return map(a, [](float x) { return std::fabs(x); });
+  case Opcode::Add:
+    return zip(a, b, sum);
+  case Opcode::Cmp:
+    return zip(a, b, c, [](float x, float y, float z) { return x < 0.0f ? y : z; });
+  case Opcode::Cos:
+    return all(std::cos(a[0]));
+  case Opcode::Dp3:
+    return all(dot3(a, b));
+  case Opcode::Dp4:
+    return all(sum(dot3(a, b), product(a[3], b[3])));
+  case Opcode::Dph:
+    return all(sum(dot3(a, b), b[3]));
+  case Opcode::Dst:
+    return {1.0f, a[1] * b[1], a[2], b[3]};
+  case Opcode::Ex2:
+    return all(std::exp2(a[0]));
+  case Opcode::Flr:
+    return map(a, [](float x) { return std::floor(x); });
+  case Opcode::Frc:
+    return map(a, [](float x) { return x - std::floor(x); });
+  case Opcode::Lg2:
+    return all(std::log2(a[0]));
+  case Opcode::Lit:
+    return lit(a);
+  case Opcode::Lrp:
+    return zip(a, b, c, [](float x, float y, float z) {
+      return sum(product(x, y), product(sum(1.0f, -x), z));
+    });
+  case Opcode::Mad:
+    return zip(a, b, c, [](float x, float y, float z) { return sum(product(x, y), z); });
+  case Opcode::Max:
+    return zip(a, b, maximum);
+  case Opcode::Min:
+    return zip(a, b, minimum);
+  case Opcode::Mov:
+  case Opcode::Swz:
+    return a;
+  case Opcode::Mul:
+    return zip(a, b, product);
+  case Opcode::Pow:
+    return all(power(a[0], b[0]));
+  case Opcode::Rcp:
+    return all(1.0f / a[0]);
+  case Opcode::Rsq:
+    return all(1.0f / std::sqrt(std::fabs(a[0])));
+  case Opcode::Scs:
+    return {std::cos(a[0]), std::sin(a[0]), 0.0f, 0.0f};
+  case Opcode::Sge:
+    return zip(a, b, [](float x, float y) { return x >= y ? 1.0f : 0.0f; });
+  case Opcode::Sin:
+    return all(std::sin(a[0]));
+  case Opcode::Slt:
+    return zip(a, b, [](float x, float y) { return x < y ? 1.0f : 0.0f; });
+  case Opcode::Sub:
+    return zip(a, b, [](float x, float y) { return x - y; });
+  case Opcode::Xpd:
+    return cross(a, b);
+  case Opcode::Tex:
+  case Opcode::Txp:
+  case Opcode::Txb:
+  case Opcode::Kil:
+    break;
+  }
+  assert(false && "not an arithmetic opcode");
+  return {};
+}
+} // namespace
+
+float flushed(float value) {
+  return std::fabs(value) < FLT_MIN ? std::copysign(0.0f, value) : value;
+}
+
+float saturated(float value) {
+  if (!(value > 0.0f))
+    return 0.0f;
+  return value < 1.0f ? value : 1.0f;
+}
+
+Vec4 apply(Opcode op, const Operands &operands, Numerics numerics) {
+  switch (numerics) {
+  case Numerics::Host:
+    break;
+  }
+  return map(
+      compute(op, map(operands[0], flushed), map(operands[1], flushed), map(operands[2], flushed)),
+      flushed);
+}
+
+bool kills(const Vec4 &operand) {
+  for (const float value : operand)
+    if (flushed(value) < 0.0f)
+      return true;
+  return false;
+}
+
+} // namespace arbiter::fp::ir

@@ -1,0 +1,105 @@
+#include "fp_compiler/ir/validate.h"
+
+#include <array>
+#include <optional>
+
+namespace arbiter::fp::ir {
+
+namespace {
+class Validator {
+public:
+  explicit Validator(const Program &program) : m_program(program) {}
+
+  std::vector<std::string> run() {
+    for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (m_program.outputs[i] == m_program.outputs[j])
+          m_problems.push_back("outputs " + std::to_string(j) + " and " + std::to_string(i) +
+                               " are the same");
+    for (m_at = 0; m_at < m_program.code.size(); ++m_at)
+      check(m_program.code[m_at]);
+    return std::move(m_problems);
+  }
+
+private:
+  void report(const std::string &problem) {
+    m_problems.push_back("instruction " + std::to_string(m_at) + ": " + problem);
+  }
+
+  std::size_t sizeOf(File file) const {
+    switch (file) {
+    case File::Temporary:
+      return m_program.temporaries.size();
+    case File::Attribute:
+      return m_program.attributes.size();
+    case File::Parameter:
+      return m_program.parameters.size();
+    case File::Output:
+      return m_program.outputs.size();
+    }
+    return 0;
+  }
+
+  void check(const Instruction &instruction) {
+    if (int(instruction.op) >= kOpcodeCount)
+      return report("opcode out of range");
+    const OpInfo &row = info(instruction.op);
+    for (int i = 0; i < row.operandCount(); ++i)
+      checkOperand(instruction.src[std::size_t(i)], row.shapes[i] == 'S');
+    if (!row.has(Kills))
+      checkDestination(instruction.dst);
+    if (row.has(Texture))
+      checkTexture(instruction);
+  }
+
+  void checkOperand(const Operand &operand, bool scalar) {
+    if (operand.file == File::Output)
+      report("reads an output");
+    if (operand.index >= sizeOf(operand.file))
+      report("operand index out of range");
+    if (operand.negate > 0xF)
+      report("negate has more than four bits");
+    for (const Select select : operand.swizzle)
+      if (select > Select::One)
+        report("swizzle out of range");
+    if (!scalar)
+      return;
+    for (const Select select : operand.swizzle)
+      if (select != operand.swizzle[0])
+        return report("scalar operand with more than one component");
+    if (operand.negate != 0 && operand.negate != 0xF)
+      report("scalar operand with more than one sign");
+  }
+
+  void checkDestination(const Destination &dst) {
+    if (dst.file != File::Temporary && dst.file != File::Output)
+      report("writes a register that is read-only");
+    if (dst.index >= sizeOf(dst.file))
+      report("destination index out of range");
+    if (dst.mask == 0 || dst.mask > 0xF)
+      report("write mask out of range");
+  }
+
+  void checkTexture(const Instruction &instruction) {
+    if (instruction.target > TexTarget::ShadowRect)
+      return report("texture target out of range");
+    if (instruction.unit >= m_targets.size())
+      return report("texture image unit out of range");
+    std::optional<TexTarget> &target = m_targets[instruction.unit];
+    if (target && *target != instruction.target)
+      report("two targets on one texture image unit");
+    target = instruction.target;
+    if (instruction.target >= TexTarget::Shadow1D && !m_program.options.shadow)
+      report("shadow target without ARB_fragment_program_shadow");
+  }
+
+  const Program &m_program;
+  std::vector<std::string> m_problems;
+  std::array<std::optional<TexTarget>, 32> m_targets;
+  std::size_t m_at = 0;
+};
+} // namespace
+
+std::vector<std::string> validate(const Program &program) { return Validator(program).run(); }
+
+} // namespace arbiter::fp::ir
