@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -24,6 +25,20 @@ def demos_of(build):
         if target["type"] == "executable" and folder == "demos" and not path.name.endswith("_test"):
             found[path.name] = path
     return found
+
+
+def runs_of(demos):
+    """[(name of the picture, path, further arguments)]: a demonstration's forms are runs of it."""
+    runs = []
+    for name, path in sorted(demos.items()):
+        help_text = subprocess.run([str(path), "--help"], capture_output=True, text=True).stdout
+        forms = re.search(r"--form [^{\n]*\{([^}]*)\}", help_text)
+        if forms:
+            runs += [("%s-%s" % (name, form), path, ["--form", form])
+                     for form in forms.group(1).split(",")]
+        else:
+            runs.append((name, path, []))
+    return runs
 
 
 def summary(path):
@@ -62,7 +77,7 @@ def main():
         print("no demonstration '%s'; there are: %s" % (args.name, ", ".join(sorted(demos))),
               file=sys.stderr)
         return 2
-    chosen = [args.name] if args.name else sorted(demos)
+    chosen = runs_of({args.name: demos[args.name]} if args.name else demos)
     if not chosen:
         print("no demonstrations are built", file=sys.stderr)
         return 1
@@ -73,7 +88,7 @@ def main():
         return 1
     args.out.mkdir(parents=True, exist_ok=True)
     failed = 0
-    for number, name in enumerate(chosen, 1):
+    for number, (name, path, options) in enumerate(chosen, 1):
         picture = args.out / (name + ".png")
         stats = args.out / (name + ".json")
         for old in (picture, stats):
@@ -81,7 +96,7 @@ def main():
         environment = dict(os.environ, LD_PRELOAD=str(layer), ARBITER_STATS=str(stats),
                            LIBGL_ALWAYS_SOFTWARE="1")
         print("[%d/%d] %s" % (number, len(chosen), name), flush=True)
-        run = subprocess.run([str(demos[name]), "--headless", "--out", str(picture)],
+        run = subprocess.run([str(path), "--headless", "--out", str(picture), *options],
                              env=environment)
         if run.returncode or not picture.exists():
             print("      failed with status %d" % run.returncode)
