@@ -290,8 +290,8 @@ bool isOurs(const void *function) {
 
 def null_table_source(table):
     """The table of the null context: each function looks for the next definition when called."""
-    out = [HEADING, '#include "interposer/null_host.h"\n\n#include "host/host_table.h"\n\n',
-           "namespace arbiter::interposer {\n\nnamespace {\n\n"]
+    out = [HEADING, '#include "host/null_host.h"\n\n',
+           "namespace arbiter::host {\n\nnamespace {\n\n"]
     for name in table.members:
         command = table.commands[name]
         root = table.entry_names(name)[0]
@@ -302,10 +302,9 @@ def null_table_source(table):
                    f"    {give}reinterpret_cast<{command.result} (*)({command.types()})>"
                    f"(call.function())({command.arguments()});\n"
                    + ("" if command.result == "void" else "  return {};\n") + "}\n")
-    out.append("\n} // namespace\n\nconst host::HostTable &nullHost() {\n"
-               "  static constexpr host::HostTable kTable = {\n")
-    out += [f"      .{name} = null{name},\n" for name in table.members]
-    out.append("  };\n  return kTable;\n}\n\n} // namespace arbiter::interposer\n")
+    out.append("\n} // namespace\n\nconstinit const HostTable kNullHost = {\n")
+    out += [f"    .{name} = null{name},\n" for name in table.members]
+    out.append("};\n\n} // namespace arbiter::host\n")
     return "".join(out)
 
 

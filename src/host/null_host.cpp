@@ -1,15 +1,20 @@
-#include "interposer/null_host.h"
+#include "host/null_host.h"
 
 #include <dlfcn.h>
 
-#include "dispatch/entry_points.h"
-
-namespace arbiter::interposer {
+namespace arbiter::host {
 
 namespace {
 
 /// The calling thread is inside a call to the next definition.
 constinit thread_local bool t_insideNullCall __attribute__((tls_model("initial-exec"))) = false;
+
+bool inThisLibrary(const void *function) {
+  Dl_info theirs, ours;
+  return dladdr(function, &theirs) != 0 &&
+         dladdr(reinterpret_cast<const void *>(&inThisLibrary), &ours) != 0 &&
+         theirs.dli_fbase == ours.dli_fbase;
+}
 
 void *resolve(const char *name) {
   // dlerror belongs to the application: a miss of ours must not be what it reads next.
@@ -18,7 +23,7 @@ void *resolve(const char *name) {
     function = dlsym(RTLD_DEFAULT, name);
   if (!function)
     (void)dlerror();
-  return dispatch::isOurs(function) ? nullptr : function;
+  return inThisLibrary(function) ? nullptr : function;
 }
 
 } // namespace
@@ -42,4 +47,4 @@ NullCall::~NullCall() {
     t_insideNullCall = false;
 }
 
-} // namespace arbiter::interposer
+} // namespace arbiter::host

@@ -6,7 +6,7 @@
 /// What a GL call does while no context of ours is current: it goes to the next definition in the
 /// process (a libGL whose contexts do not pass through us, a library that an absolute path named),
 /// or nowhere. Resolved at the first call of each, because that library may be loaded late.
-namespace arbiter::interposer {
+namespace arbiter::host {
 
 /// The function after ours in the order of lookup, once found.
 struct NextFunction {
@@ -28,6 +28,8 @@ private:
   void *m_function = nullptr;
 };
 
-[[nodiscard]] const host::HostTable &nullHost();
+/// Constant-initialised: constructors of an application's own libraries run before ours and may call
+/// GL.
+extern const HostTable kNullHost;
 
-} // namespace arbiter::interposer
+} // namespace arbiter::host

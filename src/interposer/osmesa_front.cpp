@@ -1,0 +1,180 @@
+/// OSMesa's context calls. libOSMesa is no glvnd vendor, so its clients meet these by symbol lookup:
+/// linked ones through LD_PRELOAD, those that dlopen libOSMesa.so.8 through the front library, which
+/// has no symbols of its own and needs this library and the real one.
+#include <cstring>
+#include <iterator>
+#include <string>
+
+#include <dlfcn.h>
+
+#include <GL/osmesa.h>
+
+#include "interposer/process.h"
+#include "interposer/provider.h"
+#include "interposer/registry.h"
+#include "util/log.h"
+
+#define ARBITER_EXPORT extern "C" __attribute__((visibility("default")))
+
+namespace arbiter::interposer {
+
+namespace {
+
+using state::Provider;
+
+struct RealOsMesa {
+  void *library = nullptr;
+  decltype(&OSMesaCreateContext) createContext = nullptr;
+  decltype(&OSMesaCreateContextExt) createContextExt = nullptr;
+  decltype(&OSMesaCreateContextAttribs) createContextAttribs = nullptr;
+  decltype(&OSMesaDestroyContext) destroyContext = nullptr;
+  decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
+  decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
+};
+
+bool isThisLibrary(const void *function) {
+  Dl_info theirs, ours;
+  return !dladdr(function, &theirs) || !dladdr(reinterpret_cast<const void *>(&isThisLibrary), &ours) ||
+         theirs.dli_fbase == ours.dli_fbase;
+}
+
+/// The library that defines the next OSMesaMakeCurrent after ours: the one the client is linked to.
+void *libraryAfterUs() {
+  void *const next = dlsym(RTLD_NEXT, "OSMesaMakeCurrent");
+  Dl_info info;
+  if (!next || isThisLibrary(next) || !dladdr(next, &info)) {
+    (void)dlerror();
+    return nullptr;
+  }
+  return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+}
+
+void *openLibrary(const char *path) {
+  void *const handle = path && *path ? dlopen(path, RTLD_LAZY | RTLD_LOCAL) : nullptr;
+  void *const probe = handle ? dlsym(handle, "OSMesaMakeCurrent") : nullptr;
+  if (probe && !isThisLibrary(probe))
+    return handle;
+  (void)dlerror();
+  if (handle)
+    dlclose(handle);
+  return nullptr;
+}
+
+const RealOsMesa &real() {
+  static const RealOsMesa s_real = [] {
+    RealOsMesa r;
+    r.library = libraryAfterUs();
+    // The file that the front library was made for, by absolute path: its name alone may be ours.
+    if (!r.library)
+      r.library = openLibrary(secure_getenv("ARBITER_HOST_OSMESA"));
+    if (!r.library)
+      r.library = openLibrary(ARBITER_OSMESA_LIBRARY);
+    if (!r.library) {
+      logError("layer", "OSMesa: no real libOSMesa found (ARBITER_HOST_OSMESA names one)");
+      return r;
+    }
+    const auto get = [&](auto &function, const char *name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+          dlsym(r.library, name));
+    };
+    get(r.createContext, "OSMesaCreateContext");
+    get(r.createContextExt, "OSMesaCreateContextExt");
+    get(r.createContextAttribs, "OSMesaCreateContextAttribs");
+    get(r.destroyContext, "OSMesaDestroyContext");
+    get(r.makeCurrent, "OSMesaMakeCurrent");
+    get(r.getProcAddress, "OSMesaGetProcAddress");
+    return r;
+  }();
+  return s_real;
+}
+
+void *hostLookup(const char *name) {
+  if (!real().getProcAddress)
+    return nullptr;
+  return checked(name, reinterpret_cast<void *>(real().getProcAddress(name)));
+}
+
+const host::HostTable &table() {
+  static const host::HostTable *const s_table = [] {
+    auto *made = new host::HostTable;
+    const std::size_t found = host::loadHostTable(*made, hostLookup);
+    logDebug("layer", "OSMesa: the host has %zu of the functions asked for", found);
+    return made;
+  }();
+  return *s_table;
+}
+
+registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, context}; }
+
+OSMesaContext remember(OSMesaContext context, OSMesaContext share) {
+  if (context && layerAllowed())
+    registry::created(key(context), table(), share);
+  return context;
+}
+
+} // namespace
+
+} // namespace arbiter::interposer
+
+using namespace arbiter::interposer;
+
+ARBITER_EXPORT OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext share) {
+  return real().createContext ? remember(real().createContext(format, share), share) : nullptr;
+}
+
+ARBITER_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits,
+                                                    GLint stencilBits, GLint accumBits,
+                                                    OSMesaContext share) {
+  if (!real().createContextExt)
+    return nullptr;
+  return remember(real().createContextExt(format, depthBits, stencilBits, accumBits, share), share);
+}
+
+ARBITER_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int *attributes, OSMesaContext share) {
+  if (!real().createContextAttribs)
+    return nullptr;
+  return remember(real().createContextAttribs(attributes, share), share);
+}
+
+ARBITER_EXPORT void OSMesaDestroyContext(OSMesaContext context) {
+  if (!real().destroyContext)
+    return;
+  // OSMesa un-binds a current context that it destroys.
+  auto *const current =
+      reinterpret_cast<OSMesaContext (*)()>(dlsym(real().library, "OSMesaGetCurrentContext"));
+  const bool unbinds = context && current && current() == context;
+  registry::destroyed(key(context));
+  real().destroyContext(context);
+  if (unbinds)
+    registry::madeCurrent(key(nullptr), table());
+}
+
+ARBITER_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext context, void *buffer, GLenum type,
+                                           GLsizei width, GLsizei height) {
+  if (!real().makeCurrent)
+    return GL_FALSE;
+  const GLboolean ok = real().makeCurrent(context, buffer, type, width, height);
+  if (ok && layerAllowed())
+    registry::madeCurrent(key(context), table());
+  return ok;
+}
+
+ARBITER_EXPORT OSMESAproc OSMesaGetProcAddress(const char *name) {
+  if (!name || !real().getProcAddress)
+    return nullptr;
+  const struct {
+    const char *name;
+    void *ours;
+  } hooks[] = {
+      {"OSMesaCreateContext", reinterpret_cast<void *>(OSMesaCreateContext)},
+      {"OSMesaCreateContextExt", reinterpret_cast<void *>(OSMesaCreateContextExt)},
+      {"OSMesaCreateContextAttribs", reinterpret_cast<void *>(OSMesaCreateContextAttribs)},
+      {"OSMesaDestroyContext", reinterpret_cast<void *>(OSMesaDestroyContext)},
+      {"OSMesaMakeCurrent", reinterpret_cast<void *>(OSMesaMakeCurrent)},
+      {"OSMesaGetProcAddress", reinterpret_cast<void *>(OSMesaGetProcAddress)},
+  };
+  for (const auto &hook : hooks)
+    if (std::strcmp(hook.name, name) == 0)
+      return reinterpret_cast<OSMESAproc>(hook.ours);
+  return reinterpret_cast<OSMESAproc>(resolveGl(name, hostLookup));
+}

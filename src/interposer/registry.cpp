@@ -1,0 +1,130 @@
+#include "interposer/registry.h"
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include <pthread.h>
+
+namespace arbiter::interposer::registry {
+
+namespace {
+
+struct Entry {
+  Key key;
+  state::Context *context;
+};
+
+struct Registry {
+  std::mutex mutex;
+  std::vector<Entry> entries;
+  /// Holds 1 + the provider that is current on the thread; its destructor un-binds as a thread ends.
+  pthread_key_t current{};
+};
+
+void threadEnds(void *) { state::makeCurrent(nullptr); }
+
+/// Never destroyed: threads of the application may outlive the library's own destructors.
+Registry &registry() {
+  static Registry *const s_registry = [] {
+    auto *made = new Registry;
+    pthread_key_create(&made->current, threadEnds);
+    return made;
+  }();
+  return *s_registry;
+}
+
+/// GLX handles are unique across displays, and one may be used over another connection to the same
+/// server: the display there decides only which contexts go with it when it is closed.
+bool same(const Key &a, const Key &b) {
+  return a.provider == b.provider && a.handle == b.handle &&
+         (a.provider == Provider::Glx || a.display == b.display);
+}
+
+Entry *find(Registry &r, const Key &key) {
+  for (Entry &entry : r.entries)
+    if (same(entry.key, key))
+      return &entry;
+  return nullptr;
+}
+
+void setCurrentProvider(std::intptr_t value) {
+  pthread_setspecific(registry().current, reinterpret_cast<void *>(value));
+}
+
+} // namespace
+
+void created(const Key &key, const host::HostTable &table, const void *shareHandle) {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  state::Context *share = nullptr;
+  if (shareHandle)
+    if (const Entry *entry = find(r, {key.provider, key.display, shareHandle}))
+      share = entry->context;
+  state::Context *const context = state::createContext(key.provider, &table, share);
+  if (Entry *stale = find(r, key)) {
+    state::destroyContext(stale->context);
+    *stale = {key, context};
+  } else {
+    r.entries.push_back({key, context});
+  }
+}
+
+void destroyed(const Key &key) {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  Entry *const entry = find(r, key);
+  if (!entry)
+    return;
+  state::destroyContext(entry->context);
+  *entry = r.entries.back();
+  r.entries.pop_back();
+}
+
+void madeCurrent(const Key &key, const host::HostTable &table) {
+  if (!key.handle) {
+    if (isCurrent(key.provider)) {
+      state::makeCurrent(nullptr);
+      setCurrentProvider(0);
+    }
+    return;
+  }
+  state::Context *context = nullptr;
+  {
+    Registry &r = registry();
+    const std::lock_guard lock(r.mutex);
+    Entry *entry = find(r, key);
+    if (!entry) {
+      r.entries.push_back({key, state::createContext(key.provider, &table, nullptr)});
+      entry = &r.entries.back();
+    }
+    context = entry->context;
+  }
+  state::makeCurrent(context);
+  setCurrentProvider(1 + std::intptr_t(key.provider));
+}
+
+void displayClosed(Provider provider, const void *display) {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  for (std::size_t i = r.entries.size(); i-- > 0;) {
+    if (r.entries[i].key.provider != provider || r.entries[i].key.display != display)
+      continue;
+    state::destroyContext(r.entries[i].context);
+    r.entries[i] = r.entries.back();
+    r.entries.pop_back();
+  }
+}
+
+bool isCurrent(Provider provider) {
+  const auto value = reinterpret_cast<std::intptr_t>(pthread_getspecific(registry().current));
+  return value == 1 + std::intptr_t(provider);
+}
+
+unsigned count() {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  return unsigned(r.entries.size());
+}
+
+} // namespace arbiter::interposer::registry

@@ -1,0 +1,37 @@
+#pragma once
+#include "state/lifecycle.h"
+
+/// Which of the state tracker's contexts a host's handle stands for. Locked in create, destroy and
+/// make-current only; no GL command comes here.
+namespace arbiter::interposer::registry {
+
+using state::Provider;
+
+/// A context as the application names it. `display` is null for OSMesa.
+struct Key {
+  Provider provider;
+  const void *display;
+  const void *handle;
+};
+
+/// The host made a context. A key in use by a context that was never seen destroyed is taken over.
+void created(const Key &key, const host::HostTable &table, const void *shareHandle);
+
+/// The host destroyed a context: the key is free again, the context lives on while it is current.
+/// Call before the host does, or another thread may meet the handle in its next life.
+void destroyed(const Key &key);
+
+/// The host made the context current on this thread; one never seen before is adopted. A null
+/// handle un-binds, if what is current is the provider's own.
+void madeCurrent(const Key &key, const host::HostTable &table);
+
+/// A display is gone: all its contexts are destroyed.
+void displayClosed(Provider provider, const void *display);
+
+/// True if a context of the provider is current on this thread.
+[[nodiscard]] bool isCurrent(Provider provider);
+
+/// Contexts known at present, for tests.
+[[nodiscard]] unsigned count();
+
+} // namespace arbiter::interposer::registry
