@@ -14,8 +14,8 @@ struct NextFunction {
   std::atomic<void *> function{nullptr};
 };
 
-/// One call on its way to the next definition. function() is null where there is none, and in a call
-/// that came back to us: libGL's own stub may lead here.
+/// One call on its way to the next definition. function() is null where there is none, and in a
+/// call that came back to us: libGL's own stub may lead here.
 class NullCall {
 public:
   explicit NullCall(NextFunction &next);
@@ -28,8 +28,8 @@ private:
   void *m_function = nullptr;
 };
 
-/// Constant-initialised: constructors of an application's own libraries run before ours and may call
-/// GL.
+/// Constant-initialised: constructors of an application's own libraries run before ours and may
+/// call GL.
 extern const HostTable kNullHost;
 
 } // namespace arbiter::host

@@ -85,12 +85,14 @@ EGLBoolean swapBuffers(EGLDisplay display, EGLSurface surface) {
   return g_swapBuffers(display, surface);
 }
 
-EGLBoolean swapDamageKhr(EGLDisplay display, EGLSurface surface, const EGLint *rects, EGLint count) {
+EGLBoolean swapDamageKhr(EGLDisplay display, EGLSurface surface, const EGLint *rects,
+                         EGLint count) {
   frameEnds();
   return g_swapDamageKhr(display, surface, rects, count);
 }
 
-EGLBoolean swapDamageExt(EGLDisplay display, EGLSurface surface, const EGLint *rects, EGLint count) {
+EGLBoolean swapDamageExt(EGLDisplay display, EGLSurface surface, const EGLint *rects,
+                         EGLint count) {
   frameEnds();
   return g_swapDamageExt(display, surface, rects, count);
 }
@@ -99,8 +101,8 @@ EGLBoolean swapDamageExt(EGLDisplay display, EGLSurface surface, const EGLint *r
 /// contexts: it then still answers queries.
 EGLBoolean terminate(EGLDisplay display) {
   const EGLBoolean ok = g_terminate(display);
-  auto *const query = reinterpret_cast<const char *(*)(EGLDisplay, EGLint)>(
-      hostLookup("eglQueryString"));
+  auto *const query =
+      reinterpret_cast<const char *(*)(EGLDisplay, EGLint)>(hostLookup("eglQueryString"));
   if (!ok)
     return ok;
   if (!query || !query(display, EGL_VERSION)) {

@@ -98,7 +98,8 @@ Host<decltype(glXMakeCurrent)> g_makeCurrent;
 Host<decltype(glXMakeContextCurrent)> g_makeContextCurrent;
 Host<Bool(Display *, GLXDrawable, GLXDrawable, GLXContext)> g_makeCurrentRead;
 Host<decltype(glXSwapBuffers)> g_swapBuffers;
-Host<std::int64_t(Display *, GLXDrawable, std::int64_t, std::int64_t, std::int64_t)> g_swapBuffersMsc;
+Host<std::int64_t(Display *, GLXDrawable, std::int64_t, std::int64_t, std::int64_t)>
+    g_swapBuffersMsc;
 Host<void *(const GLubyte *)> g_getProcAddress, g_getProcAddressArb;
 
 GLXContext createContext(Display *display, XVisualInfo *visual, GLXContext share, Bool direct) {
@@ -231,9 +232,10 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
 
 } // namespace arbiter::interposer
 
-extern "C" __attribute__((visibility("default"))) Bool
-__glx_Main(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor,
-           __GLXapiImports *imports) {
+extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t version,
+                                                                  const __GLXapiExports *exports,
+                                                                  __GLXvendorInfo *vendor,
+                                                                  __GLXapiImports *imports) {
   using namespace arbiter::interposer;
   if (!loadHost(version, exports, vendor))
     return False;

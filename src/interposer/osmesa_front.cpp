@@ -1,6 +1,6 @@
-/// OSMesa's context calls. libOSMesa is no glvnd vendor, so its clients meet these by symbol lookup:
-/// linked ones through LD_PRELOAD, those that dlopen libOSMesa.so.8 through the front library, which
-/// has no symbols of its own and needs this library and the real one.
+/// OSMesa's context calls. libOSMesa is no glvnd vendor, so its clients meet these by symbol
+/// lookup: linked ones through LD_PRELOAD, those that dlopen libOSMesa.so.8 through the front
+/// library, which has no symbols of its own and needs this library and the real one.
 #include <cstring>
 #include <iterator>
 #include <string>
@@ -34,7 +34,8 @@ struct RealOsMesa {
 
 bool isThisLibrary(const void *function) {
   Dl_info theirs, ours;
-  return !dladdr(function, &theirs) || !dladdr(reinterpret_cast<const void *>(&isThisLibrary), &ours) ||
+  return !dladdr(function, &theirs) ||
+         !dladdr(reinterpret_cast<const void *>(&isThisLibrary), &ours) ||
          theirs.dli_fbase == ours.dli_fbase;
 }
 
@@ -74,8 +75,8 @@ const RealOsMesa &real() {
       return r;
     }
     const auto get = [&](auto &function, const char *name) {
-      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-          dlsym(r.library, name));
+      function =
+          reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(r.library, name));
     };
     get(r.createContext, "OSMesaCreateContext");
     get(r.createContextExt, "OSMesaCreateContextExt");
@@ -130,7 +131,8 @@ ARBITER_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBi
   return remember(real().createContextExt(format, depthBits, stencilBits, accumBits, share), share);
 }
 
-ARBITER_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int *attributes, OSMesaContext share) {
+ARBITER_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int *attributes,
+                                                        OSMesaContext share) {
   if (!real().createContextAttribs)
     return nullptr;
   return remember(real().createContextAttribs(attributes, share), share);

@@ -18,7 +18,8 @@ struct Entry {
 struct Registry {
   std::mutex mutex;
   std::vector<Entry> entries;
-  /// Holds 1 + the provider that is current on the thread; its destructor un-binds as a thread ends.
+  /// Holds 1 + the provider that is current on the thread; its destructor un-binds as a thread
+  /// ends.
   pthread_key_t current{};
 };
 
@@ -119,12 +120,6 @@ void displayClosed(Provider provider, const void *display) {
 bool isCurrent(Provider provider) {
   const auto value = reinterpret_cast<std::intptr_t>(pthread_getspecific(registry().current));
   return value == 1 + std::intptr_t(provider);
-}
-
-unsigned count() {
-  Registry &r = registry();
-  const std::lock_guard lock(r.mutex);
-  return unsigned(r.entries.size());
 }
 
 } // namespace arbiter::interposer::registry

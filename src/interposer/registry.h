@@ -31,7 +31,4 @@ void displayClosed(Provider provider, const void *display);
 /// True if a context of the provider is current on this thread.
 [[nodiscard]] bool isCurrent(Provider provider);
 
-/// Contexts known at present, for tests.
-[[nodiscard]] unsigned count();
-
 } // namespace arbiter::interposer::registry

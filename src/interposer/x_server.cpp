@@ -67,8 +67,7 @@ std::string ask(const Xcb &xcb, xcb_connection_t *connection, int screen) {
   const unsigned sequence =
       xcb.xcb_send_request(connection, XCB_REQUEST_CHECKED, parts + 2, &protocol);
   xcb_generic_error_t *error = nullptr;
-  auto *const reply =
-      static_cast<Reply *>(xcb.xcb_wait_for_reply(connection, sequence, &error));
+  auto *const reply = static_cast<Reply *>(xcb.xcb_wait_for_reply(connection, sequence, &error));
   std::string names;
   if (reply && reply->bytes <= reply->length * 4u)
     names.assign(reinterpret_cast<const char *>(reply + 1), reply->bytes);
