@@ -19,11 +19,8 @@ packages_test=(
 # The one real program of `./dev test`.
 packages_openscad=(openscad)
 
-# `./dev real`: the other real programs.
-packages_real=(
-  openscad mplayer ffmpeg
-  libirrlicht-dev libirrlicht-doc wine wine64 gcc-mingw-w64-x86-64
-)
+# `./dev real` asks tests/real/run.py --packages for what each real program needs.
+packages_real=()
 
 packages_bench=(libbenchmark-dev xvfb xauth)
 packages_check=(clang-format clang-tidy)

@@ -1,0 +1,68 @@
+"""What a real program is to the runner: the packages it needs, its preparation, its cases."""
+
+import os
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+class PrepareError(Exception):
+    """A program's input could not be made; the text says which command failed and how."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One command whose last picture is compared between the bare host and the layer.
+
+    The picture is `output` (a file that the program writes, relative to the run's own folder), or,
+    where that is empty, what the X screen shows most of the time.
+    """
+
+    name: str
+    command: list[str]
+    output: str = ""
+    size: tuple[int, int] = (0, 0)  # of the part of the screen to compare; 0: all of it
+    stdin: str = ""
+    environment: dict[str, str] = field(default_factory=dict)
+    timeout: float = 120.0
+    stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
+    maximum: int = 0  # tolerance: largest difference of a channel, of 255
+    mean: float = 0.0  # tolerance: mean difference of all channels, of 255
+    least_programs: int = 1  # fragment programs that must have been compiled by the layer
+    statuses: tuple[int, ...] = (0,)  # exit statuses that are a success
+
+
+@dataclass(frozen=True)
+class Program:
+    """A program of Debian's, or a kind of client that is built here against one of its libraries."""
+
+    name: str
+    packages: tuple[str, ...]
+    about: str
+
+    def cases(self, work: Path) -> list[Case]:
+        """Prepares the input under `work` (kept between runs) and returns the cases."""
+        raise NotImplementedError
+
+    def finish(self, work: Path) -> None:
+        """Ends what the program leaves running."""
+
+
+DATA = Path(__file__).resolve().parent / "data"
+
+
+def shell(command: list[str], cwd: Path | None = None, environment: dict[str, str] | None = None,
+          timeout: float = 300.0) -> str:
+    """Runs a preparation step; its output if it succeeds, PrepareError if not."""
+    try:
+        done = subprocess.run(command, cwd=cwd, env={**os.environ, **(environment or {})},
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, errors="replace",
+                              timeout=timeout, check=False)
+    except FileNotFoundError as error:
+        raise PrepareError(f"{command[0]}: not installed") from error
+    except subprocess.TimeoutExpired as error:
+        raise PrepareError(f"{' '.join(command)}: no end after {timeout:.0f} s") from error
+    if done.returncode:
+        raise PrepareError(f"{' '.join(command)}: status {done.returncode}\n{done.stdout[-2000:]}")
+    return done.stdout

@@ -1,0 +1,88 @@
+"""What shows that fragment programs were really used: apitrace's record on the bare host, and the
+layer's statistics."""
+
+import collections
+import hashlib
+import re
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import session
+from cases import Case, PrepareError
+
+_CALL = re.compile(r'^\d+ glProgramStringARB\(target = GL_FRAGMENT_PROGRAM_ARB,.*?string = "', re.M)
+_ESCAPES = {"n": "\n", "r": "\r", "t": "\t"}
+
+
+def record(case: Case, folder: Path, texts: Path) -> int:
+    """Runs the case under apitrace on the bare host, writes each fragment program string to
+    `texts` as CASE-HASH.fp, and returns how many were loaded."""
+    shutil.rmtree(folder / "trace", ignore_errors=True)
+    trace = folder / "case.trace"
+    trace.parent.mkdir(parents=True, exist_ok=True)
+    trace.unlink(missing_ok=True)
+    command = ["apitrace", "trace", "-o", str(trace), *case.command]
+    session.run(replace(case, command=command, output="", timeout=300.0), session.Mode("bare"),
+                folder / "trace")
+    if not trace.exists():
+        raise PrepareError(f"apitrace left no trace; see {folder / 'trace/log.txt'}")
+    dump = subprocess.run(["apitrace", "dump", "--color=never", "--grep=^glProgramStringARB$",
+                           str(trace)], capture_output=True, check=True)
+    found = _strings(dump.stdout.decode("latin-1"))
+    texts.mkdir(parents=True, exist_ok=True)
+    for text in found:
+        data = text.encode("latin-1")
+        name = f"{case.name}-{hashlib.sha256(data).hexdigest()[:8]}.fp"
+        (texts / name).write_bytes(data)
+    return len(found)
+
+
+def _strings(dump: str) -> list[str]:
+    """The string argument of each call, with the dump's escapes undone."""
+    found = []
+    for call in _CALL.finditer(dump):
+        out, i = [], call.end()
+        while i < len(dump) and dump[i] != '"':
+            if dump[i] != "\\":
+                out.append(dump[i])
+                i += 1
+            elif octal := re.compile(r"[0-7]{1,3}").match(dump, i + 1):
+                out.append(chr(int(octal.group(), 8) & 255))
+                i = octal.end()
+            else:
+                out.append(_ESCAPES.get(dump[i + 1], dump[i + 1]))
+                i += 2
+        found.append("".join(out))
+    return found
+
+
+def summarise(stats: list[dict]) -> dict:
+    """The figures of all processes of a run together: distinct fragment programs that compiled and
+    that did not, draws through compiled programs, and draws by path."""
+    programs = [p for s in stats for p in s.get("programs", []) if "fragment" in str(
+        p.get("target", "")).lower()]
+    draws: collections.Counter[str] = collections.Counter()
+    for each in stats:
+        for path, count in each.get("draws", {}).items():
+            draws[path] += count
+    return {
+        "programs": sum(1 for p in programs if not p.get("error")),
+        "failed_programs": sum(1 for p in programs if p.get("error")),
+        "draws_glsl": draws.get("host-glsl", 0),
+        "draws": {path: count for path, count in draws.items() if count},
+    }
+
+
+def problems(summary: dict, least_programs: int) -> list[str]:
+    """Why the statistics do not show that the layer compiled and drew."""
+    found = []
+    if summary["programs"] < least_programs:
+        found.append(f"{summary['programs']} fragment programs compiled, "
+                     f"{least_programs} expected")
+    if summary["failed_programs"]:
+        found.append(f"{summary['failed_programs']} fragment programs refused")
+    if not summary["draws_glsl"]:
+        found.append("no draw through a compiled program")
+    return found

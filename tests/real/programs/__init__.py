@@ -1,0 +1,5 @@
+"""The real programs, by name."""
+
+from programs import irrlicht, mplayer, openscad, wine
+
+PROGRAMS = {p.name: p for p in (openscad.PROGRAM, mplayer.PROGRAM, irrlicht.PROGRAM, wine.PROGRAM)}
