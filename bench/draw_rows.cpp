@@ -1,0 +1,82 @@
+#include "rows.h"
+
+#include <chrono>
+#include <epoxy/gl.h>
+
+namespace bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int kDraws = 10000;
+
+void prepare() {
+  static GLuint program = 0, buffer = 0;
+  if (!program) {
+    static constexpr std::string_view kText = "!!ARBfp1.0\nPARAM tint = program.local[0];\nMUL "
+                                              "result.color, fragment.color, tint;\nEND\n";
+    // Four pixels or so: what is measured is the call, not the filling.
+    static constexpr float kQuad[8] = {0.0f, 0.0f, 0.004f, 0.0f, 0.004f, 0.004f, 0.0f, 0.004f};
+    glGenProgramsARB(1, &program);
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(kText.size()),
+                       kText.data());
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof kQuad, kQuad, GL_STATIC_DRAW);
+  }
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 1, 1, 1, 1);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glVertexPointer(2, GL_FLOAT, 0, nullptr);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glColor4f(1, 1, 1, 1);
+}
+
+/// The time of \p count frames of kDraws draws each, glFinish included.
+template <typename Draw> std::vector<double> frames(int count, Draw draw) {
+  prepare();
+  glFinish();
+  const auto begin = Clock::now();
+  for (int frame = 0; frame < count; ++frame) {
+    for (int i = 0; i < kDraws; ++i)
+      draw(i);
+    glFinish();
+  }
+  const std::chrono::duration<double, std::nano> time = Clock::now() - begin;
+  return {time.count() / count};
+}
+
+std::vector<double> arrays(int count, unsigned) {
+  return frames(count, [](int) { glDrawArrays(GL_TRIANGLE_FAN, 0, 4); });
+}
+std::vector<double> arraysWithLocals(int count, unsigned) {
+  return frames(count, [](int i) {
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, float(i & 255) / 255.0f, 1, 1, 1);
+    glDrawArrays(GL_TRIANGLE_FAN, 0, 4);
+  });
+}
+std::vector<double> immediate(int count, unsigned) {
+  return frames(count, [](int i) {
+    glBegin(GL_TRIANGLE_FAN);
+    glColor4f(float(i & 255) / 255.0f, 1, 1, 1);
+    glVertex2f(0.0f, 0.0f);
+    glVertex2f(0.004f, 0.0f);
+    glVertex2f(0.004f, 0.004f);
+    glVertex2f(0.0f, 0.004f);
+    glEnd();
+  });
+}
+
+} // namespace
+
+const std::vector<Row> &drawRows() {
+  static const std::vector<Row> rows = {
+      {"draws/10000 glDrawArrays", arrays},
+      {"draws/10000 parameter + glDrawArrays", arraysWithLocals},
+      {"draws/10000 glBegin..glEnd", immediate},
+  };
+  return rows;
+}
+
+} // namespace bench

@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+namespace bench {
+
+/// One thing to measure. A sample repeats it \p count times and gives times in nanoseconds: one
+/// for each repetition's average, or one a program for rows that go over many.
+struct Row {
+  std::string_view name;
+  std::vector<double> (*sample)(int count, unsigned seed);
+};
+
+[[nodiscard]] const std::vector<Row> &callRows();
+[[nodiscard]] const std::vector<Row> &drawRows();
+[[nodiscard]] const std::vector<Row> &loadRows();
+
+} // namespace bench
