@@ -1,0 +1,248 @@
+// The only file that knows CLI11: the command line becomes the structures of commands.h.
+#include <CLI/CLI.hpp>
+#include <GL/arbiter.h>
+#include <algorithm>
+
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "util/flags.h"
+#include "util/suggest.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+#define ARBITER_TEXT_OF(x) #x
+#define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
+constexpr const char *kVersion = "arbiter " ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
+    ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
+
+/// Everything that a command line can ask for.
+struct Arguments {
+  CheckArguments check;
+  CompileArguments compile;
+  DrawArguments draw;
+  RunArguments run;
+  ProfilesArguments profiles;
+};
+
+constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
+
+std::string defaultProfile() {
+  const std::string fromEnvironment = settings().profile;
+  return fromEnvironment;
+}
+
+void addCheck(CLI::App &app, CheckArguments &check) {
+  CLI::App *command = app.add_subcommand(
+      "check", "Check fragment programs: errors with line and column, counts against limits");
+  check.profile = defaultProfile();
+  command->add_option("--profile", check.profile, kProfileHelp)->capture_default_str();
+  command
+      ->add_option("--limits", check.limits,
+                   "a program over the API limits: enforce: invalid; report: a warning")
+      ->check(CLI::IsMember({"enforce", "report"}))
+      ->capture_default_str();
+  command->add_flag("--json", check.json, "one JSON document for all files");
+  command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
+  command->add_option("FILE", check.files, "program texts; - is standard input")->required();
+  command->footer("Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "
+                  "over the native limits; 4 internal error. The worst file decides.\n"
+                  "Examples:\n"
+                  "  arbiter check shader.fp\n"
+                  "  arbiter check --profile nv30 --json *.fp\n"
+                  "  arbiter check --profile r300-catalyst-2004 - < shader.fp");
+}
+
+void addCompile(CLI::App &app, CompileArguments &compile) {
+  CLI::App *command = app.add_subcommand("compile", "Show what the compiler makes of a program");
+  compile.profile = defaultProfile();
+  command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
+  command->add_option("--emit", compile.emit, "tokens, ir (checked program) or glsl (1.20)")
+      ->check(CLI::IsMember({"tokens", "ir", "glsl"}))
+      ->capture_default_str();
+  command->add_flag("--optimise,-O", compile.optimise, "ir: after the passes");
+  command->add_option("-o,--output", compile.output, "file to write; - is standard output")
+      ->capture_default_str();
+  command->add_option("FILE", compile.file, "a program text; - is standard input")->required();
+  command->footer("Exit code: as for check, without 3.\n"
+                  "Examples:\n"
+                  "  arbiter compile --emit glsl shader.fp\n"
+                  "  arbiter compile --emit ir -O shader.fp -o shader.ir");
+}
+
+void addLayer(CLI::App &command, LayerArguments &layer) {
+  command.add_option("--profile", layer.profile, kProfileHelp);
+  command
+      .add_option("--limits", layer.limits,
+                  "programs over the API limits: enforce refuses them, report loads them")
+      ->check(CLI::IsMember({"enforce", "report"}));
+  command.add_option("--stats", layer.stats,
+                     "write statistics as JSON at exit; %p becomes the process id");
+  command.add_option("--log", layer.log, "off, error, warn, info, debug, FILE or LEVEL:FILE");
+  command.add_option("--debug", layer.debug, "debug flags, separated by commas; help lists them");
+  command.add_option("--host-vendor", layer.hostVendor,
+                     "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
+  command.add_option("--library", layer.library, "the layer's library, where it is not beside us");
+}
+
+void addDraw(CLI::App &app, DrawArguments &draw) {
+  CLI::App *command = app.add_subcommand(
+      "draw", "Draw a program on a quad through the layer, with no display, into a PNG");
+  addLayer(*command, draw.layer);
+  command->add_option("--size", draw.size, "WxH in pixels")->capture_default_str();
+  command
+      ->add_option("--texture", draw.textures,
+                   "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
+      ->allow_extra_args(false)
+      ->take_all();
+  command->add_option("--local", draw.locals, "N=x,y,z,w: program.local[N] (repeatable)")
+      ->allow_extra_args(false)
+      ->take_all();
+  command->add_option("--env", draw.envs, "N=x,y,z,w: program.env[N] (repeatable)")
+      ->allow_extra_args(false)
+      ->take_all();
+  command->add_option("--frames", draw.frames, "draw this many times; the last picture is kept")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--feedback", draw.feedback,
+                   "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
+      ->check(CLI::Range(0, 31));
+  command->add_option("-o,--output", draw.output, "the PNG to write")->required();
+  command->add_flag("--bare", draw.bare, "without the layer: the host's own implementation");
+  command->add_flag("--in-layer", draw.inLayer)->group(""); // what draw passes to itself
+  command->add_option("FILE", draw.file, "a program text; - is standard input")->required();
+  command->footer("The quad fills the picture; every texture coordinate set runs from 0 to 1 with "
+                  "y up, the primary colour is (s, t, 0, 1).\n"
+                  "Exit code: 0 drawn; 1 usage or a file; 2 the program is invalid; 4 no GL.\n"
+                  "Examples:\n"
+                  "  arbiter draw shader.fp -o out.png\n"
+                  "  arbiter draw --texture 0=photo.png --local 0=0.5,1,0,0 shader.fp -o out.png\n"
+                  "  arbiter draw --size 256x256 --texture 0=noise --feedback 0 --frames 100 "
+                  "life.fp -o life.png");
+}
+
+void addRun(CLI::App &app, RunArguments &run) {
+  CLI::App *command =
+      app.add_subcommand("run", "Run a command, and all that it starts, under the layer:\n"
+                                "arbiter run [OPTIONS] [--] COMMAND [ARGUMENTS...]");
+  addLayer(*command, run.layer);
+  command->add_flag("--print-environment", run.printEnvironment,
+                    "print the variables for a shell in place of running a command");
+  command->prefix_command();
+  command->footer("Exit code: that of COMMAND; 1 usage; 126 COMMAND cannot be executed; 127 there "
+                  "is no such command.\n"
+                  "Examples:\n"
+                  "  arbiter run -- glxgears -info\n"
+                  "  arbiter run --profile nv30 --stats stats-%p.json -- wine game.exe\n"
+                  "  eval \"$(arbiter run --print-environment --limits report)\"");
+}
+
+void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
+  CLI::App *command =
+      app.add_subcommand("profiles", "List the hardware profiles, or print one with its sources");
+  command->add_option("NAME", profiles.name, "a name, or a TOML file");
+  command->footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
+}
+
+/// What stands behind the first "--" of `run` is the command, whatever it looks like.
+std::vector<std::string> cutCommand(std::vector<std::string> &words) {
+  if (words.empty() || words[0] != "run")
+    return {};
+  const auto mark = std::find(words.begin(), words.end(), "--");
+  if (mark == words.end())
+    return {};
+  const std::vector<std::string> command(mark + 1, words.end());
+  words.erase(mark, words.end());
+  return command;
+}
+
+int runCommand(const CLI::App &app, Arguments &arguments, std::vector<std::string> command) {
+  const std::vector<std::string> rest = app.get_subcommand("run")->remaining();
+  if (command.empty())
+    command = rest;
+  else if (!rest.empty()) {
+    complain("unexpected " + rest[0] + " before --");
+    return kExitUsage;
+  }
+  if (!command.empty() && command[0].starts_with("-")) {
+    complain("no option " + command[0] + " (arbiter run --help)");
+    return kExitUsage;
+  }
+  if (command.empty() && !arguments.run.printEnvironment) {
+    complain("no command to run (arbiter run --help)");
+    return kExitUsage;
+  }
+  arguments.run.command = std::move(command);
+  return run(arguments.run);
+}
+
+int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string> command,
+             const std::vector<std::string> &argv) {
+  if (app.got_subcommand("check"))
+    return check(arguments.check);
+  if (app.got_subcommand("compile"))
+    return compile(arguments.compile);
+  if (app.got_subcommand("draw"))
+    return draw(arguments.draw, argv);
+  if (app.got_subcommand("profiles"))
+    return profiles(arguments.profiles);
+  return runCommand(app, arguments, std::move(command));
+}
+
+/// CLI11 takes an unknown subcommand for a missing one.
+bool knownSubcommand(const CLI::App &app, const std::string &word) {
+  std::vector<std::string> names;
+  for (const CLI::App *command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end())
+    return true;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string_view near = closest(word, known);
+  complain("no subcommand " + word + (near.empty() ? "" : "; did you mean " + std::string(near)) +
+           " (arbiter --help)");
+  return false;
+}
+
+int main(int argc, char **argv) {
+  CLI::App app{"Assembly-era OpenGL programs on today's drivers: check them, compile them, draw "
+               "them, and run applications under the layer.",
+               "arbiter"};
+  Arguments arguments;
+  app.require_subcommand(1);
+  app.set_version_flag("--version", kVersion);
+  app.set_help_all_flag("--help-all", "help of all subcommands");
+  addCheck(app, arguments.check);
+  addCompile(app, arguments.compile);
+  addDraw(app, arguments.draw);
+  addRun(app, arguments.run);
+  addProfiles(app, arguments.profiles);
+  app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
+
+  const std::vector<std::string> all(argv, argv + argc);
+  std::vector<std::string> words(all.begin() + std::min(argc, 1), all.end());
+  if (!words.empty() && !knownSubcommand(app, words[0]))
+    return kExitUsage;
+  std::vector<std::string> command = cutCommand(words);
+  std::reverse(words.begin(), words.end()); // as CLI11 wants them
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError &error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  return dispatch(app, arguments, std::move(command), all);
+}
+
+} // namespace
+
+} // namespace arbiter::tools
+
+int main(int argc, char **argv) {
+  try {
+    return arbiter::tools::main(argc, argv);
+  } catch (const std::exception &error) {
+    arbiter::tools::complain(std::string("internal error: ") + error.what());
+  }
+  return arbiter::tools::kExitInternal;
+}

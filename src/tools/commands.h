@@ -1,0 +1,76 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+/// One function a subcommand of `arbiter`. The command line is read in cli.cpp alone; what stands
+/// here is its result. Each function returns the process's exit code.
+namespace arbiter::tools {
+
+/// What scripts and editors may rely on; arbiter(1) lists them.
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitUsage = 1,      ///< usage, or a file that cannot be read or written
+  kExitInvalid = 2,    ///< the program is not valid
+  kExitOverNative = 3, ///< valid, but over the modelled hardware's own limits
+  kExitInternal = 4,   ///< a fault of Arbiter's or of the host's GL
+};
+
+struct CheckArguments {
+  std::string profile;
+  std::string limits = "enforce"; ///< or "report"
+  bool json = false;
+  bool brief = false; ///< first lines of diagnostics only, no counts
+  std::vector<std::string> files;
+};
+[[nodiscard]] int check(const CheckArguments &arguments);
+
+struct CompileArguments {
+  std::string profile;
+  std::string emit = "glsl"; ///< "tokens", "ir" or "glsl"
+  bool optimise = false;     ///< ir: after the passes
+  std::string output = "-";
+  std::string file;
+};
+[[nodiscard]] int compile(const CompileArguments &arguments);
+
+/// The layer's part of an environment, common to `run` and `draw`.
+struct LayerArguments {
+  std::string library; ///< empty: found beside the executable or in the installation
+  std::string profile; ///< empty: as the environment has it
+  std::string limits;
+  std::string stats;
+  std::string log;
+  std::string debug;
+  std::string hostVendor;
+};
+
+struct RunArguments {
+  LayerArguments layer;
+  bool printEnvironment = false; ///< print the assignments in place of running
+  std::vector<std::string> command;
+};
+[[nodiscard]] int run(const RunArguments &arguments);
+
+struct DrawArguments {
+  LayerArguments layer;
+  std::string file;
+  std::string size = "512x512";
+  std::vector<std::string> textures; ///< "N=IMG.png|checker|noise"
+  std::vector<std::string> locals;   ///< "N=x,y,z,w"
+  std::vector<std::string> envs;
+  int frames = 1;
+  int feedback = -1; ///< a texture unit that gets each frame's picture, or -1
+  std::string output;
+  bool bare = false;    ///< without the layer: the host's own implementation
+  bool inLayer = false; ///< this is the process that the layer was preloaded into
+};
+/// \param argv the whole command line, to be executed again under the layer
+[[nodiscard]] int draw(const DrawArguments &arguments, const std::vector<std::string> &argv);
+
+struct ProfilesArguments {
+  std::string name; ///< empty: list all
+};
+[[nodiscard]] int profiles(const ProfilesArguments &arguments);
+
+} // namespace arbiter::tools

@@ -1,0 +1,85 @@
+#include <cstdio>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/front/lexer.h"
+#include "fp_compiler/hw/profile.h"
+#include "fp_compiler/ir/print.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+constexpr std::string_view kHeader = "!!ARBfp1.0";
+
+/// One line a token: "line:column  kind  text".
+std::string tokenListing(std::string_view text) {
+  std::string listing;
+  const auto add = [&](fp::Span span, const char *kind) {
+    const fp::LineColumn at = fp::locate(text, span.begin);
+    const std::string place = std::to_string(at.line) + ":" + std::to_string(at.column);
+    char line[64];
+    std::snprintf(line, sizeof line, "%-9s %-14s ", place.c_str(), kind);
+    listing += line;
+    listing += text.substr(span.begin, span.end - span.begin);
+    listing += '\n';
+  };
+  std::uint32_t begin = 0;
+  if (text.starts_with(kHeader)) {
+    begin = std::uint32_t(kHeader.size());
+    add({0, begin}, "Header");
+  }
+  fp::Lexer lexer(text, begin);
+  for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
+    add(token.span, fp::name(token.kind));
+  return listing;
+}
+
+} // namespace
+
+int compile(const CompileArguments &arguments) {
+  const auto profile = fp::hw::loadProfile(arguments.profile);
+  if (!profile) {
+    complain(profile.error().message);
+    return kExitUsage;
+  }
+  const auto input = readInput(arguments.file);
+  if (!input) {
+    complain(input.error().message);
+    return kExitUsage;
+  }
+  const std::string &text = input.value();
+  std::string emitted;
+  if (arguments.emit == "tokens") {
+    if (text.size() > fp::kMaxTextBytes) {
+      complain(arguments.file + ": longer than 1 MiB");
+      return kExitInvalid;
+    }
+    emitted = tokenListing(text);
+  } else {
+    fp::CompileOptions options;
+    options.limits = profile.value().fragment;
+    fp::CheckResult result = fp::checkFragmentProgram(text, options);
+    const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
+    for (const fp::Diagnostic &diagnostic : result.diagnostics)
+      std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
+    if (!result.ok())
+      return kExitInvalid;
+    if (arguments.emit == "ir") {
+      if (arguments.optimise)
+        fp::optimise(*result.program);
+      emitted = fp::ir::print(*result.program);
+    } else {
+      emitted = fp::emitGlsl(*result.program).text;
+    }
+  }
+  const std::string fault = writeOutput(arguments.output, emitted);
+  if (!fault.empty()) {
+    complain(fault);
+    return kExitUsage;
+  }
+  return kExitOk;
+}
+
+} // namespace arbiter::tools

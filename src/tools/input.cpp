@@ -1,0 +1,55 @@
+#include "tools/input.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <sys/stat.h>
+
+namespace arbiter::tools {
+
+namespace {
+
+constexpr std::size_t kMaxInputBytes = 64u << 20;
+
+struct Close {
+  void operator()(std::FILE *file) const {
+    if (file != stdin && file != stdout)
+      std::fclose(file);
+  }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+} // namespace
+
+Result<std::string, FileError> readInput(const std::string &name) {
+  const File file(name == "-" ? stdin : std::fopen(name.c_str(), "rbe"));
+  if (!file)
+    return FileError{name + ": " + std::strerror(errno)};
+  struct stat status = {};
+  if (::fstat(fileno(file.get()), &status) == 0 && S_ISDIR(status.st_mode))
+    return FileError{name + ": " + std::strerror(EISDIR)};
+  std::string bytes;
+  char buffer[65536];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    if (bytes.size() + count > kMaxInputBytes)
+      return FileError{name + ": larger than 64 MiB"};
+    bytes.append(buffer, count);
+  }
+  if (std::ferror(file.get()))
+    return FileError{name + ": " + std::strerror(errno)};
+  return bytes;
+}
+
+std::string writeOutput(const std::string &name, std::string_view bytes) {
+  File file(name == "-" ? stdout : std::fopen(name.c_str(), "wbe"));
+  if (!file)
+    return name + ": " + std::strerror(errno);
+  bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  good = std::fflush(file.get()) == 0 && good;
+  return good ? std::string() : name + ": " + std::strerror(errno);
+}
+
+void complain(const std::string &text) { std::fprintf(stderr, "arbiter: %s\n", text.c_str()); }
+
+} // namespace arbiter::tools

@@ -1,0 +1,134 @@
+#include "tools/launch.h"
+
+#include <GL/arbiter.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+#include "fp_compiler/hw/profile.h"
+#include "tools/input.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Place {
+  fs::path preload;
+  fs::path osmesaFolder;
+};
+
+/// The places to look in, first the build tree's, then the installation's.
+std::vector<Place> places() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  std::vector<Place> found;
+  if (!error) {
+    const fs::path here = self.parent_path();
+    const fs::path tree = here.parent_path() / "interposer";
+    found.push_back({tree / ARBITER_PRELOAD_LIBRARY, tree / "osmesa"});
+    // ARBITER_LAYER_FROM_BIN is relative, so that an installation may be moved as a whole.
+    const fs::path installed = (here / ARBITER_LAYER_FROM_BIN).lexically_normal();
+    found.push_back({installed / ARBITER_PRELOAD_LIBRARY, installed / "osmesa"});
+  }
+  return found;
+}
+
+LayerFiles filesAt(const Place &place) {
+  std::error_code error;
+  LayerFiles files;
+  files.preload = fs::absolute(place.preload, error).lexically_normal();
+  if (fs::exists(place.osmesaFolder / "libOSMesa.so.8", error))
+    files.osmesaFolder = fs::absolute(place.osmesaFolder, error).lexically_normal();
+  return files;
+}
+
+std::string absolutePath(const std::string &path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  return error ? path : absolute.string();
+}
+
+/// ours:theirs; a trailing colon would add the working folder to the search.
+std::string prepended(const std::string &ours, const char *variable) {
+  const char *theirs = std::getenv(variable);
+  return theirs == nullptr || *theirs == '\0' ? ours : ours + ":" + theirs;
+}
+
+/// LEVEL, FILE or LEVEL:FILE with FILE made absolute; see flags.def.
+std::string absoluteLog(const std::string &log) {
+  const std::size_t slash = log.find('/');
+  if (slash == std::string::npos && log.find(':') == std::string::npos)
+    return log;
+  const std::size_t colon = log.find(':');
+  if (colon == std::string::npos || (slash != std::string::npos && slash < colon))
+    return absolutePath(log);
+  return log.substr(0, colon + 1) + absolutePath(log.substr(colon + 1));
+}
+
+} // namespace
+
+Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
+  std::error_code error;
+  if (!library.empty()) {
+    if (!fs::is_regular_file(library, error))
+      return LaunchError{library + ": no such file"};
+    const fs::path path = library;
+    return filesAt({path, path.parent_path() / "osmesa"});
+  }
+  std::string looked;
+  for (const Place &place : places()) {
+    if (fs::is_regular_file(place.preload, error))
+      return filesAt(place);
+    looked += "\n  " + place.preload.string();
+  }
+  return LaunchError{"the layer is not there; looked for" + looked +
+                     "\nbuild it (./dev build), or name it with --library"};
+}
+
+Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &files,
+                                                              const LayerArguments &arguments) {
+  if (files.preload.find_first_of(": \t\n") != std::string::npos)
+    return LaunchError{files.preload + ": LD_PRELOAD cannot hold a path with a colon or a space"};
+  std::vector<Assignment> environment;
+  environment.push_back({"LD_PRELOAD", prepended(files.preload, "LD_PRELOAD")});
+  if (!files.osmesaFolder.empty())
+    environment.push_back({"LD_LIBRARY_PATH", prepended(files.osmesaFolder, "LD_LIBRARY_PATH")});
+  if (!arguments.profile.empty()) {
+    const auto profile = fp::hw::loadProfile(arguments.profile);
+    if (!profile)
+      return LaunchError{profile.error().message};
+    const bool builtin = fp::hw::findBuiltin(arguments.profile) != nullptr;
+    environment.push_back(
+        {ARBITER_ENV_PROFILE, builtin ? arguments.profile : absolutePath(arguments.profile)});
+  }
+  if (!arguments.limits.empty())
+    environment.push_back({ARBITER_ENV_LIMITS, arguments.limits});
+  if (!arguments.stats.empty())
+    environment.push_back({ARBITER_ENV_STATS, absolutePath(arguments.stats)});
+  if (!arguments.log.empty())
+    environment.push_back({ARBITER_ENV_LOG, absoluteLog(arguments.log)});
+  if (!arguments.debug.empty())
+    environment.push_back({ARBITER_ENV_DEBUG, arguments.debug});
+  if (!arguments.hostVendor.empty())
+    environment.push_back({ARBITER_ENV_HOST_VENDOR, arguments.hostVendor});
+  return environment;
+}
+
+int execute(const std::vector<Assignment> &environment, const std::vector<std::string> &command) {
+  for (const Assignment &assignment : environment)
+    ::setenv(assignment.name.c_str(), assignment.value.c_str(), 1);
+  std::vector<char *> argv;
+  for (const std::string &word : command)
+    argv.push_back(const_cast<char *>(word.c_str())); // execvp does not write to them
+  argv.push_back(nullptr);
+  ::execvp(argv[0], argv.data());
+  const int failure = errno;
+  complain(command[0] + ": " + std::strerror(failure));
+  return failure == ENOENT ? 127 : 126;
+}
+
+} // namespace arbiter::tools

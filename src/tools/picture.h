@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "util/result.h"
+
+namespace arbiter::tools {
+
+/// An 8-bit RGBA picture; row 0 is the bottom one, as in GL.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
+struct PictureError {
+  std::string message; ///< "name: reason"
+};
+
+/// Any PNG, converted to 8-bit RGBA; at most 8192 pixels a side.
+[[nodiscard]] Result<Picture, PictureError> readPng(const std::string &path);
+
+/// \returns an empty string, or "name: reason".
+[[nodiscard]] std::string writePng(const std::string &path, const Picture &picture);
+
+/// Eight by eight white and dark fields; the lower left one is dark.
+[[nodiscard]] Picture checker(int size);
+
+/// Independent random bytes in all four components, the same ones each time.
+[[nodiscard]] Picture noise(int width, int height);
+
+} // namespace arbiter::tools

@@ -1,0 +1,58 @@
+#include <cstdio>
+
+#include "fp_compiler/hw/profile.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+void list() {
+  for (const std::string_view name : fp::hw::builtinNames()) {
+    const fp::hw::Profile *profile = fp::hw::findBuiltin(name);
+    std::printf("%-20s%s%s\n", profile->name.c_str(), profile->description.c_str(),
+                name == fp::hw::kDefaultProfile ? " (default)" : "");
+  }
+}
+
+/// As a TOML file that `arbiter check --profile` reads, so that it can be the start of a new one.
+void print(const fp::hw::Profile &profile) {
+  const auto quoted = [](const std::string &text) {
+    std::string escaped = "\"";
+    for (const char c : text)
+      escaped += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return escaped + "\"";
+  };
+  std::printf("name = %s\ndescription = %s\n", quoted(profile.name).c_str(),
+              quoted(profile.description).c_str());
+  if (profile.fromHost)
+    std::printf("from_host = true\n");
+  std::string table;
+  for (const fp::hw::RowInfo &row : fp::hw::rows()) {
+    if (table != row.table) {
+      table = row.table;
+      std::printf("\n[%s]\n", row.table);
+    }
+    std::printf("%s = { value = %u, source = %s }\n", row.key, profile.value(row.row),
+                quoted(profile.sources[std::size_t(row.row)]).c_str());
+  }
+}
+
+} // namespace
+
+int profiles(const ProfilesArguments &arguments) {
+  if (arguments.name.empty()) {
+    list();
+    return kExitOk;
+  }
+  const auto profile = fp::hw::loadProfile(arguments.name);
+  if (!profile) {
+    complain(profile.error().message);
+    return kExitUsage;
+  }
+  print(profile.value());
+  return kExitOk;
+}
+
+} // namespace arbiter::tools
