@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # What a change must satisfy besides the tests: format, include graph, generated files, tidy.
+# shellcheck disable=SC2317  # the checks are called by part()
 # usage: check.sh BUILD_TREE; all parts run, the status says whether any complained.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

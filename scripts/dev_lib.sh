@@ -18,23 +18,30 @@ as_root() {
   fi
 }
 
-# Installs the packages of the named groups that are missing. Nothing is asked of the network
-# when nothing is missing.
+# Installs the packages of the named groups that are missing.
 need() {
-  local group package
-  local -a missing=()
-  command -v dpkg-query >/dev/null || return 0
+  local group
+  local -a wanted=()
   for group in "$@"; do
     declare -n list="packages_$group"
-    for package in "${list[@]}"; do
-      if [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
-        missing+=("$package")
-      fi
-    done
+    wanted+=("${list[@]}")
+  done
+  need_packages "${wanted[@]}"
+}
+
+# Installs what is missing of the named packages. Nothing is asked of the network if nothing is.
+need_packages() {
+  local package
+  local -a missing=()
+  command -v dpkg-query >/dev/null || return 0
+  for package in "$@"; do
+    if [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+      missing+=("$package")
+    fi
   done
   [[ ${#missing[@]} == 0 ]] && return 0
+  # All messages go to stderr: stdout may be the output of `./dev run -- COMMAND`.
   step "installing ${#missing[@]} packages: ${missing[*]}" >&2
-  # stdout may be the output of `./dev run -- COMMAND`.
   as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "${missing[@]}" >&2

@@ -19,8 +19,7 @@ packages_test=(
 # The one real program of `./dev test`.
 packages_openscad=(openscad)
 
-# `./dev real` asks tests/real/run.py --packages for what each real program needs.
-packages_real=()
+# `./dev real` asks tests/real/run.py --packages, which knows what each of its programs needs.
 
 packages_bench=(libbenchmark-dev xvfb xauth)
 packages_check=(clang-format clang-tidy)
