@@ -12,16 +12,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The demonstrations' texts, each made a new one by a constant that nothing reads, so that no
-/// cache knows it.
-std::vector<std::string> demoTexts(unsigned seed) {
-  std::vector<std::string> texts;
-  for (unsigned i = 0; i < demos::kProgramTextCount; ++i) {
-    std::string text(demos::kProgramTexts[i].text);
-    text.insert(text.rfind("END"), "PARAM unread = {" + std::to_string(seed) + ".5};\n");
-    texts.push_back(std::move(text));
-  }
-  return texts;
+/// A demonstration's text, made a new one by a constant that nothing reads, so that no cache knows
+/// it.
+std::string demoText(unsigned seed) {
+  std::string text(demos::kProgramTexts[seed % demos::kProgramTextCount].text);
+  text.insert(text.rfind("END"), "PARAM unread = {" + std::to_string(seed) + ".5};\n");
+  return text;
 }
 
 /// A valid program within a Radeon 9700's limits: samples first, then arithmetic on all of them.
@@ -90,21 +86,21 @@ double loadAndDraw(const std::string &text) {
   return rejected ? -1.0 : time.count();
 }
 
-std::vector<double> loadAll(const std::vector<std::string> &texts) {
+template <typename MakeText>
+std::vector<double> loadEach(int count, unsigned seed, MakeText makeText) {
   std::vector<double> times;
-  for (const std::string &text : texts)
-    times.push_back(loadAndDraw(text));
+  for (int i = 0; i < count; ++i)
+    times.push_back(loadAndDraw(makeText(seed + unsigned(i))));
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
   return times;
 }
 
-std::vector<double> demoPrograms(int, unsigned seed) { return loadAll(demoTexts(seed)); }
+std::vector<double> demoPrograms(int count, unsigned seed) {
+  return loadEach(count, seed, demoText);
+}
 
 std::vector<double> generatedPrograms(int count, unsigned seed) {
-  std::vector<std::string> texts;
-  for (int i = 0; i < count; ++i)
-    texts.push_back(generateText(seed * 1000u + unsigned(i)));
-  return loadAll(texts);
+  return loadEach(count, seed, generateText);
 }
 
 } // namespace

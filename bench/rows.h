@@ -4,8 +4,8 @@
 
 namespace bench {
 
-/// One thing to measure. A sample repeats it \p count times and gives times in nanoseconds: one
-/// for each repetition's average, or one a program for rows that go over many.
+/// One thing to measure. A sample repeats it \p count times and gives nanoseconds: their average,
+/// or one time for each of \p count programs, the first of them number \p seed.
 struct Row {
   std::string_view name;
   std::vector<double> (*sample)(int count, unsigned seed);

@@ -72,18 +72,25 @@ int drawFrames(Demo &demo, Surface &surface, const Options &options) {
   return ok ? kExitOk : kExitFailed;
 }
 
+double frameMilliseconds(Demo &demo, Surface &surface, int frame) {
+  const auto begin = Clock::now();
+  demo.draw(surface, frame);
+  glFinish();
+  const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+  return time.count();
+}
+
+/// Frames that are drawn before any is measured: programs are translated, textures uploaded.
+constexpr int kWarmUp = 5;
+
 /// Prints {"demo", "renderer", "width", "height", "frames", "ms_per_frame"}: the median.
 int benchFrames(Demo &demo, Surface &surface, const Options &options) {
   const int frames = options.frames ? options.frames : 100;
-  constexpr int kWarmUp = 5;
   std::vector<double> times;
   for (int frame = 0; frame < frames + kWarmUp; ++frame) {
-    const auto begin = Clock::now();
-    demo.draw(surface, frame);
-    glFinish();
-    const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
+    const double time = frameMilliseconds(demo, surface, frame);
     if (frame >= kWarmUp)
-      times.push_back(time.count());
+      times.push_back(time);
   }
   std::nth_element(times.begin(), times.begin() + frames / 2, times.end());
   std::printf("{\"demo\": \"%s\", \"form\": \"%s\", \"renderer\": \"%s\", \"width\": %d, "
@@ -91,6 +98,22 @@ int benchFrames(Demo &demo, Surface &surface, const Options &options) {
               demo.name().c_str(), options.form.c_str(), glString(GL_RENDERER).c_str(),
               surface.width(), surface.height(), frames, times[std::size_t(frames / 2)]);
   return reportGlErrors(frames) ? kExitFailed : kExitOk;
+}
+
+/// Prints {"renderer"} when it is ready, then milliseconds for each line of input.
+int paceFrames(Demo &demo, Surface &surface) {
+  int frame = 0;
+  while (frame < kWarmUp)
+    frameMilliseconds(demo, surface, frame++);
+  std::printf("{\"renderer\": \"%s\"}\n", glString(GL_RENDERER).c_str());
+  std::fflush(stdout);
+  for (int c = std::getchar(); c != EOF; c = std::getchar()) {
+    if (c != '\n')
+      continue;
+    std::printf("%.4f\n", frameMilliseconds(demo, surface, frame++));
+    std::fflush(stdout);
+  }
+  return reportGlErrors(frame) ? kExitFailed : kExitOk;
 }
 
 void printInfo(const Demo &demo) {
@@ -117,6 +140,8 @@ int runOn(Demo &demo, Surface &surface, const Options &options) {
     return kExitFailed;
   if (options.info)
     printInfo(demo);
+  if (options.paced)
+    return paceFrames(demo, surface);
   if (options.bench)
     return benchFrames(demo, surface, options);
   if (surface.window() && !options.verify && options.out.empty()) {

@@ -27,6 +27,7 @@ struct Options {
   bool pbuffer = false;
   bool verify = false;
   bool bench = false;
+  bool paced = false;
   bool info = false;
   std::string form; ///< one of Demo::forms()
 };
