@@ -167,6 +167,20 @@ bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
   return true;
 }
 
+/// The word of a <texTarget>; one that begins with digits and is none ("2d") is still one word.
+bool Parser::parseTarget(Token &word) {
+  const TokenKind kind = m_tokens.peek().kind;
+  const Token &second = m_tokens.peek(1);
+  const bool split = kind == TokenKind::Integer && second.kind == TokenKind::Identifier &&
+                     second.span.begin == m_tokens.peek().span.end;
+  if (!split && kind != TokenKind::Identifier && kind != TokenKind::Dimension)
+    return unexpected("a texture target");
+  word = m_tokens.next();
+  if (split)
+    word.span.end = m_tokens.next().span.end;
+  return true;
+}
+
 /// <texImageUnit> "," <texTarget>, from the comma before them.
 bool Parser::parseTexture(ir::Instruction &instruction) {
   if (!expect(TokenKind::Comma, "','"))
@@ -181,12 +195,14 @@ bool Parser::parseTexture(ir::Instruction &instruction) {
       !expect(TokenKind::Comma, "','"))
     return false;
   const bool unitKnown = m_reporter.errorCount() == errorsBefore;
-  if (!m_tokens.at(TokenKind::Identifier) && !m_tokens.at(TokenKind::Dimension))
-    return unexpected("a texture target");
-  const Token token = m_tokens.next();
-  const auto *row = std::find_if(std::begin(kTargets), std::end(kTargets),
-                                 [&](const TargetRow &r) { return r.word == text(token); });
-  if (row == std::end(kTargets)) {
+  const TargetRow *row = nullptr;
+  Token token;
+  if (!parseTarget(token))
+    return false;
+  for (const TargetRow &candidate : kTargets)
+    if (candidate.word == text(token))
+      row = &candidate;
+  if (!row) {
     error(DiagnosticId::UnknownTarget, token.span, "unknown texture target " + quote(text(token)),
           didYouMean(text(token),
                      {"1D", "2D", "3D", "CUBE", "RECT", "SHADOW1D", "SHADOW2D", "SHADOWRECT"},

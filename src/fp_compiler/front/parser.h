@@ -105,6 +105,7 @@ private:
   bool parseMask(std::uint8_t &mask);
   bool parseExtendedSwizzle(ir::Operand &operand);
   bool parseTexture(ir::Instruction &instruction);
+  bool parseTarget(Token &word);
 
   // operands.cpp
   bool parseSource(bool scalar, ir::Operand &operand);

@@ -1,0 +1,68 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "fp_compiler/compiler.h"
+
+/// What the front end's tests share.
+namespace arbiter::fp::testing_support {
+
+/// Limits of the size that the first cards had: small, so that tests reach them.
+inline CompileOptions small(LimitPolicy policy = LimitPolicy::Enforce) {
+  CompileOptions options;
+  Limits &limits = options.limits;
+  limits.api = {.instructions = 96,
+                .aluInstructions = 64,
+                .texInstructions = 32,
+                .texIndirections = 4,
+                .temporaries = 32,
+                .parameters = 32,
+                .attribs = 10};
+  limits.native = limits.api;
+  limits.localParameters = 32;
+  limits.envParameters = 32;
+  limits.textureCoords = 8;
+  limits.textureImageUnits = 16;
+  limits.textureUnits = 8;
+  limits.programMatrices = 8;
+  limits.programMatrixStackDepth = 4;
+  limits.drawBuffers = 4;
+  options.policy = policy;
+  return options;
+}
+
+/// Limits of the size that software hosts have.
+inline CompileOptions generous() {
+  CompileOptions options = small();
+  options.limits.api = {16384, 16384, 16384, 16384, 4096, 4096, 16};
+  options.limits.native = options.limits.api;
+  options.limits.localParameters = options.limits.envParameters = 4096;
+  return options;
+}
+
+inline CheckResult check(std::string_view text, const CompileOptions &options = small()) {
+  return checkFragmentProgram(text, options);
+}
+
+/// The statements between header and END.
+inline std::string wrap(std::string_view statements) {
+  return "!!ARBfp1.0\n" + std::string(statements) + "\nEND\n";
+}
+
+inline std::string repeat(std::string_view piece, std::size_t times) {
+  std::string all;
+  all.reserve(piece.size() * times);
+  while (times-- > 0)
+    all += piece;
+  return all;
+}
+
+/// The ID of the first error, or "" for a program that loads.
+inline std::string firstError(const CheckResult &result) {
+  for (const Diagnostic &diagnostic : result.diagnostics)
+    if (diagnostic.severity == Severity::Error)
+      return diagnostic.id;
+  return "";
+}
+
+} // namespace arbiter::fp::testing_support
