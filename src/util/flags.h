@@ -65,6 +65,10 @@ inline constexpr std::size_t kMaxEnvBytes = 4096;
 /// Shorthand for settings().has(flag); keep the answer where calls are hot.
 [[nodiscard]] inline bool debugFlag(DebugFlag flag) noexcept { return settings().has(flag); }
 
+/// One line for the log if the flag is set, whatever the level, unless the log is off.
+[[gnu::format(printf, 3, 4)]] void logFlag(DebugFlag flag, const char *room, const char *format,
+                                           ...) noexcept;
+
 /// The text of ARBITER_DEBUG=help.
 [[nodiscard]] std::string flagsHelp();
 

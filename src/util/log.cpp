@@ -75,9 +75,7 @@ void write(LogLevel level, const char *room, std::string_view text) noexcept {
   errno = savedErrno;
 }
 
-void writeFormatted(LogLevel level, const char *room, const char *format, va_list args) noexcept {
-  if (!logEnabled(level))
-    return;
+void writeVa(LogLevel level, const char *room, const char *format, va_list args) noexcept {
   char text[2048];
   const int length = std::vsnprintf(text, sizeof text, format, args);
   if (length < 0)
@@ -85,6 +83,11 @@ void writeFormatted(LogLevel level, const char *room, const char *format, va_lis
   if (std::size_t(length) >= sizeof text)
     std::memcpy(text + sizeof text - 4, "...", 4);
   write(level, room, text);
+}
+
+void writeFormatted(LogLevel level, const char *room, const char *format, va_list args) noexcept {
+  if (logEnabled(level))
+    writeVa(level, room, format, args);
 }
 
 } // namespace
@@ -119,7 +122,7 @@ void logDebug(const char *room, const char *format, ...) noexcept {
 
 void logText(LogLevel level, const char *room, std::string_view title,
              std::string_view text) noexcept {
-  if (!logEnabled(level))
+  if (!logEnabled(LogLevel::Error))
     return;
   try {
     std::string all(title);
@@ -129,6 +132,15 @@ void logText(LogLevel level, const char *room, std::string_view title,
   } catch (...) {
     // As in write().
   }
+}
+
+void logFlag(DebugFlag flag, const char *room, const char *format, ...) noexcept {
+  if (!debugFlag(flag) || !logEnabled(LogLevel::Error))
+    return;
+  va_list args;
+  va_start(args, format);
+  writeVa(LogLevel::Debug, room, format, args);
+  va_end(args);
 }
 
 bool configureLog(LogLevel level, const char *path) noexcept {

@@ -65,6 +65,15 @@ TEST_F(LogTest, ControlBytesCannotReachATerminal) {
   EXPECT_NE(content().find("text\na?[2Jb\tc?\n?\n"), std::string::npos) << content();
 }
 
+TEST_F(LogTest, AListingIsWrittenAtAnyLevelButOff) {
+  ASSERT_TRUE(configureLog(LogLevel::Warn, m_path.c_str()));
+  logText(LogLevel::Debug, "state", "title", "body\n");
+  EXPECT_NE(content().find("debug: state: title\nbody\n"), std::string::npos) << content();
+  ASSERT_TRUE(configureLog(LogLevel::Off, m_path.c_str()));
+  logText(LogLevel::Debug, "state", "second", "body");
+  EXPECT_EQ(content().find("second"), std::string::npos);
+}
+
 TEST_F(LogTest, LongLinesAreCutNotOverrun) {
   ASSERT_TRUE(configureLog(LogLevel::Debug, m_path.c_str()));
   logDebug("state", "%s", std::string(10000, 'x').c_str());
