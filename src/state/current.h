@@ -24,16 +24,16 @@ struct ContextHot {
   bool insideBeginEnd = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
-  /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the entries
-  /// that state owns go to the host as well, without a call into state.
+  /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the
+  /// entries that state owns go to the host as well, without a call into state.
   bool passThrough = false;
   /// The counter of the path that draws take at present (host GLSL, host untouched).
   std::uint64_t *drawCounter = nullptr;
 };
 
 /// The calling thread's context: a static null context before the first make-current, never null.
-/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this is.
-/// constinit: without it each access would first call a TLS initialiser.
+/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this
+/// is. constinit: without it each access would first call a TLS initialiser.
 extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
 
 } // namespace arbiter::state

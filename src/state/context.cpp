@@ -1,0 +1,162 @@
+#include "state/context.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "fp_compiler/hw/profile.h"
+#include "host/host_table.h"
+#include "state/errors.h"
+#include "state/share_group.h"
+#include "state/statistics.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The profile that ARBITER_PROFILE names; the default where it names none.
+const fp::hw::Profile &activeProfile() {
+  static const fp::hw::Profile *const s_profile = [] {
+    auto loaded = fp::hw::loadProfile(settings().profile);
+    if (loaded)
+      return static_cast<const fp::hw::Profile *>(
+          new fp::hw::Profile(std::move(loaded).value())); // lives as long as the process
+    logWarn("state", "%s; going on with profile %s", loaded.error().message.c_str(),
+            std::string(fp::hw::kDefaultProfile).c_str());
+    return fp::hw::findBuiltin(fp::hw::kDefaultProfile);
+  }();
+  return *s_profile;
+}
+
+/// The profile's limits, no higher than the host can keep: what is promised must draw.
+fp::Limits effectiveLimits(const host::HostTable &host, const HostCaps &caps) {
+  const fp::hw::Profile &profile = activeProfile();
+  if (profile.fromHost && caps.fragmentProgram)
+    return queryHostFragmentLimits(host, caps);
+  fp::Limits limits = profile.fragment;
+  const auto clamp = [](std::uint32_t &value, GLint host_) {
+    value = std::min(value, std::uint32_t(std::max(host_, 0)));
+  };
+  clamp(limits.textureCoords, caps.maxTextureCoords);
+  clamp(limits.textureImageUnits, caps.maxTextureImageUnits);
+  clamp(limits.textureUnits, caps.maxTextureUnits);
+  clamp(limits.programMatrices, caps.maxProgramMatrices);
+  clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
+  clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  return limits;
+}
+
+} // namespace
+
+Context::Context(Provider contextProvider, const host::HostTable *table,
+                 std::shared_ptr<ShareGroup> shareGroup)
+    : provider(contextProvider), group(std::move(shareGroup)) {
+  host = table;
+  passThrough = true; // until it is first current
+  drawCounter = &draws[std::size_t(Path::NotOffered)];
+  fragmentProgram = group->defaultFragmentProgram();
+  group->contexts.fetch_add(1);
+}
+
+Context::~Context() {
+  if (!group)
+    return;
+  group->addGarbage(variants.abandon(), samplerOverride.abandon());
+  group->contexts.fetch_sub(1);
+}
+
+void initialise(Context &context) {
+  context.initialised = true;
+  const HostErrorScope scope(context);
+  context.caps = queryHostCaps(*context.host);
+  if (!context.caps.compatibility) {
+    logInfo("state", "context %u: passed through: %s", context.serial, context.caps.obstacle());
+    return;
+  }
+  if (const char *obstacle = context.caps.obstacle())
+    logWarn("state", "context %u: no ARB_fragment_program here: %s", context.serial, obstacle);
+  context.passThrough = false;
+  context.offered = context.caps.obstacle() == nullptr;
+  context.limits = effectiveLimits(*context.host, context.caps);
+  context.env.assign(context.limits.envParameters, Vec4{});
+  context.group->setDefaultLocals(context.limits.localParameters);
+  context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
+  context.path = Path::NoProgram;
+  context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
+}
+
+void collectGarbage(Context &context) {
+  std::vector<GLuint> programs, samplers;
+  context.group->takeGarbage(programs, samplers);
+  for (const GLuint program : programs) {
+    context.group->removeHostProgram(program);
+    context.host->DeleteProgram(program);
+  }
+  if (!samplers.empty())
+    context.host->DeleteSamplers(GLsizei(samplers.size()), samplers.data());
+}
+
+// --- lifecycle.h ---
+
+namespace {
+
+/// Guards currentCount and destroyed of all contexts; taken by create, destroy and make-current
+/// only.
+std::mutex g_lifecycle;
+
+void release(Context *context) {
+  bool dead = false;
+  {
+    const std::lock_guard lock(g_lifecycle);
+    dead = context->destroyed && context->currentCount == 0;
+  }
+  if (!dead)
+    return;
+  noteContextDestroyed(*context);
+  delete context;
+}
+
+} // namespace
+
+Context *createContext(Provider provider, const host::HostTable *table, Context *share) {
+  auto *const context =
+      new Context(provider, table, share ? share->group : std::make_shared<ShareGroup>());
+  noteContextCreated(*context);
+  return context;
+}
+
+void makeCurrent(Context *context) {
+  Context *const old = currentContext();
+  if (old != context) {
+    {
+      const std::lock_guard lock(g_lifecycle);
+      if (context)
+        ++context->currentCount;
+      if (old)
+        --old->currentCount;
+    }
+    t_current = context ? context : &nullContext();
+    if (old)
+      release(old);
+  }
+  if (context && !context->initialised)
+    initialise(*context);
+  else if (context && context->group->hasGarbage() && !context->listMode)
+    collectGarbage(*context);
+}
+
+void destroyContext(Context *context) {
+  {
+    const std::lock_guard lock(g_lifecycle);
+    context->destroyed = true;
+  }
+  release(context);
+}
+
+void frameEnd(Context *context) {
+  if (context)
+    ++context->frames;
+}
+
+} // namespace arbiter::state

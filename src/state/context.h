@@ -1,0 +1,123 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "state/attrib_stack.h"
+#include "state/current.h"
+#include "state/host_caps.h"
+#include "state/lifecycle.h"
+#include "state/list_compiler.h"
+#include "state/program_object.h"
+#include "state/sampler_override.h"
+#include "state/variant.h"
+#include "swrast/feedback.h"
+
+namespace arbiter::state {
+
+class ShareGroup;
+
+/// Why a draw must be looked at before it goes on (ContextHot::attention).
+namespace attention {
+inline constexpr std::uint32_t kProgram = 1;    ///< what is in force may have changed
+inline constexpr std::uint32_t kParameters = 2; ///< env or local values may have changed
+inline constexpr std::uint32_t kState = 4;      ///< stays: the program reads GL state
+inline constexpr std::uint32_t kCompare = 8;    ///< stays: a plain texture target must not compare
+inline constexpr std::uint32_t kInvalid = 16;   ///< stays: draws are errors
+inline constexpr std::uint32_t kShared = 32;    ///< stays: another context may load the program
+inline constexpr std::uint32_t kList = 64;      ///< stays: a display list is being compiled
+} // namespace attention
+
+/// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
+enum class Path : std::uint8_t {
+  HostGlsl,              ///< our translation, on the host
+  NoProgram,             ///< host untouched: no fragment program is enabled
+  ApplicationGlsl,       ///< host untouched: the application's own GLSL program wins
+  ApplicationPipeline,   ///< host untouched: the application's program pipeline wins
+  ApplicationVertexGlsl, ///< host untouched: GLSL vertices cannot be joined to an ARB program
+  NotOffered,            ///< host untouched: this context has no ARB_fragment_program of ours
+  Recorded,              ///< into a display list: counted when compiled
+  InvalidProgram,        ///< dropped: the bound program object holds no valid program
+  HostRefused,           ///< dropped: the host did not compile or link our shader
+};
+inline constexpr int kPathCount = 9;
+[[nodiscard]] const char *pathName(Path path);
+
+/// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is
+/// current on; what other threads may touch is in the ShareGroup.
+class Context : public ContextHot {
+public:
+  struct NullTag {};
+  /// The null context: every call passes through it.
+  constexpr explicit Context(NullTag) {
+    passThrough = true;
+    drawCounter = &draws[int(Path::NotOffered)];
+  }
+  Context(Provider contextProvider, const host::HostTable *table,
+          std::shared_ptr<ShareGroup> shareGroup);
+  ~Context();
+  Context(const Context &) = delete;
+  Context &operator=(const Context &) = delete;
+
+  Provider provider = Provider::Glx;
+  /// We implement ARB_fragment_program here: a compatibility context with GLSL, made current once.
+  bool offered = false;
+  bool initialised = false; ///< the host has been asked for its limits
+  bool destroyed = false;   ///< free when last un-current
+  int currentCount = 0;     ///< guarded by the lifecycle's lock
+  std::uint32_t serial = 0; ///< in statistics
+
+  std::shared_ptr<ShareGroup> group;
+  HostCaps caps;
+  fp::Limits limits; ///< of the fragment target, as queries answer them
+
+  // --- Errors (2.5): our slot; the host's is asked when it is empty ---
+  GLenum pendingError = GL_NO_ERROR;
+  GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by both targets
+  std::string errorString;  ///< PROGRAM_ERROR_STRING_ARB
+
+  // --- The fragment program target ---
+  bool fragmentEnabled = false;
+  std::shared_ptr<ProgramObject> fragmentProgram;
+  std::vector<Vec4> env;
+  /// The version of fragmentProgram that was last looked at.
+  std::uint32_t seenVersion = 0;
+
+  // --- The application's GLSL: the host knows; asked again when something may have changed it ---
+  GLuint applicationProgram = 0;
+  bool applicationProgramKnown = true;
+  bool pipelinesUsed = false;
+
+  // --- The path that draws take ---
+  Path path = Path::NoProgram;
+  Variant *variant = nullptr; ///< in force, or null
+  VariantCache variants;
+  SamplerOverride samplerOverride;
+
+  AttribStack attribStack;
+  ListCompiler list;
+  int listDepth = 0; ///< nested calls of lists that hold our commands
+
+  // --- Counters ---
+  std::array<std::uint64_t, kPathCount> draws{};
+  std::uint64_t frames = 0;
+  std::uint64_t readBufferCalls = 0;
+  swrast::FeedbackTracker feedback;
+
+  std::shared_ptr<const FilteredExtensions> extensions; ///< made at the first query
+};
+
+/// The thread's null context.
+[[nodiscard]] Context &nullContext();
+
+/// Asks the host for limits and extensions; the context is current. Called once.
+void initialise(Context &context);
+/// Deletes host objects that dead contexts of the group left. The context is current.
+void collectGarbage(Context &context);
+
+} // namespace arbiter::state

@@ -1,0 +1,82 @@
+#include "state/display_list.h"
+
+#include "host/host_table.h"
+
+namespace arbiter::state {
+
+std::shared_ptr<const DisplayList> DisplayListTable::find(GLuint name) {
+  if (empty())
+    return nullptr;
+  const std::lock_guard lock(m_mutex);
+  const auto it = m_lists.find(name);
+  return it == m_lists.end() ? nullptr : it->second;
+}
+
+void DisplayListTable::replace(const host::HostTable &host, GLuint name,
+                               std::shared_ptr<const DisplayList> list) {
+  std::shared_ptr<const DisplayList> old;
+  {
+    const std::lock_guard lock(m_mutex);
+    const auto it = m_lists.find(name);
+    if (it != m_lists.end())
+      old = std::move(it->second);
+    if (list)
+      m_lists[name] = std::move(list);
+    else if (it != m_lists.end())
+      m_lists.erase(it);
+    m_count.store(m_lists.size(), std::memory_order_release);
+  }
+  if (!old)
+    return;
+  for (const DisplayList::Item &item : old->items) {
+    if (item.hostList == 0 || item.hostList == name)
+      continue;
+    host.DeleteLists(item.hostList, 1);
+    const std::lock_guard lock(m_mutex);
+    m_segments.erase(item.hostList);
+    m_free.push_back(item.hostList);
+  }
+}
+
+GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
+  const std::lock_guard lock(m_mutex);
+  GLuint name = 0;
+  // The application may use names up here itself: those are passed over.
+  while (name == 0 || host.IsList(name) == GL_TRUE) {
+    if (m_free.empty()) {
+      name = m_next--;
+    } else {
+      name = m_free.back();
+      m_free.pop_back();
+    }
+  }
+  m_segments.insert(name);
+  return name;
+}
+
+bool DisplayListTable::isSegment(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  return m_segments.count(name) != 0;
+}
+
+std::vector<GLuint> DisplayListTable::namesIn(GLuint first, GLsizei count) {
+  std::vector<GLuint> names;
+  if (empty() || count <= 0)
+    return names;
+  const std::lock_guard lock(m_mutex);
+  for (const auto &[name, list] : m_lists)
+    if (name - first < GLuint(count))
+      names.push_back(name);
+  return names;
+}
+
+std::vector<GLuint> DisplayListTable::segmentsIn(GLuint first, GLsizei count) {
+  std::vector<GLuint> names;
+  const std::lock_guard lock(m_mutex);
+  for (const GLuint name : m_segments)
+    if (name - first < GLuint(count))
+      names.push_back(name);
+  return names;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,83 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/program_object.h"
+
+namespace arbiter::host {
+struct HostTable;
+}
+
+namespace arbiter::state {
+
+/// A command of ours in a display list. The host never sees these, so it cannot record them.
+struct Command {
+  enum class Kind : std::uint8_t {
+    ProgramString, ///< target, format; bytes: a copy of the string, made when recorded
+    BindProgram,   ///< target, name
+    Env,           ///< target, name: first index; values
+    Local,         ///< target, name: first index; values
+    Enable,        ///< target
+    Disable,       ///< target
+    UseProgram,    ///< name
+    PushAttrib,    ///< name: mask
+    PopAttrib,
+    CallList,  ///< name
+    CallLists, ///< count, target: type; bytes: the names, ListBase is added when executed
+  };
+  Kind kind;
+  GLenum target = 0;
+  GLuint name = 0;
+  GLenum format = 0;
+  GLsizei count = 0;
+  std::string bytes;
+  std::vector<Vec4> values;
+};
+
+/// A list as segments: host lists and our commands in turn.
+struct DisplayList {
+  struct Item {
+    GLuint hostList = 0; ///< 0: a command
+    std::unique_ptr<const Command> command;
+  };
+  std::vector<Item> items;
+};
+
+/// The lists of a share group that hold our commands, by the application's name, and the names of
+/// host lists that stand for segments. Segments take names from the very top of the name space:
+/// GenLists would give names that an application which never calls it soon uses itself.
+class DisplayListTable {
+public:
+  static constexpr GLuint kTop = 0xFFFFFF00u;
+
+  [[nodiscard]] bool empty() const { return m_count.load(std::memory_order_acquire) == 0; }
+  [[nodiscard]] std::shared_ptr<const DisplayList> find(GLuint name);
+  /// Replaces the list of that name; null removes it. The old one's host segments are deleted, save
+  /// `name` itself.
+  void replace(const host::HostTable &host, GLuint name, std::shared_ptr<const DisplayList> list);
+  /// A free name for a segment.
+  [[nodiscard]] GLuint takeSegmentName(const host::HostTable &host);
+  [[nodiscard]] bool isSegment(GLuint name);
+  /// The names of [first, first + count) that have a list of ours.
+  [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
+  /// The segments whose names are in [first, first + count).
+  [[nodiscard]] std::vector<GLuint> segmentsIn(GLuint first, GLsizei count);
+
+private:
+  std::mutex m_mutex;
+  std::unordered_map<GLuint, std::shared_ptr<const DisplayList>> m_lists;
+  std::unordered_set<GLuint> m_segments;
+  std::vector<GLuint> m_free;
+  GLuint m_next = kTop;
+  std::atomic<std::size_t> m_count{0};
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,255 @@
+// The way of a draw: which program is in force (the application's GLSL, then the ARB program, then
+// fixed function), its variant, its parameters.
+#include "state/draw.h"
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+const char *pathName(Path path) {
+  switch (path) {
+  case Path::HostGlsl:
+    return "host-glsl";
+  case Path::NoProgram:
+    return "no-fragment-program";
+  case Path::ApplicationGlsl:
+    return "application-glsl";
+  case Path::ApplicationPipeline:
+    return "application-pipeline";
+  case Path::ApplicationVertexGlsl:
+    return "application-glsl-without-fragment-stage";
+  case Path::NotOffered:
+    return "not-offered";
+  case Path::Recorded:
+    return "recorded-in-list";
+  case Path::InvalidProgram:
+    return "invalid-program";
+  case Path::HostRefused:
+    return "host-refused";
+  }
+  return "";
+}
+
+namespace {
+
+bool isDropped(Path path) { return path == Path::InvalidProgram || path == Path::HostRefused; }
+
+void setPath(Context &context, Path path) {
+  context.path = path;
+  context.drawCounter = &context.draws[std::size_t(path)];
+}
+
+/// The host's CURRENT_PROGRAM is the application's unless ours is bound. Only the host knows
+/// whether a UseProgram succeeded, and what a list did; so it is asked, once after each.
+GLuint applicationProgram(Context &context) {
+  if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
+    GLint current = 0;
+    context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    context.applicationProgram = GLuint(current);
+    context.applicationProgramKnown = true;
+  }
+  return context.applicationProgram;
+}
+
+GLuint applicationPipeline(Context &context) {
+  GLint pipeline = 0;
+  if (context.pipelinesUsed)
+    context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
+  return GLuint(pipeline);
+}
+
+/// Whether a linked program shades fragments, as far as the host still tells: shaders that were
+/// detached after linking cannot be seen, and such a program is taken to shade them.
+bool shadesFragments(Context &context, GLuint program) {
+  constexpr GLsizei kMaxShaders = 16;
+  GLuint shaders[kMaxShaders] = {};
+  GLsizei count = 0;
+  const HostErrorScope scope(context);
+  context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
+  for (GLsizei i = 0; i < count; ++i) {
+    GLint type = 0;
+    context.host->GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
+    if (type == GL_FRAGMENT_SHADER)
+      return true;
+  }
+  return count <= 0;
+}
+
+/// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs.
+Path choosePath(Context &context) {
+  context.variant = nullptr;
+  if (!context.fragmentEnabled)
+    return Path::NoProgram;
+  if (const GLuint program = applicationProgram(context))
+    return shadesFragments(context, program) ? Path::ApplicationGlsl : Path::ApplicationVertexGlsl;
+  if (applicationPipeline(context) != 0)
+    return Path::ApplicationPipeline;
+
+  const ProgramObject &object = *context.fragmentProgram;
+  context.seenVersion = object.version.load(std::memory_order_acquire);
+  const auto compiled = context.group->compiledOf(object);
+  if (!compiled)
+    return Path::InvalidProgram;
+  context.variant = context.variants.get(context, compiled);
+  if (context.variant->hostProgram == 0) {
+    context.variant = nullptr;
+    return Path::HostRefused;
+  }
+  return Path::HostGlsl;
+}
+
+/// The attention that each draw needs while this path is taken.
+std::uint32_t stickyAttention(const Context &context) {
+  std::uint32_t bits = 0;
+  if (isDropped(context.path))
+    bits |= attention::kInvalid;
+  if (context.path == Path::HostGlsl) {
+    if (context.variant->readsState)
+      bits |= attention::kState;
+    if (context.variant->hasPlainSamplers && context.caps.samplerObjects &&
+        context.group->compareModeUsed.load(std::memory_order_relaxed))
+      bits |= attention::kCompare;
+  }
+  const bool ours = context.path == Path::HostGlsl || isDropped(context.path);
+  if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
+    bits |= attention::kShared;
+  return bits;
+}
+
+void select(Context &context) {
+  setPath(context, choosePath(context));
+  if (context.path != Path::HostGlsl)
+    return releaseHostState(context);
+  context.host->UseProgram(context.variant->hostProgram);
+  context.hostProgramIsOurs = true;
+  context.attention |= attention::kParameters;
+}
+
+/// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
+/// too, with what was validated when the segment was opened.
+bool beginListDraw(Context &context) {
+  if (context.listMode != GL_COMPILE_AND_EXECUTE || context.insideBeginEnd)
+    return true;
+  const std::uint32_t rest = context.attention & ~attention::kList;
+  if (rest == 0)
+    return true;
+  bool valid = true;
+  // Validation calls the host, and none of that belongs into the application's list.
+  context.list.outside(context, [&] { valid = validate(context); });
+  if (!valid) {
+    ++*context.drawCounter;
+    raise(context, GL_INVALID_OPERATION, "draw: the fragment program in force is not valid");
+  }
+  return valid;
+}
+
+} // namespace
+
+bool validate(Context &context) {
+  if (context.group->hasGarbage())
+    collectGarbage(context);
+  if ((context.attention & attention::kShared) != 0 &&
+      context.fragmentProgram->version.load(std::memory_order_acquire) != context.seenVersion)
+    context.attention |= attention::kProgram;
+  if ((context.attention & attention::kProgram) != 0)
+    select(context);
+  if (context.path == Path::HostGlsl) {
+    Variant &variant = *context.variant;
+    if ((context.attention & (attention::kParameters | attention::kState)) != 0 &&
+        variant.readsParameters)
+      uploadParameters(context, variant);
+    if ((context.attention & attention::kCompare) != 0 ||
+        (stickyAttention(context) & attention::kCompare) != 0)
+      context.samplerOverride.apply(context, variant);
+  }
+  context.attention = stickyAttention(context) | (context.attention & attention::kList);
+  return !isDropped(context.path);
+}
+
+void releaseSamplers(Context &context) {
+  if (!context.samplerOverride.active())
+    return;
+  context.samplerOverride.release(context);
+  context.attention |= attention::kCompare;
+}
+
+void releaseHostState(Context &context) {
+  if (context.samplerOverride.active())
+    context.samplerOverride.release(context);
+  if (!context.hostProgramIsOurs)
+    return;
+  context.host->UseProgram(0);
+  context.hostProgramIsOurs = false;
+}
+
+void afterHostList(Context &context) {
+  if (context.group->hostListsUnbalanced.load(std::memory_order_relaxed)) {
+    GLint depth = 0;
+    context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+    context.attribStack.resize(std::size_t(depth < 0 ? 0 : depth));
+  }
+  if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
+    return;
+  GLint current = 0;
+  context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+  if (context.hostProgramIsOurs && context.variant &&
+      GLuint(current) == context.variant->hostProgram)
+    return;
+  context.hostProgramIsOurs = false;
+  context.applicationProgram = GLuint(current);
+  context.applicationProgramKnown = true;
+  invalidateProgram(context);
+}
+
+namespace handlers {
+
+bool beginDraw(Context &context) {
+  if (context.passThrough || context.insideBeginEnd)
+    return true; // a draw between Begin and End is the host's error to raise
+  if (context.listMode)
+    return beginListDraw(context);
+  if (validate(context)) [[likely]]
+    return true;
+  ++*context.drawCounter;
+  raise(context, GL_INVALID_OPERATION, "draw: the fragment program in force is not valid");
+  return false;
+}
+
+void restoreApplicationProgram(Context &context) {
+  if (!context.hostProgramIsOurs)
+    return;
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    context.list.outside(context, [&] { releaseHostState(context); });
+  else
+    releaseHostState(context);
+  invalidateProgram(context);
+}
+
+GLuint guardName(Context &context, GLuint name) {
+  // No host gives so high a name; as a program or shader it is unknown, as ours must seem.
+  constexpr GLuint kUnknown = 0xFFFFFFF0u;
+  return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
+}
+
+void Begin(Context &context, GLenum mode) {
+  if (context.attention && !beginDraw(context)) [[unlikely]]
+    return;
+  ++*context.drawCounter;
+  context.host->Begin(mode);
+  // An illegal mode opens nothing. In COMPILE mode nothing is executed.
+  if (context.listMode != GL_COMPILE && mode <= GL_POLYGON)
+    context.insideBeginEnd = true;
+}
+
+void End(Context &context) {
+  context.host->End();
+  if (context.listMode != GL_COMPILE)
+    context.insideBeginEnd = false;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,20 @@
+#pragma once
+#include "state/context.h"
+
+namespace arbiter::state {
+
+/// Decides which path draws take and binds what it needs, raising no error. False if draws are
+/// errors now.
+bool validate(Context &context);
+
+/// The host's current program becomes the application's again, and its sampler bindings too.
+void releaseHostState(Context &context);
+/// Its sampler bindings alone; the next draw looks again.
+void releaseSamplers(Context &context);
+/// A host list ran: what it may have changed is looked at again.
+void afterHostList(Context &context);
+
+/// The extensions that the application sees; made at the first call.
+[[nodiscard]] const FilteredExtensions &applicationExtensions(Context &context);
+
+} // namespace arbiter::state

@@ -1,0 +1,119 @@
+// Get, GetString and GetStringi: the few values that are ours, or that our host objects would show.
+#include <type_traits>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/draw.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
+/// show our objects is put back.
+bool ownValue(Context &context, GLenum pname, GLint &value) {
+  switch (pname) {
+  case GL_FRAGMENT_PROGRAM_ARB:
+    value = context.fragmentEnabled ? 1 : 0;
+    return true;
+  case GL_PROGRAM_ERROR_POSITION_ARB:
+    value = context.errorPosition;
+    return true;
+  case GL_MAX_TEXTURE_COORDS:
+    value = GLint(context.limits.textureCoords);
+    return true;
+  case GL_MAX_TEXTURE_IMAGE_UNITS:
+    value = GLint(context.limits.textureImageUnits);
+    return true;
+  case GL_MAX_TEXTURE_UNITS:
+    value = GLint(context.limits.textureUnits);
+    return true;
+  case GL_LIST_INDEX:
+    if (!context.listMode)
+      return false;
+    value = GLint(context.list.name());
+    return true;
+  case GL_NUM_EXTENSIONS:
+    if (context.caps.major < 3)
+      return false;
+    value = GLint(applicationExtensions(context).names.size());
+    return true;
+  case GL_CURRENT_PROGRAM: // ours is current only where the application has none
+    if (!context.hostProgramIsOurs)
+      return false;
+    value = 0;
+    return true;
+  case GL_SAMPLER_BINDING:
+    if (context.samplerOverride.active())
+      releaseSamplers(context);
+    return false;
+  default:
+    return false;
+  }
+}
+
+template <typename T> void give(GLint value, T *data) {
+  if constexpr (std::is_same_v<T, GLboolean>)
+    *data = value != 0 ? GL_TRUE : GL_FALSE;
+  else
+    *data = T(value);
+}
+
+template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
+  GLint value = 0;
+  if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]
+    return host(pname, data);
+  give(value, data);
+}
+
+} // namespace
+
+const FilteredExtensions &applicationExtensions(Context &context) {
+  if (!context.extensions)
+    context.extensions = std::make_shared<const FilteredExtensions>(
+        filterExtensions(context.caps, context.caps.obstacle() == nullptr));
+  return *context.extensions;
+}
+
+namespace handlers {
+
+void GetIntegerv(Context &context, GLenum pname, GLint *data) {
+  get(context, pname, data, context.host->GetIntegerv);
+}
+void GetFloatv(Context &context, GLenum pname, GLfloat *data) {
+  get(context, pname, data, context.host->GetFloatv);
+}
+void GetDoublev(Context &context, GLenum pname, GLdouble *data) {
+  get(context, pname, data, context.host->GetDoublev);
+}
+void GetBooleanv(Context &context, GLenum pname, GLboolean *data) {
+  get(context, pname, data, context.host->GetBooleanv);
+}
+void GetInteger64v(Context &context, GLenum pname, GLint64 *data) {
+  get(context, pname, data, context.host->GetInteger64v);
+}
+
+const GLubyte *GetString(Context &context, GLenum name) {
+  if (context.insideBeginEnd)
+    return context.host->GetString(name);
+  if (name == GL_PROGRAM_ERROR_STRING_ARB)
+    return reinterpret_cast<const GLubyte *>(context.errorString.c_str());
+  if (name == GL_EXTENSIONS && context.initialised)
+    return reinterpret_cast<const GLubyte *>(applicationExtensions(context).joined.c_str());
+  return context.host->GetString(name);
+}
+
+const GLubyte *GetStringi(Context &context, GLenum name, GLuint index) {
+  if (name != GL_EXTENSIONS || context.insideBeginEnd || context.caps.major < 3)
+    return context.host->GetStringi(name, index);
+  const auto &names = applicationExtensions(context).names;
+  if (index < names.size())
+    return reinterpret_cast<const GLubyte *>(names[index].c_str());
+  raise(context, GL_INVALID_VALUE, "GetStringi: index");
+  return nullptr;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

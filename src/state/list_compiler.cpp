@@ -1,0 +1,229 @@
+#include "state/list_compiler.h"
+
+#include <cstring>
+#include <utility>
+
+#include "host/host_table.h"
+#include "state/draw.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
+  // What executes with the list must find its program bound: nothing of ours may be called once the
+  // host records. And what is only recorded must not find ours bound.
+  if (mode == GL_COMPILE_AND_EXECUTE) {
+    (void)validate(context);
+  } else {
+    releaseHostState(context);
+    invalidateProgram(context);
+  }
+  m_name = name;
+  m_segment = name;
+  m_items.clear();
+  m_pushes.clear();
+  context.listMode = std::uint16_t(mode);
+  context.attention |= attention::kList;
+  if (mode == GL_COMPILE)
+    context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
+  context.host->NewList(name, mode);
+}
+
+void ListCompiler::closeSegment(Context &context) {
+  context.host->EndList();
+  m_items.push_back({m_segment, nullptr});
+  // While our commands run nothing is compiled.
+  m_mode = std::exchange(context.listMode, std::uint16_t(0));
+  context.attention &= ~attention::kList;
+}
+
+void ListCompiler::openSegment(Context &context) {
+  if (m_mode == GL_COMPILE_AND_EXECUTE)
+    (void)validate(context);
+  m_segment = context.group->lists.takeSegmentName(*context.host);
+  context.listMode = m_mode;
+  context.attention |= attention::kList;
+  if (m_mode == GL_COMPILE)
+    context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
+  context.host->NewList(m_segment, m_mode);
+}
+
+void ListCompiler::record(Context &context, Command command) {
+  auto recorded = std::make_unique<const Command>(std::move(command));
+  const Command &reference = *recorded;
+  closeSegment(context);
+  m_items.push_back({0, std::move(recorded)});
+  if (m_mode == GL_COMPILE_AND_EXECUTE)
+    execute(context, reference);
+  openSegment(context);
+}
+
+void ListCompiler::end(Context &context) {
+  context.host->EndList();
+  context.listMode = 0;
+  if (!m_pushes.empty())
+    context.group->hostListsUnbalanced.store(true, std::memory_order_relaxed);
+  std::shared_ptr<DisplayList> list;
+  if (!m_items.empty()) {
+    list = std::make_shared<DisplayList>();
+    list->items = std::move(m_items);
+    list->items.push_back({m_segment, nullptr});
+    m_items.clear();
+  }
+  if (list || !context.group->lists.empty())
+    context.group->lists.replace(*context.host, m_name, std::move(list));
+  m_name = 0;
+  invalidateProgram(context);
+  context.attention &= ~attention::kList;
+}
+
+bool ListCompiler::notePop(Context &context) {
+  if (!m_pushes.empty()) {
+    const bool cuts = m_pushes.back();
+    m_pushes.pop_back();
+    return cuts;
+  }
+  if (context.group->programApiUsed.load(std::memory_order_relaxed))
+    return true; // it may pop enables that were pushed outside
+  context.group->hostListsUnbalanced.store(true, std::memory_order_relaxed);
+  return false;
+}
+
+void execute(Context &context, const Command &command) {
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+    return loadFragmentProgram(context, *context.fragmentProgram, command.format, command.count,
+                               command.bytes.data());
+  case Command::Kind::BindProgram:
+    return bindFragmentProgram(context, command.name);
+  case Command::Kind::Env:
+    return setEnv(context, command.name, command.count, command.values.data());
+  case Command::Kind::Local:
+    return setLocal(context, *context.fragmentProgram, command.name, command.count,
+                    command.values.data());
+  case Command::Kind::Enable:
+    return setFragmentEnable(context, true);
+  case Command::Kind::Disable:
+    return setFragmentEnable(context, false);
+  case Command::Kind::UseProgram:
+    return useProgram(context, command.name);
+  case Command::Kind::PushAttrib:
+    return pushAttrib(context, command.name);
+  case Command::Kind::PopAttrib:
+    return popAttrib(context);
+  case Command::Kind::CallList:
+    return callList(context, command.name);
+  case Command::Kind::CallLists:
+    return callLists(context, command.count, command.target, command.bytes.data());
+  }
+}
+
+namespace {
+
+/// A host list may draw: the program in force is bound first. Where it is not valid the list's
+/// draws must not happen while its other commands must: then fixed function draws them to no
+/// buffer.
+void callHostList(Context &context, GLuint name) {
+  bool muted = false;
+  if (context.attention && !context.insideBeginEnd)
+    muted = !validate(context);
+  if (!muted) {
+    context.host->CallList(name);
+  } else {
+    raise(context, GL_INVALID_OPERATION, "CallList: the fragment program in force is not valid");
+    return;
+  }
+  afterHostList(context);
+}
+
+std::size_t elementSize(GLenum type) {
+  switch (type) {
+  case GL_BYTE:
+  case GL_UNSIGNED_BYTE:
+    return 1;
+  case GL_SHORT:
+  case GL_UNSIGNED_SHORT:
+  case GL_2_BYTES:
+    return 2;
+  case GL_3_BYTES:
+    return 3;
+  case GL_INT:
+  case GL_UNSIGNED_INT:
+  case GL_FLOAT:
+  case GL_4_BYTES:
+    return 4;
+  default:
+    return 0;
+  }
+}
+
+template <typename T> T load(const unsigned char *bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+/// Element `i` of CallLists' array (5.4); signed offsets wrap around ListBase.
+GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
+  const unsigned char *const p = bytes + std::size_t(i) * elementSize(type);
+  switch (type) {
+  case GL_BYTE:
+    return GLuint(GLint(load<GLbyte>(p)));
+  case GL_UNSIGNED_BYTE:
+    return p[0];
+  case GL_SHORT:
+    return GLuint(GLint(load<GLshort>(p)));
+  case GL_UNSIGNED_SHORT:
+    return load<GLushort>(p);
+  case GL_FLOAT:
+    return GLuint(GLint64(load<GLfloat>(p)));
+  case GL_2_BYTES:
+    return GLuint(p[0]) << 8 | p[1];
+  case GL_3_BYTES:
+    return GLuint(p[0]) << 16 | GLuint(p[1]) << 8 | p[2];
+  case GL_4_BYTES:
+    return GLuint(p[0]) << 24 | GLuint(p[1]) << 16 | GLuint(p[2]) << 8 | p[3];
+  default:
+    return load<GLuint>(p);
+  }
+}
+
+} // namespace
+
+std::size_t callListsBytes(GLsizei count, GLenum type) {
+  return count > 0 ? std::size_t(count) * elementSize(type) : 0;
+}
+
+void callList(Context &context, GLuint name) {
+  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
+  if (!list)
+    return callHostList(context, name);
+  if (context.listDepth >= ListCompiler::kMaxDepth)
+    return;
+  ++context.listDepth;
+  for (const DisplayList::Item &item : list->items) {
+    if (item.command)
+      execute(context, *item.command);
+    else
+      callHostList(context, item.hostList);
+  }
+  --context.listDepth;
+}
+
+void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
+  if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
+    if (context.attention && !context.insideBeginEnd)
+      (void)validate(context);
+    context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
+    return afterHostList(context);
+  }
+  GLint base = 0;
+  if (!context.insideBeginEnd)
+    context.host->GetIntegerv(GL_LIST_BASE, &base);
+  for (GLsizei i = 0; i < count; ++i)
+    callList(context, GLuint(base) + element(type, static_cast<const unsigned char *>(lists), i));
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,80 @@
+// The entry points of display lists (5.4). Lists without a command of ours are the host's, whole.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/draw.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state::handlers {
+
+namespace {
+
+/// Nested calls are recorded by us once the group uses programs: what they call may hold our
+/// commands when the outer list is executed.
+bool recordsCalls(const Context &context) {
+  return context.listMode != 0 && context.group->programApiUsed.load(std::memory_order_relaxed);
+}
+
+} // namespace
+
+void NewList(Context &context, GLuint list, GLenum mode) {
+  const bool legal = !context.insideBeginEnd && context.listMode == 0 && list != 0 &&
+                     (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
+  if (!legal)
+    return context.host->NewList(list, mode); // raises the error
+  context.list.begin(context, list, mode);
+}
+
+void EndList(Context &context) {
+  if (context.listMode == 0 || context.insideBeginEnd)
+    return context.host->EndList();
+  context.list.end(context);
+}
+
+void CallList(Context &context, GLuint list) {
+  if (recordsCalls(context) && !context.insideBeginEnd)
+    return context.list.record(context, {.kind = Command::Kind::CallList, .name = list});
+  if (context.listMode)
+    return context.host->CallList(list);
+  callList(context, list);
+}
+
+void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
+  const std::size_t bytes = callListsBytes(n, type);
+  if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
+    Command command{.kind = Command::Kind::CallLists, .target = type};
+    command.count = n;
+    command.bytes.assign(static_cast<const char *>(lists), bytes);
+    return context.list.record(context, std::move(command));
+  }
+  if (context.listMode)
+    return context.host->CallLists(n, type, lists);
+  callLists(context, n, type, lists);
+}
+
+GLuint GenLists(Context &context, GLsizei range) { return context.host->GenLists(range); }
+
+void DeleteLists(Context &context, GLuint list, GLsizei range) {
+  DisplayListTable &lists = context.group->lists;
+  if (context.insideBeginEnd || range < 0 || lists.empty())
+    return context.host->DeleteLists(list, range);
+  for (const GLuint name : lists.namesIn(list, range))
+    lists.replace(*context.host, name, nullptr);
+  const std::vector<GLuint> kept = lists.segmentsIn(list, range);
+  if (kept.empty())
+    return context.host->DeleteLists(list, range);
+  // Segments in the range are not the application's to delete.
+  for (GLsizei i = 0; i < range; ++i)
+    if (!lists.isSegment(list + GLuint(i)))
+      context.host->DeleteLists(list + GLuint(i), 1);
+}
+
+GLboolean IsList(Context &context, GLuint list) {
+  if (!context.insideBeginEnd && !context.group->lists.empty() &&
+      context.group->lists.isSegment(list))
+    return GL_FALSE;
+  return context.host->IsList(list);
+}
+
+} // namespace arbiter::state::handlers

@@ -1,0 +1,219 @@
+// Program parameters (3.11.1, 6.1.12; EXT_gpu_program_parameters; EXT_direct_state_access).
+#include <algorithm>
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// Checks [index, index + count) against `size` without overflow.
+bool checkRange(Context &context, GLuint index, GLsizei count, std::size_t size,
+                const char *command) {
+  if (count >= 0 && index < size && std::size_t(count) <= size - index)
+    return true;
+  // An empty range at the end is no error: nothing beyond the limit is touched.
+  if (count == 0 && index <= size)
+    return true;
+  raise(context, GL_INVALID_VALUE, command);
+  return false;
+}
+
+Vec4 fromDoubles(const GLdouble *v) {
+  return {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])};
+}
+Vec4 fromFloats(const GLfloat *v) { return {v[0], v[1], v[2], v[3]}; }
+
+void recordParameters(Context &context, Command::Kind kind, GLuint index, GLsizei count,
+                      const Vec4 *values) {
+  Command command{.kind = kind};
+  command.name = index;
+  command.count = count;
+  if (count > 0)
+    command.values.assign(values, values + count);
+  context.list.record(context, std::move(command));
+}
+
+/// The way of every env setter of the fragment target.
+void env(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
+  if (!outsideBeginEnd(context, "ProgramEnvParameter between Begin and End"))
+    return;
+  if (context.listMode) [[unlikely]]
+    return recordParameters(context, Command::Kind::Env, index, count, values);
+  setEnv(context, index, count, values);
+}
+
+void local(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
+  if (!outsideBeginEnd(context, "ProgramLocalParameter between Begin and End"))
+    return;
+  if (context.listMode) [[unlikely]]
+    return recordParameters(context, Command::Kind::Local, index, count, values);
+  setLocal(context, *context.fragmentProgram, index, count, values);
+}
+
+const Vec4 *readEnv(Context &context, GLuint index) {
+  if (!outsideBeginEnd(context, "GetProgramEnvParameter between Begin and End") ||
+      !checkRange(context, index, 1, context.env.size(), "GetProgramEnvParameter: index"))
+    return nullptr;
+  return &context.env[index];
+}
+
+const Vec4 *readLocal(Context &context, const ProgramObject &object, GLuint index) {
+  if (!outsideBeginEnd(context, "GetProgramLocalParameter between Begin and End") ||
+      !checkRange(context, index, 1, object.locals.size(), "GetProgramLocalParameter: index"))
+    return nullptr;
+  return &object.locals[index];
+}
+
+template <typename T> void copyOut(const Vec4 *value, T *params) {
+  if (value && params)
+    std::copy(value->begin(), value->end(), params);
+}
+
+bool isOurs(GLenum target) { return target == GL_FRAGMENT_PROGRAM_ARB; }
+
+/// Reads GLfloat quadruples that need not be aligned as Vec4 is.
+std::vector<Vec4> gather(GLsizei count, const GLfloat *params) {
+  std::vector<Vec4> values(std::size_t(std::max(count, 0)));
+  if (count > 0)
+    std::memcpy(values.data(), params, values.size() * sizeof(Vec4));
+  return values;
+}
+
+} // namespace
+
+void setEnv(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
+  if (!checkRange(context, index, count, context.env.size(), "ProgramEnvParameter: index"))
+    return;
+  std::copy_n(values, count, context.env.begin() + std::ptrdiff_t(index));
+  context.attention |= attention::kParameters;
+}
+
+void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
+              const Vec4 *values) {
+  if (!checkRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
+    return;
+  std::copy_n(values, count, object.locals.begin() + std::ptrdiff_t(index));
+  object.version.fetch_add(1, std::memory_order_release);
+  if (context.fragmentProgram.get() == &object) {
+    context.seenVersion = object.version.load(std::memory_order_relaxed);
+    context.attention |= attention::kParameters;
+  }
+}
+
+namespace handlers {
+
+void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
+                              GLfloat z, GLfloat w) {
+  if (!isOurs(target))
+    return context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
+  const Vec4 value = {x, y, z, w};
+  env(context, index, 1, &value);
+}
+
+void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
+                               const GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->ProgramEnvParameter4fvARB(target, index, params);
+  const Vec4 value = fromFloats(params);
+  env(context, index, 1, &value);
+}
+
+void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
+                              GLdouble z, GLdouble w) {
+  if (!isOurs(target))
+    return context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
+  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
+  env(context, index, 1, &value);
+}
+
+void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
+                               const GLdouble *params) {
+  if (!isOurs(target))
+    return context.host->ProgramEnvParameter4dvARB(target, index, params);
+  const Vec4 value = fromDoubles(params);
+  env(context, index, 1, &value);
+}
+
+void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
+                                const GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->ProgramEnvParameters4fvEXT(target, index, count, params);
+  if (count < 0 || std::size_t(count) > context.env.size())
+    return raise(context, GL_INVALID_VALUE, "ProgramEnvParameters: count");
+  env(context, index, count, gather(count, params).data());
+}
+
+void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
+                                GLfloat z, GLfloat w) {
+  if (!isOurs(target))
+    return context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
+  const Vec4 value = {x, y, z, w};
+  local(context, index, 1, &value);
+}
+
+void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
+                                 const GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->ProgramLocalParameter4fvARB(target, index, params);
+  const Vec4 value = fromFloats(params);
+  local(context, index, 1, &value);
+}
+
+void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x,
+                                GLdouble y, GLdouble z, GLdouble w) {
+  if (!isOurs(target))
+    return context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
+  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
+  local(context, index, 1, &value);
+}
+
+void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
+                                 const GLdouble *params) {
+  if (!isOurs(target))
+    return context.host->ProgramLocalParameter4dvARB(target, index, params);
+  const Vec4 value = fromDoubles(params);
+  local(context, index, 1, &value);
+}
+
+void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
+                                  const GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->ProgramLocalParameters4fvEXT(target, index, count, params);
+  if (count < 0 || std::size_t(count) > context.limits.localParameters)
+    return raise(context, GL_INVALID_VALUE, "ProgramLocalParameters: count");
+  local(context, index, count, gather(count, params).data());
+}
+
+void GetProgramEnvParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->GetProgramEnvParameterfvARB(target, index, params);
+  copyOut(readEnv(context, index), params);
+}
+
+void GetProgramEnvParameterdvARB(Context &context, GLenum target, GLuint index, GLdouble *params) {
+  if (!isOurs(target))
+    return context.host->GetProgramEnvParameterdvARB(target, index, params);
+  copyOut(readEnv(context, index), params);
+}
+
+void GetProgramLocalParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
+  if (!isOurs(target))
+    return context.host->GetProgramLocalParameterfvARB(target, index, params);
+  copyOut(readLocal(context, *context.fragmentProgram, index), params);
+}
+
+void GetProgramLocalParameterdvARB(Context &context, GLenum target, GLuint index,
+                                   GLdouble *params) {
+  if (!isOurs(target))
+    return context.host->GetProgramLocalParameterdvARB(target, index, params);
+  copyOut(readLocal(context, *context.fragmentProgram, index), params);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

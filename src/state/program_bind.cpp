@@ -1,0 +1,163 @@
+// Names, binding, enabling: Gen, Delete, Is, Bind, Enable, Disable, IsEnabled (3.11.1, 6.1.12).
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+bool outsideBeginEnd(Context &context, const char *command) {
+  if (!context.insideBeginEnd) [[likely]]
+    return true;
+  raise(context, GL_INVALID_OPERATION, command);
+  return false;
+}
+
+void noteProgramApiUse(Context &context) {
+  if (!context.group->programApiUsed.load(std::memory_order_relaxed))
+    context.group->programApiUsed.store(true, std::memory_order_relaxed);
+}
+
+void invalidateProgram(Context &context) {
+  // Sticky bits of the program that was in force go; selecting sets them anew.
+  context.attention = attention::kProgram | (context.attention & attention::kList);
+}
+
+void bindFragmentProgram(Context &context, GLuint name) {
+  std::shared_ptr<ProgramObject> object = context.group->defaultFragmentProgram();
+  if (name != 0) {
+    object =
+        context.group->findOrCreate(name, GL_FRAGMENT_PROGRAM_ARB, context.limits.localParameters);
+    if (object->target != GL_FRAGMENT_PROGRAM_ARB)
+      return raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
+  }
+  // Binding the same object again matters too: then changes of other contexts take effect.
+  context.fragmentProgram = std::move(object);
+  invalidateProgram(context);
+}
+
+void setFragmentEnable(Context &context, bool enabled) {
+  if (context.fragmentEnabled == enabled)
+    return;
+  context.fragmentEnabled = enabled;
+  invalidateProgram(context);
+}
+
+namespace {
+
+/// A vertex program takes its name in the common name space when it is first bound.
+void bindVertexProgram(Context &context, GLenum target, GLuint name) {
+  if (name != 0) {
+    const auto object = context.group->findOrCreate(name, target, 0);
+    if (object->target != target)
+      return raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
+  }
+  context.host->BindProgramARB(target, name);
+}
+
+void deleteProgram(Context &context, GLuint name) {
+  const std::shared_ptr<ProgramObject> object = context.group->remove(name);
+  if (!object || object->target != GL_FRAGMENT_PROGRAM_ARB)
+    return;
+  if (context.fragmentProgram == object) {
+    context.fragmentProgram = context.group->defaultFragmentProgram();
+    invalidateProgram(context);
+  }
+  // Other contexts may have it bound; their variants go when they are swept.
+  const auto compiled = context.group->compiledOf(*object);
+  if (compiled && object.use_count() == 1)
+    context.variants.drop(context, compiled.get());
+}
+
+} // namespace
+
+namespace handlers {
+
+void BindProgramARB(Context &context, GLenum target, GLuint program) {
+  if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
+    return;
+  if (target != GL_FRAGMENT_PROGRAM_ARB) {
+    if (target == GL_VERTEX_PROGRAM_ARB)
+      return bindVertexProgram(context, target, program);
+    return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
+  }
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list.record(context, {.kind = Command::Kind::BindProgram, .name = program});
+  bindFragmentProgram(context, program);
+}
+
+void GenProgramsARB(Context &context, GLsizei n, GLuint *programs) {
+  if (!outsideBeginEnd(context, "GenPrograms between Begin and End"))
+    return;
+  if (n < 0)
+    return raise(context, GL_INVALID_VALUE, "GenPrograms: n is negative");
+  if (!programs)
+    return;
+  for (GLsizei i = 0; i < n; ++i) {
+    // The host does not know names that were bound to the fragment target without Gen: it may give
+    // one of them. It stays reserved there, and is not given again.
+    do {
+      programs[i] = 0;
+      if (context.caps.hostProgramNames())
+        context.host->GenProgramsARB(1, &programs[i]);
+      else
+        programs[i] = context.group->takeName();
+    } while (programs[i] != 0 && context.group->contains(programs[i]));
+  }
+}
+
+void DeleteProgramsARB(Context &context, GLsizei n, const GLuint *programs) {
+  if (!outsideBeginEnd(context, "DeletePrograms between Begin and End"))
+    return;
+  if (n < 0)
+    return raise(context, GL_INVALID_VALUE, "DeletePrograms: n is negative");
+  if (!programs)
+    return;
+  for (GLsizei i = 0; i < n; ++i)
+    if (programs[i] != 0)
+      deleteProgram(context, programs[i]);
+  if (context.caps.hostProgramNames())
+    context.host->DeleteProgramsARB(n, programs);
+}
+
+GLboolean IsProgramARB(Context &context, GLuint program) {
+  if (!outsideBeginEnd(context, "IsProgram between Begin and End"))
+    return GL_FALSE;
+  // An object exists once its name was bound; a name that Gen returned is none yet.
+  return program != 0 && context.group->contains(program) ? GL_TRUE : GL_FALSE;
+}
+
+void Enable(Context &context, GLenum cap) {
+  if (cap != GL_FRAGMENT_PROGRAM_ARB) [[likely]]
+    return context.host->Enable(cap);
+  if (!outsideBeginEnd(context, "Enable between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list.record(context, {.kind = Command::Kind::Enable, .target = cap});
+  setFragmentEnable(context, true);
+}
+
+void Disable(Context &context, GLenum cap) {
+  if (cap != GL_FRAGMENT_PROGRAM_ARB) [[likely]]
+    return context.host->Disable(cap);
+  if (!outsideBeginEnd(context, "Disable between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list.record(context, {.kind = Command::Kind::Disable, .target = cap});
+  setFragmentEnable(context, false);
+}
+
+GLboolean IsEnabled(Context &context, GLenum cap) {
+  if (cap != GL_FRAGMENT_PROGRAM_ARB)
+    return context.host->IsEnabled(cap);
+  if (!outsideBeginEnd(context, "IsEnabled between Begin and End"))
+    return GL_FALSE;
+  return context.fragmentEnabled ? GL_TRUE : GL_FALSE;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

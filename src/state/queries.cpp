@@ -1,0 +1,138 @@
+// GetProgramiv and GetProgramString (6.1.12): every count is the compiler's, computed for the
+// program that last loaded; object 0 and an object without a program answer zero.
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using Member = std::uint32_t fp::ResourceCounts::*;
+
+struct CountRow {
+  GLenum count, maximum, nativeCount, nativeMaximum;
+  Member member;
+};
+
+constexpr CountRow kRows[] = {
+    {GL_PROGRAM_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::instructions},
+    {GL_PROGRAM_ALU_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::aluInstructions},
+    {GL_PROGRAM_TEX_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_TEX_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::texInstructions},
+    {GL_PROGRAM_TEX_INDIRECTIONS_ARB, GL_MAX_PROGRAM_TEX_INDIRECTIONS_ARB,
+     GL_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB,
+     &fp::ResourceCounts::texIndirections},
+    {GL_PROGRAM_TEMPORARIES_ARB, GL_MAX_PROGRAM_TEMPORARIES_ARB, GL_PROGRAM_NATIVE_TEMPORARIES_ARB,
+     GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB, &fp::ResourceCounts::temporaries},
+    {GL_PROGRAM_PARAMETERS_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, GL_PROGRAM_NATIVE_PARAMETERS_ARB,
+     GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB, &fp::ResourceCounts::parameters},
+    {GL_PROGRAM_ATTRIBS_ARB, GL_MAX_PROGRAM_ATTRIBS_ARB, GL_PROGRAM_NATIVE_ATTRIBS_ARB,
+     GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB, &fp::ResourceCounts::attribs},
+};
+
+/// The pnames that ARB_fragment_program adds to GetProgramiv for its own target. A vertex program
+/// has none of these resources: the answer is zero (ARB_vertex_program leaves them out).
+bool isFragmentOnly(GLenum pname) {
+  return pname >= GL_PROGRAM_ALU_INSTRUCTIONS_ARB &&
+         pname <= GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB;
+}
+
+/// Address registers are the vertex language's; a fragment program uses and may use none.
+bool isAddressRegisters(GLenum pname) {
+  return pname >= GL_PROGRAM_ADDRESS_REGISTERS_ARB &&
+         pname <= GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB;
+}
+
+bool queryCounts(const Context &context, const CompiledProgram *program, GLenum pname,
+                 GLint *params) {
+  static constexpr fp::ResourceCounts kNone;
+  for (const CountRow &row : kRows) {
+    if (pname == row.count)
+      *params = GLint((program ? program->counts : kNone).*row.member);
+    else if (pname == row.maximum)
+      *params = GLint(context.limits.api.*row.member);
+    else if (pname == row.nativeCount)
+      *params = GLint((program ? program->nativeCounts : kNone).*row.member);
+    else if (pname == row.nativeMaximum)
+      *params = GLint(context.limits.native.*row.member);
+    else
+      continue;
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+bool queryProgram(Context &context, const ProgramObject &object, GLenum pname, GLint *params) {
+  const std::shared_ptr<const CompiledProgram> program = context.group->compiledOf(object);
+  if (queryCounts(context, program.get(), pname, params))
+    return true;
+  switch (pname) {
+  case GL_PROGRAM_LENGTH_ARB:
+    *params = program ? GLint(program->text.size()) : 0;
+    return true;
+  case GL_PROGRAM_FORMAT_ARB:
+    *params = GL_PROGRAM_FORMAT_ASCII_ARB;
+    return true;
+  case GL_PROGRAM_BINDING_ARB:
+    *params = GLint(object.name);
+    return true;
+  case GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB:
+    *params = GLint(context.limits.localParameters);
+    return true;
+  case GL_MAX_PROGRAM_ENV_PARAMETERS_ARB:
+    *params = GLint(context.limits.envParameters);
+    return true;
+  case GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB:
+    *params = program && program->underNativeLimits ? GL_TRUE : GL_FALSE;
+    return true;
+  default:
+    if (!isAddressRegisters(pname))
+      return false;
+    *params = 0;
+    return true;
+  }
+}
+
+namespace handlers {
+
+void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *params) {
+  if (target != GL_FRAGMENT_PROGRAM_ARB) {
+    if (target == GL_VERTEX_PROGRAM_ARB && isFragmentOnly(pname) && !context.insideBeginEnd) {
+      if (params)
+        *params = 0;
+      return;
+    }
+    return context.host->GetProgramivARB(target, pname, params);
+  }
+  if (!outsideBeginEnd(context, "GetProgramiv between Begin and End") || !params)
+    return;
+  if (!queryProgram(context, *context.fragmentProgram, pname, params))
+    raise(context, GL_INVALID_ENUM, "GetProgramiv: pname");
+}
+
+void GetProgramStringARB(Context &context, GLenum target, GLenum pname, void *string) {
+  if (target != GL_FRAGMENT_PROGRAM_ARB)
+    return context.host->GetProgramStringARB(target, pname, string);
+  if (!outsideBeginEnd(context, "GetProgramString between Begin and End"))
+    return;
+  if (pname != GL_PROGRAM_STRING_ARB)
+    return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
+  const auto program = context.group->compiledOf(*context.fragmentProgram);
+  if (program && string)
+    std::memcpy(string, program->text.data(), program->text.size()); // no terminator (6.1.12)
+}
+
+} // namespace handlers
+} // namespace arbiter::state

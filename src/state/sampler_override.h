@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "fp_compiler/compiler.h"
+
+namespace arbiter::state {
+
+class Context;
+struct Variant;
+
+/// Without a SHADOW target TEXTURE_COMPARE_MODE counts as NONE (AFP 4051-4057), while a host's
+/// plain samplers still compare. Where a texture of a used unit compares, a sampler object of ours
+/// that copies its parameters with compare NONE is bound for the draw.
+class SamplerOverride {
+public:
+  static constexpr int kMaxUnits = 32;
+
+  /// Checks the plain samplers of `variant`. Called for each draw while any texture may compare.
+  void apply(Context &context, const Variant &variant);
+  /// Puts the application's sampler bindings back.
+  void release(Context &context);
+  [[nodiscard]] bool active() const { return m_active != 0; }
+  [[nodiscard]] bool owns(GLuint sampler) const;
+  /// Empties without touching the host; gives the sampler names.
+  [[nodiscard]] std::vector<GLuint> abandon();
+
+private:
+  void applyUnit(Context &context, const fp::GlslSampler &sampler);
+
+  struct Unit {
+    GLuint ours = 0;        ///< made at first use
+    GLuint application = 0; ///< its binding while ours is bound
+  };
+  std::array<Unit, kMaxUnits> m_units{};
+  std::uint32_t m_active = 0; ///< one bit a unit
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,103 @@
+#include "state/share_group.h"
+
+#include <algorithm>
+
+namespace arbiter::state {
+
+ShareGroup::ShareGroup()
+    : m_defaultFragment(std::make_shared<ProgramObject>(0, GL_FRAGMENT_PROGRAM_ARB)) {}
+
+std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  const auto it = m_objects.find(name);
+  return it == m_objects.end() ? nullptr : it->second;
+}
+
+std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, GLenum target,
+                                                        std::size_t localParameters) {
+  const std::lock_guard lock(m_mutex);
+  std::shared_ptr<ProgramObject> &slot = m_objects[name];
+  if (!slot) {
+    slot = std::make_shared<ProgramObject>(name, target);
+    if (target == GL_FRAGMENT_PROGRAM_ARB)
+      slot->locals.resize(localParameters);
+  }
+  return slot;
+}
+
+std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  const auto it = m_objects.find(name);
+  if (it == m_objects.end())
+    return nullptr;
+  std::shared_ptr<ProgramObject> object = std::move(it->second);
+  m_objects.erase(it);
+  return object;
+}
+
+bool ShareGroup::contains(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  return m_objects.count(name) != 0;
+}
+
+GLuint ShareGroup::takeName() {
+  const std::lock_guard lock(m_mutex);
+  do
+    ++m_lastName;
+  while (m_lastName == 0 || m_objects.count(m_lastName) != 0);
+  return m_lastName;
+}
+
+void ShareGroup::setCompiled(ProgramObject &object,
+                             std::shared_ptr<const CompiledProgram> compiled) {
+  const std::lock_guard lock(m_mutex);
+  object.compiled = std::move(compiled);
+  object.version.fetch_add(1, std::memory_order_release);
+}
+
+std::shared_ptr<const CompiledProgram> ShareGroup::compiledOf(const ProgramObject &object) {
+  const std::lock_guard lock(m_mutex);
+  return object.compiled;
+}
+
+void ShareGroup::setDefaultLocals(std::size_t count) {
+  const std::lock_guard lock(m_mutex);
+  if (m_defaultFragment->locals.size() < count)
+    m_defaultFragment->locals.resize(count);
+}
+
+void ShareGroup::addGarbage(std::vector<GLuint> programs, std::vector<GLuint> samplers) {
+  const std::lock_guard lock(m_mutex);
+  m_garbagePrograms.insert(m_garbagePrograms.end(), programs.begin(), programs.end());
+  m_garbageSamplers.insert(m_garbageSamplers.end(), samplers.begin(), samplers.end());
+  m_hasGarbage.store(!m_garbagePrograms.empty() || !m_garbageSamplers.empty(),
+                     std::memory_order_release);
+}
+
+void ShareGroup::takeGarbage(std::vector<GLuint> &programs, std::vector<GLuint> &samplers) {
+  const std::lock_guard lock(m_mutex);
+  programs.swap(m_garbagePrograms);
+  samplers.swap(m_garbageSamplers);
+  m_hasGarbage.store(false, std::memory_order_release);
+}
+
+void ShareGroup::addHostProgram(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  m_hostPrograms.insert(name);
+  m_hostProgramCount.store(int(m_hostPrograms.size()), std::memory_order_release);
+}
+
+void ShareGroup::removeHostProgram(GLuint name) {
+  const std::lock_guard lock(m_mutex);
+  m_hostPrograms.erase(name);
+  m_hostProgramCount.store(int(m_hostPrograms.size()), std::memory_order_release);
+}
+
+bool ShareGroup::ownsHostProgram(GLuint name) {
+  if (m_hostProgramCount.load(std::memory_order_acquire) == 0)
+    return false;
+  const std::lock_guard lock(m_mutex);
+  return m_hostPrograms.count(name) != 0;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,83 @@
+#pragma once
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "state/display_list.h"
+#include "state/program_object.h"
+
+namespace arbiter::state {
+
+/// What contexts that share display lists have in common (AFP 3953-3974): the name space of program
+/// objects, display lists that hold our commands, and host objects that a dead context left behind.
+///
+/// The lock is taken by Gen, Delete, Bind and ProgramString and by list calls, never on the way of
+/// a draw. The atomics beside the maps say "none" without it.
+class ShareGroup {
+public:
+  ShareGroup();
+
+  // --- Program objects: one name space for both targets (AFP 1364-1367) ---
+
+  /// The object of that name, or null. A name that Gen returned and nobody bound has no object.
+  [[nodiscard]] std::shared_ptr<ProgramObject> find(GLuint name);
+  /// The object of that name, made if there is none. Its target may not be `target`.
+  [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, GLenum target,
+                                                            std::size_t localParameters);
+  /// Frees the name; the object lives on where it is bound. Null if there was none.
+  std::shared_ptr<ProgramObject> remove(GLuint name);
+  [[nodiscard]] bool contains(GLuint name);
+  /// A name that nobody uses, where the host has no GenPrograms.
+  [[nodiscard]] GLuint takeName();
+  void setCompiled(ProgramObject &object, std::shared_ptr<const CompiledProgram> compiled);
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> compiledOf(const ProgramObject &object);
+  /// Object 0 of the fragment target: starts empty, hence invalid (AFP 4691).
+  [[nodiscard]] const std::shared_ptr<ProgramObject> &defaultFragmentProgram() const {
+    return m_defaultFragment;
+  }
+  void setDefaultLocals(std::size_t count);
+
+  // --- Host objects to delete ---
+
+  /// Host GLSL programs of a context that is gone. Any context of the group may delete them, at a
+  /// moment when it is current.
+  void addGarbage(std::vector<GLuint> programs, std::vector<GLuint> samplers);
+  [[nodiscard]] bool hasGarbage() const { return m_hasGarbage.load(std::memory_order_acquire); }
+  void takeGarbage(std::vector<GLuint> &programs, std::vector<GLuint> &samplers);
+
+  // --- Host programs of ours, so that IsProgram and its kin do not know them ---
+
+  void addHostProgram(GLuint name);
+  void removeHostProgram(GLuint name);
+  [[nodiscard]] bool ownsHostProgram(GLuint name);
+
+  // --- Display lists that hold our commands ---
+
+  DisplayListTable lists;
+
+  /// Set for good by the first use of the fragment target by any context of the group: until then
+  /// lists are the host's own, whole, and cost nothing.
+  std::atomic<bool> programApiUsed{false};
+  /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
+  std::atomic<bool> compareModeUsed{false};
+  /// A list kept by the host alone holds UseProgram, or pushes and pops attributes unevenly.
+  std::atomic<bool> hostListsChangeProgram{false};
+  std::atomic<bool> hostListsUnbalanced{false};
+  std::atomic<int> contexts{0};
+
+private:
+  std::mutex m_mutex;
+  std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
+  std::shared_ptr<ProgramObject> m_defaultFragment;
+  GLuint m_lastName = 0;
+  std::unordered_set<GLuint> m_hostPrograms;
+  std::vector<GLuint> m_garbagePrograms;
+  std::vector<GLuint> m_garbageSamplers;
+  std::atomic<bool> m_hasGarbage{false};
+  std::atomic<int> m_hostProgramCount{0};
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "fp_compiler/compiler.h"
+
+/// The statistics of the process (ARBITER_STATS, `arbiter run --stats`), written at exit as JSON:
+/// contexts, programs, draws by path with the reason where they are not ours, feedback copies.
+namespace arbiter::state {
+
+class Context;
+
+/// Version of the JSON's form; grows when a member changes its meaning or goes.
+inline constexpr int kStatisticsSchema = 1;
+
+void noteContextCreated(Context &context);
+/// Adds the context's counters to those of contexts that are gone. It is about to be freed.
+void noteContextDestroyed(const Context &context);
+/// A program string was given to our compiler. Kept only if statistics are asked for.
+void noteLoadedProgram(const Context &context, unsigned name, std::string_view text,
+                       const fp::CheckResult &result);
+/// A program string of the vertex target went to the host; `error` is empty if it loaded.
+void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
+                       std::string_view error);
+
+/// The statistics up to now.
+[[nodiscard]] std::string statisticsJson();
+
+/// Writes them to the file of ARBITER_STATS, if there is one. A new file takes the old one's place
+/// in one step, mode 0600; a symbolic link is not followed. A process that was forked from the one
+/// that the variable was meant for writes to FILE.PID instead, as does one that finds the file
+/// written by another process since it began: the first one's figures are not lost. `%p` in the
+/// name is the process id. Called at exit; safe to call more than once.
+void writeStatistics();
+
+} // namespace arbiter::state

@@ -1,0 +1,84 @@
+// What else decides about a draw's path: the application's own GLSL, and attribute stacks.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/draw.h"
+#include "state/errors.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+
+namespace arbiter::state {
+
+void useProgram(Context &context, GLuint name) {
+  // The application's program must be the host's current one, for a call that fails to leave it.
+  if (context.hostProgramIsOurs)
+    releaseHostState(context);
+  context.host->UseProgram(name);
+  context.applicationProgramKnown = false;
+  invalidateProgram(context);
+}
+
+void pushAttrib(Context &context, GLbitfield mask) {
+  context.host->PushAttrib(mask); // raises STACK_OVERFLOW where ours would overflow too
+  (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
+}
+
+void popAttrib(Context &context) {
+  context.host->PopAttrib();
+  AttribStack::Entry entry;
+  if (context.attribStack.pop(entry) && entry.hasEnables)
+    setFragmentEnable(context, entry.fragmentProgram);
+}
+
+namespace handlers {
+
+void UseProgram(Context &context, GLuint program) {
+  if (context.insideBeginEnd)
+    return context.host->UseProgram(program); // the host raises the error
+  if (context.listMode) {
+    if (context.group->programApiUsed.load(std::memory_order_relaxed))
+      return context.list.record(context, {.kind = Command::Kind::UseProgram, .name = program});
+    context.group->hostListsChangeProgram.store(true, std::memory_order_relaxed);
+    return context.host->UseProgram(program);
+  }
+  useProgram(context, program);
+}
+
+void BindProgramPipeline(Context &context, GLuint pipeline) {
+  if (context.hostProgramIsOurs && !context.listMode)
+    releaseHostState(context);
+  context.host->BindProgramPipeline(pipeline);
+  context.pipelinesUsed = true;
+  invalidateProgram(context);
+}
+
+void PushAttrib(Context &context, GLbitfield mask) {
+  if (context.insideBeginEnd)
+    return context.host->PushAttrib(mask);
+  if (!context.listMode)
+    return pushAttrib(context, mask);
+  const bool cuts =
+      (mask & GL_ENABLE_BIT) != 0 && context.group->programApiUsed.load(std::memory_order_relaxed);
+  context.list.notePush(cuts);
+  if (cuts)
+    return context.list.record(context, {.kind = Command::Kind::PushAttrib, .name = mask});
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
+  context.host->PushAttrib(mask);
+}
+
+void PopAttrib(Context &context) {
+  if (context.insideBeginEnd)
+    return context.host->PopAttrib();
+  if (!context.listMode)
+    return popAttrib(context);
+  if (context.list.notePop(context))
+    return context.list.record(context, {.kind = Command::Kind::PopAttrib});
+  context.host->PopAttrib();
+  AttribStack::Entry entry;
+  if (context.listMode == GL_COMPILE_AND_EXECUTE && context.attribStack.pop(entry) &&
+      entry.hasEnables)
+    setFragmentEnable(context, entry.fragmentProgram);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,78 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+
+/// Texture feedback: a colour buffer copied to a texture level (glReadBuffer, then
+/// glCopyTexSubImage), the era's way to multipass. Tracked so that the copy can be avoided later:
+/// which buffer became which texture level, and when. No GL calls here, and no GL types.
+namespace arbiter::swrast {
+
+/// A colour buffer: the framebuffer object (0: the window's) and the enum of glReadBuffer.
+struct ColorBuffer {
+  std::uint32_t framebuffer = 0;
+  std::uint32_t buffer = 0;
+  bool operator==(const ColorBuffer &) const = default;
+};
+
+/// A level of a texture; `target` is the image target, hence one face of a cube map.
+struct TextureLevel {
+  std::uint32_t texture = 0;
+  std::uint32_t target = 0;
+  std::int32_t level = 0;
+  bool operator==(const TextureLevel &) const = default;
+};
+
+/// In texels and window pixels, y up.
+struct CopyRegion {
+  std::int32_t destX = 0, destY = 0, destZ = 0;
+  std::int32_t x = 0, y = 0;
+  std::int32_t width = 0, height = 0;
+  bool operator==(const CopyRegion &) const = default;
+};
+
+enum class CopyKind : std::uint8_t { Image1D, Image2D, SubImage1D, SubImage2D, SubImage3D };
+inline constexpr int kCopyKindCount = 5;
+[[nodiscard]] const char *copyKindName(CopyKind kind);
+
+struct Copy {
+  CopyKind kind = CopyKind::Image2D;
+  ColorBuffer source;
+  CopyRegion region;
+  std::uint64_t frame = 0;    ///< of the copying context
+  std::uint64_t sequence = 0; ///< 1 for the context's first copy
+};
+
+/// The copies of one context. Memory is bounded: a level beyond kMaxLevels is counted, not kept.
+class FeedbackTracker {
+public:
+  static constexpr std::size_t kMaxLevels = 4096;
+
+  struct Totals {
+    std::uint64_t copies = 0;
+    std::uint64_t pixels = 0;
+  };
+
+  void record(const TextureLevel &to, CopyKind kind, const ColorBuffer &from,
+              const CopyRegion &region, std::uint64_t frame);
+  /// The last copy into that level, or null. It may have been overwritten by other commands since.
+  [[nodiscard]] const Copy *lastCopy(const TextureLevel &level) const;
+  [[nodiscard]] const Totals &totals(CopyKind kind) const { return m_totals[std::size_t(kind)]; }
+  [[nodiscard]] std::uint64_t copies() const { return m_sequence; }
+  [[nodiscard]] std::size_t levels() const { return m_levels ? m_levels->size() : 0; }
+  /// The texture is deleted, or its name reused.
+  void forget(std::uint32_t texture);
+
+private:
+  struct Hash {
+    std::size_t operator()(const TextureLevel &level) const;
+  };
+  using Map = std::unordered_map<TextureLevel, Copy, Hash>;
+
+  std::array<Totals, kCopyKindCount> m_totals{};
+  std::uint64_t m_sequence = 0;
+  std::unique_ptr<Map> m_levels; ///< null until the first copy: most contexts have none
+};
+
+} // namespace arbiter::swrast
