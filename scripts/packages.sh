@@ -21,6 +21,6 @@ packages_openscad=(openscad)
 
 # `./dev real` asks tests/real/run.py --packages, which knows what each of its programs needs.
 
-packages_bench=(libbenchmark-dev xvfb xauth)
+packages_bench=(xvfb xauth)
 packages_check=(clang-format clang-tidy)
 packages_fuzz=(clang-14 libclang-rt-14-dev)
