@@ -26,8 +26,14 @@ class Case:
     environment: dict[str, str] = field(default_factory=dict)
     timeout: float = 120.0
     stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
+    # Not the same from run to run: recorded once on the bare host with apitrace, and the record is
+    # replayed both ways, with a snapshot of every so many frames. 0: run it itself each time.
+    replay_every: int = 0
     maximum: int = 0  # tolerance: largest difference of a channel, of 255
     mean: float = 0.0  # tolerance: mean difference of all channels, of 255
+    # More than a Radeon 9700 holds: under a profile with enforced limits the program would be refused
+    # as that card's driver refused it, so this case asks for a report only (ARBITER_LIMITS).
+    over_limits: bool = False
     least_programs: int = 1  # fragment programs that must have been compiled by the layer
     statuses: tuple[int, ...] = (0,)  # exit statuses that are a success
 

@@ -4,13 +4,11 @@ layer's statistics."""
 import collections
 import hashlib
 import re
-import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 import session
-from cases import Case, PrepareError
+from cases import Case
 
 _CALL = re.compile(r'^\d+ glProgramStringARB\(target = GL_FRAGMENT_PROGRAM_ARB,.*?string = "', re.M)
 _ESCAPES = {"n": "\n", "r": "\r", "t": "\t"}
@@ -19,15 +17,9 @@ _ESCAPES = {"n": "\n", "r": "\r", "t": "\t"}
 def record(case: Case, folder: Path, texts: Path) -> int:
     """Runs the case under apitrace on the bare host, writes each fragment program string to
     `texts` as CASE-HASH.fp, and returns how many were loaded."""
-    shutil.rmtree(folder / "trace", ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
     trace = folder / "case.trace"
-    trace.parent.mkdir(parents=True, exist_ok=True)
-    trace.unlink(missing_ok=True)
-    command = ["apitrace", "trace", "-o", str(trace), *case.command]
-    session.run(replace(case, command=command, output="", timeout=300.0), session.Mode("bare"),
-                folder / "trace")
-    if not trace.exists():
-        raise PrepareError(f"apitrace left no trace; see {folder / 'trace/log.txt'}")
+    session.record(case, folder / "trace", trace)
     dump = subprocess.run(["apitrace", "dump", "--color=never", "--grep=^glProgramStringARB$",
                            str(trace)], capture_output=True, check=True)
     found = _strings(dump.stdout.decode("latin-1"))

@@ -51,6 +51,9 @@ class Difference:
         return self.same_size and self.maximum == 0
 
 
+NOTHING_ALIKE = Difference(False, 255, 255.0, 0, 0)
+
+
 def compare(a: Picture, b: Picture) -> Difference:
     """The difference of two pictures; the largest possible one where the sizes differ."""
     if (a.width, a.height) != (b.width, b.height):

@@ -107,23 +107,45 @@ def _compare(programs: list[Program], options: argparse.Namespace) -> int:
 
 def _run_case(program: Program, case: Case, modes: list[session.Mode], out: Path) -> list[dict]:
     shutil.rmtree(out, ignore_errors=True)
-    bare = session.run(case, session.Mode("bare"), out / "bare")
-    again = session.run(case, session.Mode("bare"), out / "again")
+    out.mkdir(parents=True)
+    trace = out / "case.trace"
+    if case.replay_every:
+        session.record(case, out / "trace", trace)
+
+    def run(mode: session.Mode, name: str) -> session.Outcome:
+        if case.replay_every:
+            return session.replay(case, mode, out / name, trace)
+        return session.run(case, mode, out / name)
+
+    bare, again = run(session.Mode("bare"), "bare"), run(session.Mode("bare"), "again")
     head = {"program": program.name, "case": case.name}
     problem = _problem(case, bare) or _problem(case, again)
-    if problem or bare.picture is None or again.picture is None:
+    if problem:
         row = {**head, "mode": "bare", "verdict": "fail", "reason": f"bare host: {problem}"}
         return [_print(row)]
-    repeat = picture.compare(bare.picture, again.picture)
+    picture.write_png(out / "bare.png", bare.picture)
+    repeat = _worst(bare, again)[0]
     rows = []
     for mode in modes:
-        outcome = session.run(case, mode, out / mode.name)
+        outcome = run(mode, mode.name)
         row = {**head, "mode": mode.name, "seconds": [round(bare.seconds, 2),
                                                       round(outcome.seconds, 2)],
                "repeat_maximum": repeat.maximum, "status": outcome.status}
         rows.append(_print(_judge(case, bare, outcome, row, out)))
-    picture.write_png(out / "bare.png", bare.picture)
     return rows
+
+
+def _worst(bare: session.Outcome, other: session.Outcome
+           ) -> tuple[picture.Difference, picture.Picture, picture.Picture]:
+    """The pair of pictures that are furthest apart: of all snapshots, or the one pair there is."""
+    pairs = [(bare.picture, other.picture)]
+    if len(bare.snapshots) != len(other.snapshots):
+        return picture.NOTHING_ALIKE, *pairs[0]
+    for a, b in zip(bare.snapshots, other.snapshots):
+        if a.read_bytes() != b.read_bytes():
+            pairs.append((picture.read(a), picture.read(b)))
+    compared = [(picture.compare(a, b), a, b) for a, b in pairs]
+    return max(compared, key=lambda c: (c[0].maximum, c[0].mean))
 
 
 def _judge(case: Case, bare: session.Outcome, outcome: session.Outcome, row: dict,
@@ -131,15 +153,15 @@ def _judge(case: Case, bare: session.Outcome, outcome: session.Outcome, row: dic
     summary = evidence.summarise(outcome.stats)
     row = {**row, **summary}
     reasons = [_problem(case, outcome)] + evidence.problems(summary, case.least_programs)
-    if outcome.picture is not None and bare.picture is not None:
-        apart = picture.compare(bare.picture, outcome.picture)
-        row |= asdict(apart)
-        shown = [bare.picture, outcome.picture]
+    if outcome.picture is not None:
+        apart, before, after = _worst(bare, outcome)
+        row |= asdict(apart) | {"pictures": max(1, len(outcome.snapshots))}
+        shown = [before, after]
         if apart.same_size and not apart.identical:
-            shown.append(picture.magnified(bare.picture, outcome.picture))
+            shown.append(picture.magnified(before, after))
         picture.write_png(out / f"{row['mode']}.png", picture.side_by_side(shown))
         if not apart.same_size:
-            reasons.append("pictures of different size")
+            reasons.append("pictures of different size or number")
         elif apart.maximum > case.maximum or apart.mean > case.mean:
             reasons.append(f"differs: maximum {apart.maximum} (allowed {case.maximum}), "
                            f"mean {apart.mean:.4f} (allowed {case.mean})")

@@ -3,14 +3,15 @@
 import collections
 import json
 import os
+import shutil
 import signal
 import subprocess
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import picture
-from cases import Case
+from cases import Case, PrepareError
 
 
 class SessionError(Exception):
@@ -78,6 +79,29 @@ class Outcome:
     picture: picture.Picture | None
     log: str
     stats: list[dict] = field(default_factory=list)
+    snapshots: list[Path] = field(default_factory=list)  # of a replay, in order
+
+
+def record(case: Case, folder: Path, trace: Path) -> None:
+    """Runs the case on the bare host under apitrace, which writes the file `trace`."""
+    shutil.rmtree(folder, ignore_errors=True)
+    trace.unlink(missing_ok=True)
+    command = ["apitrace", "trace", "-o", str(trace), *case.command]
+    run(replace(case, command=command, output=""), Mode("bare"), folder)
+    if not trace.exists():
+        raise PrepareError(f"apitrace left no trace; see {folder / 'log.txt'}")
+
+
+def replay(case: Case, mode: Mode, folder: Path, trace: Path) -> Outcome:
+    """Replays a record; the picture is the last snapshot."""
+    command = ["glretrace", "-b", "-s", f"{folder}/frame", f"--snapshot-interval={case.replay_every}",
+               str(trace)]
+    outcome = run(Case(case.name, command, output="none", over_limits=case.over_limits), mode,
+                  folder)
+    outcome.snapshots = sorted(folder.glob("frame*.png"))
+    if outcome.snapshots:
+        outcome.picture = picture.read(outcome.snapshots[-1])
+    return outcome
 
 
 def run(case: Case, mode: Mode, folder: Path) -> Outcome:
@@ -87,6 +111,8 @@ def run(case: Case, mode: Mode, folder: Path) -> Outcome:
     with XServer(folder / "screen") as server:
         environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **case.environment,
                        **mode.environment(folder), "DISPLAY": server.display}
+        if case.over_limits:
+            environment["ARBITER_LIMITS"] = "report"
         for name in ("WAYLAND_DISPLAY", "XAUTHORITY"):
             environment.pop(name, None)
         seen = _Seen(case)

@@ -30,7 +30,8 @@ class MPlayer(Program):
         for name, options, more in MODES:
             command = ["mplayer", "-noconfig", "all", "-nosound", "-noconsolecontrols",
                        "-vo", f"gl:{options}", "-xy", "640", "-geometry", "0:0", *more, str(clip)]
-            cases.append(Case(f"mplayer-{name}", command, size=(640, 480)))
+            cases.append(Case(f"mplayer-{name}", command, size=(640, 480),
+                              over_limits=name.startswith("scale")))
         return cases
 
 

@@ -1,0 +1,27 @@
+"""Wild Magic's sample programs: a scene each, whose ARB programs are part of the engine."""
+
+from pathlib import Path
+
+from cases import Case, PrepareError, Program
+
+# Those whose programs are in the package's data; the others stop at a missing file.
+NAMES = (
+    "BillboardNodes BspNodes CameraAndLightNodes ClodMeshes DlodNodes InverseKinematics Lights "
+    "MaterialTextures NonuniformScale ParticleSystems PlanarReflections PlanarShadows PointSystems "
+    "PolygonOffsets Polysegments Portals RenderToTexture ScreenPolygons SortFaces SurfaceMeshes "
+    "SwitchNodes TriStripsFans VertexTextures"
+).split()
+SAMPLES = Path("/usr/lib/x86_64-linux-gnu/libwildmagic/SampleGraphics")
+
+
+class WildMagic(Program):
+    def cases(self, work: Path) -> list[Case]:
+        if not SAMPLES.exists():
+            raise PrepareError("libwildmagic-examples is not installed")
+        environment = {"WM5_PATH": "/usr/share/libwildmagic"}
+        return [Case(f"wildmagic-{name}", [str(SAMPLES / name / name)], environment=environment,
+                     stop_after=1.5, replay_every=10) for name in NAMES]
+
+
+PROGRAM = WildMagic("wildmagic", ("libwildmagic-examples", "xvfb", "libgl1-mesa-dri"),
+                    "the sample programs of a shader-based engine")
