@@ -35,6 +35,7 @@ class Case:
     # as that card's driver refused it, so this case asks for a report only (ARBITER_LIMITS).
     over_limits: bool = False
     least_programs: int = 1  # fragment programs that must have been compiled by the layer
+    refused: int = 0  # programs that the bare host refuses too
     statuses: tuple[int, ...] = (0,)  # exit statuses that are a success
 
 

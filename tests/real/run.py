@@ -152,7 +152,8 @@ def _judge(case: Case, bare: session.Outcome, outcome: session.Outcome, row: dic
            out: Path) -> dict:
     summary = evidence.summarise(outcome.stats)
     row = {**row, **summary}
-    reasons = [_problem(case, outcome)] + evidence.problems(summary, case.least_programs)
+    reasons = [_problem(case, outcome)]
+    reasons += evidence.problems(summary, case.least_programs, case.refused)
     if outcome.picture is not None:
         apart, before, after = _worst(bare, outcome)
         row |= asdict(apart) | {"pictures": max(1, len(outcome.snapshots))}

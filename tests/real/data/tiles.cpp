@@ -15,7 +15,7 @@ constexpr int kTile = 128, kColumns = 4, kRows = 3;
 constexpr int kWidth = kTile * kColumns, kHeight = kTile * kRows;
 
 struct Vertex {
-  float x, y, z; // in the tile's own viewport, z the depth
+  float x, y, z;           // in the tile's own viewport, z the depth
   DWORD diffuse, specular; // ARGB
   float uv[2][2];
 };
@@ -43,8 +43,9 @@ constexpr char kCnd11[] = "ps_1_1\n"
                           "def c0, 1.0, 0.2, 0.1, 1.0\n"
                           "tex t0\n"
                           "mov r0, t0\n"
-                          "sub r0.a, t0.r, v1.a\n"
-                          "add_x2 r0.a, r0.a, v0.a\n"
+                          "mul r0.a, t0.g, v0.a\n"
+                          "mad r0.a, v1.b, t0.b, r0.a
+                          "
                           "cnd r0, r0.a, c0, t0\n";
 // Two phases: the first one's result is a texture coordinate.
 constexpr char kDependent14[] = "ps_1_4\n"
@@ -115,7 +116,7 @@ constexpr char kKill20[] = "ps_2_0\n"
                            "mov r4, v0\n"
                            "mad r4.xy, r3, c0.w, r4\n"
                            "texld r5, t1, s1\n"
-                           "max r4, r4, r5\n"
+                           "mul r4, r4, r5\n"
                            "mov oC0, r4\n";
 
 struct Device {
@@ -136,8 +137,8 @@ void check(const char *what, HRESULT code) {
 
 IDirect3DTexture9 *makeTexture(IDirect3DDevice9 *device, DWORD (*texel)(int, int)) {
   IDirect3DTexture9 *texture = nullptr;
-  check("CreateTexture", device->CreateTexture(64, 64, 1, 0, D3DFMT_A8R8G8B8, D3DPOOL_MANAGED,
-                                               &texture, nullptr));
+  check("CreateTexture",
+        device->CreateTexture(64, 64, 1, 0, D3DFMT_A8R8G8B8, D3DPOOL_MANAGED, &texture, nullptr));
   D3DLOCKED_RECT lock;
   check("LockRect", texture->LockRect(0, &lock, nullptr, 0));
   for (int y = 0; y < 64; ++y)
@@ -170,12 +171,11 @@ Device open() {
   p.BackBufferWidth = kWidth;
   p.BackBufferHeight = kHeight;
   p.hDeviceWindow = window;
-  check("CreateDevice",
-        d3d->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_HAL, window,
-                          D3DCREATE_HARDWARE_VERTEXPROCESSING, &p, &d.device));
+  check("CreateDevice", d3d->CreateDevice(D3DADAPTER_DEFAULT, D3DDEVTYPE_HAL, window,
+                                          D3DCREATE_HARDWARE_VERTEXPROCESSING, &p, &d.device));
   check("CreateRenderTarget",
-        d.device->CreateRenderTarget(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DMULTISAMPLE_NONE, 0, FALSE,
-                                     &d.target, nullptr));
+        d.device->CreateRenderTarget(kWidth, kHeight, D3DFMT_X8R8G8B8, D3DMULTISAMPLE_NONE, 0,
+                                     FALSE, &d.target, nullptr));
   check("SetRenderTarget", d.device->SetRenderTarget(0, d.target));
   d.picture = makeTexture(d.device, pictureTexel);
   d.normals = makeTexture(d.device, normalTexel);
@@ -228,8 +228,8 @@ void shader(const Device &d, const char *text) {
     fail(errors ? static_cast<const char *>(errors->GetBufferPointer()) : text, result);
   }
   IDirect3DPixelShader9 *pixel = nullptr;
-  check(text, d.device->CreatePixelShader(static_cast<const DWORD *>(code->GetBufferPointer()),
-                                          &pixel));
+  check(text,
+        d.device->CreatePixelShader(static_cast<const DWORD *>(code->GetBufferPointer()), &pixel));
   check("SetPixelShader", d.device->SetPixelShader(pixel));
 }
 
@@ -247,7 +247,9 @@ void fog(const Device &d) {
 
 void technique(const Device &d, int index) {
   switch (index) {
-  case 0: stage(d, 0, D3DTOP_MODULATE, D3DTA_TEXTURE, D3DTA_DIFFUSE); break;
+  case 0:
+    stage(d, 0, D3DTOP_MODULATE, D3DTA_TEXTURE, D3DTA_DIFFUSE);
+    break;
   case 1:
     stage(d, 0, D3DTOP_ADDSIGNED, D3DTA_TEXTURE, D3DTA_DIFFUSE);
     stage(d, 1, D3DTOP_DOTPRODUCT3, D3DTA_TEXTURE, D3DTA_CURRENT);
@@ -258,24 +260,44 @@ void technique(const Device &d, int index) {
     stage(d, 1, D3DTOP_SUBTRACT, D3DTA_CURRENT, D3DTA_TEXTURE | D3DTA_COMPLEMENT);
     fog(d);
     break;
-  case 3: shader(d, kModulate11); break;
-  case 4: shader(d, kBump11); break;
-  case 5: shader(d, kTexbem11); break;
-  case 6: shader(d, kCnd11); break;
-  case 7: shader(d, kDependent14); break;
-  case 8: shader(d, kCmp14); break;
-  case 9: shader(d, kSpecular20); break;
+  case 3:
+    shader(d, kModulate11);
+    break;
+  case 4:
+    shader(d, kBump11);
+    break;
+  case 5:
+    shader(d, kTexbem11);
+    break;
+  case 6:
+    shader(d, kCnd11);
+    break;
+  case 7:
+    shader(d, kDependent14);
+    break;
+  case 8:
+    shader(d, kCmp14);
+    break;
+  case 9:
+    shader(d, kSpecular20);
+    break;
   case 10:
     shader(d, kDistance20);
     fog(d);
     break;
-  default: shader(d, kKill20); break;
+  default:
+    shader(d, kKill20);
+    break;
   }
 }
 
 void drawTile(const Device &d, int index) {
-  D3DVIEWPORT9 view = {DWORD(index % kColumns * kTile), DWORD(index / kColumns * kTile),
-                       DWORD(kTile), DWORD(kTile), 0.0f, 1.0f};
+  D3DVIEWPORT9 view = {DWORD(index % kColumns * kTile),
+                       DWORD(index / kColumns * kTile),
+                       DWORD(kTile),
+                       DWORD(kTile),
+                       0.0f,
+                       1.0f};
   d.device->SetViewport(&view);
   // Corners at different depths and with different colours, so that a mistake in any input shows.
   const float x[4] = {-0.95f, 0.95f, -0.95f, 0.95f}, y[4] = {0.95f, 0.95f, -0.95f, -0.95f};
@@ -284,8 +306,9 @@ void drawTile(const Device &d, int index) {
   const DWORD specular[4] = {0x00200000, 0x40002000, 0x80000020, 0xff202020};
   Vertex corners[4];
   for (int i = 0; i < 4; ++i)
-    corners[i] = {x[i], y[i], z[i], diffuse[i], specular[i],
-                  {{float(i & 1), float(i >> 1)}, {1.5f * (i & 1), 0.75f * (i >> 1)}}};
+    corners[i] = {x[i],        y[i],
+                  z[i],        diffuse[i],
+                  specular[i], {{float(i & 1), float(i >> 1)}, {1.5f * (i & 1), 0.75f * (i >> 1)}}};
   d.device->SetFVF(kFormat);
   check("DrawPrimitiveUP",
         d.device->DrawPrimitiveUP(D3DPT_TRIANGLESTRIP, 2, corners, sizeof corners[0]));
@@ -319,7 +342,9 @@ int main() {
   const Device d = open();
   d.device->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_XRGB(30, 30, 60), 1.0f, 0);
   check("BeginScene", d.device->BeginScene());
-  for (int index = 0; index < kColumns * kRows; ++index) {
+  // Wine's first draw does not see the texture of its first stage: the first tile comes twice.
+  for (int draw = 0; draw <= kColumns * kRows; ++draw) {
+    const int index = draw == 0 ? 0 : draw - 1;
     defaults(d);
     technique(d, index);
     drawTile(d, index);

@@ -1,6 +1,6 @@
-"""The real programs, by name."""
+"""The real programs, by name. The first four are the acceptance; the others are more evidence."""
 
-from programs import irrlicht, mplayer, openscad, wildmagic, wine
+from programs import irrlicht, mplayer, openscad, savers, wildmagic, wine, xine
 
-PROGRAMS = {p.name: p for p in (openscad.PROGRAM, mplayer.PROGRAM, irrlicht.PROGRAM, wine.PROGRAM,
-                               wildmagic.PROGRAM)}
+_ALL = (openscad, mplayer, irrlicht, wine, wildmagic, savers, xine)
+PROGRAMS = {module.PROGRAM.name: module.PROGRAM for module in _ALL}
