@@ -29,7 +29,7 @@ struct Mesh {
 /// The (2,3) torus knot's core at \p t in [0, 2 pi).
 glm::vec3 knotCore(float t) {
   const float radius = 1.0f + 0.42f * std::cos(3.0f * t);
-  return {radius * std::cos(2.0f * t), radius * std::sin(2.0f * t), 0.42f * std::sin(3.0f * t)};
+  return {radius * std::cos(2.0f * t), radius * std::sin(2.0f * t), 0.36f * std::sin(3.0f * t)};
 }
 
 Mesh makeKnot() {
@@ -40,10 +40,11 @@ Mesh makeKnot() {
     const float t = kTurn * float(i) / float(kAlong);
     const glm::vec3 core = knotCore(t);
     const glm::vec3 tangent = glm::normalize(knotCore(t + 0.001f) - knotCore(t - 0.001f));
-    // The knot lies on a torus, whose normal never runs along the knot.
-    const glm::vec3 up(std::cos(3.0f * t) * std::cos(2.0f * t),
-                       std::cos(3.0f * t) * std::sin(2.0f * t), std::sin(3.0f * t));
-    const glm::vec3 side = glm::cross(tangent, up);
+    // Away from the torus that the knot winds around, which is never along the knot.
+    const glm::vec3 away(std::cos(3.0f * t) * std::cos(2.0f * t),
+                         std::cos(3.0f * t) * std::sin(2.0f * t), std::sin(3.0f * t));
+    const glm::vec3 side = glm::normalize(glm::cross(tangent, away));
+    const glm::vec3 up = glm::cross(side, tangent);
     for (int j = 0; j < kAround; ++j) {
       const float angle = kTurn * float(j) / float(kAround);
       const glm::vec3 normal = std::cos(angle) * side + std::sin(angle) * up;
@@ -174,7 +175,7 @@ View Cartoon::view(int width, int height, int frame) const {
   // The knot fits the narrower side.
   const float slope = std::tan(0.30f) * std::max(1.0f, 1.0f / aspect);
   view.projection = glm::frustum(-slope * aspect, slope * aspect, -slope, slope, 1.0f, 20.0f);
-  view.rotation = glm::rotate(glm::rotate(glm::mat4(1.0f), -0.25f, glm::vec3(1, 0, 0)), angle,
+  view.rotation = glm::rotate(glm::rotate(glm::mat4(1.0f), -0.2f, glm::vec3(1, 0, 0)), angle,
                               glm::normalize(glm::vec3(0.15f, 0.2f, 1.0f)));
   view.modelView = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, -6.2f)) * view.rotation;
   return view;

@@ -95,6 +95,8 @@ public:
   // Every value is a multiple of 1/255 or far from the middle of two: no rounding to differ in.
   [[nodiscard]] Tolerance tolerance() const override { return {}; }
   [[nodiscard]] int verifyFrames() const override { return 64; }
+  [[nodiscard]] int side() const override { return 512; }
+  [[nodiscard]] int pictureFrames() const override { return 600; }
   [[nodiscard]] bool redrawsWhilePaused() const override { return false; }
 
   [[nodiscard]] bool start(const Surface &surface, const Options &options) override {

@@ -42,7 +42,8 @@ bool verifyFrame(Demo &demo, const Image &picture, int frame, int &maxError, std
 }
 
 int drawFrames(Demo &demo, Surface &surface, const Options &options) {
-  const int frames = options.frames ? options.frames : (options.verify ? demo.verifyFrames() : 1);
+  const int own = options.verify ? demo.verifyFrames() : demo.pictureFrames();
+  const int frames = options.frames ? options.frames : own;
   bool ok = true;
   int maxError = 0;
   std::size_t beyond = 0;

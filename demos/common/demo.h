@@ -18,9 +18,9 @@ struct Slider {
 };
 
 struct Options {
-  int width = 1024;
-  int height = 1024;
-  int frames = 0; ///< 0: one, or the demo's own number with --verify, or until the window closes
+  int width = 0;
+  int height = 0;
+  int frames = 0; ///< 0: the demo's own number, or until the window closes
   std::string out;
   std::string program; ///< a file in place of the built-in text
   bool headless = false;
@@ -49,6 +49,10 @@ public:
   [[nodiscard]] virtual std::vector<Slider *> sliders() { return {}; }
   [[nodiscard]] virtual Tolerance tolerance() const = 0;
   [[nodiscard]] virtual int verifyFrames() const { return 1; }
+  /// Width and height without --size.
+  [[nodiscard]] virtual int side() const { return 1024; }
+  /// How many frames --out draws to have something to show.
+  [[nodiscard]] virtual int pictureFrames() const { return 1; }
 
   /// Makes the textures and programs. False after a message on stderr.
   [[nodiscard]] virtual bool start(const Surface &surface, const Options &options) = 0;

@@ -45,6 +45,7 @@ std::string parseSize(const std::string &text, Options &options) {
 } // namespace
 
 bool parseOptions(Demo &demo, int argc, char **argv, Options &options, int &exitCode) {
+  options.width = options.height = demo.side();
   CLI::App app(demo.summary(), demo.name());
   app.footer(footer(demo));
   app.add_option_function<std::string>(
@@ -53,7 +54,8 @@ bool parseOptions(Demo &demo, int argc, char **argv, Options &options, int &exit
            if (const std::string wrong = parseSize(text, options); !wrong.empty())
              throw CLI::ValidationError("--size", wrong);
          },
-         "picture size, by default 1024x1024")
+         "picture size, by default " + std::to_string(demo.side()) + "x" +
+             std::to_string(demo.side()))
       ->type_name("WxH");
   app.add_option("--frames", options.frames, "how many frames to draw")
       ->check(CLI::Range(1, 1000000));
