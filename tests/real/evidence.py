@@ -52,18 +52,22 @@ def _strings(dump: str) -> list[str]:
 
 def summarise(stats: list[dict]) -> dict:
     """The figures of all processes of a run together: distinct fragment programs that compiled and
-    that did not, draws through compiled programs, and draws by path."""
+    that did not, and draws by path with the reasons for those that were not ours."""
     programs = [p for s in stats for p in s.get("programs", []) if "fragment" in str(
         p.get("target", "")).lower()]
-    draws: collections.Counter[str] = collections.Counter()
+    def draws(path: str) -> int:
+        return sum(s.get("draws", {}).get(path, 0) for s in stats)
+
+    reasons: collections.Counter[str] = collections.Counter()
     for each in stats:
-        for path, count in each.get("draws", {}).items():
-            draws[path] += count
+        reasons.update(each.get("draws", {}).get("reasons", {}))
     return {
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
-        "draws_glsl": draws.get("host-glsl", 0),
-        "draws": {path: count for path, count in draws.items() if count},
+        "draws_glsl": draws("host_glsl"),
+        "draws_untouched": draws("host_untouched"),
+        "draws_dropped": draws("dropped"),
+        "reasons": dict(reasons),
     }
 
 
@@ -77,4 +81,6 @@ def problems(summary: dict, least_programs: int, refused: int = 0) -> list[str]:
         found.append(f"{summary['failed_programs']} fragment programs refused")
     if least_programs and not summary["draws_glsl"]:
         found.append("no draw through a compiled program")
+    if summary["draws_dropped"] and not refused:
+        found.append(f"{summary['draws_dropped']} draws dropped: {summary['reasons']}")
     return found

@@ -44,8 +44,7 @@ constexpr char kCnd11[] = "ps_1_1\n"
                           "tex t0\n"
                           "mov r0, t0\n"
                           "mul r0.a, t0.g, v0.a\n"
-                          "mad r0.a, v1.b, t0.b, r0.a
-                          "
+                          "mad r0.a, v1.b, t0.b, r0.a\n"
                           "cnd r0, r0.a, c0, t0\n";
 // Two phases: the first one's result is a texture coordinate.
 constexpr char kDependent14[] = "ps_1_4\n"
@@ -342,9 +341,9 @@ int main() {
   const Device d = open();
   d.device->Clear(0, nullptr, D3DCLEAR_TARGET, D3DCOLOR_XRGB(30, 30, 60), 1.0f, 0);
   check("BeginScene", d.device->BeginScene());
-  // Wine's first draw does not see the texture of its first stage: the first tile comes twice.
+  // Wine leaves the first stage's texture out until a draw has used two: the second tile is first.
   for (int draw = 0; draw <= kColumns * kRows; ++draw) {
-    const int index = draw == 0 ? 0 : draw - 1;
+    const int index = draw == 0 ? 1 : draw - 1;
     defaults(d);
     technique(d, index);
     drawTile(d, index);
