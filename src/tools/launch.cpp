@@ -18,31 +18,36 @@ namespace fs = std::filesystem;
 
 struct Place {
   fs::path preload;
-  fs::path osmesaFolder;
+  /// Folders that hold no libOSMesa.so.8 but ours: the library folder of an installation may hold
+  /// the host's own.
+  std::vector<fs::path> osmesaFolders;
 };
+
+Place placeIn(const fs::path &folder) {
+  return {folder / ARBITER_PRELOAD_LIBRARY, {folder / "osmesa", folder / "arbiter" / "osmesa"}};
+}
 
 /// The places to look in, first the build tree's, then the installation's.
 std::vector<Place> places() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  std::vector<Place> found;
-  if (!error) {
-    const fs::path here = self.parent_path();
-    const fs::path tree = here.parent_path() / "interposer";
-    found.push_back({tree / ARBITER_PRELOAD_LIBRARY, tree / "osmesa"});
-    // ARBITER_LAYER_FROM_BIN is relative, so that an installation may be moved as a whole.
-    const fs::path installed = (here / ARBITER_LAYER_FROM_BIN).lexically_normal();
-    found.push_back({installed / ARBITER_PRELOAD_LIBRARY, installed / "osmesa"});
-  }
-  return found;
+  if (error)
+    return {};
+  const fs::path here = self.parent_path();
+  const fs::path tree = here.parent_path() / "interposer";
+  Place inTree = placeIn(tree);
+  inTree.osmesaFolders.push_back(tree);
+  // ARBITER_LIBDIR_FROM_BIN is relative, so that an installation may be moved as a whole.
+  return {inTree, placeIn((here / ARBITER_LIBDIR_FROM_BIN).lexically_normal())};
 }
 
 LayerFiles filesAt(const Place &place) {
   std::error_code error;
   LayerFiles files;
   files.preload = fs::absolute(place.preload, error).lexically_normal();
-  if (fs::exists(place.osmesaFolder / "libOSMesa.so.8", error))
-    files.osmesaFolder = fs::absolute(place.osmesaFolder, error).lexically_normal();
+  for (const fs::path &folder : place.osmesaFolders)
+    if (files.osmesaFolder.empty() && fs::exists(folder / "libOSMesa.so.8", error))
+      files.osmesaFolder = fs::absolute(folder, error).lexically_normal();
   return files;
 }
 
@@ -76,8 +81,9 @@ Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
   if (!library.empty()) {
     if (!fs::is_regular_file(library, error))
       return LaunchError{library + ": no such file"};
-    const fs::path path = library;
-    return filesAt({path, path.parent_path() / "osmesa"});
+    Place place = placeIn(fs::path(library).parent_path());
+    place.preload = library;
+    return filesAt(place);
   }
   std::string looked;
   for (const Place &place : places()) {
