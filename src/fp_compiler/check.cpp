@@ -26,10 +26,7 @@ std::int32_t CheckResult::errorPosition() const {
 }
 
 std::string CheckResult::errorString(std::string_view text) const {
-  std::string all;
-  for (const Diagnostic &diagnostic : diagnostics)
-    all += render("program", text, diagnostic);
-  return all;
+  return renderAll("program", text, diagnostics);
 }
 
 CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {

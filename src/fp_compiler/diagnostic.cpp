@@ -32,28 +32,35 @@ std::string printable(std::string_view piece) {
   return shown;
 }
 
-} // namespace
+/// Walks over a text once, for offsets that do not fall.
+class LineCursor {
+public:
+  explicit LineCursor(std::string_view text) : m_text(text) {}
 
-LineColumn locate(std::string_view text, std::uint32_t offset) {
-  LineColumn at;
-  const std::size_t end = std::min<std::size_t>(offset, text.size());
-  std::size_t lineBegin = 0;
-  for (std::size_t i = 0; i < end; ++i) {
-    if (!endsLine(text[i]))
-      continue;
-    // An offset at the LF of CR LF is still in the line that the pair ends.
-    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n')
-      if (++i == end)
-        break;
-    ++at.line;
-    lineBegin = i + 1;
+  LineColumn at(std::uint32_t offset) {
+    const std::size_t end = std::min<std::size_t>(offset, m_text.size());
+    if (end < m_lineBegin)
+      *this = LineCursor(m_text);
+    for (; m_next < end; ++m_next) {
+      if (!endsLine(m_text[m_next]))
+        continue;
+      // CR LF ends its line behind the LF; an offset at the LF is still in it.
+      if (m_text[m_next] == '\r' && m_next + 1 < m_text.size() && m_text[m_next + 1] == '\n')
+        continue;
+      ++m_line;
+      m_lineBegin = m_next + 1;
+    }
+    return {m_line, std::uint32_t(end - m_lineBegin) + 1};
   }
-  at.column = std::uint32_t(end - lineBegin) + 1;
-  return at;
-}
 
-std::string renderLine(std::string_view file, std::string_view text, const Diagnostic &diagnostic) {
-  const LineColumn at = locate(text, diagnostic.span.begin);
+private:
+  std::string_view m_text;
+  std::size_t m_next = 0; ///< the first byte not looked at
+  std::size_t m_lineBegin = 0;
+  std::uint32_t m_line = 1;
+};
+
+std::string headline(std::string_view file, const LineColumn &at, const Diagnostic &diagnostic) {
   std::string line(file);
   line += ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
   line += nameOf(diagnostic.severity);
@@ -61,8 +68,8 @@ std::string renderLine(std::string_view file, std::string_view text, const Diagn
   return line;
 }
 
-std::string render(std::string_view file, std::string_view text, const Diagnostic &diagnostic) {
-  std::string out = renderLine(file, text, diagnostic) + "\n";
+/// The source line, a caret line and the hint.
+std::string excerpt(std::string_view text, const Diagnostic &diagnostic) {
   const std::size_t at = std::min<std::size_t>(diagnostic.span.begin, text.size());
   std::size_t begin = at;
   while (begin > 0 && at - begin < kShownBefore && !endsLine(text[begin - 1]))
@@ -73,13 +80,37 @@ std::string render(std::string_view file, std::string_view text, const Diagnosti
   const bool cutBefore = begin > 0 && !endsLine(text[begin - 1]);
   const bool cutAfter = end < text.size() && !endsLine(text[end]);
   const std::size_t spanEnd = std::clamp<std::size_t>(diagnostic.span.end, at, end);
-  out += (cutBefore ? "  ..." : "  ") + printable(text.substr(begin, end - begin)) +
-         (cutAfter ? "...\n" : "\n");
+  std::string out = cutBefore ? "  ..." : "  ";
+  out += printable(text.substr(begin, end - begin)) + (cutAfter ? "...\n" : "\n");
   out += std::string((cutBefore ? 5 : 2) + at - begin, ' ') + "^" +
          std::string(spanEnd > at ? spanEnd - at - 1 : 0, '~') + "\n";
   if (!diagnostic.hint.empty())
     out += "  hint: " + diagnostic.hint + "\n";
   return out;
+}
+
+} // namespace
+
+LineColumn locate(std::string_view text, std::uint32_t offset) {
+  return LineCursor(text).at(offset);
+}
+
+std::string renderLine(std::string_view file, std::string_view text, const Diagnostic &diagnostic) {
+  return headline(file, locate(text, diagnostic.span.begin), diagnostic);
+}
+
+std::string render(std::string_view file, std::string_view text, const Diagnostic &diagnostic) {
+  return renderLine(file, text, diagnostic) + "\n" + excerpt(text, diagnostic);
+}
+
+std::string renderAll(std::string_view file, std::string_view text,
+                      const std::vector<Diagnostic> &diagnostics) {
+  LineCursor cursor(text);
+  std::string all;
+  for (const Diagnostic &diagnostic : diagnostics)
+    all += headline(file, cursor.at(diagnostic.span.begin), diagnostic) + "\n" +
+           excerpt(text, diagnostic);
+  return all;
 }
 
 } // namespace arbiter::fp

@@ -13,10 +13,10 @@ enum class Severity : std::uint8_t { Error, Warning, Note };
 /// (the text's length for an error of the whole program, 3.11.2).
 struct Diagnostic {
   Severity severity = Severity::Error;
-  const char *id = "";  ///< stable, kebab-case: "undeclared-name"; listed in docs
+  const char *id = ""; ///< stable, kebab-case: "undeclared-name"; listed in docs
   Span span;
-  std::string message;  ///< one line, no full stop
-  std::string hint;     ///< what to do about it; may be empty
+  std::string message; ///< one line, no full stop
+  std::string hint;    ///< what to do about it; may be empty
 };
 
 /// 1-based; a column counts bytes. CR LF, LF and CR each end a line.
@@ -32,5 +32,9 @@ struct LineColumn {
 /// The first line of render() alone.
 [[nodiscard]] std::string renderLine(std::string_view file, std::string_view text,
                                      const Diagnostic &diagnostic);
+
+/// render() of each, one after another; linear in the text if they are in text order.
+[[nodiscard]] std::string renderAll(std::string_view file, std::string_view text,
+                                    const std::vector<Diagnostic> &diagnostics);
 
 } // namespace arbiter::fp

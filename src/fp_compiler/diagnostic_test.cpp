@@ -43,6 +43,17 @@ TEST(Render, LineCaretAndHint) {
             "a.fp:2:5: error: 'x' is not declared [undeclared-name]");
 }
 
+TEST(Render, AllIsEachInTurn) {
+  const std::string text = "a\r\nb\nc\rd\n\ne";
+  std::vector<Diagnostic> all;
+  std::string expected;
+  for (std::uint32_t at : {0u, 0u, 2u, 3u, 5u, 7u, 11u, 4u, 99u}) {
+    all.push_back(sample({at, at + 1}));
+    expected += render("p", text, all.back());
+  }
+  EXPECT_EQ(renderAll("p", text, all), expected);
+}
+
 TEST(Render, TheEndOfTheText) {
   EXPECT_EQ(render("p", "END", sample({3, 3})),
             "p:1:4: error: 'x' is not declared [undeclared-name]\n  END\n     ^\n"

@@ -248,6 +248,7 @@ TEST(ErrorPosition, IsTheFirstWrongByte) {
       ++programs;
     }
   }
+  RecordProperty("programs", programs);
   EXPECT_GE(programs, 200);
 }
 

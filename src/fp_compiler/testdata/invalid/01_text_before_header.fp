@@ -1,0 +1,3 @@
+# a comment
+!!ARBfp1.0
+END

@@ -1,0 +1,4 @@
+!!ARBfp1.0
+TEMP a;
+MOV a, 1;
+# END

@@ -1,0 +1,3 @@
+!!ARBfp1.0
+END
+TEMP a;

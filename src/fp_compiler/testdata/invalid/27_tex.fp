@@ -1,0 +1,35 @@
+!!ARBfp1.0
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+KIL fragment.color;
+END

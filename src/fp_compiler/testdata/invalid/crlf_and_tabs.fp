@@ -1,0 +1,5 @@
+!!ARBfp1.0
+# café
+	TEMP	a;
+	MOV	a,	b;
+END

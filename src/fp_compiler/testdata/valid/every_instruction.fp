@@ -1,0 +1,37 @@
+!!ARBfp1.0
+TEMP a, b;
+MOV a, fragment.texcoord[0];
+ABS a, a;
+ADD a, a, b;
+CMP a, a, b, a;
+COS a.x, a.y;
+DP3 a.y, a, b;
+DP4 a.z, a, b;
+DPH a.w, a, b;
+DST b, a, b;
+EX2 a.x, a.x;
+FLR a.xy, b;
+FRC a.zw, b;
+LG2 b.x, a.w;
+LIT b, a;
+LRP b, a, b, a;
+MAD b, a, b, a;
+MAX a, b, a;
+MIN a, b, a;
+MUL a, b, a;
+POW a.x, a.x, b.y;
+RCP a.y, b.y;
+RSQ a.z, b.z;
+SCS a.xy, b.x;
+SGE b, a, b;
+SIN b.w, a.w;
+SLT b, a, b;
+SUB b, a, b;
+SWZ b, a, -x, 0, -1, w;
+XPD b.xyz, a, b;
+KIL b;
+TEX a, fragment.texcoord[0], texture[0], 1D;
+TXP b, fragment.texcoord[1], texture[1], 3D;
+TXB b, fragment.texcoord[2], texture[2], CUBE;
+MOV_SAT result.color, b;
+END

@@ -1,0 +1,30 @@
+!!ARBfp1.0
+OPTION ARB_precision_hint_fastest;
+ATTRIB base = fragment.texcoord[0];
+ATTRIB toLight = fragment.texcoord[1];
+ATTRIB toEye = fragment.texcoord[2];
+PARAM ambient = state.lightmodel.ambient;
+PARAM colours[3] = { state.lightprod[0].diffuse, state.lightprod[0].front.specular, program.local[0] };
+PARAM expand = { 2, -1 };
+TEMP normal, light, eye, lit, surface;
+TEX normal, base, texture[1], 2D;
+MAD normal.xyz, normal, expand.x, expand.y;
+DP3 light.w, toLight, toLight;
+RSQ light.w, light.w;
+MUL light.xyz, light.w, toLight;
+DP3 eye.w, toEye, toEye;
+RSQ eye.w, eye.w;
+MAD eye.xyz, eye.w, toEye, light;
+DP3 eye.w, eye, eye;
+RSQ eye.w, eye.w;
+MUL eye.xyz, eye, eye.w;
+DP3 lit.x, normal, light;
+DP3 lit.y, normal, eye;
+MOV lit.w, state.material.shininess.x;
+LIT lit, lit;
+TEX surface, base, texture[0], 2D;
+MAD light.xyz, lit.y, colours[0], ambient;
+MUL light.xyz, light, surface;
+MAD result.color.xyz, lit.z, colours[1], light;
+MOV result.color.w, surface.w;
+END

@@ -1,0 +1,1 @@
+!!ARBfp1.0TEMP c;TEX c,fragment.texcoord,texture,2D;MUL result.color,c,fragment.color;END

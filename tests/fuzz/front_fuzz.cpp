@@ -1,0 +1,70 @@
+// Any bytes as a program string. Besides what the sanitizers find, a finding is an answer that
+// breaks the front end's promises.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/ir/validate.h"
+
+namespace {
+
+using namespace arbiter::fp;
+
+CompileOptions makeOptions(LimitPolicy policy) {
+  CompileOptions options;
+  options.policy = policy;
+  options.limits.api = {96, 64, 32, 4, 32, 32, 10};
+  options.limits.native = options.limits.api;
+  options.limits.localParameters = options.limits.envParameters = 32;
+  options.limits.textureCoords = options.limits.textureUnits = 8;
+  options.limits.textureImageUnits = 16;
+  options.limits.programMatrices = 8;
+  options.limits.programMatrixStackDepth = 4;
+  options.limits.drawBuffers = 4;
+  return options;
+}
+
+void require(bool condition) {
+  if (!condition)
+    std::abort();
+}
+
+void checkAnswer(std::string_view text, const CheckResult &result) {
+  require(result.ok() == (result.errorPosition() < 0));
+  require(std::int64_t(result.errorPosition()) <= std::int64_t(text.size()));
+  require(result.diagnostics.size() <= kMaxDiagnostics);
+  std::uint32_t last = 0;
+  for (const Diagnostic &diagnostic : result.diagnostics) {
+    require(diagnostic.span.begin >= last && diagnostic.span.begin <= diagnostic.span.end);
+    require(!diagnostic.message.empty() && diagnostic.message.find('\n') == std::string::npos);
+    last = diagnostic.span.begin;
+  }
+  require(result.errorString(text).empty() == result.diagnostics.empty());
+  if (!result.ok())
+    return;
+  const ir::Program &program = *result.program;
+  require(ir::validate(program).empty());
+  require(result.counts.instructions == program.code.size());
+  require(result.counts.temporaries == program.temporaries.size());
+  require(result.counts.attribs == program.attributes.size());
+  require(result.counts.parameters <= program.parameters.size());
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+  static const CompileOptions kEnforce = makeOptions(LimitPolicy::Enforce);
+  static const CompileOptions kReport = makeOptions(LimitPolicy::Report);
+  const std::string_view text(reinterpret_cast<const char *>(data), size);
+  const CheckResult enforced = checkFragmentProgram(text, kEnforce);
+  checkAnswer(text, enforced);
+  // The limits alone tell the two policies apart.
+  if (!enforced.ok()) {
+    const CheckResult reported = checkFragmentProgram(text, kReport);
+    checkAnswer(text, reported);
+    require(!reported.ok() || enforced.diagnostics.size() <= reported.diagnostics.size() ||
+            enforced.diagnostics.size() == kMaxDiagnostics);
+  }
+  return 0;
+}

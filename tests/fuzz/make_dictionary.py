@@ -1,0 +1,35 @@
+"""Writes a libFuzzer dictionary of the program language: opcodes from the opcode table, and the
+words and pieces that a program is made of."""
+
+import re
+import sys
+
+WORDS = """
+!!ARBfp1.0 END OPTION TEMP PARAM ATTRIB OUTPUT ALIAS ADDRESS
+ARB_fog_exp ARB_fog_exp2 ARB_fog_linear ARB_precision_hint_fastest ARB_precision_hint_nicest
+ARB_fragment_program_shadow ARB_draw_buffers ATI_draw_buffers NV_fragment_program
+ARB_fragment_coord_origin_upper_left ARB_fragment_coord_pixel_center_integer
+fragment. color primary secondary texcoord fogcoord position
+result.color result.depth texture 1D 2D 3D CUBE RECT SHADOW1D SHADOW2D SHADOWRECT
+program.env program.local state. material. front. back. ambient diffuse specular emission shininess
+light[ attenuation spot.direction half lightmodel. scenecolor lightprod[ texenv fog. params
+depth.range matrix. modelview projection mvp palette[ program[ inverse transpose invtrans
+.row[ .. [0] [0..3] [] , ; = { } + - .xyzw .rgba .x .a .wzyx .xyz _SAT
+0 1 2.5 .5 5. 1e3 1e999 4294967296 65536 vertex.
+"""
+
+
+def main(ops_path, out_path):
+    with open(ops_path, encoding="utf-8") as ops:
+        opcodes = re.findall(r'^FP_OP\(\w+,\s*"(\w+)"', ops.read(), re.MULTILINE)
+    if len(opcodes) < 30:
+        sys.exit(f"{ops_path}: only {len(opcodes)} opcodes found")
+    words = WORDS.split() + [f"{opcode} " for opcode in opcodes]
+    with open(out_path, "w", encoding="utf-8") as out:
+        for word in words:
+            out.write(f'"{word}"\n')
+        out.write('"\\x0d\\x0a"\n"#"\n"\\x00"\n')
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2])
