@@ -91,6 +91,8 @@ private:
       Operands operands = {};
       for (std::size_t i = 0; i < std::size_t(row.operandCount()); ++i)
         operands[i] = fetch(instruction.src[i]);
+      if (m_inputs.operands)
+        m_inputs.operands(instruction, operands);
       value = apply(instruction.op, operands, m_inputs.numerics);
     }
     if (m_inputs.result)
@@ -138,9 +140,11 @@ private:
     const Vec4 color = stateRow(StateItem::FogColor);
     for (std::size_t o = 0; o < m_program.outputs.size(); ++o)
       if (m_program.outputs[o].kind == OutputKind::Color)
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 4; ++i) {
           float &value = m_evaluation.outputs[o][i];
-          value = factor * saturated(value) + (1.0f - factor) * color[i];
+          value = saturated(value);
+          if (i < 3)
+            value = factor * value + (1.0f - factor) * color[i];
         }
   }
 

@@ -27,7 +27,9 @@ struct Inputs {
   /// The fog coordinate, for the fog options.
   float fogCoordinate = 0.0f;
   Numerics numerics = Numerics::Host;
-  /// Sees, and may change, each result before _SAT and the write. For error analysis.
+  /// For error analysis: may change what an arithmetic opcode reads.
+  std::function<void(const Instruction &, Operands &)> operands;
+  /// Sees, and may change, each result before _SAT and the write.
   std::function<void(const Instruction &, Vec4 &)> result;
 };
 

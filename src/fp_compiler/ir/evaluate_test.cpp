@@ -151,7 +151,7 @@ TEST(Evaluate, FogOptionsBlendTheClampedColor) {
   inputs.parameter = [](const Parameter &p) {
     return p.state.item == StateItem::FogColor ? Vec4{0, 1, 1, 1} : Vec4{1, 0, 4, 0.25f};
   };
-  EXPECT_EQ(colorOf(b, inputs), (Vec4{0.25f, 0.875f, 0.75f, 3}));
+  EXPECT_EQ(colorOf(b, inputs), (Vec4{0.25f, 0.875f, 0.75f, 1}));
 }
 
 TEST(Validate, FindsEachBreach) {

@@ -43,7 +43,7 @@
 ///          the texel is the wrap mode's choice.
 /// TXB      w is added to the level of detail before its clamp; rectangles ignore it.
 ///
-/// Options. ARB_fog_*: each output colour's rgb is clamped to [0,1], then
+/// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is
 /// f*rgb + (1-f)*fog.rgb with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or (end-c)/(end-start).
 namespace arbiter::fp::ir {
 

@@ -59,7 +59,7 @@ std::string declarations(const Registers &registers) {
   return text;
 }
 
-/// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour's rgb. FOG's
+/// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour. FOG's
 /// enable and mode do not matter.
 std::string fogFactor(ir::FogMode mode) {
   switch (mode) {
@@ -84,8 +84,8 @@ std::string fog(const ir::Program &program, const Registers &registers) {
     if (program.outputs[i].kind != ir::OutputKind::Color)
       continue;
     const std::string &color = registers.output(std::uint16_t(i));
-    text += "  " + color + ".rgb = mix(gl_Fog.color.rgb, clamp(" + color +
-            ".rgb, 0.0, 1.0), arb_fog);\n";
+    text += "  " + color + " = clamp(" + color + ", 0.0, 1.0);\n";
+    text += "  " + color + ".rgb = mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog);\n";
   }
   return text;
 }

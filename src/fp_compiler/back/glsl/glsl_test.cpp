@@ -215,8 +215,9 @@ TEST(EmitGlsl, FogBlendsTheClampedColor) {
     b.options().fog = mode;
     b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::ColorPrimary)});
     const std::string text = textOf(b);
-    EXPECT_TRUE(contains(text, "gl_FragColor.rgb = mix(gl_Fog.color.rgb, "
-                               "clamp(gl_FragColor.rgb, 0.0, 1.0), arb_fog);"))
+    EXPECT_TRUE(contains(text, "gl_FragColor = clamp(gl_FragColor, 0.0, 1.0);\n"
+                               "  gl_FragColor.rgb = mix(gl_Fog.color.rgb, gl_FragColor.rgb, "
+                               "arb_fog);"))
         << text;
     EXPECT_TRUE(validates(text));
   }

@@ -1,0 +1,102 @@
+// differential: generated programs, interpreter against pixels. See --help.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "suite.h"
+#include "util/json.h"
+
+namespace {
+using namespace arbiter::differential;
+
+constexpr const char *kHelp =
+    "usage: differential [--mode arb|glsl] [--count N] [--seed S] [--json FILE] [--failures DIR]\n"
+    "\n"
+    "Draws N (500) generated fragment programs, 16 x 16 fragments each into float buffers, and\n"
+    "compares every pixel with the reference interpreter, within tolerances stated per opcode.\n"
+    "  --mode glsl  through the compiler's GLSL, given to the host's GLSL compiler (default)\n"
+    "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
+    "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
+    "limits)\n"
+    "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
+    "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
+
+struct Arguments {
+  std::string mode = "glsl";
+  std::string json;
+  SuiteOptions suite;
+};
+
+bool parse(int argc, char **argv, Arguments &arguments) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    if (i + 1 == argc)
+      return false;
+    const char *value = argv[++i];
+    if (name == "--mode" && (!std::strcmp(value, "arb") || !std::strcmp(value, "glsl")))
+      arguments.mode = value;
+    else if (name == "--count" && std::atoi(value) > 0)
+      arguments.suite.count = std::atoi(value);
+    else if (name == "--seed")
+      arguments.suite.firstSeed = std::strtoull(value, nullptr, 10);
+    else if (name == "--json")
+      arguments.json = value;
+    else if (name == "--failures")
+      arguments.suite.failures = value;
+    else
+      return false;
+  }
+  return true;
+}
+
+void writeJson(const std::string &path, const std::string &mode, const Report &report) {
+  arbiter::JsonWriter json;
+  json.beginObject().key("schema").value(1).key("mode").value(mode);
+  json.key("renderer").value(report.renderer).key("programs").value(report.programs);
+  json.key("values").value(report.compared).key("ill_conditioned").value(report.skipped);
+  json.key("worst_error").value(double(report.worst)).key("failures").beginArray();
+  for (const Failure &failure : report.failures)
+    json.beginObject()
+        .key("seed")
+        .value(failure.seed)
+        .key("reason")
+        .value(failure.reason)
+        .endObject();
+  json.endArray().endObject();
+  std::ofstream(path) << json.take();
+}
+} // namespace
+
+int main(int argc, char **argv) {
+  if (argc == 2 && !std::strcmp(argv[1], "--help")) {
+    std::fputs(kHelp, stdout);
+    return 0;
+  }
+  Arguments arguments;
+  if (!parse(argc, argv, arguments)) {
+    std::fputs(kHelp, stderr);
+    return 2;
+  }
+  std::string why;
+  const auto host = GlHost::create(why);
+  if (!host) {
+    std::fprintf(stderr, "differential: no GL context: %s\n", why.c_str());
+    return 77;
+  }
+  const auto backend = arguments.mode == "arb" ? arbBackend() : glslBackend();
+  const Report report = runSuite(*backend, arguments.suite);
+  std::printf("%-5s %-40.40s programs %4d  values %9llu  ill-conditioned %7llu  worst %.3f  "
+              "failed %zu\n",
+              arguments.mode.c_str(), report.renderer.c_str(), report.programs,
+              static_cast<unsigned long long>(report.compared),
+              static_cast<unsigned long long>(report.skipped), double(report.worst),
+              report.failures.size());
+  for (const Failure &failure : report.failures)
+    std::printf("  seed %llu: %s\n", static_cast<unsigned long long>(failure.seed),
+                failure.reason.c_str());
+  if (!arguments.json.empty())
+    writeJson(arguments.json, arguments.mode, report);
+  return report.failures.empty() ? 0 : 1;
+}

@@ -1,0 +1,178 @@
+#include "expectation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fp_compiler/testing/random.h"
+#include "tolerance.h"
+
+namespace arbiter::differential {
+
+using namespace fp::ir;
+
+namespace {
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+Inputs inputsOf(const PixelInputs &pixel) {
+  Inputs inputs;
+  inputs.attributes = pixel.attributes;
+  inputs.fogCoordinate = pixel.fogCoordinate;
+  inputs.parameter = parameterValue;
+  inputs.texture = sampleTexture;
+  return inputs;
+}
+
+/// Moves values by their tolerance, up or down.
+class Shaker {
+public:
+  explicit Shaker(std::uint64_t seed) : m_random(seed) {}
+
+  void shake(float &value, float relative, float absolute) {
+    value += m_random.real(-1.0f, 1.0f) * (relative * std::fabs(value) + absolute);
+  }
+
+  Inputs inputs(const PixelInputs &pixel) {
+    Inputs result = inputsOf(pixel);
+    result.operands = [this](const Instruction &instruction, Operands &operands) {
+      const Tolerance allowed = tolerance(instruction.op);
+      if (allowed.operand != 0)
+        for (Vec4 &operand : operands)
+          for (float &value : operand)
+            shake(value, allowed.operand, 0);
+    };
+    result.result = [this](const Instruction &instruction, Vec4 &value) {
+      const Tolerance allowed = tolerance(instruction.op);
+      if (allowed.relative != 0 || allowed.absolute != 0)
+        for (float &component : value)
+          if (component != 0) // a zero by rule, not by rounding
+            shake(component, allowed.relative, allowed.absolute);
+    };
+    result.texture = [this](const Sample &sample) {
+      Sample moved = sample;
+      for (std::size_t i = 0; i < 3; ++i)
+        shake(moved.coordinate[i], tolerance(Opcode::Tex).operand, tolerance(Opcode::Tex).operand);
+      return sampleTexture(moved);
+    };
+    return result;
+  }
+
+private:
+  fp::testing::Random m_random;
+};
+
+bool alike(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+void widen(Expected &expected, float seen) {
+  if (alike(expected.value, seen))
+    return;
+  if (!std::isfinite(expected.value) || !std::isfinite(seen))
+    expected.comparable = false;
+  else
+    expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
+}
+
+void settle(Expected &expected) {
+  if (!std::isfinite(expected.value))
+    return;
+  const float scale = 1.0f + std::fabs(expected.value);
+  if (expected.slack > kIllConditioned * scale)
+    expected.comparable = false;
+  // The directions that would show the worst were hardly among the trials.
+  expected.slack = 4.0f * expected.slack + kPixelTolerance * scale;
+}
+
+template <typename F>
+void eachColor(const Program &program, const Evaluation &evaluation, F visit) {
+  for (std::size_t o = 0; o < program.outputs.size(); ++o)
+    if (program.outputs[o].kind == OutputKind::Color && program.outputs[o].index < kColorBuffers)
+      visit(program.outputs[o].index, evaluation.outputs[o]);
+}
+} // namespace
+
+ExpectedPixel expect(const Program &program, const PixelInputs &inputs, std::uint64_t seed,
+                     int trials) {
+  ExpectedPixel result;
+  const Evaluation exact = evaluate(program, inputsOf(inputs));
+  result.killed = exact.killed;
+  eachColor(program, exact, [&](std::size_t buffer, const Vec4 &value) {
+    for (std::size_t i = 0; i < 4; ++i)
+      result.colors[buffer][i].value = value[i];
+  });
+  if (exact.depth)
+    result.depth = Expected{std::clamp(*exact.depth, 0.0f, 1.0f), 0, true};
+  Shaker shaker(seed);
+  const Inputs shaken = shaker.inputs(inputs);
+  for (int trial = 0; trial < trials; ++trial) {
+    const Evaluation seen = evaluate(program, shaken);
+    if (seen.killed != result.killed) {
+      result.comparable = false;
+      return result;
+    }
+    eachColor(program, seen, [&](std::size_t buffer, const Vec4 &value) {
+      for (std::size_t i = 0; i < 4; ++i)
+        widen(result.colors[buffer][i], value[i]);
+    });
+    if (result.depth && seen.depth)
+      widen(*result.depth, std::clamp(*seen.depth, 0.0f, 1.0f));
+  }
+  for (auto &color : result.colors)
+    for (Expected &expected : color)
+      settle(expected);
+  if (result.depth)
+    settle(*result.depth);
+  return result;
+}
+
+namespace {
+void compare(Verdict &verdict, const Expected &expected, float seen, const std::string &where) {
+  if (!expected.comparable) {
+    ++verdict.skipped;
+    return;
+  }
+  ++verdict.compared;
+  if (alike(expected.value, seen))
+    return;
+  const float error = std::isfinite(expected.value) && std::isfinite(seen)
+                          ? std::fabs(seen - expected.value) / expected.slack
+                          : kInfinity;
+  if (error <= verdict.error)
+    return;
+  verdict.error = error;
+  verdict.what = where + ": " + std::to_string(seen) + ", expected " +
+                 std::to_string(expected.value) + " +- " + std::to_string(expected.slack);
+}
+} // namespace
+
+Verdict judge(const Program &program, const ExpectedPixel &expected,
+              const std::array<Vec4, kColorBuffers> &colors, float depth) {
+  Verdict verdict;
+  if (!expected.comparable) {
+    verdict.skipped = 4;
+    return verdict;
+  }
+  const bool untouched = colors[0] == Vec4{kUntouched, kUntouched, kUntouched, kUntouched};
+  if (untouched != expected.killed) {
+    verdict.error = kInfinity;
+    verdict.compared = 4;
+    verdict.what = expected.killed ? "drawn, expected killed" : "killed, expected drawn";
+    return verdict;
+  }
+  if (expected.killed) {
+    verdict.compared = 4;
+    return verdict;
+  }
+  for (const Output &output : program.outputs) {
+    if (output.kind == OutputKind::Depth) {
+      if (expected.depth)
+        compare(verdict, *expected.depth, depth, "depth");
+      continue;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+      compare(verdict, expected.colors[output.index][i], colors[output.index][i],
+              "color[" + std::to_string(output.index) + "]." + "xyzw"[i]);
+  }
+  return verdict;
+}
+
+} // namespace arbiter::differential

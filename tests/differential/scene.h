@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "fp_compiler/ir/evaluate.h"
+
+/// The GL state that every program of the suite runs in, twice: as the values that the interpreter
+/// reads, and as calls that give a context the same.
+namespace arbiter::differential {
+
+using fp::ir::Vec4;
+
+/// Value of an Env, Local or State row.
+[[nodiscard]] Vec4 parameterValue(const fp::ir::Parameter &parameter);
+
+/// The exact value of an attribute, which is affine in the window's coordinates.
+/// \param x, y window coordinates, pixel centres at .5
+[[nodiscard]] Vec4 attributeValue(const fp::ir::Attribute &attribute, float x, float y);
+
+/// Nearest-texel sampling of the scene's textures, as the GL specification says.
+[[nodiscard]] Vec4 sampleTexture(const fp::ir::Sample &sample);
+
+/// Lights, materials, fog, matrices, texture environments. Needs a current context.
+/// \param programMatrices also the matrices of ARB_fragment_program
+void applyState(bool programMatrices);
+
+/// Texture objects on their units.
+void applyTextures();
+void applyEnvParameters();
+/// For the bound program.
+void applyLocalParameters();
+
+/// Covers the window with one quad that carries every attribute.
+void drawQuad();
+
+} // namespace arbiter::differential

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "backend.h"
+#include "gl_host.h"
+
+namespace arbiter::differential {
+
+struct SuiteOptions {
+  int count = 500;
+  std::uint64_t firstSeed = 1;
+  std::string failures; ///< folder for texts and pictures of failing programs; empty: none
+};
+
+struct Failure {
+  std::uint64_t seed = 0;
+  std::string reason; ///< one line
+};
+
+struct Report {
+  std::string renderer;
+  int programs = 0;
+  std::uint64_t compared = 0; ///< values
+  std::uint64_t skipped = 0;  ///< values whose tolerances say nothing
+  float worst = 0;            ///< error in units of what is allowed, over the passing programs
+  std::vector<Failure> failures;
+};
+
+/// Limits under which the programs of the suite are checked: wide, the programs are small.
+[[nodiscard]] fp::Limits suiteLimits();
+
+/// Draws each program, and compares each pixel with the interpreter.
+[[nodiscard]] Report runSuite(Backend &backend, const SuiteOptions &options);
+
+/// Writes the picture that was drawn beside the one that was expected.
+void writeFailure(const std::string &folder, std::uint64_t seed, const std::string &text,
+                  const std::string &reason, const std::vector<float> &seen,
+                  const std::vector<float> &expected);
+
+} // namespace arbiter::differential

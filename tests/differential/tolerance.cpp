@@ -1,0 +1,71 @@
+#include "tolerance.h"
+
+#include <cmath>
+
+namespace arbiter::differential {
+
+using fp::ir::Opcode;
+
+namespace {
+constexpr float kHalfUlp = 0x1p-23f;
+constexpr Tolerance kExact = {};
+/// Hosts may fuse a product and a sum, and sum in another order.
+constexpr Tolerance kArithmetic = {kHalfUlp, kHalfUlp, 0};
+constexpr Tolerance kReciprocal = {0, 0x1p-21f, 0};
+/// Polynomials for 2^x and log2 x: a software host's are good to about 2^-19.
+constexpr Tolerance kExponential = {kHalfUlp, 0x1p-18f, 0};
+constexpr Tolerance kLogarithm = {kHalfUlp, 0x1p-18f, 0x1p-18f};
+constexpr Tolerance kPower = {kHalfUlp, 0x1p-15f, 0x1p-20f};
+constexpr Tolerance kTrigonometric = {0x1p-22f, 0, 0x1p-18f};
+/// Texel coordinates go through the host's fixed point.
+constexpr Tolerance kTexture = {0x1p-16f, 0, 0};
+} // namespace
+
+Tolerance tolerance(Opcode op) {
+  switch (op) {
+  case Opcode::Add:
+  case Opcode::Dp3:
+  case Opcode::Dp4:
+  case Opcode::Dph:
+  case Opcode::Dst:
+  case Opcode::Lrp:
+  case Opcode::Mad:
+  case Opcode::Mul:
+  case Opcode::Sub:
+  case Opcode::Xpd:
+  case Opcode::Frc:
+    return kArithmetic;
+  case Opcode::Rcp:
+  case Opcode::Rsq:
+    return kReciprocal;
+  case Opcode::Ex2:
+    return kExponential;
+  case Opcode::Lg2:
+    return kLogarithm;
+  case Opcode::Lit:
+  case Opcode::Pow:
+    return kPower;
+  case Opcode::Cos:
+  case Opcode::Sin:
+  case Opcode::Scs:
+    return kTrigonometric;
+  case Opcode::Tex:
+  case Opcode::Txp:
+  case Opcode::Txb:
+    return kTexture;
+  case Opcode::Abs:
+  case Opcode::Cmp:
+  case Opcode::Flr:
+  case Opcode::Max:
+  case Opcode::Min:
+  case Opcode::Mov:
+  case Opcode::Sge:
+  case Opcode::Slt:
+  case Opcode::Swz:
+  case Opcode::Kil:
+    return kExact;
+  }
+  return kExact;
+}
+
+} // namespace arbiter::differential
