@@ -25,6 +25,8 @@ struct Command {
     BindProgram,   ///< target, name
     Env,           ///< target, name: first index; values
     Local,         ///< target, name: first index; values
+    NamedString,   ///< as ProgramString, for `object`
+    NamedLocal,    ///< as Local, for `object`
     Enable,        ///< target
     Disable,       ///< target
     UseProgram,    ///< name
@@ -36,6 +38,7 @@ struct Command {
   Kind kind;
   GLenum target = 0;
   GLuint name = 0;
+  GLuint object = 0;
   GLenum format = 0;
   GLsizei count = 0;
   std::string bytes;

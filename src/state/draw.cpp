@@ -186,6 +186,19 @@ void releaseHostState(Context &context) {
   context.hostProgramIsOurs = false;
 }
 
+void bindMute(Context &context) {
+  static const std::shared_ptr<const CompiledProgram> s_mute = [] {
+    auto program = std::make_shared<CompiledProgram>();
+    program->glsl.text = "#version 120\nvoid main() { discard; }\n";
+    return program;
+  }();
+  const Variant &mute = *context.variants.get(context, s_mute);
+  if (mute.hostProgram == 0)
+    return;
+  context.host->UseProgram(mute.hostProgram);
+  context.hostProgramIsOurs = true;
+}
+
 void afterHostList(Context &context) {
   if (context.group->hostListsUnbalanced.load(std::memory_order_relaxed)) {
     GLint depth = 0;

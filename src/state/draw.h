@@ -11,6 +11,8 @@ bool validate(Context &context);
 void releaseHostState(Context &context);
 /// Its sampler bindings alone; the next draw looks again.
 void releaseSamplers(Context &context);
+/// Binds a program that discards every fragment, while the program in force is not valid.
+void bindMute(Context &context);
 /// A host list ran: what it may have changed is looked at again.
 void afterHostList(Context &context);
 

@@ -103,6 +103,14 @@ void execute(Context &context, const Command &command) {
   case Command::Kind::Local:
     return setLocal(context, *context.fragmentProgram, command.name, command.count,
                     command.values.data());
+  case Command::Kind::NamedString:
+    if (const auto object = namedFragmentProgram(context, command.object))
+      loadFragmentProgram(context, *object, command.format, command.count, command.bytes.data());
+    return;
+  case Command::Kind::NamedLocal:
+    if (const auto object = namedFragmentProgram(context, command.object))
+      setLocal(context, *object, command.name, command.count, command.values.data());
+    return;
   case Command::Kind::Enable:
     return setFragmentEnable(context, true);
   case Command::Kind::Disable:
@@ -122,18 +130,16 @@ void execute(Context &context, const Command &command) {
 
 namespace {
 
-/// A host list may draw: the program in force is bound first. Where it is not valid the list's
-/// draws must not happen while its other commands must: then fixed function draws them to no
-/// buffer.
+/// A host list may draw: the program in force is bound first. Where that is not valid, the list's
+/// draws must not show while its other commands must take effect: a program that discards every
+/// fragment stands in. Whether the list draws at all only the host knows, so no error is raised.
 void callHostList(Context &context, GLuint name) {
-  bool muted = false;
-  if (context.attention && !context.insideBeginEnd)
-    muted = !validate(context);
-  if (!muted) {
+  if (context.attention && !context.insideBeginEnd && !validate(context)) {
+    bindMute(context);
     context.host->CallList(name);
+    releaseHostState(context);
   } else {
-    raise(context, GL_INVALID_OPERATION, "CallList: the fragment program in force is not valid");
-    return;
+    context.host->CallList(name);
   }
   afterHostList(context);
 }
@@ -214,9 +220,12 @@ void callList(Context &context, GLuint name) {
 
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
   if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
-    if (context.attention && !context.insideBeginEnd)
-      (void)validate(context);
+    const bool mute = context.attention && !context.insideBeginEnd && !validate(context);
+    if (mute)
+      bindMute(context);
     context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
+    if (mute)
+      releaseHostState(context);
     return afterHostList(context);
   }
   GLint base = 0;

@@ -13,33 +13,33 @@ namespace arbiter::state {
 
 namespace {
 
-/// The object of that name, made at first use as BindProgram would; null after an error.
-std::shared_ptr<ProgramObject> named(Context &context, GLuint name) {
-  if (!outsideBeginEnd(context, "NamedProgram between Begin and End"))
-    return nullptr;
-  if (name == 0)
-    return context.group->defaultFragmentProgram();
-  auto object =
-      context.group->findOrCreate(name, GL_FRAGMENT_PROGRAM_ARB, context.limits.localParameters);
-  if (object->target == GL_FRAGMENT_PROGRAM_ARB)
-    return object;
-  raise(context, GL_INVALID_OPERATION, "NamedProgram: the object has the other target");
-  return nullptr;
+/// Every named setter of local parameters.
+void set(Context &context, GLuint name, GLuint index, GLsizei count, const Vec4 *values) {
+  if (!outsideBeginEnd(context, "NamedProgramLocalParameter between Begin and End"))
+    return;
+  if (context.listMode) {
+    Command command{.kind = Command::Kind::NamedLocal, .name = index, .object = name};
+    command.count = count;
+    command.values.assign(values, values + count);
+    return context.list.record(context, std::move(command));
+  }
+  if (const auto object = namedFragmentProgram(context, name))
+    setLocal(context, *object, index, count, values);
 }
 
 void set(Context &context, GLuint name, GLuint index, const Vec4 &value) {
-  if (const auto object = named(context, name))
-    setLocal(context, *object, index, 1, &value);
+  set(context, name, index, 1, &value);
 }
 
-const Vec4 *get(Context &context, GLuint name, GLuint index) {
-  const auto object = named(context, name);
-  if (!object)
-    return nullptr;
-  if (index < object->locals.size())
-    return &object->locals[index];
-  raise(context, GL_INVALID_VALUE, "GetNamedProgramLocalParameter: index");
-  return nullptr;
+template <typename T> void get(Context &context, GLuint name, GLuint index, T *params) {
+  if (!outsideBeginEnd(context, "GetNamedProgramLocalParameter between Begin and End"))
+    return;
+  const auto object = namedFragmentProgram(context, name);
+  if (!object || !params)
+    return;
+  if (index >= object->locals.size())
+    return raise(context, GL_INVALID_VALUE, "GetNamedProgramLocalParameter: index");
+  std::copy(object->locals[index].begin(), object->locals[index].end(), params);
 }
 
 } // namespace
@@ -48,22 +48,23 @@ namespace handlers {
 
 void NamedProgramStringEXT(Context &context, GLuint program, GLenum target, GLenum format,
                            GLsizei len, const void *string) {
-  if (target == GL_FRAGMENT_PROGRAM_ARB) {
-    noteProgramApiUse(context);
-    if (const auto object = named(context, program))
-      loadFragmentProgram(context, *object, format, len, string);
-    return;
-  }
-  if (target != GL_VERTEX_PROGRAM_ARB)
+  if (target != GL_FRAGMENT_PROGRAM_ARB && target != GL_VERTEX_PROGRAM_ARB)
     return context.host->NamedProgramStringEXT(program, target, format, len, string);
-  // The host's parser is reached through the checked entry alone.
   if (!outsideBeginEnd(context, "NamedProgramString between Begin and End"))
     return;
-  GLint bound = 0;
-  context.host->GetProgramivARB(target, GL_PROGRAM_BINDING_ARB, &bound);
-  BindProgramARB(context, target, program);
-  loadVertexProgram(context, format, len, string);
-  context.host->BindProgramARB(target, GLuint(bound));
+  if (target == GL_VERTEX_PROGRAM_ARB) {
+    // In a list the host makes the object when it executes it.
+    const auto object = context.listMode ? context.group->find(program)
+                                         : context.group->findOrCreate(program, target, 0);
+    if (object && object->target != target)
+      return raise(context, GL_INVALID_OPERATION, "NamedProgramString: the other target's object");
+    return loadNamedVertexProgram(context, program, format, len, string);
+  }
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return recordProgramString(context, Command::Kind::NamedString, program, format, len, string);
+  if (const auto object = namedFragmentProgram(context, program))
+    loadFragmentProgram(context, *object, format, len, string);
 }
 
 void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum target, GLuint index,
@@ -104,32 +105,35 @@ void NamedProgramLocalParameters4fvEXT(Context &context, GLuint program, GLenum 
   std::vector<Vec4> values(std::size_t(count), Vec4{});
   if (count > 0)
     std::memcpy(values.data(), params, values.size() * sizeof(Vec4));
-  if (const auto object = named(context, program))
-    setLocal(context, *object, index, count, values.data());
+  set(context, program, index, count, values.data());
 }
 
 void GetNamedProgramLocalParameterfvEXT(Context &context, GLuint program, GLenum target,
                                         GLuint index, GLfloat *params) {
   if (target != GL_FRAGMENT_PROGRAM_ARB)
     return context.host->GetNamedProgramLocalParameterfvEXT(program, target, index, params);
-  if (const Vec4 *value = get(context, program, index))
-    std::copy(value->begin(), value->end(), params);
+  get(context, program, index, params);
 }
 
 void GetNamedProgramLocalParameterdvEXT(Context &context, GLuint program, GLenum target,
                                         GLuint index, GLdouble *params) {
   if (target != GL_FRAGMENT_PROGRAM_ARB)
     return context.host->GetNamedProgramLocalParameterdvEXT(program, target, index, params);
-  if (const Vec4 *value = get(context, program, index))
-    std::copy(value->begin(), value->end(), params);
+  get(context, program, index, params);
 }
 
 void GetNamedProgramivEXT(Context &context, GLuint program, GLenum target, GLenum pname,
                           GLint *params) {
   if (target != GL_FRAGMENT_PROGRAM_ARB)
     return context.host->GetNamedProgramivEXT(program, target, pname, params);
-  const auto object = named(context, program);
-  if (object && !queryProgram(context, *object, pname, params))
+  if (!outsideBeginEnd(context, "GetNamedProgramiv between Begin and End") || !params)
+    return;
+  const auto object = namedFragmentProgram(context, program);
+  if (!object)
+    return;
+  if (pname == GL_PROGRAM_BINDING_ARB) // the target's, not the object's
+    *params = GLint(context.fragmentProgram->name);
+  else if (!queryProgram(context, *object, pname, params))
     raise(context, GL_INVALID_ENUM, "GetNamedProgramiv: pname");
 }
 
@@ -137,7 +141,9 @@ void GetNamedProgramStringEXT(Context &context, GLuint program, GLenum target, G
                               void *string) {
   if (target != GL_FRAGMENT_PROGRAM_ARB)
     return context.host->GetNamedProgramStringEXT(program, target, pname, string);
-  const auto object = named(context, program);
+  if (!outsideBeginEnd(context, "GetNamedProgramString between Begin and End"))
+    return;
+  const auto object = namedFragmentProgram(context, program);
   if (!object)
     return;
   if (pname != GL_PROGRAM_STRING_ARB)

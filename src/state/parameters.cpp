@@ -31,8 +31,7 @@ Vec4 fromFloats(const GLfloat *v) { return {v[0], v[1], v[2], v[3]}; }
 
 void recordParameters(Context &context, Command::Kind kind, GLuint index, GLsizei count,
                       const Vec4 *values) {
-  Command command{.kind = kind};
-  command.name = index;
+  Command command{.kind = kind, .name = index};
   command.count = count;
   if (count > 0)
     command.values.assign(values, values + count);

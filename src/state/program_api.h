@@ -18,8 +18,17 @@ void invalidateProgram(Context &context);
 /// ProgramString (3.11.1) into the bound object of the fragment target.
 void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                          const void *string);
-/// ProgramString of the vertex target: length and shape are checked, then the host parses.
+/// ProgramString of the vertex target, for the bound object or the one of that name: length and
+/// shape are checked, then the host parses.
 void loadVertexProgram(Context &context, GLenum format, GLsizei length, const void *string);
+void loadNamedVertexProgram(Context &context, GLuint name, GLenum format, GLsizei length,
+                            const void *string);
+/// Records ProgramString, or the named one if `object` is not zero, in the list being compiled.
+void recordProgramString(Context &context, Command::Kind kind, GLuint object, GLenum format,
+                         GLsizei length, const void *string);
+/// The object of that name of the fragment target, made at first use as BindProgram would
+/// (EXT_direct_state_access); null after an error.
+[[nodiscard]] std::shared_ptr<ProgramObject> namedFragmentProgram(Context &context, GLuint name);
 /// BindProgram of the fragment target.
 void bindFragmentProgram(Context &context, GLuint name);
 /// `count` env parameters of the fragment target from `index` on.

@@ -24,6 +24,24 @@ void invalidateProgram(Context &context) {
   context.attention = attention::kProgram | (context.attention & attention::kList);
 }
 
+std::shared_ptr<ProgramObject> namedFragmentProgram(Context &context, GLuint name) {
+  if (name == 0)
+    return context.group->defaultFragmentProgram();
+  std::shared_ptr<ProgramObject> object = context.group->find(name);
+  if (!object) {
+    // A vertex program that a list of the host's made is known to the host alone.
+    const bool taken =
+        context.caps.hostProgramNames() && context.host->IsProgramARB(name) == GL_TRUE;
+    object =
+        context.group->findOrCreate(name, taken ? GL_VERTEX_PROGRAM_ARB : GL_FRAGMENT_PROGRAM_ARB,
+                                    context.limits.localParameters);
+  }
+  if (object->target == GL_FRAGMENT_PROGRAM_ARB)
+    return object;
+  raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
+  return nullptr;
+}
+
 void bindFragmentProgram(Context &context, GLuint name) {
   std::shared_ptr<ProgramObject> object = context.group->defaultFragmentProgram();
   if (name != 0) {
@@ -125,8 +143,13 @@ void DeleteProgramsARB(Context &context, GLsizei n, const GLuint *programs) {
 GLboolean IsProgramARB(Context &context, GLuint program) {
   if (!outsideBeginEnd(context, "IsProgram between Begin and End"))
     return GL_FALSE;
+  if (program == 0)
+    return GL_FALSE;
   // An object exists once its name was bound; a name that Gen returned is none yet.
-  return program != 0 && context.group->contains(program) ? GL_TRUE : GL_FALSE;
+  const auto object = context.group->find(program);
+  if (object && object->target == GL_FRAGMENT_PROGRAM_ARB)
+    return GL_TRUE;
+  return context.caps.hostProgramNames() ? context.host->IsProgramARB(program) : GL_FALSE;
 }
 
 void Enable(Context &context, GLenum cap) {

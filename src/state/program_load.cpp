@@ -19,7 +19,7 @@ namespace {
 /// What a vertex program may hold before the host's parser sees it. Far above any real program and
 /// any limit of a host, far below what is known to crash or to stall one.
 constexpr std::size_t kMaxVertexStatements = 32768;
-constexpr std::size_t kMaxListElements = 1024;
+constexpr std::size_t kMaxListElements = 4000;
 
 bool checkArguments(Context &context, GLenum format, GLsizei length) {
   if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
@@ -55,7 +55,8 @@ std::size_t unsafeVertexText(std::string_view text, const char *&reason) {
     return fp::kMaxTextBytes;
   }
   std::size_t statements = 0;
-  std::size_t elements = 0;
+  std::size_t elements = 0; // of all lists: the host keeps one table of constants a program
+  int depth = 0;
   bool comment = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -68,14 +69,13 @@ std::size_t unsafeVertexText(std::string_view text, const char *&reason) {
       continue;
     }
     comment = c == '#';
-    if (c == ';') {
-      elements = 0;
-      ++statements;
-    } else if (c == ',') {
-      ++elements;
-    }
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    statements += c == ';' ? 1 : 0;
+    // A list's elements are parted by commas at depth 1; a vector's components, deeper or not, are
+    // at most four.
+    elements += (c == ',' && depth == 1) || (c == '{' && depth == 1) ? 1 : 0;
     if (statements > kMaxVertexStatements || elements > kMaxListElements) {
-      reason = elements > kMaxListElements ? "a list of more than 1024 elements"
+      reason = elements > kMaxListElements ? "lists of more than 4000 constants"
                                            : "more than 32768 statements";
       return i;
     }
@@ -135,25 +135,69 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
     context.variants.drop(context, old.get());
 }
 
-void loadVertexProgram(Context &context, GLenum format, GLsizei length, const void *string) {
+namespace {
+
+/// The text for the host's parser, ended by NUL whatever it reads past the length; false after an
+/// error.
+bool vertexText(Context &context, GLenum format, GLsizei length, const void *string,
+                std::string &text) {
   if (!checkArguments(context, format, length))
-    return;
-  // The copy ends in NUL, whatever the host's parser reads past the length.
-  std::string text(static_cast<const char *>(string ? string : ""),
-                   string ? std::size_t(length) : 0);
+    return false;
+  if (string)
+    text.assign(static_cast<const char *>(string), std::size_t(length));
   const char *reason = "";
   const std::size_t unsafe = unsafeVertexText(text, reason);
   if (unsafe != std::string_view::npos) {
     context.errorPosition = GLint(unsafe);
     context.errorString = std::string("error: ") + reason + "; not passed to the host's parser";
-    return raise(context, GL_INVALID_OPERATION, "ProgramString: unsafe vertex program");
+    raise(context, GL_INVALID_OPERATION, "ProgramString: unsafe vertex program");
+    return false;
   }
   // Bytes that are not ASCII can only stand in comments of a valid program.
   std::replace_if(
       text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; }, '?');
+  return true;
+}
+
+} // namespace
+
+void loadVertexProgram(Context &context, GLenum format, GLsizei length, const void *string) {
+  std::string text;
+  if (!vertexText(context, format, length, string, text))
+    return;
   context.host->ProgramStringARB(GL_VERTEX_PROGRAM_ARB, format, GLsizei(text.size()), text.data());
+  if (context.listMode)
+    return;
+  takeHostError(context);
+  GLint name = 0;
+  context.host->GetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &name);
+  noteVertexProgram(context, GLuint(name), text,
+                    context.errorPosition >= 0 ? std::string_view(context.errorString)
+                                               : std::string_view());
+}
+
+void loadNamedVertexProgram(Context &context, GLuint name, GLenum format, GLsizei length,
+                            const void *string) {
+  std::string text;
+  if (!vertexText(context, format, length, string, text))
+    return;
+  context.host->NamedProgramStringEXT(name, GL_VERTEX_PROGRAM_ARB, format, GLsizei(text.size()),
+                                      text.data());
   if (!context.listMode)
     takeHostError(context);
+}
+
+void recordProgramString(Context &context, Command::Kind kind, GLuint object, GLenum format,
+                         GLsizei length, const void *string) {
+  Command command{.kind = kind, .object = object};
+  command.format = format;
+  command.count = length;
+  // A text over the limit is refused when executed: so much of it suffices for that.
+  if (string && length > 0) {
+    command.count = std::min<GLsizei>(length, GLsizei(fp::kMaxTextBytes) + 1);
+    command.bytes.assign(static_cast<const char *>(string), std::size_t(command.count));
+  }
+  context.list.record(context, std::move(command));
 }
 
 namespace handlers {
@@ -167,16 +211,8 @@ void ProgramStringARB(Context &context, GLenum target, GLenum format, GLsizei le
   if (target != GL_FRAGMENT_PROGRAM_ARB)
     return context.host->ProgramStringARB(target, format, len, string);
   noteProgramApiUse(context);
-  if (context.listMode) {
-    Command command{.kind = Command::Kind::ProgramString};
-    command.format = format;
-    command.count = len;
-    // A text over the limit is refused when executed: so much of it suffices for that.
-    if (string && len > 0)
-      command.bytes.assign(static_cast<const char *>(string),
-                           std::min<std::size_t>(std::size_t(len), fp::kMaxTextBytes + 1));
-    return context.list.record(context, std::move(command));
-  }
+  if (context.listMode)
+    return recordProgramString(context, Command::Kind::ProgramString, 0, format, len, string);
   loadFragmentProgram(context, *context.fragmentProgram, format, len, string);
 }
 
