@@ -1,0 +1,3 @@
+extern "C" int earlyWasRight();
+
+int main() { return earlyWasRight() ? 0 : 1; }

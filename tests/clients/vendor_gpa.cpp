@@ -1,0 +1,129 @@
+/// Plays libglvnd: loads the layer's and the host's vendor mains and compares their answers.
+/// argv[1] the layer, argv[2] the host's EGL vendor, argv[3] the host's GLX vendor.
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include <cstdio>
+#include <cstring>
+
+#include <dlfcn.h>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <glvnd/libeglabi.h>
+#include <glvnd/libglxabi.h>
+
+namespace {
+
+int g_failures = 0;
+
+void check(bool ok, const char *what, const char *name) {
+  if (!ok) {
+    std::fprintf(stderr, "vendor_gpa: %s: %s\n", name, what);
+    ++g_failures;
+  }
+}
+
+void *entry(const char *library, const char *name) {
+  void *const handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
+  return handle ? dlsym(handle, name) : nullptr;
+}
+
+bool inLayer(const void *function, const void *layerMain) {
+  Dl_info a, b;
+  return function && dladdr(function, &a) && dladdr(layerMain, &b) && a.dli_fbase == b.dli_fbase;
+}
+
+constexpr const char *kIntercepted[] = {
+    "glProgramStringARB", "glBindProgramARB",    "glBindProgramNV", "glEnable",
+    "glDrawArrays",       "glDrawArraysEXT",     "glGetError",      "glUseProgramObjectARB",
+    "glUseProgram",       "glCopyTexSubImage2D", "glUniform4fv",    "glUniform4fvARB"};
+constexpr const char *kPassed[] = {"glClear",      "glViewport",  "glVertex3f",
+                                   "glTexImage2D", "glBlendFunc", "glNoSuchFunctionOfAnyGl"};
+
+template <typename Layer, typename Host>
+void compare(Layer layer, Host host, const void *main, const char *const *hooks, int hookCount) {
+  for (const char *name : kIntercepted)
+    check(inLayer(layer(name), main), "is not the layer's", name);
+  for (int i = 0; i < hookCount; ++i)
+    check(inLayer(layer(hooks[i]), main), "is not the layer's", hooks[i]);
+  for (const char *name : kPassed)
+    check(layer(name) == host(name), "is not the host's own pointer", name);
+}
+
+__EGLapiImports g_eglLayer, g_eglHost;
+__GLXapiImports g_glxLayer, g_glxHost;
+
+const GLubyte *bytes(const char *text) { return reinterpret_cast<const GLubyte *>(text); }
+
+void compareEgl(const char *layerPath, const char *hostPath) {
+  const __EGLapiExports exports = {};
+  const auto layer = reinterpret_cast<__PFNEGLMAINPROC>(entry(layerPath, "__egl_Main"));
+  const auto host = reinterpret_cast<__PFNEGLMAINPROC>(entry(hostPath, "__egl_Main"));
+  // The host comes first: what it keeps from the second handshake is then what the layer gave it.
+  if (!layer || !host || !host(EGL_VENDOR_ABI_VERSION, &exports, nullptr, &g_eglHost) ||
+      !layer(EGL_VENDOR_ABI_VERSION, &exports, nullptr, &g_eglLayer)) {
+    check(false, "does not start", "EGL");
+    return;
+  }
+  const char *const hooks[] = {"eglCreateContext", "eglDestroyContext", "eglMakeCurrent",
+                               "eglSwapBuffers",   "eglTerminate",      "eglReleaseThread",
+                               "eglGetProcAddress"};
+  compare([](const char *n) { return g_eglLayer.getProcAddress(n); },
+          [](const char *n) { return g_eglHost.getProcAddress(n); },
+          reinterpret_cast<const void *>(layer), hooks, 7);
+  const auto gpa =
+      reinterpret_cast<void *(*)(const char *)>(g_eglLayer.getProcAddress("eglGetProcAddress"));
+  check(gpa && gpa("eglGetProcAddress") == reinterpret_cast<void *>(gpa), "is not itself",
+        "eglGetProcAddress");
+  check(!g_eglLayer.isPatchSupported && !g_eglLayer.initiatePatch && !g_eglLayer.releasePatch,
+        "patch callbacks are left in place", "EGL");
+}
+
+void compareGlx(const char *layerPath, const char *hostPath) {
+  const __GLXapiExports exports = {};
+  const auto layer = reinterpret_cast<__PFNGLXMAINPROC>(entry(layerPath, "__glx_Main"));
+  const auto host = reinterpret_cast<__PFNGLXMAINPROC>(entry(hostPath, "__glx_Main"));
+  if (!layer || !host || !host(GLX_VENDOR_ABI_VERSION, &exports, nullptr, &g_glxHost) ||
+      !layer(GLX_VENDOR_ABI_VERSION, &exports, nullptr, &g_glxLayer)) {
+    check(false, "does not start", "GLX");
+    return;
+  }
+  const char *const hooks[] = {
+      "glXCreateContext",     "glXCreateNewContext",       "glXDestroyContext", "glXCopyContext",
+      "glXMakeCurrent",       "glXMakeContextCurrent",     "glXSwapBuffers",    "glXGetProcAddress",
+      "glXGetProcAddressARB", "glXCreateContextAttribsARB"};
+  compare([](const char *n) { return g_glxLayer.getProcAddress(bytes(n)); },
+          [](const char *n) { return g_glxHost.getProcAddress(bytes(n)); },
+          reinterpret_cast<const void *>(layer), hooks, 10);
+  const auto gpa = reinterpret_cast<void *(*)(const GLubyte *)>(
+      g_glxLayer.getProcAddress(bytes("glXGetProcAddressARB")));
+  check(gpa && gpa(bytes("glXGetProcAddressARB")) == reinterpret_cast<void *>(gpa), "is not itself",
+        "glXGetProcAddressARB");
+  check(!g_glxLayer.isPatchSupported && !g_glxLayer.initiatePatch && !g_glxLayer.releasePatch,
+        "patch callbacks are left in place", "GLX");
+}
+
+void checkOsmesa(const char *layerPath) {
+  const auto gpa =
+      reinterpret_cast<void *(*)(const char *)>(entry(layerPath, "OSMesaGetProcAddress"));
+  check(gpa && gpa("OSMesaGetProcAddress") == reinterpret_cast<void *>(gpa), "is not itself",
+        "OSMesaGetProcAddress");
+  for (const char *name : kIntercepted)
+    check(gpa && inLayer(gpa(name), reinterpret_cast<const void *>(gpa)), "is not the layer's",
+          name);
+  check(gpa && gpa("glClear") && !inLayer(gpa("glClear"), reinterpret_cast<const void *>(gpa)),
+        "is the layer's", "OSMesa glClear");
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  if (argc < 4)
+    return 3;
+  compareEgl(argv[1], argv[2]);
+  compareGlx(argv[1], argv[3]);
+  checkOsmesa(argv[1]);
+  return g_failures != 0;
+}
