@@ -155,7 +155,8 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
     if (!main)
       continue;
     g_host = {};
-    if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &g_host)) {
+    if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &g_host) &&
+        g_host.getProcAddress) {
       logInfo("layer", "EGL: in front of %s", library.c_str());
       return true;
     }

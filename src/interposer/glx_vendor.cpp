@@ -219,7 +219,8 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
     if (!main)
       continue;
     g_host = {};
-    if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &g_host)) {
+    if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &g_host) &&
+        g_host.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
       return true;
     }

@@ -107,8 +107,17 @@ const host::HostTable &table() {
 
 registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, context}; }
 
-OSMesaContext remember(OSMesaContext context, OSMesaContext share) {
-  if (context && layerAllowed())
+/// The thread is inside a create call: the real library's simpler ones call the fuller ones by
+/// their exported names, which are ours.
+constinit thread_local bool t_creating __attribute__((tls_model("initial-exec"))) = false;
+
+template <typename Create> OSMesaContext remembered(OSMesaContext share, Create create) {
+  if (t_creating || !layerAllowed())
+    return create();
+  t_creating = true;
+  const OSMesaContext context = create();
+  t_creating = false;
+  if (context)
     registry::created(key(context), table(), share);
   return context;
 }
@@ -120,7 +129,9 @@ OSMesaContext remember(OSMesaContext context, OSMesaContext share) {
 using namespace arbiter::interposer;
 
 ARBITER_EXPORT OSMesaContext OSMesaCreateContext(GLenum format, OSMesaContext share) {
-  return real().createContext ? remember(real().createContext(format, share), share) : nullptr;
+  if (!real().createContext)
+    return nullptr;
+  return remembered(share, [&] { return real().createContext(format, share); });
 }
 
 ARBITER_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBits,
@@ -128,14 +139,16 @@ ARBITER_EXPORT OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depthBi
                                                     OSMesaContext share) {
   if (!real().createContextExt)
     return nullptr;
-  return remember(real().createContextExt(format, depthBits, stencilBits, accumBits, share), share);
+  return remembered(share, [&] {
+    return real().createContextExt(format, depthBits, stencilBits, accumBits, share);
+  });
 }
 
 ARBITER_EXPORT OSMesaContext OSMesaCreateContextAttribs(const int *attributes,
                                                         OSMesaContext share) {
   if (!real().createContextAttribs)
     return nullptr;
-  return remember(real().createContextAttribs(attributes, share), share);
+  return remembered(share, [&] { return real().createContextAttribs(attributes, share); });
 }
 
 ARBITER_EXPORT void OSMesaDestroyContext(OSMesaContext context) {

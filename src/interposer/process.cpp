@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include <dlfcn.h>
 #include <sys/auxv.h>
@@ -20,15 +21,27 @@ constexpr const char *kEglSelection = "__EGL_VENDOR_LIBRARY_FILENAMES";
 constexpr const char *kSavedGlx = "ARBITER_SAVED_GLX_VENDOR";
 constexpr const char *kSavedEgl = "ARBITER_SAVED_EGL_VENDORS";
 constexpr const char *kVendorName = "arbiter";
-/// The ICD file's place beside the library, in the build tree and installed.
-constexpr const char *kIcdFile = "/arbiter/10_arbiter.json";
+/// The ICD files beside the library, in the build tree and installed: by path, and by name alone.
+constexpr const char *kIcdByPath = "/arbiter/10_arbiter.json";
+constexpr const char *kIcdByName = "/arbiter/11_arbiter.json";
 
 char *g_savedGlx = nullptr;
 char *g_savedEgl = nullptr;
 
 char *copy(const char *text) { return text && *text ? strdup(text) : nullptr; }
 
-/// The ICD file that names this library; empty if it lies nowhere near.
+bool holds(const std::string &file, const std::string &text) {
+  char buffer[4096];
+  FILE *const stream = std::fopen(file.c_str(), "re");
+  if (!stream)
+    return false;
+  const std::size_t bytes = std::fread(buffer, 1, sizeof buffer, stream);
+  std::fclose(stream);
+  return std::string_view(buffer, bytes).find(text) != std::string_view::npos;
+}
+
+/// The ICD file that leads to this library; empty if it lies nowhere near. A path also serves child
+/// processes that lose LD_PRELOAD; in an installation that was moved only the name is right.
 std::string ownIcdFile() {
   Dl_info self;
   if (!dladdr(reinterpret_cast<const void *>(&ownIcdFile), &self) || !self.dli_fname)
@@ -36,11 +49,12 @@ std::string ownIcdFile() {
   char *const real = realpath(self.dli_fname, nullptr);
   if (!real)
     return {};
-  std::string path = real;
+  const std::string library = real;
   free(real);
-  path.resize(path.rfind('/'));
-  path += kIcdFile;
-  return access(path.c_str(), R_OK) == 0 ? path : std::string();
+  const std::string folder = library.substr(0, library.rfind('/'));
+  if (holds(folder + kIcdByPath, '"' + library + '"'))
+    return folder + kIcdByPath;
+  return access((folder + kIcdByName).c_str(), R_OK) == 0 ? folder + kIcdByName : std::string();
 }
 
 bool endsWith(const char *text, const char *end) {
@@ -48,11 +62,14 @@ bool endsWith(const char *text, const char *end) {
   return length >= endLength && std::strcmp(text + length - endLength, end) == 0;
 }
 
-/// libglvnd reads both variables at its first use, which is after this constructor but for GL calls
-/// made in constructors of the application's own libraries; `arbiter run` sets them from outside.
-[[gnu::constructor]] void selectArbiter() {
-  if (!layerAllowed())
+/// Done once, by the constructor or by a vendor's main that runs before it: libglvnd reads both
+/// variables at its first use, and where an application's own libraries call GL in constructors,
+/// that is before ours. `arbiter run` sets them from outside.
+void selectArbiter() {
+  static bool s_done = false;
+  if (s_done || !layerAllowed())
     return;
+  s_done = true;
   const char *const glx = getenv(kGlxSelection);
   if (glx && std::strcmp(glx, kVendorName) == 0) {
     g_savedGlx = copy(getenv(kSavedGlx));
@@ -65,7 +82,7 @@ bool endsWith(const char *text, const char *end) {
     setenv(kGlxSelection, kVendorName, 1);
   }
   const char *const egl = getenv(kEglSelection);
-  if (egl && endsWith(egl, kIcdFile)) {
+  if (egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName))) {
     g_savedEgl = copy(getenv(kSavedEgl));
     return;
   }
@@ -80,12 +97,21 @@ bool endsWith(const char *text, const char *end) {
   setenv(kEglSelection, icd.c_str(), 1);
 }
 
+[[gnu::constructor]] void constructed() { selectArbiter(); }
+
 } // namespace
 
 bool layerAllowed() { return getauxval(AT_SECURE) == 0; }
 
-const char *savedGlxVendor() { return g_savedGlx; }
-const char *savedEglVendors() { return g_savedEgl; }
+const char *savedGlxVendor() {
+  selectArbiter();
+  return g_savedGlx;
+}
+
+const char *savedEglVendors() {
+  selectArbiter();
+  return g_savedEgl;
+}
 
 void fatal(const char *format, ...) {
   std::fputs("arbiter: ", stderr);

@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "host/null_host.h"
 #include "state/attrib_stack.h"
 #include "state/current.h"
 #include "state/host_caps.h"
@@ -55,6 +56,7 @@ public:
   struct NullTag {};
   /// The null context: every call passes through it.
   constexpr explicit Context(NullTag) {
+    host = &host::kNullHost;
     passThrough = true;
     drawCounter = &draws[int(Path::NotOffered)];
   }

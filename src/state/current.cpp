@@ -23,8 +23,6 @@ thread_local ContextHot *t_current __attribute__((tls_model("initial-exec"))) = 
 
 Context &nullContext() { return g_null.context; }
 
-void setNullTable(const host::HostTable *table) { g_null.context.host = table; }
-
 Context *currentContext() {
   auto *const context = static_cast<Context *>(t_current);
   return context == &g_null.context ? nullptr : context;

@@ -28,7 +28,4 @@ void destroyContext(Context *context);
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.
 void frameEnd(Context *context);
 
-/// Table for the null context; set once by the interposer before any entry point can run.
-void setNullTable(const host::HostTable *table);
-
 } // namespace arbiter::state

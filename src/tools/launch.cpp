@@ -101,6 +101,14 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     return LaunchError{files.preload + ": LD_PRELOAD cannot hold a path with a colon or a space"};
   std::vector<Assignment> environment;
   environment.push_back({"LD_PRELOAD", prepended(files.preload, "LD_PRELOAD")});
+  // The library selects itself when it is loaded; said beforehand for programs whose own libraries
+  // call GL in constructors, which run before a preloaded library's.
+  std::error_code error;
+  const fs::path icd = fs::path(files.preload).parent_path() / "arbiter" / "10_arbiter.json";
+  if (std::getenv("__GLX_VENDOR_LIBRARY_NAME") == nullptr)
+    environment.push_back({"__GLX_VENDOR_LIBRARY_NAME", "arbiter"});
+  if (std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES") == nullptr && fs::exists(icd, error))
+    environment.push_back({"__EGL_VENDOR_LIBRARY_FILENAMES", icd.string()});
   if (!files.osmesaFolder.empty())
     environment.push_back({"LD_LIBRARY_PATH", prepended(files.osmesaFolder, "LD_LIBRARY_PATH")});
   if (!arguments.profile.empty()) {
