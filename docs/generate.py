@@ -122,6 +122,14 @@ def diagnostics():
     return '\n'.join(out) + '\n'
 
 
+def unread_flags():
+    """Debug flags that no code asks for: the help would promise what nothing does."""
+    names = {row[0]: row[1] for row in rows_of(ROOT / 'src/util/flags.def', 'ARBITER_DEBUG_FLAG')}
+    code = '\n'.join(path.read_text() for path in (ROOT / 'src').rglob('*.cpp')
+                     if not path.name.endswith('_test.cpp'))
+    return [name for row, name in names.items() if f'DebugFlag::{row}' not in code]
+
+
 def profiles():
     return generate_profiles.as_markdown(*generate_profiles.read_all())
 
@@ -172,7 +180,10 @@ def main():
         return 1
     for name in stale:
         print(f'docs/{name}: ' + ('stale; run docs/generate.py' if options.check else 'written'))
-    return 1 if options.check and stale else 0
+    unread = unread_flags()
+    for name in unread:
+        print(f'src/util/flags.def: no code reads the debug flag {name}')
+    return 1 if unread or (options.check and stale) else 0
 
 
 if __name__ == '__main__':

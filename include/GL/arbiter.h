@@ -35,6 +35,7 @@
 #define ARBITER_ENV_LOG "ARBITER_LOG"
 #define ARBITER_ENV_DEBUG "ARBITER_DEBUG"
 #define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
+#define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
 /* The "schema" number at the top of the JSON that ARBITER_STATS and `arbiter check --json` write. It
  * changes when a member changes its meaning or goes; a new member does not change it. */

@@ -12,6 +12,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "util/flags.h"
 #include "util/log.h"
 
 #define ARBITER_EXPORT extern "C" __attribute__((visibility("default")))
@@ -66,8 +67,8 @@ const RealOsMesa &real() {
     RealOsMesa r;
     r.library = libraryAfterUs();
     // The file that the front library was made for, by absolute path: its name alone may be ours.
-    if (!r.library)
-      r.library = openLibrary(secure_getenv("ARBITER_HOST_OSMESA"));
+    if (!r.library && !settings().hostOsmesa.empty())
+      r.library = openLibrary(settings().hostOsmesa.c_str());
     if (!r.library)
       r.library = openLibrary(ARBITER_OSMESA_LIBRARY);
     if (!r.library) {

@@ -113,6 +113,7 @@ void release(Context *context) {
   }
   if (!dead)
     return;
+  logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
   noteContextDestroyed(*context);
   delete context;
 }
@@ -123,6 +124,8 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
   auto *const context =
       new Context(provider, table, share ? share->group : std::make_shared<ShareGroup>());
   noteContextCreated(*context);
+  logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
+          share ? ", shared" : "");
   return context;
 }
 
@@ -137,6 +140,10 @@ void makeCurrent(Context *context) {
         --old->currentCount;
     }
     t_current = context ? context : &nullContext();
+    if (context)
+      logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);
+    else
+      logFlag(DebugFlag::Contexts, "state", "no context is current");
     if (old)
       release(old);
   }

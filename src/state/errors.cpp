@@ -3,7 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
-#include "util/log.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 
@@ -43,7 +43,11 @@ const char *errorName(GLenum error) {
 } // namespace
 
 void raise(Context &context, GLenum error, const char *why) {
-  logInfo("state", "context %u: GL_%s: %s", context.serial, errorName(error), why);
+  if (debugFlag(DebugFlag::Errors))
+    logFlag(DebugFlag::Errors, "state", "context %u: GL_%s: %s", context.serial, errorName(error),
+            why);
+  else
+    logInfo("state", "context %u: GL_%s: %s", context.serial, errorName(error), why);
   if (context.pendingError != GL_NO_ERROR)
     return;
   // GetError is itself an error between Begin and End: there the order cannot be known.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "fp_compiler/ir/print.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/errors.h"
@@ -112,6 +113,8 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
   context.errorPosition = result.errorPosition();
   context.errorString = result.errorString(text);
   noteLoadedProgram(context, object.name, text, result);
+  if (debugFlag(DebugFlag::Text))
+    logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
   if (!result.ok()) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,
             context.errorString.c_str());
@@ -126,6 +129,8 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
   compiled->nativeCounts = result.nativeCounts;
   compiled->underNativeLimits = result.underNativeLimits;
   compiled->glsl = fp::emitGlsl(*result.program, glslHost(context.caps));
+  if (debugFlag(DebugFlag::Ir))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*result.program));
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), compiled->glsl.text);
   context.group->setCompiled(object, std::move(compiled));

@@ -38,7 +38,8 @@ std::vector<Place> places() {
   Place inTree = placeIn(tree);
   inTree.osmesaFolders.push_back(tree);
   // ARBITER_LIBDIR_FROM_BIN is relative, so that an installation may be moved as a whole.
-  return {inTree, placeIn((here / ARBITER_LIBDIR_FROM_BIN).lexically_normal())};
+  const fs::path installed = (here / ARBITER_LIBDIR_FROM_BIN).lexically_normal();
+  return {inTree, placeIn(installed / "arbiter"), placeIn(installed)};
 }
 
 LayerFiles filesAt(const Place &place) {

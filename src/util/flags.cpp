@@ -182,6 +182,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readLimits(reader, result);
   readHostVendor(reader, result);
   result.statsPath = reader.read(Env::Stats);
+  result.hostOsmesa = reader.read(Env::HostOsmesa);
   if (const std::string_view profile = reader.read(Env::Profile); !profile.empty())
     result.profile = profile;
   return result;

@@ -49,7 +49,8 @@ TEST(Settings, ReadsEveryVariable) {
                                {"ARBITER_STATS", "/tmp/s-%p.json"},
                                {"ARBITER_LOG", "debug:/tmp/log"},
                                {"ARBITER_DEBUG", "glsl,,text"},
-                               {"ARBITER_HOST_VENDOR", "mesa"}});
+                               {"ARBITER_HOST_VENDOR", "mesa"},
+                               {"ARBITER_HOST_OSMESA", "/opt/libOSMesa.so.8"}});
   EXPECT_TRUE(parsed.warnings.empty());
   EXPECT_EQ(parsed.settings.profile, "nv30");
   EXPECT_FALSE(parsed.settings.enforceLimits);
@@ -60,6 +61,7 @@ TEST(Settings, ReadsEveryVariable) {
   EXPECT_TRUE(parsed.settings.has(DebugFlag::Text));
   EXPECT_FALSE(parsed.settings.has(DebugFlag::Help));
   EXPECT_EQ(parsed.settings.hostVendor, "mesa");
+  EXPECT_EQ(parsed.settings.hostOsmesa, "/opt/libOSMesa.so.8");
 }
 
 TEST(Settings, LogTakesALevelAPathOrBoth) {
@@ -94,6 +96,7 @@ TEST(Settings, HostileValuesGiveOneWarningAndAreIgnored) {
       EXPECT_EQ(parsed.settings.logPath, "");
       EXPECT_EQ(parsed.settings.statsPath, "");
       EXPECT_EQ(parsed.settings.hostVendor, "");
+      EXPECT_EQ(parsed.settings.hostOsmesa, "");
       EXPECT_TRUE(parsed.settings.enforceLimits);
     }
   }
