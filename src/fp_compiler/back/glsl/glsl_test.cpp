@@ -223,6 +223,17 @@ TEST(EmitGlsl, FogBlendsTheClampedColor) {
   }
 }
 
+TEST(EmitGlsl, LinearFogHasNoDivision) {
+  Builder b;
+  b.options().fog = ir::FogMode::Linear;
+  b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::ColorPrimary)});
+  const std::string text = textOf(b);
+  EXPECT_TRUE(contains(text, "clamp(gl_Fog.end * gl_Fog.scale - gl_FogFragCoord * gl_Fog.scale, "
+                             "0.0, 1.0)"))
+      << text;
+  EXPECT_FALSE(contains(text, " / ")) << text;
+}
+
 TEST(EmitGlsl, FragCoordConventionsAndDrawBuffers) {
   Builder b;
   b.options().originUpperLeft = true;
