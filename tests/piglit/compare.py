@@ -56,7 +56,7 @@ def run_again(unexpected, tests, sides, attempts):
 
 def compare(profile, bare, tests, args, run_bare):
     """Runs under the layer with `profile`; returns the report as a dictionary."""
-    label = args.results / ("layer-" + profile)
+    label = args.results / ("layer-" + profile.replace(":", "-"))
 
     def run_layer(some, suffix=""):
         return piglit.run(some, str(label) + suffix, piglit.environment(args.layer, profile),
@@ -105,7 +105,8 @@ def arguments():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--results", type=pathlib.Path, required=True)
     parser.add_argument("--set", choices=("quick", "named", "full"), default="named")
-    parser.add_argument("--profiles", default="host,r300")
+    parser.add_argument("--profiles", default="host,r300,r300:report",
+                        help="names, each with :report for ARBITER_LIMITS=report")
     parser.add_argument("--platform", default="glx",
                         choices=("glx", "x11_egl", "surfaceless_egl", "mixed_glx_egl"))
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))

@@ -46,7 +46,7 @@ def parse(text, where):
 
 
 def load(profile):
-    path = pathlib.Path(__file__).parent / "expectations" / (profile + ".txt")
+    path = pathlib.Path(__file__).parent / "expectations" / (profile.replace(":", "-") + ".txt")
     return parse(path.read_text(), path.name)
 
 

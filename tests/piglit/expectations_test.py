@@ -44,7 +44,7 @@ class Expectations(unittest.TestCase):
         self.assertEqual(expectations.stale(rows, {"spec@x@a1"}), rows)
 
     def test_every_stored_file_parses(self):
-        for profile in ("host", "r300"):
+        for profile in ("host", "r300", "r300:report"):
             expectations.load(profile)
 
 
@@ -56,6 +56,18 @@ class RunAgain(unittest.TestCase):
         steady, flakes = compare.run_again(
             {"a": ("pass", "fail"), "b": ("pass", "fail")}, tests, sides, 2)
         self.assertEqual((list(steady), list(flakes)), (["a"], ["b"]))
+
+
+class Environment(unittest.TestCase):
+    def test_a_profile_may_say_how_limits_are_held(self):
+        plain = piglit.environment("layer.so", "r300")
+        self.assertEqual(plain["ARBITER_PROFILE"], "r300")
+        self.assertNotIn("ARBITER_LIMITS", plain)
+        report = piglit.environment("layer.so", "r300:report")
+        self.assertEqual((report["ARBITER_PROFILE"], report["ARBITER_LIMITS"]), ("r300", "report"))
+
+    def test_the_bare_host_has_no_layer(self):
+        self.assertNotIn("LD_PRELOAD", piglit.environment())
 
 
 class Flatten(unittest.TestCase):

@@ -14,12 +14,15 @@ FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PR
 
 
 def environment(layer=None, profile=None, extra=None):
+    """profile: a name of ARBITER_PROFILE, with `:report` or `:enforce` for ARBITER_LIMITS."""
     env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
     env["LIBGL_ALWAYS_SOFTWARE"] = "1"
     env["PIGLIT_NO_FAST_SKIP"] = "1"  # a skip is the test's own answer, not the framework's guess
     if layer:
         env["LD_PRELOAD"] = str(layer)
-        env["ARBITER_PROFILE"] = profile
+        env["ARBITER_PROFILE"], _, limits = profile.partition(":")
+        if limits:
+            env["ARBITER_LIMITS"] = limits
     env.update(extra or {})
     return env
 
