@@ -13,7 +13,8 @@ Glx loadGlx(void *(*get)(const char *name)) {
   if (!glx.name)                                                                                   \
     die("no function", "glX" #name);
   X(ChooseVisual)
-  X(CreateContext) X(MakeCurrent) X(DestroyContext) X(SwapBuffers) X(GetProcAddressARB)
+  X(CreateContext)
+  X(MakeCurrent) X(DestroyContext) X(SwapBuffers) X(GetProcAddressARB)
 #undef X
       return glx;
 }

@@ -97,8 +97,10 @@ Way prepareOsmesa(Gl &gl) {
             return OSMESA(OSMesaMakeCurrent)(static_cast<OSMesaContext>(context), g_buffer.data(),
                                              GL_UNSIGNED_BYTE, 64, 64);
           },
-          [](void *context) { OSMESA(OSMesaDestroyContext)
-                              (static_cast<OSMesaContext>(context)); }};
+          [](void *context) {
+            OSMESA(OSMesaDestroyContext)
+            (static_cast<OSMesaContext>(context));
+          }};
 }
 
 /// A fresh context has nothing bound, nothing enabled and no parameter of the last one.

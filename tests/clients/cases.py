@@ -1,0 +1,384 @@
+"""The cases of the client tests: how each is started, and what proves that it went well."""
+import json
+import os
+import re
+import shutil
+import signal
+import stat
+import subprocess
+from dataclasses import dataclass, field
+from pathlib import Path
+
+# MAX_PROGRAM_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
+R300_INDIRECTIONS = 4
+TIMEOUT = 120
+PIGLIT_FOLDERS = ("/usr/lib/x86_64-linux-gnu/piglit/bin", "/usr/lib/piglit/bin")
+
+
+class Skip(Exception):
+    """The case needs what this machine lacks."""
+
+
+class Failure(Exception):
+    """The case ran and is wrong."""
+
+
+@dataclass
+class Setting:
+    """The places that cases need, and a scratch folder of the case's own."""
+    build: Path
+    source: Path
+    scratch: Path
+    display: str
+
+    @property
+    def clients(self):
+        return self.build / "tests/clients"
+
+    @property
+    def layer(self):
+        return self.build / "src/interposer/libGLX_arbiter.so.0"
+
+    @property
+    def osmesa(self):
+        return self.build / "src/interposer/osmesa"
+
+    @property
+    def icd(self):
+        return self.build / "src/interposer/arbiter/10_arbiter.json"
+
+    @property
+    def stats(self):
+        return self.scratch / "stats.json"
+
+    def environment(self, layer, extra=None):
+        """The bare host's environment, or the layer's by LD_PRELOAD alone."""
+        env = {k: v for k, v in os.environ.items()
+               if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
+        env.update(DISPLAY=self.display, LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(self.scratch),
+                   PIGLIT_NO_FAST_SKIP="1")
+        if layer:
+            env.update(LD_PRELOAD=str(self.layer), LD_LIBRARY_PATH=str(self.osmesa),
+                       ARBITER_STATS=str(self.stats))
+        env.update(extra or {})
+        return env
+
+
+@dataclass
+class Outcome:
+    code: int
+    out: str
+    err: str
+
+    def reports(self):
+        """The JSON lines that clients print."""
+        return [json.loads(line) for line in self.out.splitlines() if line.startswith("{")]
+
+
+def execute(command, env, cwd=None, user=None):
+    process = subprocess.Popen([str(c) for c in command], env=env, cwd=cwd, text=True, user=user,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               start_new_session=True)
+    try:
+        out, err = process.communicate(timeout=TIMEOUT)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        out, err = process.communicate()
+        raise Failure(f"no end after {TIMEOUT} s: {err[-300:]}") from None
+    return Outcome(process.returncode, out, err)
+
+
+def need(ok, message):
+    if not ok:
+        raise Failure(message)
+
+
+def need_success(outcome, where):
+    need(outcome.code == 0,
+         f"{where}: exit {outcome.code}: {(outcome.out + outcome.err).strip()[-400:]}")
+
+
+def need_statistics(path, draws=1):
+    """The layer compiled a program without error, and drew with it."""
+    need(path.exists(), "the layer wrote no statistics")
+    stats = json.loads(path.read_text())
+    need(any(not p["error"] for p in stats["programs"]), "the layer saw no valid program")
+    need(stats["draws"]["host_glsl"] >= draws, f"draws by the layer: {stats['draws']}")
+    return stats
+
+
+@dataclass
+class Client:
+    """A client of this folder: prints a report, exits 0 if its pixels are right."""
+    command: list
+    env: dict = field(default_factory=dict)
+    bare: bool = True
+    reports: int = 1
+    draws: int = 1
+
+    def __call__(self, setting):
+        command = [Path(str(c).format(clients=setting.clients, source=setting.source))
+                   if "{" in str(c) else c for c in self.command]
+        if not Path(command[0]).exists() and not shutil.which(str(command[0])):
+            raise Skip(f"{Path(command[0]).name} is not built")
+        if self.bare:
+            outcome = execute(command, setting.environment(False, self.env))
+            need_success(outcome, "bare host")
+            for report in outcome.reports():
+                need(report["indirections"] != R300_INDIRECTIONS, "the bare host answers as r300")
+        outcome = execute(command, setting.environment(True, self.env))
+        need_success(outcome, "layer")
+        reports = outcome.reports()
+        need(len(reports) == self.reports, f"{len(reports)} reports, not {self.reports}")
+        for report in reports:
+            need(report["indirections"] == R300_INDIRECTIONS,
+                 f"answered by the host: {report['indirections']} indirections")
+        need_statistics(setting.stats, self.draws)
+
+
+@dataclass
+class Piglit:
+    """A piglit program on one of waffle's platforms."""
+    platform: str
+    program: str
+    arguments: tuple = ()
+
+    def __call__(self, setting):
+        found = [Path(f) / self.program for f in PIGLIT_FOLDERS if (Path(f) / self.program).exists()]
+        if not found:
+            raise Skip("piglit is not installed")
+        command = [found[0], *[a.format(source=setting.source) for a in self.arguments], "-auto",
+                   "-fbo"]
+        for layer in (False, True):
+            outcome = execute(command, setting.environment(layer, {"PIGLIT_PLATFORM": self.platform}))
+            need('"result": "pass"' in outcome.out,
+                 f"{'layer' if layer else 'bare host'}: {(outcome.out + outcome.err)[-300:]}")
+        need_statistics(setting.stats)
+
+
+def run_early(setting):
+    """A library's constructor draws before ours: through the layer if it was selected from outside
+    (as arbiter run does), by the host if only preloaded; right pixels in both."""
+    client = setting.clients / "client_early"
+    outcome = execute([client], setting.environment(True))
+    need_success(outcome, "preloaded only")
+    need(len(outcome.reports()) == 1, "preloaded only: no report")
+    selected = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd), "__GLX_VENDOR_LIBRARY_NAME": "arbiter"}
+    outcome = execute([client], setting.environment(True, selected))
+    need_success(outcome, "selected")
+    need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, "selected: not through the layer")
+    need_statistics(setting.stats)
+
+
+def run_spawn(setting):
+    """Each of the two processes writes statistics of its own."""
+    outcome = execute([setting.clients / "client_spawn"],
+                      setting.environment(True, {"ARBITER_STATS": str(setting.scratch / "s.%p.json")}))
+    need_success(outcome, "layer")
+    need([r["indirections"] for r in outcome.reports()] == [R300_INDIRECTIONS] * 2, outcome.out)
+    files = list(setting.scratch.glob("s.*.json"))
+    need(len(files) == 2, f"{len(files)} statistics files, not 2")
+    for file in files:
+        need_statistics(file)
+
+
+def run_vendor_only(setting):
+    """Selected as a vendor without LD_PRELOAD: libglvnd finds it by itself."""
+    glx = setting.environment(False, {"__GLX_VENDOR_LIBRARY_NAME": "arbiter",
+                                      "LD_LIBRARY_PATH": str(setting.layer.parent),
+                                      "ARBITER_STATS": str(setting.stats)})
+    egl = setting.environment(False, {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd),
+                                      "ARBITER_STATS": str(setting.stats)})
+    for client, env in (("client_glx_dynamic", glx), ("client_egl_dynamic", egl)):
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute([setting.clients / client, "libGL"], env)
+        need_success(outcome, client)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{client}: by the host")
+        need_statistics(setting.stats)
+
+
+def run_arbiter(setting):
+    """`arbiter run` sets all of it."""
+    tool = setting.build / "src/tools/arbiter"
+    if not tool.exists():
+        raise Skip("arbiter is not built")
+    for command in (["client_libgl"], ["client_egl_direct"], ["client_osmesa_dynamic", "dlsym"],
+                    ["client_early"]):
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute([tool, "run", "--stats", setting.stats, "--", setting.clients / command[0],
+                           *command[1:]], setting.environment(False))
+        need_success(outcome, command[0])
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{command[0]}: by the host")
+        need_statistics(setting.stats)
+
+
+def run_secure(setting):
+    """In a set-user-id program the layer stays out, however it is asked for."""
+    if os.geteuid() != 0:
+        raise Skip("needs root to make a set-user-id program")
+    mount = subprocess.run(["findmnt", "-nro", "OPTIONS", "-T", str(setting.scratch)], text=True,
+                           capture_output=True, check=False).stdout
+    if "nosuid" in mount:
+        raise Skip("the scratch folder is mounted nosuid")
+    program = setting.scratch / "secure"
+    shutil.copy(setting.clients / "client_egl_direct", program)
+    program.chmod(0o755 | stat.S_ISUID)
+    os.chmod(setting.scratch, 0o755)
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd), "__GLX_VENDOR_LIBRARY_NAME": "arbiter"}
+    outcome = execute([program], setting.environment(True, extra), user=65534)
+    need_success(outcome, "set-user-id")
+    need(outcome.reports()[0]["indirections"] != R300_INDIRECTIONS, "the layer is in a secure process")
+    need(not setting.stats.exists(), "a secure process wrote statistics")
+
+
+def run_overlay(setting):
+    """Another preloaded library that wraps GLX, before and behind ours."""
+    overlay = setting.clients / "libclient_overlay.so"
+    for order in ((setting.layer, overlay), (overlay, setting.layer)):
+        setting.stats.unlink(missing_ok=True)
+        env = setting.environment(True, {"LD_PRELOAD": ":".join(map(str, order))})
+        outcome = execute([setting.clients / "client_libgl"], env)
+        need_success(outcome, order[0].name + " first")
+        need("overlay: 1 swaps" in outcome.err, "the overlay saw " + outcome.err.strip()[-100:])
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, "by the host")
+        need_statistics(setting.stats)
+
+
+def run_apitrace(setting):
+    """apitrace records the application's calls, and its trace replays with the same picture."""
+    if not shutil.which("apitrace"):
+        raise Skip("apitrace is not installed")
+    trace = setting.scratch / "client.trace"
+    for program in ("client_libgl", "client_glx_dynamic"):
+        trace.unlink(missing_ok=True)
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute(["apitrace", "trace", "--api", "gl", "-o", trace,
+                           setting.clients / program, "libGL"], setting.environment(True))
+        need_success(outcome, program)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{program}: by the host")
+        dump = execute(["apitrace", "dump", trace], setting.environment(False))
+        need(dump.out.count("glProgramStringARB(") == 1, f"{program}: the trace has "
+             f"{dump.out.count('glProgramStringARB(')} program strings")
+        need(dump.out.count("glBegin(") == 1, f"{program}: calls are missing from the trace")
+
+
+def run_count(setting, platform="surfaceless", host="libEGL_mesa.so.0"):
+    """Each glClear and glDrawArrays of the application reaches the host once."""
+    calls = 1000
+    counts = setting.scratch / "counts.json"
+    icd = setting.scratch / "counting.json"
+    icd.write_text(json.dumps({"file_format_version": "1.0.0", "ICD": {
+        "library_path": str(setting.clients / "libclient_counting_vendor.so")}}))
+    # The counting vendor was selected before the layer, which makes it the layer's host.
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), "COUNTING_HOST": host,
+             "COUNTING_FILE": str(counts)}
+    outcome = execute([setting.clients / "client_count", str(calls), platform],
+                      setting.environment(True, extra))
+    need_success(outcome, "layer")
+    counted = json.loads(counts.read_text()) if counts.exists() else None
+    need(counted == {"clears": calls, "draws": calls}, f"the host counted {counted}")
+    stats = json.loads(setting.stats.read_text())
+    need(stats["draws"]["host_untouched"] == calls, f"the layer counted {stats['draws']}")
+
+
+def run_vendor_gpa(setting):
+    """GetProcAddress answers compared with the host's own, function by function."""
+    outcome = execute([setting.clients / "client_vendor_gpa", setting.layer, "libEGL_mesa.so.0"],
+                      setting.environment(False))
+    need_success(outcome, "vendor_gpa")
+
+
+def run_exports(setting):
+    """The library exports what was generated from the allow-list, and nothing else."""
+    wanted = set((setting.build / "src/dispatch/exports.txt").read_text().split())
+    listing = subprocess.run(["nm", "-D", "--defined-only", str(setting.layer)], text=True,
+                             capture_output=True, check=True).stdout
+    exported = {line.split()[-1] for line in listing.splitlines()}
+    need(exported == wanted, f"missing {sorted(wanted - exported)[:5]}, "
+         f"surplus {sorted(exported - wanted)[:5]}")
+    needed = subprocess.run(["readelf", "-d", str(setting.layer)], text=True, capture_output=True,
+                            check=True).stdout
+    libraries = set(re.findall(r"NEEDED.*\[(.*)\]", needed))
+    allowed = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2"}
+    need(libraries <= allowed, f"brings {sorted(libraries - allowed)} into applications")
+
+
+def run_disassembly(setting):
+    """A passed-on call: no thread-local by function call, no lock, no call on its straight way."""
+    code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(setting.layer)], text=True,
+                          capture_output=True, check=True).stdout
+    callers, function = set(), ""
+    for line in code.splitlines():
+        if line.endswith(">:"):
+            function = line.split("<")[1][:-2]
+        elif "call" in line and "__tls_get_addr" in line:
+            callers.add(function)
+    # The C++ runtime's own, for exceptions, is linked in; no GL call comes by it.
+    ours = callers - {"__cxa_get_globals", "__cxa_get_globals_fast"}
+    need(not ours, f"__tls_get_addr is called by {sorted(ours)}")
+    for name in ("glDrawArrays", "glDrawElements", "glUniform4fv", "glBegin", "glEnable"):
+        body = re.search(rf"<{name}>:\n(.*?)\n\n", code, re.S)
+        need(body, f"{name} is not in the disassembly")
+        text = body.group(1)
+        need("%fs:" in text, f"{name} does not read the thread's context by initial-exec")
+        need("lock " not in text and "pthread_mutex" not in text, f"{name} locks")
+        if name.startswith("glDraw"):
+            straight = text.split("jmp", 1)[0]
+            need("call" not in straight, f"{name} calls a function before the host's")
+
+
+SYSTEM_GL = "/usr/lib/x86_64-linux-gnu/libGL.so.1"
+
+
+def all_cases():
+    """name -> callable; the first 24 are the kinds of client, the others the extra cases."""
+    c = "{clients}/"
+    kinds = {
+        "libGL linked": Client([c + "client_libgl"]),
+        "libOpenGL+libGLX linked": Client([c + "client_libopengl"]),
+        "piglit glx": Piglit("glx", "fp-kil"),
+        "piglit x11_egl": Piglit("x11_egl", "fp-kil"),
+        "piglit surfaceless_egl": Piglit("surfaceless_egl", "fp-kil"),
+        "shader_runner": Piglit("glx", "shader_runner", ("{source}/mul.shader_test",)),
+        "SDL2": Client([c + "client_sdl2"]),
+        "GLFW on GLX": Client([c + "client_glfw"]),
+        "GLFW on EGL": Client([c + "client_glfw", "egl"]),
+        "libepoxy": Client([c + "client_epoxy"]),
+        "GLEW": Client([c + "client_glew"]),
+        "OSMesa linked": Client([c + "client_osmesa_direct"]),
+        "OSMesa by dlsym": Client([c + "client_osmesa_dynamic", "dlsym"]),
+        "OSMesa by GetProcAddress": Client([c + "client_osmesa_dynamic", "gpa"]),
+        "EGL linked": Client([c + "client_egl_direct"]),
+        "EGL by dlsym": Client([c + "client_egl_dynamic"]),
+        "dlopen libGL": Client([c + "client_glx_dynamic", "libGL"]),
+        "dlopen libOpenGL": Client([c + "client_glx_dynamic", "libOpenGL"]),
+        "RTLD_DEFAULT": Client([c + "client_glx_dynamic", "default"]),
+        "dlvsym": Client([c + "client_glx_dynamic", "dlvsym"]),
+        "dlsym from libdl": Client([c + "client_glx_dynamic", "libdl"]),
+        "RTLD_LOCAL plugin": Client([c + "client_plugin_host", c + "libclient_plugin.so", "local"]),
+        "DEEPBIND plugin": Client([c + "client_plugin_host", c + "libclient_plugin.so", "deepbind"]),
+        "Python ctypes": Client(["python3", "{source}/ctypes_client.py"]),
+    }
+    extras = {
+        "RPATH": Client([c + "client_rpath"]),
+        "absolute path": Client([c + "client_glx_dynamic", "absolute", SYSTEM_GL]),
+        "EGL surfaceless": Client([c + "client_egl_direct", "surfaceless"]),
+        "EGL device": Client([c + "client_egl_direct", "device"]),
+        "handle reuse, GLX": Client([c + "client_reuse", "glx", "1000"], bare=False),
+        "handle reuse, EGL": Client([c + "client_reuse", "egl", "1000"], bare=False),
+        "handle reuse, OSMesa": Client([c + "client_reuse", "osmesa", "1000"], bare=False),
+        "GLX, OSMesa, EGL, GLX": Client([c + "client_mixed"], draws=4),
+        "4 threads share": Client([c + "client_threads", "4", "100"], draws=401),
+        "GL in a constructor": run_early,
+        "fork and exec": run_spawn,
+        "vendor without preload": run_vendor_only,
+        "arbiter run": run_arbiter,
+        "AT_SECURE": run_secure,
+        "overlay beside": run_overlay,
+        "apitrace": run_apitrace,
+        "glClear once per call": run_count,
+        "GetProcAddress": run_vendor_gpa,
+        "exports": run_exports,
+        "disassembly": run_disassembly,
+    }
+    return kinds, extras

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Runs every kind of GL client on the bare host and under the layer, on an X server of its own.
+
+  tests/clients/run.py --build build                all
+  tests/clients/run.py --build build --only EGL     those whose name has "EGL" in it
+  tests/clients/run.py --list
+
+Prints a table, and with --json writes it. Exit status 1 if a case fails.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import cases
+
+
+class XServer:
+    """An Xvfb on a display number that it chooses; -noreset, or the gap between two clients is one
+    in which nobody can connect."""
+
+    def __enter__(self):
+        reader, writer = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-noreset", "-nolisten", "tcp", "-screen", "0",
+             "640x480x24", "+extension", "GLX"],
+            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as stream:
+            number = stream.readline().strip()
+        if not number:
+            sys.exit("clients: Xvfb does not start")
+        return ":" + number
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait()
+
+
+def run_case(name, case, build, display):
+    begin = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="arbiter-client-") as scratch:
+        setting = cases.Setting(build, Path(__file__).resolve().parent, Path(scratch), display)
+        try:
+            case(setting)
+            result, note = "pass", ""
+        except cases.Skip as skip:
+            result, note = "skip", str(skip)
+        except cases.Failure as failure:
+            result, note = "FAIL", str(failure)
+        except Exception as error:  # a report that does not parse is a failure of the case
+            result, note = "FAIL", f"{type(error).__name__}: {error}"
+    return {"name": name, "result": result, "note": note,
+            "seconds": round(time.monotonic() - begin, 2)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--build", type=Path, default=Path("build"))
+    parser.add_argument("--only", action="append", help="part of a case's name; may be repeated")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--list", action="store_true")
+    arguments = parser.parse_args()
+    kinds, extras = cases.all_cases()
+    chosen = {**kinds, **extras}
+    if arguments.only:
+        chosen = {n: c for n, c in chosen.items() if any(o.lower() in n.lower() for o in arguments.only)}
+        if not chosen:
+            sys.exit(f"clients: no case has {' or '.join(arguments.only)} in its name")
+    if arguments.list:
+        print("\n".join(chosen))
+        return 0
+    build = arguments.build.resolve()
+    rows = []
+    with XServer() as display, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        futures = [pool.submit(run_case, n, c, build, display) for n, c in chosen.items()]
+        for future in futures:
+            row = future.result()
+            rows.append(row)
+            kind = "kind " if row["name"] in kinds else "extra"
+            print(f"{row['result']:5} {kind} {row['name']:28} {row['seconds']:6.2f} s  {row['note']}",
+                  flush=True)
+    tally = {r: sum(row["result"] == r for row in rows) for r in ("pass", "FAIL", "skip")}
+    of_kinds = sum(row["result"] == "pass" for row in rows if row["name"] in kinds)
+    print(f"clients: {of_kinds}/{sum(n in kinds for n in chosen)} kinds; in all {tally['pass']} passed, "
+          f"{tally['FAIL']} failed, {tally['skip']} skipped")
+    if arguments.json:
+        arguments.json.write_text(json.dumps({"kinds_passed": of_kinds, **tally, "cases": rows}, indent=2))
+    return 1 if tally["FAIL"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
