@@ -7,13 +7,14 @@ namespace arbiter::fp {
 
 namespace {
 
-constexpr std::size_t kMaxWord = 40;
-constexpr std::size_t kMaxCandidates = 256;
+constexpr std::size_t kMaxWord = 32;
+constexpr std::size_t kMaxCandidates = 64;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
 
-/// Optimal string alignment distance without regard to case, three rows at a time.
-unsigned distance(std::string_view a, std::string_view b) {
+/// Optimal string alignment distance without regard to case, three rows at a time; `enough` if it
+/// is that or more.
+unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
   using Row = std::array<unsigned, kMaxWord + 1>;
   Row rows[3];
   for (std::size_t j = 0; j <= b.size(); ++j)
@@ -23,15 +24,20 @@ unsigned distance(std::string_view a, std::string_view b) {
     const Row &above = rows[(i + 2) % 3];
     const Row &twoAbove = rows[(i + 1) % 3];
     row[0] = unsigned(i);
+    unsigned least = row[0];
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = lower(a[i - 1]) == lower(b[j - 1]);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
       if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
           lower(a[i - 2]) == lower(b[j - 1]))
         row[j] = std::min(row[j], twoAbove[j - 2] + 1);
+      least = std::min(least, row[j]);
     }
+    // A swap reaches over one row, at the price of one.
+    if (least > enough)
+      return enough;
   }
-  return rows[a.size() % 3][b.size()];
+  return std::min(rows[a.size() % 3][b.size()], enough);
 }
 
 } // namespace
@@ -46,7 +52,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     if (candidate.size() > kMaxWord || candidate.size() + best <= word.size() ||
         word.size() + best <= candidate.size())
       continue;
-    const unsigned d = distance(word, candidate);
+    const unsigned d = distance(word, candidate, best);
     if (d < best) {
       best = d;
       found = candidate;

@@ -5,7 +5,7 @@
 namespace arbiter::fp {
 
 namespace {
-constexpr std::size_t kSuggested = 128;
+constexpr std::size_t kSuggested = 64;
 }
 
 const Symbol *SymbolTable::declare(std::string_view name, const Symbol &symbol) {
