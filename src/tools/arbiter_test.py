@@ -304,6 +304,25 @@ class Run(Temporary):
         result = arbiter('run', '--library', library, '--', 'env', LD_LIBRARY_PATH='/opt/x')
         self.assertIn(f'\nLD_LIBRARY_PATH={front}:/opt/x\n', '\n' + result.stdout)
 
+    def test_egl_gets_the_vendor_file_that_fits(self):
+        library = self.path('libGLX_arbiter.so.0')
+        library.write_bytes(pathlib.Path(FAKE).read_bytes())
+        folder = self.path('arbiter')
+        folder.mkdir()
+        by_path, by_name = folder / '10_arbiter.json', folder / '11_arbiter.json'
+        def chosen(**environment):
+            shell = 'printf "%s" "$__EGL_VENDOR_LIBRARY_FILENAMES"'
+            return arbiter('run', '--library', library, '--', 'sh', '-c', shell,
+                           **environment).stdout
+        self.assertEqual(chosen(), '')
+        by_name.write_text('{"library_path": "libGLX_arbiter.so.0"}')
+        self.assertEqual(chosen(), str(by_name))
+        by_path.write_text('{"library_path": "/elsewhere/libGLX_arbiter.so.0"}')  # it was moved
+        self.assertEqual(chosen(), str(by_name))
+        by_path.write_text(f'{{"library_path": "{library}"}}')
+        self.assertEqual(chosen(), str(by_path))
+        self.assertEqual(chosen(__EGL_VENDOR_LIBRARY_FILENAMES='/theirs'), '/theirs')
+
     def test_the_command_is_passed_on_as_it_is(self):
         def run(*words):
             return arbiter('run', '--library', FAKE, *words)

@@ -64,6 +64,18 @@ std::string prepended(const std::string &ours, const char *variable) {
   return theirs == nullptr || *theirs == '\0' ? ours : ours + ":" + theirs;
 }
 
+/// The EGL vendor file that leads to the library: the one that has its path also serves children
+/// that lose LD_PRELOAD; in an installation that was moved only the one that has its name is right.
+std::string icdFile(const std::string &preload) {
+  const fs::path folder = fs::path(preload).parent_path() / "arbiter";
+  const auto byPath = readInput(folder / "10_arbiter.json");
+  if (byPath && byPath.value().find('"' + preload + '"') != std::string::npos)
+    return folder / "10_arbiter.json";
+  std::error_code error;
+  const fs::path byName = folder / "11_arbiter.json";
+  return fs::exists(byName, error) ? byName.string() : std::string();
+}
+
 /// LEVEL, FILE or LEVEL:FILE with FILE made absolute; see flags.def.
 std::string absoluteLog(const std::string &log) {
   const std::size_t slash = log.find('/');
@@ -104,12 +116,11 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   environment.push_back({"LD_PRELOAD", prepended(files.preload, "LD_PRELOAD")});
   // The library selects itself when it is loaded; said beforehand for programs whose own libraries
   // call GL in constructors, which run before a preloaded library's.
-  std::error_code error;
-  const fs::path icd = fs::path(files.preload).parent_path() / "arbiter" / "10_arbiter.json";
+  const std::string icd = icdFile(files.preload);
   if (std::getenv("__GLX_VENDOR_LIBRARY_NAME") == nullptr)
     environment.push_back({"__GLX_VENDOR_LIBRARY_NAME", "arbiter"});
-  if (std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES") == nullptr && fs::exists(icd, error))
-    environment.push_back({"__EGL_VENDOR_LIBRARY_FILENAMES", icd.string()});
+  if (std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES") == nullptr && !icd.empty())
+    environment.push_back({"__EGL_VENDOR_LIBRARY_FILENAMES", icd});
   if (!files.osmesaFolder.empty())
     environment.push_back({"LD_LIBRARY_PATH", prepended(files.osmesaFolder, "LD_LIBRARY_PATH")});
   if (!arguments.profile.empty()) {

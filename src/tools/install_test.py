@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Installs the build tree, moves the installation as a whole, and uses it from there.
+
+usage: install_test.py BUILD PREFIX LIBDIR CXX   (PREFIX and LIBDIR as configured)
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BUILD, PREFIX, LIBDIR, CXX = sys.argv[1:5]
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix='arbiter-install-')
+        cls.addClassCleanup(cls.folder.cleanup)
+        first, moved = (pathlib.Path(cls.folder.name) / name for name in ('first', 'moved'))
+        subprocess.run(['meson', 'install', '-C', BUILD, '--no-rebuild', '--quiet'], check=True,
+                       env={**os.environ, 'DESTDIR': str(first)}, stdout=subprocess.DEVNULL)
+        shutil.move(first, moved)
+        cls.prefix = moved / PREFIX.lstrip('/')
+        cls.environment = {name: value for name, value in os.environ.items()
+                           if not name.startswith(('ARBITER_', '__EGL_', '__GLX_', 'LD_'))}
+
+    def run_it(self, *words):
+        result = subprocess.run([str(word) for word in words], capture_output=True, text=True,
+                                env=self.environment, timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def package(self, *words):
+        folder = self.prefix / LIBDIR / 'pkgconfig'
+        return subprocess.run(['pkg-config', f'--define-variable=prefix={self.prefix}', *words,
+                               'arbiter'], capture_output=True, text=True, check=True,
+                              env={**self.environment, 'PKG_CONFIG_PATH': str(folder)}
+                              ).stdout.strip()
+
+    def test_draws_through_the_moved_layer(self):
+        stats = pathlib.Path(self.folder.name) / 'stats.json'
+        picture = pathlib.Path(self.folder.name) / 'picture.png'
+        program = self.prefix / 'share' / 'arbiter' / 'programs' / 'pass_through.fp'
+        self.run_it(self.prefix / 'bin' / 'arbiter', 'draw', '--size', '16x16', '--texture',
+                    '0=checker', '--stats', stats, program, '-o', picture)
+        self.assertTrue(picture.read_bytes().startswith(b'\x89PNG'))
+        self.assertEqual(json.loads(stats.read_text())['draws']['host_glsl'], 1)
+
+    def test_pkg_config_leads_to_the_files(self):
+        self.assertTrue(pathlib.Path(self.package('--variable=preload')).is_file())
+        self.assertTrue((pathlib.Path(self.package('--variable=osmesadir')) / 'libOSMesa.so.8')
+                        .is_file())
+
+    def test_the_header_is_c_and_carries_the_version(self):
+        source = pathlib.Path(self.folder.name) / 'use.c'
+        source.write_text('#include <GL/arbiter.h>\n#include <GL/arbiter.h>\n'
+                          'const char *preload = ARBITER_PRELOAD_LIBRARY;\n'
+                          'char check[ARBITER_VERSION > 0 ? 1 : -1];\n')
+        subprocess.run([CXX, '-x', 'c', '-std=c89', '-pedantic-errors', '-Wall', '-Werror',
+                        '-fsyntax-only', *self.package('--cflags').split(), str(source)],
+                       check=True)
+        version = self.run_it(self.prefix / 'bin' / 'arbiter', '--version').split()[1]
+        self.assertEqual(self.package('--modversion'), version)
+
+    def test_manuals(self):
+        for section in (1, 7):
+            page = self.prefix / 'share' / 'man' / f'man{section}' / f'arbiter.{section}'
+            self.assertTrue(page.is_file(), page)
+
+
+if __name__ == '__main__':
+    unittest.main(argv=[sys.argv[0]])
