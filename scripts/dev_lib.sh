@@ -78,9 +78,10 @@ for option in json.load(sys.stdin):
 sys.exit(1)' "$2"
 }
 
+# usage: compile TREE [TARGETS...]
 compile() {
   step "building $(basename "$1") with $jobs jobs" >&2
-  ninja -C "$1" -j "$jobs" >&2
+  ninja -C "$1" -j "$jobs" "${@:2}" >&2
 }
 
 # Tests see a plain GL of software, whatever the caller has set.

@@ -41,24 +41,32 @@ def runs_of(demos):
     return runs
 
 
+def compiled(path):
+    """Whether the layer's statistics show a program; the picture alone could be the host's."""
+    try:
+        return bool(json.loads(path.read_text())["programs"])
+    except (OSError, ValueError, KeyError):
+        return False
+
+
 def summary(path):
     """One line about what the layer saw: programs with their counts, draws by path."""
     try:
         stats = json.loads(path.read_text())
     except (OSError, ValueError):
         return "no statistics"
-    programs = stats.get("programs", [])
-    draws = stats.get("draws", {})
-    parts = ["%d program%s" % (len(programs), "" if len(programs) == 1 else "s")]
-    counts = [p.get("counts", p) for p in programs]
-    for count in counts[:3]:
-        alu, tex = count.get("alu_instructions"), count.get("tex_instructions")
-        if alu is not None and tex is not None:
-            parts.append("%s ALU + %s TEX" % (alu, tex))
-    if isinstance(draws, dict):
-        parts += ["%s %s" % (value, key.replace("_", " ")) for key, value in draws.items()
-                  if isinstance(value, int) and value]
-    return ", ".join(parts)
+    parts = []
+    for program in stats["programs"]:
+        counts = program["counts"]
+        parts.append("%d ALU + %d TEX, %d indirection%s"
+                     % (counts["alu"], counts["tex"], counts["indirections"],
+                        "" if counts["indirections"] == 1 else "s"))
+    draws = stats["draws"]
+    parts.append("%d draws as GLSL, %d untouched" % (draws["host_glsl"], draws["host_untouched"]))
+    parts += ["%d %s" % (count, reason) for reason, count in draws["reasons"].items()]
+    if stats["feedback"]["copies"]:
+        parts.append("%d feedback copies" % stats["feedback"]["copies"])
+    return "; ".join(parts)
 
 
 def main():
@@ -103,6 +111,9 @@ def main():
             failed += 1
             continue
         print("      %s\n      %s" % (picture, summary(stats)), flush=True)
+        if not compiled(stats):
+            print("      the layer compiled no program")
+            failed += 1
     print("%d of %d demonstrations drew their picture into %s"
           % (len(chosen) - failed, len(chosen), args.out))
     return 1 if failed else 0

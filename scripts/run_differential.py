@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""The differential suite three ways, each against the reference interpreter.
+
+glsl: the compiler's GLSL given to the host; host: the host's own ARB path, in a process of its own;
+layer: the same calls with the layer in front, whose statistics must show that it compiled them.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+
+def run(name, args, mode, extra):
+    """(failed, programs) of one way; failed is None if it could not run at all."""
+    report = args.out / (name + ".json")
+    report.unlink(missing_ok=True)
+    print("%-6s" % name, end=" ", flush=True)
+    done = subprocess.run(
+        [str(args.build / "tests/differential/differential"), "--mode", mode,
+         "--count", str(args.count), "--json", str(report),
+         "--failures", str(args.out / (name + "-failures"))],
+        env={**os.environ, **extra}, stdin=subprocess.DEVNULL)
+    try:
+        document = json.loads(report.read_text())
+    except (OSError, ValueError):
+        print("%-6s no report, status %d" % (name, done.returncode), flush=True)
+        return None
+    failed = len(document["failures"])
+    if done.returncode not in (0, 1) or (done.returncode == 1) != (failed > 0):
+        return None
+    return failed, document["programs"]
+
+
+def compiled_by_layer(stats):
+    try:
+        document = json.loads(stats.read_text())
+        return len(document["programs"]) + document["programs_not_listed"]
+    except (OSError, ValueError, KeyError):
+        return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--count", type=int, default=500)
+    parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
+    args = parser.parse_args()
+    args.out.mkdir(parents=True, exist_ok=True)
+    stats = args.out / "stats.json"
+    stats.unlink(missing_ok=True)
+    layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
+    ways = [("glsl", "glsl", {}), ("host", "arb", {}),
+            ("layer", "arb", {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host",
+                              "ARBITER_STATS": str(stats)})]
+    passed = failed = 0
+    for name, mode, extra in ways:
+        result = run(name, args, mode, extra)
+        if result is None:
+            failed += 1
+            continue
+        failed += result[0]
+        passed += result[1] - result[0]
+    if compiled_by_layer(stats) < args.count:
+        print("layer  compiled fewer programs than were drawn: it was not in front")
+        failed += 1
+    if args.counts:
+        args.counts.write_text(json.dumps({"name": "differential", "passed": passed,
+                                           "failed": failed, "skipped": 0}) + "\n")
+    print("%d passed, %d failed, 0 skipped" % (passed, failed))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
