@@ -25,6 +25,8 @@ constexpr void require(bool possible) {
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
+#define TOML_INT_CHARCONV 1
+#define TOML_FLOAT_CHARCONV 1 // else it brings iostreams and locales into every application
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
