@@ -51,7 +51,31 @@ GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
     }
   }
   m_segments.insert(name);
+  m_used.store(true, std::memory_order_release);
   return name;
+}
+
+GLuint DisplayListTable::generate(const host::HostTable &host, GLsizei count) {
+  const std::lock_guard lock(m_mutex);
+  const auto wanted = GLuint(count);
+  GLuint first = m_nextGenerated;
+  GLuint found = 0;
+  for (GLuint name = first; found < wanted; ++name) {
+    if (name == 0 || name > m_next)
+      return 0;
+    if (host.IsList(name) == GL_TRUE) {
+      first = name + 1;
+      found = 0;
+    } else {
+      ++found;
+    }
+  }
+  for (GLuint name = first; name != first + wanted; ++name) {
+    host.NewList(name, GL_COMPILE);
+    host.EndList();
+  }
+  m_nextGenerated = first + wanted;
+  return first;
 }
 
 bool DisplayListTable::isSegment(GLuint name) {

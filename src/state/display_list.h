@@ -69,6 +69,11 @@ public:
   /// A free name for a segment.
   [[nodiscard]] GLuint takeSegmentName(const host::HostTable &host);
   [[nodiscard]] bool isSegment(GLuint name);
+  /// True once a segment's name was taken: the host's GenLists then counts on from the top.
+  [[nodiscard]] bool hasSegments() const { return m_used.load(std::memory_order_acquire); }
+  /// GenLists in place of the host's: `count` free names in a row from the bottom, which the host
+  /// is made to know as empty lists. 0 if there are none. No list is being compiled.
+  [[nodiscard]] GLuint generate(const host::HostTable &host, GLsizei count);
   /// The names of [first, first + count) that have a list of ours.
   [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
   /// The segments whose names are in [first, first + count).
@@ -80,6 +85,8 @@ private:
   std::unordered_set<GLuint> m_segments;
   std::vector<GLuint> m_free;
   GLuint m_next = kTop;
+  GLuint m_nextGenerated = 1;
+  std::atomic<bool> m_used{false};
   std::atomic<std::size_t> m_count{0};
 };
 

@@ -46,6 +46,16 @@ glm::mat4 getMatrix(const host::HostTable &host, GLenum pname) {
   return matrix;
 }
 
+/// A program matrix can be read only as the current matrix (AFP 3698-3707).
+glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
+  GLint mode = GL_MODELVIEW;
+  host.GetIntegerv(GL_MATRIX_MODE, &mode);
+  host.MatrixMode(GL_MATRIX0_ARB + index);
+  const glm::mat4 matrix = getMatrix(host, GL_CURRENT_MATRIX_ARB);
+  host.MatrixMode(GLenum(mode));
+  return matrix;
+}
+
 glm::mat4 fetchMatrix(const host::HostTable &host, const StateRef &state) {
   switch (state.item) {
   case StateItem::MatrixProjection:
@@ -57,7 +67,7 @@ glm::mat4 fetchMatrix(const host::HostTable &host, const StateRef &state) {
     return getMatrix(host, GL_TEXTURE_MATRIX);
   }
   case StateItem::MatrixProgram:
-    return getMatrix(host, GL_MATRIX0_ARB + state.index);
+    return getProgramMatrix(host, state.index);
   default: // palettes and further modelview matrices: no profile has them
     return getMatrix(host, GL_MODELVIEW_MATRIX);
   }

@@ -53,7 +53,17 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
   callLists(context, n, type, lists);
 }
 
-GLuint GenLists(Context &context, GLsizei range) { return context.host->GenLists(range); }
+GLuint GenLists(Context &context, GLsizei range) {
+  DisplayListTable &lists = context.group->lists;
+  if (context.insideBeginEnd || range <= 0 || !lists.hasSegments())
+    return context.host->GenLists(range);
+  GLuint first = 0;
+  if (context.listMode)
+    context.list.outside(context, [&] { first = lists.generate(*context.host, range); });
+  else
+    first = lists.generate(*context.host, range);
+  return first;
+}
 
 void DeleteLists(Context &context, GLuint list, GLsizei range) {
   DisplayListTable &lists = context.group->lists;

@@ -1,0 +1,117 @@
+// Program objects are shared exactly where display lists are; bindings, enables and env parameters
+// are the context's own.
+#include <memory>
+#include <thread>
+
+#include "fixture.h"
+
+namespace api {
+namespace {
+
+using Sharing = ApiTest;
+
+TEST_F(Sharing, ObjectsYesBindingsNo) {
+  const GLuint name = makeProgram(kRed);
+  glEnable(kFragment);
+  glProgramEnvParameter4fARB(kFragment, 0, 7, 7, 7, 7);
+  const GlContext second(&m_context);
+  EXPECT_TRUE(glIsProgramARB(name));
+  EXPECT_FALSE(glIsEnabled(kFragment));
+  EXPECT_EQ(programiv(GL_PROGRAM_BINDING_ARB), 0);
+  GLfloat value[4] = {};
+  glGetProgramEnvParameterfvARB(kFragment, 0, value);
+  EXPECT_EQ(value[0], 0.0f);
+  glBindProgramARB(kFragment, name);
+  glEnable(kFragment);
+  EXPECT_EQ(drawn(), kRedPixel);
+  load(kGreen);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  m_context.makeCurrent();
+  glBindProgramARB(kFragment, name);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  const GlContext alone;
+  EXPECT_FALSE(glIsProgramARB(name)) << "not of the share group";
+  m_context.makeCurrent();
+}
+
+TEST_F(Sharing, DeletedWhileBoundElsewhere) {
+  const GLuint name = makeProgram(kRed);
+  glEnable(kFragment);
+  EXPECT_EQ(drawn(), kRedPixel);
+  {
+    const GlContext second(&m_context);
+    glDeleteProgramsARB(1, &name);
+    EXPECT_FALSE(glIsProgramARB(name));
+  }
+  m_context.makeCurrent();
+  EXPECT_EQ(drawn(), kRedPixel) << "it lives while it is bound";
+  glBindProgramARB(kFragment, 0);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION, drawQuad());
+}
+
+TEST_F(Sharing, ContextsDieAndOthersDrawOn) {
+  const GLuint name = makeProgram(kRed);
+  glEnable(kFragment);
+  EXPECT_EQ(drawn(), kRedPixel);
+  for (int i = 0; i < 20; ++i) {
+    const GlContext second(&m_context);
+    glBindProgramARB(kFragment, name);
+    glEnable(kFragment);
+    EXPECT_EQ(drawn(), kRedPixel);
+  }
+  m_context.makeCurrent();
+  EXPECT_EQ(drawn(), kRedPixel);
+  for (GLuint program = 1; program < 64; ++program)
+    EXPECT_FALSE(glIsProgram(program)) << program;
+}
+
+TEST_F(Sharing, ListsAreShared) {
+  makeProgram(kRed);
+  const GLuint green = makeProgram(kGreen);
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glBindProgramARB(kFragment, green);
+  glEnable(kFragment);
+  drawQuad();
+  glEndList();
+  const GlContext second(&m_context);
+  clear();
+  glCallList(list);
+  EXPECT_EQ(readPixel(), kGreenPixel);
+  m_context.makeCurrent();
+}
+
+TEST_F(Sharing, FourThreadsDrawAtOnce) {
+  const GLuint name = makeProgram(kEnv0);
+  glFinish();
+  std::array<std::thread, 4> threads;
+  std::array<int, 4> wrong{};
+  std::array<std::unique_ptr<GlContext>, 4> contexts;
+  for (auto &context : contexts)
+    context = std::make_unique<GlContext>(&m_context);
+  eglMakeCurrent(eglGetCurrentDisplay(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  for (int i = 0; i < 4; ++i)
+    threads[std::size_t(i)] = std::thread([&, i] {
+      eglBindAPI(EGL_OPENGL_API);
+      contexts[std::size_t(i)]->makeCurrent();
+      glEnable(kFragment);
+      for (int frame = 0; frame < 50; ++frame) {
+        glBindProgramARB(kFragment, name);
+        const bool red = (frame + i) % 2 != 0;
+        glProgramEnvParameter4fARB(kFragment, 0, red, !red, 0, 1);
+        wrong[std::size_t(i)] += drawn() != (red ? kRedPixel : kGreenPixel);
+        const GLuint own = makeProgram(red ? kRed : kGreen);
+        wrong[std::size_t(i)] += drawn() != (red ? kRedPixel : kGreenPixel);
+        glDeleteProgramsARB(1, &own);
+      }
+      wrong[std::size_t(i)] += glGetError() != GL_NO_ERROR;
+      contexts[std::size_t(i)].reset();
+    });
+  for (std::thread &thread : threads)
+    thread.join();
+  m_context.makeCurrent();
+  EXPECT_EQ(wrong, (std::array<int, 4>{}));
+}
+
+} // namespace
+} // namespace api
