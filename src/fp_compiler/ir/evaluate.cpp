@@ -60,8 +60,7 @@ private:
       value[i] = select == Select::Zero  ? 0.0f
                  : select == Select::One ? 1.0f
                                          : source[std::size_t(select)];
-      if (operand.negate >> i & 1)
-        value[i] = -value[i];
+      value[i] = flushed(operand.negate >> i & 1 ? -value[i] : value[i]);
     }
     return value;
   }
@@ -72,7 +71,8 @@ private:
     request.target = instruction.target;
     request.unit = instruction.unit;
     for (std::size_t i = 0; i < 3; ++i)
-      request.coordinate[i] = instruction.op == Opcode::Txp ? value[i] / value[3] : value[i];
+      if (coordinateMask(instruction.target) >> i & 1)
+        request.coordinate[i] = instruction.op == Opcode::Txp ? value[i] / value[3] : value[i];
     if (instruction.op == Opcode::Txb && (operandMask(instruction, 0) & 8))
       request.bias = value[3];
     return m_inputs.texture ? m_inputs.texture(request) : Vec4{};

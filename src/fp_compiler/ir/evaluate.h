@@ -13,8 +13,9 @@ namespace arbiter::fp::ir {
 struct Sample {
   TexTarget target = TexTarget::Tex2D;
   std::uint8_t unit = 0;
-  Vec4 coordinate = {}; ///< s, t, r (r is the reference of a shadow target); w is 0
-  float bias = 0.0f;    ///< TXB's
+  /// s, t, r (r is the reference of a shadow target); 0 where the target has no use for one.
+  Vec4 coordinate = {};
+  float bias = 0.0f; ///< TXB's
 };
 
 /// Everything outside a program that its result depends on. Empty functions give zeros.

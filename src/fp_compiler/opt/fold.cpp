@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "fp_compiler/ir/reads.h"
+#include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/opt/opt.h"
+#include "fp_compiler/opt/values.h"
+
+namespace arbiter::fp::opt {
+
+using ir::Instruction;
+using ir::Opcode;
+
+namespace {
+/// A MOV of a constant is what folding makes.
+bool isFolded(const Instruction &instruction) {
+  if (instruction.op != Opcode::Mov || instruction.dst.saturate)
+    return false;
+  for (int i = 0; i < 4; ++i)
+    if ((instruction.dst.mask >> i & 1) &&
+        instruction.src[0].swizzle[std::size_t(i)] > ir::Select::W)
+      return false;
+  return true;
+}
+
+/// The operands' values where they matter, or nothing if one is not constant.
+std::optional<ir::Operands> constantOperands(const ir::Program &program,
+                                             const Instruction &instruction) {
+  ir::Operands operands = {};
+  for (int s = 0; s < ir::info(instruction.op).operandCount(); ++s) {
+    const std::uint8_t reads = ir::operandMask(instruction, s);
+    for (int i = 0; i < 4; ++i) {
+      if (!(reads >> i & 1))
+        continue;
+      const auto value = constantAt(program, instruction.src[std::size_t(s)], i);
+      if (!value)
+        return {};
+      operands[std::size_t(s)][std::size_t(i)] = *value;
+    }
+  }
+  return operands;
+}
+
+/// The result; components outside the mask repeat one inside, so that rows are shared.
+std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operands &operands) {
+  ir::Vec4 value = ir::apply(instruction.op, operands, ir::Numerics::Host);
+  float filler = 0.0f;
+  for (std::size_t i = 4; i-- > 0;) {
+    if (!(instruction.dst.mask >> i & 1))
+      continue;
+    if (instruction.dst.saturate)
+      value[i] = ir::saturated(value[i]);
+    if (!std::isfinite(value[i]))
+      return {};
+    filler = value[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    if (!(instruction.dst.mask >> i & 1))
+      value[i] = filler;
+  return value;
+}
+} // namespace
+
+bool foldConstants(ir::Program &program) {
+  ConstantRows rows(program);
+  bool changed = false;
+  for (Instruction &instruction : program.code) {
+    const ir::OpInfo &row = ir::info(instruction.op);
+    if (row.has(ir::Texture) || row.has(ir::Kills) || isFolded(instruction) || !rows.hasRoom())
+      continue;
+    const auto operands = constantOperands(program, instruction);
+    if (!operands)
+      continue;
+    const auto value = result(instruction, *operands);
+    if (!value)
+      continue;
+    instruction.src = {rows.operand(*value, instruction.src[0].span), {}, {}};
+    instruction.op = Opcode::Mov;
+    instruction.dst.saturate = false;
+    changed = true;
+  }
+  return changed;
+}
+
+} // namespace arbiter::fp::opt

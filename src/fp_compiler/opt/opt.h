@@ -1,0 +1,32 @@
+#pragma once
+#include "fp_compiler/ir/ir.h"
+
+/// The passes. Each requires a program that ir::validate() accepts and leaves one; keeps its
+/// meaning to the bit (ir/semantics.h; all NaNs are one); runs in time linear in the program;
+/// returns true if it changed anything, and false when it is run again at once. Register numbers
+/// stay as they are; foldConstants() may append parameters.
+namespace arbiter::fp::opt {
+
+/// Computes instructions whose operands are all constant, with the interpreter's own arithmetic.
+/// A result that is infinite or NaN is left to the host.
+[[nodiscard]] bool foldConstants(ir::Program &program);
+
+/// Makes reads of a copy (MOV, SWZ without _SAT) reads of its source, composing swizzles and signs;
+/// reads of components that were never written become reads of zero.
+[[nodiscard]] bool propagateCopies(ir::Program &program);
+
+/// Makes an instruction that computes what another one has computed, and that is still there, a
+/// copy of it. Texture samples count.
+[[nodiscard]] bool shareExpressions(ir::Program &program);
+
+/// Rewrites instructions by identities that hold for every value, NaN, infinity and -0 included:
+/// x*1, x-0, MAD by 1, CMP of a constant, POW by 0, MAX(x, x), signs under ABS.
+[[nodiscard]] bool simplify(ir::Program &program);
+
+/// Drops write mask components that nothing reads, and instructions that write none.
+[[nodiscard]] bool removeDeadCode(ir::Program &program);
+
+/// All of them, until nothing moves.
+void run(ir::Program &program);
+
+} // namespace arbiter::fp::opt

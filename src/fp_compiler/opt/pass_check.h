@@ -1,0 +1,51 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <string>
+
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/validate.h"
+#include "fp_compiler/testing/inputs.h"
+#include "fp_compiler/testing/random.h"
+
+/// What every pass owes, on programs made by hand and at random.
+namespace arbiter::fp::opt {
+
+using Pass = bool (*)(ir::Program &);
+
+/// Runs a pass and checks its contract: the program stays valid, means the same to the bit, changes
+/// iff the pass says so, and a second run moves nothing. Returns what the pass returned.
+inline bool runChecked(Pass pass, ir::Program &program, const std::string &context = "") {
+  const ir::Program before = program;
+  const bool changed = pass(program);
+  const std::string text =
+      context + "\nbefore:\n" + ir::print(before) + "after:\n" + ir::print(program);
+  for (const std::string &problem : ir::validate(program))
+    ADD_FAILURE() << problem << text;
+  for (std::uint64_t pixel = 0; pixel < 4; ++pixel)
+    EXPECT_TRUE(testing::same(testing::outcome(before, pixel), testing::outcome(program, pixel)))
+        << "meaning changed" << text;
+  EXPECT_EQ(changed, ir::print(before) != ir::print(program)) << text;
+  ir::Program again = program;
+  EXPECT_FALSE(pass(again)) << "not a fixed point" << text << "again:\n" << ir::print(again);
+  return changed;
+}
+
+/// The contract on random programs, half of them with special values; the pass must find work.
+/// \param prepare gives the pass something to do
+inline void runOnRandomPrograms(
+    Pass pass, int count = 300, void (*prepare)(ir::Program &) = [](ir::Program &) {}) {
+  int changed = 0;
+  for (std::uint64_t seed = 0; seed < std::uint64_t(count); ++seed) {
+    testing::RandomOptions options;
+    options.wild = seed & 1;
+    options.maxInstructions = 40;
+    ir::Program program = testing::randomProgram(seed + 10000, options);
+    prepare(program);
+    changed += runChecked(pass, program, "seed " + std::to_string(seed));
+    if (::testing::Test::HasFailure())
+      return;
+  }
+  EXPECT_GT(changed, 0) << "the pass never had anything to do";
+}
+
+} // namespace arbiter::fp::opt

@@ -1,0 +1,57 @@
+#include <chrono>
+
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/opt/opt.h"
+#include "fp_compiler/opt/pass_check.h"
+
+namespace arbiter::fp::opt {
+namespace {
+
+using ir::Builder;
+using ir::Opcode;
+
+bool runAll(ir::Program &program) {
+  const std::string before = ir::print(program);
+  run(program);
+  return ir::print(program) != before;
+}
+
+TEST(Pipeline, PassesFeedEachOther) {
+  Builder b;
+  const auto t = b.temporary(), s = b.temporary();
+  b.op(Opcode::Swz, t, {b.constant(2, 4, 8, 16).swz("1xyz")});
+  b.op(Opcode::Rcp, s, {t.read().swz("y")});  // 1/2
+  b.op(Opcode::Add, s, {s.read(), s.read()}); // 1
+  b.op(Opcode::Mul, t, {b.local(0), s.read()});
+  b.op(Opcode::Mov, b.color(), {t.read()});
+  ir::Program program = b.take();
+  EXPECT_TRUE(runChecked(runAll, program));
+  ASSERT_EQ(program.code.size(), 1u);
+  EXPECT_EQ(ir::print(program.code[0]), "MOV o0, p1");
+}
+
+TEST(Pipeline, RandomPrograms) { runOnRandomPrograms(runAll, 500); }
+
+/// A few thousand instructions are a matter of milliseconds: four times the program must not take
+/// much more than four times as long.
+TEST(Pipeline, IsAboutLinear) {
+  const auto seconds = [](int instructions) {
+    testing::RandomOptions options;
+    options.minInstructions = options.maxInstructions = instructions;
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+      ir::Program program = testing::randomProgram(7, options);
+      const auto start = std::chrono::steady_clock::now();
+      run(program);
+      best = std::min(
+          best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return best;
+  };
+  const double small = seconds(2000), large = seconds(8000);
+  EXPECT_LT(large, 16 * small + 0.02) << small << " s, " << large << " s";
+  EXPECT_LT(small, 0.25);
+}
+
+} // namespace
+} // namespace arbiter::fp::opt
