@@ -207,32 +207,40 @@ def handlers_header(table):
     return "".join(out)
 
 
-def thunk_body(command, action):
+def thunks(command, action, symbol):
+    """The entry point's body, and a function of its own for the way that is seldom taken: without
+    it the compiler saves registers on the straight way too."""
     name, result = command.name, command.result
     give = "" if result == "void" else "return "
     call = f"{give}t->host->{name}({command.arguments()});"
     lead = "  ContextHot *const t = t_current;\n"
-    drop = "return;" if result == "void" else f"return {{}};"
+    count = "  ++*t->drawCounter;\n" if action == "draw" else ""
     if action == "own":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         if result == "void":
-            return lead + ("  if (t->passThrough) [[unlikely]] {\n"
-                           f"    {call}\n    return;\n  }}\n  {ours}\n")
-        return lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n  {ours}\n"
-    if action in ("draw", "validate"):
-        count = "  ++*t->drawCounter;\n" if action == "draw" else ""
-        return (lead + "  if (t->attention) [[unlikely]] {\n"
-                f"    if (!handlers::beginDraw(here()))\n      {drop}\n  }}\n" + count + f"  {call}\n")
+            return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
+                               f"    {call}\n    return;\n  }}\n  {ours}\n")
+        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n  {ours}\n"
+    if action == "guard":
+        guarded = [n for t, n, kind in command.params
+                   if kind in ("program", "shader", "handle") and "*" not in t]
+        if not guarded:
+            sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
+        lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in guarded)
+        return "", lines + f"  {give}t_current->host->{name}({command.arguments()});\n"
     if action == "observe":
-        return (lead + "  if (t->hostProgramIsOurs) [[unlikely]]\n"
-                f"    handlers::restoreApplicationProgram(here());\n  {call}\n")
-    assert action == "guard"
-    guarded = [n for t, n, kind in command.params
-               if kind in ("program", "shader", "handle") and "*" not in t]
-    if not guarded:
-        sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
-    lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in guarded)
-    return lines + f"  {give}t_current->host->{name}({command.arguments()});\n"
+        flag, slow = "t->hostProgramIsOurs", "  handlers::restoreApplicationProgram(here());\n"
+    else:
+        flag = "t->attention"
+        slow = f"  if (!handlers::beginDraw(here()))\n    return{'' if result == 'void' else ' {}'};\n"
+    aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
+             f"{slow}{lead}{count}  {call}\n}}\n")
+    turn = f"slow_{symbol}({command.arguments()});"
+    if result == "void":
+        turn = "{\n    " + turn + "\n    return;\n  }\n"
+    else:
+        turn = "\n    return " + turn + "\n"
+    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}  {call}\n"
 
 
 def entry_points_source(table):
@@ -249,10 +257,11 @@ def entry_points_source(table):
     for name, action in sorted(table.action.items()):
         command = table.commands[name]
         root, *aliases = table.entry_names(name)
-        out.append(f"// {action}\nARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
+        aside, body = thunks(command, action, root)
+        out.append(f"// {action}\n{aside}ARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
                    f'__asm__("{root}");\n')
         out.append(f"{command.result} arbiter_{root}({command.declare()}) {{\n"
-                   f"{thunk_body(command, action)}}}\n")
+                   f"{body}}}\n")
         for alias in aliases:
             out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "
                        f'__asm__("{alias}") __attribute__((alias("{root}")));\n')

@@ -95,8 +95,8 @@ std::vector<std::string> glxCandidates() {
     return {vendorLibrary("GLX", chosen)};
   if (const char *saved = savedGlxVendor())
     names.push_back(saved);
-  else
-    names = split(serverVendorNames(), ' ');
+  for (const std::string &name : split(serverVendorNames(), ' '))
+    names.push_back(name);
   if (nvidiaPresent())
     names.push_back("nvidia");
   names.push_back("mesa");
@@ -117,16 +117,17 @@ std::vector<std::string> eglCandidates() {
   if (const char *saved = savedEglVendors())
     for (const std::string &file : split(saved, ':'))
       addIcd(libraries, file);
-  if (!libraries.empty())
-    return libraries;
+  const std::size_t selected = libraries.size();
   const char *const directories = secure_getenv("__EGL_VENDOR_LIBRARY_DIRS");
   for (const std::string &directory : split(directories ? directories : kIcdDirectories, ':'))
     for (const std::string &file : icdFiles(directory))
       addIcd(libraries, file);
   if (!nvidiaPresent())
-    std::stable_partition(libraries.begin(), libraries.end(), [](const std::string &library) {
-      return library.find("nvidia") == std::string::npos;
-    });
+    std::stable_partition(
+        libraries.begin() + std::ptrdiff_t(selected), libraries.end(),
+        [](const std::string &library) { return library.find("nvidia") == std::string::npos; });
+  if (nvidiaPresent())
+    libraries.push_back(vendorLibrary("EGL", "nvidia"));
   libraries.push_back(vendorLibrary("EGL", "mesa"));
   return libraries;
 }

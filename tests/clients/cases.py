@@ -12,6 +12,10 @@ from pathlib import Path
 # MAX_PROGRAM_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
 R300_INDIRECTIONS = 4
 TIMEOUT = 120
+# Of a sanitized build: preloading puts the layer before the sanitizer's runtime, and the host is not
+# instrumented.
+SANITIZER_OPTIONS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
+                     "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"}
 PIGLIT_FOLDERS = ("/usr/lib/x86_64-linux-gnu/piglit/bin", "/usr/lib/piglit/bin")
 
 
@@ -29,7 +33,10 @@ class Setting:
     build: Path
     source: Path
     scratch: Path
-    display: str
+    display: str | None
+    """None on a machine without X: only the cases of headless_cases() run there."""
+    egl_vendor: str | None = None
+    """The host's EGL vendor library, where it is not libglvnd's own choice."""
 
     @property
     def clients(self):
@@ -45,7 +52,10 @@ class Setting:
 
     @property
     def icd(self):
-        return self.build / "src/interposer/arbiter/10_arbiter.json"
+        """Made here, so that a build tree that was moved serves as well."""
+        folder = self.scratch / "arbiter"
+        folder.mkdir(exist_ok=True)
+        return write_icd(folder / "10_arbiter.json", self.layer)
 
     @property
     def stats(self):
@@ -55,13 +65,27 @@ class Setting:
         """The bare host's environment, or the layer's by LD_PRELOAD alone."""
         env = {k: v for k, v in os.environ.items()
                if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-        env.update(DISPLAY=self.display, LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(self.scratch),
-                   PIGLIT_NO_FAST_SKIP="1")
+        env.update(XDG_RUNTIME_DIR=str(self.scratch), **SANITIZER_OPTIONS)
+        if self.display is None:
+            env.pop("DISPLAY", None)
+            env["CLIENT_EGL_PLATFORM"] = "device"
+        else:
+            env.update(DISPLAY=self.display, LIBGL_ALWAYS_SOFTWARE="1")
+        if self.egl_vendor:
+            env["__EGL_VENDOR_LIBRARY_FILENAMES"] = str(write_icd(self.scratch / "host.json",
+                                                                  self.egl_vendor))
         if layer:
             env.update(LD_PRELOAD=str(self.layer), LD_LIBRARY_PATH=str(self.osmesa),
                        ARBITER_STATS=str(self.stats))
         env.update(extra or {})
         return env
+
+
+def write_icd(path, library):
+    """An ICD file for libglvnd that names an EGL vendor library."""
+    path.write_text(json.dumps({"file_format_version": "1.0.0",
+                                "ICD": {"library_path": str(library)}}))
+    return path
 
 
 @dataclass
@@ -262,15 +286,17 @@ def run_apitrace(setting):
         need(dump.out.count("glBegin(") == 1, f"{program}: calls are missing from the trace")
 
 
-def run_count(setting, platform="surfaceless", host="libEGL_mesa.so.0"):
-    """Each glClear and glDrawArrays of the application reaches the host once."""
+def run_count(setting):
+    """Each glClear and glDrawArrays of the application reaches the host once: a host that patches
+    libglvnd's stubs must not get past the layer."""
     calls = 1000
     counts = setting.scratch / "counts.json"
-    icd = setting.scratch / "counting.json"
-    icd.write_text(json.dumps({"file_format_version": "1.0.0", "ICD": {
-        "library_path": str(setting.clients / "libclient_counting_vendor.so")}}))
+    icd = write_icd(setting.scratch / "counting.json",
+                    setting.clients / "libclient_counting_vendor.so")
+    platform = "surfaceless" if setting.display else "device"
     # The counting vendor was selected before the layer, which makes it the layer's host.
-    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), "COUNTING_HOST": host,
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), 
+             "COUNTING_HOST": setting.egl_vendor or "libEGL_mesa.so.0",
              "COUNTING_FILE": str(counts)}
     outcome = execute([setting.clients / "client_count", str(calls), platform],
                       setting.environment(True, extra))
@@ -382,3 +408,21 @@ def all_cases():
         "disassembly": run_disassembly,
     }
     return kinds, extras
+
+
+def sanitized_cases():
+    """Those whose program is built with the sanitizer too."""
+    kinds, extras = all_cases()
+    names = ("EGL linked", "OSMesa linked", "libGL linked", "handle reuse, GLX", "handle reuse, EGL",
+             "handle reuse, OSMesa", "GLX, OSMesa, EGL, GLX", "4 threads share")
+    everything = {**kinds, **extras}
+    return {name: everything[name] for name in names}
+
+
+def headless_cases():
+    """Those that need EGL on a device and nothing else: no X, no Mesa, no piglit."""
+    kinds, extras = all_cases()
+    names = ("EGL linked", "EGL by dlsym", "EGL device", "handle reuse, EGL",
+             "4 threads share", "GL in a constructor", "fork and exec", "glClear once per call")
+    everything = {**kinds, **extras}
+    return {name: everything[name] for name in names}

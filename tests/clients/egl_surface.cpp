@@ -1,5 +1,8 @@
 #include "egl_surface.h"
 
+#include <cstdlib>
+#include <cstring>
+
 #include "body.h"
 
 namespace clients {
@@ -17,7 +20,17 @@ Egl loadEgl(void *(*get)(const char *name)) {
 
 namespace {
 
+/// CLIENT_EGL_PLATFORM, for machines without a display: "device" or "surfaceless".
+EGLenum platformOfEnvironment() {
+  const char *const name = std::getenv("CLIENT_EGL_PLATFORM");
+  if (name && !std::strcmp(name, "device"))
+    return EGL_PLATFORM_DEVICE_EXT;
+  return name && !std::strcmp(name, "surfaceless") ? EGL_PLATFORM_SURFACELESS_MESA : 0;
+}
+
 EGLDisplay getDisplay(const Egl &egl, EGLenum platform) {
+  if (!platform)
+    platform = platformOfEnvironment();
   if (!platform)
     return egl.GetDisplay(EGL_DEFAULT_DISPLAY);
   const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(

@@ -4,11 +4,14 @@
   tests/clients/run.py --build build                all
   tests/clients/run.py --build build --only EGL     those whose name has "EGL" in it
   tests/clients/run.py --list
+  tests/clients/run.py --build build --headless libEGL_nvidia.so.0
+                                                    EGL's device platform, no X, that host vendor
 
 Prints a table, and with --json writes it. Exit status 1 if a case fails.
 """
 import argparse
 import concurrent.futures
+import contextlib
 import json
 import os
 import subprocess
@@ -42,10 +45,11 @@ class XServer:
         self.process.wait()
 
 
-def run_case(name, case, build, display):
+def run_case(name, case, build, display, vendor):
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="arbiter-client-") as scratch:
-        setting = cases.Setting(build, Path(__file__).resolve().parent, Path(scratch), display)
+        setting = cases.Setting(build, Path(__file__).resolve().parent, Path(scratch), display,
+                                vendor)
         try:
             case(setting)
             result, note = "pass", ""
@@ -65,10 +69,16 @@ def main():
     parser.add_argument("--only", action="append", help="part of a case's name; may be repeated")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--json", type=Path)
+    parser.add_argument("--headless", metavar="EGL_VENDOR_LIBRARY")
+    parser.add_argument("--sanitized", action="store_true", help="the build has a sanitizer")
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
     kinds, extras = cases.all_cases()
     chosen = {**kinds, **extras}
+    if arguments.headless:
+        chosen = cases.headless_cases()
+    elif arguments.sanitized:
+        chosen = cases.sanitized_cases()
     if arguments.only:
         chosen = {n: c for n, c in chosen.items() if any(o.lower() in n.lower() for o in arguments.only)}
         if not chosen:
@@ -78,8 +88,9 @@ def main():
         return 0
     build = arguments.build.resolve()
     rows = []
-    with XServer() as display, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        futures = [pool.submit(run_case, n, c, build, display) for n, c in chosen.items()]
+    server = contextlib.nullcontext() if arguments.headless else XServer()
+    with server as display, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        futures = [pool.submit(run_case, n, c, build, display, arguments.headless) for n, c in chosen.items()]
         for future in futures:
             row = future.result()
             rows.append(row)
