@@ -42,7 +42,7 @@ std::vector<double> blendFunc(int count, unsigned) {
   return average(count, [](int i) { glBlendFunc(i & 1 ? GL_ONE : GL_SRC_ALPHA, GL_ZERO); });
 }
 std::vector<double> activeTexture(int count, unsigned) {
-  const auto time = average(count, [](int i) { glActiveTexture(GL_TEXTURE0 + GLenum(i & 1)); });
+  auto time = average(count, [](int i) { glActiveTexture(GL_TEXTURE0 + GLenum(i & 1)); });
   glActiveTexture(GL_TEXTURE0);
   return time;
 }
@@ -62,19 +62,19 @@ std::vector<double> env(int count, unsigned) {
 }
 std::vector<double> bind(int count, unsigned) {
   const GLuint *names = programs();
-  const auto time =
+  auto time =
       average(count, [&](int i) { glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, names[i & 1]); });
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, names[0]);
   return time;
 }
 std::vector<double> enableBlend(int count, unsigned) {
-  const auto time = average(count, [](int i) { (i & 1 ? glDisable : glEnable)(GL_BLEND); });
+  auto time = average(count, [](int i) { (i & 1 ? glDisable : glEnable)(GL_BLEND); });
   glDisable(GL_BLEND);
   return time;
 }
 std::vector<double> enableProgram(int count, unsigned) {
   programs();
-  const auto time =
+  auto time =
       average(count, [](int i) { (i & 1 ? glEnable : glDisable)(GL_FRAGMENT_PROGRAM_ARB); });
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
   return time;

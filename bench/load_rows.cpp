@@ -88,9 +88,9 @@ double loadAndDraw(const std::string &text) {
 
 template <typename MakeText>
 std::vector<double> loadEach(int count, unsigned seed, MakeText makeText) {
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i)
-    times.push_back(loadAndDraw(makeText(seed + unsigned(i))));
+  std::vector<double> times(std::size_t(count), 0.0);
+  for (double &time : times)
+    time = loadAndDraw(makeText(seed++));
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
   return times;
 }

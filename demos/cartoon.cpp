@@ -193,6 +193,7 @@ void Cartoon::drawKnot(const View &view) const {
     glActiveTexture(GL_TEXTURE0 + unit);
     glLoadMatrixf(glm::value_ptr(textureMatrices[unit]));
     glClientActiveTexture(GL_TEXTURE0 + unit);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): with a buffer bound, GL takes an offset here.
     glTexCoordPointer(3, GL_FLOAT, sizeof(Vertex), reinterpret_cast<const void *>(offsets[unit]));
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
   }

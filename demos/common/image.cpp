@@ -53,7 +53,8 @@ Difference compare(const Image &picture, const Image &reference, Tolerance toler
       result.beyond += error > tolerance.levels;
     }
   }
-  result.ok = double(result.beyond) <= tolerance.outliers * double(picture.bytes.size() / 4);
+  const std::size_t pixels = picture.bytes.size() / 4;
+  result.ok = double(result.beyond) <= tolerance.outliers * double(pixels);
   return result;
 }
 
