@@ -1,0 +1,150 @@
+// Display lists by segments: what the host is told, in which order.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+constexpr GLuint kTop = DisplayListTable::kTop;
+std::string newList(GLuint name, GLenum mode = GL_COMPILE) {
+  return "NewList " + std::to_string(name) + " " + std::to_string(mode);
+}
+
+TEST(Lists, WithoutTheProgramApiListsAreTheHosts) {
+  FakeHost host;
+  const CurrentContext context(host);
+  host.calls.clear();
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::CallList(*context, 2);
+  handlers::PushAttrib(*context, GL_ALL_ATTRIB_BITS);
+  handlers::PopAttrib(*context);
+  handlers::EndList(*context);
+  EXPECT_EQ(host.calls, (std::vector<std::string>{newList(1), "CallList 2", "EndList"}));
+  EXPECT_TRUE(context->group->lists.empty());
+}
+
+TEST(Lists, ACommandCutsTheList) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  host.calls.clear();
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::Begin(*context, GL_POINTS);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
+  handlers::Begin(*context, GL_LINES);
+  handlers::EndList(*context);
+  EXPECT_EQ(host.calls, (std::vector<std::string>{newList(1), "Begin 0", "EndList", newList(kTop),
+                                                  "Begin 1", "EndList"}));
+  EXPECT_EQ(context->env[0][0], 0.0f) << "COMPILE executed";
+  EXPECT_FALSE(context->insideBeginEnd) << "a recorded Begin opens nothing";
+  host.calls.clear();
+  handlers::CallList(*context, 1);
+  EXPECT_EQ(context->env[0][0], 1.0f);
+  EXPECT_EQ(host.count("CallList"), 2);
+  EXPECT_LT(std::find(host.calls.begin(), host.calls.end(), "CallList 1"),
+            std::find(host.calls.begin(), host.calls.end(), "CallList " + std::to_string(kTop)));
+}
+
+TEST(Lists, NothingOfOursIsEverRecorded) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 1, 1, 1);
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    handlers::NewList(*context, 1, mode);
+    EXPECT_TRUE(draw(*context));
+    handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 2, 2, 2, GLfloat(mode));
+    EXPECT_TRUE(draw(*context));
+    load(*context, "!!ARBfp1.0\nADD result.color, program.env[0], 1;\nEND");
+    EXPECT_TRUE(draw(*context));
+    handlers::restoreApplicationProgram(*context);
+    EXPECT_TRUE(draw(*context));
+    handlers::EndList(*context);
+    load(*context, kText);
+  }
+  EXPECT_TRUE(host.recorded.empty()) << host.recorded.front();
+}
+
+TEST(Lists, CompileAndExecuteBindsBeforeTheHostRecords) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  host.calls.clear();
+  handlers::NewList(*context, 1, GL_COMPILE_AND_EXECUTE);
+  ASSERT_FALSE(host.calls.empty());
+  EXPECT_EQ(host.calls.back(), newList(1, GL_COMPILE_AND_EXECUTE));
+  EXPECT_NE(host.currentProgram, 0u);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
+  handlers::EndList(*context);
+}
+
+TEST(Lists, SegmentNamesAreReusedAndNamesInUseArePassedOver) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  host.lists.insert(kTop); // the application's own
+  const auto compile = [&] {
+    handlers::NewList(*context, 1, GL_COMPILE);
+    handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
+    handlers::EndList(*context);
+  };
+  for (int i = 0; i < 10; ++i)
+    compile();
+  EXPECT_EQ(host.lists, (std::set<GLuint>{1, kTop, *std::next(host.lists.begin())}))
+      << "segments of replaced lists pile up";
+  EXPECT_EQ(host.lists.size(), 3u);
+  handlers::DeleteLists(*context, 1, 1);
+  EXPECT_EQ(host.lists, (std::set<GLuint>{kTop}));
+  EXPECT_TRUE(context->group->lists.empty());
+}
+
+TEST(Lists, RecursionEnds) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::CallList(*context, 1);
+  handlers::EndList(*context);
+  host.calls.clear();
+  handlers::CallList(*context, 1);
+  EXPECT_EQ(host.count("CallList 1"), ListCompiler::kMaxDepth);
+  EXPECT_EQ(context->listDepth, 0);
+}
+
+TEST(Lists, CallListsDecodesEveryType) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::NewList(*context, 300, GL_COMPILE);
+  handlers::Disable(*context, kFragment);
+  handlers::EndList(*context);
+  host.integers[GL_LIST_BASE] = 44;
+  const auto calls = [&](GLenum type, const void *names) {
+    handlers::Enable(*context, kFragment);
+    handlers::CallLists(*context, 1, type, names);
+    return !context->fragmentEnabled;
+  };
+  const GLubyte twoBytes[] = {1, 0}, fourBytes[] = {0, 0, 1, 0}, threeBytes[] = {0, 1, 0};
+  const GLshort shorts[] = {256};
+  const GLint ints[] = {256};
+  const GLfloat floats[] = {256.75f};
+  const GLbyte bytes[] = {-100};
+  EXPECT_TRUE(calls(GL_2_BYTES, twoBytes));
+  EXPECT_TRUE(calls(GL_3_BYTES, threeBytes));
+  EXPECT_TRUE(calls(GL_4_BYTES, fourBytes));
+  EXPECT_TRUE(calls(GL_SHORT, shorts));
+  EXPECT_TRUE(calls(GL_UNSIGNED_INT, ints));
+  EXPECT_TRUE(calls(GL_FLOAT, floats));
+  EXPECT_FALSE(calls(GL_BYTE, bytes));
+  host.integers[GL_LIST_BASE] = 400;
+  EXPECT_TRUE(calls(GL_BYTE, bytes));
+}
+
+} // namespace
+} // namespace arbiter::state

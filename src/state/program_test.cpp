@@ -1,0 +1,99 @@
+// Program objects: names, binding, parameters, attribute stacks, as the handlers keep them.
+#include <gtest/gtest.h>
+
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+
+TEST(Programs, FragmentProgramsNeverReachTheHost) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  load(*context, "!!ARBfp1.0 junk");
+  EXPECT_EQ(host.count("ProgramString"), 0);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(context->errorPosition, 11);
+}
+
+TEST(Programs, GenSkipsNamesThatWereBoundWithoutIt) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint taken = host.lastName + 2;
+  handlers::BindProgramARB(*context, kFragment, taken);
+  GLuint names[3] = {};
+  handlers::GenProgramsARB(*context, 3, names);
+  for (const GLuint name : names)
+    EXPECT_NE(name, taken);
+}
+
+TEST(Programs, TheSameTextKeepsWhatWasCompiled) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  const CompiledProgram *before = context->fragmentProgram->compiled.get();
+  load(*context, kText);
+  EXPECT_EQ(context->fragmentProgram->compiled.get(), before);
+  load(*context, std::string(kText) + " ");
+  EXPECT_NE(context->fragmentProgram->compiled.get(), before);
+}
+
+TEST(Programs, UnsafeVertexTextStopsHere) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const auto vertex = [&](const std::string &text) {
+    handlers::ProgramStringARB(*context, GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB,
+                               GLsizei(text.size()), text.data());
+    return handlers::GetError(*context);
+  };
+  EXPECT_EQ(vertex("!!ARBvp1.0\nMOV result.position, vertex.position;\nEND"), GLenum(GL_NO_ERROR));
+  EXPECT_EQ(host.count("ProgramString"), 1);
+  EXPECT_EQ(vertex(std::string("!!ARBvp1.0\0END", 14)), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(vertex("!!ARBvp1.0\n" + std::string(fp::kMaxTextBytes, ' ')),
+            GLenum(GL_INVALID_OPERATION));
+  std::string list = "!!ARBvp1.0 PARAM p[] = { 0";
+  for (int i = 0; i < 5000; ++i)
+    list += ",1";
+  EXPECT_EQ(vertex(list + "};END"), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(vertex("!!ARBvp1.0\n#" + std::string(5000, ',') + "\nEND"), GLenum(GL_NO_ERROR))
+      << "a comment is no list";
+  EXPECT_EQ(host.count("ProgramString"), 2);
+}
+
+TEST(Programs, TheAttributeStackIsMirrored) {
+  FakeHost host;
+  const CurrentContext context(host);
+  handlers::Enable(*context, kFragment);
+  for (int i = 0; i < 16; ++i)
+    handlers::PushAttrib(*context, GL_ENABLE_BIT);
+  handlers::PushAttrib(*context, GL_ENABLE_BIT);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_STACK_OVERFLOW));
+  EXPECT_EQ(context->attribStack.depth(), 16u) << "the host refused, and so must ours";
+  handlers::Disable(*context, kFragment);
+  handlers::PopAttrib(*context);
+  EXPECT_TRUE(handlers::IsEnabled(*context, kFragment));
+}
+
+TEST(Programs, ADestroyedContextStaysUsableWhileCurrent) {
+  FakeHost host;
+  Context *context = createContext(Provider::Glx, host.table(), nullptr);
+  makeCurrent(context);
+  destroyContext(context);
+  use(*context, kText);
+  EXPECT_TRUE(draw(*context));
+  makeCurrent(nullptr); // frees it
+  EXPECT_EQ(currentContext(), nullptr);
+}
+
+TEST(Programs, TheNullContextPassesThrough) {
+  EXPECT_EQ(currentContext(), nullptr);
+  EXPECT_TRUE(nullContext().passThrough);
+  EXPECT_NE(nullContext().drawCounter, nullptr);
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,62 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "host/handlers.h"
+#include "state/context.h"
+#include "state/share_group.h"
+#include "state/testing/fake_host.h"
+
+namespace arbiter::state::testing {
+
+inline constexpr GLenum kFragment = GL_FRAGMENT_PROGRAM_ARB;
+
+/// A context of the fake host, current for as long as this lives.
+class CurrentContext {
+public:
+  explicit CurrentContext(FakeHost &host, Context *share = nullptr)
+      : m_context(createContext(Provider::Egl, host.table(), share)) {
+    makeCurrent(m_context);
+  }
+  ~CurrentContext() {
+    destroyContext(m_context);
+    if (currentContext() == m_context)
+      makeCurrent(nullptr);
+  }
+  CurrentContext(const CurrentContext &) = delete;
+  CurrentContext &operator=(const CurrentContext &) = delete;
+  Context &operator*() const { return *m_context; }
+  Context *operator->() const { return m_context; }
+
+private:
+  Context *m_context;
+};
+
+inline void load(Context &context, std::string_view text) {
+  handlers::ProgramStringARB(context, kFragment, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
+                             text.data());
+}
+
+/// Binds a new object with that text and enables the target.
+inline GLuint use(Context &context, std::string_view text) {
+  GLuint name = 0;
+  handlers::GenProgramsARB(context, 1, &name);
+  handlers::BindProgramARB(context, kFragment, name);
+  load(context, text);
+  handlers::Enable(context, kFragment);
+  return name;
+}
+
+/// What an entry point of a draw does before it calls the host. False: dropped.
+inline bool draw(Context &context) {
+  if (context.attention && !handlers::beginDraw(context))
+    return false;
+  ++*context.drawCounter;
+  return true;
+}
+
+inline std::uint64_t drawsBy(const Context &context, Path path) {
+  return context.draws[std::size_t(path)];
+}
+
+} // namespace arbiter::state::testing

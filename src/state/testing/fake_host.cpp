@@ -1,0 +1,220 @@
+#include "state/testing/fake_host.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace arbiter::state::testing {
+
+FakeHost *FakeHost::s_active = nullptr;
+
+namespace {
+
+FakeHost &fake() { return *FakeHost::s_active; }
+
+std::string words(const char *name, std::initializer_list<long long> values) {
+  std::string text = name;
+  for (const long long value : values)
+    text += " " + std::to_string(value);
+  return text;
+}
+
+const GLubyte *getString(GLenum name) {
+  static std::string s_joined;
+  switch (name) {
+  case GL_VERSION:
+    return reinterpret_cast<const GLubyte *>(fake().version.c_str());
+  case GL_SHADING_LANGUAGE_VERSION:
+    return reinterpret_cast<const GLubyte *>(fake().shadingLanguage.c_str());
+  case GL_EXTENSIONS:
+    s_joined.clear();
+    for (const std::string &extension : fake().extensions)
+      s_joined += extension + " ";
+    return reinterpret_cast<const GLubyte *>(s_joined.c_str());
+  default:
+    return nullptr;
+  }
+}
+
+const GLubyte *getStringi(GLenum, GLuint index) {
+  return index < fake().extensions.size()
+             ? reinterpret_cast<const GLubyte *>(fake().extensions[index].c_str())
+             : nullptr;
+}
+
+void getIntegerv(GLenum pname, GLint *value) {
+  FakeHost &f = fake();
+  const auto it = f.integers.find(pname);
+  if (pname == GL_CURRENT_PROGRAM)
+    *value = GLint(f.currentProgram);
+  else if (pname == GL_NUM_EXTENSIONS)
+    *value = GLint(f.extensions.size());
+  else if (pname == GL_LIST_INDEX)
+    *value = GLint(f.compiling);
+  else if (pname == GL_ATTRIB_STACK_DEPTH)
+    *value = f.attribDepth;
+  else if (it != f.integers.end())
+    *value = it->second;
+  else
+    *value = 16; // limits
+}
+
+GLenum getError() {
+  const GLenum error = fake().error;
+  fake().error = GL_NO_ERROR;
+  return error;
+}
+
+GLuint createShader(GLenum) {
+  if (fake().createFails)
+    return 0;
+  fake().shaders.insert(++fake().lastName);
+  return fake().lastName;
+}
+GLuint createProgram() {
+  if (fake().createFails)
+    return 0;
+  fake().programs.insert(++fake().lastName);
+  return fake().lastName;
+}
+void deleteShader(GLuint name) { fake().shaders.erase(name); }
+void deleteProgram(GLuint name) {
+  fake().note(words("DeleteProgram", {name}));
+  fake().programs.erase(name);
+}
+void getShaderiv(GLuint, GLenum pname, GLint *value) {
+  *value = pname == GL_COMPILE_STATUS ? !fake().compileFails : 5;
+}
+void getProgramiv(GLuint, GLenum pname, GLint *value) {
+  *value = pname == GL_LINK_STATUS ? !fake().linkFails : 5;
+}
+void getLog(GLuint, GLsizei length, GLsizei *written, GLchar *text) {
+  *written = std::min<GLsizei>(length, 4);
+  std::memcpy(text, "no.\n", std::size_t(*written));
+}
+void linkProgram(GLuint name) { fake().note(words("LinkProgram", {name})); }
+
+void useProgram(GLuint name) {
+  fake().note(words("UseProgram", {name}));
+  if (name != 0 && fake().programs.count(name) == 0)
+    return fake().raise(GL_INVALID_VALUE);
+  if (fake().compiling == 0)
+    fake().currentProgram = name;
+}
+
+/// arb_param[i] is at 10 + i, samplers at 0.
+GLint getUniformLocation(GLuint, const GLchar *name) {
+  return std::strncmp(name, "arb_param[", 10) == 0 ? 10 + std::atoi(name + 10) : 0;
+}
+void uniform4fv(GLint location, GLsizei count, const GLfloat *values) {
+  fake().note(words("Uniform4fv", {location, count}));
+  for (GLsizei i = 0; i < count; ++i)
+    fake().uniforms[location + i].assign(values + 4 * i, values + 4 * i + 4);
+}
+void uniform1i(GLint location, GLint value) { fake().note(words("Uniform1i", {location, value})); }
+
+void newList(GLuint name, GLenum mode) {
+  fake().calls.push_back(words("NewList", {name, mode}));
+  fake().compiling = name;
+}
+void endList() {
+  fake().calls.emplace_back("EndList");
+  fake().lists.insert(fake().compiling);
+  fake().compiling = 0;
+}
+void callList(GLuint name) { fake().note(words("CallList", {name})); }
+GLboolean isList(GLuint name) { return fake().lists.count(name) != 0; }
+void deleteLists(GLuint first, GLsizei count) {
+  fake().calls.push_back(words("DeleteLists", {first, count}));
+  for (GLsizei i = 0; i < count; ++i)
+    fake().lists.erase(first + GLuint(i));
+}
+
+void genPrograms(GLsizei n, GLuint *names) {
+  for (GLsizei i = 0; i < n; ++i)
+    names[i] = ++fake().lastName;
+}
+void programString(GLenum target, GLenum, GLsizei length, const void *) {
+  fake().note(words("ProgramString", {target, length}));
+}
+void pushAttrib(GLbitfield) {
+  if (fake().attribDepth >= 16)
+    return fake().raise(GL_STACK_OVERFLOW);
+  ++fake().attribDepth;
+}
+void popAttrib() {
+  if (fake().attribDepth <= 0)
+    return fake().raise(GL_STACK_UNDERFLOW);
+  --fake().attribDepth;
+}
+void begin(GLenum mode) { fake().note(words("Begin", {mode})); }
+void enable(GLenum cap) { fake().note(words("Enable", {cap})); }
+
+struct Row {
+  const char *name;
+  void *function;
+};
+#define ROW(name, function)                                                                        \
+  { "gl" #name, reinterpret_cast<void *>(&function) }
+const Row kRows[] = {
+    ROW(GetString, getString),
+    ROW(GetStringi, getStringi),
+    ROW(GetIntegerv, getIntegerv),
+    ROW(GetError, getError),
+    ROW(CreateShader, createShader),
+    ROW(CreateProgram, createProgram),
+    ROW(DeleteShader, deleteShader),
+    ROW(DeleteProgram, deleteProgram),
+    ROW(GetShaderiv, getShaderiv),
+    ROW(GetProgramiv, getProgramiv),
+    ROW(GetShaderInfoLog, getLog),
+    ROW(GetProgramInfoLog, getLog),
+    ROW(LinkProgram, linkProgram),
+    ROW(UseProgram, useProgram),
+    ROW(GetUniformLocation, getUniformLocation),
+    ROW(Uniform4fv, uniform4fv),
+    ROW(Uniform1i, uniform1i),
+    ROW(NewList, newList),
+    ROW(EndList, endList),
+    ROW(CallList, callList),
+    ROW(IsList, isList),
+    ROW(DeleteLists, deleteLists),
+    ROW(GenProgramsARB, genPrograms),
+    ROW(ProgramStringARB, programString),
+    ROW(PushAttrib, pushAttrib),
+    ROW(PopAttrib, popAttrib),
+    ROW(Begin, begin),
+    ROW(Enable, enable),
+};
+#undef ROW
+
+void *getProc(const char *name) {
+  for (const Row &row : kRows)
+    if (std::strcmp(row.name, name) == 0)
+      return row.function;
+  return nullptr;
+}
+
+} // namespace
+
+FakeHost::FakeHost() {
+  s_active = this;
+  integers = {{GL_CONTEXT_PROFILE_MASK, 0}, {GL_CONTEXT_FLAGS, 0}, {GL_LIST_BASE, 0}};
+  (void)host::loadHostTable(m_table, getProc);
+}
+
+FakeHost::~FakeHost() { s_active = nullptr; }
+
+void FakeHost::note(const std::string &call) {
+  calls.push_back(call);
+  if (compiling != 0)
+    recorded.push_back(call);
+}
+
+int FakeHost::count(const std::string &call) const {
+  return int(std::count_if(calls.begin(), calls.end(), [&](const std::string &c) {
+    return c == call || c.compare(0, call.size() + 1, call + " ") == 0;
+  }));
+}
+
+} // namespace arbiter::state::testing

@@ -1,0 +1,142 @@
+// Hosts that do not compile, do not link, lack what is needed or lack everything: a clean error, a
+// count with its reason, and no crash.
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "state/host_caps.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kText[] = "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND";
+
+void expectRefused(FakeHost &host, Context &context) {
+  use(context, kText);
+  EXPECT_EQ(handlers::GetError(context), GLenum(GL_NO_ERROR)) << "the load is not at fault";
+  EXPECT_FALSE(draw(context));
+  EXPECT_EQ(handlers::GetError(context), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(handlers::GetError(context), GLenum(GL_NO_ERROR));
+  EXPECT_FALSE(draw(context));
+  EXPECT_EQ(drawsBy(context, Path::HostRefused), 2u);
+  EXPECT_LE(host.count("LinkProgram"), 1) << "each draw tried again";
+  EXPECT_TRUE(host.programs.empty() && host.shaders.empty()) << "objects were left behind";
+  EXPECT_EQ(host.currentProgram, 0u);
+  handlers::Disable(context, kFragment);
+  EXPECT_TRUE(draw(context)) << "fixed function goes on";
+}
+
+TEST(HostFaults, CompilingFails) {
+  FakeHost host;
+  host.compileFails = true;
+  const CurrentContext context(host);
+  expectRefused(host, *context);
+}
+
+TEST(HostFaults, LinkingFails) {
+  FakeHost host;
+  host.linkFails = true;
+  const CurrentContext context(host);
+  expectRefused(host, *context);
+}
+
+TEST(HostFaults, NoObjectsToBeHad) {
+  FakeHost host;
+  host.createFails = true;
+  const CurrentContext context(host);
+  expectRefused(host, *context);
+}
+
+TEST(HostFaults, AHostWithoutAnyFunction) {
+  host::HostTable table;
+  EXPECT_EQ(host::loadHostTable(table, [](const char *) -> void * { return nullptr; }), 0u);
+  Context *context = createContext(Provider::Egl, &table, nullptr);
+  makeCurrent(context);
+  EXPECT_TRUE(context->passThrough) << "a context that says nothing of itself is let be";
+  EXPECT_TRUE(draw(*context));
+  makeCurrent(nullptr);
+  destroyContext(context);
+}
+
+TEST(HostFaults, ContextsThatAreNotOurs) {
+  for (const char *version : {"OpenGL ES 3.2 Fake", "", "junk"}) {
+    FakeHost host;
+    host.version = version;
+    const CurrentContext context(host);
+    EXPECT_TRUE(context->passThrough) << version;
+  }
+  FakeHost core;
+  core.version = "4.5 (Core Profile) Fake";
+  core.integers[GL_CONTEXT_PROFILE_MASK] = GL_CONTEXT_CORE_PROFILE_BIT;
+  const CurrentContext context(core);
+  EXPECT_TRUE(context->passThrough);
+}
+
+TEST(HostFaults, AHostWithoutGlslOffersNothing) {
+  FakeHost host;
+  host.version = "1.5 Fake";
+  host.shadingLanguage = "";
+  const CurrentContext context(host);
+  EXPECT_FALSE(context->passThrough) << "its own parser must not be reached";
+  const auto *extensions =
+      reinterpret_cast<const char *>(handlers::GetString(*context, GL_EXTENSIONS));
+  EXPECT_EQ(std::strstr(extensions, "GL_ARB_fragment_program"), nullptr);
+  EXPECT_NE(std::strstr(extensions, "GL_ARB_vertex_program"), nullptr);
+  use(*context, kText);
+  EXPECT_EQ(host.count("ProgramString"), 0);
+}
+
+TEST(HostFaults, AHostWithoutProgramsOfItsOwn) {
+  FakeHost host;
+  host.extensions.clear();
+  const CurrentContext context(host);
+  const GLuint name = use(*context, kText);
+  EXPECT_NE(name, 0u);
+  EXPECT_TRUE(handlers::IsProgramARB(*context, name));
+  EXPECT_TRUE(draw(*context));
+  const auto *extensions =
+      reinterpret_cast<const char *>(handlers::GetString(*context, GL_EXTENSIONS));
+  EXPECT_NE(std::strstr(extensions, "GL_ARB_fragment_program"), nullptr) << "it is ours to offer";
+}
+
+TEST(HostFaults, LanguagesThatWeRefuseAreNotOffered) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const auto *extensions =
+      reinterpret_cast<const char *>(handlers::GetString(*context, GL_EXTENSIONS));
+  EXPECT_EQ(std::strstr(extensions, "GL_NV_fragment_program2"), nullptr);
+  GLint count = 0;
+  handlers::GetIntegerv(*context, GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+    EXPECT_STRNE(
+        reinterpret_cast<const char *>(handlers::GetStringi(*context, GL_EXTENSIONS, GLuint(i))),
+        "GL_NV_fragment_program2");
+}
+
+TEST(HostFaults, ALostContextDoesNotHang) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const host::HostTable *const working = context->host;
+  host::HostTable lost = *working;
+  lost.GetError = [] { return GLenum(GL_CONTEXT_LOST); };
+  context->host = &lost;
+  use(*context, "!!ARBfp1.0 junk");
+  (void)draw(*context);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_CONTEXT_LOST));
+  context->host = working;
+}
+
+TEST(HostFaults, FewUnitsInTheHostLimitTheProfile) {
+  FakeHost host;
+  host.integers[GL_MAX_TEXTURE_IMAGE_UNITS] = 4;
+  const CurrentContext context(host);
+  GLint units = 0;
+  handlers::GetIntegerv(*context, GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+  EXPECT_EQ(units, 4) << "more was promised than the host can sample";
+}
+
+} // namespace
+} // namespace arbiter::state

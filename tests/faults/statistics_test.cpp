@@ -1,0 +1,95 @@
+// The statistics file: whole or not at all, private, and not over another process's figures.
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "state/statistics.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+std::string g_path;
+
+std::string read(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+bool exists(const std::string &path) { return access(path.c_str(), F_OK) == 0; }
+
+TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
+  FakeHost host;
+  {
+    const CurrentContext context(host);
+    use(*context, "!!ARBfp1.0\nMOV result.color, program.env[0];\nEND");
+    EXPECT_TRUE(draw(*context));
+    EXPECT_TRUE(draw(*context));
+    load(*context, "!!ARBfp1.0\nMOV nowhere, 0;\nEND");
+    handlers::CopyTexImage2D(*context, GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 16, 8, 0);
+    frameEnd(&*context);
+  }
+  writeStatistics();
+  const std::string text = read(g_path);
+  EXPECT_NE(text.find("\"schema\": 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"host_glsl\": 2"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"position\": 15"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"pixels\": 128"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"frames\": 1"), std::string::npos) << text;
+  struct stat info {};
+  ASSERT_EQ(stat(g_path.c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, mode_t(0600));
+}
+
+TEST(Statistics, AForkedChildWritesBesideIt) {
+  writeStatistics();
+  const std::string before = read(g_path);
+  const pid_t child = fork();
+  if (child == 0) {
+    writeStatistics();
+    _exit(0);
+  }
+  int status = 1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(read(g_path), before) << "the parent's figures are gone";
+  const std::string beside = g_path + "." + std::to_string(child);
+  EXPECT_TRUE(exists(beside));
+  unlink(beside.c_str());
+}
+
+TEST(Statistics, ASymbolicLinkIsNotFollowed) {
+  const std::string victim = g_path + ".victim";
+  std::ofstream(victim) << "precious";
+  unlink(g_path.c_str());
+  ASSERT_EQ(symlink(victim.c_str(), g_path.c_str()), 0);
+  writeStatistics();
+  EXPECT_EQ(read(victim), "precious");
+  unlink(g_path.c_str());
+  unlink(victim.c_str());
+  writeStatistics();
+  EXPECT_TRUE(exists(g_path));
+}
+
+} // namespace
+} // namespace arbiter::state
+
+int main(int argc, char **argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  char directory[] = "/tmp/arbiter-statistics-XXXXXX";
+  if (!mkdtemp(directory))
+    return 1;
+  arbiter::state::g_path = std::string(directory) + "/stats.json";
+  setenv("ARBITER_STATS", arbiter::state::g_path.c_str(), 1); // read once, at the first context
+  const int result = RUN_ALL_TESTS();
+  // With the directory gone, what is written at exit fails, which must not hurt either.
+  unlink(arbiter::state::g_path.c_str());
+  rmdir(directory);
+  return result;
+}
