@@ -13,10 +13,11 @@
 namespace arbiter::dispatch {
 namespace {
 
-/// Nanoseconds that an entry point may add to the host's call, and what the clock may add to that
-/// on a machine that does other work.
+/// Nanoseconds that an entry point may add to the host's call, and what a machine that does other
+/// work may add to that: less than a lock or a thread-local by function call would. The code itself
+/// is looked at by the client tests' disassembly.
 constexpr double kAllowed = 0.6;
-constexpr double kNoise = 0.5;
+constexpr double kNoise = 1.9;
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr bool kTimed = true;
 #else

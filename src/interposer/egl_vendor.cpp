@@ -144,12 +144,16 @@ void *getProcAddress(const char *name) {
     return nullptr;
   if (std::strncmp(name, "egl", 3) != 0)
     return resolveGl(name, hostLookup);
-  bool isHook = false;
-  void *const ours = resolveHook(std::begin(kHooks), std::end(kHooks), name, hostLookup, isHook);
-  return isHook ? ours : hostLookup(name);
+  const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), name);
+  if (!hook)
+    return hostLookup(name);
+  return *hook->host ? hook->ours : nullptr;
 }
 
+/// False for a second vendor of this name in the process: there is one host to stand in front of.
 bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) {
+  if (g_host.getProcAddress)
+    return false;
   for (const std::string &library : eglCandidates()) {
     void *const main = openHostLibrary(library, __EGL_MAIN_PROTO_NAME);
     if (!main)
@@ -158,6 +162,7 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
     if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &g_host) &&
         g_host.getProcAddress) {
       logInfo("layer", "EGL: in front of %s", library.c_str());
+      loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
       return true;
     }
   }

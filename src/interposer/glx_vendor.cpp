@@ -208,12 +208,16 @@ void *getProcAddress(const GLubyte *name) {
     return nullptr;
   if (std::strncmp(text, "glX", 3) != 0)
     return resolveGl(text, hostLookup);
-  bool isHook = false;
-  void *const ours = resolveHook(std::begin(kHooks), std::end(kHooks), text, hostLookup, isHook);
-  return isHook ? ours : hostLookup(text);
+  const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), text);
+  if (!hook)
+    return hostLookup(text);
+  return *hook->host ? hook->ours : nullptr;
 }
 
+/// False for a second vendor of this name in the process: there is one host to stand in front of.
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) {
+  if (g_host.getProcAddress)
+    return false;
   for (const std::string &library : glxCandidates()) {
     void *const main = openHostLibrary(library, __GLX_MAIN_PROTO_NAME);
     if (!main)
@@ -222,6 +226,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
     if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &g_host) &&
         g_host.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
+      loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
       return true;
     }
   }

@@ -1,5 +1,6 @@
 #include "interposer/provider.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "dispatch/entry_points.h"
@@ -23,18 +24,15 @@ void *resolveGl(const char *name, HostLookup host) {
   return theirs && entry.function ? entry.function : theirs;
 }
 
-void *resolveHook(const Hook *begin, const Hook *end, const char *name, HostLookup host,
-                  bool &isHook) {
-  isHook = false;
-  for (const Hook *hook = begin; hook != end; ++hook) {
-    if (std::strcmp(hook->name, name) != 0)
-      continue;
-    isHook = true;
-    if (!*hook->host)
-      *hook->host = host(name);
-    return *hook->host ? hook->ours : nullptr;
-  }
-  return nullptr;
+void loadHooks(const Hook *begin, const Hook *end, HostLookup host) {
+  for (const Hook *hook = begin; hook != end; ++hook)
+    *hook->host = host(hook->name);
+}
+
+const Hook *findHook(const Hook *begin, const Hook *end, const char *name) {
+  const Hook *const hook =
+      std::find_if(begin, end, [&](const Hook &h) { return std::strcmp(h.name, name) == 0; });
+  return hook == end ? nullptr : hook;
 }
 
 } // namespace arbiter::interposer

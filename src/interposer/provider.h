@@ -21,9 +21,10 @@ struct Hook {
   void **host;
 };
 
-/// The hook of that name, with the host's function filled in; null if there is none, or the host
-/// lacks it.
-[[nodiscard]] void *resolveHook(const Hook *begin, const Hook *end, const char *name,
-                                HostLookup host, bool &isHook);
+/// Fills in the host's functions, once, before any thread can call a hook.
+void loadHooks(const Hook *begin, const Hook *end, HostLookup host);
+
+/// The hook of that name; null if there is none.
+[[nodiscard]] const Hook *findHook(const Hook *begin, const Hook *end, const char *name);
 
 } // namespace arbiter::interposer

@@ -194,6 +194,19 @@ def run_early(setting):
     need_statistics(setting.stats)
 
 
+def run_close(setting):
+    """A display that is closed takes its contexts along."""
+    for way in ("glx", "egl"):
+        setting.stats.unlink(missing_ok=True)
+        command = [setting.clients / "client_close", way]
+        need_success(execute(command, setting.environment(False)), f"bare host, {way}")
+        need_success(execute(command, setting.environment(True)), way)
+        contexts = need_statistics(setting.stats, 2)["contexts"]
+        need(len(contexts) == 4, f"{way}: {len(contexts)} contexts, not 4")
+        alive = [c["id"] for c in contexts if not c["destroyed"]]
+        need(not alive, f"{way}: contexts {alive} outlived their display")
+
+
 def run_spawn(setting):
     """Each of the two processes writes statistics of its own."""
     outcome = execute([setting.clients / "client_spawn"],
@@ -348,9 +361,11 @@ def run_disassembly(setting):
         text = body.group(1)
         need("%fs:" in text, f"{name} does not read the thread's context by initial-exec")
         need("lock " not in text and "pthread_mutex" not in text, f"{name} locks")
-        if name.startswith("glDraw"):
-            straight = text.split("jmp", 1)[0]
-            need("call" not in straight, f"{name} calls a function before the host's")
+        if name.startswith(("glDraw", "glUniform")):
+            straight = text.split("jmp ", 1)[0].splitlines()
+            need(not any("call" in line or "push" in line for line in straight),
+                 f"{name} does more than pass on: {straight}")
+            need(len(straight) <= 10, f"{name} takes {len(straight)} instructions")
 
 
 SYSTEM_GL = "/usr/lib/x86_64-linux-gnu/libGL.so.1"
@@ -394,6 +409,7 @@ def all_cases():
         "handle reuse, EGL": Client([c + "client_reuse", "egl", "1000"], bare=False),
         "handle reuse, OSMesa": Client([c + "client_reuse", "osmesa", "1000"], bare=False),
         "GLX, OSMesa, EGL, GLX": Client([c + "client_mixed"], draws=4),
+        "display closed": run_close,
         "4 threads share": Client([c + "client_threads", "4", "100"], draws=401),
         "GL in a constructor": run_early,
         "fork and exec": run_spawn,

@@ -1,0 +1,157 @@
+/// The registry against a state tracker of the test's own, which notes what it is told.
+#include "interposer/registry.h"
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/host_table.h"
+
+namespace arbiter::state {
+
+class Context {
+public:
+  Context *share = nullptr;
+  const host::HostTable *table = nullptr;
+  bool destroyed = false;
+};
+
+namespace {
+std::vector<std::unique_ptr<Context>> g_made;
+thread_local Context *t_now = nullptr;
+int g_unbinds = 0;
+} // namespace
+
+Context *createContext(Provider, const host::HostTable *table, Context *share) {
+  g_made.push_back(std::make_unique<Context>(Context{share, table, false}));
+  return g_made.back().get();
+}
+void makeCurrent(Context *context) {
+  if (!context && t_now)
+    ++g_unbinds;
+  t_now = context;
+}
+Context *currentContext() { return t_now; }
+void destroyContext(Context *context) { context->destroyed = true; }
+
+} // namespace arbiter::state
+
+namespace arbiter::interposer::registry {
+namespace {
+
+using state::g_made;
+using state::t_now;
+
+const host::HostTable kTable{};
+int g_display, g_otherDisplay;
+
+class Registry : public testing::Test {
+protected:
+  void TearDown() override {
+    for (const Provider provider : {Provider::Glx, Provider::Egl, Provider::OsMesa}) {
+      madeCurrent({provider, &g_display, nullptr}, kTable);
+      for (const void *display :
+           {static_cast<void *>(&g_display), static_cast<void *>(&g_otherDisplay),
+            static_cast<void *>(nullptr)})
+        displayClosed(provider, display);
+    }
+    g_made.clear();
+  }
+  /// Any address serves as a handle: the registry compares them and no more.
+  const void *handle(int i) { return &m_handles[i]; }
+  Key glx(int i) { return {Provider::Glx, &g_display, handle(i)}; }
+  Key egl(int i) { return {Provider::Egl, &g_display, handle(i)}; }
+  char m_handles[8] = {};
+};
+
+TEST_F(Registry, FindsTheContextThatWasMade) {
+  created(glx(0), kTable, nullptr);
+  created(glx(1), kTable, nullptr);
+  madeCurrent(glx(1), kTable);
+  EXPECT_EQ(t_now, g_made[1].get());
+  EXPECT_TRUE(isCurrent(Provider::Glx));
+  EXPECT_FALSE(isCurrent(Provider::Egl));
+}
+
+TEST_F(Registry, HandsOnTheShareGroup) {
+  created(glx(0), kTable, nullptr);
+  created(glx(1), kTable, handle(0));
+  EXPECT_EQ(g_made[1]->share, g_made[0].get());
+}
+
+TEST_F(Registry, AdoptsAContextItNeverSaw) {
+  madeCurrent(egl(3), kTable);
+  ASSERT_EQ(g_made.size(), 1u);
+  EXPECT_EQ(t_now, g_made[0].get());
+  madeCurrent(egl(3), kTable);
+  EXPECT_EQ(g_made.size(), 1u);
+}
+
+TEST_F(Registry, ReusedHandleIsANewContext) {
+  created(glx(0), kTable, nullptr);
+  madeCurrent(glx(0), kTable);
+  destroyed(glx(0));
+  EXPECT_TRUE(g_made[0]->destroyed);
+  EXPECT_EQ(t_now, g_made[0].get()) << "destroyed, but current: still in use";
+  created(glx(0), kTable, nullptr);
+  madeCurrent(glx(0), kTable);
+  EXPECT_EQ(t_now, g_made[1].get());
+}
+
+TEST_F(Registry, TakesOverAHandleWhoseDestructionItMissed) {
+  created(egl(0), kTable, nullptr);
+  created(egl(0), kTable, nullptr);
+  EXPECT_TRUE(g_made[0]->destroyed);
+  madeCurrent(egl(0), kTable);
+  EXPECT_EQ(t_now, g_made[1].get());
+}
+
+TEST_F(Registry, ProvidersAndEglDisplaysDoNotMix) {
+  const Key otherEgl{Provider::Egl, &g_otherDisplay, handle(0)};
+  created(glx(0), kTable, nullptr);
+  created(egl(0), kTable, nullptr);
+  created(otherEgl, kTable, nullptr);
+  madeCurrent(otherEgl, kTable);
+  EXPECT_EQ(t_now, g_made[2].get());
+  madeCurrent(glx(0), kTable);
+  EXPECT_EQ(t_now, g_made[0].get());
+}
+
+TEST_F(Registry, GlxContextIsFoundOverAnotherConnection) {
+  created(glx(0), kTable, nullptr);
+  madeCurrent({Provider::Glx, &g_otherDisplay, handle(0)}, kTable);
+  EXPECT_EQ(t_now, g_made[0].get());
+}
+
+TEST_F(Registry, UnbindingOfAnotherProviderLeavesTheCurrentOne) {
+  created({Provider::OsMesa, nullptr, handle(0)}, kTable, nullptr);
+  madeCurrent({Provider::OsMesa, nullptr, handle(0)}, kTable);
+  madeCurrent({Provider::Glx, &g_display, nullptr}, kTable);
+  EXPECT_EQ(t_now, g_made[0].get());
+  madeCurrent({Provider::OsMesa, nullptr, nullptr}, kTable);
+  EXPECT_EQ(t_now, nullptr);
+}
+
+TEST_F(Registry, ClosedDisplayTakesItsContextsAlong) {
+  created(egl(0), kTable, nullptr);
+  created({Provider::Egl, &g_otherDisplay, handle(1)}, kTable, nullptr);
+  created(egl(2), kTable, nullptr);
+  displayClosed(Provider::Egl, &g_display);
+  EXPECT_TRUE(g_made[0]->destroyed);
+  EXPECT_FALSE(g_made[1]->destroyed);
+  EXPECT_TRUE(g_made[2]->destroyed);
+  madeCurrent(egl(0), kTable);
+  EXPECT_EQ(t_now, g_made[3].get()) << "a handle of the closed display means another context now";
+}
+
+TEST_F(Registry, ThreadThatEndsUnbinds) {
+  created(egl(0), kTable, nullptr);
+  const int before = state::g_unbinds;
+  std::thread([&] { madeCurrent(egl(0), kTable); }).join();
+  EXPECT_EQ(state::g_unbinds, before + 1);
+}
+
+} // namespace
+} // namespace arbiter::interposer::registry
