@@ -223,7 +223,7 @@ class Compile(Temporary):
         passed = arbiter('compile', '--emit', 'ir', '-O', '-', text=text)
         self.assertEqual((plain.returncode, passed.returncode), (0, 0), plain.stderr)
         self.assertEqual(plain.stdout.count('MOV'), 2)
-        self.assertLessEqual(passed.stdout.count('MOV'), 2)
+        self.assertEqual(passed.stdout.count('MOV'), 1)
 
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')

@@ -113,6 +113,28 @@ TEST(UserProfile, HostileTextIsAnErrorNotACrash) {
   EXPECT_NE(errorOf(nested), "");
 }
 
+// toml++ 3.3 has assertions that text can break; each must come out as an error.
+TEST(UserProfile, AnyDamageIsAnErrorWithThePath) {
+  const std::string good = "name = 'a'\ninherits = \"r300\" # why\n[api]\n"
+                           "temporaries = { value = 16, source = 'me' }\nattribs = 0xA\n";
+  ASSERT_EQ(errorOf(good), "");
+  int refused = 0;
+  const auto expectClean = [&](const std::string &text) {
+    const std::string error = errorOf(text);
+    refused += error.empty() ? 0 : 1;
+    EXPECT_TRUE(error.empty() || error.rfind("p.toml:", 0) == 0) << error << "\n" << text;
+  };
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    expectClean(good.substr(0, at));
+    expectClean(good.substr(at));
+    for (const char c : std::string_view("[]{}\"'=.,\n\0\xff#\\", 14)) {
+      expectClean(std::string(good).replace(at, 1, 1, c));
+      expectClean(std::string(good).insert(at, 2, c));
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
 TEST(UserProfile, FilesAreReadWholeOrRefused) {
   char pattern[] = "/tmp/arbiter-profile-XXXXXX";
   ASSERT_NE(::mkdtemp(pattern), nullptr);
