@@ -37,8 +37,8 @@
 #define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
 #define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
-/* The "schema" number at the top of the JSON that ARBITER_STATS and `arbiter check --json` write. It
- * changes when a member changes its meaning or goes; a new member does not change it. */
+/* The "schema" number at the top of the JSON that ARBITER_STATS and `arbiter check --json` write.
+ * It changes when a member changes its meaning or goes; a new member does not change it. */
 #define ARBITER_STATS_SCHEMA 1
 #define ARBITER_CHECK_SCHEMA 1
 

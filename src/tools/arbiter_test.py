@@ -426,6 +426,21 @@ class Layered(Draw):
         self.assertEqual(self.draw(alu(65), '--limits', 'report').returncode, 0)
         self.assertEqual(self.draw(GOOD, '--texture', '16=checker').returncode, 1)
 
+    def test_the_statistics_agree_with_check(self):
+        stats = self.path('stats.json')
+        for program in ('life_naive.fp', 'life_packed.fp', 'lighting.fp'):
+            text = (PROGRAMS / program).read_text()
+            self.assertEqual(self.draw(text, '--stats', stats).returncode, 0)
+            seen = json.loads(stats.read_text())
+            header = (ROOT / 'include' / 'GL' / 'arbiter.h').read_text()
+            self.assertIn(f'ARBITER_STATS_SCHEMA {seen["schema"]}\n', header)
+            self.assertEqual(seen['draws']['host_glsl'], 1)
+            checked = json.loads(arbiter('check', '--json', '-', text=text).stdout)['files'][0]
+            loaded = seen['programs'][0]
+            self.assertEqual(loaded['hash'], checked['hash'])
+            self.assertEqual(list(loaded['counts'].values()),
+                             [row['used'] for row in checked['counts'].values()], program)
+
     def test_never_the_bare_hosts_picture(self):
         result = arbiter('draw', '--in-layer', '-', '-o', self.path('x.png'), text=GOOD)
         self.assertEqual(result.returncode, 4)

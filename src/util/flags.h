@@ -44,7 +44,7 @@ struct Settings {
   LogLevel logLevel = LogLevel::Warn;
   std::string logPath;     ///< empty: standard error
   std::string hostVendor;  ///< empty: libglvnd's own choice
-  std::string hostOsmesa;       ///< empty: the one the front was built for
+  std::string hostOsmesa;  ///< empty: the one the front was built for
   std::uint32_t debug = 0; ///< one bit a DebugFlag
 
   [[nodiscard]] bool has(DebugFlag flag) const { return (debug >> unsigned(flag) & 1u) != 0; }
