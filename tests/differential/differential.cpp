@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "edges.h"
 #include "suite.h"
 #include "util/json.h"
 
@@ -20,12 +21,14 @@ constexpr const char *kHelp =
     "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
     "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
     "limits)\n"
+    "  --suite random|edges   edges: each opcode on pairs of special values instead\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
 struct Arguments {
   std::string mode = "glsl";
   std::string json;
+  bool edges = false;
   SuiteOptions suite;
 };
 
@@ -41,6 +44,8 @@ bool parse(int argc, char **argv, Arguments &arguments) {
       arguments.suite.count = std::atoi(value);
     else if (name == "--seed")
       arguments.suite.firstSeed = std::strtoull(value, nullptr, 10);
+    else if (name == "--suite" && (!std::strcmp(value, "random") || !std::strcmp(value, "edges")))
+      arguments.edges = !std::strcmp(value, "edges");
     else if (name == "--json")
       arguments.json = value;
     else if (name == "--failures")
@@ -86,7 +91,8 @@ int main(int argc, char **argv) {
     return 77;
   }
   const auto backend = arguments.mode == "arb" ? arbBackend() : glslBackend();
-  const Report report = runSuite(*backend, arguments.suite);
+  const Report report =
+      arguments.edges ? runEdges(*backend, arguments.suite) : runSuite(*backend, arguments.suite);
   std::printf("%-5s %-40.40s programs %4d  values %9llu  ill-conditioned %7llu  worst %.3f  "
               "failed %zu\n",
               arguments.mode.c_str(), report.renderer.c_str(), report.programs,

@@ -31,9 +31,10 @@ TEST(Semantics, ZeroToTheZeroIsOne) {
   EXPECT_EQ(apply1(Opcode::Lit, {1, -5, 9, 0})[2], 1.0f);
 }
 
-TEST(Semantics, PowOfBelowZeroIsPowOfZero) {
+TEST(Semantics, PowOfBelowZeroIsZero) {
   EXPECT_EQ(scalar(Opcode::Pow, -2, 2), 0.0f);
-  EXPECT_EQ(scalar(Opcode::Pow, -2, -1), kInf);
+  EXPECT_EQ(scalar(Opcode::Pow, -2, -1), 0.0f);
+  EXPECT_EQ(scalar(Opcode::Pow, kNan, 3), 0.0f);
   EXPECT_EQ(scalar(Opcode::Pow, 2, 3), 8.0f);
 }
 

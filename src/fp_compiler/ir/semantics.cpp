@@ -48,8 +48,9 @@ float minimum(float a, float b) {
 float power(float a, float b) {
   if (b == 0.0f)
     return 1.0f;
-  const double base = maximum(a, 0.0f);
-  return float(std::exp2(double(b) * std::log2(base)));
+  if (!(a > 0.0f))
+    return 0.0f;
+  return float(std::exp2(double(b) * std::log2(double(a))));
 }
 
 Vec4 lit(const Vec4 &a) {

@@ -3,6 +3,7 @@
 
 #include "fp_compiler/ir/ir.h"
 
+// clang-format off: the table is one
 /// What every opcode means, to the last special value. The specification leaves much undefined;
 /// here nothing is, and the interpreter, the folder and every back end follow this page. A back
 /// end's host may differ from it by the tolerances that tests/differential states, and nowhere
@@ -26,12 +27,13 @@
 /// DST      (1, a.y*b.y, a.z, b.w)
 /// EX2      2^a; overflows to infinity, underflows to 0.
 /// FLR FRC  largest integer <= a; a - FLR(a), so FRC of an infinity is NaN.
-/// LG2      log2(a); LG2(+-0) is -infinity, so that EX2(n * LG2(0)) is 0 for n > 0. Below zero:
-/// NaN. LIT      (1, max(x, 0), x > 0 ? POW(y, w clamped to +-(128 - 2^-17)) : 0, 1); NaN in x
-/// gives 0, 0. MAX MIN  if one operand is NaN, the other one; -0 is below +0. MOV SWZ  copies;
-/// SWZ's 0 and 1 take their own sign. POW      a^0 = 1 for every a. A base that is negative or NaN
-/// counts as 0; then
-///          EX2(b * LG2(a)): 0^b is 0 for b > 0 and infinity for b < 0.
+/// LG2      log2(a); LG2(+-0) is -infinity, so that EX2(n * LG2(0)) is 0 for n > 0; NaN below zero.
+/// LIT      (1, max(x, 0), x > 0 ? POW(y, e) : 0, 1), e = w clamped to +-(128 - 2^-17).
+///          NaN in x gives 0 and 0.
+/// MAX MIN  if one operand is NaN, the other one; -0 is below +0.
+/// MOV SWZ  copies; SWZ's 0 and 1 take their own sign.
+/// POW      a^0 = 1 for every a. A base that is zero, negative or NaN gives 0 for every other
+///          exponent, also below zero; else EX2(b * LG2(a)).
 /// RCP      1/a; RCP(+-0) is an infinity of the same sign, RCP of an infinity a zero.
 /// RSQ      1/sqrt(|a|); RSQ(+-0) is +infinity.
 /// SCS      (cos a, sin a, 0, 0) for any angle.
@@ -43,8 +45,12 @@
 ///          the texel is the wrap mode's choice.
 /// TXB      w is added to the level of detail before its clamp; rectangles ignore it.
 ///
+/// Left to the host: LRP with an infinite operand, or with one so large that c + a*(b-c) loses b
+/// (hosts compute it so); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
+///
 /// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is
 /// f*rgb + (1-f)*fog.rgb with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or (end-c)/(end-start).
+// clang-format on
 namespace arbiter::fp::ir {
 
 /// The value that takes part in arithmetic: denormals become zero of the same sign.
