@@ -93,14 +93,16 @@ def record(case: Case, folder: Path, trace: Path) -> None:
 
 
 def replay(case: Case, mode: Mode, folder: Path, trace: Path) -> Outcome:
-    """Replays a record; the picture is the last snapshot."""
+    """Replays a record; the picture is the last snapshot that shows anything."""
     command = ["glretrace", "-b", "-s", f"{folder}/frame", f"--snapshot-interval={case.replay_every}",
                str(trace)]
     outcome = run(Case(case.name, command, output="none", over_limits=case.over_limits), mode,
                   folder)
     outcome.snapshots = sorted(folder.glob("frame*.png"))
-    if outcome.snapshots:
-        outcome.picture = picture.read(outcome.snapshots[-1])
+    for path in reversed(outcome.snapshots):
+        outcome.picture = picture.read(path)
+        if not outcome.picture.is_blank():
+            break
     return outcome
 
 

@@ -5,14 +5,19 @@ from pathlib import Path
 from cases import Case, Program
 
 FOLDER = Path("/usr/libexec/xscreensaver")
-# Name, frames between two snapshots: one draws five frames a second on a processor, one a hundred.
-SAVERS = (("hyperspace", 2), ("drempels", 20))
+# Name, options, seconds, frames between two snapshots. hyperspace draws few frames a second on a
+# processor, and the first twenty prepare what its programs read.
+SAVERS = (
+    ("hyperspace", ("-S", "100", "-R", "4", "-d", "3"), 30.0, 5),
+    ("drempels", (), 4.0, 20),
+)
 
 
 class Savers(Program):
     def cases(self, work: Path) -> list[Case]:
-        return [Case(f"savers-{name}", [str(FOLDER / name), "-r", "-y", "0"], stop_after=4.0,
-                     replay_every=every) for name, every in SAVERS]
+        return [Case(f"savers-{name}", [str(FOLDER / name), "-r", "-y", "0", *options],
+                     stop_after=seconds, replay_every=every)
+                for name, options, seconds, every in SAVERS]
 
 
 PROGRAM = Savers("savers", ("rss-glx", "apitrace", "xvfb", "libgl1-mesa-dri"),
