@@ -1,0 +1,82 @@
+// Piglit's parser programs for ARBfp1.0, where the package is installed: each says of itself
+// whether it must load.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+
+#include "fp_compiler/front/lexer.h"
+#include "fp_compiler/front/test_support.h"
+
+namespace arbiter::fp {
+namespace {
+
+namespace fs = std::filesystem;
+using testing_support::check;
+using testing_support::firstError;
+using testing_support::generous;
+
+/// Name and text of every program; empty without piglit.
+std::map<std::string, std::string> programs() {
+  std::map<std::string, std::string> found;
+  for (const char *root : {"/usr/lib/x86_64-linux-gnu/piglit", "/usr/lib/aarch64-linux-gnu/piglit",
+                           "/usr/lib/i386-linux-gnu/piglit", "/usr/lib/piglit"}) {
+    const fs::path folder = fs::path(root) / "tests/asmparsertest/shaders/ARBfp1.0";
+    if (!fs::is_directory(folder))
+      continue;
+    for (const fs::directory_entry &entry : fs::directory_iterator(folder)) {
+      std::ifstream file(entry.path(), std::ios::binary);
+      found[entry.path().filename().string()] = {std::istreambuf_iterator<char>(file), {}};
+    }
+  }
+  return found;
+}
+
+bool contains(const std::string &text, const char *piece) {
+  return text.find(piece) != std::string::npos;
+}
+
+TEST(Piglit, ParserProgramsLoadOrFailAsTheySay) {
+  const auto all = programs();
+  if (all.empty())
+    GTEST_SKIP() << "the package piglit is not installed";
+  int nv = 0;
+  for (const auto &[name, text] : all) {
+    const CheckResult result = check(text, generous());
+    if (contains(text, "OPTION\tNV_fragment_program")) {
+      ++nv;
+      EXPECT_EQ(firstError(result), "unsupported-option") << name;
+      EXPECT_EQ(result.errorPosition(), std::int32_t(text.find("NV_fragment_program;"))) << name;
+    } else {
+      EXPECT_EQ(result.ok(), !contains(text, "# FAIL")) << name << "\n" << result.errorString(text);
+    }
+  }
+  EXPECT_GT(all.size() - std::size_t(nv), 100u);
+}
+
+TEST(Piglit, ParserProgramsCutAtEveryByteAndWithEachTokenGoneOrDoubled) {
+  const auto all = programs();
+  if (all.empty())
+    GTEST_SKIP() << "the package piglit is not installed";
+  const auto expectSane = [](const std::string &text, const std::string &name) {
+    const CheckResult result = check(text, generous());
+    EXPECT_EQ(result.ok(), result.errorPosition() < 0) << name;
+    EXPECT_LE(result.errorPosition(), std::int32_t(text.size())) << name;
+  };
+  for (const auto &[name, text] : all) {
+    for (std::size_t size = 0; size < text.size(); ++size)
+      expectSane(text.substr(0, size), name);
+    Lexer lexer(text, 10);
+    for (Token token = lexer.next(); token.kind != TokenKind::EndOfText; token = lexer.next()) {
+      const std::string before = text.substr(0, token.span.begin);
+      const std::string piece = text.substr(token.span.begin, token.span.end - token.span.begin);
+      const std::string after = text.substr(token.span.end);
+      expectSane(before + after, name);
+      expectSane(before + piece + " " + piece + after, name);
+    }
+  }
+}
+
+} // namespace
+} // namespace arbiter::fp
