@@ -13,10 +13,10 @@ constexpr std::array<ByteClass, 256> makeClasses() {
   std::array<ByteClass, 256> classes{};
   for (char c : {' ', '\t', '\n', '\r'})
     classes[std::uint8_t(c)] = kSpace;
-  for (int c = 'a'; c <= 'z'; ++c)
-    classes[std::size_t(c)] = classes[std::size_t(c - 'a' + 'A')] = kLetter;
-  for (int c = '0'; c <= '9'; ++c)
-    classes[std::size_t(c)] = kDigit;
+  for (std::size_t c = 'a'; c <= 'z'; ++c)
+    classes[c] = classes[c - 'a' + 'A'] = kLetter;
+  for (std::size_t c = '0'; c <= '9'; ++c)
+    classes[c] = kDigit;
   classes['_'] = classes['$'] = kLetter;
   return classes;
 }
