@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 
-#include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/test_support.h"
 
 namespace arbiter::fp {
@@ -67,14 +66,8 @@ TEST(Piglit, ParserProgramsCutAtEveryByteAndWithEachTokenGoneOrDoubled) {
   for (const auto &[name, text] : all) {
     for (std::size_t size = 0; size < text.size(); ++size)
       expectSane(text.substr(0, size), name);
-    Lexer lexer(text, 10);
-    for (Token token = lexer.next(); token.kind != TokenKind::EndOfText; token = lexer.next()) {
-      const std::string before = text.substr(0, token.span.begin);
-      const std::string piece = text.substr(token.span.begin, token.span.end - token.span.begin);
-      const std::string after = text.substr(token.span.end);
-      expectSane(before + after, name);
-      expectSane(before + piece + " " + piece + after, name);
-    }
+    testing_support::forEachTokenEdit(text,
+                                      [&](const std::string &edited) { expectSane(edited, name); });
   }
 }
 

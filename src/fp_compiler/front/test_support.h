@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/front/lexer.h"
 
 /// What the front end's tests share.
 namespace arbiter::fp::testing_support {
@@ -55,6 +56,21 @@ inline std::string repeat(std::string_view piece, std::size_t times) {
   while (times-- > 0)
     all += piece;
   return all;
+}
+
+/// Calls `visit` with the text without each of its tokens, and with each of them twice.
+template <typename Visit> void forEachTokenEdit(const std::string &text, Visit visit) {
+  constexpr std::uint32_t kHeaderBytes = 10;
+  Lexer lexer(text, kHeaderBytes);
+  for (Token token = lexer.next(); token.kind != TokenKind::EndOfText; token = lexer.next()) {
+    std::string without = text;
+    without.erase(token.span.begin, token.span.end - token.span.begin);
+    visit(without);
+    std::string doubled = text;
+    doubled.insert(token.span.end,
+                   " " + text.substr(token.span.begin, token.span.end - token.span.begin));
+    visit(doubled);
+  }
 }
 
 /// The ID of the first error, or "" for a program that loads.
