@@ -63,7 +63,9 @@ TEST(Piglit, ParserProgramsCutAtEveryByteAndWithEachTokenGoneOrDoubled) {
     EXPECT_EQ(result.ok(), result.errorPosition() < 0) << name;
     EXPECT_LE(result.errorPosition(), std::int32_t(text.size())) << name;
   };
-  for (const auto &[name, text] : all) {
+  for (const auto &program : all) {
+    const std::string &name = program.first;
+    const std::string &text = program.second;
     for (std::size_t size = 0; size < text.size(); ++size)
       expectSane(text.substr(0, size), name);
     testing_support::forEachTokenEdit(text,
