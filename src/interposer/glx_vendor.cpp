@@ -136,10 +136,9 @@ void destroyContext(Display *display, GLXContext context) {
   g_destroyContext(display, context);
 }
 
-/// The host copies the attribute groups that it knows. The layer's own state in them (which
-/// program is bound and enabled) is not part of what GLX 1.4 lets a client rely on across vendors.
 void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long mask) {
   g_copyContext(display, from, to, mask);
+  registry::copied(key(display, from), key(display, to), mask);
 }
 
 Bool madeCurrent(Bool ok, Display *display, GLXContext context) {

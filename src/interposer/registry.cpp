@@ -105,6 +105,15 @@ void madeCurrent(const Key &key, const host::HostTable &table) {
   setCurrentProvider(1 + std::intptr_t(key.provider));
 }
 
+void copied(const Key &from, const Key &to, unsigned long mask) {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  const Entry *const source = find(r, from);
+  const Entry *const target = find(r, to);
+  if (source && target)
+    state::copyContext(*source->context, *target->context, std::uint32_t(mask));
+}
+
 void displayClosed(Provider provider, const void *display) {
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);

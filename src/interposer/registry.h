@@ -25,6 +25,9 @@ void destroyed(const Key &key);
 /// handle un-binds, if what is current is the provider's own.
 void madeCurrent(const Key &key, const host::HostTable &table);
 
+/// The host copied attribute groups from one context to another of the same display.
+void copied(const Key &from, const Key &to, unsigned long mask);
+
 /// A display is gone: all its contexts are destroyed.
 void displayClosed(Provider provider, const void *display);
 

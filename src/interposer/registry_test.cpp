@@ -16,6 +16,7 @@ public:
   Context *share = nullptr;
   const host::HostTable *table = nullptr;
   bool destroyed = false;
+  bool enabled = false;
 };
 
 namespace {
@@ -25,7 +26,7 @@ int g_unbinds = 0;
 } // namespace
 
 Context *createContext(Provider, const host::HostTable *table, Context *share) {
-  g_made.push_back(std::make_unique<Context>(Context{share, table, false}));
+  g_made.push_back(std::make_unique<Context>(Context{share, table, false, false}));
   return g_made.back().get();
 }
 void makeCurrent(Context *context) {
@@ -35,6 +36,10 @@ void makeCurrent(Context *context) {
 }
 Context *currentContext() { return t_now; }
 void destroyContext(Context *context) { context->destroyed = true; }
+void copyContext(const Context &from, Context &to, std::uint32_t mask) {
+  if (mask & GL_ENABLE_BIT)
+    to.enabled = from.enabled;
+}
 
 } // namespace arbiter::state
 
@@ -144,6 +149,17 @@ TEST_F(Registry, ClosedDisplayTakesItsContextsAlong) {
   EXPECT_TRUE(g_made[2]->destroyed);
   madeCurrent(egl(0), kTable);
   EXPECT_EQ(t_now, g_made[3].get()) << "a handle of the closed display means another context now";
+}
+
+TEST_F(Registry, CopiesBetweenContextsThatItKnows) {
+  created(glx(0), kTable, nullptr);
+  created(glx(1), kTable, nullptr);
+  g_made[0]->enabled = true;
+  copied(glx(0), glx(1), GL_LIGHTING_BIT);
+  EXPECT_FALSE(g_made[1]->enabled);
+  copied(glx(0), glx(5), GL_ENABLE_BIT);
+  copied(glx(0), glx(1), GL_ENABLE_BIT);
+  EXPECT_TRUE(g_made[1]->enabled);
 }
 
 TEST_F(Registry, ThreadThatEndsUnbinds) {

@@ -6,6 +6,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "host/host_table.h"
 #include "state/errors.h"
+#include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
 #include "util/flags.h"
@@ -159,6 +160,11 @@ void destroyContext(Context *context) {
     context->destroyed = true;
   }
   release(context);
+}
+
+void copyContext(const Context &from, Context &to, std::uint32_t mask) {
+  if (mask & GL_ENABLE_BIT)
+    setFragmentEnable(to, from.fragmentEnabled);
 }
 
 void frameEnd(Context *context) {
