@@ -62,6 +62,13 @@ bool endsWith(const char *text, const char *end) {
   return length >= endLength && std::strcmp(text + length - endLength, end) == 0;
 }
 
+void save(const char *variable, const char *value) {
+  if (value)
+    setenv(variable, value, 1);
+  else
+    unsetenv(variable);
+}
+
 /// Done once, by the constructor or by a vendor's main that runs before it: libglvnd reads both
 /// variables at its first use, and where an application's own libraries call GL in constructors,
 /// that is before ours. `arbiter run` sets them from outside.
@@ -71,29 +78,21 @@ void selectArbiter() {
     return;
   s_done = true;
   const char *const glx = getenv(kGlxSelection);
-  if (glx && std::strcmp(glx, kVendorName) == 0) {
-    g_savedGlx = copy(getenv(kSavedGlx));
-  } else {
-    g_savedGlx = copy(glx);
-    if (g_savedGlx)
-      setenv(kSavedGlx, g_savedGlx, 1);
-    else
-      unsetenv(kSavedGlx);
-    setenv(kGlxSelection, kVendorName, 1);
-  }
   const char *const egl = getenv(kEglSelection);
-  if (egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName))) {
-    g_savedEgl = copy(getenv(kSavedEgl));
+  const bool glxOurs = glx && std::strcmp(glx, kVendorName) == 0;
+  const bool eglOurs = egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName));
+  g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : glx);
+  g_savedEgl = copy(eglOurs ? getenv(kSavedEgl) : egl);
+  // Selected already: by a parent process, or from outside, and then perhaps loaded so late that
+  // other threads read the environment.
+  if (glxOurs || eglOurs)
     return;
-  }
-  g_savedEgl = copy(egl);
+  save(kSavedGlx, g_savedGlx);
+  setenv(kGlxSelection, kVendorName, 1);
   const std::string icd = ownIcdFile();
   if (icd.empty())
     return;
-  if (g_savedEgl)
-    setenv(kSavedEgl, g_savedEgl, 1);
-  else
-    unsetenv(kSavedEgl);
+  save(kSavedEgl, g_savedEgl);
   setenv(kEglSelection, icd.c_str(), 1);
 }
 
