@@ -1,4 +1,4 @@
-"""Really Slick Screensavers with ARB programs: cube maps, state.fog, matrices in vertex programs."""
+"""Really Slick Screensavers with ARB programs: cube maps, state.fog, vertex program matrices."""
 
 from pathlib import Path
 

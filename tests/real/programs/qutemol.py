@@ -1,0 +1,16 @@
+"""QuteMol builds its programs as text and, on a card that it does not know, loads the text "END":
+a client of the error path, which must go on as it does on the bare host."""
+
+from pathlib import Path
+
+from cases import DATA, Case, Program
+
+
+class QuteMol(Program):
+    def cases(self, work: Path) -> list[Case]:
+        return [Case("qutemol", ["qutemol", str(DATA / "molecule.pdb")], stop_after=10.0,
+                     replay_every=1, least_programs=0, refused=2)]
+
+
+PROGRAM = QuteMol("qutemol", ("qutemol", "apitrace", "xvfb", "libgl1-mesa-dri"),
+                  "program strings that are no programs, from a record")
