@@ -86,6 +86,8 @@ public:
   // --- The fragment program target ---
   bool fragmentEnabled = false;
   std::shared_ptr<ProgramObject> fragmentProgram;
+  /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
+  std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
   std::vector<Vec4> env;
   /// The version of fragmentProgram that was last looked at.
   std::uint32_t seenVersion = 0;

@@ -38,21 +38,43 @@ void recordParameters(Context &context, Command::Kind kind, GLuint index, GLsize
   context.list.record(context, std::move(command));
 }
 
-/// The way of every env setter of the fragment target.
-void env(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
+/// The way of an env setter with anything unusual about it.
+[[gnu::noinline]] void env(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
   if (!outsideBeginEnd(context, "ProgramEnvParameter between Begin and End"))
     return;
-  if (context.listMode) [[unlikely]]
+  if (context.listMode)
     return recordParameters(context, Command::Kind::Env, index, count, values);
   setEnv(context, index, count, values);
 }
 
-void local(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
+[[gnu::noinline]] void local(Context &context, GLuint index, GLsizei count, const Vec4 *values) {
   if (!outsideBeginEnd(context, "ProgramLocalParameter between Begin and End"))
     return;
-  if (context.listMode) [[unlikely]]
+  if (context.listMode)
     return recordParameters(context, Command::Kind::Local, index, count, values);
   setLocal(context, *context.fragmentProgram, index, count, values);
+}
+
+bool isImmediate(const Context &context) {
+  return !context.insideBeginEnd && context.listMode == 0;
+}
+
+/// One env parameter: the call that applications make thousands of times a frame.
+[[gnu::always_inline]] inline void env(Context &context, GLuint index, const Vec4 &value) {
+  if (!isImmediate(context) || index >= context.env.size()) [[unlikely]]
+    return env(context, index, 1, &value);
+  context.env[index] = value;
+  context.attention |= attention::kParameters;
+}
+
+/// One local parameter of the bound program.
+[[gnu::always_inline]] inline void local(Context &context, GLuint index, const Vec4 &value) {
+  ProgramObject &object = *context.fragmentProgram;
+  if (!isImmediate(context) || index >= object.locals.size()) [[unlikely]]
+    return local(context, index, 1, &value);
+  object.locals[index] = value;
+  object.changed(context.seenVersion);
+  context.attention |= attention::kParameters;
 }
 
 const Vec4 *readEnv(Context &context, GLuint index) {
@@ -98,11 +120,10 @@ void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei cou
   if (!checkRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
     return;
   std::copy_n(values, count, object.locals.begin() + std::ptrdiff_t(index));
-  object.version.fetch_add(1, std::memory_order_release);
-  if (context.fragmentProgram.get() == &object) {
-    context.seenVersion = object.version.load(std::memory_order_relaxed);
-    context.attention |= attention::kParameters;
-  }
+  if (context.fragmentProgram.get() != &object)
+    return object.changed();
+  object.changed(context.seenVersion);
+  context.attention |= attention::kParameters;
 }
 
 namespace handlers {
@@ -112,7 +133,7 @@ void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLf
   if (!isOurs(target))
     return context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
   const Vec4 value = {x, y, z, w};
-  env(context, index, 1, &value);
+  env(context, index, value);
 }
 
 void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
@@ -120,7 +141,7 @@ void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
   if (!isOurs(target))
     return context.host->ProgramEnvParameter4fvARB(target, index, params);
   const Vec4 value = fromFloats(params);
-  env(context, index, 1, &value);
+  env(context, index, value);
 }
 
 void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
@@ -128,7 +149,7 @@ void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLd
   if (!isOurs(target))
     return context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
   const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  env(context, index, 1, &value);
+  env(context, index, value);
 }
 
 void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
@@ -136,7 +157,7 @@ void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
   if (!isOurs(target))
     return context.host->ProgramEnvParameter4dvARB(target, index, params);
   const Vec4 value = fromDoubles(params);
-  env(context, index, 1, &value);
+  env(context, index, value);
 }
 
 void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
@@ -153,7 +174,7 @@ void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, G
   if (!isOurs(target))
     return context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
   const Vec4 value = {x, y, z, w};
-  local(context, index, 1, &value);
+  local(context, index, value);
 }
 
 void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
@@ -161,7 +182,7 @@ void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
   if (!isOurs(target))
     return context.host->ProgramLocalParameter4fvARB(target, index, params);
   const Vec4 value = fromFloats(params);
-  local(context, index, 1, &value);
+  local(context, index, value);
 }
 
 void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x,
@@ -169,7 +190,7 @@ void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, G
   if (!isOurs(target))
     return context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
   const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  local(context, index, 1, &value);
+  local(context, index, value);
 }
 
 void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
@@ -177,7 +198,7 @@ void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
   if (!isOurs(target))
     return context.host->ProgramLocalParameter4dvARB(target, index, params);
   const Vec4 value = fromDoubles(params);
-  local(context, index, 1, &value);
+  local(context, index, value);
 }
 
 void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,

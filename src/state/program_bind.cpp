@@ -43,15 +43,18 @@ std::shared_ptr<ProgramObject> namedFragmentProgram(Context &context, GLuint nam
 }
 
 void bindFragmentProgram(Context &context, GLuint name) {
-  std::shared_ptr<ProgramObject> object = context.group->defaultFragmentProgram();
-  if (name != 0) {
-    object =
-        context.group->findOrCreate(name, GL_FRAGMENT_PROGRAM_ARB, context.limits.localParameters);
-    if (object->target != GL_FRAGMENT_PROGRAM_ARB)
-      return raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
+  auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
+  if (!recent || recent->name != name || recent->deleted.load(std::memory_order_acquire)) {
+    std::shared_ptr<ProgramObject> object = namedFragmentProgram(context, name);
+    if (!object)
+      return;
+    recent = std::move(object);
   }
-  // Binding the same object again matters too: then changes of other contexts take effect.
-  context.fragmentProgram = std::move(object);
+  // Binding the same object again matters only where another context changed it.
+  if (context.fragmentProgram == recent &&
+      context.seenVersion == recent->version.load(std::memory_order_acquire))
+    return;
+  context.fragmentProgram = recent;
   invalidateProgram(context);
 }
 
@@ -82,9 +85,12 @@ void deleteProgram(Context &context, GLuint name) {
     context.fragmentProgram = context.group->defaultFragmentProgram();
     invalidateProgram(context);
   }
+  auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
+  if (recent == object)
+    recent = nullptr;
   // Other contexts may have it bound; their variants go when they are swept.
   const auto compiled = context.group->compiledOf(*object);
-  if (compiled && object.use_count() == 1)
+  if (compiled)
     context.variants.drop(context, compiled.get());
 }
 

@@ -42,8 +42,22 @@ struct ProgramObject {
   /// Local parameters; read and written without a lock, as the specification leaves the order of
   /// unsynchronised changes from two contexts to the application.
   std::vector<Vec4> locals;
-  /// Counts changes of `compiled` and `locals`: how another context sees one.
+  /// Counts changes of `compiled` and `locals`: how another context sees one. Relaxed and without a
+  /// locked instruction, because changes from two contexts are the application's to order.
   std::atomic<std::uint32_t> version{1};
+  /// Its name is free again: it lives on only where it is bound.
+  std::atomic<bool> deleted{false};
+
+  void changed() {
+    version.store(version.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+  /// The same, by a context that had last looked at `seen`: it has seen its own change.
+  void changed(std::uint32_t &seen) {
+    const std::uint32_t before = version.load(std::memory_order_relaxed);
+    version.store(before + 1, std::memory_order_release);
+    if (seen == before)
+      seen = before + 1;
+  }
 };
 
 } // namespace arbiter::state

@@ -137,11 +137,14 @@ std::vector<GLuint> SamplerOverride::abandon() {
 namespace {
 
 /// Something that compares may now be bound: programs with plain targets look at each draw.
-void noteCompareMode(Context &context, GLenum pname, GLint value) {
-  if (pname != GL_TEXTURE_COMPARE_MODE || value == GL_NONE ||
-      context.group->compareModeUsed.exchange(true, std::memory_order_relaxed))
-    return;
-  context.attention |= attention::kProgram;
+[[gnu::noinline, gnu::cold]] void useCompareMode(Context &context) {
+  if (!context.group->compareModeUsed.exchange(true, std::memory_order_relaxed))
+    context.attention |= attention::kProgram;
+}
+
+inline void noteCompareMode(Context &context, GLenum pname, GLint value) {
+  if (pname == GL_TEXTURE_COMPARE_MODE && value != GL_NONE) [[unlikely]]
+    useCompareMode(context);
 }
 
 } // namespace

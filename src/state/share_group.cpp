@@ -32,6 +32,7 @@ std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {
     return nullptr;
   std::shared_ptr<ProgramObject> object = std::move(it->second);
   m_objects.erase(it);
+  object->deleted.store(true, std::memory_order_release);
   return object;
 }
 
@@ -52,7 +53,7 @@ void ShareGroup::setCompiled(ProgramObject &object,
                              std::shared_ptr<const CompiledProgram> compiled) {
   const std::lock_guard lock(m_mutex);
   object.compiled = std::move(compiled);
-  object.version.fetch_add(1, std::memory_order_release);
+  object.changed();
 }
 
 std::shared_ptr<const CompiledProgram> ShareGroup::compiledOf(const ProgramObject &object) {
