@@ -11,6 +11,7 @@
 #include "host/null_host.h"
 #include "state/attrib_stack.h"
 #include "state/current.h"
+#include "state/host_assembly.h"
 #include "state/host_caps.h"
 #include "state/lifecycle.h"
 #include "state/list_compiler.h"
@@ -40,13 +41,14 @@ enum class Path : std::uint8_t {
   NoProgram,             ///< host untouched: no fragment program is enabled
   ApplicationGlsl,       ///< host untouched: the application's own GLSL program wins
   ApplicationPipeline,   ///< host untouched: the application's program pipeline wins
-  ApplicationVertexGlsl, ///< host untouched: GLSL vertices cannot be joined to an ARB program
+  HostAssembly,          ///< the checked text on the host's ARB path, under GLSL vertices
+  ApplicationVertexGlsl, ///< host untouched: GLSL vertices, and the host refuses the ARB program
   NotOffered,            ///< host untouched: this context has no ARB_fragment_program of ours
   Recorded,              ///< into a display list: counted when compiled
   InvalidProgram,        ///< dropped: the bound program object holds no valid program
   HostRefused,           ///< dropped: the host did not compile or link our shader
 };
-inline constexpr int kPathCount = 9;
+inline constexpr int kPathCount = 10;
 [[nodiscard]] const char *pathName(Path path);
 
 /// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is
@@ -102,6 +104,7 @@ public:
   Variant *variant = nullptr; ///< in force, or null
   VariantCache variants;
   SamplerOverride samplerOverride;
+  HostAssembly hostAssembly;
 
   AttribStack attribStack;
   ListCompiler list;

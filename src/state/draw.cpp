@@ -20,6 +20,8 @@ const char *pathName(Path path) {
     return "application-glsl";
   case Path::ApplicationPipeline:
     return "application-pipeline";
+  case Path::HostAssembly:
+    return "host-assembly-under-application-glsl";
   case Path::ApplicationVertexGlsl:
     return "application-glsl-without-fragment-stage";
   case Path::NotOffered:
@@ -79,13 +81,28 @@ bool shadesFragments(Context &context, GLuint program) {
   return count <= 0;
 }
 
+/// GLSL vertices with no fragment stage: fragments are the ARB program's, as if the vertices were
+/// fixed-function ones.
+Path chooseUnderVertexGlsl(Context &context) {
+  const ProgramObject &object = *context.fragmentProgram;
+  context.seenVersion = object.version.load(std::memory_order_acquire);
+  const auto compiled = context.group->compiledOf(object);
+  if (!compiled)
+    return Path::InvalidProgram;
+  if (!context.hostAssembly.apply(context, compiled))
+    return Path::ApplicationVertexGlsl;
+  context.attention |= attention::kParameters;
+  return Path::HostAssembly;
+}
+
 /// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs.
 Path choosePath(Context &context) {
   context.variant = nullptr;
   if (!context.fragmentEnabled)
     return Path::NoProgram;
   if (const GLuint program = applicationProgram(context))
-    return shadesFragments(context, program) ? Path::ApplicationGlsl : Path::ApplicationVertexGlsl;
+    return shadesFragments(context, program) ? Path::ApplicationGlsl
+                                             : chooseUnderVertexGlsl(context);
   if (applicationPipeline(context) != 0)
     return Path::ApplicationPipeline;
 
@@ -114,7 +131,8 @@ std::uint32_t stickyAttention(const Context &context) {
         context.group->compareModeUsed.load(std::memory_order_relaxed))
       bits |= attention::kCompare;
   }
-  const bool ours = context.path == Path::HostGlsl || isDropped(context.path);
+  const bool ours = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
+                    isDropped(context.path);
   if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   return bits;
@@ -122,8 +140,11 @@ std::uint32_t stickyAttention(const Context &context) {
 
 void select(Context &context) {
   setPath(context, choosePath(context));
+  if (context.path == Path::HostAssembly)
+    return;
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
+  context.hostAssembly.release(context);
   context.host->UseProgram(context.variant->hostProgram);
   context.hostProgramIsOurs = true;
   context.attention |= attention::kParameters;
@@ -165,6 +186,9 @@ bool validate(Context &context) {
     if ((context.attention & attention::kCompare) != 0 ||
         (stickyAttention(context) & attention::kCompare) != 0)
       context.samplerOverride.apply(context, variant);
+  } else if (context.path == Path::HostAssembly &&
+             (context.attention & attention::kParameters) != 0) {
+    context.hostAssembly.uploadParameters(context);
   }
   context.attention = stickyAttention(context) | (context.attention & attention::kList);
   return !isDropped(context.path);
@@ -180,6 +204,7 @@ void releaseSamplers(Context &context) {
 void releaseHostState(Context &context) {
   if (context.samplerOverride.active())
     context.samplerOverride.release(context);
+  context.hostAssembly.release(context);
   if (!context.hostProgramIsOurs)
     return;
   context.host->UseProgram(0);

@@ -173,6 +173,7 @@ void writeDraws(JsonWriter &json, const Totals &totals) {
                                 totals.draws[std::size_t(Path::HostRefused)];
   json.key("draws").beginObject();
   json.key("host_glsl").value(totals.draws[std::size_t(Path::HostGlsl)]);
+  json.key("host_assembly").value(totals.draws[std::size_t(Path::HostAssembly)]);
   json.key("host_untouched").value(untouched);
   json.key("recorded").value(totals.draws[std::size_t(Path::Recorded)]);
   json.key("dropped").value(dropped);

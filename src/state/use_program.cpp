@@ -18,6 +18,10 @@ void useProgram(Context &context, GLuint name) {
 }
 
 void pushAttrib(Context &context, GLbitfield mask) {
+  if (context.hostAssembly.active()) { // its enable on the host is not the application's to save
+    releaseHostState(context);
+    invalidateProgram(context);
+  }
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where ours would overflow too
   (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
 }

@@ -66,6 +66,37 @@ TEST_F(Draws, DeletedWhileBoundInItsContext) {
   EXPECT_EQ(drawn(), kGreenPixel);
 }
 
+TEST_F(Draws, GlslVerticesAloneFeedTheArbProgram) {
+  makeProgram(kEnv0);
+  glProgramEnvParameter4fARB(kFragment, 0, 1, 0, 0, 1);
+  const GLuint vertices = makeGlsl(
+      "void main() { gl_Position = gl_Vertex; gl_FrontColor = vec4(0, 0, 1, 1); }", nullptr);
+  glUseProgram(vertices);
+  EXPECT_EQ(drawn(), kRedPixel);
+  glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  makeProgram(kRed);
+  EXPECT_EQ(drawn(), kRedPixel) << "another program in force";
+  glPushAttrib(GL_ENABLE_BIT);
+  glDisable(kFragment);
+  EXPECT_EQ(drawn(), kBluePixel) << "fixed-function fragments";
+  glPopAttrib();
+  EXPECT_EQ(drawn(), kRedPixel);
+  glDisable(kFragment);
+  glPushAttrib(GL_ENABLE_BIT);
+  glPopAttrib();
+  EXPECT_EQ(drawn(), kBluePixel) << "the host's enable came back with the stack";
+  glEnable(kFragment);
+  glUseProgram(0);
+  EXPECT_EQ(drawn(), kRedPixel);
+  makeProgram(kBad);
+  EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+  glUseProgram(vertices);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION, drawQuad());
+  glUseProgram(0);
+  glDeleteProgram(vertices);
+}
+
 TEST_F(Draws, TheApplicationsGlslWins) {
   makeProgram(kRed);
   const GLuint glsl = makeGlsl("void main() { gl_Position = gl_Vertex; }",
