@@ -197,6 +197,30 @@ TEST(Limits, BeyondWhatCanBeNumberedNoPolicyHelps) {
   for (int i = 0; i < 70000; ++i)
     names += ",t" + std::to_string(i);
   EXPECT_EQ(firstError(check(wrap(names + ";"), options)), "limit-temporaries");
+  const CheckResult constants = check(wrap(numbered("KIL ", 70000, ";")), options);
+  EXPECT_FALSE(constants.ok());
+  bool told = false;
+  for (const Diagnostic &diagnostic : constants.diagnostics)
+    told |= diagnostic.severity == Severity::Error &&
+            std::string_view(diagnostic.id) == "limit-parameters";
+  EXPECT_TRUE(told);
+}
+
+TEST(Limits, ReportLoadsArraysOverTheParameterLimit) {
+  const std::string text = wrap("PARAM p[33] = { program.env[0..31], 5 };\nKIL p[32];");
+  EXPECT_EQ(firstError(check(text)), "array-size");
+  const CheckResult reported = check(text, small(LimitPolicy::Report));
+  ASSERT_TRUE(reported.ok());
+  EXPECT_EQ(reported.counts.parameters, 33u);
+  ASSERT_EQ(reported.diagnostics.size(), 2u);
+  EXPECT_STREQ(reported.diagnostics[0].id, "array-size");
+  EXPECT_STREQ(reported.diagnostics[1].id, "limit-parameters");
+}
+
+TEST(Limits, AZeroLimitWithAFogOptionDoesNotWrapAround) {
+  CompileOptions options = generous();
+  options.limits.api.temporaries = 0;
+  EXPECT_EQ(firstError(check(wrap("OPTION ARB_fog_exp;\nTEMP a;"), options)), "limit-temporaries");
 }
 
 } // namespace

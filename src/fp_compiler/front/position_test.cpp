@@ -267,6 +267,7 @@ constexpr PlantedHeader kHeaders[] = {
     {"header-missing", "!!ARBfp1.@1\nEND"},
     {"header-missing", "!!ARBfp1.@"},
     {"header-missing", "@END"},
+    {"header-missing", "!!@FP1.0\nEND"},
     {"syntax", "!!ARBfp1.0@1\nEND"},
     {"unsupported-option", "!!ARBfp1.0\nOPTION @ARB_fog_cubic;\nEND"},
     {"unsupported-option", "!!ARBfp1.0 OPTION ARB_fog_exp; OPTION @NV_fragment_program; END"},
