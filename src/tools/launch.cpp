@@ -148,6 +148,7 @@ int execute(const std::vector<Assignment> &environment, const std::vector<std::s
   for (const Assignment &assignment : environment)
     ::setenv(assignment.name.c_str(), assignment.value.c_str(), 1);
   std::vector<char *> argv;
+  argv.reserve(command.size() + 1);
   for (const std::string &word : command)
     argv.push_back(const_cast<char *>(word.c_str())); // execvp does not write to them
   argv.push_back(nullptr);

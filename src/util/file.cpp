@@ -16,15 +16,16 @@ int openPrivate(const char *path, OpenMode mode) noexcept {
   if (descriptor < 0)
     return -1;
   struct stat status = {};
-  int failure = 0;
-  if (::fstat(descriptor, &status) != 0)
-    failure = errno;
-  else if (!S_ISREG(status.st_mode))
-    failure = EINVAL;
-  else if (mode == OpenMode::Truncate && ::ftruncate(descriptor, 0) != 0)
-    failure = errno;
-  if (failure == 0)
+  bool good = ::fstat(descriptor, &status) == 0;
+  if (good && !S_ISREG(status.st_mode)) {
+    errno = EINVAL;
+    good = false;
+  }
+  if (good && mode == OpenMode::Truncate)
+    good = ::ftruncate(descriptor, 0) == 0;
+  if (good)
     return descriptor;
+  const int failure = errno;
   ::close(descriptor);
   errno = failure;
   return -1;

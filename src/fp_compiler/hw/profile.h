@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,11 +20,12 @@ enum class Row : std::uint8_t {
 #undef PROFILE_ROW
 };
 
-#define PROFILE_ROW(...) +1
-inline constexpr int kRowCount = 0
+inline constexpr Row kAllRows[] = {
+#define PROFILE_ROW(Enumerator, table, key, member, glName, least, most) Row::Enumerator,
 #include "fp_compiler/hw/rows.def"
-    ;
 #undef PROFILE_ROW
+};
+inline constexpr int kRowCount = int(std::size(kAllRows));
 
 struct RowInfo {
   Row row;
