@@ -6,6 +6,8 @@
   tests/clients/run.py --list
   tests/clients/run.py --build build --headless libEGL_nvidia.so.0
                                                     EGL's device platform, no X, that host vendor
+  tests/clients/run.py --build build --pack FOLDER  what --headless needs, to take to a machine that
+                                                    has no build: python3 FOLDER/run.py --headless …
 
 Prints a table, and with --json writes it. Exit status 1 if a case fails.
 """
@@ -14,6 +16,7 @@ import concurrent.futures
 import contextlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -45,6 +48,24 @@ class XServer:
         self.process.wait()
 
 
+def pack(build, folder):
+    """A build tree of only the layer and the clients that need no X, with these scripts beside."""
+    programs = ["egl_direct", "egl_dynamic", "count", "spawn", "early", "reuse", "threads"]
+    libraries = ["libclient_early_library.so", "libclient_counting_vendor.so"]
+    files = ["src/interposer/libGLX_arbiter.so.0", "src/interposer/osmesa/libOSMesa.so.8",
+             "src/interposer/arbiter/11_arbiter.json"]
+    files += [f"tests/clients/client_{name}" for name in programs]
+    files += [f"tests/clients/{name}" for name in libraries]
+    for name in files:
+        target = folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(build / name, target)
+        if not name.endswith(".json"):
+            subprocess.run(["strip", target], check=True)
+    for script in ("run.py", "cases.py"):
+        shutil.copy(Path(__file__).resolve().parent / script, folder)
+
+
 def run_case(name, case, build, display, vendor):
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="arbiter-client-") as scratch:
@@ -63,13 +84,20 @@ def run_case(name, case, build, display, vendor):
             "seconds": round(time.monotonic() - begin, 2)}
 
 
+def default_build():
+    """The folder of these scripts if they were packed with a build, else ./build."""
+    here = Path(__file__).resolve().parent
+    return here if (here / "src/interposer").is_dir() else Path("build")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--build", type=Path, default=Path("build"))
+    parser.add_argument("--build", type=Path, default=default_build())
     parser.add_argument("--only", action="append", help="part of a case's name; may be repeated")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--json", type=Path)
     parser.add_argument("--headless", metavar="EGL_VENDOR_LIBRARY")
+    parser.add_argument("--pack", type=Path, metavar="FOLDER")
     parser.add_argument("--sanitized", action="store_true", help="the build has a sanitizer")
     parser.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
@@ -87,6 +115,9 @@ def main():
         print("\n".join(chosen))
         return 0
     build = arguments.build.resolve()
+    if arguments.pack:
+        pack(build, arguments.pack)
+        return 0
     rows = []
     server = contextlib.nullcontext() if arguments.headless else XServer()
     with server as display, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
