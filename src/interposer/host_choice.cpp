@@ -66,7 +66,7 @@ std::vector<std::string> icdFiles(const std::string &directory) {
   while (const dirent *item = readdir(handle)) {
     const std::string name = item->d_name;
     if (name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0)
-      files.push_back(directory + "/" + name);
+      files.emplace_back(directory).append("/").append(name);
   }
   closedir(handle);
   std::sort(files.begin(), files.end());

@@ -18,8 +18,8 @@ struct Entry {
 struct Registry {
   std::mutex mutex;
   std::vector<Entry> entries;
-  /// Holds 1 + the provider that is current on the thread; its destructor un-binds as a thread
-  /// ends.
+  /// Holds the mark of the provider that is current on the thread; its destructor un-binds as a
+  /// thread ends.
   pthread_key_t current{};
 };
 
@@ -49,9 +49,12 @@ Entry *find(Registry &r, const Key &key) {
   return nullptr;
 }
 
-void setCurrentProvider(std::intptr_t value) {
-  pthread_setspecific(registry().current, reinterpret_cast<void *>(value));
-}
+/// A value of the thread's key for each provider; what matters is the address.
+constexpr Provider kMarks[] = {Provider::Glx, Provider::Egl, Provider::OsMesa};
+
+const void *mark(Provider provider) { return &kMarks[std::size_t(provider)]; }
+
+void setCurrent(const void *value) { pthread_setspecific(registry().current, value); }
 
 } // namespace
 
@@ -86,7 +89,7 @@ void madeCurrent(const Key &key, const host::HostTable &table) {
   if (!key.handle) {
     if (isCurrent(key.provider)) {
       state::makeCurrent(nullptr);
-      setCurrentProvider(0);
+      setCurrent(nullptr);
     }
     return;
   }
@@ -102,7 +105,7 @@ void madeCurrent(const Key &key, const host::HostTable &table) {
     context = entry->context;
   }
   state::makeCurrent(context);
-  setCurrentProvider(1 + std::intptr_t(key.provider));
+  setCurrent(mark(key.provider));
 }
 
 void copied(const Key &from, const Key &to, unsigned long mask) {
@@ -127,8 +130,7 @@ void displayClosed(Provider provider, const void *display) {
 }
 
 bool isCurrent(Provider provider) {
-  const auto value = reinterpret_cast<std::intptr_t>(pthread_getspecific(registry().current));
-  return value == 1 + std::intptr_t(provider);
+  return pthread_getspecific(registry().current) == mark(provider);
 }
 
 } // namespace arbiter::interposer::registry

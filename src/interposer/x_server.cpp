@@ -44,6 +44,7 @@ struct Xcb {
   template <typename Function> Function *get(Function *, const char *name) const {
     return handle ? reinterpret_cast<Function *>(dlsym(handle, name)) : nullptr;
   }
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define ARBITER_XCB(name) decltype(&::name) name = get(&::name, #name)
   ARBITER_XCB(xcb_connect);
   ARBITER_XCB(xcb_connection_has_error);

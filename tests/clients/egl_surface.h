@@ -8,9 +8,14 @@ namespace clients {
 struct Egl {
 #define CLIENT_EGL_FUNCTIONS(X)                                                                    \
   X(GetDisplay)                                                                                    \
-  X(Initialize) X(BindAPI) X(ChooseConfig) X(CreatePbufferSurface) X(CreateContext) X(MakeCurrent) \
-      X(DestroyContext) X(DestroySurface) X(Terminate) X(SwapBuffers) X(GetProcAddress)            \
-          X(ReleaseThread) X(GetError)
+  X(Initialize)                                                                                    \
+  X(BindAPI)                                                                                       \
+  X(ChooseConfig)                                                                                  \
+  X(CreatePbufferSurface)                                                                          \
+  X(CreateContext)                                                                                 \
+  X(MakeCurrent)                                                                                   \
+  X(DestroyContext)                                                                                \
+  X(DestroySurface) X(Terminate) X(SwapBuffers) X(GetProcAddress) X(ReleaseThread) X(GetError)
 #define X(name) decltype(&::egl##name) name = nullptr;
   CLIENT_EGL_FUNCTIONS(X)
 #undef X

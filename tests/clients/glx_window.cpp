@@ -14,9 +14,12 @@ Glx loadGlx(void *(*get)(const char *name)) {
     die("no function", "glX" #name);
   X(ChooseVisual)
   X(CreateContext)
-  X(MakeCurrent) X(DestroyContext) X(SwapBuffers) X(GetProcAddressARB)
+  X(MakeCurrent)
+  X(DestroyContext)
+  X(SwapBuffers)
+  X(GetProcAddressARB)
 #undef X
-      return glx;
+  return glx;
 }
 
 GlxWindow openWindow(const Glx &glx, bool makeContext) {
