@@ -28,15 +28,10 @@ struct Arguments {
 
 constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
 
-std::string defaultProfile() {
-  const std::string fromEnvironment = settings().profile;
-  return fromEnvironment;
-}
-
 void addCheck(CLI::App &app, CheckArguments &check) {
   CLI::App *command = app.add_subcommand(
       "check", "Check fragment programs: errors with line and column, counts against limits");
-  check.profile = defaultProfile();
+  check.profile = settings().profile; // ARBITER_PROFILE, or the default
   command->add_option("--profile", check.profile, kProfileHelp)->capture_default_str();
   command
       ->add_option("--limits", check.limits,
@@ -56,7 +51,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
 
 void addCompile(CLI::App &app, CompileArguments &compile) {
   CLI::App *command = app.add_subcommand("compile", "Show what the compiler makes of a program");
-  compile.profile = defaultProfile();
+  compile.profile = settings().profile;
   command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
   command->add_option("--emit", compile.emit, "tokens, ir (checked program) or glsl (1.20)")
       ->check(CLI::IsMember({"tokens", "ir", "glsl"}))
@@ -153,7 +148,7 @@ std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   const auto mark = std::find(words.begin(), words.end(), "--");
   if (mark == words.end())
     return {};
-  const std::vector<std::string> command(mark + 1, words.end());
+  std::vector<std::string> command(mark + 1, words.end());
   words.erase(mark, words.end());
   return command;
 }
@@ -205,7 +200,7 @@ bool knownSubcommand(const CLI::App &app, const std::string &word) {
   return false;
 }
 
-int main(int argc, char **argv) {
+int interpret(int argc, char **argv) {
   CLI::App app{"Assembly-era OpenGL programs on today's drivers: check them, compile them, draw "
                "them, and run applications under the layer.",
                "arbiter"};
@@ -240,9 +235,11 @@ int main(int argc, char **argv) {
 
 int main(int argc, char **argv) {
   try {
-    return arbiter::tools::main(argc, argv);
+    return arbiter::tools::interpret(argc, argv);
   } catch (const std::exception &error) {
-    arbiter::tools::complain(std::string("internal error: ") + error.what());
+    std::fprintf(stderr, "arbiter: internal error: %s\n", error.what());
+  } catch (...) {
+    std::fputs("arbiter: internal error\n", stderr);
   }
   return arbiter::tools::kExitInternal;
 }
