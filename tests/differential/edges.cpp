@@ -58,8 +58,9 @@ std::string programText(Opcode op, bool saturate) {
   return text;
 }
 
-/// False where semantics.h leaves the result to the host, and where the functions' tolerances mean
-/// nothing: an angle of 1e30 has no sine.
+/// False where semantics.h leaves the result to the host, where it hangs on whether a host rounds
+/// between product and sum (1e30 * 1e30 - infinity), and where a function's tolerance means
+/// nothing.
 bool isDefined(Opcode op, bool saturate, const Vec4 &texel) {
   const auto any = [&](bool (*test)(float)) {
     return test(texel[0]) || test(texel[1]) || test(texel[2]) || test(texel[3]);
@@ -68,9 +69,15 @@ bool isDefined(Opcode op, bool saturate, const Vec4 &texel) {
   case Opcode::Sin:
   case Opcode::Cos:
   case Opcode::Scs:
-    return !(std::fabs(texel[0]) > 1e4f && std::isfinite(texel[0]));
+    return !(std::fabs(texel[0]) > 4.0f && std::isfinite(texel[0]));
   case Opcode::Lrp:
     return !any([](float value) { return std::fabs(value) > 1e4f; });
+  case Opcode::Dp3:
+  case Opcode::Dp4:
+  case Opcode::Dph:
+  case Opcode::Mad:
+  case Opcode::Xpd:
+    return !any([](float value) { return std::fabs(value) > 1e4f && std::isfinite(value); });
   case Opcode::Abs:
     return !saturate || !any([](float value) { return std::isnan(value); });
   default:

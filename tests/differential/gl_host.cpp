@@ -1,17 +1,32 @@
 #include "gl_host.h"
 
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 namespace arbiter::differential {
 
 namespace {
+/// An initialised display without a window system: Mesa's surfaceless platform, the default
+/// display, or a device of its own.
 EGLDisplay openDisplay() {
-  const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  if (extensions && std::strstr(extensions, "EGL_MESA_platform_surfaceless"))
-    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-  return eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  const char *found = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const std::string extensions = found ? found : "";
+  const auto has = [&](const char *name) { return extensions.find(name) != std::string::npos; };
+  std::vector<EGLDisplay> candidates;
+  if (has("EGL_MESA_platform_surfaceless"))
+    candidates.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+  candidates.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+  if (has("EGL_EXT_platform_device") && has("EGL_EXT_device_enumeration")) {
+    EGLDeviceEXT devices[8];
+    EGLint count = 0;
+    eglQueryDevicesEXT(8, devices, &count);
+    for (EGLint i = 0; i < count; ++i)
+      candidates.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+  }
+  for (const EGLDisplay display : candidates)
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr))
+      return display;
+  return EGL_NO_DISPLAY;
 }
 
 GLuint colorTexture() {
@@ -28,8 +43,8 @@ GLuint colorTexture() {
 std::optional<GlHost> GlHost::create(std::string &why) {
   GlHost host;
   host.m_display = openDisplay();
-  if (!eglInitialize(host.m_display, nullptr, nullptr)) {
-    why = "eglInitialize failed";
+  if (host.m_display == EGL_NO_DISPLAY) {
+    why = "no EGL display could be initialised";
     return {};
   }
   eglBindAPI(EGL_OPENGL_API);

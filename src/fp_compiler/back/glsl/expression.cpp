@@ -74,10 +74,13 @@ std::string Writer::cmp() const {
   return compose(parts);
 }
 
-/// GLSL leaves pow(0, 0) and a negative base undefined; hosts give NaN.
+/// GLSL leaves pow() undefined for a base below zero, and for a base of zero with an exponent that
+/// is not above zero; hosts give NaN, infinity or zero.
 std::string Writer::power(const std::string &base, const std::string &exponent) const {
-  const std::string guarded = proofs.baseNotNegative ? base : "max(" + base + ", 0.0)";
-  const std::string text = "pow(" + guarded + ", " + exponent + ")";
+  if (proofs.exponentPositive)
+    return "pow(" + (proofs.baseNotNegative ? base : "max(" + base + ", 0.0)") + ", " + exponent +
+           ")";
+  const std::string text = "(" + base + " > 0.0 ? pow(" + base + ", " + exponent + ") : 0.0)";
   return proofs.exponentNotZero ? text : "(" + exponent + " == 0.0 ? 1.0 : " + text + ")";
 }
 

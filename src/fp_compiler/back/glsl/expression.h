@@ -32,12 +32,14 @@ using Components = std::vector<int>;
 /// "vecN(a, b, ..)" otherwise.
 [[nodiscard]] std::string compose(const std::vector<std::string> &parts);
 
-/// The right-hand side of an instruction for the components of its mask, before _SAT.
-/// \p nonNegative tells which operands of POW and LIT are proved not to be below zero.
+/// What is proved of POW's or LIT's base and exponent.
 struct Proofs {
-  bool baseNotNegative = false; ///< POW's or LIT's base is >= 0 and no NaN
-  bool exponentNotZero = false; ///< POW's or LIT's exponent is not 0
+  bool baseNotNegative = false; ///< >= 0 and no NaN
+  bool exponentNotZero = false;
+  bool exponentPositive = false;
 };
+
+/// The right-hand side of an instruction for the components of its mask, before _SAT.
 [[nodiscard]] std::string expression(const Registers &registers, const ir::Instruction &instruction,
                                      const Components &components, const Proofs &proofs);
 

@@ -71,8 +71,9 @@ std::string fogFactor(ir::FogMode mode) {
     return "exp2(gl_Fog.density * gl_FogFragCoord * gl_Fog.density * gl_FogFragCoord * "
            "-1.442695041)";
   case ir::FogMode::Linear:
-    // (e - c) / (e - s) as one multiplication and one addition, without a division a fragment; hosts
-    // compute their own fog so, and where the form differs so does the last bit of the colour.
+    // (e - c) / (e - s) as one multiplication and one addition, without a division a fragment;
+    // hosts compute their own fog so, and where the form differs so does the last bit of the
+    // colour.
     return "gl_Fog.end * gl_Fog.scale - gl_FogFragCoord * gl_Fog.scale";
   }
   return "";

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/ir/reads.h"
+#include "fp_compiler/opt/values.h"
 
 namespace arbiter::fp::glsl {
 
@@ -42,27 +43,24 @@ Range Ranges::operand(const Operand &source, int position) const {
   return m_temporaries[source.index][std::size_t(select)];
 }
 
-bool Ranges::notZero(const Operand &source, int position) const {
-  const Select select = source.swizzle[std::size_t(position)];
-  if (select == Select::One)
-    return true;
-  if (select == Select::Zero || source.file != ir::File::Parameter)
-    return false;
-  const ir::Parameter &parameter = m_program.parameters[source.index];
-  return parameter.kind == ir::ParameterKind::Constant &&
-         parameter.constant[std::size_t(select)] != 0.0f;
+Proofs Ranges::proofs(const Operand &base, int basePosition, const Operand &exponent,
+                      int exponentPosition) const {
+  Proofs result;
+  result.baseNotNegative = operand(base, basePosition) != Range::Any;
+  if (const auto value = opt::constantAt(m_program, exponent, exponentPosition)) {
+    result.exponentNotZero = *value != 0.0f;
+    result.exponentPositive = *value > 0.0f;
+  }
+  return result;
 }
 
 Proofs Ranges::proofs(const Instruction &instruction) const {
-  Proofs result;
-  if (instruction.op == Opcode::Pow) {
-    result.baseNotNegative = operand(instruction.src[0], 0) != Range::Any;
-    result.exponentNotZero = notZero(instruction.src[1], 0);
-  } else if (instruction.op == Opcode::Lit) {
-    result.baseNotNegative = operand(instruction.src[0], 1) != Range::Any;
-    result.exponentNotZero = notZero(instruction.src[0], 3);
-  }
-  return result;
+  const auto &src = instruction.src;
+  if (instruction.op == Opcode::Pow)
+    return proofs(src[0], 0, src[1], 0);
+  if (instruction.op == Opcode::Lit)
+    return proofs(src[0], 1, src[0], 3);
+  return {};
 }
 
 Range Ranges::result(const Instruction &instruction, int position) const {

@@ -28,7 +28,8 @@ public:
 private:
   [[nodiscard]] Range operand(const ir::Operand &source, int position) const;
   [[nodiscard]] Range result(const ir::Instruction &instruction, int position) const;
-  [[nodiscard]] bool notZero(const ir::Operand &source, int position) const;
+  [[nodiscard]] Proofs proofs(const ir::Operand &base, int basePosition,
+                              const ir::Operand &exponent, int exponentPosition) const;
 
   const ir::Program &m_program;
   std::vector<std::array<Range, 4>> m_temporaries;
