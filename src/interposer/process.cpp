@@ -21,6 +21,7 @@ constexpr const char *kEglSelection = "__EGL_VENDOR_LIBRARY_FILENAMES";
 constexpr const char *kSavedGlx = "ARBITER_SAVED_GLX_VENDOR";
 constexpr const char *kSavedEgl = "ARBITER_SAVED_EGL_VENDORS";
 constexpr const char *kVendorName = "arbiter";
+constexpr const char *kLibrary = "libGLX_arbiter.so";
 /// The ICD files beside the library, in the build tree and installed: by path, and by name alone.
 constexpr const char *kIcdByPath = "/arbiter/10_arbiter.json";
 constexpr const char *kIcdByName = "/arbiter/11_arbiter.json";
@@ -83,17 +84,20 @@ void selectArbiter() {
   const bool eglOurs = egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName));
   g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : glx);
   g_savedEgl = copy(eglOurs ? getenv(kSavedEgl) : egl);
-  // Selected already: by a parent process, or from outside, and then perhaps loaded so late that
-  // other threads read the environment.
-  if (glxOurs || eglOurs)
+  // Loaded as a vendor alone, by what somebody else selected, and then perhaps so late that other
+  // threads read the environment: it stays as it is.
+  const char *const preload = getenv("LD_PRELOAD");
+  if (!preload || !std::strstr(preload, kLibrary))
     return;
-  save(kSavedGlx, g_savedGlx);
-  setenv(kGlxSelection, kVendorName, 1);
-  const std::string icd = ownIcdFile();
-  if (icd.empty())
-    return;
-  save(kSavedEgl, g_savedEgl);
-  setenv(kEglSelection, icd.c_str(), 1);
+  if (!glxOurs) {
+    save(kSavedGlx, g_savedGlx);
+    setenv(kGlxSelection, kVendorName, 1);
+  }
+  const std::string icd = eglOurs ? std::string() : ownIcdFile();
+  if (!icd.empty()) {
+    save(kSavedEgl, g_savedEgl);
+    setenv(kEglSelection, icd.c_str(), 1);
+  }
 }
 
 [[gnu::constructor]] void constructed() { selectArbiter(); }

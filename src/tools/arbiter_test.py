@@ -310,8 +310,8 @@ class Run(Temporary):
         folder = self.path('arbiter')
         folder.mkdir()
         by_path, by_name = folder / '10_arbiter.json', folder / '11_arbiter.json'
-        def chosen(**environment):
-            shell = 'printf "%s" "$__EGL_VENDOR_LIBRARY_FILENAMES"'
+        def chosen(variable='__EGL_VENDOR_LIBRARY_FILENAMES', **environment):
+            shell = f'printf "%s" "${variable}"'
             return arbiter('run', '--library', library, '--', 'sh', '-c', shell,
                            **environment).stdout
         self.assertEqual(chosen(), '')
@@ -321,7 +321,10 @@ class Run(Temporary):
         self.assertEqual(chosen(), str(by_name))
         by_path.write_text(f'{{"library_path": "{library}"}}')
         self.assertEqual(chosen(), str(by_path))
-        self.assertEqual(chosen(__EGL_VENDOR_LIBRARY_FILENAMES='/theirs'), '/theirs')
+        # What was selected before is the layer's host.
+        theirs = {'__EGL_VENDOR_LIBRARY_FILENAMES': '/theirs'}
+        self.assertEqual(chosen(**theirs), str(by_path))
+        self.assertEqual(chosen('ARBITER_SAVED_EGL_VENDORS', **theirs), '/theirs')
 
     def test_the_command_is_passed_on_as_it_is(self):
         def run(*words):

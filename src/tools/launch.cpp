@@ -76,6 +76,14 @@ std::string icdFile(const std::string &preload) {
   return fs::exists(byName, error) ? byName.string() : std::string();
 }
 
+/// Sets a selection of libglvnd's, and keeps what it was where the layer looks for its host.
+void select(std::vector<Assignment> &environment, const Assignment &ours, const char *saved) {
+  const char *theirs = std::getenv(ours.name.c_str());
+  if (theirs != nullptr && *theirs != '\0' && theirs != ours.value)
+    environment.push_back({saved, theirs});
+  environment.push_back(ours);
+}
+
 /// LEVEL, FILE or LEVEL:FILE with FILE made absolute; see flags.def.
 std::string absoluteLog(const std::string &log) {
   const std::size_t slash = log.find('/');
@@ -115,12 +123,10 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   std::vector<Assignment> environment;
   environment.push_back({"LD_PRELOAD", prepended(files.preload, "LD_PRELOAD")});
   // The library selects itself when it is loaded; said beforehand for programs whose own libraries
-  // call GL in constructors, which run before a preloaded library's.
-  const std::string icd = icdFile(files.preload);
-  if (std::getenv("__GLX_VENDOR_LIBRARY_NAME") == nullptr)
-    environment.push_back({"__GLX_VENDOR_LIBRARY_NAME", "arbiter"});
-  if (std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES") == nullptr && !icd.empty())
-    environment.push_back({"__EGL_VENDOR_LIBRARY_FILENAMES", icd});
+  // call GL in constructors, which run before a preloaded library's. What was selected is the host.
+  select(environment, {"__GLX_VENDOR_LIBRARY_NAME", "arbiter"}, "ARBITER_SAVED_GLX_VENDOR");
+  if (const std::string icd = icdFile(files.preload); !icd.empty())
+    select(environment, {"__EGL_VENDOR_LIBRARY_FILENAMES", icd}, "ARBITER_SAVED_EGL_VENDORS");
   if (!files.osmesaFolder.empty())
     environment.push_back({"LD_LIBRARY_PATH", prepended(files.osmesaFolder, "LD_LIBRARY_PATH")});
   if (!arguments.profile.empty()) {

@@ -249,6 +249,24 @@ def run_arbiter(setting):
         need_statistics(setting.stats)
 
 
+def run_selected_host(setting):
+    """What the environment selected before is the host, for a preload and for arbiter run."""
+    icd = write_icd(setting.scratch / "counting.json",
+                    setting.clients / "libclient_counting_vendor.so")
+    counts = setting.scratch / "counts.json"
+    client = [setting.clients / "client_count", "10", "surfaceless"]
+    selected = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), "COUNTING_HOST": "libEGL_mesa.so.0",
+                "COUNTING_FILE": str(counts), "ARBITER_STATS": str(setting.stats)}
+    tool = [setting.build / "src/tools/arbiter", "run", "--"]
+    for command, layer in ((client, True), (tool + client, False), (tool + tool + client, False)):
+        counts.unlink(missing_ok=True)
+        setting.stats.unlink(missing_ok=True)
+        need_success(execute(command, setting.environment(layer, selected)), str(command[0]))
+        need(counts.exists() and json.loads(counts.read_text())["clears"] == 10,
+             f"{command[0]}: the selected vendor is not the host")
+        need(setting.stats.exists(), f"{command[0]}: the layer is not in front")
+
+
 def run_secure(setting):
     """In a set-user-id program the layer stays out, however it is asked for."""
     if os.geteuid() != 0:
@@ -415,6 +433,7 @@ def all_cases():
         "fork and exec": run_spawn,
         "vendor without preload": run_vendor_only,
         "arbiter run": run_arbiter,
+        "host selected before": run_selected_host,
         "AT_SECURE": run_secure,
         "overlay beside": run_overlay,
         "apitrace": run_apitrace,
