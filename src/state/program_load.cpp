@@ -121,6 +121,9 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
     return raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
   }
 
+  if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report
+    logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
+            context.errorString.c_str());
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->text = text;
   compiled->hash = hashBytes(text);

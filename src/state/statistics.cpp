@@ -39,6 +39,7 @@ struct ProgramRow {
   bool underNativeLimits = false;
   std::int32_t errorPosition = -1;
   std::string error;
+  std::string warning; ///< of a program that loaded
 };
 
 /// The counters of a context, or of several.
@@ -153,6 +154,8 @@ void writeProgram(JsonWriter &json, const ProgramRow &row) {
   }
   if (row.error.empty()) {
     json.key("error").null();
+    if (!row.warning.empty())
+      json.key("warning").value(row.warning);
   } else {
     json.key("error").beginObject();
     json.key("position").value(row.errorPosition);
@@ -272,8 +275,7 @@ void noteLoadedProgram(const Context &context, unsigned name, std::string_view t
   row.nativeCounts = result.nativeCounts;
   row.underNativeLimits = result.underNativeLimits;
   row.errorPosition = result.errorPosition();
-  if (!result.ok())
-    row.error = context.errorString;
+  (result.ok() ? row.warning : row.error) = context.errorString;
   addProgram(std::move(row));
 }
 

@@ -17,16 +17,26 @@ void useProgram(Context &context, GLuint name) {
   invalidateProgram(context);
 }
 
+namespace {
+
+/// The host's own enable of the target is neither the application's to save nor to restore.
+void releaseHostAssembly(Context &context) {
+  if (!context.hostAssembly.active())
+    return;
+  releaseHostState(context);
+  invalidateProgram(context);
+}
+
+} // namespace
+
 void pushAttrib(Context &context, GLbitfield mask) {
-  if (context.hostAssembly.active()) { // its enable on the host is not the application's to save
-    releaseHostState(context);
-    invalidateProgram(context);
-  }
+  releaseHostAssembly(context);
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where ours would overflow too
   (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
 }
 
 void popAttrib(Context &context) {
+  releaseHostAssembly(context);
   context.host->PopAttrib();
   AttribStack::Entry entry;
   if (context.attribStack.pop(entry) && entry.hasEnables)

@@ -140,6 +140,66 @@ TEST_F(Draws, VertexProgramsFeedFragmentPrograms) {
   glDisable(kVertex);
 }
 
+TEST_F(Draws, GlslVerticesWithAFragmentProgram) {
+  makeProgram("!!ARBfp1.0\nADD result.color, fragment.texcoord[1], program.env[0];\nEND");
+  glProgramEnvParameter4fARB(kFragment, 0, 0, 0, 0, 1);
+  const GLuint glsl = makeGlsl("uniform vec4 tint[2];\n"
+                               "uniform int which;\n"
+                               "attribute vec4 scale;\n"
+                               "void main() { gl_Position = gl_Vertex;\n"
+                               "  gl_TexCoord[1] = tint[which] * scale; }",
+                               nullptr);
+  glUseProgram(glsl);
+  const GLint tint = glGetUniformLocation(glsl, "tint[0]");
+  const GLint second = glGetUniformLocation(glsl, "tint[1]");
+  const GLint which = glGetUniformLocation(glsl, "which");
+  const GLint scale = glGetAttribLocation(glsl, "scale");
+  ASSERT_GE(scale, 0);
+  glVertexAttrib4f(GLuint(scale), 1, 1, 1, 0);
+  glUniform4f(tint, 1, 0, 0, 0);
+  glUniform4f(second, 0, 1, 0, 0);
+  EXPECT_EQ(drawn(), kRedPixel);
+  EXPECT_EQ(integer(GL_CURRENT_PROGRAM), GLint(glsl));
+  glUniform1i(which, 1);
+  EXPECT_EQ(drawn(), kGreenPixel) << "a uniform set between draws";
+  GLfloat value[4] = {};
+  glGetUniformfv(glsl, tint, value);
+  EXPECT_EQ(value[0], 1.0f);
+  glDisable(kFragment);
+  clear();
+  drawQuad();
+  glEnable(kFragment);
+  glUseProgram(0);
+  load(kRed);
+  EXPECT_EQ(drawn(), kRedPixel);
+  glUseProgram(glsl);
+  glLinkProgram(glsl); // uniforms are zero again
+  load("!!ARBfp1.0\nADD result.color, fragment.texcoord[1], program.env[0];\nEND");
+  glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  glDeleteProgram(glsl);
+  EXPECT_EQ(integer(GL_CURRENT_PROGRAM), GLint(glsl)) << "deleted while current: it stays";
+  EXPECT_EQ(drawn(), kGreenPixel);
+  glUseProgram(0);
+  EXPECT_FALSE(glIsProgram(glsl));
+}
+
+TEST_F(Draws, GlslVerticesAcrossTheAttributeStack) {
+  makeProgram(kRed);
+  glUseProgram(makeGlsl("void main() { gl_Position = gl_Vertex; }", nullptr));
+  EXPECT_EQ(drawn(), kRedPixel);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  EXPECT_EQ(drawn(), kRedPixel);
+  glPopAttrib();
+  EXPECT_EQ(drawn(), kRedPixel) << "PopAttrib restored the host's own enable";
+  glPushAttrib(GL_ENABLE_BIT);
+  glDisable(kFragment);
+  glUseProgram(0);
+  EXPECT_EQ(drawn(), kBluePixel);
+  glPopAttrib();
+  EXPECT_EQ(drawn(), kRedPixel);
+}
+
 TEST_F(Draws, VertexArrays) {
   makeProgram(kRed);
   const GLfloat corners[] = {-1, -1, 1, -1, 1, 1, -1, 1};
