@@ -7,7 +7,7 @@ namespace arbiter::fp {
 /// The resources a program is counted in, in the order that every report lists them.
 /// GL_PROGRAM_<NAME>_ARB and GL_PROGRAM_NATIVE_<NAME>_ARB of ARB_fragment_program.
 struct ResourceCounts {
-  std::uint32_t instructions = 0;    ///< END is not one
+  std::uint32_t instructions = 0; ///< END is not one
   std::uint32_t aluInstructions = 0;
   std::uint32_t texInstructions = 0; ///< TEX, TXP, TXB, KIL
   std::uint32_t texIndirections = 0; ///< starts at 1 (3.11.6)
@@ -20,22 +20,26 @@ struct ResourceCounts {
 /// Limits of one target of a profile. Every number is a row of a profile with its source; see
 /// src/fp_compiler/hw/profiles/.
 struct Limits {
-  ResourceCounts api;      ///< GL_MAX_PROGRAM_*_ARB
-  ResourceCounts native;   ///< GL_MAX_PROGRAM_NATIVE_*_ARB
+  ResourceCounts api;    ///< GL_MAX_PROGRAM_*_ARB
+  ResourceCounts native; ///< GL_MAX_PROGRAM_NATIVE_*_ARB
   std::uint32_t localParameters = 0;
   std::uint32_t envParameters = 0;
-  std::uint32_t textureCoords = 0;      ///< GL_MAX_TEXTURE_COORDS_ARB
-  std::uint32_t textureImageUnits = 0;  ///< GL_MAX_TEXTURE_IMAGE_UNITS_ARB
-  std::uint32_t textureUnits = 0;       ///< GL_MAX_TEXTURE_UNITS: fixed-function units
+  std::uint32_t textureCoords = 0;     ///< GL_MAX_TEXTURE_COORDS_ARB
+  std::uint32_t textureImageUnits = 0; ///< GL_MAX_TEXTURE_IMAGE_UNITS_ARB
+  std::uint32_t textureUnits = 0;      ///< GL_MAX_TEXTURE_UNITS: fixed-function units
   std::uint32_t programMatrices = 0;
   std::uint32_t programMatrixStackDepth = 0;
   std::uint32_t lights = 8;
   std::uint32_t drawBuffers = 1;
-  std::uint32_t paletteMatrices = 0;    ///< 0: ARB_matrix_palette absent
-  std::uint32_t vertexUnits = 1;        ///< modelview[n], ARB_vertex_blend absent: 1
+  std::uint32_t paletteMatrices = 0; ///< 0: ARB_matrix_palette absent
+  /// 1: a program over api.texIndirections does not load (3.11.3.6). 0: it loads with a warning and
+  /// is not native, as under drivers that announce the limit and do not enforce it.
+  std::uint32_t refuseIndirections = 1;
+  std::uint32_t vertexUnits = 1; ///< modelview[n], ARB_vertex_blend absent: 1
 };
 
-/// Limits on the text itself, whatever the profile: a program string is bad input until proved good.
+/// Limits on the text itself, whatever the profile: a program string is bad input until proved
+/// good.
 inline constexpr std::uint32_t kMaxTextBytes = 1u << 20;
 inline constexpr std::uint32_t kMaxIdentifierBytes = 1024;
 inline constexpr std::uint32_t kMaxNumeralBytes = 64;

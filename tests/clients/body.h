@@ -4,7 +4,7 @@
 
 /// What every client draws, and how it proves who drew it: one fragment program that multiplies the
 /// colour by a local parameter, one pixel read back, and a limit that the layer answers differently
-/// from any host (MAX_PROGRAM_TEX_INDIRECTIONS_ARB is 4 on the r300 profile).
+/// from any host (MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB is 4 on the r300 profile).
 namespace clients {
 
 /// The GL as the client got hold of it. Signatures are spelled out, because some loaders make

@@ -9,7 +9,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-# MAX_PROGRAM_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
+# MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
 R300_INDIRECTIONS = 4
 TIMEOUT = 120
 # Of a sanitized build: preloading puts the layer before the sanitizer's runtime, and the host is not

@@ -32,7 +32,8 @@ constexpr ResourceRow kRows[kResourceCount] = {
 } // namespace
 
 Budget::Budget(const CompileOptions &options, Reporter &reporter)
-    : m_reporter(reporter), m_policy(options.policy), m_limits(options.limits.api) {}
+    : m_reporter(reporter), m_policy(options.policy), m_limits(options.limits.api),
+      m_refuseIndirections(options.limits.refuseIndirections != 0) {}
 
 void Budget::debitFog(ir::FogMode mode) {
   if (mode == ir::FogMode::None)
@@ -69,9 +70,11 @@ void Budget::report(Resource resource, Span where, std::uint32_t limit, bool cei
   if (const std::uint32_t debit = m_debits.*row.count; debit != 0 && !ceiling)
     message += " (" + std::to_string(m_limits.*row.count) + " less " + std::to_string(debit) +
                " for the fog option)";
-  if (m_policy == LimitPolicy::Report && !ceiling)
+  const bool loads = m_policy == LimitPolicy::Report ||
+                     (resource == Resource::TexIndirections && !m_refuseIndirections);
+  if (loads && !ceiling)
     m_reporter.warning(row.id, where, std::move(message), row.hint);
-  else if (!ceiling || m_policy == LimitPolicy::Report || limit < m_limits.*row.count)
+  else if (!ceiling || loads || limit < m_limits.*row.count)
     m_reporter.error(row.id, where, std::move(message), row.hint);
 }
 

@@ -40,6 +40,7 @@ private:
   Reporter &m_reporter;
   LimitPolicy m_policy;
   ResourceCounts m_limits;
+  bool m_refuseIndirections;
   ResourceCounts m_debits;
   ResourceCounts m_counts;
   std::array<bool, kResourceCount> m_reported{};

@@ -217,6 +217,21 @@ TEST(Limits, ReportLoadsArraysOverTheParameterLimit) {
   EXPECT_STREQ(reported.diagnostics[1].id, "limit-parameters");
 }
 
+TEST(Limits, IndirectionsThatTheProfileDoesNotRefuseLoadAndAreNotNative) {
+  CompileOptions options = generous();
+  options.limits.api.texIndirections = options.limits.native.texIndirections = 2;
+  const std::string text = wrap("TEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
+                                "TEX t, t, texture[0], 2D;\nTEX t, t, texture[0], 2D;");
+  EXPECT_EQ(firstError(check(text, options)), "limit-tex-indirections");
+  options.limits.refuseIndirections = 0;
+  const CheckResult loaded = check(text, options);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded.counts.texIndirections, 3u);
+  EXPECT_FALSE(loaded.underNativeLimits);
+  ASSERT_EQ(loaded.diagnostics.size(), 1u);
+  EXPECT_EQ(loaded.diagnostics[0].severity, Severity::Warning);
+}
+
 TEST(Limits, AZeroLimitWithAFogOptionDoesNotWrapAround) {
   CompileOptions options = generous();
   options.limits.api.temporaries = 0;

@@ -13,7 +13,7 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 # The order of every listing; the first is the default.
 ORDER = ['r300', 'r300-catalyst-2004', 'r420', 'nv30', 'i915', 'host']
-ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "(\w+)", (\d+), (\d+)\)$')
+ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d+), (\d+)\)$')
 
 
 class Broken(Exception):
@@ -142,7 +142,8 @@ def as_markdown(rows, profiles):
     out.append('|---|---|' + '---:|' * (len(names) + 2))
     for row in rows:
         cells = [str(profile['rows'][row['name']][0]) for profile in profiles]
-        out.append(f'| {row["table"]}.{row["key"]} | `GL_{row["gl"]}` | ' + ' | '.join(cells) +
+        gl = row['gl'] if row['gl'].startswith('none') else f'`GL_{row["gl"]}`'
+        out.append(f'| {row["table"]}.{row["key"]} | {gl} | ' + ' | '.join(cells) +
                    f' | {row["least"]} | {row["most"]} |')
     out.append('\nLeast: what the specification guarantees; a profile may go below it. Most: what '
                'Arbiter can hold.\n')
