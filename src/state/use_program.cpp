@@ -12,7 +12,8 @@ void useProgram(Context &context, GLuint name) {
   // The application's program must be the host's current one, for a call that fails to leave it.
   if (context.hostProgramIsOurs)
     releaseHostState(context);
-  context.host->UseProgram(name);
+  // A name that happens to be one of ours is one that the application never made.
+  context.host->UseProgram(handlers::guardName(context, name));
   context.applicationProgramKnown = false;
   invalidateProgram(context);
 }
