@@ -63,7 +63,7 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
 Context::~Context() {
   if (!group)
     return;
-  group->addGarbage(variants.abandon(), samplerOverride.abandon());
+  group->addGarbage({variants.abandon(), samplerOverride.abandon(), hostAssembly.abandon()});
   group->contexts.fetch_sub(1);
 }
 
@@ -88,14 +88,15 @@ void initialise(Context &context) {
 }
 
 void collectGarbage(Context &context) {
-  std::vector<GLuint> programs, samplers;
-  context.group->takeGarbage(programs, samplers);
-  for (const GLuint program : programs) {
+  const ShareGroup::Garbage garbage = context.group->takeGarbage();
+  for (const GLuint program : garbage.programs) {
     context.group->removeHostProgram(program);
     context.host->DeleteProgram(program);
   }
-  if (!samplers.empty())
-    context.host->DeleteSamplers(GLsizei(samplers.size()), samplers.data());
+  if (!garbage.samplers.empty())
+    context.host->DeleteSamplers(GLsizei(garbage.samplers.size()), garbage.samplers.data());
+  if (!garbage.assembly.empty())
+    context.host->DeleteProgramsARB(GLsizei(garbage.assembly.size()), garbage.assembly.data());
 }
 
 // --- lifecycle.h ---

@@ -83,4 +83,19 @@ void HostAssembly::release(Context &context) {
   context.host->BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 0);
 }
 
+bool HostAssembly::owns(GLuint name) const {
+  return std::any_of(m_entries.begin(), m_entries.end(),
+                     [&](const Entry &entry) { return entry.name == name; });
+}
+
+std::vector<GLuint> HostAssembly::abandon() {
+  std::vector<GLuint> names;
+  for (const Entry &entry : m_entries)
+    if (entry.name != 0)
+      names.push_back(entry.name);
+  m_entries.clear();
+  m_active.reset();
+  return names;
+}
+
 } // namespace arbiter::state

@@ -23,6 +23,10 @@ public:
   void uploadParameters(Context &context) const;
   /// Disables and unbinds what apply() bound.
   void release(Context &context);
+  /// The name is one of ours, which the application does not know.
+  [[nodiscard]] bool owns(GLuint name) const;
+  /// Empties without touching the host; gives the host objects' names.
+  [[nodiscard]] std::vector<GLuint> abandon();
   [[nodiscard]] bool active() const { return m_active != nullptr; }
 
 private:

@@ -25,8 +25,9 @@ void makeCurrent(Context *context);
 /// when it is last made un-current. A destroyed current context stays usable.
 void destroyContext(Context *context);
 
-/// glXCopyContext: the attribute groups of `mask` as far as the layer holds them, which is the enable
-/// of fragment programs (ENABLE_BIT; the binding is in no group). `to` is current to no thread.
+/// glXCopyContext: the attribute groups of `mask` as far as the layer holds them, which is the
+/// enable of fragment programs (ENABLE_BIT; the binding is in no group). `to` is current to no
+/// thread.
 void copyContext(const Context &from, Context &to, std::uint32_t mask);
 
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.

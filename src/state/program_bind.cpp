@@ -155,7 +155,9 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
   const auto object = context.group->find(program);
   if (object && object->target == GL_FRAGMENT_PROGRAM_ARB)
     return GL_TRUE;
-  return context.caps.hostProgramNames() ? context.host->IsProgramARB(program) : GL_FALSE;
+  if (!context.caps.hostProgramNames() || context.hostAssembly.owns(program))
+    return GL_FALSE;
+  return context.host->IsProgramARB(program);
 }
 
 void Enable(Context &context, GLenum cap) {

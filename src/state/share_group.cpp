@@ -1,6 +1,6 @@
 #include "state/share_group.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace arbiter::state {
 
@@ -67,19 +67,22 @@ void ShareGroup::setDefaultLocals(std::size_t count) {
     m_defaultFragment->locals.resize(count);
 }
 
-void ShareGroup::addGarbage(std::vector<GLuint> programs, std::vector<GLuint> samplers) {
+void ShareGroup::addGarbage(const Garbage &garbage) {
+  const auto append = [](std::vector<GLuint> &to, const std::vector<GLuint> &from) {
+    to.insert(to.end(), from.begin(), from.end());
+    return !to.empty();
+  };
   const std::lock_guard lock(m_mutex);
-  m_garbagePrograms.insert(m_garbagePrograms.end(), programs.begin(), programs.end());
-  m_garbageSamplers.insert(m_garbageSamplers.end(), samplers.begin(), samplers.end());
-  m_hasGarbage.store(!m_garbagePrograms.empty() || !m_garbageSamplers.empty(),
-                     std::memory_order_release);
+  const bool programs = append(m_garbage.programs, garbage.programs);
+  const bool samplers = append(m_garbage.samplers, garbage.samplers);
+  const bool assembly = append(m_garbage.assembly, garbage.assembly);
+  m_hasGarbage.store(programs || samplers || assembly, std::memory_order_release);
 }
 
-void ShareGroup::takeGarbage(std::vector<GLuint> &programs, std::vector<GLuint> &samplers) {
+ShareGroup::Garbage ShareGroup::takeGarbage() {
   const std::lock_guard lock(m_mutex);
-  programs.swap(m_garbagePrograms);
-  samplers.swap(m_garbageSamplers);
   m_hasGarbage.store(false, std::memory_order_release);
+  return std::exchange(m_garbage, {});
 }
 
 void ShareGroup::addHostProgram(GLuint name) {

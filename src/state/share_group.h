@@ -44,9 +44,14 @@ public:
 
   /// Host GLSL programs of a context that is gone. Any context of the group may delete them, at a
   /// moment when it is current.
-  void addGarbage(std::vector<GLuint> programs, std::vector<GLuint> samplers);
+  struct Garbage {
+    std::vector<GLuint> programs; ///< GLSL
+    std::vector<GLuint> samplers;
+    std::vector<GLuint> assembly; ///< program objects of the host's ARB path
+  };
+  void addGarbage(const Garbage &garbage);
   [[nodiscard]] bool hasGarbage() const { return m_hasGarbage.load(std::memory_order_acquire); }
-  void takeGarbage(std::vector<GLuint> &programs, std::vector<GLuint> &samplers);
+  [[nodiscard]] Garbage takeGarbage();
 
   // --- Host programs of ours, so that IsProgram and its kin do not know them ---
 
@@ -74,8 +79,7 @@ private:
   std::shared_ptr<ProgramObject> m_defaultFragment;
   GLuint m_lastName = 0;
   std::unordered_set<GLuint> m_hostPrograms;
-  std::vector<GLuint> m_garbagePrograms;
-  std::vector<GLuint> m_garbageSamplers;
+  Garbage m_garbage;
   std::atomic<bool> m_hasGarbage{false};
   std::atomic<int> m_hostProgramCount{0};
 };

@@ -188,6 +188,10 @@ TEST_F(Draws, GlslVerticesAcrossTheAttributeStack) {
   makeProgram(kRed);
   glUseProgram(makeGlsl("void main() { gl_Position = gl_Vertex; }", nullptr));
   EXPECT_EQ(drawn(), kRedPixel);
+  int known = 0;
+  for (GLuint name = 1; name < 64; ++name)
+    known += glIsProgramARB(name);
+  EXPECT_EQ(known, 1) << "a program object that is not the application's shows";
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   EXPECT_EQ(drawn(), kRedPixel);
   glPopAttrib();
