@@ -21,7 +21,8 @@ constexpr const char *kHelp =
     "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
     "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
     "limits)\n"
-    "  --suite random|edges   edges: each opcode on pairs of special values instead\n"
+    "  --suite random|edges|mutants   edges: each opcode on pairs of special values instead;\n"
+    "               mutants: the interpreter is wrong on purpose, and three of five must show\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
@@ -31,6 +32,11 @@ struct Arguments {
   bool edges = false;
   SuiteOptions suite;
 };
+
+bool isSuite(const char *name) {
+  return !std::strcmp(name, "random") || !std::strcmp(name, "edges") ||
+         !std::strcmp(name, "mutants");
+}
 
 bool parse(int argc, char **argv, Arguments &arguments) {
   for (int i = 1; i < argc; ++i) {
@@ -44,9 +50,10 @@ bool parse(int argc, char **argv, Arguments &arguments) {
       arguments.suite.count = std::atoi(value);
     else if (name == "--seed")
       arguments.suite.firstSeed = std::strtoull(value, nullptr, 10);
-    else if (name == "--suite" && (!std::strcmp(value, "random") || !std::strcmp(value, "edges")))
+    else if (name == "--suite" && isSuite(value)) {
       arguments.edges = !std::strcmp(value, "edges");
-    else if (name == "--json")
+      arguments.suite.mutate = !std::strcmp(value, "mutants");
+    } else if (name == "--json")
       arguments.json = value;
     else if (name == "--failures")
       arguments.suite.failures = value;
@@ -99,6 +106,11 @@ int main(int argc, char **argv) {
               static_cast<unsigned long long>(report.compared),
               static_cast<unsigned long long>(report.skipped), double(report.worst),
               report.failures.size());
+  if (arguments.suite.mutate) {
+    const bool noticed = report.failures.size() * 5 >= std::size_t(report.programs) * 3;
+    std::printf("%zu of %d mutants noticed\n", report.failures.size(), report.programs);
+    return noticed ? 0 : 1;
+  }
   for (const Failure &failure : report.failures)
     std::printf("  seed %llu: %s\n", static_cast<unsigned long long>(failure.seed),
                 failure.reason.c_str());

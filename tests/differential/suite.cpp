@@ -6,6 +6,7 @@
 #include "expectation.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/testing/random.h"
+#include "mutate.h"
 
 namespace arbiter::differential {
 
@@ -125,7 +126,7 @@ private:
       writeFailure(m_options.failures, seed, text, problem, {}, {});
       return fail(seed, problem.substr(0, problem.find('\n')));
     }
-    compare(seed, text, program, attributes, fog);
+    compare(seed, text, m_options.mutate ? mutant(program, seed) : program, attributes, fog);
   }
 
   void compare(std::uint64_t seed, const std::string &text, const Program &program,

@@ -11,6 +11,7 @@ namespace arbiter::differential {
 struct SuiteOptions {
   int count = 500;
   std::uint64_t firstSeed = 1;
+  bool mutate = false;  ///< expect what a mutant of the program computes: most must fail
   std::string failures; ///< folder for texts and pictures of failing programs; empty: none
 };
 

@@ -50,7 +50,7 @@ TEST(Pipeline, IsAboutLinear) {
   };
   const double small = seconds(2000), large = seconds(8000);
   EXPECT_LT(large, 16 * small + 0.02) << small << " s, " << large << " s";
-  EXPECT_LT(small, 0.25);
+  EXPECT_LT(small, 1.0) << "a few milliseconds unless under a sanitizer";
 }
 
 } // namespace
