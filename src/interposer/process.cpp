@@ -11,6 +11,8 @@
 #include <sys/auxv.h>
 #include <unistd.h>
 
+#include "util/log.h"
+
 namespace arbiter::interposer {
 
 namespace {
@@ -97,6 +99,9 @@ void selectArbiter() {
   if (!icd.empty()) {
     save(kSavedEgl, g_savedEgl);
     setenv(kEglSelection, icd.c_str(), 1);
+  } else if (!eglOurs) {
+    logWarn("interposer", "no EGL ICD file lies beside the library (arbiter/10_arbiter.json): "
+                          "EGL applications run without the layer");
   }
 }
 
