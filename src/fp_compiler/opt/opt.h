@@ -26,7 +26,7 @@ namespace arbiter::fp::opt {
 /// Drops write mask components that nothing reads, and instructions that write none.
 [[nodiscard]] bool removeDeadCode(ir::Program &program);
 
-/// All of them, until nothing moves.
+/// All of them, until nothing moves, or until a long program has had its share of rounds.
 void run(ir::Program &program);
 
 } // namespace arbiter::fp::opt

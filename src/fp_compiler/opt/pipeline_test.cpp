@@ -53,5 +53,24 @@ TEST(Pipeline, IsAboutLinear) {
   EXPECT_LT(small, 1.0) << "a few milliseconds unless under a sanitizer";
 }
 
+/// MOV r, 0 and additions of constants to r, as piglit's fp-long-alu has them: each round folds one
+/// more, so that rounds without a bound are the square of the length.
+TEST(Pipeline, ALongChainOfConstantsIsAboutLinear) {
+  const auto seconds = [](int additions) {
+    Builder b;
+    const auto r = b.temporary();
+    b.op(Opcode::Mov, r, {b.constant(0, 0, 0, 0)});
+    for (int i = 0; i < additions; ++i)
+      b.op(Opcode::Add, r, {r.read().swz("wxyz"), b.constant(0.0625f, 0, 0, 0)});
+    b.op(Opcode::Mov, b.color(), {r.read()});
+    ir::Program program = b.take();
+    const auto start = std::chrono::steady_clock::now();
+    run(program);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double small = seconds(1000), large = seconds(8000);
+  EXPECT_LT(large, 32 * small + 0.02) << small << " s, " << large << " s";
+}
+
 } // namespace
 } // namespace arbiter::fp::opt
