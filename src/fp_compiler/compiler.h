@@ -27,8 +27,8 @@ struct CheckResult {
   std::vector<Diagnostic> diagnostics; ///< in text order of the errors, at most kMaxDiagnostics
   /// The checked program; empty if there is any error.
   std::optional<ir::Program> program;
-  ResourceCounts counts;        ///< by the API's rules; zero if there is an error
-  ResourceCounts nativeCounts;  ///< of the modelled hardware; equal to counts until the model lands
+  ResourceCounts counts;       ///< by the API's rules; zero if there is an error
+  ResourceCounts nativeCounts; ///< of the modelled hardware; equal to counts until the model lands
   bool underNativeLimits = false;
 
   [[nodiscard]] bool ok() const { return program.has_value(); }
@@ -38,7 +38,8 @@ struct CheckResult {
   [[nodiscard]] std::string errorString(std::string_view text) const;
 };
 
-[[nodiscard]] CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options);
+[[nodiscard]] CheckResult checkFragmentProgram(std::string_view text,
+                                               const CompileOptions &options);
 
 /// One sampler of the emitted GLSL.
 struct GlslSampler {

@@ -64,7 +64,8 @@ bool drawAndReport(const Gl &gl, const char *client, float scale, bool quiet) {
   unsigned char pixel[4] = {};
   gl.ReadPixels(16, 16, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
   GLint indirections = 0;
-  gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB, &indirections);
+  gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB,
+                     &indirections);
   gl.Disable(GL_FRAGMENT_PROGRAM_ARB);
   gl.DeleteProgramsARB(1, &program);
   const GLenum error = gl.GetError();

@@ -86,20 +86,33 @@ struct Destination {
 };
 
 enum class TexTarget : std::uint8_t {
-  Tex1D, Tex2D, Tex3D, Cube, Rect, Shadow1D, Shadow2D, ShadowRect
+  Tex1D,
+  Tex2D,
+  Tex3D,
+  Cube,
+  Rect,
+  Shadow1D,
+  Shadow2D,
+  ShadowRect
 };
 
 struct Instruction {
   Opcode op = Opcode::Mov;
   Destination dst; ///< unused where the opcode Kills
   std::array<Operand, 3> src;
-  std::uint8_t unit = 0;                  ///< Texture opcodes: image unit
-  TexTarget target = TexTarget::Tex2D;    ///< Texture opcodes
-  Span span;                              ///< of the whole statement
+  std::uint8_t unit = 0;               ///< Texture opcodes: image unit
+  TexTarget target = TexTarget::Tex2D; ///< Texture opcodes
+  Span span;                           ///< of the whole statement
 };
 
 /// Fragment attributes (3.11.3.1, table X.2); `index` counts for TexCoord only.
-enum class AttributeKind : std::uint8_t { ColorPrimary, ColorSecondary, TexCoord, FogCoord, Position };
+enum class AttributeKind : std::uint8_t {
+  ColorPrimary,
+  ColorSecondary,
+  TexCoord,
+  FogCoord,
+  Position
+};
 struct Attribute {
   AttributeKind kind = AttributeKind::ColorPrimary;
   std::uint8_t index = 0;
@@ -116,20 +129,42 @@ struct Output {
 
 /// One row of GL state (3.11.3.2, tables X.3.1 to X.3.7).
 enum class StateItem : std::uint8_t {
-  MaterialAmbient, MaterialDiffuse, MaterialSpecular, MaterialEmission, MaterialShininess,
-  LightAmbient, LightDiffuse, LightSpecular, LightPosition, LightAttenuation, LightSpotDirection,
-  LightHalf, LightModelAmbient, LightModelSceneColor, LightProdAmbient, LightProdDiffuse,
-  LightProdSpecular, TexEnvColor, FogColor, FogParams, DepthRange,
-  MatrixModelview, MatrixProjection, MatrixMvp, MatrixTexture, MatrixPalette, MatrixProgram,
+  MaterialAmbient,
+  MaterialDiffuse,
+  MaterialSpecular,
+  MaterialEmission,
+  MaterialShininess,
+  LightAmbient,
+  LightDiffuse,
+  LightSpecular,
+  LightPosition,
+  LightAttenuation,
+  LightSpotDirection,
+  LightHalf,
+  LightModelAmbient,
+  LightModelSceneColor,
+  LightProdAmbient,
+  LightProdDiffuse,
+  LightProdSpecular,
+  TexEnvColor,
+  FogColor,
+  FogParams,
+  DepthRange,
+  MatrixModelview,
+  MatrixProjection,
+  MatrixMvp,
+  MatrixTexture,
+  MatrixPalette,
+  MatrixProgram,
 };
 enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans };
 
 struct StateRef {
   StateItem item = StateItem::MaterialAmbient;
-  bool back = false;       ///< material, scene colour and light product of the back face
-  std::uint8_t index = 0;  ///< light, texture unit, or matrix number
+  bool back = false;      ///< material, scene colour and light product of the back face
+  std::uint8_t index = 0; ///< light, texture unit, or matrix number
   MatrixModifier modifier = MatrixModifier::Plain;
-  std::uint8_t row = 0;    ///< matrices: 0..3
+  std::uint8_t row = 0; ///< matrices: 0..3
   bool operator==(const StateRef &) const = default;
 };
 
@@ -137,9 +172,9 @@ enum class ParameterKind : std::uint8_t { Constant, Env, Local, State };
 /// One vec4 row that the program may read.
 struct Parameter {
   ParameterKind kind = ParameterKind::Constant;
-  Vec4 constant = {};       ///< Constant
-  std::uint16_t index = 0;  ///< Env, Local
-  StateRef state;           ///< State
+  Vec4 constant = {};      ///< Constant
+  std::uint16_t index = 0; ///< Env, Local
+  StateRef state;          ///< State
 };
 
 /// A declared temporary; the name is kept for listings only (a later declaration may be unused).
