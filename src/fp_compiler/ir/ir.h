@@ -26,11 +26,14 @@ enum class Opcode : std::uint8_t {
 #undef FP_OP
 };
 
-#define FP_OP(...) +1
-inline constexpr int kOpcodeCount = 0
+/// The number of opcodes.
+inline constexpr int kOpcodeCount = [] {
+  int count = 0;
+#define FP_OP(...) ++count;
 #include "fp_compiler/ir/ops.def"
-    ;
 #undef FP_OP
+  return count;
+}();
 
 /// One row of ops.def.
 struct OpInfo {
