@@ -1,0 +1,90 @@
+/// The generated entry points: what they pass on, what they count, and the table of their names.
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "dispatch/entry_points.h"
+#include "host/host_table.h"
+#include "state/current.h"
+
+namespace arbiter::dispatch {
+namespace {
+
+int g_calls = 0;
+void hostDrawArrays(GLenum mode, GLint first, GLsizei count) {
+  g_calls += mode == GL_POINTS && first == 3 && count == 7 ? 1 : 100;
+}
+void hostUniform4fv(GLint location, GLsizei count, const GLfloat *value) {
+  g_calls += location == 2 && count == 1 && value[3] == 4.0f ? 1 : 100;
+}
+void hostRasterPos2f(GLfloat x, GLfloat y) { g_calls += x == 1.5f && y == 2.5f ? 1 : 100; }
+
+/// A thread whose context has nothing to do for a call.
+class EntryPoints : public testing::Test {
+protected:
+  void SetUp() override {
+    g_calls = 0;
+    m_table.DrawArrays = hostDrawArrays;
+    m_table.Uniform4fv = hostUniform4fv;
+    m_table.RasterPos2f = hostRasterPos2f;
+    m_hot.host = &m_table;
+    m_hot.drawCounter = &m_draws;
+    m_before = state::t_current;
+    state::t_current = &m_hot;
+  }
+  void TearDown() override { state::t_current = m_before; }
+
+  template <typename Function> Function *entry(Function *, const char *name) {
+    return reinterpret_cast<Function *>(find(name).function);
+  }
+
+  host::HostTable m_table;
+  state::ContextHot m_hot;
+  state::ContextHot *m_before = nullptr;
+  std::uint64_t m_draws = 0;
+};
+
+TEST_F(EntryPoints, ADrawIsCountedAndPassedOn) {
+  entry(hostDrawArrays, "glDrawArrays")(GL_POINTS, 3, 7);
+  entry(hostDrawArrays, "glDrawArraysEXT")(GL_POINTS, 3, 7);
+  EXPECT_EQ(g_calls, 2);
+  EXPECT_EQ(m_draws, 2u);
+}
+
+TEST_F(EntryPoints, AnObserverPassesOn) {
+  const GLfloat value[4] = {1, 2, 3, 4};
+  entry(hostUniform4fv, "glUniform4fvARB")(2, 1, value);
+  EXPECT_EQ(g_calls, 1);
+  EXPECT_EQ(m_draws, 0u);
+}
+
+TEST_F(EntryPoints, AValidatorPassesOnAndCountsNothing) {
+  entry(hostRasterPos2f, "glRasterPos2f")(1.5f, 2.5f);
+  EXPECT_EQ(g_calls, 1);
+  EXPECT_EQ(m_draws, 0u);
+}
+
+TEST(EntryTable, HasEachNameOfAnAliasGroup) {
+  EXPECT_NE(find("glDrawArrays").function, nullptr);
+  EXPECT_EQ(find("glDrawArrays").function, find("glDrawArraysEXT").function);
+  EXPECT_EQ(find("glUseProgram").function, find("glUseProgramObjectARB").function);
+  EXPECT_EQ(find("glBindProgramARB").function, find("glBindProgramNV").function);
+  EXPECT_TRUE(find("glProgramStringARB").provided);
+  EXPECT_FALSE(find("glDrawArrays").provided);
+}
+
+TEST(EntryTable, HasNothingElse) {
+  // Alike in name, and not aliases: NV attributes and parameters mean other things.
+  for (const char *name : {"glVertexAttrib4fNV", "glLoadProgramNV", "glGetProgramivNV", "glClear",
+                           "glVertex3f", "", "gl", "glzzz"})
+    EXPECT_EQ(find(name).function, nullptr) << name;
+}
+
+TEST(EntryTable, KnowsItsOwn) {
+  EXPECT_TRUE(isOurs(find("glEnable").function));
+  EXPECT_FALSE(isOurs(reinterpret_cast<const void *>(&hostDrawArrays)));
+  EXPECT_FALSE(isOurs(nullptr));
+}
+
+} // namespace
+} // namespace arbiter::dispatch
