@@ -35,6 +35,7 @@ TEST_F(Lists, CompiledCommandsRunWhenCalled) {
 }
 
 TEST_F(Lists, TheStringIsCopiedWhenRecorded) {
+  BARE_HOST_DIFFERS("reads on past the end of its own copy, which has no terminator");
   makeProgram(kRed);
   char text[] = "!!ARBfp1.0\nMOV result.color, {0,1,0,1};\nEND";
   glNewList(m_list, GL_COMPILE);
