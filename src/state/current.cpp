@@ -1,6 +1,17 @@
 #include "state/context.h"
 #include "state/lifecycle.h"
 
+// Clang 14 takes the strings and vectors of libstdc++ 12 for no literal types. There the null
+// context is made by a constructor of this library, which runs before any entry point of it is
+// called.
+#if defined(__clang__) && __clang_major__ < 15
+#define ARBITER_CONSTINIT
+#define ARBITER_CONSTEXPR
+#else
+#define ARBITER_CONSTINIT constinit
+#define ARBITER_CONSTEXPR constexpr
+#endif
+
 namespace arbiter::state {
 
 namespace {
@@ -11,11 +22,12 @@ struct NullHolder {
   union {
     Context context;
   };
-  constexpr NullHolder() : context(Context::NullTag{}) {}
-  constexpr ~NullHolder() {} // NOLINT(modernize-use-equals-default): the union's member stays alive
+  ARBITER_CONSTEXPR NullHolder() : context(Context::NullTag{}) {}
+  ARBITER_CONSTEXPR ~NullHolder() {
+  } // NOLINT(modernize-use-equals-default): the union's member stays alive
 };
 
-constinit NullHolder g_null;
+ARBITER_CONSTINIT NullHolder g_null;
 
 } // namespace
 

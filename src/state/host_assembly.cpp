@@ -70,8 +70,9 @@ void HostAssembly::uploadParameters(Context &context) const {
                                      context.env[parameter.index].data());
     else if (parameter.kind == fp::ir::ParameterKind::Local &&
              parameter.index < context.fragmentProgram->locals.size())
-      host.ProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, parameter.index,
-                                       context.fragmentProgram->locals[parameter.index].data());
+      host.ProgramLocalParameter4fvARB(
+          GL_FRAGMENT_PROGRAM_ARB, parameter.index,
+          context.fragmentProgram->locals[parameter.index].load().data());
   }
 }
 

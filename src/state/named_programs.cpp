@@ -39,7 +39,8 @@ template <typename T> void get(Context &context, GLuint name, GLuint index, T *p
     return;
   if (index >= object->locals.size())
     return raise(context, GL_INVALID_VALUE, "GetNamedProgramLocalParameter: index");
-  std::copy(object->locals[index].begin(), object->locals[index].end(), params);
+  const Vec4 value = object->locals[index].load();
+  std::copy(value.begin(), value.end(), params);
 }
 
 } // namespace

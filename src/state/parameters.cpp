@@ -1,6 +1,7 @@
 // Program parameters (3.11.1, 6.1.12; EXT_gpu_program_parameters; EXT_direct_state_access).
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "host/handlers.h"
 #include "host/host_table.h"
@@ -72,26 +73,26 @@ bool isImmediate(const Context &context) {
   ProgramObject &object = *context.fragmentProgram;
   if (!isImmediate(context) || index >= object.locals.size()) [[unlikely]]
     return local(context, index, 1, &value);
-  object.locals[index] = value;
+  object.locals[index].store(value);
   object.changed(context.seenVersion);
   context.attention |= attention::kParameters;
 }
 
-const Vec4 *readEnv(Context &context, GLuint index) {
+std::optional<Vec4> readEnv(Context &context, GLuint index) {
   if (!outsideBeginEnd(context, "GetProgramEnvParameter between Begin and End") ||
       !checkRange(context, index, 1, context.env.size(), "GetProgramEnvParameter: index"))
-    return nullptr;
-  return &context.env[index];
+    return std::nullopt;
+  return context.env[index];
 }
 
-const Vec4 *readLocal(Context &context, const ProgramObject &object, GLuint index) {
+std::optional<Vec4> readLocal(Context &context, const ProgramObject &object, GLuint index) {
   if (!outsideBeginEnd(context, "GetProgramLocalParameter between Begin and End") ||
       !checkRange(context, index, 1, object.locals.size(), "GetProgramLocalParameter: index"))
-    return nullptr;
-  return &object.locals[index];
+    return std::nullopt;
+  return object.locals[index].load();
 }
 
-template <typename T> void copyOut(const Vec4 *value, T *params) {
+template <typename T> void copyOut(const std::optional<Vec4> &value, T *params) {
   if (value && params)
     std::copy(value->begin(), value->end(), params);
 }
@@ -119,7 +120,8 @@ void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei cou
               const Vec4 *values) {
   if (!checkRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
     return;
-  std::copy_n(values, count, object.locals.begin() + std::ptrdiff_t(index));
+  for (GLsizei i = 0; i < count; ++i)
+    object.locals[index + GLuint(i)].store(values[i]);
   if (context.fragmentProgram.get() != &object)
     return object.changed();
   object.changed(context.seenVersion);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <atomic>
+#include <bit>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,34 @@ struct CompiledProgram {
   fp::GlslShader glsl;
 };
 
+/// A local parameter. Contexts of a share group may write and read it at once, without a lock: the
+/// specification leaves to the application which of the values is seen. Two relaxed halves make
+/// that no data race, at the price of plain moves.
+class LocalParameter {
+public:
+  LocalParameter() = default;
+  LocalParameter(const LocalParameter &other) { store(other.load()); }
+  LocalParameter &operator=(const LocalParameter &other) {
+    store(other.load());
+    return *this;
+  }
+
+  void store(const Vec4 &value) {
+    const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(value);
+    m_low.store(halves[0], std::memory_order_relaxed);
+    m_high.store(halves[1], std::memory_order_relaxed);
+  }
+  [[nodiscard]] Vec4 load() const {
+    const std::array<std::uint64_t, 2> halves = {m_low.load(std::memory_order_relaxed),
+                                                 m_high.load(std::memory_order_relaxed)};
+    return std::bit_cast<Vec4>(halves);
+  }
+
+private:
+  std::atomic<std::uint64_t> m_low{0};
+  std::atomic<std::uint64_t> m_high{0};
+};
+
 /// A program object of either target (3.11.1). Fragment programs live here alone; of vertex
 /// programs only the name and target do, so that the two targets share one name space (the host has
 /// the rest).
@@ -41,7 +70,7 @@ struct ProgramObject {
   std::shared_ptr<const CompiledProgram> compiled;
   /// Local parameters; read and written without a lock, as the specification leaves the order of
   /// unsynchronised changes from two contexts to the application.
-  std::vector<Vec4> locals;
+  std::vector<LocalParameter> locals;
   /// Counts changes of `compiled` and `locals`: how another context sees one. Relaxed and without a
   /// locked instruction, because changes from two contexts are the application's to order.
   std::atomic<std::uint32_t> version{1};

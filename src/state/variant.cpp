@@ -1,8 +1,8 @@
 #include "state/variant.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
-#include <cstring>
 
 #include "host/host_table.h"
 #include "state/context.h"
@@ -195,7 +195,7 @@ void currentValue(Context &context, const fp::ir::Parameter &parameter, Vec4 &va
     break;
   case fp::ir::ParameterKind::Local:
     if (parameter.index < context.fragmentProgram->locals.size())
-      value = context.fragmentProgram->locals[parameter.index];
+      value = context.fragmentProgram->locals[parameter.index].load();
     break;
   case fp::ir::ParameterKind::State:
     fetchState(context, parameter.state, value.data());
@@ -222,7 +222,8 @@ void uploadParameters(Context &context, Variant &variant) {
     Vec4 value{};
     currentValue(context, uniforms[i].parameter, value);
     // Bits, not values: a NaN would be sent for ever, and -0 never.
-    if (std::memcmp(value.data(), variant.uploaded[i].data(), sizeof value) == 0)
+    if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
+        std::bit_cast<std::array<std::uint32_t, 4>>(variant.uploaded[i]))
       continue;
     variant.uploaded[i] = value;
     const bool joins = begin != end && end == i &&

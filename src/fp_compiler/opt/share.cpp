@@ -64,7 +64,7 @@ private:
                (texture ? std::uint32_t(instruction.target) << 21 : 0u);
     for (int s = 0; s < row.operandCount(); ++s)
       for (int i = 0; i < 4; ++i)
-        key.reads[std::size_t(s * 4 + i)] = readOf(instruction, s, i);
+        key.reads[std::size_t(s) * 4 + std::size_t(i)] = readOf(instruction, s, i);
     if (row.has(ir::Commutative) && secondIsFirst(key))
       std::swap_ranges(key.reads.begin(), key.reads.begin() + 4, key.reads.begin() + 4);
     return key;

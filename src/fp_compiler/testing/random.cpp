@@ -257,6 +257,7 @@ private:
       break;
     }
     std::vector<Picked> result;
+    result.reserve(std::size_t(info(op).operandCount()));
     for (int i = 0; i < info(op).operandCount(); ++i)
       result.push_back(operand(false, op == Opcode::Swz));
     return result;

@@ -109,7 +109,8 @@ GLint getUniformLocation(GLuint, const GLchar *name) {
 void uniform4fv(GLint location, GLsizei count, const GLfloat *values) {
   fake().note(words("Uniform4fv", {location, count}));
   for (GLsizei i = 0; i < count; ++i)
-    fake().uniforms[location + i].assign(values + 4 * i, values + 4 * i + 4);
+    fake().uniforms[location + i].assign(values + std::ptrdiff_t(4) * i,
+                                         values + std::ptrdiff_t(4) * i + 4);
 }
 void uniform1i(GLint location, GLint value) { fake().note(words("Uniform1i", {location, value})); }
 
@@ -155,7 +156,7 @@ struct Row {
   void *function;
 };
 #define ROW(name, function)                                                                        \
-  { "gl" #name, reinterpret_cast<void *>(&function) }
+  { "gl" #name, reinterpret_cast<void *>(&(function)) }
 const Row kRows[] = {
     ROW(GetString, getString),
     ROW(GetStringi, getStringi),

@@ -87,8 +87,9 @@ std::string fog(const ir::Program &program, const Registers &registers) {
     if (program.outputs[i].kind != ir::OutputKind::Color)
       continue;
     const std::string &color = registers.output(std::uint16_t(i));
-    text += "  " + color + " = clamp(" + color + ", 0.0, 1.0);\n";
-    text += "  " + color + ".rgb = mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog);\n";
+    text.append("  ").append(color).append(" = clamp(").append(color).append(", 0.0, 1.0);\n");
+    text.append("  ").append(color).append(".rgb = mix(gl_Fog.color.rgb, ").append(color);
+    text.append(".rgb, arb_fog);\n");
   }
   return text;
 }
