@@ -81,29 +81,15 @@ bool shadesFragments(Context &context, GLuint program) {
   return count <= 0;
 }
 
-/// GLSL vertices with no fragment stage: fragments are the ARB program's, as if the vertices were
-/// fixed-function ones.
-Path chooseUnderVertexGlsl(Context &context) {
-  const ProgramObject &object = *context.fragmentProgram;
-  context.seenVersion = object.version.load(std::memory_order_acquire);
-  const auto compiled = context.group->compiledOf(object);
-  if (!compiled)
-    return Path::InvalidProgram;
-  if (!context.hostAssembly.apply(context, compiled))
-    return Path::ApplicationVertexGlsl;
-  context.attention |= attention::kParameters;
-  return Path::HostAssembly;
-}
-
 /// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs.
 Path choosePath(Context &context) {
   context.variant = nullptr;
   if (!context.fragmentEnabled)
     return Path::NoProgram;
-  if (const GLuint program = applicationProgram(context))
-    return shadesFragments(context, program) ? Path::ApplicationGlsl
-                                             : chooseUnderVertexGlsl(context);
-  if (applicationPipeline(context) != 0)
+  const GLuint program = applicationProgram(context);
+  if (program != 0 && shadesFragments(context, program))
+    return Path::ApplicationGlsl;
+  if (program == 0 && applicationPipeline(context) != 0)
     return Path::ApplicationPipeline;
 
   const ProgramObject &object = *context.fragmentProgram;
@@ -111,6 +97,11 @@ Path choosePath(Context &context) {
   const auto compiled = context.group->compiledOf(object);
   if (!compiled)
     return Path::InvalidProgram;
+  // GLSL vertices with no fragment stage: fragments are the ARB program's, as under fixed-function
+  // vertices, and no program of ours can be linked to the application's.
+  if (program != 0)
+    return context.hostAssembly.apply(context, compiled) ? Path::HostAssembly
+                                                         : Path::ApplicationVertexGlsl;
   context.variant = context.variants.get(context, compiled);
   if (context.variant->hostProgram == 0) {
     context.variant = nullptr;
@@ -140,6 +131,7 @@ std::uint32_t stickyAttention(const Context &context) {
 
 void select(Context &context) {
   setPath(context, choosePath(context));
+  context.attention |= attention::kParameters;
   if (context.path == Path::HostAssembly)
     return;
   if (context.path != Path::HostGlsl)
@@ -147,7 +139,6 @@ void select(Context &context) {
   context.hostAssembly.release(context);
   context.host->UseProgram(context.variant->hostProgram);
   context.hostProgramIsOurs = true;
-  context.attention |= attention::kParameters;
 }
 
 /// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
@@ -178,19 +169,21 @@ bool validate(Context &context) {
     context.attention |= attention::kProgram;
   if ((context.attention & attention::kProgram) != 0)
     select(context);
+  const std::uint32_t sticky = stickyAttention(context);
   if (context.path == Path::HostGlsl) {
     Variant &variant = *context.variant;
     if ((context.attention & (attention::kParameters | attention::kState)) != 0 &&
         variant.readsParameters)
       uploadParameters(context, variant);
-    if ((context.attention & attention::kCompare) != 0 ||
-        (stickyAttention(context) & attention::kCompare) != 0)
+    if ((sticky & attention::kCompare) != 0)
       context.samplerOverride.apply(context, variant);
+    else if (context.samplerOverride.active())
+      context.samplerOverride.release(context);
   } else if (context.path == Path::HostAssembly &&
              (context.attention & attention::kParameters) != 0) {
     context.hostAssembly.uploadParameters(context);
   }
-  context.attention = stickyAttention(context) | (context.attention & attention::kList);
+  context.attention = sticky | (context.attention & attention::kList);
   return !isDropped(context.path);
 }
 

@@ -70,12 +70,23 @@ TEST_F(Queries, LimitsAreTheProfiles) {
   BARE_HOST_DIFFERS("has its own");
   EXPECT_EQ(programiv(GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB), 64);
   EXPECT_EQ(programiv(GL_MAX_PROGRAM_TEX_INSTRUCTIONS_ARB), 32);
+  EXPECT_EQ(programiv(GL_MAX_PROGRAM_TEX_INDIRECTIONS_ARB), 4);
   EXPECT_EQ(programiv(GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB), 4);
   EXPECT_EQ(integer(GL_MAX_TEXTURE_IMAGE_UNITS), 16);
   EXPECT_EQ(integer(GL_MAX_TEXTURE_COORDS), 8);
   GLfloat units = 0;
   glGetFloatv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
   EXPECT_EQ(units, 16.0f);
+}
+
+TEST_F(Queries, AChainOfReadsOverTheLimitLoadsAndIsNotNative) {
+  BARE_HOST_DIFFERS("has no limit, and counts no indirections");
+  std::string text = "!!ARBfp1.0\nTEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n";
+  for (int i = 0; i < 4; ++i)
+    text += "TEX t, t, texture[0], 2D;\n";
+  makeProgram(text + "MOV result.color, t;\nEND");
+  EXPECT_EQ(programiv(GL_PROGRAM_TEX_INDIRECTIONS_ARB), 5);
+  EXPECT_EQ(programiv(GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB), 0);
 }
 
 TEST_F(Queries, LimitsAreAtLeastTheSpecifications) {
