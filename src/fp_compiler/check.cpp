@@ -29,6 +29,24 @@ std::string CheckResult::errorString(std::string_view text) const {
   return renderAll("program", text, diagnostics);
 }
 
+CheckResult checkProgram(ir::Language language, std::string_view text,
+                         const CompileOptions &options) {
+  switch (language) {
+  case ir::Language::ArbFragment:
+    return checkFragmentProgram(text, options);
+  case ir::Language::ArbVertex:
+  case ir::Language::AtiFragment:
+    break;
+  }
+  CheckResult result;
+  result.diagnostics.push_back({.severity = Severity::Error,
+                                .id = "header-missing",
+                                .span = {0, 0},
+                                .message = "no front end for this language",
+                                .hint = {}});
+  return result;
+}
+
 CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {
   ParseResult parsed = parseFragmentProgram(text, options);
   CheckResult result;

@@ -38,6 +38,9 @@ struct CheckResult {
   [[nodiscard]] std::string errorString(std::string_view text) const;
 };
 
+/// `options.limits` are those of the language's target.
+[[nodiscard]] CheckResult checkProgram(ir::Language language, std::string_view text,
+                                       const CompileOptions &options);
 [[nodiscard]] CheckResult checkFragmentProgram(std::string_view text,
                                                const CompileOptions &options);
 

@@ -14,6 +14,7 @@ struct ResourceCounts {
   std::uint32_t temporaries = 0;
   std::uint32_t parameters = 0;
   std::uint32_t attribs = 0;
+  std::uint32_t addressRegisters = 0; ///< vertex programs
   bool operator==(const ResourceCounts &) const = default;
 };
 
@@ -35,7 +36,8 @@ struct Limits {
   /// 1: a program over api.texIndirections does not load (3.11.3.6). 0: it loads with a warning and
   /// is not native, as under drivers that announce the limit and do not enforce it.
   std::uint32_t refuseIndirections = 1;
-  std::uint32_t vertexUnits = 1; ///< modelview[n], ARB_vertex_blend absent: 1
+  std::uint32_t vertexUnits = 1;    ///< modelview[n], ARB_vertex_blend absent: 1
+  std::uint32_t vertexAttribs = 16; ///< GL_MAX_VERTEX_ATTRIBS_ARB: vertex.attrib[n]
 };
 
 /// Limits on the text itself, whatever the profile: a program string is bad input until proved

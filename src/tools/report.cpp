@@ -21,8 +21,8 @@ constexpr ResourceRow kRows[] = {
     {"parameters", "parameters", &ResourceCounts::parameters},
     {"attribs", "attribs", &ResourceCounts::attribs},
 };
-static_assert(sizeof(ResourceCounts) == std::size(kRows) * sizeof(std::uint32_t),
-              "every resource has its row");
+static_assert(sizeof(ResourceCounts) == (std::size(kRows) + 1) * sizeof(std::uint32_t),
+              "every resource of a fragment program has its row");
 
 const char *statusName(FileStatus status) {
   switch (status) {

@@ -113,7 +113,7 @@ public:
       return m_report;
     }
     bindTexels();
-    for (int op = 0; op < fp::ir::kOpcodeCount; ++op) {
+    for (int op = 0; op < fp::ir::kFragmentOpcodeCount; ++op) {
       const OpInfo &row = info(Opcode(op));
       if (row.has(Texture))
         continue;

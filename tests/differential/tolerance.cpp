@@ -39,8 +39,10 @@ Tolerance tolerance(Opcode op) {
   case Opcode::Rsq:
     return kReciprocal;
   case Opcode::Ex2:
+  case Opcode::Exp:
     return kExponential;
   case Opcode::Lg2:
+  case Opcode::Log:
     return kLogarithm;
   case Opcode::Lit:
   case Opcode::Pow:
@@ -54,6 +56,7 @@ Tolerance tolerance(Opcode op) {
   case Opcode::Txb:
     return kTexture;
   case Opcode::Abs:
+  case Opcode::Arl:
   case Opcode::Cmp:
   case Opcode::Flr:
   case Opcode::Max:

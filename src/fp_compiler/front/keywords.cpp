@@ -81,7 +81,7 @@ Word classify(std::string_view identifier) {
   if (identifier.size() == 3 || saturate) {
     const OpcodeRow *row = findOpcode(identifier);
     // KIL_SAT is neither an instruction nor reserved.
-    if (row && !(saturate && row->kills))
+    if (row && row->op < Opcode(kFragmentOpcodeCount) && !(saturate && row->kills))
       return {Keyword::Opcode, row->op, saturate};
   }
   return {findOther(identifier)};

@@ -36,7 +36,7 @@ Parameter binding(const std::string &item) {
 constexpr Select X = Select::X, Y = Select::Y, Z = Select::Z, W = Select::W;
 
 TEST(Parser, EveryOpcodeWithAndWithoutSaturation) {
-  for (int i = 0; i < kOpcodeCount; ++i) {
+  for (int i = 0; i < kFragmentOpcodeCount; ++i) {
     const auto op = Opcode(i);
     const OpInfo &row = info(op);
     std::string operands;

@@ -1,6 +1,7 @@
 #include "fp_compiler/ir/evaluate.h"
 
 #include <cmath>
+#include <limits>
 
 #include "fp_compiler/ir/reads.h"
 
@@ -11,7 +12,7 @@ class Machine {
 public:
   Machine(const Program &program, const Inputs &inputs)
       : m_program(program), m_inputs(inputs), m_temporaries(program.temporaries.size(), Vec4{}),
-        m_parameters(program.parameters.size()) {
+        m_parameters(program.parameters.size()), m_addresses(program.addresses.size(), 0) {
     m_evaluation.outputs.assign(program.outputs.size(), Vec4{});
     for (std::size_t i = 0; i < m_parameters.size(); ++i)
       m_parameters[i] = resolve(program.parameters[i]);
@@ -26,6 +27,8 @@ public:
         return m_evaluation;
       }
     }
+    if (m_program.options.colorSum)
+      colorSum();
     if (m_program.options.fog != FogMode::None)
       fog();
     return m_evaluation;
@@ -36,6 +39,13 @@ private:
     if (parameter.kind == ParameterKind::Constant)
       return parameter.constant;
     return m_inputs.parameter ? m_inputs.parameter(parameter) : Vec4{};
+  }
+
+  Vec4 element(const Operand &operand) const {
+    const auto &rows = m_program.arrays[operand.index].rows;
+    const std::int64_t row = std::int64_t(m_addresses[operand.address]) + operand.offset;
+    return row >= 0 && row < std::int64_t(rows.size()) ? m_parameters[rows[std::size_t(row)]]
+                                                       : Vec4{};
   }
 
   Vec4 fetch(const Operand &operand) const {
@@ -49,9 +59,10 @@ private:
         source = m_inputs.attributes[operand.index];
       break;
     case File::Parameter:
-      source = m_parameters[operand.index];
+      source = operand.relative ? element(operand) : m_parameters[operand.index];
       break;
     case File::Output:
+    case File::Address:
       break; // write only; validate() reports it
     }
     Vec4 value;
@@ -100,7 +111,17 @@ private:
     write(instruction.dst, value);
   }
 
+  /// An index beyond 32 bits, or NaN, is one that no array has.
+  static std::int32_t addressOf(float value) {
+    return std::fabs(value) < 1073741824.0f ? std::int32_t(value)
+                                            : std::numeric_limits<std::int32_t>::min();
+  }
+
   void write(const Destination &dst, const Vec4 &value) {
+    if (dst.file == File::Address) {
+      m_addresses[dst.index] = addressOf(value[0]);
+      return;
+    }
     Vec4 &target =
         dst.file == File::Output ? m_evaluation.outputs[dst.index] : m_temporaries[dst.index];
     for (std::size_t i = 0; i < 4; ++i)
@@ -135,6 +156,14 @@ private:
     return 1.0f;
   }
 
+  void colorSum() {
+    for (std::size_t o = 0; o < m_program.outputs.size(); ++o)
+      if (m_program.outputs[o].kind == OutputKind::Color)
+        for (std::size_t i = 0; i < 3; ++i)
+          m_evaluation.outputs[o][i] =
+              saturated(m_evaluation.outputs[o][i]) + m_inputs.secondary[i];
+  }
+
   void fog() {
     const float factor = fogFactor();
     const Vec4 color = stateRow(StateItem::FogColor);
@@ -151,6 +180,7 @@ private:
   const Program &m_program;
   const Inputs &m_inputs;
   std::vector<Vec4> m_temporaries, m_parameters;
+  std::vector<std::int32_t> m_addresses;
   Evaluation m_evaluation;
 };
 } // namespace

@@ -27,6 +27,8 @@ struct Inputs {
   std::function<Vec4(const Sample &)> texture;
   /// The fog coordinate, for the fog options.
   float fogCoordinate = 0.0f;
+  /// The secondary colour, for Options::colorSum.
+  Vec4 secondary = {};
   Numerics numerics = Numerics::Host;
   /// For error analysis: may change what an arithmetic opcode reads.
   std::function<void(const Instruction &, Operands &)> operands;

@@ -6,7 +6,9 @@
 
 #include "fp_compiler/span.h"
 
-/// The checked program as data: straight-line code over vec4 registers. No text, no GL.
+/// The checked program as data: straight-line code over vec4 registers. No text, no GL. One form
+/// for every language; what a language lacks (relative operands, texture samples) does not occur in
+/// its programs.
 namespace arbiter::fp::ir {
 
 /// Traits of an opcode; the columns of ops.def.
@@ -18,7 +20,12 @@ enum Trait : std::uint16_t {
   Texture = 8,
   Kills = 16,
   FixedMask = 32,
+  VertexOnly = 64,
+  FragmentOnly = 128,
 };
+
+/// The language that a program was written in. ATI's text and its API form are one.
+enum class Language : std::uint8_t { ArbFragment, ArbVertex, AtiFragment };
 
 enum class Opcode : std::uint8_t {
 #define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc) Enumerator,
@@ -34,6 +41,9 @@ inline constexpr int kOpcodeCount = [] {
 #undef FP_OP
   return count;
 }();
+
+/// Opcodes of the fragment languages stand before those of vertex programs alone.
+inline constexpr int kFragmentOpcodeCount = int(Opcode::Arl);
 
 /// One row of ops.def.
 struct OpInfo {
@@ -52,13 +62,14 @@ struct OpInfo {
 
 using Vec4 = std::array<float, 4>;
 
-/// Register files. A relative operand (vertex programs) would add an address register file; the
-/// fragment language has absolute operands only.
+/// Register files.
 enum class File : std::uint8_t {
   Temporary, ///< index into Program::temporaries
   Attribute, ///< index into Program::attributes
   Parameter, ///< index into Program::parameters (constants, env, local and state rows)
   Output,    ///< index into Program::outputs; written only
+  Address,   ///< index into Program::addresses; one integer, written by ARL only, read by relative
+             ///< operands only
 };
 
 /// What one component of a swizzled operand reads. Zero and One appear through SWZ and through
@@ -75,7 +86,13 @@ struct Operand {
   std::uint16_t index = 0;
   Swizzle swizzle = kIdentity;
   std::uint8_t negate = 0; ///< bit 0 = x .. bit 3 = w
-  Span span;               ///< of the operand's text
+  /// A relative operand (ARB_vertex_program 2.14.3.5): `file` is Parameter, `index` names an
+  /// element of Program::arrays, and row `addresses[address] + offset` of that array is read; zero
+  /// where there is no such row.
+  bool relative = false;
+  std::uint8_t address = 0;
+  std::int16_t offset = 0;
+  Span span; ///< of the operand's text
   bool operator==(const Operand &) const = default;
 };
 
@@ -108,13 +125,16 @@ struct Instruction {
   Span span;                           ///< of the whole statement
 };
 
-/// Fragment attributes (3.11.3.1, table X.2); `index` counts for TexCoord only.
+/// Fragment attributes (ARB_fragment_program 3.11.3.1, table X.2) and vertex attributes
+/// (ARB_vertex_program 2.14.3.1, table X.2); `index` counts for TexCoord and Generic only.
 enum class AttributeKind : std::uint8_t {
   ColorPrimary,
   ColorSecondary,
   TexCoord,
   FogCoord,
-  Position
+  Position, ///< fragment.position (window), or vertex.position (object space)
+  Normal,   ///< vertex programs: (x,y,z,1)
+  Generic,  ///< vertex.attrib[index]; attrib[0] is kept as written, its value is the position
 };
 struct Attribute {
   AttributeKind kind = AttributeKind::ColorPrimary;
@@ -122,8 +142,19 @@ struct Attribute {
   bool operator==(const Attribute &) const = default;
 };
 
-enum class OutputKind : std::uint8_t { Color, Depth };
-/// result.color[index], or result.depth, whose value is component z (index 2) of the register.
+enum class OutputKind : std::uint8_t {
+  Color, ///< result.color[index] of a fragment program
+  Depth, ///< result.depth: its value is component z (index 2) of the register
+  // Vertex results (ARB_vertex_program table X.4).
+  Position,
+  FrontPrimary,
+  FrontSecondary,
+  BackPrimary,
+  BackSecondary,
+  FogCoord,  ///< component x
+  PointSize, ///< component x
+  TexCoord,  ///< result.texcoord[index]
+};
 struct Output {
   OutputKind kind = OutputKind::Color;
   std::uint8_t index = 0;
@@ -196,6 +227,10 @@ struct Options {
   bool drawBuffers = false;        ///< ARB_draw_buffers / ATI_draw_buffers
   bool originUpperLeft = false;    ///< ARB_fragment_coord_conventions
   bool pixelCenterInteger = false; ///< ARB_fragment_coord_conventions
+  bool positionInvariant = false;  ///< ARB_position_invariant: no result.position in the code
+  /// The secondary colour's rgb is added to the result before fog, as COLOR_SUM does: set for ATI
+  /// fragment shaders by the state that they are drawn under.
+  bool colorSum = false;
   bool operator==(const Options &) const = default;
 };
 
@@ -203,13 +238,22 @@ struct Options {
 /// 24-bit floats) are further enumerators; the interpreter takes the mode as an argument.
 enum class Numerics : std::uint8_t { Host };
 
+/// An array that relative operands read. Rows may repeat and need not follow each other.
+struct ParameterArray {
+  std::string name;                ///< for listings
+  std::vector<std::uint16_t> rows; ///< indexes into Program::parameters
+};
+
 /// A whole program. Registers not written read as zero, on every path.
 struct Program {
+  Language language = Language::ArbFragment;
   Options options;
   std::vector<Temporary> temporaries;
   std::vector<Attribute> attributes;
   std::vector<Parameter> parameters;
   std::vector<Output> outputs;
+  std::vector<Temporary> addresses;   ///< vertex programs: address registers
+  std::vector<ParameterArray> arrays; ///< those that a relative operand names
   std::vector<Instruction> code;
 };
 

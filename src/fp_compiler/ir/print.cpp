@@ -30,6 +30,8 @@ char fileLetter(File file) {
     return 'p';
   case File::Output:
     return 'o';
+  case File::Address:
+    return 'A';
   }
   return '?';
 }
@@ -38,9 +40,19 @@ std::string registerText(File file, unsigned index) {
   return fileLetter(file) + std::to_string(index);
 }
 
+/// "c0[A0+3]": row A0+3 of the program's array 0.
+std::string relativeText(const Operand &operand) {
+  std::string text =
+      "c" + std::to_string(operand.index) + "[" + registerText(File::Address, operand.address);
+  if (operand.offset != 0)
+    text += (operand.offset > 0 ? "+" : "") + std::to_string(operand.offset);
+  return text + "]";
+}
+
 /// ".wzyx", or ".(-x,0,1,w)" where the components differ in sign or are constant.
 std::string operandText(const Operand &operand, bool scalar) {
-  const std::string name = registerText(operand.file, operand.index);
+  const std::string name =
+      operand.relative ? relativeText(operand) : registerText(operand.file, operand.index);
   const bool sameSign = operand.negate == 0 || operand.negate == 0xF;
   bool constant = false;
   for (const Select select : operand.swizzle)
@@ -173,6 +185,8 @@ std::string optionsText(const Options &options) {
   option(options.drawBuffers, "ARB_draw_buffers");
   option(options.originUpperLeft, "ARB_fragment_coord_origin_upper_left");
   option(options.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
+  option(options.positionInvariant, "ARB_position_invariant");
+  option(options.colorSum, "color_sum");
   return text;
 }
 } // namespace
@@ -183,18 +197,50 @@ const char *targetText(TexTarget target) {
   return kNames[std::size_t(target)];
 }
 
-std::string bindingText(const Attribute &attribute) {
+std::string bindingText(const Attribute &attribute, Language language) {
+  const bool vertex = language == Language::ArbVertex;
+  const std::string stage = vertex ? "vertex." : "fragment.";
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
-    return "fragment.color.primary";
+    return stage + "color.primary";
   case AttributeKind::ColorSecondary:
-    return "fragment.color.secondary";
+    return stage + "color.secondary";
   case AttributeKind::TexCoord:
-    return "fragment.texcoord" + bracket(attribute.index);
+    return stage + "texcoord" + bracket(attribute.index);
   case AttributeKind::FogCoord:
-    return "fragment.fogcoord";
+    return stage + "fogcoord";
   case AttributeKind::Position:
-    return "fragment.position";
+    return stage + "position";
+  case AttributeKind::Normal:
+    return stage + "normal";
+  case AttributeKind::Generic:
+    return stage + "attrib" + bracket(attribute.index);
+  }
+  return "";
+}
+
+std::string bindingText(const Output &output) {
+  switch (output.kind) {
+  case OutputKind::Color:
+    return "result.color" + bracket(output.index);
+  case OutputKind::Depth:
+    return "result.depth";
+  case OutputKind::Position:
+    return "result.position";
+  case OutputKind::FrontPrimary:
+    return "result.color.front.primary";
+  case OutputKind::FrontSecondary:
+    return "result.color.front.secondary";
+  case OutputKind::BackPrimary:
+    return "result.color.back.primary";
+  case OutputKind::BackSecondary:
+    return "result.color.back.secondary";
+  case OutputKind::FogCoord:
+    return "result.fogcoord";
+  case OutputKind::PointSize:
+    return "result.pointsize";
+  case OutputKind::TexCoord:
+    return "result.texcoord" + bracket(output.index);
   }
   return "";
 }
@@ -237,16 +283,20 @@ std::string print(const Program &program) {
     text += letter + std::to_string(index) + " = " + what + "\n";
   };
   for (std::size_t i = 0; i < program.attributes.size(); ++i)
-    line('a', i, bindingText(program.attributes[i]));
+    line('a', i, bindingText(program.attributes[i], program.language));
   for (std::size_t i = 0; i < program.parameters.size(); ++i)
     line('p', i, bindingText(program.parameters[i]));
   for (std::size_t i = 0; i < program.temporaries.size(); ++i)
     line('t', i, "temporary " + program.temporaries[i].name);
-  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    const Output &output = program.outputs[i];
-    line('o', i,
-         output.kind == OutputKind::Depth ? "result.depth"
-                                          : "result.color" + bracket(output.index));
+  for (std::size_t i = 0; i < program.outputs.size(); ++i)
+    line('o', i, bindingText(program.outputs[i]));
+  for (std::size_t i = 0; i < program.addresses.size(); ++i)
+    line('A', i, "address " + program.addresses[i].name);
+  for (std::size_t i = 0; i < program.arrays.size(); ++i) {
+    std::string rows;
+    for (const std::uint16_t row : program.arrays[i].rows)
+      rows += " p" + std::to_string(row);
+    line('c', i, "array " + program.arrays[i].name + ":" + rows);
   }
   for (const Instruction &instruction : program.code)
     text += "  " + print(instruction) + "\n";

@@ -11,7 +11,9 @@ namespace arbiter::fp::ir {
 [[nodiscard]] std::string print(const Instruction &instruction);
 /// The ARBfp binding that a table row stands for: "program.local[3]", "state.light[0].half".
 [[nodiscard]] std::string bindingText(const Parameter &parameter);
-[[nodiscard]] std::string bindingText(const Attribute &attribute);
+[[nodiscard]] std::string bindingText(const Attribute &attribute,
+                                      Language language = Language::ArbFragment);
+[[nodiscard]] std::string bindingText(const Output &output);
 /// "1D", "SHADOW2D"
 [[nodiscard]] const char *targetText(TexTarget target);
 

@@ -66,6 +66,17 @@ Vec4 cross(const Vec4 &a, const Vec4 &b) {
   return {minor(1, 2), minor(2, 0), minor(0, 1), 0.0f};
 }
 
+/// LOG: exponent and mantissa; of 0 (-infinity, 1, -infinity, 1).
+Vec4 logarithm(float value) {
+  const float magnitude = std::fabs(value);
+  const float logarithm = std::log2(magnitude);
+  if (magnitude == 0.0f || !std::isfinite(magnitude))
+    return {logarithm, 1.0f, logarithm, 1.0f};
+  int exponent = 0;
+  const float mantissa = std::frexp(magnitude, &exponent); // in [0.5, 1)
+  return {float(exponent - 1), mantissa * 2.0f, logarithm, 1.0f};
+}
+
 Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
   switch (op) {
   case Opcode::Abs:
@@ -127,6 +138,12 @@ Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
     return zip(a, b, [](float x, float y) { return x - y; });
   case Opcode::Xpd:
     return cross(a, b);
+  case Opcode::Arl:
+    return all(std::floor(a[0]));
+  case Opcode::Exp:
+    return {std::exp2(std::floor(a[0])), a[0] - std::floor(a[0]), std::exp2(a[0]), 1.0f};
+  case Opcode::Log:
+    return logarithm(a[0]);
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:

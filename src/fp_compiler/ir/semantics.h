@@ -21,13 +21,16 @@
 /// _SAT     NaN gives 0, then min(max(x, 0), 1).
 /// ABS      clears the sign.
 /// ADD SUB MUL MAD LRP   as written; LRP is a*b + (1-a)*c.
+/// ARL      floor(a), as an integer; beyond +-2^31, or of NaN, an index that no array has.
 /// CMP      a < 0 ? b : c; so NaN and -0 choose c.
 /// COS SIN  any angle; an infinite one gives NaN.
 /// DP3 DP4 DPH           sums from x to w; DPH adds b.w last.
 /// DST      (1, a.y*b.y, a.z, b.w)
+/// EXP      (2^floor(a), a - floor(a), 2^a, 1)
 /// EX2      2^a; overflows to infinity, underflows to 0.
 /// FLR FRC  largest integer <= a; a - FLR(a), so FRC of an infinity is NaN.
 /// LG2      log2(a); LG2(+-0) is -infinity, so that EX2(n * LG2(0)) is 0 for n > 0; NaN below zero.
+/// LOG      of |a|: (floor(log2), |a| / 2^floor(log2), log2, 1); of 0 (-infinity, 1, -infinity, 1).
 /// LIT      (1, max(x, 0), x > 0 ? POW(y, e) : 0, 1), e = w clamped to +-(128 - 2^-17).
 ///          NaN in x gives 0 and 0.
 /// MAX MIN  if one operand is NaN, the other one; -0 is below +0.

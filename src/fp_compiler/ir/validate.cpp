@@ -16,6 +16,10 @@ public:
         if (m_program.outputs[i] == m_program.outputs[j])
           m_problems.push_back("outputs " + std::to_string(j) + " and " + std::to_string(i) +
                                " are the same");
+    for (const ParameterArray &array : m_program.arrays)
+      for (const std::uint16_t row : array.rows)
+        if (row >= m_program.parameters.size())
+          m_problems.push_back("array " + array.name + ": row out of range");
     for (m_at = 0; m_at < m_program.code.size(); ++m_at)
       check(m_program.code[m_at]);
     return std::move(m_problems);
@@ -36,6 +40,8 @@ private:
       return m_program.parameters.size();
     case File::Output:
       return m_program.outputs.size();
+    case File::Address:
+      return m_program.addresses.size();
     }
     return 0;
   }
@@ -44,18 +50,22 @@ private:
     if (int(instruction.op) >= kOpcodeCount)
       return report("opcode out of range");
     const OpInfo &row = info(instruction.op);
+    if (row.has(m_program.language == Language::ArbVertex ? FragmentOnly : VertexOnly))
+      report("not an opcode of the program's language");
     for (int i = 0; i < row.operandCount(); ++i)
       checkOperand(instruction.src[std::size_t(i)], row.shapes[i] == 'S');
     if (!row.has(Kills))
-      checkDestination(instruction.dst);
+      checkDestination(instruction);
     if (row.has(Texture))
       checkTexture(instruction);
   }
 
   void checkOperand(const Operand &operand, bool scalar) {
-    if (operand.file == File::Output)
-      report("reads an output");
-    if (operand.index >= sizeOf(operand.file))
+    if (operand.file == File::Output || operand.file == File::Address)
+      report("reads an output or an address register");
+    if (operand.relative)
+      checkRelative(operand);
+    else if (operand.index >= sizeOf(operand.file))
       report("operand index out of range");
     if (operand.negate > 0xF)
       report("negate has more than four bits");
@@ -71,8 +81,23 @@ private:
       report("scalar operand with more than one sign");
   }
 
-  void checkDestination(const Destination &dst) {
-    if (dst.file != File::Temporary && dst.file != File::Output)
+  void checkRelative(const Operand &operand) {
+    if (operand.file != File::Parameter)
+      report("relative operand of a file without arrays");
+    if (operand.index >= m_program.arrays.size())
+      report("array index out of range");
+    if (operand.address >= m_program.addresses.size())
+      report("address register out of range");
+  }
+
+  void checkDestination(const Instruction &instruction) {
+    const Destination &dst = instruction.dst;
+    const bool address = dst.file == File::Address;
+    if (address != (instruction.op == Opcode::Arl))
+      return report("ARL, and only ARL, writes an address register");
+    if (address && (dst.mask != 1 || dst.saturate))
+      return report("an address register has one component, x");
+    if (!address && dst.file != File::Temporary && dst.file != File::Output)
       report("writes a register that is read-only");
     if (dst.index >= sizeOf(dst.file))
       report("destination index out of range");

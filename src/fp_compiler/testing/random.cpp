@@ -199,7 +199,7 @@ private:
 
   // Statements ----------------------------------------------------------------------------------
   void statement() {
-    const Opcode op = Opcode(m_random.below(kOpcodeCount));
+    const Opcode op = Opcode(m_random.below(kFragmentOpcodeCount));
     const OpInfo &row = info(op);
     if (row.has(Kills))
       kill();

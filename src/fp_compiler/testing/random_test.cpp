@@ -34,7 +34,7 @@ TEST(RandomProgram, IsValidAndReproducible) {
     for (const ir::Instruction &instruction : program.code)
       seen.insert(instruction.op);
   }
-  EXPECT_EQ(int(seen.size()), ir::kOpcodeCount);
+  EXPECT_EQ(int(seen.size()), ir::kFragmentOpcodeCount);
 }
 
 TEST(Spell, TextMeansTheProgram) {

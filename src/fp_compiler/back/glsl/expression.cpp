@@ -161,6 +161,15 @@ std::string expression(const Registers &registers, const Instruction &instructio
     return w.infix("-");
   case Opcode::Xpd:
     return w.cross();
+  case Opcode::Arl:
+    return w.scalarCall("floor");
+  case Opcode::Exp:
+    return w.pick({"exp2(floor(" + w.at(0, 0) + "))", "fract(" + w.at(0, 0) + ")",
+                   "exp2(" + w.at(0, 0) + ")", "1.0"});
+  case Opcode::Log:
+    return w.pick({"floor(log2(abs(" + w.at(0, 0) + ")))",
+                   "abs(" + w.at(0, 0) + ") * exp2(-floor(log2(abs(" + w.at(0, 0) + "))))",
+                   "log2(abs(" + w.at(0, 0) + "))", "1.0"});
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:

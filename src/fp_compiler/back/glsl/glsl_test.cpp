@@ -155,7 +155,7 @@ TEST(EmitGlsl, SamplesEveryTargetInEveryWay) {
 }
 
 TEST(EmitGlsl, EveryArithmeticOpcodeUnderEveryMask) {
-  for (int op = 0; op < ir::kOpcodeCount; ++op) {
+  for (int op = 0; op < ir::kFragmentOpcodeCount; ++op) {
     const ir::OpInfo &row = ir::info(Opcode(op));
     if (row.has(ir::Texture) || row.has(ir::Kills))
       continue;

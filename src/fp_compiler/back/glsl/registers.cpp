@@ -65,6 +65,7 @@ const RegisterText &Registers::source(File file, std::uint16_t index) const {
     return m_attributes[index];
   case File::Parameter:
   case File::Output:
+  case File::Address:
     break;
   }
   assert(file == File::Parameter);
@@ -103,6 +104,9 @@ void Registers::nameAttribute(std::size_t index, const ir::Attribute &attribute)
     name = variable("gl_FragCoord");
     m_readsPosition = true;
     break;
+  case ir::AttributeKind::Normal:
+  case ir::AttributeKind::Generic:
+    break; // vertex programs
   }
 }
 
