@@ -148,6 +148,11 @@ Builder &Builder::tex(Opcode opcode, const Target &dst, const Source &coordinate
   return *this;
 }
 
+void Builder::setSpan(std::size_t first, Span span) {
+  for (std::size_t i = first; i < m_program.code.size(); ++i)
+    m_program.code[i].span = span;
+}
+
 Builder &Builder::kil(const Source &killed) { return op(Opcode::Kil, Target{}, {killed}); }
 
 } // namespace arbiter::fp::ir

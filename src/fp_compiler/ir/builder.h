@@ -44,6 +44,9 @@ public:
                TexTarget target);
   Builder &kil(const Source &source);
 
+  /// Gives the instructions from \p first on the place in the text that they come from.
+  void setSpan(std::size_t first, Span span);
+
   Options &options() { return m_program.options; }
   [[nodiscard]] const Program &program() const { return m_program; }
   [[nodiscard]] Program take() { return std::move(m_program); }
