@@ -12,7 +12,7 @@ class AttribStack {
 public:
   struct Entry {
     bool hasEnables = false;
-    bool fragmentProgram = false;
+    std::uint8_t enabledTargets = 0; ///< one bit a program target
   };
 
   void setMaxDepth(std::size_t depth) {

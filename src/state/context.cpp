@@ -30,8 +30,9 @@ const fp::hw::Profile &activeProfile() {
   return *s_profile;
 }
 
-/// The profile's limits, no higher than the host can keep: what is promised must draw.
-fp::Limits effectiveLimits(const host::HostTable &host, const HostCaps &caps) {
+/// The profile's limits of the fragment target, no higher than the host can keep: what is promised
+/// must draw.
+fp::Limits fragmentLimits(const host::HostTable &host, const HostCaps &caps) {
   const fp::hw::Profile &profile = activeProfile();
   if (profile.fromHost && caps.fragmentProgram)
     return queryHostFragmentLimits(host, caps);
@@ -48,6 +49,15 @@ fp::Limits effectiveLimits(const host::HostTable &host, const HostCaps &caps) {
   return limits;
 }
 
+/// The target is the layer's from now on.
+void offer(Context &context, Target target, fp::Limits limits) {
+  ProgramTarget &row = context.row(target);
+  row.offered = true;
+  row.env.assign(limits.envParameters, Vec4{});
+  context.group->setDefaultLocals(target, limits.localParameters);
+  row.limits = limits;
+}
+
 } // namespace
 
 Context::Context(Provider contextProvider, const host::HostTable *table,
@@ -56,7 +66,12 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
   host = table;
   passThrough = true; // until it is first current
   drawCounter = &draws[std::size_t(Path::NotOffered)];
-  fragmentProgram = group->defaultFragmentProgram();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    targets[i].target = Target(i);
+    targets[i].bound = group->defaultProgram(Target(i));
+    targets[i].parameterBits =
+        Target(i) == Target::Vertex ? attention::kVertexParameters : attention::kFragmentParameters;
+  }
   group->contexts.fetch_add(1);
 }
 
@@ -79,9 +94,7 @@ void initialise(Context &context) {
     logWarn("state", "context %u: no ARB_fragment_program here: %s", context.serial, obstacle);
   context.passThrough = false;
   context.offered = context.caps.obstacle() == nullptr;
-  context.limits = effectiveLimits(*context.host, context.caps);
-  context.env.assign(context.limits.envParameters, Vec4{});
-  context.group->setDefaultLocals(context.limits.localParameters);
+  offer(context, Target::Fragment, fragmentLimits(*context.host, context.caps));
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
@@ -164,8 +177,10 @@ void destroyContext(Context *context) {
 }
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
-  if (mask & GL_ENABLE_BIT)
-    setFragmentEnable(to, from.fragmentEnabled);
+  if ((mask & GL_ENABLE_BIT) == 0)
+    return;
+  for (ProgramTarget &row : to.targets)
+    setEnabled(to, row, from.row(row.target).enabled);
 }
 
 void frameEnd(Context *context) {

@@ -17,6 +17,7 @@
 #include "state/list_compiler.h"
 #include "state/program_object.h"
 #include "state/sampler_override.h"
+#include "state/target.h"
 #include "state/variant.h"
 #include "swrast/feedback.h"
 
@@ -26,13 +27,17 @@ class ShareGroup;
 
 /// Why a draw must be looked at before it goes on (ContextHot::attention).
 namespace attention {
-inline constexpr std::uint32_t kProgram = 1;    ///< what is in force may have changed
-inline constexpr std::uint32_t kParameters = 2; ///< env or local values may have changed
-inline constexpr std::uint32_t kState = 4;      ///< stays: the program reads GL state
-inline constexpr std::uint32_t kCompare = 8;    ///< stays: a plain texture target must not compare
-inline constexpr std::uint32_t kInvalid = 16;   ///< stays: draws are errors
-inline constexpr std::uint32_t kShared = 32;    ///< stays: another context may load the program
-inline constexpr std::uint32_t kList = 64;      ///< stays: a display list is being compiled
+inline constexpr std::uint32_t kProgram = 1; ///< what is in force may have changed
+// Env or local values may have changed, of the targets whose programs become the host's shader of
+// that stage.
+inline constexpr std::uint32_t kFragmentParameters = 2;
+inline constexpr std::uint32_t kVertexParameters = 4;
+inline constexpr std::uint32_t kParameters = kFragmentParameters | kVertexParameters;
+inline constexpr std::uint32_t kState = 8;    ///< stays: a program reads GL state
+inline constexpr std::uint32_t kCompare = 16; ///< stays: a plain texture target must not compare
+inline constexpr std::uint32_t kInvalid = 32; ///< stays: draws are errors
+inline constexpr std::uint32_t kShared = 64;  ///< stays: another context may load a program
+inline constexpr std::uint32_t kList = 128;   ///< stays: a display list is being compiled
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
@@ -78,21 +83,20 @@ public:
 
   std::shared_ptr<ShareGroup> group;
   HostCaps caps;
-  fp::Limits limits; ///< of the fragment target, as queries answer them
 
   // --- Errors (2.5): our slot; the host's is asked when it is empty ---
   GLenum pendingError = GL_NO_ERROR;
-  GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by both targets
+  GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by all targets
   std::string errorString;  ///< PROGRAM_ERROR_STRING_ARB
 
-  // --- The fragment program target ---
-  bool fragmentEnabled = false;
-  std::shared_ptr<ProgramObject> fragmentProgram;
+  // --- The program targets, by Target ---
+  std::array<ProgramTarget, kTargetCount> targets{};
+  [[nodiscard]] ProgramTarget &row(Target target) { return targets[std::size_t(target)]; }
+  [[nodiscard]] const ProgramTarget &row(Target target) const {
+    return targets[std::size_t(target)];
+  }
   /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
-  std::vector<Vec4> env;
-  /// The version of fragmentProgram that was last looked at.
-  std::uint32_t seenVersion = 0;
 
   // --- The application's GLSL: the host knows; asked again when something may have changed it ---
   GLuint applicationProgram = 0;
@@ -118,6 +122,25 @@ public:
 
   std::shared_ptr<const FilteredExtensions> extensions; ///< made at the first query
 };
+
+/// The row of a target's GL name; null where the target is unknown or the host's to answer.
+[[nodiscard]] inline ProgramTarget *rowOf(Context &context, GLenum target) {
+  ProgramTarget *row = nullptr;
+  switch (target) {
+  case infoOf(Target::Fragment).name:
+    row = &context.row(Target::Fragment);
+    break;
+  case infoOf(Target::Vertex).name:
+    row = &context.row(Target::Vertex);
+    break;
+  case infoOf(Target::AtiText).name:
+    row = &context.row(Target::AtiText);
+    break;
+  default:
+    return nullptr;
+  }
+  return row->offered ? row : nullptr;
+}
 
 /// The thread's null context.
 [[nodiscard]] Context &nullContext();

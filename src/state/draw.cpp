@@ -2,6 +2,8 @@
 // fixed function), its variant, its parameters.
 #include "state/draw.h"
 
+#include <algorithm>
+
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/errors.h"
@@ -84,7 +86,8 @@ bool shadesFragments(Context &context, GLuint program) {
 /// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs.
 Path choosePath(Context &context) {
   context.variant = nullptr;
-  if (!context.fragmentEnabled)
+  ProgramTarget &fragment = context.row(Target::Fragment);
+  if (!fragment.enabled)
     return Path::NoProgram;
   const GLuint program = applicationProgram(context);
   if (program != 0 && shadesFragments(context, program))
@@ -92,8 +95,8 @@ Path choosePath(Context &context) {
   if (program == 0 && applicationPipeline(context) != 0)
     return Path::ApplicationPipeline;
 
-  const ProgramObject &object = *context.fragmentProgram;
-  context.seenVersion = object.version.load(std::memory_order_acquire);
+  const ProgramObject &object = *fragment.bound;
+  fragment.seenVersion = object.version.load(std::memory_order_acquire);
   const auto compiled = context.group->compiledOf(object);
   if (!compiled)
     return Path::InvalidProgram;
@@ -141,6 +144,13 @@ void select(Context &context) {
   context.hostProgramIsOurs = true;
 }
 
+/// Another context loaded a program, or set a local parameter, that draws here use.
+bool changedElsewhere(const Context &context) {
+  return std::any_of(context.targets.begin(), context.targets.end(), [](const ProgramTarget &row) {
+    return row.enabled && row.bound->version.load(std::memory_order_acquire) != row.seenVersion;
+  });
+}
+
 /// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
 /// too, with what was validated when the segment was opened.
 bool beginListDraw(Context &context) {
@@ -154,7 +164,7 @@ bool beginListDraw(Context &context) {
   context.list.outside(context, [&] { valid = validate(context); });
   if (!valid) {
     ++*context.drawCounter;
-    raise(context, GL_INVALID_OPERATION, "draw: the fragment program in force is not valid");
+    raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
   }
   return valid;
 }
@@ -164,8 +174,7 @@ bool beginListDraw(Context &context) {
 bool validate(Context &context) {
   if (context.group->hasGarbage())
     collectGarbage(context);
-  if ((context.attention & attention::kShared) != 0 &&
-      context.fragmentProgram->version.load(std::memory_order_acquire) != context.seenVersion)
+  if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
     context.attention |= attention::kProgram;
   if ((context.attention & attention::kProgram) != 0)
     select(context);
@@ -246,7 +255,7 @@ bool beginDraw(Context &context) {
   if (validate(context)) [[likely]]
     return true;
   ++*context.drawCounter;
-  raise(context, GL_INVALID_OPERATION, "draw: the fragment program in force is not valid");
+  raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
   return false;
 }
 

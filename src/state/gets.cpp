@@ -15,20 +15,25 @@ namespace {
 /// show our objects is put back.
 bool ownValue(Context &context, GLenum pname, GLint &value) {
   switch (pname) {
-  case GL_FRAGMENT_PROGRAM_ARB:
-    value = context.fragmentEnabled ? 1 : 0;
-    return true;
+  case infoOf(Target::Fragment).name:
+  case infoOf(Target::Vertex).name:
+  case infoOf(Target::AtiText).name:
+    if (const ProgramTarget *const row = rowOf(context, pname)) {
+      value = row->enabled ? 1 : 0;
+      return true;
+    }
+    return false;
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;
     return true;
   case GL_MAX_TEXTURE_COORDS:
-    value = GLint(context.limits.textureCoords);
+    value = GLint(context.row(Target::Fragment).limits.textureCoords);
     return true;
   case GL_MAX_TEXTURE_IMAGE_UNITS:
-    value = GLint(context.limits.textureImageUnits);
+    value = GLint(context.row(Target::Fragment).limits.textureImageUnits);
     return true;
   case GL_MAX_TEXTURE_UNITS:
-    value = GLint(context.limits.textureUnits);
+    value = GLint(context.row(Target::Fragment).limits.textureUnits);
     return true;
   case GL_LIST_INDEX:
     if (!context.listMode)

@@ -63,16 +63,16 @@ bool HostAssembly::apply(Context &context, const std::shared_ptr<const CompiledP
 
 void HostAssembly::uploadParameters(Context &context) const {
   const host::HostTable &host = *context.host;
+  const ProgramTarget &row = context.row(Target::Fragment);
   for (const fp::GlslUniform &uniform : m_active->glsl.uniforms) {
     const fp::ir::Parameter &parameter = uniform.parameter;
     if (parameter.kind == fp::ir::ParameterKind::Env)
       host.ProgramEnvParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, parameter.index,
-                                     context.env[parameter.index].data());
+                                     row.env[parameter.index].data());
     else if (parameter.kind == fp::ir::ParameterKind::Local &&
-             parameter.index < context.fragmentProgram->locals.size())
-      host.ProgramLocalParameter4fvARB(
-          GL_FRAGMENT_PROGRAM_ARB, parameter.index,
-          context.fragmentProgram->locals[parameter.index].load().data());
+             parameter.index < row.bound->locals.size())
+      host.ProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, parameter.index,
+                                       row.bound->locals[parameter.index].load().data());
   }
 }
 

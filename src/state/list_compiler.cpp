@@ -91,30 +91,50 @@ bool ListCompiler::notePop(Context &context) {
   return false;
 }
 
+namespace {
+
+/// A command of the program API. Its target was one of ours when it was recorded.
+void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
+  const bool named =
+      command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
+  const std::shared_ptr<ProgramObject> object =
+      named ? namedProgram(context, row, command.object) : row.bound;
+  if (!object)
+    return;
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+  case Command::Kind::NamedString:
+    return loadProgram(context, *object, command.format, command.count, command.bytes.data());
+  case Command::Kind::BindProgram:
+    return bindProgram(context, row, command.name);
+  case Command::Kind::Env:
+    return setEnv(context, row, command.name, command.count, command.values.data());
+  case Command::Kind::Local:
+  case Command::Kind::NamedLocal:
+    return setLocal(context, *object, command.name, command.count, command.values.data());
+  case Command::Kind::Enable:
+  case Command::Kind::Disable:
+    return setEnabled(context, row, command.kind == Command::Kind::Enable);
+  default:
+    return;
+  }
+}
+
+} // namespace
+
 void execute(Context &context, const Command &command) {
   switch (command.kind) {
   case Command::Kind::ProgramString:
-    return loadFragmentProgram(context, *context.fragmentProgram, command.format, command.count,
-                               command.bytes.data());
   case Command::Kind::BindProgram:
-    return bindFragmentProgram(context, command.name);
   case Command::Kind::Env:
-    return setEnv(context, command.name, command.count, command.values.data());
   case Command::Kind::Local:
-    return setLocal(context, *context.fragmentProgram, command.name, command.count,
-                    command.values.data());
   case Command::Kind::NamedString:
-    if (const auto object = namedFragmentProgram(context, command.object))
-      loadFragmentProgram(context, *object, command.format, command.count, command.bytes.data());
-    return;
   case Command::Kind::NamedLocal:
-    if (const auto object = namedFragmentProgram(context, command.object))
-      setLocal(context, *object, command.name, command.count, command.values.data());
-    return;
   case Command::Kind::Enable:
-    return setFragmentEnable(context, true);
   case Command::Kind::Disable:
-    return setFragmentEnable(context, false);
+    if (ProgramTarget *const row = rowOf(context, command.target))
+      executeProgram(context, *row, command);
+    return;
   case Command::Kind::UseProgram:
     return useProgram(context, command.name);
   case Command::Kind::PushAttrib:

@@ -41,11 +41,11 @@ TEST(Lists, ACommandCutsTheList) {
   handlers::EndList(*context);
   EXPECT_EQ(host.calls, (std::vector<std::string>{newList(1), "Begin 0", "EndList", newList(kTop),
                                                   "Begin 1", "EndList"}));
-  EXPECT_EQ(context->env[0][0], 0.0f) << "COMPILE executed";
+  EXPECT_EQ(context->row(Target::Fragment).env[0][0], 0.0f) << "COMPILE executed";
   EXPECT_FALSE(context->insideBeginEnd) << "a recorded Begin opens nothing";
   host.calls.clear();
   handlers::CallList(*context, 1);
-  EXPECT_EQ(context->env[0][0], 1.0f);
+  EXPECT_EQ(context->row(Target::Fragment).env[0][0], 1.0f);
   EXPECT_EQ(host.count("CallList"), 2);
   EXPECT_LT(std::find(host.calls.begin(), host.calls.end(), "CallList 1"),
             std::find(host.calls.begin(), host.calls.end(), "CallList " + std::to_string(kTop)));
@@ -128,7 +128,7 @@ TEST(Lists, CallListsDecodesEveryType) {
   const auto calls = [&](GLenum type, const void *names) {
     handlers::Enable(*context, kFragment);
     handlers::CallLists(*context, 1, type, names);
-    return !context->fragmentEnabled;
+    return !context->row(Target::Fragment).enabled;
   };
   const GLubyte twoBytes[] = {1, 0}, fourBytes[] = {0, 0, 1, 0}, threeBytes[] = {0, 1, 0};
   const GLshort shorts[] = {256};

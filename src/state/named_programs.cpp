@@ -14,27 +14,32 @@ namespace arbiter::state {
 namespace {
 
 /// Every named setter of local parameters.
-void set(Context &context, GLuint name, GLuint index, GLsizei count, const Vec4 *values) {
+void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, GLsizei count,
+         const Vec4 *values) {
   if (!outsideBeginEnd(context, "NamedProgramLocalParameter between Begin and End"))
     return;
   if (context.listMode) {
-    Command command{.kind = Command::Kind::NamedLocal, .name = index, .object = name};
+    Command command{.kind = Command::Kind::NamedLocal,
+                    .target = row.info().name,
+                    .name = index,
+                    .object = name};
     command.count = count;
     command.values.assign(values, values + count);
     return context.list.record(context, std::move(command));
   }
-  if (const auto object = namedFragmentProgram(context, name))
+  if (const auto object = namedProgram(context, row, name))
     setLocal(context, *object, index, count, values);
 }
 
-void set(Context &context, GLuint name, GLuint index, const Vec4 &value) {
-  set(context, name, index, 1, &value);
+void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, const Vec4 &value) {
+  set(context, row, name, index, 1, &value);
 }
 
-template <typename T> void get(Context &context, GLuint name, GLuint index, T *params) {
+template <typename T>
+void get(Context &context, const ProgramTarget &row, GLuint name, GLuint index, T *params) {
   if (!outsideBeginEnd(context, "GetNamedProgramLocalParameter between Begin and End"))
     return;
-  const auto object = namedFragmentProgram(context, name);
+  const auto object = namedProgram(context, row, name);
   if (!object || !params)
     return;
   if (index >= object->locals.size())
@@ -49,102 +54,108 @@ namespace handlers {
 
 void NamedProgramStringEXT(Context &context, GLuint program, GLenum target, GLenum format,
                            GLsizei len, const void *string) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB && target != GL_VERTEX_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row) {
+    if (target == infoOf(Target::Vertex).name)
+      return namedVertexStringOfHost(context, program, format, len, string);
     return context.host->NamedProgramStringEXT(program, target, format, len, string);
+  }
   if (!outsideBeginEnd(context, "NamedProgramString between Begin and End"))
     return;
-  if (target == GL_VERTEX_PROGRAM_ARB) {
-    // In a list the host makes the object when it executes it.
-    const auto object = context.listMode ? context.group->find(program)
-                                         : context.group->findOrCreate(program, target, 0);
-    if (object && object->target != target)
-      return raise(context, GL_INVALID_OPERATION, "NamedProgramString: the other target's object");
-    return loadNamedVertexProgram(context, program, format, len, string);
-  }
   noteProgramApiUse(context);
   if (context.listMode)
-    return recordProgramString(context, Command::Kind::NamedString, program, format, len, string);
-  if (const auto object = namedFragmentProgram(context, program))
-    loadFragmentProgram(context, *object, format, len, string);
+    return recordProgramString(context, Command::Kind::NamedString, *row, program, format, len,
+                               string);
+  if (const auto object = namedProgram(context, *row, program))
+    loadProgram(context, *object, format, len, string);
 }
 
 void NamedProgramLocalParameter4fEXT(Context &context, GLuint program, GLenum target, GLuint index,
                                      GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->NamedProgramLocalParameter4fEXT(program, target, index, x, y, z, w);
-  set(context, program, index, {x, y, z, w});
+  set(context, *row, program, index, {x, y, z, w});
 }
 
 void NamedProgramLocalParameter4fvEXT(Context &context, GLuint program, GLenum target, GLuint index,
                                       const GLfloat *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->NamedProgramLocalParameter4fvEXT(program, target, index, params);
-  set(context, program, index, {params[0], params[1], params[2], params[3]});
+  set(context, *row, program, index, {params[0], params[1], params[2], params[3]});
 }
 
 void NamedProgramLocalParameter4dEXT(Context &context, GLuint program, GLenum target, GLuint index,
                                      GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->NamedProgramLocalParameter4dEXT(program, target, index, x, y, z, w);
-  set(context, program, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+  set(context, *row, program, index, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
 }
 
 void NamedProgramLocalParameter4dvEXT(Context &context, GLuint program, GLenum target, GLuint index,
                                       const GLdouble *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->NamedProgramLocalParameter4dvEXT(program, target, index, params);
-  set(context, program, index,
+  set(context, *row, program, index,
       {GLfloat(params[0]), GLfloat(params[1]), GLfloat(params[2]), GLfloat(params[3])});
 }
 
 void NamedProgramLocalParameters4fvEXT(Context &context, GLuint program, GLenum target,
                                        GLuint index, GLsizei count, const GLfloat *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->NamedProgramLocalParameters4fvEXT(program, target, index, count, params);
-  if (count < 0 || std::size_t(count) > context.limits.localParameters)
+  if (count < 0 || std::size_t(count) > row->limits.localParameters)
     return raise(context, GL_INVALID_VALUE, "NamedProgramLocalParameters: count");
   std::vector<Vec4> values(std::size_t(count), Vec4{});
   if (count > 0)
     std::memcpy(values.data(), params, values.size() * sizeof(Vec4));
-  set(context, program, index, count, values.data());
+  set(context, *row, program, index, count, values.data());
 }
 
 void GetNamedProgramLocalParameterfvEXT(Context &context, GLuint program, GLenum target,
                                         GLuint index, GLfloat *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->GetNamedProgramLocalParameterfvEXT(program, target, index, params);
-  get(context, program, index, params);
+  get(context, *row, program, index, params);
 }
 
 void GetNamedProgramLocalParameterdvEXT(Context &context, GLuint program, GLenum target,
                                         GLuint index, GLdouble *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->GetNamedProgramLocalParameterdvEXT(program, target, index, params);
-  get(context, program, index, params);
+  get(context, *row, program, index, params);
 }
 
 void GetNamedProgramivEXT(Context &context, GLuint program, GLenum target, GLenum pname,
                           GLint *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->GetNamedProgramivEXT(program, target, pname, params);
   if (!outsideBeginEnd(context, "GetNamedProgramiv between Begin and End") || !params)
     return;
-  const auto object = namedFragmentProgram(context, program);
+  const auto object = namedProgram(context, *row, program);
   if (!object)
     return;
   if (pname == GL_PROGRAM_BINDING_ARB) // the target's, not the object's
-    *params = GLint(context.fragmentProgram->name);
-  else if (!queryProgram(context, *object, pname, params))
+    *params = GLint(row->bound->name);
+  else if (!queryProgram(context, *row, *object, pname, params))
     raise(context, GL_INVALID_ENUM, "GetNamedProgramiv: pname");
 }
 
 void GetNamedProgramStringEXT(Context &context, GLuint program, GLenum target, GLenum pname,
                               void *string) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->GetNamedProgramStringEXT(program, target, pname, string);
   if (!outsideBeginEnd(context, "GetNamedProgramString between Begin and End"))
     return;
-  const auto object = namedFragmentProgram(context, program);
+  const auto object = namedProgram(context, *row, program);
   if (!object)
     return;
   if (pname != GL_PROGRAM_STRING_ARB)

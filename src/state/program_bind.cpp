@@ -24,65 +24,56 @@ void invalidateProgram(Context &context) {
   context.attention = attention::kProgram | (context.attention & attention::kList);
 }
 
-std::shared_ptr<ProgramObject> namedFragmentProgram(Context &context, GLuint name) {
+std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row,
+                                            GLuint name) {
   if (name == 0)
-    return context.group->defaultFragmentProgram();
+    return context.group->defaultProgram(row.target);
   std::shared_ptr<ProgramObject> object = context.group->find(name);
   if (!object) {
     // A vertex program that a list of the host's made is known to the host alone.
-    const bool taken =
-        context.caps.hostProgramNames() && context.host->IsProgramARB(name) == GL_TRUE;
-    object =
-        context.group->findOrCreate(name, taken ? GL_VERTEX_PROGRAM_ARB : GL_FRAGMENT_PROGRAM_ARB,
-                                    context.limits.localParameters);
+    const bool taken = !context.row(Target::Vertex).offered && context.caps.hostProgramNames() &&
+                       context.host->IsProgramARB(name) == GL_TRUE;
+    object = context.group->findOrCreate(name, taken ? Target::Vertex : row.target,
+                                         row.limits.localParameters);
   }
-  if (object->target == GL_FRAGMENT_PROGRAM_ARB)
+  if (object->target == row.target)
     return object;
-  raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
+  raise(context, GL_INVALID_OPERATION, "BindProgram: the object has another target");
   return nullptr;
 }
 
-void bindFragmentProgram(Context &context, GLuint name) {
+void bindProgram(Context &context, ProgramTarget &row, GLuint name) {
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
-  if (!recent || recent->name != name || recent->deleted.load(std::memory_order_acquire)) {
-    std::shared_ptr<ProgramObject> object = namedFragmentProgram(context, name);
+  if (!recent || recent->name != name || recent->target != row.target ||
+      recent->deleted.load(std::memory_order_acquire)) {
+    std::shared_ptr<ProgramObject> object = namedProgram(context, row, name);
     if (!object)
       return;
     recent = std::move(object);
   }
   // Binding the same object again matters only where another context changed it.
-  if (context.fragmentProgram == recent &&
-      context.seenVersion == recent->version.load(std::memory_order_acquire))
+  if (row.bound == recent && row.seenVersion == recent->version.load(std::memory_order_acquire))
     return;
-  context.fragmentProgram = recent;
+  row.bound = recent;
   invalidateProgram(context);
 }
 
-void setFragmentEnable(Context &context, bool enabled) {
-  if (context.fragmentEnabled == enabled)
+void setEnabled(Context &context, ProgramTarget &row, bool enabled) {
+  if (row.enabled == enabled)
     return;
-  context.fragmentEnabled = enabled;
+  row.enabled = enabled;
   invalidateProgram(context);
 }
 
 namespace {
 
-/// A vertex program takes its name in the common name space when it is first bound.
-void bindVertexProgram(Context &context, GLenum target, GLuint name) {
-  if (name != 0) {
-    const auto object = context.group->findOrCreate(name, target, 0);
-    if (object->target != target)
-      return raise(context, GL_INVALID_OPERATION, "BindProgram: the object has the other target");
-  }
-  context.host->BindProgramARB(target, name);
-}
-
 void deleteProgram(Context &context, GLuint name) {
   const std::shared_ptr<ProgramObject> object = context.group->remove(name);
-  if (!object || object->target != GL_FRAGMENT_PROGRAM_ARB)
+  if (!object)
     return;
-  if (context.fragmentProgram == object) {
-    context.fragmentProgram = context.group->defaultFragmentProgram();
+  ProgramTarget &row = context.row(object->target);
+  if (row.bound == object) {
+    row.bound = context.group->defaultProgram(row.target);
     invalidateProgram(context);
   }
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
@@ -94,6 +85,18 @@ void deleteProgram(Context &context, GLuint name) {
     context.variants.drop(context, compiled.get());
 }
 
+/// Enable and Disable of a program target.
+void enable(Context &context, ProgramTarget &row, bool enabled) {
+  if (!outsideBeginEnd(context,
+                       enabled ? "Enable between Begin and End" : "Disable between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (!context.listMode)
+    return setEnabled(context, row, enabled);
+  const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
+  context.list.record(context, {.kind = kind, .target = row.info().name});
+}
+
 } // namespace
 
 namespace handlers {
@@ -101,15 +104,17 @@ namespace handlers {
 void BindProgramARB(Context &context, GLenum target, GLuint program) {
   if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
     return;
-  if (target != GL_FRAGMENT_PROGRAM_ARB) {
-    if (target == GL_VERTEX_PROGRAM_ARB)
-      return bindVertexProgram(context, target, program);
+  ProgramTarget *const row = rowOf(context, target);
+  if (!row) {
+    if (target == infoOf(Target::Vertex).name)
+      return bindVertexProgramOfHost(context, program);
     return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
   }
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list.record(context, {.kind = Command::Kind::BindProgram, .name = program});
-  bindFragmentProgram(context, program);
+    return context.list.record(
+        context, {.kind = Command::Kind::BindProgram, .target = target, .name = program});
+  bindProgram(context, *row, program);
 }
 
 void GenProgramsARB(Context &context, GLsizei n, GLuint *programs) {
@@ -120,8 +125,8 @@ void GenProgramsARB(Context &context, GLsizei n, GLuint *programs) {
   if (!programs)
     return;
   for (GLsizei i = 0; i < n; ++i) {
-    // The host does not know names that were bound to the fragment target without Gen: it may give
-    // one of them. It stays reserved there, and is not given again.
+    // The host does not know names that were bound to a target of ours without Gen: it may give one
+    // of them. It stays reserved there, and is not given again.
     do {
       programs[i] = 0;
       if (context.caps.hostProgramNames())
@@ -153,7 +158,7 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
     return GL_FALSE;
   // An object exists once its name was bound; a name that Gen returned is none yet.
   const auto object = context.group->find(program);
-  if (object && object->target == GL_FRAGMENT_PROGRAM_ARB)
+  if (object && context.row(object->target).offered)
     return GL_TRUE;
   if (!context.caps.hostProgramNames() || context.hostAssembly.owns(program))
     return GL_FALSE;
@@ -161,33 +166,26 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 }
 
 void Enable(Context &context, GLenum cap) {
-  if (cap != GL_FRAGMENT_PROGRAM_ARB) [[likely]]
+  ProgramTarget *const row = rowOf(context, cap);
+  if (!row) [[likely]]
     return context.host->Enable(cap);
-  if (!outsideBeginEnd(context, "Enable between Begin and End"))
-    return;
-  noteProgramApiUse(context);
-  if (context.listMode)
-    return context.list.record(context, {.kind = Command::Kind::Enable, .target = cap});
-  setFragmentEnable(context, true);
+  enable(context, *row, true);
 }
 
 void Disable(Context &context, GLenum cap) {
-  if (cap != GL_FRAGMENT_PROGRAM_ARB) [[likely]]
+  ProgramTarget *const row = rowOf(context, cap);
+  if (!row) [[likely]]
     return context.host->Disable(cap);
-  if (!outsideBeginEnd(context, "Disable between Begin and End"))
-    return;
-  noteProgramApiUse(context);
-  if (context.listMode)
-    return context.list.record(context, {.kind = Command::Kind::Disable, .target = cap});
-  setFragmentEnable(context, false);
+  enable(context, *row, false);
 }
 
 GLboolean IsEnabled(Context &context, GLenum cap) {
-  if (cap != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, cap);
+  if (!row)
     return context.host->IsEnabled(cap);
   if (!outsideBeginEnd(context, "IsEnabled between Begin and End"))
     return GL_FALSE;
-  return context.fragmentEnabled ? GL_TRUE : GL_FALSE;
+  return row->enabled ? GL_TRUE : GL_FALSE;
 }
 
 } // namespace handlers

@@ -1,5 +1,4 @@
-// ProgramString (3.11.1): the fragment target's text goes to our compiler, the vertex target's to
-// the host after a look at its size and shape.
+// ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
 #include <algorithm>
 #include <cstring>
 
@@ -15,14 +14,7 @@
 
 namespace arbiter::state {
 
-namespace {
-
-/// What a vertex program may hold before the host's parser sees it. Far above any real program and
-/// any limit of a host, far below what is known to crash or to stall one.
-constexpr std::size_t kMaxVertexStatements = 32768;
-constexpr std::size_t kMaxListElements = 4000;
-
-bool checkArguments(Context &context, GLenum format, GLsizei length) {
+bool checkProgramString(Context &context, GLenum format, GLsizei length) {
   if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
     raise(context, GL_INVALID_ENUM, "ProgramString: format is not PROGRAM_FORMAT_ASCII");
     return false;
@@ -34,9 +26,11 @@ bool checkArguments(Context &context, GLenum format, GLsizei length) {
   return true;
 }
 
-fp::CompileOptions compileOptions(const Context &context) {
+namespace {
+
+fp::CompileOptions compileOptions(const ProgramTarget &row) {
   fp::CompileOptions options;
-  options.limits = context.limits;
+  options.limits = row.limits;
   options.policy = settings().enforceLimits ? fp::LimitPolicy::Enforce : fp::LimitPolicy::Report;
   return options;
 }
@@ -49,55 +43,11 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   return host;
 }
 
-/// The first byte of a vertex program that the host must not see, with the reason; npos if none.
-std::size_t unsafeVertexText(std::string_view text, const char *&reason) {
-  if (text.size() > fp::kMaxTextBytes) {
-    reason = "the program is longer than 1 MiB";
-    return fp::kMaxTextBytes;
-  }
-  std::size_t statements = 0;
-  std::size_t elements = 0; // of all lists: the host keeps one table of constants a program
-  int depth = 0;
-  bool comment = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\0') {
-      reason = "a NUL byte";
-      return i;
-    }
-    if (comment) {
-      comment = c != '\n' && c != '\r';
-      continue;
-    }
-    comment = c == '#';
-    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
-    statements += c == ';' ? 1 : 0;
-    // A list's elements are parted by commas at depth 1; a vector's components, deeper or not, are
-    // at most four.
-    elements += (c == ',' && depth == 1) || (c == '{' && depth == 1) ? 1 : 0;
-    if (statements > kMaxVertexStatements || elements > kMaxListElements) {
-      reason = elements > kMaxListElements ? "lists of more than 4000 constants"
-                                           : "more than 32768 statements";
-      return i;
-    }
-  }
-  return std::string_view::npos;
-}
-
-void takeHostError(Context &context) {
-  GLint position = -1;
-  context.host->GetIntegerv(GL_PROGRAM_ERROR_POSITION_ARB, &position);
-  context.errorPosition = position;
-  const auto *const text =
-      reinterpret_cast<const char *>(context.host->GetString(GL_PROGRAM_ERROR_STRING_ARB));
-  context.errorString = text ? text : "";
-}
-
 } // namespace
 
-void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
-                         const void *string) {
-  if (!checkArguments(context, format, length))
+void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
+                 const void *string) {
+  if (!checkProgramString(context, format, length))
     return;
   const std::string_view text =
       string ? std::string_view(static_cast<const char *>(string), std::size_t(length))
@@ -109,10 +59,11 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
     return;
   }
 
-  const fp::CheckResult result = fp::checkFragmentProgram(text, compileOptions(context));
+  const ProgramTarget &row = context.row(object.target);
+  const fp::CheckResult result = fp::checkProgram(row.info().language, text, compileOptions(row));
   context.errorPosition = result.errorPosition();
   context.errorString = result.errorString(text);
-  noteLoadedProgram(context, object.name, text, result);
+  noteLoadedProgram(context, object, text, result);
   if (debugFlag(DebugFlag::Text))
     logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
   if (!result.ok()) {
@@ -137,67 +88,15 @@ void loadFragmentProgram(Context &context, ProgramObject &object, GLenum format,
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), compiled->glsl.text);
   context.group->setCompiled(object, std::move(compiled));
-  if (context.fragmentProgram.get() == &object)
+  if (row.bound.get() == &object)
     invalidateProgram(context);
   if (old)
     context.variants.drop(context, old.get());
 }
 
-namespace {
-
-/// The text for the host's parser, ended by NUL whatever it reads past the length; false after an
-/// error.
-bool vertexText(Context &context, GLenum format, GLsizei length, const void *string,
-                std::string &text) {
-  if (!checkArguments(context, format, length))
-    return false;
-  if (string)
-    text.assign(static_cast<const char *>(string), std::size_t(length));
-  const char *reason = "";
-  const std::size_t unsafe = unsafeVertexText(text, reason);
-  if (unsafe != std::string_view::npos) {
-    context.errorPosition = GLint(unsafe);
-    context.errorString = std::string("error: ") + reason + "; not passed to the host's parser";
-    raise(context, GL_INVALID_OPERATION, "ProgramString: unsafe vertex program");
-    return false;
-  }
-  // Bytes that are not ASCII can only stand in comments of a valid program.
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; }, '?');
-  return true;
-}
-
-} // namespace
-
-void loadVertexProgram(Context &context, GLenum format, GLsizei length, const void *string) {
-  std::string text;
-  if (!vertexText(context, format, length, string, text))
-    return;
-  context.host->ProgramStringARB(GL_VERTEX_PROGRAM_ARB, format, GLsizei(text.size()), text.data());
-  if (context.listMode)
-    return;
-  takeHostError(context);
-  GLint name = 0;
-  context.host->GetProgramivARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &name);
-  noteVertexProgram(context, GLuint(name), text,
-                    context.errorPosition >= 0 ? std::string_view(context.errorString)
-                                               : std::string_view());
-}
-
-void loadNamedVertexProgram(Context &context, GLuint name, GLenum format, GLsizei length,
-                            const void *string) {
-  std::string text;
-  if (!vertexText(context, format, length, string, text))
-    return;
-  context.host->NamedProgramStringEXT(name, GL_VERTEX_PROGRAM_ARB, format, GLsizei(text.size()),
-                                      text.data());
-  if (!context.listMode)
-    takeHostError(context);
-}
-
-void recordProgramString(Context &context, Command::Kind kind, GLuint object, GLenum format,
-                         GLsizei length, const void *string) {
-  Command command{.kind = kind, .object = object};
+void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,
+                         GLuint object, GLenum format, GLsizei length, const void *string) {
+  Command command{.kind = kind, .target = row.info().name, .object = object};
   command.format = format;
   command.count = length;
   // A text over the limit is refused when executed: so much of it suffices for that.
@@ -214,14 +113,16 @@ void ProgramStringARB(Context &context, GLenum target, GLenum format, GLsizei le
                       const void *string) {
   if (!outsideBeginEnd(context, "ProgramString between Begin and End"))
     return;
-  if (target == GL_VERTEX_PROGRAM_ARB)
-    return loadVertexProgram(context, format, len, string);
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  ProgramTarget *const row = rowOf(context, target);
+  if (!row) {
+    if (target == infoOf(Target::Vertex).name)
+      return vertexStringOfHost(context, format, len, string);
     return context.host->ProgramStringARB(target, format, len, string);
+  }
   noteProgramApiUse(context);
   if (context.listMode)
-    return recordProgramString(context, Command::Kind::ProgramString, 0, format, len, string);
-  loadFragmentProgram(context, *context.fragmentProgram, format, len, string);
+    return recordProgramString(context, Command::Kind::ProgramString, *row, 0, format, len, string);
+  loadProgram(context, *row->bound, format, len, string);
 }
 
 } // namespace handlers

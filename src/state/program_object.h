@@ -16,6 +16,14 @@ namespace arbiter::state {
 
 using Vec4 = std::array<GLfloat, 4>;
 
+/// The program targets (target.h says what is known of each).
+enum class Target : std::uint8_t {
+  Fragment, ///< ARB_fragment_program
+  Vertex,   ///< ARB_vertex_program
+  AtiText,  ///< ATI_text_fragment_shader
+};
+inline constexpr int kTargetCount = 3;
+
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
 struct CompiledProgram {
@@ -56,14 +64,13 @@ private:
   std::atomic<std::uint64_t> m_high{0};
 };
 
-/// A program object of either target (3.11.1). Fragment programs live here alone; of vertex
-/// programs only the name and target do, so that the two targets share one name space (the host has
-/// the rest).
+/// A program object of any target (3.11.1). Of a target that is the host's only name and target are
+/// here, so that all targets share one name space.
 struct ProgramObject {
-  ProgramObject(GLuint objectName, GLenum objectTarget) : name(objectName), target(objectTarget) {}
+  ProgramObject(GLuint objectName, Target objectTarget) : name(objectName), target(objectTarget) {}
 
   const GLuint name;
-  const GLenum target; ///< GL_FRAGMENT_PROGRAM_ARB, or GL_VERTEX_PROGRAM_ARB
+  const Target target;
 
   /// Null: no valid program. Written by ProgramString in any context, under the share group's lock;
   /// a draw copies it, under the lock, only after `version` has moved.

@@ -35,11 +35,11 @@ TEST(Programs, TheSameTextKeepsWhatWasCompiled) {
   FakeHost host;
   const CurrentContext context(host);
   use(*context, kText);
-  const CompiledProgram *before = context->fragmentProgram->compiled.get();
+  const CompiledProgram *before = context->row(Target::Fragment).bound->compiled.get();
   load(*context, kText);
-  EXPECT_EQ(context->fragmentProgram->compiled.get(), before);
+  EXPECT_EQ(context->row(Target::Fragment).bound->compiled.get(), before);
   load(*context, std::string(kText) + " ");
-  EXPECT_NE(context->fragmentProgram->compiled.get(), before);
+  EXPECT_NE(context->row(Target::Fragment).bound->compiled.get(), before);
 }
 
 TEST(Programs, UnsafeVertexTextStopsHere) {

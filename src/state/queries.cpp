@@ -53,18 +53,18 @@ bool isAddressRegisters(GLenum pname) {
          pname <= GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB;
 }
 
-bool queryCounts(const Context &context, const CompiledProgram *program, GLenum pname,
+bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenum pname,
                  GLint *params) {
   static constexpr fp::ResourceCounts kNone;
   for (const CountRow &row : kRows) {
     if (pname == row.count)
       *params = GLint((program ? program->counts : kNone).*row.member);
     else if (pname == row.maximum)
-      *params = GLint(context.limits.api.*row.member);
+      *params = GLint(limits.api.*row.member);
     else if (pname == row.nativeCount)
       *params = GLint((program ? program->nativeCounts : kNone).*row.member);
     else if (pname == row.nativeMaximum)
-      *params = GLint(context.limits.native.*row.member);
+      *params = GLint(limits.native.*row.member);
     else
       continue;
     return true;
@@ -74,9 +74,10 @@ bool queryCounts(const Context &context, const CompiledProgram *program, GLenum 
 
 } // namespace
 
-bool queryProgram(Context &context, const ProgramObject &object, GLenum pname, GLint *params) {
+bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObject &object,
+                  GLenum pname, GLint *params) {
   const std::shared_ptr<const CompiledProgram> program = context.group->compiledOf(object);
-  if (queryCounts(context, program.get(), pname, params))
+  if (queryCounts(row.limits, program.get(), pname, params))
     return true;
   switch (pname) {
   case GL_PROGRAM_LENGTH_ARB:
@@ -89,10 +90,10 @@ bool queryProgram(Context &context, const ProgramObject &object, GLenum pname, G
     *params = GLint(object.name);
     return true;
   case GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB:
-    *params = GLint(context.limits.localParameters);
+    *params = GLint(row.limits.localParameters);
     return true;
   case GL_MAX_PROGRAM_ENV_PARAMETERS_ARB:
-    *params = GLint(context.limits.envParameters);
+    *params = GLint(row.limits.envParameters);
     return true;
   case GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB:
     *params = program && program->underNativeLimits ? GL_TRUE : GL_FALSE;
@@ -108,7 +109,8 @@ bool queryProgram(Context &context, const ProgramObject &object, GLenum pname, G
 namespace handlers {
 
 void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *params) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB) {
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row) {
     if (target == GL_VERTEX_PROGRAM_ARB && isFragmentOnly(pname) && !context.insideBeginEnd) {
       if (params)
         *params = 0;
@@ -118,18 +120,19 @@ void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *param
   }
   if (!outsideBeginEnd(context, "GetProgramiv between Begin and End") || !params)
     return;
-  if (!queryProgram(context, *context.fragmentProgram, pname, params))
+  if (!queryProgram(context, *row, *row->bound, pname, params))
     raise(context, GL_INVALID_ENUM, "GetProgramiv: pname");
 }
 
 void GetProgramStringARB(Context &context, GLenum target, GLenum pname, void *string) {
-  if (target != GL_FRAGMENT_PROGRAM_ARB)
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
     return context.host->GetProgramStringARB(target, pname, string);
   if (!outsideBeginEnd(context, "GetProgramString between Begin and End"))
     return;
   if (pname != GL_PROGRAM_STRING_ARB)
     return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
-  const auto program = context.group->compiledOf(*context.fragmentProgram);
+  const auto program = context.group->compiledOf(*row->bound);
   if (program && string)
     std::memcpy(string, program->text.data(), program->text.size()); // no terminator (6.1.12)
 }

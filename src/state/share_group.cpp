@@ -4,8 +4,10 @@
 
 namespace arbiter::state {
 
-ShareGroup::ShareGroup()
-    : m_defaultFragment(std::make_shared<ProgramObject>(0, GL_FRAGMENT_PROGRAM_ARB)) {}
+ShareGroup::ShareGroup() {
+  for (std::size_t i = 0; i < m_defaults.size(); ++i)
+    m_defaults[i] = std::make_shared<ProgramObject>(0, Target(i));
+}
 
 std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
   const std::lock_guard lock(m_mutex);
@@ -13,14 +15,13 @@ std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
   return it == m_objects.end() ? nullptr : it->second;
 }
 
-std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, GLenum target,
+std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, Target target,
                                                         std::size_t localParameters) {
   const std::lock_guard lock(m_mutex);
   std::shared_ptr<ProgramObject> &slot = m_objects[name];
   if (!slot) {
     slot = std::make_shared<ProgramObject>(name, target);
-    if (target == GL_FRAGMENT_PROGRAM_ARB)
-      slot->locals.resize(localParameters);
+    slot->locals.resize(localParameters);
   }
   return slot;
 }
@@ -61,10 +62,11 @@ std::shared_ptr<const CompiledProgram> ShareGroup::compiledOf(const ProgramObjec
   return object.compiled;
 }
 
-void ShareGroup::setDefaultLocals(std::size_t count) {
+void ShareGroup::setDefaultLocals(Target target, std::size_t count) {
   const std::lock_guard lock(m_mutex);
-  if (m_defaultFragment->locals.size() < count)
-    m_defaultFragment->locals.resize(count);
+  std::vector<LocalParameter> &locals = defaultProgram(target)->locals;
+  if (locals.size() < count)
+    locals.resize(count);
 }
 
 void ShareGroup::addGarbage(const Garbage &garbage) {

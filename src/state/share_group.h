@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -20,12 +21,12 @@ class ShareGroup {
 public:
   ShareGroup();
 
-  // --- Program objects: one name space for both targets (AFP 1364-1367) ---
+  // --- Program objects: one name space for all targets (AFP 1364-1367) ---
 
   /// The object of that name, or null. A name that Gen returned and nobody bound has no object.
   [[nodiscard]] std::shared_ptr<ProgramObject> find(GLuint name);
   /// The object of that name, made if there is none. Its target may not be `target`.
-  [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, GLenum target,
+  [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, Target target,
                                                             std::size_t localParameters);
   /// Frees the name; the object lives on where it is bound. Null if there was none.
   std::shared_ptr<ProgramObject> remove(GLuint name);
@@ -34,11 +35,11 @@ public:
   [[nodiscard]] GLuint takeName();
   void setCompiled(ProgramObject &object, std::shared_ptr<const CompiledProgram> compiled);
   [[nodiscard]] std::shared_ptr<const CompiledProgram> compiledOf(const ProgramObject &object);
-  /// Object 0 of the fragment target: starts empty, hence invalid (AFP 4691).
-  [[nodiscard]] const std::shared_ptr<ProgramObject> &defaultFragmentProgram() const {
-    return m_defaultFragment;
+  /// Object 0 of the target: starts empty, hence invalid (AFP 4691).
+  [[nodiscard]] const std::shared_ptr<ProgramObject> &defaultProgram(Target target) const {
+    return m_defaults[std::size_t(target)];
   }
-  void setDefaultLocals(std::size_t count);
+  void setDefaultLocals(Target target, std::size_t count);
 
   // --- Host objects to delete ---
 
@@ -63,8 +64,8 @@ public:
 
   DisplayListTable lists;
 
-  /// Set for good by the first use of the fragment target by any context of the group: until then
-  /// lists are the host's own, whole, and cost nothing.
+  /// Set for good by the first use of a program target of ours by any context of the group: until
+  /// then lists are the host's own, whole, and cost nothing.
   std::atomic<bool> programApiUsed{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
   std::atomic<bool> compareModeUsed{false};
@@ -76,7 +77,7 @@ public:
 private:
   std::mutex m_mutex;
   std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
-  std::shared_ptr<ProgramObject> m_defaultFragment;
+  std::array<std::shared_ptr<ProgramObject>, kTargetCount> m_defaults;
   GLuint m_lastName = 0;
   std::unordered_set<GLuint> m_hostPrograms;
   Garbage m_garbage;

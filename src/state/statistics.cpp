@@ -31,7 +31,7 @@ struct ProgramRow {
   std::uint32_t context = 0;
   unsigned name = 0;
   Hash128 hash;
-  const char *target = "fragment";
+  const char *target = "";
   std::string language;
   bool counted = false;
   fp::ResourceCounts counts;
@@ -261,14 +261,15 @@ void noteContextDestroyed(const Context &context) {
   }
 }
 
-void noteLoadedProgram(const Context &context, unsigned name, std::string_view text,
+void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
                        const fp::CheckResult &result) {
   if (!wanted())
     return;
   ProgramRow row;
   row.context = context.serial;
-  row.name = name;
+  row.name = object.name;
   row.hash = hashBytes(text);
+  row.target = infoOf(object.target).word;
   row.language = languageOf(text);
   row.counted = result.ok();
   row.counts = result.counts;

@@ -9,6 +9,7 @@
 namespace arbiter::state {
 
 class Context;
+struct ProgramObject;
 
 /// Version of the JSON's form; grows when a member changes its meaning or goes.
 inline constexpr int kStatisticsSchema = 1;
@@ -17,7 +18,7 @@ void noteContextCreated(Context &context);
 /// Adds the context's counters to those of contexts that are gone. It is about to be freed.
 void noteContextDestroyed(const Context &context);
 /// A program string was given to our compiler. Kept only if statistics are asked for.
-void noteLoadedProgram(const Context &context, unsigned name, std::string_view text,
+void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
                        const fp::CheckResult &result);
 /// A program string of the vertex target went to the host; `error` is empty if it loaded.
 void noteVertexProgram(const Context &context, unsigned name, std::string_view text,

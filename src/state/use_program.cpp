@@ -28,20 +28,34 @@ void releaseHostAssembly(Context &context) {
   invalidateProgram(context);
 }
 
+/// The attribute stack's entry of ours.
+void pushEnables(Context &context, GLbitfield mask) {
+  AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0};
+  for (const ProgramTarget &row : context.targets)
+    entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
+  (void)context.attribStack.push(entry);
+}
+
+void popEnables(Context &context) {
+  AttribStack::Entry entry;
+  if (!context.attribStack.pop(entry) || !entry.hasEnables)
+    return;
+  for (ProgramTarget &row : context.targets)
+    setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);
+}
+
 } // namespace
 
 void pushAttrib(Context &context, GLbitfield mask) {
   releaseHostAssembly(context);
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where ours would overflow too
-  (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
+  pushEnables(context, mask);
 }
 
 void popAttrib(Context &context) {
   releaseHostAssembly(context);
   context.host->PopAttrib();
-  AttribStack::Entry entry;
-  if (context.attribStack.pop(entry) && entry.hasEnables)
-    setFragmentEnable(context, entry.fragmentProgram);
+  popEnables(context);
 }
 
 namespace handlers {
@@ -77,7 +91,7 @@ void PushAttrib(Context &context, GLbitfield mask) {
   if (cuts)
     return context.list.record(context, {.kind = Command::Kind::PushAttrib, .name = mask});
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
-    (void)context.attribStack.push({(mask & GL_ENABLE_BIT) != 0, context.fragmentEnabled});
+    pushEnables(context, mask);
   context.host->PushAttrib(mask);
 }
 
@@ -89,10 +103,8 @@ void PopAttrib(Context &context) {
   if (context.list.notePop(context))
     return context.list.record(context, {.kind = Command::Kind::PopAttrib});
   context.host->PopAttrib();
-  AttribStack::Entry entry;
-  if (context.listMode == GL_COMPILE_AND_EXECUTE && context.attribStack.pop(entry) &&
-      entry.hasEnables)
-    setFragmentEnable(context, entry.fragmentProgram);
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    popEnables(context);
 }
 
 } // namespace handlers

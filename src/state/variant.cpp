@@ -184,18 +184,19 @@ std::vector<GLuint> VariantCache::abandon() {
 namespace {
 
 /// The value that element `i` of arb_param has to have.
-void currentValue(Context &context, const fp::ir::Parameter &parameter, Vec4 &value) {
+void currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter,
+                  Vec4 &value) {
   switch (parameter.kind) {
   case fp::ir::ParameterKind::Constant:
     value = parameter.constant;
     break;
   case fp::ir::ParameterKind::Env:
-    if (parameter.index < context.env.size())
-      value = context.env[parameter.index];
+    if (parameter.index < row.env.size())
+      value = row.env[parameter.index];
     break;
   case fp::ir::ParameterKind::Local:
-    if (parameter.index < context.fragmentProgram->locals.size())
-      value = context.fragmentProgram->locals[parameter.index].load();
+    if (parameter.index < row.bound->locals.size())
+      value = row.bound->locals[parameter.index].load();
     break;
   case fp::ir::ParameterKind::State:
     fetchState(context, parameter.state, value.data());
@@ -220,7 +221,7 @@ void uploadParameters(Context &context, Variant &variant) {
     if (variant.locations[i] < 0)
       continue;
     Vec4 value{};
-    currentValue(context, uniforms[i].parameter, value);
+    currentValue(context, context.row(Target::Fragment), uniforms[i].parameter, value);
     // Bits, not values: a NaN would be sent for ever, and -0 never.
     if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
         std::bit_cast<std::array<std::uint32_t, 4>>(variant.uploaded[i]))
