@@ -51,17 +51,28 @@ struct GlslSampler {
   ir::TexTarget target = ir::TexTarget::Tex2D;
 };
 
-/// One element of the uniform array `arb_param`, which the layer must fill. State that GLSL 1.20
-/// offers as a trustworthy built-in is not here: the text reads the built-in.
+/// One element of the uniform array, which the layer must fill. State that GLSL 1.20 offers as a
+/// trustworthy built-in is not here (the text reads the built-in), nor are constants, except among
+/// the rows of an array that is read by address.
 struct GlslUniform {
-  ir::Parameter parameter; ///< kind Env, Local, or State
+  ir::Parameter parameter;
 };
 
-/// A GLSL 1.20 fragment shader, to be linked alone (fixed-function or ARB vertex programs feed it).
+/// One generic attribute of a vertex shader, for glBindAttribLocation before the link.
+struct GlslAttribute {
+  std::string name;       ///< "arb_attrib7"
+  std::uint8_t index = 0; ///< of vertex.attrib[]: 1 and up, as attribute 0 is gl_Vertex
+};
+
+/// A GLSL 1.20 shader of one stage. It can be linked alone, when the other stage is fixed function,
+/// or with the other stage's; the two share no names.
 struct GlslShader {
   std::string text;
-  std::vector<GlslUniform> uniforms; ///< element i of `uniform vec4 arb_param[N]`
+  /// Element i of `uniform vec4 arb_vparam[N]` in a vertex shader, `arb_param[N]` in a fragment
+  /// one.
+  std::vector<GlslUniform> uniforms;
   std::vector<GlslSampler> samplers;
+  std::vector<GlslAttribute> attributes; ///< vertex shaders: those that the text declares
   bool writesDepth = false;
   bool kills = false;
 };
@@ -71,10 +82,13 @@ struct GlslHost {
   bool textureRectangle = true;     ///< GL_ARB_texture_rectangle
   bool fragCoordConventions = true; ///< GL_ARB_fragment_coord_conventions
   bool drawBuffers = true;
+  /// User clip planes do nothing unless a shader writes gl_ClipVertex. False for hosts that clip
+  /// gl_Position in clip space otherwise, as Mesa does; there it would cost an output a vertex.
+  bool clipVertex = false;
 };
 
-/// Optimises a copy of the program and writes it as GLSL. Requires a program from
-/// checkFragmentProgram; cannot fail on one.
+/// Optimises a copy of the program and writes it as GLSL. Requires a program that ir::validate()
+/// accepts; cannot fail on one.
 [[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {});
 
 /// The pass pipeline of opt/ over the program, until nothing moves.

@@ -85,8 +85,34 @@ Target Builder::output(Output wanted) {
   return target(File::Output, index);
 }
 
+Target Builder::result(OutputKind kind, int index) { return output({kind, std::uint8_t(index)}); }
 Target Builder::color(int index) { return output({OutputKind::Color, std::uint8_t(index)}); }
 Target Builder::depth() { return output({OutputKind::Depth, 0}); }
+
+Target Builder::address() {
+  const std::size_t index = m_program.addresses.size();
+  m_program.addresses.push_back({"a" + std::to_string(index)});
+  return target(File::Address, index).mask("x");
+}
+
+int Builder::array(const std::vector<Source> &rows) {
+  ParameterArray wanted{"array" + std::to_string(m_program.arrays.size()), {}};
+  for (const Source &row : rows) {
+    assert(row.file == File::Parameter && !row.relative);
+    wanted.rows.push_back(row.index);
+  }
+  m_program.arrays.push_back(std::move(wanted));
+  return int(m_program.arrays.size()) - 1;
+}
+
+Source Builder::element(int array, const Target &address, int offset) {
+  assert(address.file == File::Address);
+  Source result = source(File::Parameter, std::size_t(array));
+  result.relative = true;
+  result.address = std::uint8_t(address.index);
+  result.offset = std::int16_t(offset);
+  return result;
+}
 
 Source Builder::attribute(AttributeKind kind, int index) {
   const Attribute wanted{kind, std::uint8_t(index)};

@@ -1,6 +1,7 @@
 #pragma once
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "fp_compiler/ir/ir.h"
 
@@ -28,16 +29,26 @@ struct Target : Destination {
 
 class Builder {
 public:
+  explicit Builder(Language language = Language::ArbFragment) { m_program.language = language; }
   /// Declares a temporary, named "t<n>" if no name is given.
   Target temporary(std::string_view name = {});
   Target color(int index = 0);
   Target depth();
+  /// A vertex result, or one of the two above by its kind.
+  Target result(OutputKind kind, int index = 0);
+  /// Declares an address register, named "a<n>": the destination of ARL.
+  Target address();
   Source attribute(AttributeKind kind, int index = 0);
   Source constant(float x, float y, float z, float w);
   Source constant(float all) { return constant(all, all, all, all); }
   Source env(int index);
   Source local(int index);
   Source state(const StateRef &ref);
+  /// Declares an array of rows made by the functions above; returns its index.
+  int array(std::initializer_list<Source> rows) { return array(std::vector<Source>(rows)); }
+  int array(const std::vector<Source> &rows);
+  /// Row `address.x + offset` of an array.
+  [[nodiscard]] static Source element(int array, const Target &address, int offset = 0);
 
   Builder &op(Opcode opcode, const Target &dst, std::initializer_list<Source> sources);
   Builder &tex(Opcode opcode, const Target &dst, const Source &coordinate, int unit,

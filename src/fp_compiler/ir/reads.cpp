@@ -65,6 +65,25 @@ bool isShadow(TexTarget target) {
          target == TexTarget::ShadowRect;
 }
 
+std::uint8_t resultMask(OutputKind kind) {
+  switch (kind) {
+  case OutputKind::Depth:
+    return kZ;
+  case OutputKind::FogCoord:
+  case OutputKind::PointSize:
+    return kX;
+  case OutputKind::Color:
+  case OutputKind::Position:
+  case OutputKind::FrontPrimary:
+  case OutputKind::FrontSecondary:
+  case OutputKind::BackPrimary:
+  case OutputKind::BackSecondary:
+  case OutputKind::TexCoord:
+    break;
+  }
+  return kAll;
+}
+
 std::uint8_t writeMask(const Instruction &instruction) {
   return info(instruction.op).has(Kills) ? 0 : instruction.dst.mask;
 }

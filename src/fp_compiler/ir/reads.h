@@ -21,6 +21,9 @@ namespace arbiter::fp::ir {
 /// Register components that operandMask() reaches through the swizzle (Zero and One reach none).
 [[nodiscard]] std::uint8_t registerMask(const Instruction &instruction, int operand);
 
+/// Components of a result that count: z of a depth, x of a fog coordinate or point size, else all.
+[[nodiscard]] std::uint8_t resultMask(OutputKind kind);
+
 /// Components written: the destination's mask, none for KIL.
 [[nodiscard]] std::uint8_t writeMask(const Instruction &instruction);
 

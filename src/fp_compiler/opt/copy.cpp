@@ -25,8 +25,7 @@ struct Origin {
 class Copies {
 public:
   explicit Copies(ir::Program &program)
-      : m_program(program), m_versions(program.temporaries.size()),
-        m_origins(program.temporaries.size()) {
+      : m_program(program), m_versions(program), m_origins(program.temporaries.size()) {
     // Unwritten registers are zero.
     for (auto &components : m_origins)
       components.fill({true, File::Temporary, 0, Select::Zero, false, 0});
@@ -51,6 +50,8 @@ private:
     Origin direct{true, operand.file, operand.index, select, negate, 0};
     if (select > Select::W)
       return direct;
+    if (operand.relative)
+      return {}; // stays where it is: a later read would need the address as it is now
     if (operand.file == File::Parameter)
       return constantOrigin(direct);
     if (operand.file != File::Temporary)

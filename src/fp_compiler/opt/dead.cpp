@@ -12,16 +12,17 @@ bool removeDeadCode(ir::Program &program) {
   std::vector<std::uint8_t> temporaries(program.temporaries.size(), 0);
   std::vector<std::uint8_t> outputs(program.outputs.size(), 0xF);
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (program.outputs[i].kind == ir::OutputKind::Depth)
-      outputs[i] = 4; // only z counts
+    outputs[i] = ir::resultMask(program.outputs[i].kind);
+  std::vector<std::uint8_t> addresses(program.addresses.size(), 0);
   bool changed = false;
   std::vector<bool> dead(program.code.size(), false);
   for (std::size_t at = program.code.size(); at-- > 0;) {
     Instruction &instruction = program.code[at];
     if (!ir::info(instruction.op).has(ir::Kills)) {
-      std::uint8_t &live = instruction.dst.file == File::Output
-                               ? outputs[instruction.dst.index]
-                               : temporaries[instruction.dst.index];
+      auto &file = instruction.dst.file == File::Output    ? outputs
+                   : instruction.dst.file == File::Address ? addresses
+                                                           : temporaries;
+      std::uint8_t &live = file[instruction.dst.index];
       const auto needed = std::uint8_t(instruction.dst.mask & live);
       changed |= needed != instruction.dst.mask;
       if (needed == 0) {
@@ -31,9 +32,14 @@ bool removeDeadCode(ir::Program &program) {
       instruction.dst.mask = needed;
       live &= std::uint8_t(~needed);
     }
-    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
-      if (instruction.src[std::size_t(i)].file == File::Temporary)
-        temporaries[instruction.src[std::size_t(i)].index] |= ir::registerMask(instruction, i);
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
+      const ir::Operand &operand = instruction.src[std::size_t(i)];
+      const std::uint8_t reads = ir::registerMask(instruction, i);
+      if (operand.file == File::Temporary)
+        temporaries[operand.index] |= reads;
+      else if (operand.relative && reads != 0)
+        addresses[operand.address] = 1;
+    }
   }
   std::size_t kept = 0;
   for (std::size_t at = 0; at < program.code.size(); ++at)

@@ -65,7 +65,8 @@ bool foldConstants(ir::Program &program) {
   bool changed = false;
   for (Instruction &instruction : program.code) {
     const ir::OpInfo &row = ir::info(instruction.op);
-    if (row.has(ir::Texture) || row.has(ir::Kills) || isFolded(instruction) || !rows.hasRoom())
+    if (row.has(ir::Texture) || row.has(ir::Kills) || isFolded(instruction) ||
+        instruction.dst.file == ir::File::Address || !rows.hasRoom())
       continue;
     const auto operands = constantOperands(program, instruction);
     if (!operands)

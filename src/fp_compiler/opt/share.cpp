@@ -13,8 +13,8 @@ using ir::Opcode;
 using ir::Select;
 
 namespace {
-/// What an operand component reads, with the version of a temporary.
-using Read = std::array<std::uint32_t, 2>;
+/// What an operand component reads: register, array row, version of the temporary or address.
+using Read = std::array<std::uint32_t, 3>;
 
 /// Everything a result depends on. Two instructions with equal keys compute the same.
 struct Key {
@@ -42,8 +42,7 @@ struct Holder {
 
 class Sharing {
 public:
-  explicit Sharing(ir::Program &program)
-      : m_program(program), m_versions(program.temporaries.size()) {}
+  explicit Sharing(ir::Program &program) : m_program(program), m_versions(program) {}
 
   bool run() {
     bool changed = false;
@@ -82,12 +81,14 @@ private:
     const Select select = source.swizzle[std::size_t(position)];
     const std::uint32_t sign = source.negate >> position & 1u;
     if (select > Select::W)
-      return {1u | sign << 1 | std::uint32_t(select) << 2, 0};
-    const std::uint32_t version =
-        source.file == File::Temporary ? m_versions.at(source.index, int(select)) : 0;
-    return {1u | sign << 1 | std::uint32_t(select) << 2 | std::uint32_t(source.file) << 5 |
-                std::uint32_t(source.index) << 7,
-            version};
+      return {1u | sign << 1 | std::uint32_t(select) << 2, 0, 0};
+    const std::uint32_t head = 1u | sign << 1 | std::uint32_t(select) << 2 |
+                               std::uint32_t(source.file) << 5 | std::uint32_t(source.index) << 8;
+    if (source.relative)
+      return {head | 1u << 31,
+              std::uint32_t(source.address) << 16 | std::uint32_t(std::uint16_t(source.offset)),
+              m_versions.ofAddress(source.address)};
+    return {head, 0, source.file == File::Temporary ? m_versions.at(source.index, int(select)) : 0};
   }
 
   bool holds(const Holder &holder) const {

@@ -81,6 +81,7 @@ private:
     Operand one = operand(1);
     one.swizzle.fill(ir::Select::One);
     one.negate = 0;
+    one.relative = false;
     m_instruction.src = {one, {}, {}};
     m_instruction.op = Opcode::Mov;
     return true;

@@ -23,7 +23,7 @@ std::optional<float> constantAt(const ir::Program &program, const Operand &opera
   if (select == Select::One) {
     value = 1.0f;
   } else if (select != Select::Zero) {
-    if (operand.file != ir::File::Parameter)
+    if (operand.file != ir::File::Parameter || operand.relative)
       return {};
     const ir::Parameter &parameter = program.parameters[operand.index];
     if (parameter.kind != ir::ParameterKind::Constant)
@@ -49,13 +49,19 @@ std::optional<float> uniformConstant(const ir::Program &program, const Operand &
   return result;
 }
 
+bool sameRegister(const Operand &a, const Operand &b) {
+  if (a.file != b.file || a.index != b.index || a.relative != b.relative)
+    return false;
+  return !a.relative || (a.address == b.address && a.offset == b.offset);
+}
+
 bool sameReads(const Operand &a, const Operand &b, std::uint8_t mask) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (!(mask >> i & 1))
       continue;
     if (a.swizzle[i] != b.swizzle[i] || (a.negate >> i & 1) != (b.negate >> i & 1))
       return false;
-    if (a.swizzle[i] <= Select::W && (a.file != b.file || a.index != b.index))
+    if (a.swizzle[i] <= Select::W && !sameRegister(a, b))
       return false;
   }
   return true;
@@ -74,6 +80,8 @@ void fillUnused(Operand &operand, std::uint8_t mask) {
 
 void Versions::write(const ir::Instruction &instruction) {
   const std::uint8_t mask = ir::writeMask(instruction);
+  if (mask != 0 && instruction.dst.file == ir::File::Address)
+    ++m_addresses[instruction.dst.index];
   if (mask == 0 || instruction.dst.file != ir::File::Temporary)
     return;
   for (std::size_t i = 0; i < 4; ++i)

@@ -91,6 +91,8 @@ std::string Writer::lit() const {
 }
 
 std::string Writer::cross() const {
+  if (components.front() == 3)
+    return "0.0"; // reads nothing, so its registers may have no name
   const std::string product = "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")";
   if (components.back() == 3)
     return "vec4(" + product + ", 0.0)" + suffix(components);
@@ -162,14 +164,12 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Xpd:
     return w.cross();
   case Opcode::Arl:
-    return w.scalarCall("floor");
+    return "arb_address(" + w.at(0, 0) + ")";
   case Opcode::Exp:
     return w.pick({"exp2(floor(" + w.at(0, 0) + "))", "fract(" + w.at(0, 0) + ")",
                    "exp2(" + w.at(0, 0) + ")", "1.0"});
   case Opcode::Log:
-    return w.pick({"floor(log2(abs(" + w.at(0, 0) + ")))",
-                   "abs(" + w.at(0, 0) + ") * exp2(-floor(log2(abs(" + w.at(0, 0) + "))))",
-                   "log2(abs(" + w.at(0, 0) + "))", "1.0"});
+    return "arb_log(" + w.at(0, 0) + ")" + suffix(components);
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:

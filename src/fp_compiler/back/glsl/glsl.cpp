@@ -1,6 +1,8 @@
 #include "fp_compiler/back/glsl/glsl.h"
 
+#include "fp_compiler/back/glsl/arrays.h"
 #include "fp_compiler/back/glsl/expression.h"
+#include "fp_compiler/back/glsl/helpers.h"
 #include "fp_compiler/back/glsl/ranges.h"
 #include "fp_compiler/back/glsl/registers.h"
 #include "fp_compiler/ir/reads.h"
@@ -11,28 +13,6 @@ using ir::Instruction;
 using ir::Opcode;
 
 namespace {
-const char *samplerType(ir::TexTarget target) {
-  switch (target) {
-  case ir::TexTarget::Tex1D:
-    return "sampler1D";
-  case ir::TexTarget::Tex2D:
-    return "sampler2D";
-  case ir::TexTarget::Tex3D:
-    return "sampler3D";
-  case ir::TexTarget::Cube:
-    return "samplerCube";
-  case ir::TexTarget::Rect:
-    return "sampler2DRect";
-  case ir::TexTarget::Shadow1D:
-    return "sampler1DShadow";
-  case ir::TexTarget::Shadow2D:
-    return "sampler2DShadow";
-  case ir::TexTarget::ShadowRect:
-    return "sampler2DRectShadow";
-  }
-  return "";
-}
-
 std::string preamble(const ir::Options &options, const Registers &registers, const GlslHost &host) {
   std::string text = "#version 120\n";
   if (registers.readsRectangle() && host.textureRectangle)
@@ -48,15 +28,6 @@ std::string preamble(const ir::Options &options, const Registers &registers, con
   if (options.pixelCenterInteger)
     text += "pixel_center_integer";
   return text + ") varying vec4 gl_FragCoord;\n";
-}
-
-std::string declarations(const Registers &registers) {
-  std::string text;
-  if (!registers.uniforms().empty())
-    text += "uniform vec4 arb_param[" + std::to_string(registers.uniforms().size()) + "];\n";
-  for (const GlslSampler &sampler : registers.samplers())
-    text += std::string("uniform ") + samplerType(sampler.target) + " " + sampler.uniform + ";\n";
-  return text;
 }
 
 /// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour. FOG's
@@ -79,19 +50,49 @@ std::string fogFactor(ir::FogMode mode) {
   return "";
 }
 
+/// Calls \p stage with the name of each colour that the program writes.
+template <typename Stage>
+std::string forEachColor(const ir::Program &program, const Registers &registers, Stage stage) {
+  std::string text;
+  for (std::size_t i = 0; i < program.outputs.size(); ++i)
+    if (program.outputs[i].kind == ir::OutputKind::Color)
+      text += stage(registers.output(std::uint16_t(i)).name);
+  return text;
+}
+
+/// Section 3.9, for programs whose language leaves it to fixed function.
+std::string colorSum(const ir::Program &program, const Registers &registers) {
+  if (!program.options.colorSum)
+    return "";
+  return forEachColor(program, registers, [](const std::string &color) {
+    return "  " + color + ".rgb = clamp(" + color + ".rgb, 0.0, 1.0) + gl_SecondaryColor.rgb;\n";
+  });
+}
+
 std::string fog(const ir::Program &program, const Registers &registers) {
   if (program.options.fog == ir::FogMode::None)
     return "";
-  std::string text = "  float arb_fog = clamp(" + fogFactor(program.options.fog) + ", 0.0, 1.0);\n";
-  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    if (program.outputs[i].kind != ir::OutputKind::Color)
-      continue;
-    const std::string &color = registers.output(std::uint16_t(i));
-    text.append("  ").append(color).append(" = clamp(").append(color).append(", 0.0, 1.0);\n");
-    text.append("  ").append(color).append(".rgb = mix(gl_Fog.color.rgb, ").append(color);
-    text.append(".rgb, arb_fog);\n");
-  }
-  return text;
+  return "  float arb_fog = clamp(" + fogFactor(program.options.fog) + ", 0.0, 1.0);\n" +
+         forEachColor(program, registers, [](const std::string &color) {
+           return "  " + color + " = clamp(" + color + ", 0.0, 1.0);\n  " + color +
+                  ".rgb = mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog);\n";
+         });
+}
+
+/// ARB_position_invariant: the position as fixed function computes it, to the bit.
+std::string invariantPosition(const ir::Program &program) {
+  return program.options.positionInvariant ? "  gl_Position = ftransform();\n" : "";
+}
+
+/// User clip planes (2.11). A position-invariant program is clipped in eye space as fixed function
+/// is. For others the specification has no clipping, but hosts clip them in clip space, by planes
+/// taken through the projection, and programs have come to rely on it.
+std::string clipVertex(const ir::Program &program, const GlslHost &host) {
+  if (program.language != ir::Language::ArbVertex || !host.clipVertex)
+    return "";
+  return program.options.positionInvariant
+             ? "  gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;\n"
+             : "  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;\n";
 }
 
 class Body {
@@ -112,25 +113,27 @@ private:
   std::string statement(const Instruction &instruction) const {
     if (instruction.op == Opcode::Kil)
       return "  if (" + killCondition(m_registers, instruction.src[0]) + ") discard;\n";
-    std::string name;
+    if (instruction.dst.file == ir::File::Address)
+      return "  a" + std::to_string(instruction.dst.index) + " = " +
+             expression(m_registers, instruction, {0}, {}) + ";\n";
+    OutputText target;
     std::uint8_t mask = instruction.dst.mask;
     if (instruction.dst.file == ir::File::Temporary) {
-      name = m_registers.temporary(instruction.dst.index);
-    } else if (m_program.outputs[instruction.dst.index].kind == ir::OutputKind::Depth) {
-      name = "gl_FragDepth";
-      mask &= 4;
+      target.name = m_registers.temporary(instruction.dst.index);
     } else {
-      name = m_registers.output(instruction.dst.index);
+      target = m_registers.output(instruction.dst.index);
+      mask &= ir::resultMask(m_program.outputs[instruction.dst.index].kind);
     }
-    if (mask == 0)
-      return "";
     const Components components = positions(mask);
+    if (components.empty())
+      return "";
     std::string value =
-        expression(m_registers, instruction, components, m_ranges.proofs(instruction));
+        instruction.src[0].relative
+            ? Arrays::element(instruction.src[0]) + suffix(components)
+            : expression(m_registers, instruction, components, m_ranges.proofs(instruction));
     if (instruction.dst.saturate)
       value = "clamp(" + value + ", 0.0, 1.0)";
-    const std::string where = name == "gl_FragDepth" ? "" : suffix(components);
-    return "  " + name + where + " = " + value + ";\n";
+    return "  " + target.name + (target.scalar ? "" : suffix(components)) + " = " + value + ";\n";
   }
 
   const ir::Program &m_program;
@@ -139,14 +142,19 @@ private:
 };
 } // namespace
 
-GlslShader emit(const ir::Program &program, const GlslHost &host) {
+GlslShader emit(const ir::Program &given, const GlslHost &host) {
+  ir::Program program = given;
+  hoistRelative(program);
   const Registers registers(program);
   GlslShader shader;
-  shader.text = preamble(program.options, registers, host) + declarations(registers) +
-                "void main() {\n" + registers.locals() + Body(program, registers).text() +
-                fog(program, registers) + "}\n";
+  shader.text = preamble(program.options, registers, host) + registers.declarations() +
+                helpers(program) + "void main() {\n" + registers.locals() +
+                invariantPosition(program) + Body(program, registers).text() +
+                colorSum(program, registers) + fog(program, registers) + clipVertex(program, host) +
+                "}\n";
   shader.uniforms = registers.uniforms();
   shader.samplers = registers.samplers();
+  shader.attributes = registers.attributes();
   for (const Instruction &instruction : program.code)
     shader.kills |= instruction.op == Opcode::Kil;
   for (const ir::Output &output : program.outputs)

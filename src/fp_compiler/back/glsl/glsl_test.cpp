@@ -2,14 +2,12 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <unistd.h>
 
 #include "fp_compiler/back/glsl/number.h"
 #include "fp_compiler/back/glsl/state.h"
+#include "fp_compiler/back/glsl/validator.h"
 #include "fp_compiler/ir/builder.h"
 
 namespace arbiter::fp::glsl {
@@ -21,31 +19,6 @@ using ir::Opcode;
 using ir::TexTarget;
 
 std::string textOf(const Builder &builder) { return emit(builder.program(), {}).text; }
-
-/// The body's statements, without the declarations' noise.
-bool contains(const std::string &text, const std::string &part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// True if the reference compiler accepts the shader; its complaints otherwise.
-testing::AssertionResult validates(const std::string &text) {
-  static const bool present = std::system("glslangValidator -v >/dev/null 2>&1") == 0;
-  if (!present)
-    return testing::AssertionSuccess() << "glslangValidator is not installed";
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("arbiter-glsl-test-" + std::to_string(getpid()) + ".frag");
-  std::ofstream(path) << text;
-  const std::string command =
-      "glslangValidator '" + path.string() + "' > '" + path.string() + ".log' 2>&1";
-  const bool ok = std::system(command.c_str()) == 0;
-  std::ifstream log(path.string() + ".log");
-  const std::string complaints((std::istreambuf_iterator<char>(log)), {});
-  std::filesystem::remove(path);
-  std::filesystem::remove(path.string() + ".log");
-  if (ok)
-    return testing::AssertionSuccess();
-  return testing::AssertionFailure() << complaints << "\n" << text;
-}
 
 TEST(Number, RoundTripsEveryBit) {
   for (const float value :
@@ -221,6 +194,19 @@ TEST(EmitGlsl, FogBlendsTheClampedColor) {
         << text;
     EXPECT_TRUE(validates(text));
   }
+}
+
+TEST(EmitGlsl, ColorSumIsBetweenTheClampAndTheFog) {
+  Builder b(ir::Language::AtiFragment);
+  b.options().colorSum = true;
+  b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::ColorPrimary)});
+  const std::string sum =
+      "gl_FragColor.rgb = clamp(gl_FragColor.rgb, 0.0, 1.0) + gl_SecondaryColor.rgb;\n";
+  EXPECT_TRUE(contains(textOf(b), sum)) << textOf(b);
+  b.options().fog = ir::FogMode::Linear;
+  const std::string text = textOf(b);
+  EXPECT_LT(text.find(sum), text.find("arb_fog")) << text;
+  EXPECT_TRUE(validates(text));
 }
 
 TEST(EmitGlsl, LinearFogHasNoDivision) {

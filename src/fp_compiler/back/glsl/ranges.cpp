@@ -31,6 +31,8 @@ Range Ranges::operand(const Operand &source, int position) const {
     return Range::Unit;
   if (select == Select::One)
     return negated ? Range::Any : Range::Unit;
+  if (source.relative)
+    return Range::Any;
   if (source.file == ir::File::Parameter) {
     const ir::Parameter &parameter = m_program.parameters[source.index];
     if (parameter.kind != ir::ParameterKind::Constant)

@@ -12,16 +12,34 @@ namespace arbiter::fp::glsl {
 using ir::File;
 
 namespace {
-RegisterText variable(const std::string &name) {
-  return {name, {name + ".x", name + ".y", name + ".z", name + ".w"}};
-}
-
 bool named(const RegisterText &text) { return !text.components[0].empty(); }
 
 bool sameRow(const ir::Parameter &a, const ir::Parameter &b) {
   if (a.kind != b.kind)
     return false;
   return a.kind == ir::ParameterKind::State ? a.state == b.state : a.index == b.index;
+}
+
+const char *samplerType(ir::TexTarget target) {
+  switch (target) {
+  case ir::TexTarget::Tex1D:
+    return "sampler1D";
+  case ir::TexTarget::Tex2D:
+    return "sampler2D";
+  case ir::TexTarget::Tex3D:
+    return "sampler3D";
+  case ir::TexTarget::Cube:
+    return "samplerCube";
+  case ir::TexTarget::Rect:
+    return "sampler2DRect";
+  case ir::TexTarget::Shadow1D:
+    return "sampler1DShadow";
+  case ir::TexTarget::Shadow2D:
+    return "sampler2DShadow";
+  case ir::TexTarget::ShadowRect:
+    return "sampler2DRectShadow";
+  }
+  return "";
 }
 
 /// Components of each register that some instruction reads before any instruction wrote them:
@@ -44,8 +62,10 @@ std::vector<bool> readsUnwritten(const ir::Program &program) {
 } // namespace
 
 Registers::Registers(const ir::Program &program)
-    : m_temporaries(program.temporaries.size()), m_attributes(program.attributes.size()),
-      m_parameters(program.parameters.size()), m_outputs(program.outputs.size()) {
+    : m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
+      m_arrays(program, m_uniformArray, m_uniforms), m_temporaries(program.temporaries.size()),
+      m_attributes(program.attributes.size()), m_parameters(program.parameters.size()),
+      m_locals(m_arrays.locals()) {
   for (const ir::Instruction &instruction : program.code) {
     for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
       if (ir::registerMask(instruction, i) != 0)
@@ -54,7 +74,19 @@ Registers::Registers(const ir::Program &program)
       nameSampler(instruction);
   }
   nameTemporaries(program);
+  nameAddresses(program);
   nameOutputs(program);
+}
+
+std::string Registers::declarations() const {
+  std::string text;
+  if (!m_uniforms.empty())
+    text += "uniform vec4 " + m_uniformArray + "[" + std::to_string(m_uniforms.size()) + "];\n";
+  for (const GlslAttribute &attribute : m_generics)
+    text += "attribute vec4 " + attribute.name + ";\n";
+  for (const GlslSampler &sampler : m_samplers)
+    text += std::string("uniform ") + samplerType(sampler.target) + " " + sampler.uniform + ";\n";
+  return text + m_arrays.functions();
 }
 
 const RegisterText &Registers::source(File file, std::uint16_t index) const {
@@ -76,38 +108,21 @@ const std::string &Registers::temporary(std::uint16_t index) const {
   return m_temporaries[index].variable;
 }
 
-const std::string &Registers::output(std::uint16_t index) const { return m_outputs[index]; }
-
 void Registers::nameUsed(const ir::Program &program, const ir::Operand &operand) {
+  if (operand.relative)
+    return;
   if (operand.file == File::Attribute && !named(m_attributes[operand.index]))
-    nameAttribute(operand.index, program.attributes[operand.index]);
+    nameAttribute(program, operand.index);
   else if (operand.file == File::Parameter && !named(m_parameters[operand.index]))
     nameParameter(operand.index, program.parameters[operand.index]);
 }
 
-void Registers::nameAttribute(std::size_t index, const ir::Attribute &attribute) {
-  RegisterText &name = m_attributes[index];
-  switch (attribute.kind) {
-  case ir::AttributeKind::ColorPrimary:
-    name = variable("gl_Color");
-    break;
-  case ir::AttributeKind::ColorSecondary:
-    name = variable("gl_SecondaryColor");
-    break;
-  case ir::AttributeKind::TexCoord:
-    name = variable("gl_TexCoord[" + std::to_string(attribute.index) + "]");
-    break;
-  case ir::AttributeKind::FogCoord:
-    name = {"", {"gl_FogFragCoord", "0.0", "0.0", "1.0"}};
-    break;
-  case ir::AttributeKind::Position:
-    name = variable("gl_FragCoord");
-    m_readsPosition = true;
-    break;
-  case ir::AttributeKind::Normal:
-  case ir::AttributeKind::Generic:
-    break; // vertex programs
-  }
+void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
+  const ir::Attribute &attribute = program.attributes[index];
+  m_attributes[index] = attributeText(program.language, attribute);
+  m_readsPosition |= attribute.kind == ir::AttributeKind::Position;
+  if (attribute.kind == ir::AttributeKind::Generic && attribute.index != 0)
+    m_generics.push_back({genericName(attribute.index), attribute.index});
 }
 
 void Registers::nameParameter(std::size_t index, const ir::Parameter &parameter) {
@@ -139,7 +154,7 @@ void Registers::nameUniform(RegisterText &name, const ir::Parameter &parameter) 
   const auto element = found - m_uniforms.begin();
   if (found == m_uniforms.end())
     m_uniforms.push_back({parameter});
-  name = variable("arb_param[" + std::to_string(element) + "]");
+  name = variable(m_uniformArray + "[" + std::to_string(element) + "]");
 }
 
 void Registers::nameTemporaries(const ir::Program &program) {
@@ -162,30 +177,53 @@ void Registers::nameTemporaries(const ir::Program &program) {
   }
 }
 
+void Registers::nameAddresses(const ir::Program &program) {
+  std::vector<bool> used(program.addresses.size(), false);
+  for (const ir::Instruction &instruction : program.code) {
+    if (instruction.dst.file == File::Address)
+      used[instruction.dst.index] = true;
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
+      if (instruction.src[std::size_t(i)].relative)
+        used[instruction.src[std::size_t(i)].address] = true;
+  }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i])
+      m_locals += "  int a" + std::to_string(i) + " = 0;\n";
+}
+
+/// Results of which something is written, but not everything, start at zero. One that is bound and
+/// never written is left out, as one that is not bound.
 void Registers::nameOutputs(const ir::Program &program) {
   std::vector<std::uint8_t> written(program.outputs.size(), 0);
   for (const ir::Instruction &instruction : program.code)
     if (ir::writeMask(instruction) && instruction.dst.file == File::Output)
       written[instruction.dst.index] |= ir::writeMask(instruction);
-  bool color = false;
+  bool main = false; // the result without which no host links: position, or a colour
+  const bool vertex = program.language == ir::Language::ArbVertex;
   for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    if (program.outputs[i].kind == ir::OutputKind::Depth) {
-      // Only z counts (table X.3); without it the fragment keeps its own depth.
-      if ((written[i] & 4) == 0)
+    const ir::Output &output = program.outputs[i];
+    m_outputs.push_back(outputText(program, output));
+    const OutputText &text = m_outputs.back();
+    const std::uint8_t wanted = ir::resultMask(output.kind);
+    const bool missing = (wanted & ~written[i]) != 0;
+    if (output.kind == ir::OutputKind::Depth) {
+      if (missing) // the fragment keeps its own
         m_locals += "  gl_FragDepth = gl_FragCoord.z;\n";
       continue;
     }
-    color = true;
-    m_outputs[i] = program.options.drawBuffers
-                       ? "gl_FragData[" + std::to_string(program.outputs[i].index) + "]"
-                       : "gl_FragColor";
-    if (written[i] != 0xF)
-      m_locals += "  " + m_outputs[i] + " = vec4(0.0);\n";
+    if (vertex && (wanted & written[i]) == 0)
+      continue;
+    main |= !vertex || output.kind == ir::OutputKind::Position;
+    if (missing)
+      m_locals += "  " + text.name + (text.scalar ? " = 0.0;\n" : " = vec4(0.0);\n");
   }
-  // A program without a colour leaves it undefined (3.11.3.4): zero, as everything undefined.
-  if (!color)
-    m_locals += program.options.drawBuffers ? "  gl_FragData[0] = vec4(0.0);\n"
-                                            : "  gl_FragColor = vec4(0.0);\n";
+  // Left undefined by the specification: zero, as everything undefined.
+  if (main || (vertex && program.options.positionInvariant))
+    return;
+  const char *name = vertex                        ? "gl_Position"
+                     : program.options.drawBuffers ? "gl_FragData[0]"
+                                                   : "gl_FragColor";
+  m_locals += std::string("  ") + name + " = vec4(0.0);\n";
 }
 
 void Registers::nameSampler(const ir::Instruction &instruction) {

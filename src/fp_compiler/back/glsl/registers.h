@@ -3,48 +3,52 @@
 #include <string>
 #include <vector>
 
+#include "fp_compiler/back/glsl/arrays.h"
+#include "fp_compiler/back/glsl/bindings.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::fp::glsl {
 
-/// How a source register is spelled: as a variable that can be swizzled, or as four components.
-struct RegisterText {
-  std::string variable; ///< empty: only the components can be named
-  std::array<std::string, 4> components;
-};
-
 /// The GLSL names of everything a program uses, and the declarations they need. Registers that no
-/// instruction reads are given no name and no declaration.
+/// instruction reads are given no name and no declaration. Requires hoistRelative().
 class Registers {
 public:
   explicit Registers(const ir::Program &program);
 
+  /// Requires: the operand is not relative.
   [[nodiscard]] const RegisterText &source(ir::File file, std::uint16_t index) const;
-  /// "t3", "gl_FragColor", "gl_FragData[1]", "arb_color[0]"; empty for result.depth.
+  /// "t3"
   [[nodiscard]] const std::string &temporary(std::uint16_t index) const;
-  [[nodiscard]] const std::string &output(std::uint16_t index) const;
+  [[nodiscard]] const OutputText &output(std::uint16_t index) const { return m_outputs[index]; }
 
+  /// Uniforms, attributes, samplers and the arrays' functions.
+  [[nodiscard]] std::string declarations() const;
   /// Local declarations, one a line, for the top of main().
   [[nodiscard]] const std::string &locals() const { return m_locals; }
   [[nodiscard]] const std::vector<GlslUniform> &uniforms() const { return m_uniforms; }
   [[nodiscard]] const std::vector<GlslSampler> &samplers() const { return m_samplers; }
+  [[nodiscard]] const std::vector<GlslAttribute> &attributes() const { return m_generics; }
   [[nodiscard]] bool readsPosition() const { return m_readsPosition; }
   [[nodiscard]] bool readsRectangle() const { return m_readsRectangle; }
 
 private:
   void nameUsed(const ir::Program &program, const ir::Operand &operand);
-  void nameAttribute(std::size_t index, const ir::Attribute &attribute);
+  void nameAttribute(const ir::Program &program, std::size_t index);
   void nameParameter(std::size_t index, const ir::Parameter &parameter);
   void nameUniform(RegisterText &name, const ir::Parameter &parameter);
   void nameTemporaries(const ir::Program &program);
+  void nameAddresses(const ir::Program &program);
   void nameOutputs(const ir::Program &program);
   void nameSampler(const ir::Instruction &instruction);
 
-  std::vector<RegisterText> m_temporaries, m_attributes, m_parameters;
-  std::vector<std::string> m_outputs;
+  std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;
+  Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share theirs
+  std::vector<RegisterText> m_temporaries, m_attributes, m_parameters;
+  std::vector<OutputText> m_outputs;
   std::vector<GlslSampler> m_samplers;
+  std::vector<GlslAttribute> m_generics;
   std::string m_locals;
   bool m_readsPosition = false;
   bool m_readsRectangle = false;
