@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fp_compiler/diagnostic.h"
+#include "fp_compiler/fixed_function.h"
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/limits.h"
 

@@ -1,0 +1,76 @@
+#include "fp_compiler/fixed_function.h"
+
+#include <gtest/gtest.h>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/ir/evaluate.h"
+#include "fp_compiler/ir/validate.h"
+
+namespace arbiter::fp {
+namespace {
+
+using ir::AttributeKind;
+using ir::Builder;
+using ir::Opcode;
+using ir::TexTarget;
+
+/// Twice the sample of unit 1, plus unit 0's.
+ir::Program sampling() {
+  Builder b(ir::Language::AtiFragment);
+  const auto first = b.temporary(), second = b.temporary();
+  const auto coordinate = b.attribute(AttributeKind::TexCoord, 0);
+  b.tex(Opcode::Tex, first, coordinate, 0, TexTarget::Tex2D);
+  b.tex(Opcode::Tex, second, coordinate, 1, TexTarget::Tex2D);
+  b.op(Opcode::Mad, b.color(), {second.read(), b.constant(2), first.read()});
+  return b.take();
+}
+
+TEST(FixedFunction, SamplesTakeTheirUnitsTargets) {
+  FixedFunction state;
+  state.targets = {TexTarget::Cube, TexTarget::Shadow2D};
+  const ir::Program program = withFixedFunction(sampling(), state);
+  EXPECT_EQ(program.code[0].target, TexTarget::Cube);
+  EXPECT_EQ(program.code[1].target, TexTarget::Shadow2D);
+  for (const std::string &problem : ir::validate(program))
+    ADD_FAILURE() << problem;
+  const GlslShader shader = emitGlsl(program);
+  ASSERT_EQ(shader.samplers.size(), 2u);
+  EXPECT_NE(shader.text.find("textureCube(arb_tex0, gl_TexCoord[0].xyz)"), std::string::npos)
+      << shader.text;
+  EXPECT_NE(shader.text.find("shadow2D(arb_tex1"), std::string::npos) << shader.text;
+}
+
+TEST(FixedFunction, StateOfOneDrawDoesNotStay) {
+  FixedFunction first;
+  first.fog = ir::FogMode::Exp;
+  first.colorSum = true;
+  const ir::Program once = withFixedFunction(sampling(), first);
+  EXPECT_EQ(once.options.fog, ir::FogMode::Exp);
+  EXPECT_TRUE(once.options.colorSum);
+  const ir::Program again = withFixedFunction(once, {});
+  EXPECT_EQ(again.options.fog, ir::FogMode::None);
+  EXPECT_FALSE(again.options.colorSum);
+}
+
+/// A colour of (2, 0.25, -1, 0.5), a secondary of (0.5, 0.5, 0.5), black fog at a factor of 0.5.
+TEST(FixedFunction, ClampsBeforeTheSumAndBeforeTheFog) {
+  Builder b(ir::Language::AtiFragment);
+  b.op(Opcode::Mov, b.color(), {b.constant(2, 0.25f, -1, 0.5f)});
+  FixedFunction state;
+  state.colorSum = true;
+  ir::Inputs inputs;
+  inputs.secondary = {0.5f, 0.5f, 0.5f, 0.5f};
+  EXPECT_EQ(ir::evaluate(withFixedFunction(b.program(), state), inputs).outputs[0],
+            (ir::Vec4{1.5f, 0.75f, 0.5f, 0.5f}));
+  state.fog = ir::FogMode::Linear;
+  inputs.fogCoordinate = 0.5f;
+  inputs.parameter = [](const ir::Parameter &row) {
+    return row.state.item == ir::StateItem::FogParams ? ir::Vec4{1, 0, 1, 1} : ir::Vec4{};
+  };
+  EXPECT_EQ(ir::evaluate(withFixedFunction(b.program(), state), inputs).outputs[0],
+            (ir::Vec4{0.5f, 0.375f, 0.25f, 0.5f}));
+}
+
+} // namespace
+} // namespace arbiter::fp
