@@ -151,6 +151,21 @@ void fogParams(const host::HostTable &host, GLfloat value[4]) {
   value[3] = span != 0.0f ? 1.0f / span : 0.0f;
 }
 
+/// The coefficients of a plane of texture coordinate generation (2.10.4); eye planes as GL keeps
+/// them, transformed when they were given.
+void texGen(const host::HostTable &host, const StateRef &state, GLfloat value[4]) {
+  const UnitScope unit(host, state.index);
+  const GLenum pname = state.item == StateItem::TexGenEye ? GL_EYE_PLANE : GL_OBJECT_PLANE;
+  host.GetTexGenfv(GL_S + (state.row & 3u), pname, value);
+}
+
+void clipPlane(const host::HostTable &host, unsigned plane, GLfloat value[4]) {
+  GLdouble equation[4] = {};
+  host.GetClipPlane(GL_CLIP_PLANE0 + plane, equation);
+  for (int i = 0; i < 4; ++i)
+    value[i] = GLfloat(equation[i]);
+}
+
 } // namespace
 
 void fetchState(Context &context, const StateRef &state, GLfloat value[4]) {
@@ -211,6 +226,20 @@ void fetchState(Context &context, const StateRef &state, GLfloat value[4]) {
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
     return matrixRow(host, state, value);
+  case StateItem::TexGenEye:
+  case StateItem::TexGenObject:
+    return texGen(host, state, value);
+  case StateItem::ClipPlane:
+    return clipPlane(host, state.index, value);
+  case StateItem::PointSize:
+    host.GetFloatv(GL_POINT_SIZE, &value[0]);
+    host.GetFloatv(GL_POINT_SIZE_MIN, &value[1]);
+    host.GetFloatv(GL_POINT_SIZE_MAX, &value[2]);
+    return host.GetFloatv(GL_POINT_FADE_THRESHOLD_SIZE, &value[3]);
+  case StateItem::PointAttenuation:
+    host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, value);
+    value[3] = 1.0f;
+    return;
   }
 }
 

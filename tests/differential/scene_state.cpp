@@ -160,6 +160,12 @@ Vec4 stateValue(const StateRef &ref) {
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
     return matrixRow(ref);
+  case StateItem::TexGenEye:
+  case StateItem::TexGenObject:
+  case StateItem::ClipPlane:
+  case StateItem::PointSize:
+  case StateItem::PointAttenuation:
+    break; // vertex programs
   }
   return {};
 }

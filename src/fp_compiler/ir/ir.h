@@ -161,7 +161,8 @@ struct Output {
   bool operator==(const Output &) const = default;
 };
 
-/// One row of GL state (3.11.3.2, tables X.3.1 to X.3.7).
+/// One row of GL state (ARB_fragment_program 3.11.3.2, tables X.2.2 to X.2.7; ARB_vertex_program
+/// 2.14.3.2, tables X.3.2 to X.3.8).
 enum class StateItem : std::uint8_t {
   MaterialAmbient,
   MaterialDiffuse,
@@ -190,15 +191,21 @@ enum class StateItem : std::uint8_t {
   MatrixTexture,
   MatrixPalette,
   MatrixProgram,
+  // Vertex programs only.
+  TexGenEye,        ///< plane of coordinate `row` (s, t, r, q) of unit `index`
+  TexGenObject,     ///< likewise
+  ClipPlane,        ///< plane `index`, in eye coordinates
+  PointSize,        ///< (size, smallest, largest, fade threshold)
+  PointAttenuation, ///< (constant, linear, quadratic, 1)
 };
 enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans };
 
 struct StateRef {
   StateItem item = StateItem::MaterialAmbient;
   bool back = false;      ///< material, scene colour and light product of the back face
-  std::uint8_t index = 0; ///< light, texture unit, or matrix number
+  std::uint8_t index = 0; ///< light, texture unit, clip plane, or matrix number
   MatrixModifier modifier = MatrixModifier::Plain;
-  std::uint8_t row = 0; ///< matrices: 0..3
+  std::uint8_t row = 0; ///< matrices: 0..3; TexGen: the coordinate
   bool operator==(const StateRef &) const = default;
 };
 

@@ -117,6 +117,7 @@ std::string stateBinding(const StateRef &ref) {
   const std::string face = ref.back ? ".back" : "";
   const std::string light = "state.light" + bracket(ref.index);
   const std::string product = "state.lightprod" + bracket(ref.index) + face;
+  const std::string texGen = "state.texgen" + bracket(ref.index) + ".";
   switch (ref.item) {
   case StateItem::MaterialAmbient:
     return "state.material" + face + ".ambient";
@@ -167,6 +168,16 @@ std::string stateBinding(const StateRef &ref) {
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
     return matrixText(ref);
+  case StateItem::TexGenEye:
+    return texGen + "eye." + "strq"[ref.row & 3];
+  case StateItem::TexGenObject:
+    return texGen + "object." + "strq"[ref.row & 3];
+  case StateItem::ClipPlane:
+    return "state.clip" + bracket(ref.index) + ".plane";
+  case StateItem::PointSize:
+    return "state.point.size";
+  case StateItem::PointAttenuation:
+    return "state.point.attenuation";
   }
   return "";
 }

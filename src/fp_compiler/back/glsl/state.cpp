@@ -97,6 +97,19 @@ std::optional<StateText> stateText(const StateRef &ref) {
     return matrixRow("gl_ModelViewProjectionMatrix", ref, "");
   case StateItem::MatrixTexture:
     return matrixRow("gl_TextureMatrix", ref, bracket);
+  case StateItem::TexGenEye:
+    return variable(std::string("gl_EyePlane") + "STRQ"[ref.row & 3] + bracket);
+  case StateItem::TexGenObject:
+    return variable(std::string("gl_ObjectPlane") + "STRQ"[ref.row & 3] + bracket);
+  case StateItem::ClipPlane:
+    return variable("gl_ClipPlane" + bracket);
+  case StateItem::PointSize:
+    return expression("vec4(gl_Point.size, gl_Point.sizeMin, gl_Point.sizeMax, "
+                      "gl_Point.fadeThresholdSize)");
+  case StateItem::PointAttenuation:
+    return expression("vec4(gl_Point.distanceConstantAttenuation, "
+                      "gl_Point.distanceLinearAttenuation, "
+                      "gl_Point.distanceQuadraticAttenuation, 1.0)");
   case StateItem::TexEnvColor:
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
