@@ -13,7 +13,21 @@ bool fits(const ResourceCounts &counts, const ResourceCounts &limits) {
          counts.texInstructions <= limits.texInstructions &&
          counts.texIndirections <= limits.texIndirections &&
          counts.temporaries <= limits.temporaries && counts.parameters <= limits.parameters &&
-         counts.attribs <= limits.attribs;
+         counts.attribs <= limits.attribs && counts.addressRegisters <= limits.addressRegisters;
+}
+
+CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
+                            const CompileOptions &options) {
+  ParseResult parsed = parseArbProgram(language, text, options);
+  CheckResult result;
+  result.diagnostics = std::move(parsed.diagnostics);
+  result.program = std::move(parsed.program);
+  if (result.program) {
+    result.counts = parsed.counts;
+    result.nativeCounts = parsed.counts;
+    result.underNativeLimits = fits(result.nativeCounts, options.limits.native);
+  }
+  return result;
 }
 
 } // namespace
@@ -29,12 +43,22 @@ std::string CheckResult::errorString(std::string_view text) const {
   return renderAll("program", text, diagnostics);
 }
 
+std::optional<ir::Language> languageOfText(std::string_view text) {
+  if (text.starts_with("!!ARBfp"))
+    return ir::Language::ArbFragment;
+  if (text.starts_with("!!ARBvp"))
+    return ir::Language::ArbVertex;
+  if (text.starts_with("!!ATIfs"))
+    return ir::Language::AtiFragment;
+  return std::nullopt;
+}
+
 CheckResult checkProgram(ir::Language language, std::string_view text,
                          const CompileOptions &options) {
   switch (language) {
   case ir::Language::ArbFragment:
-    return checkFragmentProgram(text, options);
   case ir::Language::ArbVertex:
+    return checkArbProgram(arbLanguage(language), text, options);
   case ir::Language::AtiFragment:
     break;
   }
@@ -48,16 +72,7 @@ CheckResult checkProgram(ir::Language language, std::string_view text,
 }
 
 CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {
-  ParseResult parsed = parseFragmentProgram(text, options);
-  CheckResult result;
-  result.diagnostics = std::move(parsed.diagnostics);
-  result.program = std::move(parsed.program);
-  if (result.program) {
-    result.counts = parsed.counts;
-    result.nativeCounts = parsed.counts;
-    result.underNativeLimits = fits(result.nativeCounts, options.limits.native);
-  }
-  return result;
+  return checkProgram(ir::Language::ArbFragment, text, options);
 }
 
 } // namespace arbiter::fp

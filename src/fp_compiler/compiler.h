@@ -39,6 +39,9 @@ struct CheckResult {
   [[nodiscard]] std::string errorString(std::string_view text) const;
 };
 
+/// The language that the header names, right or not in its version; none for any other text.
+[[nodiscard]] std::optional<ir::Language> languageOfText(std::string_view text);
+
 /// `options.limits` are those of the language's target.
 [[nodiscard]] CheckResult checkProgram(ir::Language language, std::string_view text,
                                        const CompileOptions &options);

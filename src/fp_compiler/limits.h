@@ -37,6 +37,7 @@ struct Limits {
   /// is not native, as under drivers that announce the limit and do not enforce it.
   std::uint32_t refuseIndirections = 1;
   std::uint32_t vertexUnits = 1;    ///< modelview[n], ARB_vertex_blend absent: 1
+  std::uint32_t clipPlanes = 6;     ///< GL_MAX_CLIP_PLANES: state.clip[n]
   std::uint32_t vertexAttribs = 16; ///< GL_MAX_VERTEX_ATTRIBS_ARB: vertex.attrib[n]
 };
 

@@ -32,17 +32,56 @@ std::size_t Binder::BitsHash::operator()(const Bits &bits) const {
   return std::size_t(h);
 }
 
-Binder::Binder(const CompileOptions &options, Reporter &reporter)
+Binder::Bits Binder::countedBits(const ir::Vec4 &value) {
+  Bits bits;
+  for (std::size_t i = 0; i < 4; ++i)
+    bits[i] = value[i] == 0 ? 0 : std::bit_cast<std::uint32_t>(value[i]);
+  return bits;
+}
+
+bool AttributePairs::add(ir::Attribute attribute) {
+  std::size_t slot = 0;
+  switch (attribute.kind) {
+  case ir::AttributeKind::Position:
+    slot = 0;
+    break;
+  case ir::AttributeKind::Normal:
+    slot = 2;
+    break;
+  case ir::AttributeKind::ColorPrimary:
+    slot = 3;
+    break;
+  case ir::AttributeKind::ColorSecondary:
+    slot = 4;
+    break;
+  case ir::AttributeKind::FogCoord:
+    slot = 5;
+    break;
+  case ir::AttributeKind::TexCoord:
+    slot = 8u + attribute.index;
+    break;
+  case ir::AttributeKind::Generic:
+    slot = attribute.index;
+    break;
+  }
+  const bool generic = attribute.kind == ir::AttributeKind::Generic;
+  (generic ? m_generic : m_conventional).set(slot);
+  return !(generic ? m_conventional : m_generic).test(slot);
+}
+
+Binder::Binder(ir::Language language, const CompileOptions &options, Reporter &reporter)
     : m_reporter(reporter), m_budget(options, reporter) {
+  m_program.language = language;
   m_program.code.reserve(32);
   m_program.parameters.reserve(16);
-  // Every program has one node, even with no texture instruction.
-  m_budget.spend(Resource::TexIndirections, {});
+  // Every fragment program has one node, even with no texture instruction.
+  if (language != ir::Language::ArbVertex)
+    m_budget.spend(Resource::TexIndirections, {});
 }
 
 void Binder::setOptions(const ir::Options &options) {
   m_program.options = options;
-  m_budget.debitFog(options.fog);
+  m_budget.debit(options);
 }
 
 std::uint16_t Binder::temporary(std::string_view name, Span where) {
@@ -52,11 +91,25 @@ std::uint16_t Binder::temporary(std::string_view name, Span where) {
   return std::uint16_t(m_program.temporaries.size() - 1);
 }
 
+std::uint16_t Binder::addressRegister(std::string_view name, Span where) {
+  if (!m_budget.spend(Resource::AddressRegisters, where))
+    return 0;
+  m_program.addresses.push_back({std::string(name)});
+  return std::uint16_t(m_program.addresses.size() - 1);
+}
+
 std::uint16_t Binder::attribute(ir::Attribute attribute, Span where) {
   bool isNew = false;
   const std::uint16_t index = findOrAppend(m_program.attributes, attribute, isNew);
-  if (isNew)
-    m_budget.spend(Resource::Attribs, where);
+  if (!isNew)
+    return index;
+  m_budget.spend(Resource::Attribs, where);
+  if (m_program.language == ir::Language::ArbVertex && !m_pairs.add(attribute))
+    m_reporter.error(DiagnosticId::AttributeAlias, where,
+                     "vertex.attrib[n] and the conventional attribute that may share its storage "
+                     "are both bound",
+                     "a program binds one of the two: position is 0, normal 2, color 3, "
+                     "color.secondary 4, fogcoord 5, texcoord[n] 8+n");
   return index;
 }
 
@@ -79,17 +132,15 @@ std::uint16_t Binder::row(std::uint64_t key, const ir::Parameter &parameter, Spa
 
 std::uint16_t Binder::constant(const ir::Vec4 &value, Span where) {
   Bits bits;
-  Bits counted;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     bits[i] = std::bit_cast<std::uint32_t>(value[i]);
-    counted[i] = value[i] == 0 ? 0 : bits[i];
-  }
   const auto [entry, isNew] = m_constantRows.try_emplace(bits, std::uint16_t(0));
   if (!isNew)
     return entry->second;
   // A second zero of the other sign has a row of its own but is not counted again; it may still
   // not be numbered past the ceiling.
-  if (m_constantsCounted.insert(counted).second && !m_budget.spend(Resource::Parameters, where))
+  if (m_constantsCounted.insert(countedBits(value)).second &&
+      !m_budget.spend(Resource::Parameters, where))
     return 0;
   if (m_program.parameters.size() >= Budget::kCeiling) {
     m_reporter.error(DiagnosticId::LimitParameters, where, "too many constants in any program");
@@ -124,13 +175,44 @@ std::uint16_t Binder::state(const ir::StateRef &ref, Span where) {
   return row(keyOf(parameter.kind, key), parameter, where);
 }
 
-void Binder::instruction(const ir::Instruction &instruction, Span opcode) {
+std::uint16_t Binder::relativeArray(std::string_view name, const std::vector<std::uint16_t> &rows,
+                                    Span where) {
+  bool reported = false;
+  for (const std::uint16_t row : rows) {
+    if (row >= m_program.parameters.size())
+      continue; // over the ceiling, which is reported
+    const ir::Parameter &parameter = m_program.parameters[row];
+    if (parameter.kind == ir::ParameterKind::Constant) {
+      // Each distinct value was counted where it was bound.
+      if (!m_relativeConstants.insert(countedBits(parameter.constant)).second)
+        m_budget.spend(Resource::Parameters, where);
+    } else if (!m_relativeState.insert(row).second && !reported) {
+      reported = true;
+      m_reporter.error(DiagnosticId::RelativeDuplicate, where,
+                       "a state vector is bound twice in arrays that are indexed by an address "
+                       "register",
+                       "bind each program.* and state.* vector once in such arrays");
+    }
+  }
+  m_program.arrays.push_back({std::string(name), rows});
+  return std::uint16_t(m_program.arrays.size() - 1);
+}
+
+/// What fragment programs count beside the number of instructions.
+bool Binder::countKinds(const ir::Instruction &instruction, Span opcode) {
   const ir::OpInfo &op = info(instruction.op);
   const bool isTexture = op.has(ir::Texture) || op.has(ir::Kills);
-  bool fits = m_budget.spend(Resource::Instructions, opcode);
-  fits &= m_budget.spend(isTexture ? Resource::TexInstructions : Resource::AluInstructions, opcode);
+  bool fits =
+      m_budget.spend(isTexture ? Resource::TexInstructions : Resource::AluInstructions, opcode);
   if (m_indirections.add(instruction))
     fits &= m_budget.spend(Resource::TexIndirections, opcode);
+  return fits;
+}
+
+void Binder::instruction(const ir::Instruction &instruction, Span opcode) {
+  bool fits = m_budget.spend(Resource::Instructions, opcode);
+  if (m_program.language != ir::Language::ArbVertex)
+    fits &= countKinds(instruction, opcode);
   if (fits && !m_reporter.hasErrors())
     m_program.code.push_back(instruction);
 }

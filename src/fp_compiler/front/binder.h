@@ -1,4 +1,5 @@
 #pragma once
+#include <bitset>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -9,20 +10,39 @@
 
 namespace arbiter::fp {
 
+/// Which vertex attributes are bound, by the generic attribute of their row of table X.2.1
+/// (ARB_vertex_program 2.14.3.1).
+class AttributePairs {
+public:
+  /// Adds an attribute of a vertex program. False where the other attribute of its row is bound.
+  bool add(ir::Attribute attribute);
+
+private:
+  std::bitset<264> m_conventional; // texcoord[255] pairs with attrib[263]
+  std::bitset<264> m_generic;
+};
+
 /// Builds the ir::Program: gives every distinct binding one row, counts it, and appends checked
 /// instructions. Cost per call does not grow with the program.
 class Binder {
 public:
-  Binder(const CompileOptions &options, Reporter &reporter);
+  Binder(ir::Language language, const CompileOptions &options, Reporter &reporter);
 
   /// Each returns the row's index. `where` is the binding's text, the position of an excess.
   std::uint16_t temporary(std::string_view name, Span where);
   std::uint16_t attribute(ir::Attribute attribute, Span where);
   std::uint16_t output(ir::Output output);
+  std::uint16_t addressRegister(std::string_view name, Span where);
   std::uint16_t constant(const ir::Vec4 &value, Span where);
   std::uint16_t env(std::uint32_t index, Span where);
   std::uint16_t local(std::uint32_t index, Span where);
   std::uint16_t state(const ir::StateRef &ref, Span where);
+
+  /// An array that is indexed by an address register, which counts its constants as they are
+  /// (ARB_vertex_program 2.14.3.7) and may hold no state vector twice (2.14.3.2): its number in
+  /// Program::arrays. Call once an array.
+  std::uint16_t relativeArray(std::string_view name, const std::vector<std::uint16_t> &rows,
+                              Span where);
 
   /// Counts and appends. `opcode` is where an excess is reported.
   void instruction(const ir::Instruction &instruction, Span opcode);
@@ -35,10 +55,13 @@ public:
 
 private:
   using Bits = std::array<std::uint32_t, 4>;
+  /// The components' bits with one zero, so that numerically equal constants are equal.
+  static Bits countedBits(const ir::Vec4 &value);
   struct BitsHash {
     std::size_t operator()(const Bits &bits) const;
   };
   std::uint16_t row(std::uint64_t key, const ir::Parameter &parameter, Span where);
+  bool countKinds(const ir::Instruction &instruction, Span opcode);
   std::uint16_t append(const ir::Parameter &parameter);
 
   Reporter &m_reporter;
@@ -49,6 +72,9 @@ private:
   /// Rows by their bits: -0 and 0 are one parameter by the API's count, but two values.
   std::unordered_map<Bits, std::uint16_t, BitsHash> m_constantRows;
   std::unordered_set<Bits, BitsHash> m_constantsCounted;
+  std::unordered_set<Bits, BitsHash> m_relativeConstants;
+  std::unordered_set<std::uint16_t> m_relativeState; ///< rows of arrays indexed relatively
+  AttributePairs m_pairs;
 };
 
 } // namespace arbiter::fp

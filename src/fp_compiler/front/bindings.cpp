@@ -8,13 +8,12 @@ namespace arbiter::fp {
 
 /// The current token is not one of the words that may follow here.
 bool Parser::unknownWord(const char *what, std::initializer_list<std::string_view> words,
-                         std::initializer_list<std::string_view> vertexWords) {
+                         std::initializer_list<std::string_view> foreignWords) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected(what);
   const std::string_view word = text(m_tokens.peek());
-  if (std::find(vertexWords.begin(), vertexWords.end(), word) != vertexWords.end()) {
-    error(DiagnosticId::VertexOnly, m_tokens.peek().span,
-          quote(word) + " belongs to vertex programs");
+  if (std::find(foreignWords.begin(), foreignWords.end(), word) != foreignWords.end()) {
+    foreign(m_tokens.peek(), quote(word));
     return false;
   }
   std::string list;
@@ -32,7 +31,8 @@ bool Parser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what
   if (m_tokens.at(TokenKind::Identifier)) {
     error(DiagnosticId::RelativeAddressing, m_tokens.peek().span,
           "the index " + quote(text(m_tokens.peek())) + " is no constant",
-          "only vertex programs index by a register; unroll the access");
+          m_language.addresses ? "a register indexes only the arrays that PARAM declares"
+                               : "only vertex programs index by a register; unroll the access");
     return false;
   }
   if (!m_tokens.at(TokenKind::Integer))
@@ -59,40 +59,58 @@ bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char
   return !m_tokens.at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
 }
 
-/// <fragAttribBinding>, from "fragment" on.
+/// <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
 bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   const std::uint32_t begin = m_tokens.next().span.begin;
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
   ir::Attribute attribute;
   if (atWord(0, "color")) {
-    m_tokens.next();
-    const bool secondary = atWord(1, "secondary");
-    if (m_tokens.at(TokenKind::Dot) && (secondary || atWord(1, "primary"))) {
-      m_tokens.next();
-      m_tokens.next();
-      attribute.kind =
-          secondary ? ir::AttributeKind::ColorSecondary : ir::AttributeKind::ColorPrimary;
-    } else if (m_tokens.at(TokenKind::Dot) && place == Place::Declaration) {
-      m_tokens.next();
-      return unknownWord("primary or secondary", {"primary", "secondary"});
-    }
-  } else if (atWord(0, "texcoord")) {
-    m_tokens.next();
-    std::uint32_t index = 0;
-    attribute.kind = ir::AttributeKind::TexCoord;
-    if (!parseOptionalIndex(m_limits.textureCoords, DiagnosticId::TexCoordIndex,
-                            "texture coordinate set", index))
+    if (!parseColorAttribute(place, attribute))
       return false;
-    attribute.index = std::uint8_t(index);
+  } else if (atWord(0, "texcoord")) {
+    attribute.kind = ir::AttributeKind::TexCoord;
+    if (!parseTexCoord(attribute.index))
+      return false;
   } else if (atWord(0, "fogcoord") || atWord(0, "position")) {
     attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
                                                          : ir::AttributeKind::Position;
+  } else if (vertex) {
+    if (!parseVertexAttribute(attribute))
+      return false;
   } else {
     return unknownWord("a fragment attribute", {"color", "texcoord", "fogcoord", "position"},
                        {"normal", "weight", "matrixindex", "attrib"});
   }
   row = m_binder.attribute(attribute, spanFrom(begin));
+  return true;
+}
+
+/// "color" <optColorType>
+bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
+  m_tokens.next();
+  const bool secondary = atWord(1, "secondary");
+  if (m_tokens.at(TokenKind::Dot) && (secondary || atWord(1, "primary"))) {
+    m_tokens.next();
+    m_tokens.next();
+    attribute.kind =
+        secondary ? ir::AttributeKind::ColorSecondary : ir::AttributeKind::ColorPrimary;
+  } else if (m_tokens.at(TokenKind::Dot) && place == Place::Declaration) {
+    m_tokens.next();
+    return unknownWord("primary or secondary", {"primary", "secondary"});
+  }
+  return true;
+}
+
+/// "texcoord" <optTexCoordNum>
+bool Parser::parseTexCoord(std::uint8_t &index) {
+  m_tokens.next();
+  std::uint32_t parsed = 0;
+  if (!parseOptionalIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
+                          "texture coordinate set", parsed))
+    return false;
+  index = std::uint8_t(parsed);
   return true;
 }
 
@@ -102,36 +120,43 @@ bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
   ir::Output output;
-  if (atWord(0, "depth")) {
-    m_tokens.next();
-    output.kind = ir::OutputKind::Depth;
-  } else if (atWord(0, "color")) {
-    m_tokens.next();
-    if (m_tokens.at(TokenKind::OpenBracket)) {
-      std::uint32_t index = 0;
-      if (!m_options.drawBuffers)
-        error(DiagnosticId::ColorOption, m_tokens.peek().span,
-              "result.color[n] needs a program option", "add OPTION ARB_draw_buffers;");
-      if (!parseIndex(std::min(m_limits.drawBuffers, 256u), DiagnosticId::ColorIndex, "draw buffer",
-                      index))
-        return false;
-      output.index = std::uint8_t(index);
-    } else if (m_tokens.at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
-      const Token word = m_tokens.peek(1);
-      const std::string_view side = text(word);
-      if (side == "primary" || side == "secondary" || side == "front" || side == "back") {
-        error(DiagnosticId::VertexOnly, word.span,
-              "result.color." + std::string(side) + " belongs to vertex programs");
-        return false;
-      }
-    }
-  } else {
-    return unknownWord("a fragment result", {"color", "depth"},
-                       {"position", "fogcoord", "pointsize", "texcoord", "clip"});
-  }
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  if (!(vertex ? parseVertexResult(output) : parseFragmentResult(output)))
+    return false;
   if (place == Place::Declaration && m_tokens.at(TokenKind::Dot))
     return unexpected("';'", "the mask goes to the instruction that writes the variable");
   row = m_binder.output(output);
+  return true;
+}
+
+/// <resultBinding> of fragment programs, after its dot.
+bool Parser::parseFragmentResult(ir::Output &output) {
+  if (atWord(0, "depth")) {
+    m_tokens.next();
+    output.kind = ir::OutputKind::Depth;
+    return true;
+  }
+  if (!atWord(0, "color"))
+    return unknownWord("a fragment result", {"color", "depth"},
+                       {"position", "fogcoord", "pointsize", "texcoord", "clip"});
+  m_tokens.next();
+  if (m_tokens.at(TokenKind::OpenBracket)) {
+    std::uint32_t index = 0;
+    if (!m_options.drawBuffers)
+      error(DiagnosticId::ColorOption, m_tokens.peek().span,
+            "result.color[n] needs a program option", "add OPTION ARB_draw_buffers;");
+    if (!parseIndex(byteLimit(m_limits.drawBuffers), DiagnosticId::ColorIndex, "draw buffer",
+                    index))
+      return false;
+    output.index = std::uint8_t(index);
+  } else if (m_tokens.at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
+    const Token word = m_tokens.peek(1);
+    const std::string_view side = text(word);
+    if (side == "primary" || side == "secondary" || side == "front" || side == "back") {
+      foreign(word, "result.color." + std::string(side));
+      return false;
+    }
+  }
   return true;
 }
 

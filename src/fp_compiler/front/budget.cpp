@@ -11,6 +11,7 @@ struct ResourceRow {
   DiagnosticId id;
   const char *plural;
   const char *hint;
+  std::uint32_t ceiling = Budget::kCeiling;
 };
 
 constexpr ResourceRow kRows[kResourceCount] = {
@@ -27,6 +28,8 @@ constexpr ResourceRow kRows[kResourceCount] = {
      "every distinct constant and state vector that is bound counts, used or not"},
     {&ResourceCounts::attribs, DiagnosticId::LimitAttribs, "attributes",
      "every distinct attribute that is bound counts, used or not"},
+    {&ResourceCounts::addressRegisters, DiagnosticId::LimitAddressRegisters, "address registers",
+     "load one again with ARL instead", 256},
 };
 
 } // namespace
@@ -35,13 +38,20 @@ Budget::Budget(const CompileOptions &options, Reporter &reporter)
     : m_reporter(reporter), m_policy(options.policy), m_limits(options.limits.api),
       m_refuseIndirections(options.limits.refuseIndirections != 0) {}
 
-void Budget::debitFog(ir::FogMode mode) {
-  if (mode == ir::FogMode::None)
+void Budget::debit(const ir::Options &options) {
+  if (options.positionInvariant) {
+    m_debitor = "OPTION ARB_position_invariant";
+    m_debits.instructions = 4;
+  }
+  if (options.fog == ir::FogMode::None)
     return;
+  m_debitor = "the fog option";
   m_debits.temporaries = 1;
   m_debits.attribs = 1;
   m_debits.parameters = 2;
-  m_debits.instructions = mode == ir::FogMode::Exp ? 3 : mode == ir::FogMode::Exp2 ? 4 : 2;
+  m_debits.instructions = options.fog == ir::FogMode::Exp    ? 3
+                          : options.fog == ir::FogMode::Exp2 ? 4
+                                                             : 2;
   m_debits.aluInstructions = m_debits.instructions;
 }
 
@@ -54,11 +64,11 @@ bool Budget::spend(Resource resource, Span where) {
     m_reported[std::size_t(resource)] = true;
     report(resource, where, limit, false);
   }
-  if (count <= kCeiling)
+  if (count <= row.ceiling)
     return true;
   if (!m_ceilingReported[std::size_t(resource)]) {
     m_ceilingReported[std::size_t(resource)] = true;
-    report(resource, where, kCeiling, true);
+    report(resource, where, row.ceiling, true);
   }
   return false;
 }
@@ -69,7 +79,7 @@ void Budget::report(Resource resource, Span where, std::uint32_t limit, bool cei
       "more than " + std::to_string(limit) + " " + row.plural + (ceiling ? " in any program" : "");
   if (const std::uint32_t debit = m_debits.*row.count; debit != 0 && !ceiling)
     message += " (" + std::to_string(m_limits.*row.count) + " less " + std::to_string(debit) +
-               " for the fog option)";
+               " for " + m_debitor + ")";
   const bool loads = m_policy == LimitPolicy::Report ||
                      (resource == Resource::TexIndirections && !m_refuseIndirections);
   if (loads && !ceiling)

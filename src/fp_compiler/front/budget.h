@@ -15,22 +15,25 @@ enum class Resource : std::uint8_t {
   Temporaries,
   Parameters,
   Attribs,
+  AddressRegisters,
 };
-inline constexpr int kResourceCount = 7;
+inline constexpr int kResourceCount = 8;
 
-/// Counts a program's resources against the API limits (3.11.3.6), less the debits of a fog option
-/// (3.11.4.5.1), and reports each resource once, where it is first exceeded.
+/// Counts a program's resources against the API limits (ARB_fragment_program 3.11.3.6,
+/// ARB_vertex_program 2.14.3.7), less what an option takes for its own code (3.11.4.5.1,
+/// 2.14.4.5.1), and reports each resource once, where it is first exceeded.
 class Budget {
 public:
   /// No program has more of a resource than this, whatever the limits say: registers are numbered
-  /// in 16 bits.
+  /// in 16 bits (address registers in eight).
   static constexpr std::uint32_t kCeiling = 65535;
 
   Budget(const CompileOptions &options, Reporter &reporter);
 
-  /// Takes what the fog option's own code needs out of the limits. Call before the first statement.
-  void debitFog(ir::FogMode mode);
-  /// Counts one unit. False if it is over kCeiling, so that the caller cannot number it.
+  /// Takes what the options' own code needs out of the limits. Call before the first statement.
+  void debit(const ir::Options &options);
+  /// Counts one unit. False if it is over the resource's ceiling, so that the caller cannot number
+  /// it.
   bool spend(Resource resource, Span where);
   [[nodiscard]] const ResourceCounts &counts() const { return m_counts; }
 
@@ -42,6 +45,7 @@ private:
   ResourceCounts m_limits;
   bool m_refuseIndirections;
   ResourceCounts m_debits;
+  const char *m_debitor = ""; ///< the option that m_debits are for
   ResourceCounts m_counts;
   std::array<bool, kResourceCount> m_reported{};
   std::array<bool, kResourceCount> m_ceilingReported{};

@@ -9,14 +9,14 @@ bool Parser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
   name = m_tokens.next();
-  if (classify(text(name)).keyword != Keyword::None)
+  if (wordOf(name).keyword != Keyword::None)
     error(DiagnosticId::ReservedName, name.span, quote(text(name)) + " is a reserved word",
           "choose another name");
   return true;
 }
 
 void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
-  if (classify(text(name)).keyword != Keyword::None)
+  if (wordOf(name).keyword != Keyword::None)
     return;
   const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span});
   if (before)
@@ -25,12 +25,15 @@ void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
               std::to_string(locate(m_text, before->declared.begin).line));
 }
 
-bool Parser::parseTemp() {
+/// <varNameList> of TEMP or ADDRESS.
+bool Parser::parseRegisters(SymbolKind kind) {
   do {
     Token name;
     if (!newName(name))
       return false;
-    declare(name, SymbolKind::Temporary, m_binder.temporary(text(name), name.span));
+    declare(name, kind,
+            kind == SymbolKind::Address ? m_binder.addressRegister(text(name), name.span)
+                                        : m_binder.temporary(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));
   return expect(TokenKind::Semicolon, "',' or ';'");
 }
@@ -40,12 +43,13 @@ bool Parser::parseAttrib() {
   if (!newName(name) || !expect(TokenKind::Equals, "'='"))
     return false;
   std::uint16_t row = 0;
-  const bool isBinding = keywordAt().keyword == Keyword::Fragment;
-  if (atWord(0, "vertex"))
-    error(DiagnosticId::VertexOnly, m_tokens.peek().span,
-          "vertex attributes belong to vertex programs", "use fragment.*");
+  const bool isBinding = keywordAt().keyword == Keyword::Attributes;
+  if (atWord(0, "vertex") && !isBinding)
+    foreign(m_tokens.peek(), "a vertex attribute");
+  else if (atWord(0, "fragment") && !isBinding)
+    foreign(m_tokens.peek(), "a fragment attribute");
   else if (!isBinding)
-    unexpected("fragment.*");
+    unexpected((std::string(m_language.attributes) + ".*").c_str());
   const bool parsed = isBinding && parseAttributeBinding(Place::Declaration, row);
   declare(name, parsed ? SymbolKind::Attribute : SymbolKind::Unknown, row);
   return parsed && expect(TokenKind::Semicolon, "';'");
@@ -58,7 +62,7 @@ bool Parser::parseOutput() {
   std::uint16_t row = 0;
   const bool isBinding = keywordAt().keyword == Keyword::Result;
   if (!isBinding)
-    unexpected("result.color or result.depth");
+    unexpected("result.*");
   const bool parsed = isBinding && parseResultBinding(Place::Declaration, row);
   declare(name, parsed ? SymbolKind::Output : SymbolKind::Unknown, row);
   return parsed && expect(TokenKind::Semicolon, "';'");
@@ -74,7 +78,7 @@ bool Parser::parseAlias() {
     return unexpected("the name of a variable");
   }
   const Token target = m_tokens.next();
-  if (classify(text(target)).keyword != Keyword::None) {
+  if (wordOf(target).keyword != Keyword::None) {
     declare(name, SymbolKind::Unknown, 0);
     error(DiagnosticId::BadAlias, target.span, quote(text(target)) + " names no variable",
           "ALIAS takes a declared name; use ATTRIB, PARAM or OUTPUT to name a binding");
@@ -141,7 +145,7 @@ bool Parser::parseParamArray(const Token &name) {
   declare(name, known ? SymbolKind::ParameterArray : SymbolKind::Unknown,
           std::uint16_t(m_arrays.size()));
   if (known)
-    m_arrays.push_back(std::move(rows));
+    m_arrays.push_back({std::move(rows), std::nullopt});
   return parsed && expect(TokenKind::Semicolon, "';'");
 }
 

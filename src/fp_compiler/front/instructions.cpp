@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "fp_compiler/front/numeral.h"
 #include "fp_compiler/front/parser.h"
@@ -22,7 +21,7 @@ constexpr TargetRow kTargets[] = {
     {"SHADOW2D", ir::TexTarget::Shadow2D, true}, {"SHADOWRECT", ir::TexTarget::ShadowRect, true},
 };
 
-std::string_view wordOf(ir::TexTarget target) {
+std::string_view spelling(ir::TexTarget target) {
   for (const TargetRow &row : kTargets)
     if (row.target == target)
       return row.word;
@@ -36,7 +35,10 @@ bool Parser::parseInstruction(const Token &opcode, const Word &word) {
   ir::Instruction instruction;
   instruction.op = word.op;
   if (!op.has(ir::Kills)) {
-    if (!parseDestination(instruction.dst) || !expect(TokenKind::Comma, "','"))
+    const bool loadsAddress = word.op == ir::Opcode::Arl;
+    if (!(loadsAddress ? parseAddressDestination(instruction.dst)
+                       : parseDestination(instruction.dst)) ||
+        !expect(TokenKind::Comma, "','"))
       return false;
     instruction.dst.saturate = word.saturate;
   }
@@ -92,6 +94,11 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
     break;
   case SymbolKind::Unknown:
     return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
+  case SymbolKind::Address:
+    error(DiagnosticId::AddressRegister, first.span,
+          "the address register " + quote(text(first)) + " is written by ARL only",
+          "compute in a temporary and load it with ARL");
+    return true;
   case SymbolKind::Attribute:
   case SymbolKind::Parameter:
   case SymbolKind::ParameterArray:
@@ -113,9 +120,33 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
   return true;
 }
 
+/// <maskedAddrReg>
+bool Parser::parseAddressDestination(ir::Destination &destination) {
+  constexpr const char *kHint = "ARL writes a register declared with ADDRESS";
+  const Token name = m_tokens.peek();
+  if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
+    return unexpected("an address register", kHint);
+  m_tokens.next();
+  const Symbol *symbol = m_symbols.find(text(name));
+  if (!symbol && !undeclared(name))
+    return false;
+  const SymbolKind kind = symbol ? symbol->kind : SymbolKind::Unknown;
+  if (kind == SymbolKind::Address)
+    destination.index = symbol->index;
+  else if (kind != SymbolKind::Unknown)
+    error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+          kHint);
+  destination.file = ir::File::Address;
+  destination.mask = 1;
+  if (!parseAddressComponent())
+    return false;
+  destination.span = spanFrom(name.span.begin);
+  return true;
+}
+
 /// A destination that begins with no name and no "result".
 bool Parser::readOnlyDestination(const Token &first, const Word &word) {
-  const bool attribute = word.keyword == Keyword::Fragment;
+  const bool attribute = word.keyword == Keyword::Attributes;
   const bool parameter = word.keyword == Keyword::State || word.keyword == Keyword::Program ||
                          first.kind == TokenKind::OpenBrace || first.kind == TokenKind::Integer ||
                          first.kind == TokenKind::Float;
@@ -133,13 +164,14 @@ bool Parser::parseMask(std::uint8_t &mask) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a write mask");
   const Token token = m_tokens.next();
-  const SuffixError wrong = readMask(text(token), mask);
+  const SuffixError wrong = readMask(text(token), m_language.colorLetters, mask);
   if (!wrong)
     return true;
   const std::uint32_t at = token.span.begin + wrong.offset;
   error(DiagnosticId::BadMask, {at, token.span.end},
         "bad write mask " + quote(text(token)) + ": " + wrong.reason,
-        "a mask names x, y, z, w, or r, g, b, a, in this order");
+        m_language.colorLetters ? "a mask names x, y, z, w, or r, g, b, a, in this order"
+                                : "a mask names x, y, z, w, in this order");
   return true;
 }
 
@@ -157,11 +189,13 @@ bool Parser::parseExtendedSwizzle(ir::Operand &operand) {
     if (!m_tokens.at(TokenKind::Identifier) && !m_tokens.at(TokenKind::Integer))
       return unexpected("0, 1 or a component");
     const Token token = m_tokens.next();
-    const SuffixError wrong = readSelector(text(token), set, operand.swizzle[i]);
+    const SuffixError wrong =
+        readSelector(text(token), m_language.colorLetters, set, operand.swizzle[i]);
     if (wrong)
       error(DiagnosticId::SwzSelector, {token.span.begin + wrong.offset, token.span.end},
             "bad selector " + quote(text(token)) + ": " + wrong.reason,
-            "SWZ selects by 0, 1, and x, y, z, w or r, g, b, a");
+            m_language.colorLetters ? "SWZ selects by 0, 1, and x, y, z, w or r, g, b, a"
+                                    : "SWZ selects by 0, 1, and x, y, z, w");
   }
   operand.span.end = m_tokens.lastEnd();
   return true;
@@ -190,7 +224,7 @@ bool Parser::parseTexture(ir::Instruction &instruction) {
   m_tokens.next();
   std::uint32_t unit = 0;
   const std::size_t errorsBefore = m_reporter.errorCount();
-  if (!parseOptionalIndex(std::min(m_limits.textureImageUnits, 256u), DiagnosticId::ImageUnit,
+  if (!parseOptionalIndex(byteLimit(m_limits.textureImageUnits), DiagnosticId::ImageUnit,
                           "texture image unit", unit) ||
       !expect(TokenKind::Comma, "','"))
     return false;
@@ -223,7 +257,7 @@ bool Parser::parseTexture(ir::Instruction &instruction) {
   if (use.used && use.target != row->target)
     error(DiagnosticId::TargetConflict, token.span,
           "texture[" + std::to_string(unit) + "] is sampled as " + std::string(row->word) +
-              " and before as " + std::string(wordOf(use.target)),
+              " and before as " + std::string(spelling(use.target)),
           "one texture image unit has one target in a program");
   use = {true, use.used ? use.target : row->target};
   return true;

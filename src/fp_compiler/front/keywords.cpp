@@ -12,7 +12,7 @@ using namespace ir;
 struct OpcodeRow {
   std::uint32_t code;
   Opcode op;
-  bool kills;
+  std::uint16_t traits;
 };
 
 constexpr std::uint32_t pack(const char *three) {
@@ -23,7 +23,7 @@ constexpr std::uint32_t pack(const char *three) {
 constexpr std::array<OpcodeRow, kOpcodeCount> makeOpcodes() {
   std::array<OpcodeRow, kOpcodeCount> rows = {{
 #define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc)                                  \
-  {pack(mnemonic), Opcode::Enumerator, ((traits)&Kills) != 0},
+  {pack(mnemonic), Opcode::Enumerator, traits},
 #include "fp_compiler/ir/ops.def"
 #undef FP_OP
   }};
@@ -46,7 +46,12 @@ const OpcodeRow *findOpcode(std::string_view word) {
   return row != kOpcodes.end() && row->code == code ? row : nullptr;
 }
 
-Keyword findOther(std::string_view word) {
+Keyword findAttributes(std::string_view word, const ArbLanguage &language) {
+  return word == language.attributes ? Keyword::Attributes : Keyword::None;
+}
+
+/// The words that are no opcodes; `language` decides about those that only one language has.
+Keyword findOther(std::string_view word, const ArbLanguage &language) {
   switch (word.size()) {
   case 3:
     return word == "END" ? Keyword::End : Keyword::None;
@@ -62,13 +67,14 @@ Keyword findOther(std::string_view word) {
            : word == "OPTION" ? Keyword::Option
            : word == "OUTPUT" ? Keyword::Output
            : word == "result" ? Keyword::Result
-                              : Keyword::None;
+                              : findAttributes(word, language);
   case 7:
-    return word == "program"   ? Keyword::Program
-           : word == "texture" ? Keyword::Texture
-                               : Keyword::None;
+    return word == "program"                          ? Keyword::Program
+           : word == "texture" && !language.addresses ? Keyword::Texture
+           : word == "ADDRESS" && language.addresses  ? Keyword::Address
+                                                      : Keyword::None;
   case 8:
-    return word == "fragment" ? Keyword::Fragment : Keyword::None;
+    return findAttributes(word, language);
   default:
     return Keyword::None;
   }
@@ -76,20 +82,22 @@ Keyword findOther(std::string_view word) {
 
 } // namespace
 
-Word classify(std::string_view identifier) {
-  const bool saturate = identifier.size() == 7 && identifier.substr(3) == "_SAT";
+Word classify(std::string_view identifier, const ArbLanguage &language) {
+  const bool saturate =
+      language.saturates && identifier.size() == 7 && identifier.substr(3) == "_SAT";
   if (identifier.size() == 3 || saturate) {
     const OpcodeRow *row = findOpcode(identifier);
     // KIL_SAT is neither an instruction nor reserved.
-    if (row && row->op < Opcode(kFragmentOpcodeCount) && !(saturate && row->kills))
+    if (row && (row->traits & language.foreign) == 0 && !(saturate && (row->traits & Kills) != 0))
       return {Keyword::Opcode, row->op, saturate};
   }
-  return {findOther(identifier)};
+  return {findOther(identifier, language)};
 }
 
 bool beginsStatement(Keyword keyword) {
   switch (keyword) {
   case Keyword::Opcode:
+  case Keyword::Address:
   case Keyword::Alias:
   case Keyword::Attrib:
   case Keyword::Option:
@@ -99,7 +107,7 @@ bool beginsStatement(Keyword keyword) {
   case Keyword::End:
     return true;
   case Keyword::None:
-  case Keyword::Fragment:
+  case Keyword::Attributes:
   case Keyword::Program:
   case Keyword::Result:
   case Keyword::State:

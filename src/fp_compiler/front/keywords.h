@@ -2,14 +2,17 @@
 #include <cstdint>
 #include <string_view>
 
+#include "fp_compiler/front/language.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::fp {
 
-/// What a reserved word (3.11.2) is. Every other identifier is None and may name a variable.
+/// What a reserved word (ARB_fragment_program 3.11.2, ARB_vertex_program 2.14.2) is. Every other
+/// identifier is None and may name a variable.
 enum class Keyword : std::uint8_t {
   None,
   Opcode,
+  Address,
   Alias,
   Attrib,
   Option,
@@ -17,7 +20,7 @@ enum class Keyword : std::uint8_t {
   Param,
   Temp,
   End,
-  Fragment,
+  Attributes, ///< "fragment" or "vertex": an attribute binding
   Program,
   Result,
   State,
@@ -30,8 +33,8 @@ struct Word {
   bool saturate = false;           ///< Keyword::Opcode: written with _SAT
 };
 
-/// Case-sensitive, as the grammar is.
-[[nodiscard]] Word classify(std::string_view identifier);
+/// Case-sensitive, as the grammar is. The languages reserve different words.
+[[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language);
 
 /// True for the words that can only begin a statement (or are END): where a parser that lost its
 /// way finds it again.

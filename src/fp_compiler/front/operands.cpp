@@ -1,3 +1,4 @@
+#include "fp_compiler/front/numeral.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/suffix.h"
 
@@ -51,7 +52,7 @@ bool Parser::parseSourceRegister(ir::Operand &operand) {
   switch (keywordAt().keyword) {
   case Keyword::None:
     return parseNamedSource(operand);
-  case Keyword::Fragment:
+  case Keyword::Attributes:
     operand.file = ir::File::Attribute;
     return parseAttributeBinding(Place::Operand, operand.index);
   case Keyword::State:
@@ -98,6 +99,13 @@ bool Parser::parseNamedSource(ir::Operand &operand) {
     error(DiagnosticId::WriteOnly, name.span, "the result " + quote(text(name)) + " cannot be read",
           "compute in a temporary and move it to the result");
     return true;
+  case SymbolKind::Address:
+    error(DiagnosticId::AddressRegister, name.span,
+          "the address register " + quote(text(name)) + " is no operand",
+          "only the index of an array reads it: c[" + std::string(text(name).substr(0, 40)) +
+              ".x]");
+    operand.index = 0;
+    return true;
   case SymbolKind::Unknown:
     return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
   }
@@ -109,7 +117,7 @@ bool Parser::parseNamedSource(ir::Operand &operand) {
 }
 
 bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Operand &operand) {
-  const Rows &rows = m_arrays[array.index];
+  const Rows &rows = m_arrays[array.index].rows;
   operand.file = ir::File::Parameter;
   operand.index = rows[0];
   if (!m_tokens.at(TokenKind::OpenBracket)) {
@@ -119,10 +127,72 @@ bool Parser::parseArrayElement(const Token &name, const Symbol &array, ir::Opera
           "write " + quote(std::string(text(name).substr(0, 40)) + "[0]"));
     return true;
   }
+  if (m_language.addresses && m_tokens.peek(1).kind == TokenKind::Identifier)
+    return parseRelativeElement(name, array, operand);
   std::uint32_t index = 0;
   if (!parseIndex(std::uint32_t(rows.size()), DiagnosticId::ArrayIndex, "array index", index))
     return false;
   operand.index = rows[index];
+  return true;
+}
+
+/// "[" <progParamArrayRel> "]"
+bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::Operand &operand) {
+  m_tokens.next();
+  const Token token = m_tokens.peek();
+  if (keywordAt().keyword != Keyword::None)
+    return unexpected("an integer or an address register");
+  m_tokens.next();
+  const Symbol *address = m_symbols.find(text(token));
+  if (!address && !undeclared(token))
+    return false;
+  if (address && address->kind != SymbolKind::Address && address->kind != SymbolKind::Unknown)
+    error(DiagnosticId::AddressRegister, token.span, quote(text(token)) + " is no address register",
+          "declare one with ADDRESS and load it with ARL");
+  if (!parseAddressComponent() || !parseRelativeOffset(operand.offset) ||
+      !expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
+    return false;
+  Array &array = m_arrays[symbol.index];
+  if (!array.relative)
+    array.relative = m_binder.relativeArray(text(name), array.rows, name.span);
+  operand.relative = true;
+  operand.index = *array.relative;
+  operand.address = std::uint8_t(address ? address->index : 0);
+  return true;
+}
+
+/// <addrComponent> or <addrWriteMask>
+bool Parser::parseAddressComponent() {
+  constexpr const char *kHint = "an address register has the component x only";
+  if (!expect(TokenKind::Dot, "'.x'", kHint))
+    return false;
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("'x'", kHint);
+  const Token token = m_tokens.next();
+  if (text(token) != "x")
+    error(DiagnosticId::AddressComponent, token.span,
+          "an address register has no component " + quote(text(token)), "write .x");
+  return true;
+}
+
+/// <addrRegRelOffset>
+bool Parser::parseRelativeOffset(std::int16_t &offset) {
+  const bool negative = m_tokens.at(TokenKind::Minus);
+  if (!negative && !m_tokens.at(TokenKind::Plus))
+    return true;
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Integer))
+    return unexpected("an integer");
+  const Token token = m_tokens.next();
+  const std::uint32_t value = parseInteger(text(token));
+  const std::uint32_t most = negative ? 64 : 63;
+  if (value > most)
+    error(DiagnosticId::RelativeOffset, token.span,
+          "the offset " + std::string(negative ? "-" : "+") + std::string(text(token)) +
+              " is out of range",
+          "offsets reach from -64 to 63; add the rest to what ARL loads");
+  else
+    offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
   return true;
 }
 
@@ -142,15 +212,14 @@ bool Parser::skipIndex() {
 /// Reports a name once; it is accepted from here on. False where nothing that follows makes sense.
 bool Parser::undeclared(const Token &name) {
   const std::string_view word = text(name);
-  const bool vertex = word == "vertex";
-  if (vertex)
-    error(DiagnosticId::VertexOnly, name.span, "vertex attributes belong to vertex programs",
-          "a fragment program reads fragment.*");
+  const bool attribute = word == "vertex" || word == "fragment";
+  if (attribute && m_tokens.at(TokenKind::Dot))
+    foreign(name, "a " + std::string(word) + " attribute");
   else
     error(DiagnosticId::UndeclaredName, name.span, quote(word) + " is not declared",
           m_symbols.suggest(word));
   m_symbols.declare(word, {});
-  if (vertex)
+  if (attribute)
     return false;
   return m_tokens.at(TokenKind::OpenBracket) ? skipIndex() : true;
 }
@@ -168,13 +237,16 @@ bool Parser::parseSwizzle(bool scalar, ir::Swizzle &swizzle) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a component");
   const Token token = m_tokens.next();
-  const SuffixError wrong = readSwizzle(text(token), scalar, swizzle);
+  const SuffixError wrong = readSwizzle(text(token), m_language.colorLetters, scalar, swizzle);
   if (wrong)
     error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
           {token.span.begin + wrong.offset, token.span.end},
           "bad suffix " + quote(text(token)) + ": " + wrong.reason,
-          scalar ? "a scalar operand takes one of x, y, z, w or r, g, b, a"
-                 : "a suffix is one or four of x, y, z, w, or of r, g, b, a");
+          std::string(scalar ? "a scalar operand takes one of x, y, z, w"
+                             : "a suffix is one or four of x, y, z, w") +
+              (!m_language.colorLetters ? ""
+               : scalar                 ? " or r, g, b, a"
+                                        : ", or of r, g, b, a"));
   return true;
 }
 

@@ -8,66 +8,56 @@ namespace arbiter::fp {
 
 namespace {
 
-constexpr std::string_view kHeader = "!!ARBfp1.0";
+/// What a header that is not the expected one says about the text.
+struct HeaderRow {
+  std::string_view begin;
+  const char *hint;
+};
 
-constexpr std::string_view kNvInstructions[] = {
-    "DDX", "DDY", "PK2H", "PK2US", "PK4B",  "PK4UB", "RFL",     "SEQ",    "SFL", "SGT",
-    "SLE", "SNE", "STR",  "TXD",   "UP2H",  "UP2US", "UP4B",    "UP4UB",  "X2D", "BRK",
-    "CAL", "DIV", "DP2",  "DP2A",  "ELSE",  "ENDIF", "ENDLOOP", "ENDREP", "IF",  "LOOP",
-    "NRM", "REP", "RET",  "TXL",   "SHORT", "LONG",  "FLOAT",   "INT"};
+constexpr HeaderRow kHeaders[] = {
+    {"!!ARBvp1.0", "this is a vertex program; load it for GL_VERTEX_PROGRAM_ARB"},
+    {"!!ARBfp1.0", "this is a fragment program; load it for GL_FRAGMENT_PROGRAM_ARB"},
+    {"!!ATIfs1.0", "this is a fragment shader; load it for GL_TEXT_FRAGMENT_SHADER_ATI"},
+    {"!!VP", "this is an NV_vertex_program, which is not offered"},
+    {"!!VSP", "this is an NV_vertex_program's state program, which is not offered"},
+    {"!!FP", "this is an NV_fragment_program, which is not offered"},
+    {"!!FCP", "this is an NV_fragment_program, which is not offered"},
+    {"\xEF\xBB\xBF", "a byte order mark precedes the header; save the file without one"},
+};
 
-constexpr std::string_view kStatementWords[] = {
-#define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc) mnemonic,
-#include "fp_compiler/ir/ops.def"
-#undef FP_OP
-    "ALIAS", "ATTRIB", "OUTPUT", "PARAM", "TEMP", "END"};
-
-bool contains(std::span<const std::string_view> words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// ADDR, MULH_SAT, MOVC: an opcode of ours with the precision or condition letters of NV.
-bool isNvVariant(std::string_view word) {
-  const std::string_view base = word.substr(0, 3);
-  const std::string_view letters = word.substr(base.size(), word.find('_') - base.size());
-  return base.size() == 3 && classify(base).keyword == Keyword::Opcode && !letters.empty() &&
-         letters.size() <= 2 && letters.find_first_not_of("RHXC") == std::string_view::npos;
-}
-
-bool checkHeader(std::string_view text, Reporter &reporter) {
-  if (text.substr(0, kHeader.size()) == kHeader)
+bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter) {
+  if (text.starts_with(header))
     return true;
   std::uint32_t wrong = 0;
-  while (wrong < text.size() && text[wrong] == kHeader[wrong])
+  while (wrong < text.size() && text[wrong] == header[wrong])
     ++wrong;
-  std::string hint = "the first ten bytes must be !!ARBfp1.0, with nothing before them";
+  std::string hint =
+      "the first ten bytes must be " + std::string(header) + ", with nothing before them";
   if (text.empty())
     hint = "the text is empty; the length given was 0";
-  else if (text.starts_with("\xEF\xBB\xBF"))
-    hint = "a byte order mark precedes the header; save the file without one";
-  else if (text.starts_with("!!ARBvp") || text.starts_with("!!VP") || text.starts_with("!!VSP"))
-    hint = "this is a vertex program; load it for GL_VERTEX_PROGRAM_ARB";
-  else if (text.starts_with("!!FP") || text.starts_with("!!FCP"))
-    hint = "this is an NV_fragment_program, which is not offered";
-  else if (text.find(kHeader) < 64)
+  else if (text.find(header) < 64)
     hint = "the header is there, but not at the first byte";
+  for (const HeaderRow &row : kHeaders)
+    if (text.starts_with(row.begin))
+      hint = row.hint;
   reporter.error(DiagnosticId::HeaderMissing,
                  {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
-                 "the header !!ARBfp1.0 is missing", std::move(hint));
+                 "the header " + std::string(header) + " is missing", std::move(hint));
   return false;
 }
 
 } // namespace
 
-ParseResult parseFragmentProgram(std::string_view text, const CompileOptions &options) {
+ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
+                            const CompileOptions &options) {
   Reporter reporter;
   ParseResult result;
   if (text.size() > kMaxTextBytes) {
     reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
                    "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
                    "check the length given; no program needs so much");
-  } else if (checkHeader(text, reporter)) {
-    Parser parser(text, std::uint32_t(kHeader.size()), options, reporter);
+  } else if (checkHeader(language.header, text, reporter)) {
+    Parser parser(language, text, options, reporter);
     parser.parse();
     if (!reporter.hasErrors()) {
       result.counts = parser.binder().counts();
@@ -78,10 +68,11 @@ ParseResult parseFragmentProgram(std::string_view text, const CompileOptions &op
   return result;
 }
 
-Parser::Parser(std::string_view text, std::uint32_t begin, const CompileOptions &options,
+Parser::Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
                Reporter &reporter)
-    : m_text(text), m_limits(options.limits), m_policy(options.policy), m_reporter(reporter),
-      m_tokens(text, begin), m_binder(options, reporter) {}
+    : m_language(language), m_text(text), m_limits(options.limits), m_policy(options.policy),
+      m_reporter(reporter), m_tokens(text, std::uint32_t(language.header.size())),
+      m_binder(language.language, options, reporter) {}
 
 void Parser::parse() {
   parseOptions();
@@ -96,77 +87,6 @@ void Parser::parse() {
       return parseEnd();
     parseStatement();
   }
-}
-
-void Parser::parseOptions() {
-  while (keywordAt().keyword == Keyword::Option && !m_reporter.full())
-    if (!parseOption(false))
-      recover();
-}
-
-bool Parser::parseOption(bool late) {
-  const Token option = m_tokens.next();
-  if (!m_tokens.at(TokenKind::Identifier))
-    return unexpected("the name of an option");
-  const Token name = m_tokens.next();
-  if (late)
-    error(DiagnosticId::LateOption, option.span, "OPTION after the first statement",
-          "options come directly after the header");
-  else
-    applyOption(name);
-  return expect(TokenKind::Semicolon, "';'");
-}
-
-void Parser::applyOption(const Token &token) {
-  const std::string_view name = text(token);
-  const auto fog = [&](ir::FogMode mode) {
-    if (m_options.fog != ir::FogMode::None && m_options.fog != mode)
-      error(DiagnosticId::ConflictingFog, token.span, "a second, different fog option",
-            "a program may have one of ARB_fog_exp, ARB_fog_exp2 and ARB_fog_linear");
-    else
-      m_options.fog = mode;
-  };
-  const auto precision = [&](ir::Precision wanted) {
-    if (m_options.precision != ir::Precision::Unspecified && m_options.precision != wanted)
-      error(DiagnosticId::ConflictingPrecision, token.span, "both precision hints",
-            "keep either ARB_precision_hint_fastest or ARB_precision_hint_nicest");
-    else
-      m_options.precision = wanted;
-  };
-  if (name == "ARB_fog_exp")
-    fog(ir::FogMode::Exp);
-  else if (name == "ARB_fog_exp2")
-    fog(ir::FogMode::Exp2);
-  else if (name == "ARB_fog_linear")
-    fog(ir::FogMode::Linear);
-  else if (name == "ARB_precision_hint_fastest")
-    precision(ir::Precision::Fastest);
-  else if (name == "ARB_precision_hint_nicest")
-    precision(ir::Precision::Nicest);
-  else if (name == "ARB_fragment_program_shadow")
-    m_options.shadow = true;
-  else if (name == "ARB_draw_buffers" || name == "ATI_draw_buffers")
-    m_options.drawBuffers = true;
-  else if (name == "ARB_fragment_coord_origin_upper_left")
-    m_options.originUpperLeft = true;
-  else if (name == "ARB_fragment_coord_pixel_center_integer")
-    m_options.pixelCenterInteger = true;
-  else if (name == "ARB_position_invariant")
-    error(DiagnosticId::UnsupportedOption, token.span,
-          "OPTION ARB_position_invariant: vertex programs only",
-          "remove it; a fragment program keeps the rasterizer's position");
-  else if (name.starts_with("NV_"))
-    error(DiagnosticId::UnsupportedOption, token.span,
-          "OPTION " + std::string(name.substr(0, 48)) + ": not offered",
-          "this implementation offers ARB_fragment_program as published; use a path of the "
-          "application that needs no NV option");
-  else
-    error(DiagnosticId::UnsupportedOption, token.span, "OPTION " + quote(name) + " is not offered",
-          didYouMean(name, {"ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear",
-                            "ARB_precision_hint_fastest", "ARB_precision_hint_nicest",
-                            "ARB_fragment_program_shadow", "ARB_draw_buffers", "ATI_draw_buffers",
-                            "ARB_fragment_coord_origin_upper_left",
-                            "ARB_fragment_coord_pixel_center_integer"}));
 }
 
 void Parser::parseStatement() {
@@ -194,7 +114,9 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::Opcode:
     return parseInstruction(first, word);
   case Keyword::Temp:
-    return parseTemp();
+    return parseRegisters(SymbolKind::Temporary);
+  case Keyword::Address:
+    return parseRegisters(SymbolKind::Address);
   case Keyword::Attrib:
     return parseAttrib();
   case Keyword::Output:
@@ -205,7 +127,7 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
     return parseParam();
   case Keyword::None:
     return unknownStatement(first);
-  case Keyword::Fragment:
+  case Keyword::Attributes:
   case Keyword::Program:
   case Keyword::Result:
   case Keyword::State:
@@ -218,26 +140,47 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   return false;
 }
 
+/// ADDR, MULH_SAT, MOVC: an opcode of ours with the precision or condition letters of NV.
+bool Parser::isNvVariant(std::string_view word) const {
+  const std::string_view base = word.substr(0, 3);
+  const std::string_view letters = word.substr(base.size(), word.find('_') - base.size());
+  return base.size() == 3 && classify(base, m_language).keyword == Keyword::Opcode &&
+         !letters.empty() && letters.size() <= 2 &&
+         letters.find_first_not_of("RHXC") == std::string_view::npos;
+}
+
+/// True for an instruction or a declaration of the other language.
+bool Parser::isForeignStatement(std::string_view word) const {
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  const ArbLanguage &other =
+      arbLanguage(vertex ? ir::Language::ArbFragment : ir::Language::ArbVertex);
+  return beginsStatement(classify(word, other).keyword);
+}
+
 bool Parser::unknownStatement(const Token &first) {
   const std::string_view word = text(first);
-  if (word == "ADDRESS" || word == "ARL" || word == "EXP" || word == "LOG") {
-    error(DiagnosticId::VertexOnly, first.span, std::string(word) + " belongs to vertex programs",
-          word == "EXP"   ? "use EX2"
-          : word == "LOG" ? "use LG2"
-                          : "arrays of a fragment program take constant indexes only");
+  if (isForeignStatement(word)) {
+    const bool saturated = word.ends_with("_SAT");
+    const Word unsaturated = classify(word.substr(0, 3), m_language);
+    if (saturated && unsaturated.keyword == Keyword::Opcode)
+      error(m_language.foreignId, first.span,
+            quote(word) + ": saturation belongs to " + m_language.foreignName,
+            "write " + std::string(word.substr(0, 3)) + ", then MAX with 0 and MIN with 1");
+    else
+      foreign(first, word);
     // The name is declared, so that its uses are not reported as well.
     if (word == "ADDRESS" && m_tokens.at(TokenKind::Identifier))
       m_symbols.declare(text(m_tokens.peek()), {});
-  } else if (contains(kNvInstructions, word.substr(0, word.find('_'))) || isNvVariant(word)) {
+  } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
     error(DiagnosticId::NvOnly, first.span,
-          quote(word) + " belongs to the NV_fragment_program options, which are not offered",
+          quote(word) + " belongs to the " + m_language.nvOptions + " options, " + kNotOfferedYet,
           isNvVariant(word) ? "write " + std::string(word.substr(0, 3)) : "");
-  } else if (word == "KIL_SAT") {
+  } else if (word == "KIL_SAT" && m_language.saturates) {
     error(DiagnosticId::UnknownInstruction, first.span, "KIL writes nothing and takes no _SAT",
           "write KIL");
   } else {
     error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-          didYouMean(word, kStatementWords));
+          didYouMean(word, statementWords(m_language)));
   }
   return false;
 }
@@ -281,7 +224,8 @@ bool Parser::unexpectedToken(const Token &token, const char *expected, std::stri
   case TokenKind::InvalidByte: {
     const char c = m_text[token.span.begin];
     if (c == '|' || c == '(' || c == ')' || c == '<' || c == '>')
-      hint = "absolute values and condition codes belong to the NV_fragment_program options";
+      hint = std::string("absolute values and condition codes belong to the ") +
+             m_language.nvOptions + " options";
     else if (c == '/' || c == '*')
       hint = "a comment begins with #";
     error(DiagnosticId::InvalidCharacter, token.span, "invalid character " + describe(token),
@@ -315,11 +259,17 @@ std::string Parser::describe(const Token &token) const {
 }
 
 Word Parser::keywordAt() const {
-  return m_tokens.at(TokenKind::Identifier) ? classify(text(m_tokens.peek())) : Word{};
+  return m_tokens.at(TokenKind::Identifier) ? wordOf(m_tokens.peek()) : Word{};
 }
 
 bool Parser::atWord(int ahead, std::string_view word) const {
   return m_tokens.peek(ahead).kind == TokenKind::Identifier && text(m_tokens.peek(ahead)) == word;
+}
+
+void Parser::foreign(const Token &token, std::string_view what) {
+  error(m_language.foreignId, token.span,
+        std::string(what) + " belongs to " + m_language.foreignName,
+        std::string(foreignHint(text(token), m_language)));
 }
 
 void Parser::error(DiagnosticId id, Span span, std::string message, std::string hint) {

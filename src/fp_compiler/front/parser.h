@@ -5,6 +5,7 @@
 
 #include "fp_compiler/front/binder.h"
 #include "fp_compiler/front/keywords.h"
+#include "fp_compiler/front/language.h"
 #include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
@@ -17,17 +18,19 @@ struct ParseResult {
   ResourceCounts counts;
 };
 
-/// Parses and checks an ARBfp1.0 program (3.11.2 to 3.11.6). Time and memory are linear in the
-/// text; there is no recursion.
-[[nodiscard]] ParseResult parseFragmentProgram(std::string_view text,
-                                               const CompileOptions &options);
+/// Parses and checks an ARBfp1.0 (ARB_fragment_program 3.11.2 to 3.11.6) or an ARBvp1.0 program
+/// (ARB_vertex_program 2.14.2 to 2.14.5). Time and memory are linear in the text; there is no
+/// recursion.
+[[nodiscard]] ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
+                                          const CompileOptions &options);
 
 /// One statement a function. A function that returns bool returns false for a syntax error, which
 /// it has reported; the statement is then given up and the parser goes on at the next one. Errors
 /// of meaning are reported and the statement goes on.
 class Parser {
 public:
-  Parser(std::string_view text, std::uint32_t begin, const CompileOptions &options,
+  /// Begins behind the header, which has been checked.
+  Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
          Reporter &reporter);
 
   void parse();
@@ -39,27 +42,35 @@ private:
   /// The rows of a parameter array, or the one row of a single parameter.
   using Rows = std::vector<std::uint16_t>;
 
-  // parser.cpp: the program, its options, recovery, tokens
+  // options.cpp
   void parseOptions();
   bool parseOption(bool late);
   void applyOption(const Token &name);
+  void refuseOption(const Token &name);
+
+  // parser.cpp: the program, recovery, tokens
   void parseStatement();
   bool parseStatementBody(const Token &first, const Word &word);
   void parseEnd();
   bool unknownStatement(const Token &first);
+  bool isNvVariant(std::string_view word) const;
+  bool isForeignStatement(std::string_view word) const;
   void recover();
   bool expect(TokenKind kind, const char *what, const char *hint = "");
   bool unexpected(const char *expected, std::string hint = {});
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
   [[nodiscard]] std::string describe(const Token &token) const;
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
+  [[nodiscard]] Word wordOf(const Token &token) const { return classify(text(token), m_language); }
   [[nodiscard]] Word keywordAt() const;
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
   [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
+  /// A word that the other language has.
+  void foreign(const Token &token, std::string_view what);
 
   // declarations.cpp
-  bool parseTemp();
+  bool parseRegisters(SymbolKind kind);
   bool parseAttrib();
   bool parseOutput();
   bool parseAlias();
@@ -72,7 +83,10 @@ private:
 
   // bindings.cpp
   bool parseAttributeBinding(Place place, std::uint16_t &row);
+  bool parseColorAttribute(Place place, ir::Attribute &attribute);
+  bool parseTexCoord(std::uint8_t &index);
   bool parseResultBinding(Place place, std::uint16_t &row);
+  bool parseFragmentResult(ir::Output &output);
   bool parseProgramBinding(std::uint32_t begin, bool range, Rows &rows);
   bool parseConstant(bool isSigned, std::uint16_t &row);
   bool parseConstantVector(ir::Vec4 &value);
@@ -82,7 +96,15 @@ private:
                           std::uint32_t &index);
   bool parseBounded(std::uint32_t limit, DiagnosticId id, const char *what, std::uint32_t &value);
   bool unknownWord(const char *what, std::initializer_list<std::string_view> words,
-                   std::initializer_list<std::string_view> vertexWords = {});
+                   std::initializer_list<std::string_view> foreignWords = {});
+
+  // vertex_bindings.cpp: those of vertex programs alone
+  bool parseVertexAttribute(ir::Attribute &attribute);
+  bool parseVertexResult(ir::Output &output);
+  bool parseVertexColor(ir::Output &output);
+  bool parseTexGen(ir::StateRef &ref);
+  bool parseClipPlane(ir::StateRef &ref);
+  bool parsePoint(ir::StateRef &ref);
 
   // state_binding.cpp
   bool parseStateBinding(std::uint32_t begin, bool range, Rows &rows);
@@ -91,7 +113,8 @@ private:
   bool parseLightModel(ir::StateRef &ref);
   bool parseLightProduct(ir::StateRef &ref);
   bool parseTexEnv(ir::StateRef &ref);
-  bool parseFogOrDepth(ir::StateRef &ref, bool fog);
+  bool parseFog(ir::StateRef &ref);
+  bool parseDepth(ir::StateRef &ref);
   bool parseMatrix(std::uint32_t begin, bool range, Rows &rows);
   bool parseMatrixName(ir::StateRef &ref);
   bool parseMatrixRows(bool range, std::uint32_t &first, std::uint32_t &last);
@@ -101,6 +124,7 @@ private:
   bool parseInstruction(const Token &opcode, const Word &word);
   bool parseDestination(ir::Destination &destination);
   bool parseDestinationRegister(ir::Destination &destination);
+  bool parseAddressDestination(ir::Destination &destination);
   bool readOnlyDestination(const Token &first, const Word &word);
   bool parseMask(std::uint8_t &mask);
   bool parseExtendedSwizzle(ir::Operand &operand);
@@ -113,9 +137,24 @@ private:
   bool parseSourceRegister(ir::Operand &operand);
   bool parseNamedSource(ir::Operand &operand);
   bool parseArrayElement(const Token &name, const Symbol &array, ir::Operand &operand);
+  bool parseRelativeElement(const Token &name, const Symbol &array, ir::Operand &operand);
+  bool parseAddressComponent();
+  bool parseRelativeOffset(std::int16_t &offset);
   bool parseSwizzle(bool scalar, ir::Swizzle &swizzle);
   bool undeclared(const Token &name);
   bool skipIndex();
+
+  /// A parameter array; `relative` is its number in the program, once an address register has
+  /// indexed it.
+  struct Array {
+    Rows rows;
+    std::optional<std::uint16_t> relative;
+  };
+
+  const ArbLanguage &m_language;
+  /// Indexes of state and of attributes are kept in eight bits; no GL has so many of them that this
+  /// binds.
+  static std::uint32_t byteLimit(std::uint32_t limit) { return limit < 256 ? limit : 256; }
 
   std::string_view m_text;
   const Limits &m_limits;
@@ -125,7 +164,7 @@ private:
   Binder m_binder;
   SymbolTable m_symbols;
   ir::Options m_options;
-  std::vector<Rows> m_arrays;
+  std::vector<Array> m_arrays;
   /// Ranges make many elements of little text, so their number has a limit of its own.
   static constexpr std::size_t kMaxArrayEntries = 65536;
   std::size_t m_arrayEntries = 0;

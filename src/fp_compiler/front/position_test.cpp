@@ -285,7 +285,7 @@ TEST(ErrorPosition, IsTheFirstWrongByteOfHeaderAndOptions) {
     std::string text = planted.text;
     const std::size_t marker = text.find('@');
     text.erase(marker, 1);
-    const CheckResult result = check(text);
+    const CheckResult result = checkFragmentProgram(text, testing_support::small());
     EXPECT_EQ(firstError(result), planted.id) << planted.text;
     EXPECT_EQ(result.errorPosition(), std::int32_t(marker)) << planted.text;
   }

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "fp_compiler/front/parser.h"
 
@@ -31,50 +30,53 @@ std::optional<MatrixModifier> findModifier(std::string_view word) {
   return std::nullopt;
 }
 
-/// An index is kept in eight bits; no GL has so much of anything that this binds.
-std::uint32_t byteLimit(std::uint32_t limit) { return std::min(limit, 256u); }
-
 } // namespace
 
 /// <stateSingleItem> or <stateMultipleItem>, after "state" (tables X.2.2 to X.2.7).
 bool Parser::parseStateBinding(std::uint32_t begin, bool range, Rows &rows) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  const std::string_view group =
-      m_tokens.at(TokenKind::Identifier) ? text(m_tokens.peek()) : std::string_view();
-  ir::StateRef ref;
-  bool parsed = false;
-  if (group == "matrix") {
+  if (atWord(0, "matrix")) {
     m_tokens.next();
     return parseMatrix(begin, range, rows);
   }
-  if (group == "material") {
+  struct Group {
+    std::string_view word;
+    bool (Parser::*parse)(ir::StateRef &);
+    std::optional<ir::Language> only;
+  };
+  static constexpr Group kGroups[] = {
+      {"material", &Parser::parseMaterial, std::nullopt},
+      {"light", &Parser::parseLight, std::nullopt},
+      {"lightmodel", &Parser::parseLightModel, std::nullopt},
+      {"lightprod", &Parser::parseLightProduct, std::nullopt},
+      {"fog", &Parser::parseFog, std::nullopt},
+      {"texenv", &Parser::parseTexEnv, ir::Language::ArbFragment},
+      {"depth", &Parser::parseDepth, ir::Language::ArbFragment},
+      {"texgen", &Parser::parseTexGen, ir::Language::ArbVertex},
+      {"clip", &Parser::parseClipPlane, ir::Language::ArbVertex},
+      {"point", &Parser::parsePoint, ir::Language::ArbVertex},
+  };
+  const Token word = m_tokens.peek();
+  for (const Group &group : kGroups) {
+    if (!atWord(0, group.word))
+      continue;
+    if (group.only && *group.only != m_language.language) {
+      foreign(word, quote(group.word));
+      return false;
+    }
     m_tokens.next();
-    parsed = parseMaterial(ref);
-  } else if (group == "light") {
-    m_tokens.next();
-    parsed = parseLight(ref);
-  } else if (group == "lightmodel") {
-    m_tokens.next();
-    parsed = parseLightModel(ref);
-  } else if (group == "lightprod") {
-    m_tokens.next();
-    parsed = parseLightProduct(ref);
-  } else if (group == "texenv") {
-    m_tokens.next();
-    parsed = parseTexEnv(ref);
-  } else if (group == "fog" || group == "depth") {
-    m_tokens.next();
-    parsed = parseFogOrDepth(ref, group == "fog");
-  } else {
-    return unknownWord(
-        "a state group",
-        {"material", "light", "lightmodel", "lightprod", "texenv", "fog", "depth", "matrix"},
-        {"texgen", "clip", "point"});
-  }
-  if (parsed)
+    ir::StateRef ref;
+    if (!(this->*group.parse)(ref))
+      return false;
     rows.push_back(m_binder.state(ref, spanFrom(begin)));
-  return parsed;
+    return true;
+  }
+  return m_language.language == ir::Language::ArbVertex
+             ? unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
+                                             "texgen", "fog", "clip", "point", "matrix"})
+             : unknownWord("a state group", {"material", "light", "lightmodel", "lightprod",
+                                             "texenv", "fog", "depth", "matrix"});
 }
 
 /// <optFaceType> and the dot of the property behind it.
@@ -185,20 +187,22 @@ bool Parser::parseTexEnv(ir::StateRef &ref) {
   return true;
 }
 
-bool Parser::parseFogOrDepth(ir::StateRef &ref, bool fog) {
+bool Parser::parseFog(ir::StateRef &ref) {
   if (!expect(TokenKind::Dot, "'.'"))
     return false;
-  if (fog && atWord(0, "color"))
-    ref.item = StateItem::FogColor;
-  else if (fog && atWord(0, "params"))
-    ref.item = StateItem::FogParams;
-  else if (!fog && atWord(0, "range"))
-    ref.item = StateItem::DepthRange;
-  else if (fog)
+  if (!atWord(0, "color") && !atWord(0, "params"))
     return unknownWord("color or params", {"color", "params"});
-  else
+  ref.item = text(m_tokens.next()) == "color" ? StateItem::FogColor : StateItem::FogParams;
+  return true;
+}
+
+bool Parser::parseDepth(ir::StateRef &ref) {
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  if (!atWord(0, "range"))
     return unknownWord("range", {"range"});
   m_tokens.next();
+  ref.item = StateItem::DepthRange;
   return true;
 }
 

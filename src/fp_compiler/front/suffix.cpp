@@ -8,10 +8,10 @@ constexpr std::string_view kXyzw = "xyzw";
 constexpr std::string_view kRgba = "rgba";
 
 /// 0 to 3, or npos; `set` becomes the set's first letter.
-std::size_t component(char letter, char &set) {
+std::size_t component(char letter, bool colors, char &set) {
   std::size_t index = kXyzw.find(letter);
   set = 'x';
-  if (index == std::string_view::npos) {
+  if (index == std::string_view::npos && colors) {
     index = kRgba.find(letter);
     set = 'r';
   }
@@ -19,9 +19,10 @@ std::size_t component(char letter, char &set) {
 }
 
 /// The component of a letter; an error if it is none, or of another set than `set` (0: any).
-SuffixError readComponent(std::string_view word, std::uint32_t at, char &set, std::size_t &index) {
+SuffixError readComponent(std::string_view word, std::uint32_t at, bool colors, char &set,
+                          std::size_t &index) {
   char own = 0;
-  index = component(word[at], own);
+  index = component(word[at], colors, own);
   if (index == std::string_view::npos)
     return {"no such component", at};
   if (set != 0 && set != own)
@@ -32,7 +33,7 @@ SuffixError readComponent(std::string_view word, std::uint32_t at, char &set, st
 
 } // namespace
 
-SuffixError readSwizzle(std::string_view word, bool scalar, ir::Swizzle &swizzle) {
+SuffixError readSwizzle(std::string_view word, bool colors, bool scalar, ir::Swizzle &swizzle) {
   const std::uint32_t most = scalar ? 1 : 4;
   char set = 0;
   ir::Swizzle read = ir::kIdentity;
@@ -40,7 +41,7 @@ SuffixError readSwizzle(std::string_view word, bool scalar, ir::Swizzle &swizzle
     if (i == most)
       return {scalar ? "more than one component" : "more than four components", i};
     std::size_t index = 0;
-    if (const SuffixError wrong = readComponent(word, i, set, index))
+    if (const SuffixError wrong = readComponent(word, i, colors, set, index))
       return wrong;
     read[i] = ir::Select(index);
   }
@@ -52,12 +53,12 @@ SuffixError readSwizzle(std::string_view word, bool scalar, ir::Swizzle &swizzle
   return {};
 }
 
-SuffixError readMask(std::string_view word, std::uint8_t &mask) {
+SuffixError readMask(std::string_view word, bool colors, std::uint8_t &mask) {
   char set = 0;
   std::uint8_t read = 0;
   for (std::uint32_t i = 0; i < word.size(); ++i) {
     std::size_t index = 0;
-    if (const SuffixError wrong = readComponent(word, i, set, index))
+    if (const SuffixError wrong = readComponent(word, i, colors, set, index))
       return wrong;
     // Every bit from this component on must still be free.
     if (read >> index != 0)
@@ -68,13 +69,13 @@ SuffixError readMask(std::string_view word, std::uint8_t &mask) {
   return {};
 }
 
-SuffixError readSelector(std::string_view word, char &set, ir::Select &select) {
+SuffixError readSelector(std::string_view word, bool colors, char &set, ir::Select &select) {
   if (word == "0" || word == "1") {
     select = word == "0" ? ir::Select::Zero : ir::Select::One;
     return {};
   }
   std::size_t index = 0;
-  if (const SuffixError wrong = readComponent(word, 0, set, index))
+  if (const SuffixError wrong = readComponent(word, 0, colors, set, index))
     return wrong;
   if (word.size() > 1)
     return {"more than one component", 1};

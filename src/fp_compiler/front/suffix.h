@@ -13,14 +13,18 @@ struct SuffixError {
   explicit operator bool() const { return reason != nullptr; }
 };
 
+// `colors`: r, g, b and a name components too (fragment programs).
+
 /// A swizzle without its dot: one component, which is repeated, or four (only one if `scalar`).
-[[nodiscard]] SuffixError readSwizzle(std::string_view word, bool scalar, ir::Swizzle &swizzle);
+[[nodiscard]] SuffixError readSwizzle(std::string_view word, bool colors, bool scalar,
+                                      ir::Swizzle &swizzle);
 
 /// A write mask without its dot: one to four components in order; bit 0 is x.
-[[nodiscard]] SuffixError readMask(std::string_view word, std::uint8_t &mask);
+[[nodiscard]] SuffixError readMask(std::string_view word, bool colors, std::uint8_t &mask);
 
 /// One selector of an extended swizzle. `set` is 0, or a letter of the set that the selectors
 /// before it belong to; it is updated.
-[[nodiscard]] SuffixError readSelector(std::string_view word, char &set, ir::Select &select);
+[[nodiscard]] SuffixError readSelector(std::string_view word, bool colors, char &set,
+                                       ir::Select &select);
 
 } // namespace arbiter::fp

@@ -16,6 +16,7 @@ enum class SymbolKind : std::uint8_t {
   Parameter,
   ParameterArray,
   Output,
+  Address, ///< vertex programs: row of Program::addresses
 };
 
 /// What a name stands for. An ALIAS has a copy of its variable's symbol.

@@ -18,7 +18,8 @@ inline CompileOptions small(LimitPolicy policy = LimitPolicy::Enforce) {
                 .texIndirections = 4,
                 .temporaries = 32,
                 .parameters = 32,
-                .attribs = 10};
+                .attribs = 10,
+                .addressRegisters = 1};
   limits.native = limits.api;
   limits.localParameters = 32;
   limits.envParameters = 32;
@@ -35,19 +36,24 @@ inline CompileOptions small(LimitPolicy policy = LimitPolicy::Enforce) {
 /// Limits of the size that software hosts have.
 inline CompileOptions generous() {
   CompileOptions options = small();
-  options.limits.api = {16384, 16384, 16384, 16384, 4096, 4096, 16};
+  options.limits.api = {16384, 16384, 16384, 16384, 4096, 4096, 16, 8};
   options.limits.native = options.limits.api;
   options.limits.localParameters = options.limits.envParameters = 4096;
   return options;
 }
 
+/// In the language that the header names; fragment programs where there is none.
 inline CheckResult check(std::string_view text, const CompileOptions &options = small()) {
-  return checkFragmentProgram(text, options);
+  return checkProgram(languageOfText(text).value_or(ir::Language::ArbFragment), text, options);
 }
 
 /// The statements between header and END.
 inline std::string wrap(std::string_view statements) {
   return "!!ARBfp1.0\n" + std::string(statements) + "\nEND\n";
+}
+
+inline std::string wrapVertex(std::string_view statements) {
+  return "!!ARBvp1.0\n" + std::string(statements) + "\nEND\n";
 }
 
 inline std::string repeat(std::string_view piece, std::size_t times) {

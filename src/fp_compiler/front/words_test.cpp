@@ -1,4 +1,5 @@
 // The small parts: keywords, numerals, suffixes, suggestions, symbols.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -10,6 +11,16 @@
 
 namespace arbiter::fp {
 namespace {
+
+const ArbLanguage &kFragment = arbLanguage(ir::Language::ArbFragment);
+const ArbLanguage &kVertex = arbLanguage(ir::Language::ArbVertex);
+
+// ARB_vertex_program 2.14.2, the list of reserved keywords.
+constexpr std::string_view kVertexReserved[] = {
+    "ABS", "ADD", "ADDRESS", "ALIAS",  "ARL",    "ATTRIB",  "DP3",    "DP4",   "DPH",   "DST",
+    "END", "EX2", "EXP",     "FLR",    "FRC",    "LG2",     "LIT",    "LOG",   "MAD",   "MAX",
+    "MIN", "MOV", "MUL",     "OPTION", "OUTPUT", "PARAM",   "POW",    "RCP",   "RSQ",   "SGE",
+    "SLT", "SUB", "SWZ",     "TEMP",   "XPD",    "program", "result", "state", "vertex"};
 
 // 3.11.2, the list of reserved keywords.
 constexpr std::string_view kReserved[] = {
@@ -26,7 +37,7 @@ constexpr std::string_view kReserved[] = {
 
 TEST(Keywords, AreTheSpecificationsList) {
   for (std::string_view word : kReserved)
-    EXPECT_NE(classify(word).keyword, Keyword::None) << word;
+    EXPECT_NE(classify(word, kFragment).keyword, Keyword::None) << word;
 }
 
 TEST(Keywords, EverythingElseIsAName) {
@@ -34,14 +45,24 @@ TEST(Keywords, EverythingElseIsAName) {
        {"KIL_SAT", "ADDRESS", "ARL",     "EXP",          "LOG",     "DDX",     "TXD",
         "vertex",  "mov",     "Mov",     "MOV_",         "MOV_sat", "END_SAT", "temp",
         "out",     "half",    "default", "gl_FragColor", "MO",      "MOVE",    ""})
-    EXPECT_EQ(classify(word).keyword, Keyword::None) << word;
+    EXPECT_EQ(classify(word, kFragment).keyword, Keyword::None) << word;
+}
+
+TEST(Keywords, OfVertexPrograms) {
+  for (std::string_view word : kVertexReserved)
+    EXPECT_NE(classify(word, kVertex).keyword, Keyword::None) << word;
+  for (std::string_view word : kReserved)
+    if (std::find(std::begin(kVertexReserved), std::end(kVertexReserved), word) ==
+        std::end(kVertexReserved)) {
+      EXPECT_EQ(classify(word, kVertex).keyword, Keyword::None) << word;
+    }
 }
 
 TEST(Keywords, OpcodesAreTold) {
-  EXPECT_EQ(classify("TXP").op, ir::Opcode::Txp);
-  EXPECT_FALSE(classify("TXP").saturate);
-  EXPECT_EQ(classify("ABS_SAT").op, ir::Opcode::Abs);
-  EXPECT_TRUE(classify("ABS_SAT").saturate);
+  EXPECT_EQ(classify("TXP", kFragment).op, ir::Opcode::Txp);
+  EXPECT_FALSE(classify("TXP", kFragment).saturate);
+  EXPECT_EQ(classify("ABS_SAT", kFragment).op, ir::Opcode::Abs);
+  EXPECT_TRUE(classify("ABS_SAT", kFragment).saturate);
 }
 
 TEST(Numeral, IntegersSaturate) {
@@ -86,7 +107,7 @@ TEST(Suffix, MasksAreTheFifteenOfEachSet) {
         if (bits & (1u << i))
           word += letters[i];
       std::uint8_t mask = 0;
-      EXPECT_FALSE(readMask(word, mask)) << word;
+      EXPECT_FALSE(readMask(word, true, mask)) << word;
       EXPECT_EQ(mask, bits) << word;
       ++accepted;
     }
@@ -95,18 +116,31 @@ TEST(Suffix, MasksAreTheFifteenOfEachSet) {
 
 TEST(Suffix, OffsetsPointAtTheWrongLetter) {
   std::uint8_t mask = 0;
-  EXPECT_EQ(readMask("xzy", mask).offset, 2u);
-  EXPECT_EQ(readMask("xa", mask).offset, 1u);
+  EXPECT_EQ(readMask("xzy", true, mask).offset, 2u);
+  EXPECT_EQ(readMask("xa", true, mask).offset, 1u);
   ir::Swizzle swizzle{};
-  EXPECT_EQ(readSwizzle("xyzg", false, swizzle).offset, 3u);
-  EXPECT_EQ(readSwizzle("xyzwx", false, swizzle).offset, 4u);
-  EXPECT_EQ(readSwizzle("xx", true, swizzle).offset, 1u);
+  EXPECT_EQ(readSwizzle("xyzg", true, false, swizzle).offset, 3u);
+  EXPECT_EQ(readSwizzle("xyzwx", true, false, swizzle).offset, 4u);
+  EXPECT_EQ(readSwizzle("xx", true, true, swizzle).offset, 1u);
   char set = 0;
   ir::Select select{};
-  EXPECT_FALSE(readSelector("x", set, select));
-  EXPECT_FALSE(readSelector("0", set, select));
-  EXPECT_TRUE(readSelector("r", set, select));
-  EXPECT_TRUE(readSelector("01", set, select));
+  EXPECT_FALSE(readSelector("x", true, set, select));
+  EXPECT_FALSE(readSelector("0", true, set, select));
+  EXPECT_TRUE(readSelector("r", true, set, select));
+  EXPECT_TRUE(readSelector("01", true, set, select));
+}
+
+TEST(Suffix, VertexProgramsHaveNoColorLetters) {
+  std::uint8_t mask = 0;
+  ir::Swizzle swizzle{};
+  ir::Select select{};
+  char set = 0;
+  EXPECT_EQ(readMask("xa", false, mask).offset, 1u);
+  EXPECT_TRUE(readMask("r", false, mask));
+  EXPECT_FALSE(readMask("xw", false, mask));
+  EXPECT_TRUE(readSwizzle("rgba", false, false, swizzle));
+  EXPECT_FALSE(readSwizzle("xyzw", false, false, swizzle));
+  EXPECT_TRUE(readSelector("a", false, set, select));
 }
 
 TEST(Suggest, FindsTheNearest) {

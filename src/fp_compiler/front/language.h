@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/front/diagnostic_ids.h"
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp {
+
+/// What sets one ARB assembly language apart from the other, where a datum can say it. The two
+/// share everything else: tokens, statements, parameters, state, counts.
+struct ArbLanguage {
+  ir::Language language;
+  std::string_view header;     ///< "!!ARBfp1.0"
+  const char *name;            ///< "fragment program"
+  std::string_view attributes; ///< the word that attribute bindings begin with: "fragment"
+  ir::Trait foreign;           ///< the trait of the opcodes that it lacks
+  DiagnosticId foreignId;      ///< a feature of the other language
+  const char *foreignName;     ///< "vertex programs"
+  const char *nvOptions;       ///< the options whose words are refused as theirs
+  bool saturates;              ///< _SAT
+  bool colorLetters;           ///< r, g, b and a name components
+  bool addresses;              ///< ADDRESS, ARL and relative operands
+};
+
+/// The end of every refusal of an NV feature: "... which are on the road map ...".
+inline constexpr const char *kNotOfferedYet = "which are on the road map and not offered yet";
+
+/// The row of ArbFragment or ArbVertex.
+[[nodiscard]] const ArbLanguage &arbLanguage(ir::Language language);
+
+/// What to write instead of a word of the other language; empty if there is nothing to say.
+[[nodiscard]] std::string_view foreignHint(std::string_view word, const ArbLanguage &language);
+
+/// True for the instructions that only the NV options of this language have.
+[[nodiscard]] bool isNvInstruction(std::string_view word, const ArbLanguage &language);
+
+/// The words that may begin a statement, to suggest from.
+[[nodiscard]] std::vector<std::string_view> statementWords(const ArbLanguage &language);
+
+} // namespace arbiter::fp

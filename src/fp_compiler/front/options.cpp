@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <iterator>
+
+#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/suggest.h"
+
+namespace arbiter::fp {
+
+namespace {
+
+using ir::Language;
+
+/// Sets what the option asks for; false where it contradicts one before it.
+using Apply = bool (*)(ir::Options &);
+
+template <ir::FogMode mode> bool fog(ir::Options &options) {
+  if (options.fog != ir::FogMode::None && options.fog != mode)
+    return false;
+  options.fog = mode;
+  return true;
+}
+
+template <ir::Precision wanted> bool precision(ir::Options &options) {
+  if (options.precision != ir::Precision::Unspecified && options.precision != wanted)
+    return false;
+  options.precision = wanted;
+  return true;
+}
+
+template <bool ir::Options::*flag> bool set(ir::Options &options) { return options.*flag = true; }
+
+struct Conflict {
+  DiagnosticId id;
+  const char *message;
+  const char *hint;
+};
+constexpr Conflict kFogs = {DiagnosticId::ConflictingFog, "a second, different fog option",
+                            "a program may have one of ARB_fog_exp, ARB_fog_exp2 and "
+                            "ARB_fog_linear"};
+constexpr Conflict kPrecisions = {
+    DiagnosticId::ConflictingPrecision, "both precision hints",
+    "keep either ARB_precision_hint_fastest or ARB_precision_hint_nicest"};
+
+struct OptionRow {
+  std::string_view name;
+  Language language;
+  Apply apply;
+  const Conflict *conflict; ///< where `apply` may be false
+};
+
+/// The options of ARB_fragment_program 3.11.4.5 and of the extensions beside it, and of
+/// ARB_vertex_program 2.14.4.5.
+constexpr OptionRow kOptions[] = {
+    {"ARB_fog_exp", Language::ArbFragment, fog<ir::FogMode::Exp>, &kFogs},
+    {"ARB_fog_exp2", Language::ArbFragment, fog<ir::FogMode::Exp2>, &kFogs},
+    {"ARB_fog_linear", Language::ArbFragment, fog<ir::FogMode::Linear>, &kFogs},
+    {"ARB_precision_hint_fastest", Language::ArbFragment, precision<ir::Precision::Fastest>,
+     &kPrecisions},
+    {"ARB_precision_hint_nicest", Language::ArbFragment, precision<ir::Precision::Nicest>,
+     &kPrecisions},
+    {"ARB_fragment_program_shadow", Language::ArbFragment, set<&ir::Options::shadow>, nullptr},
+    {"ARB_draw_buffers", Language::ArbFragment, set<&ir::Options::drawBuffers>, nullptr},
+    {"ATI_draw_buffers", Language::ArbFragment, set<&ir::Options::drawBuffers>, nullptr},
+    {"ARB_fragment_coord_origin_upper_left", Language::ArbFragment,
+     set<&ir::Options::originUpperLeft>, nullptr},
+    {"ARB_fragment_coord_pixel_center_integer", Language::ArbFragment,
+     set<&ir::Options::pixelCenterInteger>, nullptr},
+    {"ARB_position_invariant", Language::ArbVertex, set<&ir::Options::positionInvariant>, nullptr},
+};
+
+} // namespace
+
+void Parser::parseOptions() {
+  while (keywordAt().keyword == Keyword::Option && !m_reporter.full())
+    if (!parseOption(false))
+      recover();
+}
+
+bool Parser::parseOption(bool late) {
+  const Token option = m_tokens.next();
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("the name of an option");
+  const Token name = m_tokens.next();
+  if (late)
+    error(DiagnosticId::LateOption, option.span, "OPTION after the first statement",
+          "options come directly after the header");
+  else
+    applyOption(name);
+  return expect(TokenKind::Semicolon, "';'");
+}
+
+void Parser::applyOption(const Token &token) {
+  const auto row = std::find_if(std::begin(kOptions), std::end(kOptions), [&](const auto &option) {
+    return option.name == text(token) && option.language == m_language.language;
+  });
+  if (row == std::end(kOptions))
+    refuseOption(token);
+  else if (!row->apply(m_options))
+    error(row->conflict->id, token.span, row->conflict->message, row->conflict->hint);
+}
+
+void Parser::refuseOption(const Token &token) {
+  const std::string_view name = text(token);
+  const std::string option = "OPTION " + std::string(name.substr(0, 48));
+  std::vector<std::string_view> offered;
+  bool other = false;
+  for (const OptionRow &row : kOptions) {
+    other |= row.name == name;
+    if (row.language == m_language.language)
+      offered.push_back(row.name);
+  }
+  if (other)
+    error(DiagnosticId::UnsupportedOption, token.span,
+          option + ": " + m_language.foreignName + " only",
+          name == "ARB_position_invariant"
+              ? "remove it; a fragment program keeps the rasterizer's position"
+              : "remove it");
+  else if (name.starts_with("NV_"))
+    error(DiagnosticId::UnsupportedOption, token.span,
+          option + " is on the road map and not offered yet",
+          "this implementation offers ARB_fragment_program and ARB_vertex_program as published; "
+          "use a path of the application that needs no NV option");
+  else
+    error(DiagnosticId::UnsupportedOption, token.span, "OPTION " + quote(name) + " is not offered",
+          didYouMean(name, offered));
+}
+
+} // namespace arbiter::fp

@@ -1,0 +1,139 @@
+// Bindings that only vertex programs have (ARB_vertex_program 2.14.3).
+
+#include "fp_compiler/front/parser.h"
+
+namespace arbiter::fp {
+
+/// <vtxAttribItem> that fragment programs have no like of.
+bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
+  if (atWord(0, "normal")) {
+    m_tokens.next();
+    attribute.kind = ir::AttributeKind::Normal;
+    return true;
+  }
+  if (atWord(0, "attrib")) {
+    m_tokens.next();
+    std::uint32_t index = 0;
+    attribute.kind = ir::AttributeKind::Generic;
+    if (!parseIndex(byteLimit(m_limits.vertexAttribs), DiagnosticId::AttributeIndex,
+                    "vertex attribute", index))
+      return false;
+    attribute.index = std::uint8_t(index);
+    return true;
+  }
+  const bool weight = atWord(0, "weight");
+  if (!weight && !atWord(0, "matrixindex"))
+    return unknownWord("a vertex attribute",
+                       {"position", "normal", "color", "fogcoord", "texcoord", "attrib"});
+  const Token word = m_tokens.next();
+  error(DiagnosticId::AttributeExtension, word.span,
+        "vertex." + std::string(text(word)) + " needs " +
+            (weight ? "ARB_vertex_blend" : "ARB_matrix_palette") + ", which is not offered",
+        "pass it as a generic attribute, vertex.attrib[n]");
+  return false;
+}
+
+/// <resultBinding>, after its dot.
+bool Parser::parseVertexResult(ir::Output &output) {
+  if (atWord(0, "color"))
+    return parseVertexColor(output);
+  if (atWord(0, "position")) {
+    const Token word = m_tokens.next();
+    output.kind = ir::OutputKind::Position;
+    if (m_options.positionInvariant)
+      error(DiagnosticId::InvariantPosition, word.span,
+            "result.position under OPTION ARB_position_invariant",
+            "the option computes the position; remove one of the two");
+    return true;
+  }
+  if (atWord(0, "texcoord")) {
+    output.kind = ir::OutputKind::TexCoord;
+    return parseTexCoord(output.index);
+  }
+  if (atWord(0, "fogcoord") || atWord(0, "pointsize")) {
+    output.kind =
+        text(m_tokens.next()) == "fogcoord" ? ir::OutputKind::FogCoord : ir::OutputKind::PointSize;
+    return true;
+  }
+  if (atWord(0, "clip")) {
+    error(DiagnosticId::NvOnly, m_tokens.peek().span,
+          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOfferedYet,
+          "OPTION ARB_position_invariant clips as fixed function does");
+    return false;
+  }
+  return unknownWord("a vertex result", {"position", "color", "fogcoord", "pointsize", "texcoord"},
+                     {"depth"});
+}
+
+/// <resultColBinding>: a suffix that is no face and no colour type is a mask.
+bool Parser::parseVertexColor(ir::Output &output) {
+  m_tokens.next();
+  if (m_tokens.at(TokenKind::OpenBracket)) {
+    foreign(m_tokens.peek(), "result.color[n]");
+    return false;
+  }
+  const auto accept = [&](std::string_view word) {
+    if (!m_tokens.at(TokenKind::Dot) || !atWord(1, word))
+      return false;
+    m_tokens.next();
+    m_tokens.next();
+    return true;
+  };
+  const bool back = !accept("front") && accept("back");
+  const bool secondary = !accept("primary") && accept("secondary");
+  output.kind = back ? (secondary ? ir::OutputKind::BackSecondary : ir::OutputKind::BackPrimary)
+                     : (secondary ? ir::OutputKind::FrontSecondary : ir::OutputKind::FrontPrimary);
+  return true;
+}
+
+/// <stateTexGenItem>, after "texgen".
+bool Parser::parseTexGen(ir::StateRef &ref) {
+  std::uint32_t index = 0;
+  if (!parseOptionalIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
+                          "texture coordinate set", index) ||
+      !expect(TokenKind::Dot, "'.'"))
+    return false;
+  ref.index = std::uint8_t(index);
+  if (!atWord(0, "eye") && !atWord(0, "object"))
+    return unknownWord("eye or object", {"eye", "object"});
+  ref.item =
+      text(m_tokens.next()) == "eye" ? ir::StateItem::TexGenEye : ir::StateItem::TexGenObject;
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  for (const std::string_view word : {"s", "t", "r", "q"}) {
+    if (atWord(0, word)) {
+      m_tokens.next();
+      return true;
+    }
+    ++ref.row;
+  }
+  return unknownWord("a texture coordinate", {"s", "t", "r", "q"});
+}
+
+/// <stateClipPlaneItem>, after "clip".
+bool Parser::parseClipPlane(ir::StateRef &ref) {
+  std::uint32_t index = 0;
+  if (!parseIndex(byteLimit(m_limits.clipPlanes), DiagnosticId::ClipPlaneIndex, "clip plane",
+                  index) ||
+      !expect(TokenKind::Dot, "'.plane'"))
+    return false;
+  if (!atWord(0, "plane"))
+    return unknownWord("plane", {"plane"});
+  m_tokens.next();
+  ref.item = ir::StateItem::ClipPlane;
+  ref.index = std::uint8_t(index);
+  return true;
+}
+
+/// <statePointItem>, after "point".
+bool Parser::parsePoint(ir::StateRef &ref) {
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  if (!atWord(0, "size") && !atWord(0, "attenuation"))
+    return unknownWord("size or attenuation", {"size", "attenuation"});
+  ref.item =
+      text(m_tokens.next()) == "size" ? ir::StateItem::PointSize : ir::StateItem::PointAttenuation;
+  return true;
+}
+
+} // namespace arbiter::fp
