@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <mutex>
 
-#include "fp_compiler/hw/profile.h"
 #include "host/host_table.h"
+#include "state/active_profile.h"
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
@@ -15,20 +15,6 @@
 namespace arbiter::state {
 
 namespace {
-
-/// The profile that ARBITER_PROFILE names; the default where it names none.
-const fp::hw::Profile &activeProfile() {
-  static const fp::hw::Profile *const s_profile = [] {
-    auto loaded = fp::hw::loadProfile(settings().profile);
-    if (loaded)
-      return static_cast<const fp::hw::Profile *>(
-          new fp::hw::Profile(std::move(loaded).value())); // lives as long as the process
-    logWarn("state", "%s; going on with profile %s", loaded.error().message.c_str(),
-            std::string(fp::hw::kDefaultProfile).c_str());
-    return fp::hw::findBuiltin(fp::hw::kDefaultProfile);
-  }();
-  return *s_profile;
-}
 
 /// The profile's limits of the fragment target, no higher than the host can keep: what is promised
 /// must draw.

@@ -13,6 +13,7 @@
 #include "state/current.h"
 #include "state/host_assembly.h"
 #include "state/host_caps.h"
+#include "state/identity.h"
 #include "state/lifecycle.h"
 #include "state/list_compiler.h"
 #include "state/program_object.h"
@@ -120,7 +121,7 @@ public:
   std::uint64_t readBufferCalls = 0;
   swrast::FeedbackTracker feedback;
 
-  std::shared_ptr<const FilteredExtensions> extensions; ///< made at the first query
+  std::shared_ptr<const Identity> identity; ///< made at the first query
 };
 
 /// The row of a target's GL name; null where the target is unknown or the host's to answer.

@@ -17,6 +17,6 @@ void bindMute(Context &context);
 void afterHostList(Context &context);
 
 /// The extensions that the application sees; made at the first call.
-[[nodiscard]] const FilteredExtensions &applicationExtensions(Context &context);
+[[nodiscard]] const Identity &applicationIdentity(Context &context);
 
 } // namespace arbiter::state

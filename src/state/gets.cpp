@@ -6,6 +6,7 @@
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/program_api.h"
+#include "util/log.h"
 
 namespace arbiter::state {
 
@@ -43,8 +44,16 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_NUM_EXTENSIONS:
     if (context.caps.major < 3)
       return false;
-    value = GLint(applicationExtensions(context).names.size());
+    value = GLint(applicationIdentity(context).extensions.names.size());
     return true;
+  case GL_MAJOR_VERSION:
+  case GL_MINOR_VERSION: {
+    const Identity &identity = applicationIdentity(context);
+    if (context.caps.major < 3 || identity.major == 0)
+      return false;
+    value = pname == GL_MAJOR_VERSION ? identity.major : identity.minor;
+    return true;
+  }
   case GL_CURRENT_PROGRAM: // ours is current only where the application has none
     if (!context.hostProgramIsOurs)
       return false;
@@ -75,12 +84,31 @@ template <typename T, typename Host> void get(Context &context, GLenum pname, T 
 
 } // namespace
 
-const FilteredExtensions &applicationExtensions(Context &context) {
-  if (!context.extensions)
-    context.extensions = std::make_shared<const FilteredExtensions>(
-        filterExtensions(context.caps, context.caps.obstacle() == nullptr));
-  return *context.extensions;
+const Identity &applicationIdentity(Context &context) {
+  if (!context.identity) {
+    context.identity = std::make_shared<const Identity>(
+        makeIdentity(context.caps, context.caps.obstacle() == nullptr, identityRules()));
+    logInfo("state", "context %u: %zu extensions are announced", context.serial,
+            context.identity->extensions.names.size());
+  }
+  return *context.identity;
 }
+
+namespace {
+
+const GLubyte *ownOrHost(const Context &context, GLenum name, const std::string &own) {
+  return own.empty() ? context.host->GetString(name)
+                     : reinterpret_cast<const GLubyte *>(own.c_str());
+}
+
+const GLubyte *shadingLanguage(Context &context, const Identity &identity) {
+  if (!identity.hidesShadingLanguage)
+    return ownOrHost(context, GL_SHADING_LANGUAGE_VERSION, identity.shadingLanguage);
+  raise(context, GL_INVALID_ENUM, "GetString: SHADING_LANGUAGE_VERSION needs OpenGL 2.0");
+  return nullptr;
+}
+
+} // namespace
 
 namespace handlers {
 
@@ -105,15 +133,29 @@ const GLubyte *GetString(Context &context, GLenum name) {
     return context.host->GetString(name);
   if (name == GL_PROGRAM_ERROR_STRING_ARB)
     return reinterpret_cast<const GLubyte *>(context.errorString.c_str());
-  if (name == GL_EXTENSIONS && context.initialised)
-    return reinterpret_cast<const GLubyte *>(applicationExtensions(context).joined.c_str());
-  return context.host->GetString(name);
+  if (!context.initialised)
+    return context.host->GetString(name);
+  const Identity &identity = applicationIdentity(context);
+  switch (name) {
+  case GL_EXTENSIONS:
+    return reinterpret_cast<const GLubyte *>(identity.extensions.joined.c_str());
+  case GL_VENDOR:
+    return ownOrHost(context, name, identity.vendor);
+  case GL_RENDERER:
+    return ownOrHost(context, name, identity.renderer);
+  case GL_VERSION:
+    return ownOrHost(context, name, identity.version);
+  case GL_SHADING_LANGUAGE_VERSION:
+    return shadingLanguage(context, identity);
+  default:
+    return context.host->GetString(name);
+  }
 }
 
 const GLubyte *GetStringi(Context &context, GLenum name, GLuint index) {
   if (name != GL_EXTENSIONS || context.insideBeginEnd || context.caps.major < 3)
     return context.host->GetStringi(name, index);
-  const auto &names = applicationExtensions(context).names;
+  const auto &names = applicationIdentity(context).extensions.names;
   if (index < names.size())
     return reinterpret_cast<const GLubyte *>(names[index].c_str());
   raise(context, GL_INVALID_VALUE, "GetStringi: index");

@@ -304,6 +304,7 @@ std::string statisticsJson() {
   json.key("schema").value(kStatisticsSchema);
   json.key("process").value(std::int64_t(getpid()));
   json.key("profile").value(settings().profile);
+  json.key("identity").value(settings().identityOfProfile ? "profile" : "host");
   json.key("contexts").beginArray();
   for (const ContextRow &row : r.contexts) {
     if (row.live)

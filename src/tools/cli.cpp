@@ -72,6 +72,18 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
       .add_option("--limits", layer.limits,
                   "programs over the API limits: enforce refuses them, report loads them")
       ->check(CLI::IsMember({"enforce", "report"}));
+  command
+      .add_option("--identity", layer.identity,
+                  "whom GL says it is: the host, or the profile's card and driver")
+      ->check(CLI::IsMember({"host", "profile"}));
+  command
+      .add_option("--extensions-max-year", layer.extensionsMaxYear,
+                  "announce no extension of a later year")
+      ->check(CLI::Range(1992, 9999));
+  command
+      .add_option("--extensions-max-length", layer.extensionsMaxLength,
+                  "cut the extension string to at most this many bytes, oldest first")
+      ->check(CLI::Range(1, 1048576));
   command.add_option("--stats", layer.stats,
                      "write statistics as JSON at exit; %p becomes the process id");
   command.add_option("--log", layer.log, "off, error, warn, info, debug, FILE or LEVEL:FILE");

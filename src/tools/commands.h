@@ -39,6 +39,9 @@ struct LayerArguments {
   std::string library; ///< empty: found beside the executable or in the installation
   std::string profile; ///< empty: as the environment has it
   std::string limits;
+  std::string identity;
+  std::string extensionsMaxYear;
+  std::string extensionsMaxLength;
   std::string stats;
   std::string log;
   std::string debug;

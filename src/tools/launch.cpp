@@ -139,6 +139,12 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   }
   if (!arguments.limits.empty())
     environment.push_back({ARBITER_ENV_LIMITS, arguments.limits});
+  if (!arguments.identity.empty())
+    environment.push_back({ARBITER_ENV_IDENTITY, arguments.identity});
+  if (!arguments.extensionsMaxYear.empty())
+    environment.push_back({ARBITER_ENV_EXTENSIONS_MAX_YEAR, arguments.extensionsMaxYear});
+  if (!arguments.extensionsMaxLength.empty())
+    environment.push_back({ARBITER_ENV_EXTENSIONS_MAX_LENGTH, arguments.extensionsMaxLength});
   if (!arguments.stats.empty())
     environment.push_back({ARBITER_ENV_STATS, absolutePath(arguments.stats)});
   if (!arguments.log.empty())

@@ -37,6 +37,15 @@ void print(const fp::hw::Profile &profile) {
     std::printf("%s = { value = %u, source = %s }\n", row.key, profile.value(row.row),
                 quoted(profile.sources[std::size_t(row.row)]).c_str());
   }
+  if (!profile.identity.empty())
+    std::printf("\n[identity]\n");
+  for (const fp::hw::IdentityKey &row : fp::hw::identityKeys()) {
+    const fp::hw::Identity::Text &text = profile.identity.*row.member;
+    const bool number = std::string_view(row.key) == "year";
+    if (!text.value.empty())
+      std::printf("%s = { value = %s, source = %s }\n", row.key,
+                  (number ? text.value : quoted(text.value)).c_str(), quoted(text.source).c_str());
+  }
 }
 
 } // namespace

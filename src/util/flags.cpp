@@ -1,5 +1,6 @@
 #include "util/flags.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <unistd.h>
 
@@ -133,6 +134,30 @@ void readLimits(Reader &reader, Settings &result) {
     reader.warn(Env::Limits, "expected enforce or report, not " + quoted(value));
 }
 
+void readIdentity(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Identity);
+  if (value == "profile")
+    result.identityOfProfile = true;
+  else if (!value.empty() && value != "host")
+    reader.warn(Env::Identity, "expected host or profile, not " + quoted(value));
+}
+
+/// A whole decimal number in a range; `fallback` where there is none, with a warning if it is bad.
+std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std::uint32_t most,
+                         std::uint32_t fallback) {
+  const std::string_view value = reader.read(variable);
+  if (value.empty())
+    return fallback;
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  if (error == std::errc() && end == value.data() + value.size() && number >= least &&
+      number <= most)
+    return number;
+  reader.warn(variable, "expected a whole number from " + std::to_string(least) + " to " +
+                            std::to_string(most) + ", not " + quoted(value));
+  return fallback;
+}
+
 /// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
@@ -181,6 +206,9 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readDebug(reader, result);
   readLimits(reader, result);
   readHostVendor(reader, result);
+  readIdentity(reader, result);
+  result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
+  result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
   result.statsPath = reader.read(Env::Stats);
   result.hostOsmesa = reader.read(Env::HostOsmesa);
   if (const std::string_view profile = reader.read(Env::Profile); !profile.empty())

@@ -40,7 +40,10 @@ struct DebugFlagInfo {
 struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
   bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
-  std::string statsPath;        ///< empty: none; expandPid() is still to be applied
+  bool identityOfProfile = false;
+  std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
+  std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length
+  std::string statsPath;                 ///< empty: none; expandPid() is still to be applied
   LogLevel logLevel = LogLevel::Warn;
   std::string logPath;     ///< empty: standard error
   std::string hostVendor;  ///< empty: libglvnd's own choice

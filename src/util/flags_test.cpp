@@ -102,6 +102,37 @@ TEST(Settings, HostileValuesGiveOneWarningAndAreIgnored) {
   }
 }
 
+TEST(Settings, TheIdentityIsTheHostsOrTheProfiles) {
+  EXPECT_FALSE(parse({}).settings.identityOfProfile);
+  EXPECT_FALSE(parse({{"ARBITER_IDENTITY", "host"}}).settings.identityOfProfile);
+  EXPECT_TRUE(parse({{"ARBITER_IDENTITY", "profile"}}).settings.identityOfProfile);
+  const Parsed bad = parse({{"ARBITER_IDENTITY", "r300"}});
+  EXPECT_FALSE(bad.settings.identityOfProfile);
+  ASSERT_EQ(bad.warnings.size(), 1u);
+  EXPECT_EQ(bad.warnings[0], "ARBITER_IDENTITY: expected host or profile, not \"r300\"; ignored");
+}
+
+TEST(Settings, NumbersAreWholeAndInRange) {
+  const Parsed good =
+      parse({{"ARBITER_EXTENSIONS_MAX_YEAR", "2003"}, {"ARBITER_EXTENSIONS_MAX_LENGTH", "4095"}});
+  EXPECT_TRUE(good.warnings.empty());
+  EXPECT_EQ(good.settings.extensionsMaxYear, 2003u);
+  EXPECT_EQ(good.settings.extensionsMaxLength, 4095u);
+  for (const char *bad : {"-1", "2003x", "x", "0x7d3", "1991", "10000", "4294969299", "+2003",
+                          " 2003", "2003.0", "99999999999999999999999999"}) {
+    const Parsed parsed = parse({{"ARBITER_EXTENSIONS_MAX_YEAR", bad}});
+    EXPECT_EQ(parsed.settings.extensionsMaxYear, 0u) << bad;
+    ASSERT_EQ(parsed.warnings.size(), 1u) << bad;
+    EXPECT_EQ(parsed.warnings[0].rfind("ARBITER_EXTENSIONS_MAX_YEAR: expected a whole number from "
+                                       "1992 to 9999, not \"",
+                                       0),
+              0u)
+        << parsed.warnings[0];
+  }
+  for (const char *bad : {"0", "-4096", "1048577", "4k", "4294967297"})
+    EXPECT_EQ(parse({{"ARBITER_EXTENSIONS_MAX_LENGTH", bad}}).warnings.size(), 1u) << bad;
+}
+
 TEST(Settings, TheHostVendorIsAPlainNameAndNotOurselves) {
   for (const char *bad : {"../evil", "a/b", "me sa", "arbiter"}) {
     const Parsed parsed = parse({{"ARBITER_HOST_VENDOR", bad}});

@@ -12,11 +12,18 @@ struct BuiltinRow {
   const char *source;
 };
 
+struct BuiltinText {
+  const char *value;
+  const char *source;
+};
+inline constexpr int kIdentityKeyCount = 6;
+
 struct BuiltinProfile {
   const char *name;
   const char *description;
   bool fromHost;
-  BuiltinRow rows[kRowCount]; ///< in the order of rows.def
+  BuiltinRow rows[kRowCount];              ///< in the order of rows.def
+  BuiltinText identity[kIdentityKeyCount]; ///< in the order of identityKeys()
 };
 
 [[nodiscard]] std::span<const BuiltinProfile> builtinTable();

@@ -16,6 +16,10 @@ ORDER = ['r300', 'r300-catalyst-2004', 'r420', 'nv30', 'i915', 'host']
 ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d+), (\d+)\)$')
 
 
+# The keys of [identity], in the order of profile.cpp.
+IDENTITY = ['vendor', 'renderer', 'version', 'shading_language_version', 'extensions', 'year']
+
+
 class Broken(Exception):
     """A profile that cannot be built in."""
 
@@ -44,13 +48,36 @@ def check_row(where, row, entry):
     return value, source
 
 
+def check_identity(where, key, entry):
+    if set(entry) != {'value', 'source'}:
+        raise Broken(f'{where}: needs a value and a source, and nothing else')
+    value, source = entry['value'], entry['source']
+    if key == 'year':
+        if not isinstance(value, int) or not 1992 <= value <= 9999:
+            raise Broken(f'{where}: not a year')
+        value = str(value)
+    elif key == 'extensions':
+        value = ' '.join(value.split())
+        for name in value.split():
+            if not re.fullmatch(r'GL_\w+', name):
+                raise Broken(f'{where}: no name of an extension: {name}')
+    elif not re.fullmatch(r'[ -~]+', value):
+        raise Broken(f'{where}: must be plain ASCII')
+    if 'version' in key and not re.match(r'\d\.\d', value):
+        raise Broken(f'{where}: must begin with a version number')
+    if not isinstance(source, str) or not source.strip():
+        raise Broken(f'{where}: empty source')
+    return value, source
+
+
 def read_profile(path, rows, earlier):
     data = tomllib.loads(path.read_text())
     if data.get('name') != path.stem:
         raise Broken(f'{path.name}: name must be "{path.stem}"')
     if not data.get('description'):
         raise Broken(f'{path.name}: no description')
-    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'api', 'native', 'state'}
+    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'api', 'native', 'state',
+                           'identity'}
     if unknown:
         raise Broken(f'{path.name}: unknown keys {sorted(unknown)}')
     base = {}
@@ -73,7 +100,15 @@ def read_profile(path, rows, earlier):
             values[row['name']] = base[row['name']]
         else:
             raise Broken(f'{where}: missing')
-    return {'name': data['name'], 'description': data['description'],
+    identity = dict(earlier[data['inherits']]['identity']) if 'inherits' in data else {}
+    for key, entry in data.get('identity', {}).items():
+        where = f'{path.name}: identity.{key}'
+        if key not in IDENTITY:
+            raise Broken(f'{where}: unknown row')
+        identity[key] = check_identity(where, key, entry)
+    if identity and not {'vendor', 'renderer', 'version', 'extensions'} <= set(identity):
+        raise Broken(f'{path.name}: an identity is vendor, renderer, version and extensions')
+    return {'name': data['name'], 'description': data['description'], 'identity': identity,
             'from_host': bool(data.get('from_host', False)), 'rows': values}
 
 
@@ -103,6 +138,11 @@ def as_cpp(rows, profiles):
         for row in rows:
             value, source = profile['rows'][row['name']]
             lines.append(f'         {{{value}, {quote(source)}}}, // {row["table"]}.{row["key"]}')
+        lines.append('     },')
+        lines.append('     {')
+        for key in IDENTITY:
+            value, source = profile['identity'].get(key, ('', ''))
+            lines.append(f'         {{{quote(value)}, {quote(source)}}}, // identity.{key}')
         lines.append('     }},')
     lines += ['};', '} // namespace', '',
               'std::span<const BuiltinProfile> builtinTable() { return kProfiles; }', '',
@@ -126,6 +166,9 @@ inherits = "r300"               # any built-in profile; without it every row is 
 
 [api]                           # GL_MAX_PROGRAM_*_ARB; tables: api, native, state
 temporaries = { value = 16, source = "an experiment" }   # or just: temporaries = 16
+
+[identity]                      # what ARBITER_IDENTITY=profile answers (docs/identity.md)
+renderer = "RADEON 9700 PRO x86/SSE2"
 ```
 
 API limits are what `glGetProgramivARB` answers and what a program is refused for; native limits
@@ -154,6 +197,12 @@ def as_markdown(rows, profiles):
         for row in rows:
             value, source = profile['rows'][row['name']]
             out.append(f'| {row["table"]}.{row["key"]} | {value} | {source} |')
+        for key in IDENTITY:
+            if key in profile['identity']:
+                value, source = profile['identity'][key]
+                if key == 'extensions':
+                    value = f'{len(value.split())} names'
+                out.append(f'| identity.{key} | {value} | {source} |')
         out.append('')
     return '\n'.join(out)
 

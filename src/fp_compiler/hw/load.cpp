@@ -1,5 +1,6 @@
 #include "fp_compiler/hw/profile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -68,6 +69,13 @@ std::string unknownName(std::string_view name) {
          " (built in: " + joined(names) + "; or the path of a TOML file)";
 }
 
+bool isExtensionName(std::string_view name) {
+  return name.starts_with("GL_") && name.size() <= 128 &&
+         name.find_first_not_of(
+             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_") ==
+             std::string_view::npos;
+}
+
 bool readValue(Reader &reader, Profile &profile, const RowInfo &info, const toml::node &node,
                std::string source) {
   const std::string name = std::string(info.table) + "." + info.key;
@@ -82,26 +90,40 @@ bool readValue(Reader &reader, Profile &profile, const RowInfo &info, const toml
   return true;
 }
 
-/// `key = 96`, or `key = { value = 96, source = "where the number is from" }`.
-bool readRow(Reader &reader, Profile &profile, const RowInfo &info, const toml::node &node) {
-  const std::string here =
-      std::string(reader.path) + ":" + std::to_string(node.source().begin.line);
+/// `key = 96`, or `key = { value = 96, source = "where the number is from" }`: the value and the
+/// source, which is the place in the file where none is given. Null after an error.
+const toml::node *readSourced(Reader &reader, const std::string &name, const toml::node &node,
+                              std::string &source) {
+  source = std::string(reader.path) + ":" + std::to_string(node.source().begin.line);
   const toml::table *table = node.as_table();
   if (table == nullptr)
-    return readValue(reader, profile, info, node, here);
+    return &node;
   const toml::node *value = table->get("value");
-  if (value == nullptr)
-    return reader.fail(node.source(), std::string(info.table) + "." + info.key + " has no value");
-  for (const auto &[key, child] : *table) {
-    if (key.str() == "source" && !child.is_string())
-      return reader.fail(child.source(), "source must be a string");
-    if (key.str() != "value" && key.str() != "source")
-      return reader.fail(key.source(), "unknown key \"" + std::string(key.str()) +
-                                           "\": a row has value and source");
+  if (value == nullptr) {
+    reader.fail(node.source(), name + " has no value");
+    return nullptr;
   }
-  return readValue(reader, profile, info, *value,
-                   table->get("source") ? std::string(*(*table)["source"].value<std::string_view>())
-                                        : here);
+  for (const auto &[key, child] : *table) {
+    if (key.str() == "source" && !child.is_string()) {
+      reader.fail(child.source(), "source must be a string");
+      return nullptr;
+    }
+    if (key.str() != "value" && key.str() != "source") {
+      reader.fail(key.source(),
+                  "unknown key \"" + std::string(key.str()) + "\": a row has value and source");
+      return nullptr;
+    }
+  }
+  if (table->get("source"))
+    source = *(*table)["source"].value<std::string_view>();
+  return value;
+}
+
+bool readRow(Reader &reader, Profile &profile, const RowInfo &info, const toml::node &node) {
+  std::string source;
+  const toml::node *value =
+      readSourced(reader, std::string(info.table) + "." + info.key, node, source);
+  return value != nullptr && readValue(reader, profile, info, *value, std::move(source));
 }
 
 bool readTable(Reader &reader, Profile &profile, std::string_view name, const toml::table &table,
@@ -121,6 +143,66 @@ bool readTable(Reader &reader, Profile &profile, std::string_view name, const to
     if (!readRow(reader, profile, *found, node))
       return false;
     seen[std::size_t(found->row)] = true;
+  }
+  return true;
+}
+
+/// Why a value of [identity] cannot be one; empty if it can. Names of extensions may be parted by
+/// spaces, commas and line ends, as glxinfo prints them; `value` then has one space each.
+std::string identityFault(std::string_view key, std::string &value) {
+  if (key == "extensions") {
+    std::string names;
+    for (std::size_t at = 0; at < value.size();) {
+      const std::size_t end = std::min(value.find_first_of(" ,\t\r\n", at), value.size());
+      const std::string_view name = std::string_view(value).substr(at, end - at);
+      at = end + 1;
+      if (name.empty())
+        continue;
+      if (!isExtensionName(name))
+        return "no name of an extension: \"" + std::string(name.substr(0, 40)) + "\"";
+      names += (names.empty() ? "" : " ") + std::string(name);
+    }
+    value = std::move(names);
+    return "";
+  }
+  for (const char c : value)
+    if (c < 0x20 || c > 0x7E)
+      return "must be plain ASCII";
+  const auto digit = [&](std::size_t at) {
+    return at < value.size() && value[at] >= '0' && value[at] <= '9';
+  };
+  if ((key == "version" || key == "shading_language_version") &&
+      !(digit(0) && value[1] == '.' && digit(2)))
+    return "must begin with N.M, a version number";
+  return "";
+}
+
+bool readIdentity(Reader &reader, Profile &profile, const toml::table &table) {
+  std::vector<std::string_view> keys;
+  for (const IdentityKey &row : identityKeys())
+    keys.emplace_back(row.key);
+  for (const auto &[key, node] : table) {
+    const std::string name = "identity." + std::string(key.str());
+    const auto at = std::find(keys.begin(), keys.end(), key.str());
+    if (at == keys.end())
+      return reader.fail(key.source(), "unknown row \"" + name + "\"" + meant(key.str(), keys));
+    Identity::Text text;
+    const toml::node *value = readSourced(reader, name, node, text.source);
+    if (value == nullptr)
+      return false;
+    if (key.str() == "year") {
+      const std::int64_t year = value->value_or(std::int64_t(0));
+      if (!value->is_integer() || year < 1992 || year > 9999)
+        return reader.fail(value->source(), name + " must be a year, 1992 to 9999");
+      text.value = std::to_string(year);
+    } else {
+      if (!value->is_string())
+        return reader.fail(value->source(), name + " must be a string");
+      text.value = value->value_or(std::string());
+      if (const std::string fault = identityFault(key.str(), text.value); !fault.empty())
+        return reader.fail(value->source(), name + ": " + fault);
+    }
+    profile.identity.*identityKeys()[std::size_t(at - keys.begin())].member = std::move(text);
   }
   return true;
 }
@@ -167,8 +249,14 @@ bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
     if (name == "inherits")
       continue;
     static constexpr std::string_view kHead[] = {"name", "description", "inherits", "from_host",
-                                                 "api",  "native",      "state"};
-    if (name == "api" || name == "native" || name == "state") {
+                                                 "api",  "native",      "state",    "identity"};
+    if (name == "identity") {
+      const toml::table *table = node.as_table();
+      if (table == nullptr)
+        return reader.fail(node.source(), "identity must be a table");
+      if (!readIdentity(reader, profile, *table))
+        return false;
+    } else if (name == "api" || name == "native" || name == "state") {
       const toml::table *table = node.as_table();
       if (table == nullptr)
         return reader.fail(node.source(), std::string(name) + " must be a table");

@@ -24,6 +24,13 @@ std::uint32_t &member(Limits &limits, Row row) {
   return limits.api.instructions; // every enumerator has its case
 }
 
+constexpr IdentityKey kIdentityKeys[] = {
+    {"vendor", &Identity::vendor},         {"renderer", &Identity::renderer},
+    {"version", &Identity::version},       {"shading_language_version", &Identity::shadingLanguage},
+    {"extensions", &Identity::extensions}, {"year", &Identity::year},
+};
+static_assert(std::size(kIdentityKeys) == kIdentityKeyCount);
+
 std::vector<Profile> makeBuiltins() {
   std::vector<Profile> profiles;
   for (const BuiltinProfile &from : builtinTable()) {
@@ -35,6 +42,8 @@ std::vector<Profile> makeBuiltins() {
       const BuiltinRow &row = from.rows[std::size_t(info.row)];
       profile.set(info.row, row.value, row.source);
     }
+    for (int i = 0; i < kIdentityKeyCount; ++i)
+      profile.identity.*kIdentityKeys[i].member = {from.identity[i].value, from.identity[i].source};
   }
   return profiles;
 }
@@ -48,6 +57,7 @@ const std::vector<Profile> &builtins() {
 } // namespace
 
 std::span<const RowInfo> rows() { return kRows; }
+std::span<const IdentityKey> identityKeys() { return kIdentityKeys; }
 
 std::uint32_t Profile::value(Row row) const {
   return member(const_cast<Limits &>(fragment), row); // read only

@@ -37,6 +37,29 @@ struct RowInfo {
 };
 [[nodiscard]] std::span<const RowInfo> rows();
 
+/// Whom the card says it is (ARBITER_IDENTITY=profile); an empty value is the host's own.
+struct Identity {
+  struct Text {
+    std::string value;
+    std::string source;
+  };
+  Text vendor;          ///< GL_VENDOR
+  Text renderer;        ///< GL_RENDERER
+  Text version;         ///< GL_VERSION: "N.M", then what the driver added
+  Text shadingLanguage; ///< GL_SHADING_LANGUAGE_VERSION; empty where the card's driver had none
+  Text extensions;      ///< names, parted by one space each; empty: no list
+  Text year;            ///< extensions of later years are not announced; empty: of any year
+
+  [[nodiscard]] bool empty() const { return version.value.empty(); }
+};
+
+/// A key of a profile's [identity] table.
+struct IdentityKey {
+  const char *key;
+  Identity::Text Identity::*member;
+};
+[[nodiscard]] std::span<const IdentityKey> identityKeys();
+
 struct Profile {
   std::string name;
   std::string description;
@@ -46,6 +69,7 @@ struct Profile {
   /// documented defaults for when there is no driver to ask (`arbiter check`).
   bool fromHost = false;
   std::array<std::string, kRowCount> sources;
+  Identity identity;
 
   [[nodiscard]] std::uint32_t value(Row row) const;
   void set(Row row, std::uint32_t value, std::string source);

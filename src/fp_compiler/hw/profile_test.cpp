@@ -104,6 +104,50 @@ TEST(UserProfile, ErrorsHaveFileLineAndColumn) {
               HasSubstr("unknown key \"why\""));
 }
 
+TEST(Profiles, EachCardSaysWhoItIsWithSources) {
+  for (const std::string_view name : builtinNames()) {
+    const Identity &identity = findBuiltin(name)->identity;
+    EXPECT_EQ(identity.empty(), name == "host") << name;
+    for (const IdentityKey &row : identityKeys()) {
+      const Identity::Text &text = identity.*row.member;
+      EXPECT_EQ(text.value.empty(), text.source.empty()) << name << " " << row.key;
+    }
+    EXPECT_EQ(identity.extensions.value.find("  "), std::string::npos) << name;
+    EXPECT_EQ(identity.extensions.value.find('\n'), std::string::npos) << name;
+  }
+  EXPECT_EQ(findBuiltin("r300")->identity.vendor.value, "ATI Technologies Inc.");
+  EXPECT_EQ(findBuiltin("nv30")->identity.vendor.value, "NVIDIA Corporation");
+}
+
+TEST(UserProfile, HasAnIdentityOfItsOwnOrTheInheritedOne) {
+  const auto result =
+      parseProfile("inherits = 'r300'\n[identity]\n"
+                   "renderer = 'RADEON 9700 PRO x86/SSE2'\n"
+                   "year = { value = 2002, source = 'me' }\n"
+                   "extensions = '''\n  GL_EXT_abgr, GL_EXT_bgra,\n GL_ARB_a  '''\n",
+                   "p.toml");
+  ASSERT_TRUE(result) << result.error().message;
+  const Identity &identity = result.value().identity;
+  EXPECT_EQ(identity.vendor.value, "ATI Technologies Inc.");
+  EXPECT_EQ(identity.renderer.value, "RADEON 9700 PRO x86/SSE2");
+  EXPECT_EQ(identity.renderer.source, "p.toml:3");
+  EXPECT_EQ(identity.extensions.value, "GL_EXT_abgr GL_EXT_bgra GL_ARB_a");
+  EXPECT_EQ(identity.year.value, "2002");
+  EXPECT_EQ(identity.year.source, "me");
+  const std::string head = "inherits = 'r300'\n[identity]\n";
+  EXPECT_THAT(errorOf(head + "vender = 'x'\n"),
+              StartsWith("p.toml:3:1: unknown row \"identity.vender\"; did you mean \"vendor\"?"));
+  EXPECT_THAT(errorOf(head + "version = 'OpenGL 1.3'\n"), HasSubstr("must begin with N.M"));
+  EXPECT_THAT(errorOf(head + "version = ''\n"), HasSubstr("must begin with N.M"));
+  EXPECT_THAT(errorOf(head + "vendor = 3\n"), HasSubstr("identity.vendor must be a string"));
+  EXPECT_THAT(errorOf(head + "vendor = \"a\\u001b[2J\"\n"), HasSubstr("must be plain ASCII"));
+  EXPECT_THAT(errorOf(head + "year = '2002'\n"), HasSubstr("must be a year"));
+  EXPECT_THAT(errorOf(head + "year = 1900\n"), HasSubstr("must be a year"));
+  EXPECT_THAT(errorOf(head + "extensions = 'WGL_ARB_pbuffer'\n"),
+              HasSubstr("no name of an extension: \"WGL_ARB_pbuffer\""));
+  EXPECT_THAT(errorOf("inherits = 'r300'\nidentity = 3\n"), HasSubstr("identity must be a table"));
+}
+
 TEST(UserProfile, HostileTextIsAnErrorNotACrash) {
   EXPECT_NE(errorOf(std::string(5000, '[')), "");
   EXPECT_NE(errorOf(std::string("a = \xff\xfe")), "");

@@ -22,6 +22,10 @@ std::string words(const char *name, std::initializer_list<long long> values) {
 const GLubyte *getString(GLenum name) {
   static std::string s_joined;
   switch (name) {
+  case GL_VENDOR:
+    return reinterpret_cast<const GLubyte *>("Fake Inc.");
+  case GL_RENDERER:
+    return reinterpret_cast<const GLubyte *>("Fake renderer");
   case GL_VERSION:
     return reinterpret_cast<const GLubyte *>(fake().version.c_str());
   case GL_SHADING_LANGUAGE_VERSION:

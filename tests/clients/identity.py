@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""Whom a context under the layer says it is, as an application on the host asks.
+
+Runs itself as the client, with EGL (surfaceless) and with OSMesa, under `arbiter run` with the
+identity options: strings, glGetStringi, GL_NUM_EXTENSIONS and GetProcAddress must agree.
+"""
+import argparse
+import ctypes
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+GL_NAMES = {'vendor': 0x1F00, 'renderer': 0x1F01, 'version': 0x1F02, 'extensions': 0x1F03,
+            'shading': 0x8B8C}
+GL_NUM_EXTENSIONS, GL_MAJOR_VERSION, GL_MINOR_VERSION = 0x821D, 0x821B, 0x821C
+GL_XML = '/usr/share/khronos-api/gl.xml'
+
+
+# --- The client ---
+
+def egl_context(core):
+    """A current context without a surface; how its functions are found."""
+    egl = ctypes.CDLL('libEGL.so.1')
+    for name in ('eglGetPlatformDisplay', 'eglCreateContext', 'eglGetProcAddress'):
+        getattr(egl, name).restype = ctypes.c_void_p
+    display = ctypes.c_void_p(egl.eglGetPlatformDisplay(0x31DD, None, None))
+    if not egl.eglInitialize(display, None, None):
+        return None
+    egl.eglBindAPI(0x30A2)
+    attributes = (ctypes.c_int * 7)(0x3098, 4, 0x30FB, 5, 0x30FD, 1, 0x3038)
+    context = ctypes.c_void_p(egl.eglCreateContext(display, None, None,
+                                                   attributes if core else None))
+    if not context.value or not egl.eglMakeCurrent(display, None, None, context):
+        return None
+    return lambda name: egl.eglGetProcAddress(name)
+
+
+def osmesa_context(_):
+    library = ctypes.CDLL('libOSMesa.so.8')
+    library.OSMesaCreateContext.restype = ctypes.c_void_p
+    library.OSMesaGetProcAddress.restype = ctypes.c_void_p
+    context = ctypes.c_void_p(library.OSMesaCreateContext(0x1908, None))
+    picture = ctypes.create_string_buffer(16 * 16 * 4)
+    if not library.OSMesaMakeCurrent(context, picture, 0x1401, 16, 16):
+        return None
+    library.kept = picture
+    return lambda name: library.OSMesaGetProcAddress(name)
+
+
+def client(kind):
+    find = {'egl': egl_context, 'core': egl_context, 'osmesa': osmesa_context}[kind](kind == 'core')
+    if find is None:
+        return 77
+    text, uint = ctypes.c_char_p, ctypes.c_uint
+    get_string = ctypes.CFUNCTYPE(text, uint)(find(b'glGetString'))
+    get_stringi = ctypes.CFUNCTYPE(text, uint, uint)(find(b'glGetStringi'))
+    get_error = ctypes.CFUNCTYPE(uint)(find(b'glGetError'))
+    get_integer = ctypes.CFUNCTYPE(None, uint, ctypes.c_void_p)(find(b'glGetIntegerv'))
+
+    def integer(name):
+        value = ctypes.c_int(-1)
+        get_integer(name, ctypes.byref(value))
+        return value.value
+
+    answers = {}
+    for name, enum in GL_NAMES.items():
+        value = get_string(enum)
+        answers[name] = None if value is None else value.decode()
+        answers[name + '_error'] = get_error()
+    answers['count'] = integer(GL_NUM_EXTENSIONS)
+    answers['number'] = [integer(GL_MAJOR_VERSION), integer(GL_MINOR_VERSION)]
+    answers['names'] = [get_stringi(0x1F03, i).decode() for i in range(answers['count'])]
+    answers['behind'] = get_stringi(0x1F03, answers['count']) is not None
+    answers['last_error'] = get_error()
+    answers['missing'] = missing_functions(answers['names'], find)
+    print(json.dumps(answers))
+    return 0
+
+
+def missing_functions(names, find):
+    """Commands of announced extensions that GetProcAddress does not know."""
+    if not os.path.exists(GL_XML):
+        return []
+    missing = []
+    for node in ET.parse(GL_XML).getroot().find('extensions'):
+        if node.get('name') not in names:
+            continue
+        for require in node.findall('require'):
+            if require.get('api', 'gl') != 'gl' or require.get('profile') == 'core':
+                continue
+            missing += [f'{node.get("name")}: {command.get("name")}'
+                        for command in require.findall('command')
+                        if not find(command.get('name').encode())]
+    return missing
+
+
+# --- The harness ---
+
+class Failure(Exception):
+    """What was seen, and what should have been."""
+
+
+def expect(holds, text):
+    if not holds:
+        raise Failure(text)
+
+
+def ask(options, kind, arguments, bare=False):
+    command = [sys.executable, str(pathlib.Path(__file__).resolve()), '--client', kind]
+    if not bare:
+        command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
+    environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
+    environment.update(LIBGL_ALWAYS_SOFTWARE='1', EGL_PLATFORM='surfaceless')
+    result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
+                            check=False)
+    if result.returncode == 77:
+        return None
+    expect(result.returncode == 0, f'{command}: exit {result.returncode}\n{result.stderr}')
+    return json.loads(result.stdout)
+
+
+def check_agreement(answers):
+    joined = (answers['extensions'] or '').split()
+    expect(answers['count'] == len(answers['names']), 'GL_NUM_EXTENSIONS is not the count')
+    expect(not joined or joined == answers['names'], 'the string and glGetStringi differ')
+    expect(not answers['behind'] and answers['last_error'] == 0x501,
+           'an index behind the last is not GL_INVALID_VALUE')
+    expect(not answers['missing'],
+           f'announced, and GetProcAddress has no function: {answers["missing"]}')
+
+
+def check_kind(options, kind):
+    bare = ask(options, kind, [], bare=True)
+    if bare is None:
+        return False
+    plain = ask(options, kind, [])
+    check_agreement(plain)
+    for name in ('vendor', 'renderer', 'version', 'shading'):
+        expect(plain[name] == bare[name], f'{name} without --identity: {plain[name]}')
+    works = set(plain['names'])
+
+    card = ask(options, kind, ['--identity', 'profile', '--profile', 'r300'])
+    check_agreement(card)
+    expect(card['vendor'] == 'ATI Technologies Inc.', card['vendor'])
+    expect(card['renderer'] == 'RADEON 9700 Generic', card['renderer'])
+    expect(card['version'].startswith('1.3.'), card['version'])
+    expect(card['number'] == [1, 3], f'GL_MAJOR_VERSION and its kin: {card["number"]}')
+    expect(card['shading'] is None and card['shading_error'] == 0x500, 'a shading language in 1.3')
+    names = set(card['names'])
+    expect({'GL_ARB_fragment_program', 'GL_ARB_vertex_program', 'GL_EXT_texture3D'} <= names,
+           f'the card lost what works: {sorted(names)}')
+    expect(names <= works, f'announced and not there: {sorted(names - works)}')
+    expect('GL_ARB_direct_state_access' not in names, 'an extension of 2014 on a card of 2003')
+
+    for profile, vendor in (('nv30', 'NVIDIA Corporation'), ('i915', 'Tungsten Graphics, Inc')):
+        other = ask(options, kind, ['--identity', 'profile', '--profile', profile])
+        check_agreement(other)
+        expect(other['vendor'] == vendor and set(other['names']) <= works, f'{profile}: {other}')
+
+    # A profile that has no card: the host's answers, and a warning in the log.
+    host = ask(options, kind, ['--identity', 'profile', '--profile', 'host'])
+    expect(host['vendor'] == bare['vendor'] and set(host['names']) == works, 'profile host')
+
+    old = ask(options, kind, ['--extensions-max-year', '2003'])
+    check_agreement(old)
+    expect(old['version'] == bare['version'], 'a year changed the version')
+    expect('GL_ARB_vertex_program' in old['names'] and 'GL_EXT_framebuffer_object' not in
+           old['names'], f'up to 2003: {old["names"]}')
+    short = ask(options, kind, ['--extensions-max-length', '1024'])
+    check_agreement(short)
+    expect(900 < len(short['extensions']) <= 1024, f'{len(short["extensions"])} bytes of 1024')
+    print(f'{kind}: {len(works)} extensions, {len(names)} as r300, {len(old["names"])} to 2003, '
+          f'{len(short["names"])} in 1024 bytes')
+    return True
+
+
+def check_core(options):
+    """Core contexts are as the host has them, whatever the settings."""
+    bare = ask(options, 'core', [], bare=True)
+    if bare is None:
+        return False
+    asked = ask(options, 'core', ['--identity', 'profile', '--extensions-max-year', '2003'])
+    for name in ('vendor', 'renderer', 'version', 'shading', 'names', 'number'):
+        expect(asked[name] == bare[name], f'a core context\'s {name} changed')
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--client', help='be the client: egl, core or osmesa')
+    parser.add_argument('--arbiter')
+    parser.add_argument('--library')
+    options = parser.parse_args()
+    if options.client:
+        return client(options.client)
+    try:
+        ran = [check_kind(options, 'egl'), check_kind(options, 'osmesa'), check_core(options)]
+    except Failure as failure:
+        print(f'identity: {failure}', file=sys.stderr)
+        return 1
+    return 0 if any(ran) else 77
+
+
+if __name__ == '__main__':
+    sys.exit(main())
