@@ -76,8 +76,8 @@ def read_profile(path, rows, earlier):
         raise Broken(f'{path.name}: name must be "{path.stem}"')
     if not data.get('description'):
         raise Broken(f'{path.name}: no description')
-    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'api', 'native', 'state',
-                           'identity'}
+    tables = list(dict.fromkeys(row['table'] for row in rows))
+    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'identity', *tables}
     if unknown:
         raise Broken(f'{path.name}: unknown keys {sorted(unknown)}')
     base = {}
@@ -86,7 +86,7 @@ def read_profile(path, rows, earlier):
             raise Broken(f'{path.name}: inherits from an unknown or later profile')
         base = earlier[data['inherits']]['rows']
     known = {(row['table'], row['key']) for row in rows}
-    for table in ('api', 'native', 'state'):
+    for table in tables:
         for key in data.get(table, {}):
             if (table, key) not in known:
                 raise Broken(f'{path.name}: unknown row {table}.{key}')
@@ -164,12 +164,19 @@ name = "small"
 description = "to see which programs need more than 16 temporaries"
 inherits = "r300"               # any built-in profile; without it every row is needed
 
-[api]                           # GL_MAX_PROGRAM_*_ARB; tables: api, native, state
+[api]                           # GL_MAX_PROGRAM_*_ARB of the fragment target
 temporaries = { value = 16, source = "an experiment" }   # or just: temporaries = 16
+
+[vertex_api]                    # likewise of the vertex target
+parameters = 96
 
 [identity]                      # what ARBITER_IDENTITY=profile answers (docs/identity.md)
 renderer = "RADEON 9700 PRO x86/SSE2"
 ```
+
+Tables: `api`, `native` and `state` for the fragment target and for what both targets share;
+`vertex_api`, `vertex_native` and `vertex_state` for the vertex target. A file that says nothing of
+the vertex target, and inherits nothing, gets the rows of `r300` for it.
 
 API limits are what `glGetProgramivARB` answers and what a program is refused for; native limits
 decide `GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB` and never refuse a program. With `from_host = true` the

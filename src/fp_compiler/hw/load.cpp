@@ -235,6 +235,11 @@ bool inherit(Reader &reader, Profile &profile, const toml::node &node) {
   return true;
 }
 
+/// A file that tells of fragment programs alone is whole: the default profile has the rest.
+bool mayBeAbsent(const RowInfo &info) {
+  return std::string_view(info.table).starts_with("vertex_") || info.row == Row::ClipPlanes;
+}
+
 bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
   std::array<bool, kRowCount> seen = {};
   if (const toml::node *base = root.get("inherits")) {
@@ -248,15 +253,13 @@ bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
     const std::string_view name = key.str();
     if (name == "inherits")
       continue;
-    static constexpr std::string_view kHead[] = {"name", "description", "inherits", "from_host",
-                                                 "api",  "native",      "state",    "identity"};
     if (name == "identity") {
       const toml::table *table = node.as_table();
       if (table == nullptr)
         return reader.fail(node.source(), "identity must be a table");
       if (!readIdentity(reader, profile, *table))
         return false;
-    } else if (name == "api" || name == "native" || name == "state") {
+    } else if (std::find(tables().begin(), tables().end(), name) != tables().end()) {
       const toml::table *table = node.as_table();
       if (table == nullptr)
         return reader.fail(node.source(), std::string(name) + " must be a table");
@@ -266,14 +269,24 @@ bool readProfile(Reader &reader, Profile &profile, const toml::table &root) {
       if (!readHead(reader, profile, name, node))
         return false;
     } else {
+      std::vector<std::string_view> known = {"name", "description", "inherits", "from_host",
+                                             "identity"};
+      known.insert(known.end(), tables().begin(), tables().end());
       return reader.fail(key.source(),
-                         "unknown key \"" + std::string(name) + "\"" + meant(name, kHead));
+                         "unknown key \"" + std::string(name) + "\"" + meant(name, known));
     }
   }
-  for (const RowInfo &info : rows())
-    if (!seen[std::size_t(info.row)])
+  const Profile &standard = *findBuiltin(kDefaultProfile);
+  for (const RowInfo &info : rows()) {
+    if (seen[std::size_t(info.row)])
+      continue;
+    if (mayBeAbsent(info))
+      profile.set(info.row, standard.value(info.row),
+                  "as " + standard.name + ", for the file does not say");
+    else
       return reader.fail(root.source(), "no row " + std::string(info.table) + "." + info.key +
                                             ", and nothing inherited (inherits = \"r300\")");
+  }
   return true;
 }
 

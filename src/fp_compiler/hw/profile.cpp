@@ -13,16 +13,27 @@ constexpr RowInfo kRows[] = {
 #undef PROFILE_ROW
 };
 
-std::uint32_t &member(Limits &limits, Row row) {
+std::uint32_t &member(Profile &profile, Row row) {
   switch (row) {
 #define PROFILE_ROW(Enumerator, table, key, member, glName, least, most)                           \
   case Row::Enumerator:                                                                            \
-    return limits.member;
+    return profile.member;
 #include "fp_compiler/hw/rows.def"
 #undef PROFILE_ROW
   }
-  return limits.api.instructions; // every enumerator has its case
+  return profile.fragment.api.instructions; // every enumerator has its case
 }
+
+/// Limits that both targets go by.
+constexpr std::uint32_t Limits::*kShared[] = {&Limits::textureCoords,
+                                              &Limits::textureImageUnits,
+                                              &Limits::textureUnits,
+                                              &Limits::programMatrices,
+                                              &Limits::programMatrixStackDepth,
+                                              &Limits::lights,
+                                              &Limits::paletteMatrices,
+                                              &Limits::vertexUnits,
+                                              &Limits::clipPlanes};
 
 constexpr IdentityKey kIdentityKeys[] = {
     {"vendor", &Identity::vendor},         {"renderer", &Identity::renderer},
@@ -57,14 +68,22 @@ const std::vector<Profile> &builtins() {
 } // namespace
 
 std::span<const RowInfo> rows() { return kRows; }
+
+std::span<const std::string_view> tables() {
+  static constexpr std::string_view kTables[] = {"api",        "native",        "state",
+                                                 "vertex_api", "vertex_native", "vertex_state"};
+  return kTables;
+}
 std::span<const IdentityKey> identityKeys() { return kIdentityKeys; }
 
 std::uint32_t Profile::value(Row row) const {
-  return member(const_cast<Limits &>(fragment), row); // read only
+  return member(const_cast<Profile &>(*this), row); // read only
 }
 
 void Profile::set(Row row, std::uint32_t value, std::string source) {
-  member(fragment, row) = value;
+  member(*this, row) = value;
+  for (std::uint32_t Limits::*const shared : kShared)
+    vertex.*shared = fragment.*shared;
   sources[std::size_t(row)] = std::move(source);
 }
 

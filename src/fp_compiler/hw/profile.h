@@ -29,13 +29,15 @@ inline constexpr int kRowCount = int(std::size(kAllRows));
 
 struct RowInfo {
   Row row;
-  const char *table;   ///< "api", "native" or "state"
+  const char *table;   ///< "api", "native", "state", "vertex_api", "vertex_native", "vertex_state"
   const char *key;     ///< "alu_instructions"
   const char *glName;  ///< without GL_
   std::uint32_t least; ///< what the specification guarantees; a profile may go below it
   std::uint32_t most;  ///< what Arbiter can hold; a profile may not go above it
 };
 [[nodiscard]] std::span<const RowInfo> rows();
+/// The tables of rows(), in their order.
+[[nodiscard]] std::span<const std::string_view> tables();
 
 /// Whom the card says it is (ARBITER_IDENTITY=profile); an empty value is the host's own.
 struct Identity {
@@ -63,8 +65,8 @@ struct IdentityKey {
 struct Profile {
   std::string name;
   std::string description;
-  /// The numbers of the fragment target. Vertex programs go by the host's limits.
-  Limits fragment;
+  Limits fragment; ///< the numbers of the fragment target
+  Limits vertex;   ///< the numbers of the vertex target
   /// The numbers are to be asked from the host's driver, by the names in rows(); those here are
   /// documented defaults for when there is no driver to ask (`arbiter check`).
   bool fromHost = false;

@@ -60,6 +60,45 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 
+TEST(Profiles, TheVertexTargetHasItsOwnNumbers) {
+  const Limits &vertex = findBuiltin(kDefaultProfile)->vertex;
+  EXPECT_EQ(vertex.api.instructions, 256u);
+  EXPECT_EQ(vertex.api.temporaries, 32u);
+  EXPECT_EQ(vertex.api.parameters, 256u);
+  EXPECT_EQ(vertex.api.addressRegisters, 1u);
+  EXPECT_EQ(vertex.envParameters, 256u);
+  EXPECT_EQ(vertex.native, vertex.api);
+  const Profile &i915 = *findBuiltin("i915");
+  EXPECT_EQ(i915.vertex.native.instructions, 0u); // in software, whatever the program
+  // What both targets go by is one row.
+  for (const std::string_view name : builtinNames()) {
+    const Profile &profile = *findBuiltin(name);
+    EXPECT_EQ(profile.vertex.textureCoords, profile.fragment.textureCoords) << name;
+    EXPECT_EQ(profile.vertex.programMatrices, profile.fragment.programMatrices) << name;
+    EXPECT_EQ(profile.vertex.clipPlanes, profile.value(Row::ClipPlanes)) << name;
+  }
+}
+
+// The whole of a profile as it was before there were rows of vertex programs.
+TEST(UserProfile, WithoutRowsOfVertexProgramsHasTheDefaultProfiles) {
+  std::string text;
+  std::string table;
+  for (const RowInfo &row : rows()) {
+    if (std::string_view(row.table).starts_with("vertex_") || row.row == Row::ClipPlanes)
+      continue;
+    if (table != row.table)
+      text += "[" + (table = row.table) + "]\n";
+    text += std::string(row.key) + " = " + std::to_string(row.least) + "\n";
+  }
+  const auto result = parseProfile(text, "p.toml");
+  ASSERT_TRUE(result) << result.error().message;
+  const Profile &profile = result.value();
+  EXPECT_EQ(profile.vertex.api, findBuiltin("r300")->vertex.api);
+  EXPECT_EQ(profile.vertex.textureCoords, 2u);
+  EXPECT_EQ(profile.sources[std::size_t(Row::VertexApiInstructions)],
+            "as r300, for the file does not say");
+}
+
 TEST(UserProfile, InheritsAndOverrides) {
   const auto result = parseProfile("name = 'small'\ninherits = 'r300'\n[api]\ntemporaries = 16\n"
                                    "attribs = { value = 11, source = 'me' }\n",
@@ -71,6 +110,12 @@ TEST(UserProfile, InheritsAndOverrides) {
   EXPECT_EQ(profile.sources[std::size_t(Row::ApiTemporaries)], "p.toml:4");
   EXPECT_EQ(profile.sources[std::size_t(Row::ApiAttribs)], "me");
   EXPECT_EQ(profile.fragment.native.temporaries, 32u);
+  const auto vertex = parseProfile("inherits = 'nv30'\n[vertex_api]\nparameters = 96\n", "v.toml");
+  ASSERT_TRUE(vertex) << vertex.error().message;
+  EXPECT_EQ(vertex.value().vertex.api.parameters, 96u);
+  EXPECT_EQ(vertex.value().vertex.api.addressRegisters, 2u);
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[vertex_api]\nalu_instructions = 3\n"),
+              StartsWith("p.toml:3:1: unknown row \"vertex_api.alu_instructions\""));
 }
 
 TEST(UserProfile, ANamelessOneIsCalledByItsPath) {
