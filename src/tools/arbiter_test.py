@@ -18,6 +18,8 @@ import zlib
 ARBITER, FAKE, ROOT = sys.argv[1], os.path.abspath(sys.argv[2]), pathlib.Path(sys.argv[3])
 PROGRAMS = ROOT / 'demos' / 'programs'
 GOOD = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
+VERTEX = ('!!ARBvp1.0\nPARAM c[2] = { program.env[0..1] };\nADDRESS A;\n'
+          'ARL A.x, vertex.attrib[7].x;\nMOV result.position, c[A.x];\nEND\n')
 BAD = '!!ARBfp1.0\n# a comment\nMOV result.color, q;\nEND\n'
 
 
@@ -94,6 +96,29 @@ class Check(Temporary):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('good.fp: valid, within the native limits of r300', result.stdout)
         self.assertRegex(result.stdout, r'(?m)^  instructions +1 +96 +1 +96$')
+
+    def test_the_header_names_the_language(self):
+        result = arbiter('check', self.path('good.vp', VERTEX))
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertRegex(result.stdout, r'(?m)^  instructions +2 +256 +2 +256$')
+        self.assertRegex(result.stdout, r'(?m)^  address registers +1 +1 +1 +1$')
+        self.assertNotIn('ALU', result.stdout)
+        result = arbiter('check', '--json', '--profile', 'nv30', self.path('good.vp', VERTEX),
+                         self.path('good.fp', GOOD))
+        vertex, fragment = json.loads(result.stdout)['files']
+        self.assertEqual((vertex['language'], fragment['language']), ('ARBvp1.0', 'ARBfp1.0'))
+        self.assertEqual(list(vertex['counts']), ['instructions', 'temporaries', 'parameters',
+                                                  'attribs', 'address_registers'])
+        self.assertEqual(vertex['counts']['address_registers'],
+                         {'used': 1, 'limit': 2, 'native_used': 1, 'native_limit': 2})
+
+    def test_a_language_may_be_demanded(self):
+        self.assertEqual(arbiter('check', '--language', 'arbvp', '-', text=VERTEX).returncode, 0)
+        result = arbiter('check', '--brief', '--language', 'arbfp', '-', text=VERTEX)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stdout, '<stdin>:1:6: error: the header !!ARBfp1.0 is missing '
+                                        '[header-missing]\n')
+        self.assertEqual(arbiter('check', '--language', 'cg', '-', text=VERTEX).returncode, 1)
 
     def test_error_line_is_what_editors_read(self):
         path = self.path('bad.fp', BAD)

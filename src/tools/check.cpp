@@ -3,13 +3,15 @@
 
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/language.h"
 #include "tools/report.h"
 
 namespace arbiter::tools {
 
 namespace {
 
-CheckedFile checkFile(const std::string &name, const fp::CompileOptions &options) {
+CheckedFile checkFile(const std::string &name, const CheckArguments &arguments,
+                      const fp::hw::Profile &profile) {
   CheckedFile file;
   file.name = name == "-" ? "<stdin>" : name;
   auto input = readInput(name);
@@ -19,7 +21,12 @@ CheckedFile checkFile(const std::string &name, const fp::CompileOptions &options
     return file;
   }
   file.text = std::move(input).value();
-  file.result = fp::checkFragmentProgram(file.text, options);
+  file.language = chooseLanguage(arguments.language, file.text);
+  fp::CompileOptions options;
+  options.limits = limitsOf(profile, file.language);
+  options.policy =
+      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
+  file.result = fp::checkProgram(file.language, file.text, options);
   if (!file.result.ok())
     file.status = FileStatus::Invalid;
   else if (!file.result.underNativeLimits)
@@ -48,13 +55,9 @@ int check(const CheckArguments &arguments) {
     complain(profile.error().message);
     return kExitUsage;
   }
-  fp::CompileOptions options;
-  options.limits = profile.value().fragment;
-  options.policy =
-      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
   std::vector<CheckedFile> files;
   for (const std::string &name : arguments.files) {
-    files.push_back(checkFile(name, options));
+    files.push_back(checkFile(name, arguments, profile.value()));
     const CheckedFile &file = files.back();
     if (file.status == FileStatus::Unreadable)
       complain(file.fault);

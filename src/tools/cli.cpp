@@ -5,6 +5,7 @@
 
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/language.h"
 #include "util/flags.h"
 #include "util/suggest.h"
 
@@ -28,9 +29,17 @@ struct Arguments {
 
 constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
 
+void addLanguage(CLI::App &command, std::string &language) {
+  command
+      .add_option("--language", language,
+                  "auto: as the header says; or the language to hold the program to")
+      ->check(CLI::IsMember(languageNames()))
+      ->capture_default_str();
+}
+
 void addCheck(CLI::App &app, CheckArguments &check) {
   CLI::App *command = app.add_subcommand(
-      "check", "Check fragment programs: errors with line and column, counts against limits");
+      "check", "Check programs: errors with line and column, counts against limits");
   check.profile = settings().profile; // ARBITER_PROFILE, or the default
   command->add_option("--profile", check.profile, kProfileHelp)->capture_default_str();
   command
@@ -38,6 +47,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
                    "a program over the API limits: enforce: invalid; report: a warning")
       ->check(CLI::IsMember({"enforce", "report"}))
       ->capture_default_str();
+  addLanguage(*command, check.language);
   command->add_flag("--json", check.json, "one JSON document for all files");
   command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
   command->add_option("FILE", check.files, "program texts; - is standard input")->required();
@@ -45,7 +55,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
                   "over the native limits; 4 internal error. The worst file decides.\n"
                   "Examples:\n"
                   "  arbiter check shader.fp\n"
-                  "  arbiter check --profile nv30 --json *.fp\n"
+                  "  arbiter check --profile nv30 --json *.fp *.vp\n"
                   "  arbiter check --profile r300-catalyst-2004 - < shader.fp");
 }
 
@@ -56,6 +66,7 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   command->add_option("--emit", compile.emit, "tokens, ir (checked program) or glsl (1.20)")
       ->check(CLI::IsMember({"tokens", "ir", "glsl"}))
       ->capture_default_str();
+  addLanguage(*command, compile.language);
   command->add_flag("--optimise,-O", compile.optimise, "ir: after the passes");
   command->add_option("-o,--output", compile.output, "file to write; - is standard output")
       ->capture_default_str();

@@ -19,6 +19,7 @@ enum ExitCode : int {
 struct CheckArguments {
   std::string profile;
   std::string limits = "enforce"; ///< or "report"
+  std::string language = "auto";  ///< by the header; or a name of languageRows()
   bool json = false;
   bool brief = false; ///< first lines of diagnostics only, no counts
   std::vector<std::string> files;
@@ -27,8 +28,9 @@ struct CheckArguments {
 
 struct CompileArguments {
   std::string profile;
-  std::string emit = "glsl"; ///< "tokens", "ir" or "glsl"
-  bool optimise = false;     ///< ir: after the passes
+  std::string emit = "glsl";     ///< "tokens", "ir" or "glsl"
+  std::string language = "auto"; ///< by the header; or a name of languageRows()
+  bool optimise = false;         ///< ir: after the passes
   std::string output = "-";
   std::string file;
 };

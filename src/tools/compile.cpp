@@ -6,12 +6,11 @@
 #include "fp_compiler/ir/print.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/language.h"
 
 namespace arbiter::tools {
 
 namespace {
-
-constexpr std::string_view kHeader = "!!ARBfp1.0";
 
 /// One line a token: "line:column  kind  text".
 std::string tokenListing(std::string_view text) {
@@ -26,10 +25,11 @@ std::string tokenListing(std::string_view text) {
     listing += '\n';
   };
   std::uint32_t begin = 0;
-  if (text.starts_with(kHeader)) {
-    begin = std::uint32_t(kHeader.size());
+  for (const LanguageRow &row : languageRows())
+    if (text.starts_with(row.header))
+      begin = std::uint32_t(std::string_view(row.header).size());
+  if (begin != 0)
     add({0, begin}, "Header");
-  }
   fp::Lexer lexer(text, begin);
   for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
     add(token.span, fp::name(token.kind));
@@ -59,8 +59,9 @@ int compile(const CompileArguments &arguments) {
     emitted = tokenListing(text);
   } else {
     fp::CompileOptions options;
-    options.limits = profile.value().fragment;
-    fp::CheckResult result = fp::checkFragmentProgram(text, options);
+    const fp::ir::Language language = chooseLanguage(arguments.language, text);
+    options.limits = limitsOf(profile.value(), language);
+    fp::CheckResult result = fp::checkProgram(language, text, options);
     const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
     for (const fp::Diagnostic &diagnostic : result.diagnostics)
       std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);

@@ -3,6 +3,7 @@
 #include <GL/arbiter.h>
 #include <cstdio>
 
+#include "tools/language.h"
 #include "util/hash.h"
 #include "util/json.h"
 
@@ -13,16 +14,17 @@ namespace {
 using fp::ResourceCounts;
 
 constexpr ResourceRow kRows[] = {
-    {"instructions", "instructions", &ResourceCounts::instructions},
-    {"alu_instructions", "ALU instructions", &ResourceCounts::aluInstructions},
-    {"tex_instructions", "TEX instructions", &ResourceCounts::texInstructions},
-    {"tex_indirections", "TEX indirections", &ResourceCounts::texIndirections},
-    {"temporaries", "temporaries", &ResourceCounts::temporaries},
-    {"parameters", "parameters", &ResourceCounts::parameters},
-    {"attribs", "attribs", &ResourceCounts::attribs},
+    {"instructions", "instructions", &ResourceCounts::instructions, true, true},
+    {"alu_instructions", "ALU instructions", &ResourceCounts::aluInstructions, true, false},
+    {"tex_instructions", "TEX instructions", &ResourceCounts::texInstructions, true, false},
+    {"tex_indirections", "TEX indirections", &ResourceCounts::texIndirections, true, false},
+    {"temporaries", "temporaries", &ResourceCounts::temporaries, true, true},
+    {"parameters", "parameters", &ResourceCounts::parameters, true, true},
+    {"attribs", "attribs", &ResourceCounts::attribs, true, true},
+    {"address_registers", "address registers", &ResourceCounts::addressRegisters, false, true},
 };
-static_assert(sizeof(ResourceCounts) == (std::size(kRows) + 1) * sizeof(std::uint32_t),
-              "every resource of a fragment program has its row");
+static_assert(sizeof(ResourceCounts) == std::size(kRows) * sizeof(std::uint32_t),
+              "every resource has its row");
 
 const char *statusName(FileStatus status) {
   switch (status) {
@@ -56,6 +58,8 @@ std::string countsTable(const CheckedFile &file, const fp::Limits &limits) {
                 "limit");
   std::string text = line;
   for (const ResourceRow &row : kRows) {
+    if (!row.of(file.language))
+      continue;
     const std::uint32_t used = file.result.counts.*row.member;
     const std::uint32_t nativeUsed = file.result.nativeCounts.*row.member;
     const char *mark = "";
@@ -109,6 +113,7 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::Limits &limi
     json.key("fault").value(file.fault).endObject();
     return;
   }
+  json.key("language").value(languageRow(file.language).header + 2);
   json.key("bytes").value(std::uint64_t(file.text.size()));
   json.key("hash").value(toHex(hashBytes(file.text)));
   json.key("error_position").value(int(file.result.errorPosition()));
@@ -120,6 +125,8 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::Limits &limi
     json.key("under_native_limits").value(file.result.underNativeLimits);
     json.key("counts").beginObject();
     for (const ResourceRow &row : kRows) {
+      if (!row.of(file.language))
+        continue;
       json.key(row.name).beginObject();
       json.key("used").value(file.result.counts.*row.member);
       json.key("limit").value(limits.api.*row.member);
@@ -134,8 +141,6 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::Limits &limi
 
 } // namespace
 
-std::span<const ResourceRow> resourceRows() { return kRows; }
-
 std::string asText(const CheckedFile &file, const fp::hw::Profile &profile, bool brief) {
   std::string text;
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
@@ -148,7 +153,7 @@ std::string asText(const CheckedFile &file, const fp::hw::Profile &profile, bool
     return text;
   text += file.name + ": " + verdict(file, profile) + "\n";
   if (file.status != FileStatus::Invalid)
-    text += countsTable(file, profile.fragment);
+    text += countsTable(file, limitsOf(profile, file.language));
   return text;
 }
 
@@ -161,7 +166,7 @@ std::string asJson(std::span<const CheckedFile> files, const fp::hw::Profile &pr
   json.endObject();
   json.key("files").beginArray();
   for (const CheckedFile &file : files)
-    writeFile(json, file, profile.fragment);
+    writeFile(json, file, limitsOf(profile, file.language));
   json.endArray().endObject();
   return json.take();
 }

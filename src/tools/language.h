@@ -1,0 +1,31 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/profile.h"
+
+/// The languages of programs, as the command line names them.
+namespace arbiter::tools {
+
+struct LanguageRow {
+  const char *name; ///< "arbvp", for --language
+  const char *header;
+  fp::ir::Language language;
+};
+[[nodiscard]] std::span<const LanguageRow> languageRows();
+[[nodiscard]] const LanguageRow &languageRow(fp::ir::Language language);
+
+/// "auto" and the names of languageRows().
+[[nodiscard]] std::vector<std::string> languageNames();
+
+/// The language of that name; for "auto" the one that the text's header names, or ARBfp1.0 where it
+/// names none, so that the header is what is reported.
+[[nodiscard]] fp::ir::Language chooseLanguage(std::string_view name, std::string_view text);
+
+/// The limits of the language's target.
+[[nodiscard]] const fp::Limits &limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
+
+} // namespace arbiter::tools
