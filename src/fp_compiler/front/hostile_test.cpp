@@ -16,6 +16,7 @@ using testing_support::generous;
 using testing_support::repeat;
 using testing_support::small;
 using testing_support::wrap;
+using testing_support::wrapVertex;
 
 /// A copy of a text that ends where the next byte is not mapped.
 class GuardedText {
@@ -68,6 +69,14 @@ const std::string kCorpus[] = {
     "PARAM m[] = { state.matrix.texture[2].transpose, state.lightprod[1].back.diffuse };\n"
     "DP4 result.depth.z, s, m[4];\nMOV result.color[1], state.light[0].spot.direction;\n"
     "LRP result.color, 1e-1, state.material.shininess, program.env[3];\nEND # done",
+    "!!ARBvp1.0\nOPTION ARB_position_invariant;\nADDRESS A;TEMP a;ATTRIB n = vertex.normal;\n"
+    "PARAM c[] = { program.env[0..1], {1,-2}, state.matrix.program[1].inverse.row[3] };\n"
+    "ARL A.x, -vertex.attrib[7].w;\nMAD a.xyz, -c[A.x - 64].wzyx, c[A.x+63].x, c[2];\n"
+    "OUTPUT o = result.color.back.secondary;\nEXP o.xy, n.z;\nMOV result.texcoord[1], a;\nEND",
+    "!!ARBvp1.0\nPARAM p[] = { state.texgen[1].eye.q, state.clip[5].plane, state.point.size };\n"
+    "TEMP TEX;\nDPH TEX.w, vertex.fogcoord, p[1];\nLOG TEX, TEX.w;\nALIAS t = TEX;\n"
+    "SWZ result.position, t, -x, 0, 1, w;\nMOV result.color.front, vertex.color.secondary.x;\n"
+    "MOV result.pointsize.x, state.point.attenuation.y;\nEND",
 };
 
 TEST(Hostile, NoByteIsReadPastTheLength) {
@@ -233,6 +242,7 @@ TEST(Hostile, TimeIsLinear) {
   const struct {
     const char *name;
     std::string (*make)(int n);
+    std::string (*around)(std::string_view statements) = wrap;
   } shapes[] = {
       {"names",
        [](int n) {
@@ -256,6 +266,16 @@ TEST(Hostile, TimeIsLinear) {
          return text;
        }},
       {"one line of errors", [](int n) { return repeat("MOV ", std::size_t(n)); }},
+      {"arrays under relative addressing",
+       [](int n) {
+         std::string text = "ADDRESS A; TEMP t;";
+         for (int i = 0; i < n; ++i) {
+           const std::string name = "c" + std::to_string(i);
+           text += "PARAM " + name + "[]={1,1}; MOV t," + name + "[A.x];";
+         }
+         return text;
+       },
+       wrapVertex},
   };
   CompileOptions options = generous();
   options.policy = LimitPolicy::Report;
@@ -263,7 +283,8 @@ TEST(Hostile, TimeIsLinear) {
     // A shared cache is no quadratic parser, so try again.
     double ratio = 0;
     for (int attempt = 0; attempt < 5; ++attempt) {
-      ratio = seconds(wrap(shape.make(20000)), options) / seconds(wrap(shape.make(10000)), options);
+      ratio = seconds(shape.around(shape.make(20000)), options) /
+              seconds(shape.around(shape.make(10000)), options);
       if (ratio < 3)
         break;
     }

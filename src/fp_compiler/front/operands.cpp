@@ -212,8 +212,8 @@ bool Parser::skipIndex() {
 /// Reports a name once; it is accepted from here on. False where nothing that follows makes sense.
 bool Parser::undeclared(const Token &name) {
   const std::string_view word = text(name);
-  const bool attribute = word == "vertex" || word == "fragment";
-  if (attribute && m_tokens.at(TokenKind::Dot))
+  const bool attribute = (word == "vertex" || word == "fragment") && m_tokens.at(TokenKind::Dot);
+  if (attribute)
     foreign(name, "a " + std::string(word) + " attribute");
   else
     error(DiagnosticId::UndeclaredName, name.span, quote(word) + " is not declared",

@@ -1,21 +1,15 @@
 // Programs with one planted error each: GL_PROGRAM_ERROR_POSITION_ARB is the first wrong byte,
 // whatever newlines and comments come before it (3.11.2).
-#include <cstring>
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/planted.h"
 
 namespace arbiter::fp {
 namespace {
 
 using testing_support::check;
 using testing_support::firstError;
-
-/// The statements of a program in which @ stands before the first wrong byte.
-struct Planted {
-  const char *id;
-  const char *statements;
-};
+using testing_support::Planted;
 
 constexpr Planted kPlanted[] = {
     {"syntax", "MOV R0 @R1;\nEND"},
@@ -206,50 +200,8 @@ constexpr Planted kPlanted[] = {
     {"color-option", "OUTPUT o = result.color@[1];\nEND"},
 };
 
-/// Text between the header and the planted statements, and what a newline in them becomes.
-struct Surrounding {
-  const char *name;
-  const char *before;
-  const char *newline;
-};
-
-constexpr Surrounding kSurroundings[] = {
-    {"LF", "\nTEMP R0, R1;\n", "\n"},
-    {"CRLF and comments", "\r\n# a comment; MOV x, y;\r\n\r\n\tTEMP R0,R1;#\r\n",
-     " # it's \xE4\r\n"},
-    {"CR only", "\r#\rTEMP R0 , R1\r;", "\r"},
-    {"one line", "TEMP R0,R1;", " "},
-};
-
-std::string replaceNewlines(std::string_view text, std::string_view newline) {
-  std::string replaced;
-  for (char c : text)
-    replaced += c == '\n' ? std::string(newline) : std::string(1, c);
-  return replaced;
-}
-
 TEST(ErrorPosition, IsTheFirstWrongByte) {
-  int programs = 0;
-  for (const Surrounding &around : kSurroundings) {
-    for (const Planted &planted : kPlanted) {
-      if (std::string_view(around.newline) == " " && std::strchr(planted.statements, '#'))
-        continue; // on one line a comment would hide the rest
-      std::string text = "!!ARBfp1.0";
-      text += around.before;
-      text += replaceNewlines(planted.statements, around.newline);
-      const std::size_t marker = text.find('@');
-      ASSERT_NE(marker, std::string::npos) << planted.statements;
-      text.erase(marker, 1);
-      const CheckResult result = check(text);
-      EXPECT_EQ(firstError(result), planted.id) << around.name << ": " << planted.statements;
-      EXPECT_EQ(result.errorPosition(), std::int32_t(marker))
-          << around.name << ": " << planted.statements << "\n"
-          << result.errorString(text);
-      ++programs;
-    }
-  }
-  RecordProperty("programs", programs);
-  EXPECT_GE(programs, 200);
+  EXPECT_GE(testing_support::expectPlanted("!!ARBfp1.0", kPlanted), 200);
 }
 
 struct PlantedHeader {
