@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 
 #include "fp_compiler/ir/ir.h"
 
@@ -10,8 +11,11 @@ namespace arbiter::fp {
 /// (ATI_fragment_shader replaces texturing alone; OpenGL 1.3, sections 3.9 and 3.10).
 struct FixedFunction {
   std::array<ir::TexTarget, 8> targets = {}; ///< that each texture image unit samples
-  ir::FogMode fog = ir::FogMode::None;       ///< FOG's mode where it is enabled
-  bool colorSum = false;                     ///< COLOR_SUM, or a separate specular colour
+  /// Units that no texture is enabled on, one bit each: their samples are those of an incomplete
+  /// texture, (0,0,0,1).
+  std::uint8_t disabledUnits = 0;
+  ir::FogMode fog = ir::FogMode::None; ///< FOG's mode where it is enabled
+  bool colorSum = false;               ///< COLOR_SUM, or a separate specular colour
   bool operator==(const FixedFunction &) const = default;
 };
 

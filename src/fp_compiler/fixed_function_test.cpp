@@ -41,6 +41,18 @@ TEST(FixedFunction, SamplesTakeTheirUnitsTargets) {
   EXPECT_NE(shader.text.find("shadow2D(arb_tex1"), std::string::npos) << shader.text;
 }
 
+TEST(FixedFunction, DisabledUnitsReadAsIncompleteTextures) {
+  FixedFunction state;
+  state.disabledUnits = 2;
+  const ir::Program program = withFixedFunction(sampling(), state);
+  for (const std::string &problem : ir::validate(program))
+    ADD_FAILURE() << problem;
+  EXPECT_EQ(emitGlsl(program).samplers.size(), 1u) << "the other unit is sampled";
+  state.disabledUnits = 3;
+  EXPECT_EQ(ir::evaluate(withFixedFunction(sampling(), state), {}).outputs[0],
+            (ir::Vec4{0, 0, 0, 3}));
+}
+
 TEST(FixedFunction, StateOfOneDrawDoesNotStay) {
   FixedFunction first;
   first.fog = ir::FogMode::Exp;

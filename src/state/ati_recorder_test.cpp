@@ -81,16 +81,14 @@ TEST(AtiRecorder, EveryModifierArrives) {
   EXPECT_EQ(operation.mask, 5);
   EXPECT_EQ(operation.scale, Scale::Quarter);
   EXPECT_TRUE(operation.saturate);
-  const fp::ati::Argument expected[] = {{.source = Source::Register,
-                                         .index = 4,
-                                         .replicate = Replicate::Alpha,
-                                         .complement = true,
-                                         .twice = true},
-                                        {.source = Source::Primary,
-                                         .replicate = Replicate::Green,
-                                         .bias = true,
-                                         .negate = true},
-                                        {.source = Source::One}};
+  const fp::ati::Argument expected[] = {
+      {.source = Source::Register,
+       .index = 4,
+       .replicate = Replicate::Alpha,
+       .complement = true,
+       .twice = true},
+      {.source = Source::Primary, .replicate = Replicate::Green, .bias = true, .negate = true},
+      {.source = Source::One}};
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(operation.arguments[i], expected[i]) << i;
 }
@@ -98,9 +96,9 @@ TEST(AtiRecorder, EveryModifierArrives) {
 TEST(AtiRecorder, AnErrorLeavesTheShaderAsItWas) {
   AtiRecorder recorder(8, 8);
   ASSERT_EQ(recorder.operation(kColorMov).error, GLenum(GL_NO_ERROR));
-  EXPECT_NE(recorder.setup(SetupKind::SampleMap, GL_CON_0_ATI, GL_TEXTURE0, GL_SWIZZLE_STR_ATI)
-                .error,
-            GLenum(GL_NO_ERROR));
+  EXPECT_NE(
+      recorder.setup(SetupKind::SampleMap, GL_CON_0_ATI, GL_TEXTURE0, GL_SWIZZLE_STR_ATI).error,
+      GLenum(GL_NO_ERROR));
   RawOperation bad = kColorMov;
   bad.arguments[0].source = GL_TEXTURE0;
   EXPECT_EQ(recorder.operation(bad).error, GLenum(GL_INVALID_ENUM));
@@ -111,15 +109,15 @@ TEST(AtiRecorder, AnErrorLeavesTheShaderAsItWas) {
 
 TEST(AtiRecorder, UnitsOfTheImplementation) {
   AtiRecorder recorder(4, 2);
-  EXPECT_EQ(recorder.setup(SetupKind::SampleMap, GL_REG_4_ATI, GL_TEXTURE0, GL_SWIZZLE_STR_ATI)
-                .error,
-            GLenum(GL_INVALID_ENUM));
-  EXPECT_EQ(recorder.setup(SetupKind::SampleMap, GL_REG_3_ATI, GL_TEXTURE2, GL_SWIZZLE_STR_ATI)
-                .error,
-            GLenum(GL_INVALID_ENUM));
-  EXPECT_EQ(recorder.setup(SetupKind::SampleMap, GL_REG_3_ATI, GL_TEXTURE1, GL_SWIZZLE_STR_ATI)
-                .error,
-            GLenum(GL_NO_ERROR));
+  EXPECT_EQ(
+      recorder.setup(SetupKind::SampleMap, GL_REG_4_ATI, GL_TEXTURE0, GL_SWIZZLE_STR_ATI).error,
+      GLenum(GL_INVALID_ENUM));
+  EXPECT_EQ(
+      recorder.setup(SetupKind::SampleMap, GL_REG_3_ATI, GL_TEXTURE2, GL_SWIZZLE_STR_ATI).error,
+      GLenum(GL_INVALID_ENUM));
+  EXPECT_EQ(
+      recorder.setup(SetupKind::SampleMap, GL_REG_3_ATI, GL_TEXTURE1, GL_SWIZZLE_STR_ATI).error,
+      GLenum(GL_NO_ERROR));
 }
 
 TEST(AtiRecorder, ConstantsAreTheContextsUntilSet) {

@@ -6,6 +6,7 @@
 #include "host/host_table.h"
 #include "state/active_profile.h"
 #include "state/errors.h"
+#include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
@@ -32,6 +33,22 @@ fp::Limits fragmentLimits(const host::HostTable &host, const HostCaps &caps) {
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
   clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  return limits;
+}
+
+/// Limits of ATI's fragment shaders: fixed by their language (ATI_text_fragment_shader 3.10.1), but
+/// for the units.
+fp::Limits atiLimits(fp::Limits limits) {
+  fp::ResourceCounts counts;
+  counts.aluInstructions = fp::ati::kMaxPasses * fp::ati::kMaxPairs; // pairs
+  counts.texInstructions = fp::ati::kMaxPasses * fp::ati::kRegisters;
+  counts.instructions = counts.aluInstructions + counts.texInstructions;
+  counts.texIndirections = fp::ati::kMaxPasses;
+  counts.temporaries = fp::ati::kRegisters;
+  counts.parameters = fp::ati::kConstants;
+  counts.attribs = fp::ati::kRegisters + 2; // t0 to t5, and the colours
+  limits.api = limits.native = counts;
+  limits.envParameters = limits.localParameters = fp::ati::kConstants;
   return limits;
 }
 
@@ -81,6 +98,10 @@ void initialise(Context &context) {
   context.passThrough = false;
   context.offered = context.caps.obstacle() == nullptr;
   offer(context, Target::Fragment, fragmentLimits(*context.host, context.caps));
+  if (context.offered) {
+    const fp::Limits limits = atiLimits(context.row(Target::Fragment).limits);
+    offer(context, Target::AtiApi, limits);
+  }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
@@ -163,6 +184,7 @@ void destroyContext(Context *context) {
 }
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
+  noteFixedFunctionChange(to);
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
   for (ProgramTarget &row : to.targets)

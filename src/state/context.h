@@ -9,6 +9,7 @@
 #include <GL/glext.h>
 
 #include "host/null_host.h"
+#include "state/ati_recorder.h"
 #include "state/attrib_stack.h"
 #include "state/current.h"
 #include "state/host_assembly.h"
@@ -99,6 +100,10 @@ public:
   /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
 
+  // --- ATI fragment shaders ---
+  std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
+  bool atiShaderInForce = false; ///< draws depend on fixed-function state (fixed_function.h)
+
   // --- The application's GLSL: the host knows; asked again when something may have changed it ---
   GLuint applicationProgram = 0;
   bool applicationProgramKnown = true;
@@ -141,6 +146,14 @@ public:
     return nullptr;
   }
   return row->offered ? row : nullptr;
+}
+
+/// The row that `cap` of Enable names: that of a program target, or of ATI_fragment_shader.
+[[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
+  if (cap != infoOf(Target::AtiApi).name)
+    return rowOf(context, cap);
+  ProgramTarget &row = context.row(Target::AtiApi);
+  return row.offered ? &row : nullptr;
 }
 
 /// The thread's null context.

@@ -6,7 +6,9 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/ati_forms.h"
 #include "state/errors.h"
+#include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -83,11 +85,17 @@ bool shadesFragments(Context &context, GLuint program) {
   return count <= 0;
 }
 
-/// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs.
+/// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs, and
+/// these over ATI's fragment shaders.
 Path choosePath(Context &context) {
   context.variant = nullptr;
-  ProgramTarget &fragment = context.row(Target::Fragment);
-  if (!fragment.enabled)
+  context.atiShaderInForce = false;
+  for (ProgramTarget &row : context.targets)
+    if (row.enabled)
+      row.seenVersion = row.bound->version.load(std::memory_order_acquire);
+  const ProgramTarget &fragment = context.row(Target::Fragment);
+  const bool ati = context.row(Target::AtiText).enabled || context.row(Target::AtiApi).enabled;
+  if (!fragment.enabled && !ati)
     return Path::NoProgram;
   const GLuint program = applicationProgram(context);
   if (program != 0 && shadesFragments(context, program))
@@ -95,11 +103,10 @@ Path choosePath(Context &context) {
   if (program == 0 && applicationPipeline(context) != 0)
     return Path::ApplicationPipeline;
 
-  const ProgramObject &object = *fragment.bound;
-  fragment.seenVersion = object.version.load(std::memory_order_acquire);
-  const auto compiled = context.group->compiledOf(object);
+  const auto compiled =
+      fragment.enabled ? context.group->compiledOf(*fragment.bound) : atiShaderInForce(context);
   if (!compiled)
-    return Path::InvalidProgram;
+    return fragment.enabled ? Path::InvalidProgram : Path::NoProgram;
   // GLSL vertices with no fragment stage: fragments are the ARB program's, as under fixed-function
   // vertices, and no program of ours can be linked to the application's.
   if (program != 0)
@@ -126,7 +133,8 @@ std::uint32_t stickyAttention(const Context &context) {
       bits |= attention::kCompare;
   }
   const bool ours = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
-                    isDropped(context.path);
+                    isDropped(context.path) || context.row(Target::AtiText).enabled ||
+                    context.row(Target::AtiApi).enabled;
   if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   return bits;
@@ -226,7 +234,16 @@ void bindMute(Context &context) {
   context.hostProgramIsOurs = true;
 }
 
+void dropVariants(Context &context, const CompiledProgram &compiled) {
+  context.variants.drop(context, &compiled);
+  if (!compiled.ati)
+    return;
+  for (const auto &form : compiled.ati->all())
+    context.variants.drop(context, form.get());
+}
+
 void afterHostList(Context &context) {
+  noteFixedFunctionChange(context);
   if (context.group->hostListsUnbalanced.load(std::memory_order_relaxed)) {
     GLint depth = 0;
     context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);

@@ -1,6 +1,7 @@
 // Get, GetString and GetStringi: the few values that are ours, or that our host objects would show.
 #include <type_traits>
 
+#include "fp_compiler/ati/shader.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/draw.h"
@@ -11,6 +12,37 @@
 namespace arbiter::state {
 
 namespace {
+
+/// The values of ATI_fragment_shader: all but the enable are fixed (Deprecated Functionality).
+bool fragmentShaderValue(const ProgramTarget &row, GLenum pname, GLint &value) {
+  constexpr GLint kComponents = 3;
+  switch (pname) {
+  case infoOf(Target::AtiApi).name:
+    value = row.enabled ? 1 : 0;
+    break;
+  case GL_NUM_FRAGMENT_REGISTERS_ATI:
+    value = fp::ati::kRegisters;
+    break;
+  case GL_NUM_FRAGMENT_CONSTANTS_ATI:
+    value = fp::ati::kConstants;
+    break;
+  case GL_NUM_PASSES_ATI:
+    value = fp::ati::kMaxPasses;
+    break;
+  case GL_NUM_INSTRUCTIONS_PER_PASS_ATI:
+    value = fp::ati::kMaxPairs;
+    break;
+  case GL_NUM_INSTRUCTIONS_TOTAL_ATI:
+    value = fp::ati::kMaxPasses * fp::ati::kMaxPairs;
+    break;
+  case GL_COLOR_ALPHA_PAIRING_ATI:
+    value = GL_TRUE;
+    break;
+  default: // of interpolators, and from pass to pass
+    value = kComponents;
+  }
+  return row.offered;
+}
 
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
 /// show our objects is put back.
@@ -24,6 +56,16 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
       return true;
     }
     return false;
+  case infoOf(Target::AtiApi).name:
+  case GL_NUM_FRAGMENT_REGISTERS_ATI:
+  case GL_NUM_FRAGMENT_CONSTANTS_ATI:
+  case GL_NUM_PASSES_ATI:
+  case GL_NUM_INSTRUCTIONS_PER_PASS_ATI:
+  case GL_NUM_INSTRUCTIONS_TOTAL_ATI:
+  case GL_NUM_INPUT_INTERPOLATOR_COMPONENTS_ATI:
+  case GL_NUM_LOOPBACK_COMPONENTS_ATI:
+  case GL_COLOR_ALPHA_PAIRING_ATI:
+    return fragmentShaderValue(context.row(Target::AtiApi), pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;
     return true;

@@ -93,8 +93,20 @@ bool ListCompiler::notePop(Context &context) {
 
 namespace {
 
+/// A command of ATI_fragment_shader.
+void executeFragmentShader(Context &context, const Command &command) {
+  if (command.kind == Command::Kind::BindProgram)
+    bindFragmentShader(context, command.name);
+  else
+    setFragmentShaderConstant(context, int(command.name), command.values.front());
+}
+
 /// A command of the program API. Its target was one of ours when it was recorded.
 void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
+  const bool enables =
+      command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
+  if (row.target == Target::AtiApi && !enables)
+    return executeFragmentShader(context, command);
   const bool named =
       command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
   const std::shared_ptr<ProgramObject> object =
@@ -132,7 +144,7 @@ void execute(Context &context, const Command &command) {
   case Command::Kind::NamedLocal:
   case Command::Kind::Enable:
   case Command::Kind::Disable:
-    if (ProgramTarget *const row = rowOf(context, command.target))
+    if (ProgramTarget *const row = enableRowOf(context, command.target))
       executeProgram(context, *row, command);
     return;
   case Command::Kind::UseProgram:

@@ -27,6 +27,11 @@ public:
     openSegment(context);
   }
 
+  /// Ends a segment: when the list is called, what follows is a draw's look at the state again.
+  void cut(Context &context) {
+    outside(context, [] {});
+  }
+
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
   /// The attribute stack as the list being compiled moves it; pops below zero count too.
   void notePush(bool cuts) { m_pushes.push_back(cuts); }

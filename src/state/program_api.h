@@ -34,6 +34,15 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
 void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values);
 void setEnabled(Context &context, ProgramTarget &row, bool enabled);
+/// BindFragmentShaderATI.
+void bindFragmentShader(Context &context, GLuint name);
+/// SetFragmentShaderConstantATI: the shader's own constant between Begin- and
+/// EndFragmentShaderATI, else the context's. `constant` is 0 to 7.
+void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value);
+/// Deletes this context's variants of a program that left its object.
+void dropVariants(Context &context, const CompiledProgram &compiled);
+/// What emitted GLSL may use of the host.
+[[nodiscard]] fp::GlslHost glslHost(const HostCaps &caps);
 void useProgram(Context &context, GLuint name);
 void pushAttrib(Context &context, GLbitfield mask);
 void popAttrib(Context &context);

@@ -2,6 +2,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/errors.h"
+#include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -62,6 +63,8 @@ void setEnabled(Context &context, ProgramTarget &row, bool enabled) {
   if (row.enabled == enabled)
     return;
   row.enabled = enabled;
+  if (row.info().language == fp::ir::Language::AtiFragment)
+    context.group->atiShadersUsed.store(true, std::memory_order_relaxed);
   invalidateProgram(context);
 }
 
@@ -82,7 +85,7 @@ void deleteProgram(Context &context, GLuint name) {
   // Other contexts may have it bound; their variants go when they are swept.
   const auto compiled = context.group->compiledOf(*object);
   if (compiled)
-    context.variants.drop(context, compiled.get());
+    dropVariants(context, *compiled);
 }
 
 /// Enable and Disable of a program target.
@@ -166,21 +169,23 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 }
 
 void Enable(Context &context, GLenum cap) {
-  ProgramTarget *const row = rowOf(context, cap);
-  if (!row) [[likely]]
-    return context.host->Enable(cap);
-  enable(context, *row, true);
+  ProgramTarget *const row = enableRowOf(context, cap);
+  if (row)
+    return enable(context, *row, true);
+  context.host->Enable(cap);
+  noteCapability(context, cap);
 }
 
 void Disable(Context &context, GLenum cap) {
-  ProgramTarget *const row = rowOf(context, cap);
-  if (!row) [[likely]]
-    return context.host->Disable(cap);
-  enable(context, *row, false);
+  ProgramTarget *const row = enableRowOf(context, cap);
+  if (row)
+    return enable(context, *row, false);
+  context.host->Disable(cap);
+  noteCapability(context, cap);
 }
 
 GLboolean IsEnabled(Context &context, GLenum cap) {
-  const ProgramTarget *const row = rowOf(context, cap);
+  const ProgramTarget *const row = enableRowOf(context, cap);
   if (!row)
     return context.host->IsEnabled(cap);
   if (!outsideBeginEnd(context, "IsEnabled between Begin and End"))

@@ -5,6 +5,7 @@
 #include "fp_compiler/ir/print.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/ati_forms.h"
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
@@ -35,6 +36,8 @@ fp::CompileOptions compileOptions(const ProgramTarget &row) {
   return options;
 }
 
+} // namespace
+
 fp::GlslHost glslHost(const HostCaps &caps) {
   fp::GlslHost host;
   host.textureRectangle = caps.textureRectangle;
@@ -42,8 +45,6 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   host.drawBuffers = caps.drawBuffers;
   return host;
 }
-
-} // namespace
 
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string) {
@@ -76,13 +77,17 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
     logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
             context.errorString.c_str());
   auto compiled = std::make_shared<CompiledProgram>();
+  compiled->target = object.target;
   compiled->text = text;
   compiled->hash = hashBytes(text);
   compiled->warnings = context.errorString;
   compiled->counts = result.counts;
   compiled->nativeCounts = result.nativeCounts;
   compiled->underNativeLimits = result.underNativeLimits;
-  compiled->glsl = fp::emitGlsl(*result.program, glslHost(context.caps));
+  if (row.info().language == fp::ir::Language::AtiFragment)
+    compiled->ati = std::make_shared<const AtiForms>(*result.program, glslHost(context.caps));
+  else
+    compiled->glsl = fp::emitGlsl(*result.program, glslHost(context.caps));
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*result.program));
   if (debugFlag(DebugFlag::Glsl))
@@ -91,7 +96,7 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
   if (row.bound.get() == &object)
     invalidateProgram(context);
   if (old)
-    context.variants.drop(context, old.get());
+    dropVariants(context, *old);
 }
 
 void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,

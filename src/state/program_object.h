@@ -21,12 +21,16 @@ enum class Target : std::uint8_t {
   Fragment, ///< ARB_fragment_program
   Vertex,   ///< ARB_vertex_program
   AtiText,  ///< ATI_text_fragment_shader
+  AtiApi,   ///< ATI_fragment_shader: its objects have commands and names of their own
 };
-inline constexpr int kTargetCount = 3;
+inline constexpr int kTargetCount = 4;
+
+class AtiForms;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
 struct CompiledProgram {
+  Target target = Target::Fragment; ///< whose env and local parameters it reads
   std::string text;
   Hash128 hash;
   std::string warnings; ///< PROGRAM_ERROR_STRING_ARB after the load
@@ -34,6 +38,8 @@ struct CompiledProgram {
   fp::ResourceCounts nativeCounts;
   bool underNativeLimits = false;
   fp::GlslShader glsl;
+  /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
+  std::shared_ptr<const AtiForms> ati;
 };
 
 /// A local parameter. Contexts of a share group may write and read it at once, without a lock: the

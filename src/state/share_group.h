@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "state/display_list.h"
+#include "state/fragment_shaders.h"
 #include "state/program_object.h"
 
 namespace arbiter::state {
@@ -41,6 +42,9 @@ public:
   }
   void setDefaultLocals(Target target, std::size_t count);
 
+  /// Shader objects of ATI_fragment_shader, under a lock of their own.
+  FragmentShaderTable fragmentShaders;
+
   // --- Host objects to delete ---
 
   /// Host GLSL programs of a context that is gone. Any context of the group may delete them, at a
@@ -67,6 +71,9 @@ public:
   /// Set for good by the first use of a program target of ours by any context of the group: until
   /// then lists are the host's own, whole, and cost nothing.
   std::atomic<bool> programApiUsed{false};
+  /// Set for good by the first enable of ATI fragment shaders: lists are cut where fixed-function
+  /// state that their draws depend on changes.
+  std::atomic<bool> atiShadersUsed{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
   std::atomic<bool> compareModeUsed{false};
   /// A list kept by the host alone holds UseProgram, or pushes and pops attributes unevenly.

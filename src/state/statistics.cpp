@@ -280,6 +280,18 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   addProgram(std::move(row));
 }
 
+void noteFragmentShader(const Context &context, const ProgramObject &object,
+                        std::string_view error) {
+  if (!wanted())
+    return;
+  ProgramRow row;
+  row.context = context.serial;
+  row.name = object.name;
+  row.target = infoOf(object.target).word;
+  row.error = error;
+  addProgram(std::move(row));
+}
+
 void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
                        std::string_view error) {
   if (!wanted())

@@ -20,6 +20,9 @@ void noteContextDestroyed(const Context &context);
 /// A program string was given to our compiler. Kept only if statistics are asked for.
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
                        const fp::CheckResult &result);
+/// EndFragmentShaderATI: `error` is empty if the shader is valid. Kept as a loaded program is.
+void noteFragmentShader(const Context &context, const ProgramObject &object,
+                        std::string_view error);
 /// A program string of the vertex target went to the host; `error` is empty if it loaded.
 void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
                        std::string_view error);

@@ -14,7 +14,7 @@ namespace arbiter::state {
 
 /// What the specifications say of a program target, whatever the context.
 struct TargetInfo {
-  GLenum name; ///< as every entry point and Enable take it
+  GLenum name; ///< as Enable takes it, and every entry point of the program API (not AtiApi's)
   fp::ir::Language language;
   const char *word; ///< in statistics and logs
 };
@@ -22,6 +22,7 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment"},
     {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex"},
     {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment"},
+    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api"},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];

@@ -3,6 +3,7 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -56,6 +57,7 @@ void popAttrib(Context &context) {
   releaseHostAssembly(context);
   context.host->PopAttrib();
   popEnables(context);
+  noteFixedFunctionChange(context);
 }
 
 namespace handlers {
@@ -105,6 +107,7 @@ void PopAttrib(Context &context) {
   context.host->PopAttrib();
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     popEnables(context);
+  noteFixedFunctionCommand(context);
 }
 
 } // namespace handlers

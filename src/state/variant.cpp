@@ -221,7 +221,7 @@ void uploadParameters(Context &context, Variant &variant) {
     if (variant.locations[i] < 0)
       continue;
     Vec4 value{};
-    currentValue(context, context.row(Target::Fragment), uniforms[i].parameter, value);
+    currentValue(context, context.row(variant.compiled->target), uniforms[i].parameter, value);
     // Bits, not values: a NaN would be sent for ever, and -0 never.
     if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
         std::bit_cast<std::array<std::uint32_t, 4>>(variant.uploaded[i]))

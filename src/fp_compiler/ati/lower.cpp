@@ -62,7 +62,8 @@ float factor(Scale scale) {
 class Lowering {
 public:
   Lowering(const Shader &shader, const LowerOptions &options)
-      : m_shader(shader), m_range(float(options.registerRange)) {}
+      : m_shader(shader), m_range(float(options.registerRange)),
+        m_clampConstants(options.clampConstants) {}
 
   ir::Program run() {
     for (int i = 0; i < m_shader.passCount; ++i)
@@ -286,7 +287,7 @@ private:
     return m_builder.attribute(ir::AttributeKind::ColorSecondary);
   }
 
-  /// The constant, clamped to [0,1]: once, where the code reads it first.
+  /// The constant, clamped to [0,1] if the options say so: once, where the code reads it first.
   ir::Source constant(std::uint8_t index) {
     std::optional<ir::Source> &known = m_constants[index];
     if (known)
@@ -294,12 +295,17 @@ private:
     const Constant &row = m_shader.constants[index];
     if (row.kind == ConstantKind::Value) {
       ir::Vec4 value = row.value;
-      std::transform(value.begin(), value.end(), value.begin(), ir::saturated);
+      if (m_clampConstants)
+        std::transform(value.begin(), value.end(), value.begin(), ir::saturated);
       known = m_builder.constant(value[0], value[1], value[2], value[3]);
       return *known;
     }
     const ir::Source raw =
         row.kind == ConstantKind::Env ? m_builder.env(row.index) : m_builder.local(row.index);
+    if (!m_clampConstants) {
+      known = raw;
+      return *known;
+    }
     const Target to = m_builder.temporary("c" + std::to_string(index));
     m_builder.op(Opcode::Mov, to.sat(), {raw});
     known = to.read();
@@ -326,6 +332,7 @@ private:
 
   const Shader &m_shader;
   float m_range;
+  bool m_clampConstants;
   ir::Builder m_builder;
   Registers m_registers; ///< of the pass at hand, as far as it names them
   Registers m_before;    ///< of the pass before

@@ -10,6 +10,9 @@ struct LowerOptions {
   /// Registers hold values of [-range, range], clamped as they are written; 0: of any size. The
   /// specification allows 8 (ATFS:798, AFS:552). Limits::atiRegisterRange of the profile.
   std::uint32_t registerRange = 0;
+  /// Constants beyond [0,1], which both specifications leave undefined, are clamped to it where the
+  /// code reads them. Not so for the API form: applications give it what its hosts keep.
+  bool clampConstants = true;
 };
 
 /// The shader as straight-line IR of language AtiFragment, every modifier spelled out. Its one

@@ -335,6 +335,16 @@ TEST(Lower, ConstantsAreClampedWhereTheyAreRead) {
   expectSame(shader, {}, "env");
 }
 
+TEST(Lower, ConstantsStayAsTheyAreWhereTheOptionsSaySo) {
+  Pair pair;
+  pair.color = Operation();
+  pair.color->arguments[0] = {Source::Constant, 3};
+  Shader shader = single(pair);
+  shader.constants[3] = {ConstantKind::Value, 0, {2.0f, -1.0f, 0.5f, 0.0f}};
+  const ir::Program program = lower(shader, {.clampConstants = false});
+  EXPECT_TRUE(same(ir::evaluate(program, {}).outputs[0], {2.0f, -1.0f, 0.5f, 0.0f}));
+}
+
 TEST(Lower, NothingGivesBlack) { EXPECT_TRUE(same(resultOf(Shader(), {}), {0, 0, 0, 0})); }
 
 } // namespace

@@ -154,6 +154,11 @@ void popAttrib() {
 }
 void begin(GLenum mode) { fake().note(words("Begin", {mode})); }
 void enable(GLenum cap) { fake().note(words("Enable", {cap})); }
+GLboolean isEnabled(GLenum cap) {
+  fake().note(words("IsEnabled", {cap}));
+  return fake().enabled.count(cap) != 0;
+}
+void activeTexture(GLenum unit) { fake().note(words("ActiveTexture", {unit})); }
 
 struct Row {
   const char *name;
@@ -190,6 +195,8 @@ const Row kRows[] = {
     ROW(PopAttrib, popAttrib),
     ROW(Begin, begin),
     ROW(Enable, enable),
+    ROW(IsEnabled, isEnabled),
+    ROW(ActiveTexture, activeTexture),
 };
 #undef ROW
 

@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/fixed_function.h"
+
+namespace arbiter::state {
+
+struct CompiledProgram;
+
+/// An ATI fragment shader, and what it becomes under the fixed-function state of draws: its samples
+/// name no texture targets, and fog and colour sum follow it. Each form is emitted once; contexts
+/// of a share group use the same ones.
+class AtiForms {
+public:
+  /// `program` is checked, of language AtiFragment.
+  AtiForms(fp::ir::Program program, fp::GlslHost host);
+
+  /// The image units that it samples, one bit each.
+  [[nodiscard]] std::uint32_t units() const { return m_units; }
+  /// The form under `state`, of which units that it does not sample are not looked at. `whole` is
+  /// the program that this is the shader of. Any thread may call it.
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> under(const CompiledProgram &whole,
+                                                             const fp::FixedFunction &state) const;
+  /// The forms there are.
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const;
+
+private:
+  using Form = std::pair<fp::FixedFunction, std::shared_ptr<const CompiledProgram>>;
+
+  fp::ir::Program m_program;
+  fp::GlslHost m_host;
+  std::uint32_t m_units = 0;
+  mutable std::mutex m_mutex;
+  mutable std::vector<Form> m_forms;
+};
+
+} // namespace arbiter::state
