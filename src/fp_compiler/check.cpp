@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "fp_compiler/ati/lower.h"
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/parser.h"
 
 namespace arbiter::fp {
@@ -26,6 +28,19 @@ CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
     result.counts = parsed.counts;
     result.nativeCounts = parsed.counts;
     result.underNativeLimits = fits(result.nativeCounts, options.limits.native);
+  }
+  return result;
+}
+
+CheckResult checkAtiShader(std::string_view text, const CompileOptions &options) {
+  ati::ParseResult parsed = ati::parse(text, options);
+  CheckResult result;
+  result.diagnostics = std::move(parsed.diagnostics);
+  if (parsed.shader) {
+    result.program = ati::lower(*parsed.shader, {options.limits.atiRegisterRange});
+    result.counts = result.nativeCounts = parsed.counts;
+    // The text cannot ask for more than any hardware of this language has.
+    result.underNativeLimits = true;
   }
   return result;
 }
@@ -62,13 +77,7 @@ CheckResult checkProgram(ir::Language language, std::string_view text,
   case ir::Language::AtiFragment:
     break;
   }
-  CheckResult result;
-  result.diagnostics.push_back({.severity = Severity::Error,
-                                .id = "header-missing",
-                                .span = {0, 0},
-                                .message = "no front end for this language",
-                                .hint = {}});
-  return result;
+  return checkAtiShader(text, options);
 }
 
 CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {

@@ -36,6 +36,8 @@ struct Limits {
   /// 1: a program over api.texIndirections does not load (3.11.3.6). 0: it loads with a warning and
   /// is not native, as under drivers that announce the limit and do not enforce it.
   std::uint32_t refuseIndirections = 1;
+  /// ATI fragment shaders: registers hold [-n, n] and clamp to it. 0: floats of any size.
+  std::uint32_t atiRegisterRange = 0;
   std::uint32_t vertexUnits = 1;    ///< modelview[n], ARB_vertex_blend absent: 1
   std::uint32_t clipPlanes = 6;     ///< GL_MAX_CLIP_PLANES: state.clip[n]
   std::uint32_t vertexAttribs = 16; ///< GL_MAX_VERTEX_ATTRIBS_ARB: vertex.attrib[n]

@@ -160,14 +160,15 @@ Token Lexer::next() {
   if (begin >= m_text.size())
     return {TokenKind::EndOfText, {std::uint32_t(m_text.size()), std::uint32_t(m_text.size())}};
   const char c = m_text[begin];
-  if (classOf(c) == kLetter)
+  const bool suffixes = m_words == Words::Suffixes;
+  if (classOf(c) == kLetter || (suffixes && classOf(c) == kDigit))
     return identifier(begin);
-  if (classOf(c) == kDigit || (c == '.' && digitAt(begin + 1)))
+  if (!suffixes && (classOf(c) == kDigit || (c == '.' && digitAt(begin + 1))))
     return numeral(begin);
   ++m_pos;
   if (c != '.')
     return finish(punctuation(c), begin);
-  if (!is(m_pos, '.'))
+  if (suffixes || !is(m_pos, '.'))
     return finish(TokenKind::Dot, begin);
   ++m_pos;
   return finish(TokenKind::DotDot, begin);

@@ -7,12 +7,18 @@
 
 namespace arbiter::fp {
 
+/// What a word is. Identifiers: it begins with a letter; numerals are tokens of their own.
+/// Suffixes: ATI's text, where "2x" and "0" are words and a full stop always stands alone; a
+/// numeral is cut by a lexer of Identifiers that begins there.
+enum class Words : std::uint8_t { Identifiers, Suffixes };
+
 /// Cuts a program string into tokens, by length and not by a terminator; reads no byte outside
 /// [text.data(), text.data() + text.size()). Spaces, tabs, newlines, carriage returns and comments
 /// (`#` to the end of the line) separate tokens (3.11.2). Requires text.size() <= kMaxTextBytes.
 class Lexer {
 public:
-  explicit Lexer(std::string_view text, std::uint32_t begin = 0) : m_text(text), m_pos(begin) {}
+  explicit Lexer(std::string_view text, std::uint32_t begin = 0, Words words = Words::Identifiers)
+      : m_text(text), m_pos(begin), m_words(words) {}
 
   /// The next token; EndOfText, with the empty span at the text's end, for ever after the last.
   [[nodiscard]] Token next();
@@ -28,6 +34,7 @@ private:
 
   std::string_view m_text;
   std::uint32_t m_pos;
+  Words m_words;
 };
 
 /// A lexer with two tokens of look-ahead, which is all that the grammar needs.

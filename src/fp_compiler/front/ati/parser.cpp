@@ -1,0 +1,221 @@
+#include "fp_compiler/front/ati/parser.h"
+
+#include <algorithm>
+
+#include "fp_compiler/front/ati/words.h"
+#include "fp_compiler/front/suggest.h"
+#include "fp_compiler/front/unexpected.h"
+
+namespace arbiter::fp::ati {
+
+namespace {
+
+bool checkHeader(std::string_view text, Reporter &reporter) {
+  if (text.starts_with(kHeader))
+    return true;
+  std::uint32_t wrong = 0;
+  while (wrong < text.size() && text[wrong] == kHeader[wrong])
+    ++wrong;
+  std::string hint = "the first ten bytes must be !!ATIfs1.0, with nothing before them";
+  if (text.empty())
+    hint = "the text is empty; the length given was 0";
+  else if (text.starts_with("!!ARB"))
+    hint = "this is a program of another target; load it for GL_FRAGMENT_PROGRAM_ARB or "
+           "GL_VERTEX_PROGRAM_ARB";
+  else if (text.find(kHeader) < 64)
+    hint = "the header is there, but not at the first byte";
+  reporter.error(DiagnosticId::HeaderMissing,
+                 {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
+                 "the header !!ATIfs1.0 is missing", std::move(hint));
+  return false;
+}
+
+} // namespace
+
+ParseResult parse(std::string_view text, const CompileOptions &options) {
+  Reporter reporter;
+  ParseResult result;
+  if (text.size() > kMaxTextBytes) {
+    reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
+                   "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
+                   "check the length given; no program needs so much");
+  } else if (checkHeader(text, reporter)) {
+    Parser parser(text, options.limits, reporter);
+    parser.run();
+    if (!reporter.hasErrors()) {
+      result.counts = parser.counts();
+      result.shader = parser.shader();
+    }
+  }
+  result.diagnostics = reporter.take();
+  return result;
+}
+
+Parser::Parser(std::string_view text, const Limits &limits, Reporter &reporter)
+    : m_text(text), m_limits(limits), m_reporter(reporter),
+      m_tokens(text, std::uint32_t(kHeader.size())) {}
+
+void Parser::run() {
+  if (m_tokens.acceptWord("StartConstants"))
+    parseConstants();
+  if (m_tokens.acceptWord("StartPrelimPass"))
+    parsePass(true);
+  if (m_tokens.acceptWord("StartOutputPass")) {
+    parsePass(false);
+    return parseEnd();
+  }
+  if (m_reporter.full())
+    return;
+  std::string hint = "the result is what the output pass leaves in r0";
+  if (m_tokens.atWord("StartConstants"))
+    hint = "there is one block of constants, before the passes";
+  else if (m_tokens.atWord("StartPrelimPass"))
+    hint = "there is one preliminary pass, before the output pass";
+  else if (m_tokens.at(TokenKind::Identifier))
+    hint = didYouMean(text(m_tokens.peek()),
+                      {"StartConstants", "StartPrelimPass", "StartOutputPass"}, std::move(hint));
+  if (m_tokens.at(TokenKind::Identifier) || m_tokens.at(TokenKind::EndOfText))
+    error(DiagnosticId::AtiOutputPass, m_tokens.peek().span,
+          "expected StartOutputPass, found " + describe(m_text, m_tokens.peek()), std::move(hint));
+  else
+    unexpected("StartOutputPass", std::move(hint));
+}
+
+void Parser::parsePass(bool prelim) {
+  m_pass = &m_shader.passes[m_shader.passCount++];
+  m_prelim = prelim;
+  m_hasInstructions = m_openPair = m_openDot4 = false;
+  m_pairs = 0;
+  if (!expect(TokenKind::Semicolon, "';'"))
+    recover();
+  while (!m_reporter.full()) {
+    if (m_tokens.atWord("EndPass"))
+      return closePass();
+    // A block that begins here ends this one; so does the text.
+    if (m_tokens.at(TokenKind::EndOfText) || m_tokens.atWord("StartOutputPass") ||
+        m_tokens.atWord("StartPrelimPass") || m_tokens.atWord("StartConstants")) {
+      error(DiagnosticId::AtiPassOpen, m_tokens.peek().span,
+            "expected EndPass, found " + describe(m_text, m_tokens.peek()),
+            "every pass ends with EndPass;");
+      return;
+    }
+    parsePassStatement();
+  }
+}
+
+void Parser::parsePassStatement() {
+  if (!m_tokens.at(TokenKind::Identifier)) {
+    unexpected("an instruction or EndPass");
+    if (!m_tokens.accept(TokenKind::Semicolon)) {
+      m_tokens.next();
+      recover();
+    }
+    return;
+  }
+  const Token first = m_tokens.next();
+  const std::optional<Op> op = opOf(text(first));
+  bool whole = false;
+  if (op) {
+    whole = parseInstruction(first, *op);
+  } else if (text(first) == "PassTexCoord" || text(first) == "SampleMap") {
+    if (m_hasInstructions)
+      error(DiagnosticId::AtiSetupOrder, first.span,
+            std::string(text(first)) + " after the first instruction of the pass",
+            "PassTexCoord and SampleMap begin a pass");
+    whole = parseSetup(first,
+                       text(first) == "SampleMap" ? SetupKind::SampleMap : SetupKind::PassTexCoord);
+  } else {
+    unknownStatement(first);
+  }
+  if (!whole)
+    recover();
+}
+
+void Parser::unknownStatement(const Token &first) {
+  const std::string_view word = text(first);
+  if (word == "CONSTANT")
+    return error(DiagnosticId::Syntax, first.span, "CONSTANT in a pass",
+                 "constants are declared between StartConstants; and EndConstants;");
+  error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
+        didYouMean(word, {"MOV", "ADD", "MUL", "SUB", "DOT3", "DOT4", "MAD", "LERP", "CND", "CND0",
+                          "DOT2ADD", "PassTexCoord", "SampleMap", "EndPass"}));
+}
+
+void Parser::closePass() {
+  const Token token = m_tokens.next();
+  if (m_prelim && !m_hasInstructions)
+    error(DiagnosticId::AtiPrelimPassEmpty, token.span, "a preliminary pass without an instruction",
+          "move its setups to the output pass, or give it an instruction");
+  if (!expect(TokenKind::Semicolon, "';'"))
+    recover();
+}
+
+void Parser::parseEnd() {
+  if (m_reporter.full() || m_tokens.at(TokenKind::EndOfText))
+    return;
+  const Token token = m_tokens.peek();
+  // Callers that pass sizeof of a literal count its terminator.
+  if (m_text.find_first_not_of('\0', token.span.begin) == std::string_view::npos) {
+    m_reporter.warning(DiagnosticId::TrailingNul, {token.span.begin, std::uint32_t(m_text.size())},
+                       "the length counts a NUL byte after the last EndPass");
+    return;
+  }
+  error(DiagnosticId::TextAfterEnd, token.span, "text after the output pass",
+        "only comments may follow its EndPass;");
+}
+
+void Parser::recover() {
+  while (!m_tokens.at(TokenKind::EndOfText)) {
+    if (m_tokens.at(TokenKind::Identifier) && beginsStatement(text(m_tokens.peek())))
+      return;
+    if (m_tokens.next().kind == TokenKind::Semicolon)
+      return;
+  }
+}
+
+bool Parser::expect(TokenKind kind, const char *what, std::string hint) {
+  if (m_tokens.accept(kind))
+    return true;
+  return unexpected(what, std::move(hint));
+}
+
+bool Parser::unexpected(const char *expected, std::string hint) {
+  reportUnexpected(m_reporter, m_text, m_tokens.peek(), expected, std::move(hint));
+  return false;
+}
+
+bool Parser::suffixWord(const char *what, Token &word) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected(what);
+  word = m_tokens.next();
+  return true;
+}
+
+void Parser::error(DiagnosticId id, Span span, std::string message, std::string hint) {
+  m_reporter.error(id, span, std::move(message), std::move(hint));
+}
+
+ResourceCounts Parser::counts() const {
+  const auto count = [](const auto &flags) {
+    return std::uint32_t(std::count(flags.begin(), flags.end(), true));
+  };
+  ResourceCounts counts;
+  for (std::size_t i = 0; i < m_shader.passCount; ++i) {
+    const Pass &pass = m_shader.passes[i];
+    counts.aluInstructions += pass.pairCount;
+    counts.texInstructions +=
+        std::uint32_t(std::count_if(pass.setups.begin(), pass.setups.end(), [](const Setup &setup) {
+          return setup.kind == SetupKind::SampleMap;
+        }));
+  }
+  counts.instructions = counts.aluInstructions + counts.texInstructions;
+  counts.texIndirections = m_shader.passCount;
+  counts.temporaries = count(m_registersUsed);
+  counts.parameters = count(m_declared);
+  counts.attribs = count(m_colorsUsed) +
+                   std::uint32_t(std::count_if(m_thirds.begin(), m_thirds.end(),
+                                               [](Third third) { return third != Third::Unused; }));
+  return counts;
+}
+
+} // namespace arbiter::fp::ati

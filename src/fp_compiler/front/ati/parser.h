@@ -1,0 +1,113 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/ati/shader.h"
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/front/ati/tokens.h"
+#include "fp_compiler/front/reporter.h"
+
+/// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
+/// gaps; docs/ati_fragment_shader.md says how each is read.
+namespace arbiter::fp::ati {
+
+inline constexpr std::string_view kHeader = "!!ATIfs1.0";
+
+struct ParseResult {
+  std::vector<Diagnostic> diagnostics; ///< in text order
+  std::optional<Shader> shader;        ///< empty if there is any error
+  /// Pairs as ALU and SampleMaps as TEX instructions, passes as indirections, registers, declared
+  /// constants and interpolators.
+  ResourceCounts counts;
+};
+
+/// Parses and checks an !!ATIfs1.0 text. Time is linear in the text, memory constant but for the
+/// diagnostics; there is no recursion. The limits that count are those of parameters and of
+/// fixed-function texture units; sizes are of the grammar, so they bind under every LimitPolicy.
+[[nodiscard]] ParseResult parse(std::string_view text, const CompileOptions &options);
+
+/// One statement a function. A function that returns bool returns false for a syntax error, which
+/// it has reported; the statement is then given up and the parser goes on at the next one. Errors
+/// of meaning are reported and the statement goes on.
+class Parser {
+public:
+  Parser(std::string_view text, const Limits &limits, Reporter &reporter);
+
+  void run();
+  [[nodiscard]] const Shader &shader() const { return m_shader; }
+  [[nodiscard]] ResourceCounts counts() const;
+
+private:
+  // parser.cpp: blocks, recovery, tokens
+  void parsePass(bool prelim);
+  void parsePassStatement();
+  void closePass();
+  void parseEnd();
+  void unknownStatement(const Token &first);
+  void recover();
+  bool expect(TokenKind kind, const char *what, std::string hint = {});
+  bool unexpected(const char *expected, std::string hint = {});
+  [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
+  /// The word after a full stop; nothing, and a report, if there is none.
+  bool suffixWord(const char *what, Token &word);
+  void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
+
+  // constants.cpp
+  void parseConstants();
+  bool parseConstant();
+  bool parseConstantName(const char *what, Token &token, std::uint8_t &index);
+  bool parseParameterBinding(Constant &constant);
+  bool parseLiteral(Constant &constant);
+  bool parseNormalizedFloat(float &value);
+
+  // setups.cpp
+  bool parseSetup(const Token &first, SetupKind kind);
+  bool parseSetupSource(Setup &setup);
+  bool parseCoordinates(Setup &setup, const Token &source);
+  bool parseRegister(const char *what, Token &token, std::uint8_t &index);
+  bool isRegister(const Token &token, std::uint8_t &index);
+  void useTexCoord(const Setup &setup, const Token &source, const Token &selector);
+
+  // instructions.cpp
+  struct Statement {
+    Operation operation;
+    std::uint8_t mask = 0xF; ///< bit 0 = r to bit 3 = a
+    Span maskSpan;           ///< of the mask, or of the destination without one
+    Span span;
+  };
+  bool parseInstruction(const Token &first, Op op);
+  bool parseDestination(Statement &statement);
+  bool parseArguments(Statement &statement);
+  bool parseArgument(const Statement &statement, int at, Argument &argument);
+  bool parseSource(Argument &argument, Token &token);
+  bool parseArgumentSuffixes(Argument &argument);
+  void checkSource(const Statement &statement, int at, const Argument &argument, Span span);
+  void checkPairing(const Statement &statement);
+  void addToPairs(const Statement &statement);
+
+  std::string_view m_text;
+  const Limits &m_limits;
+  Reporter &m_reporter;
+  Tokens m_tokens;
+  Shader m_shader;
+
+  std::array<bool, kConstants> m_declared = {};
+  std::array<bool, kRegisters> m_registersUsed = {};
+  std::array<bool, 2> m_colorsUsed = {};
+  /// How a texture coordinate set is used: with its third component r, or q (rule 8).
+  enum class Third : std::uint8_t { Unused, R, Q };
+  std::array<Third, kTexCoords> m_thirds = {};
+
+  // The pass at hand.
+  Pass *m_pass = nullptr;
+  bool m_prelim = false;
+  bool m_hasInstructions = false;
+  int m_pairs = 0; ///< also those beyond the limit
+  /// The last statement wrote colour alone, so that an alpha instruction completes its pair.
+  bool m_openPair = false;
+  bool m_openDot4 = false; ///< and it was a DOT4
+};
+
+} // namespace arbiter::fp::ati

@@ -1,0 +1,38 @@
+#pragma once
+#include <string_view>
+
+#include "fp_compiler/front/lexer.h"
+
+namespace arbiter::fp::ati {
+
+/// The tokens of an !!ATIfs1.0 text, one ahead. A word is letters, digits and underscores: "r0",
+/// "2x", "1", "str_dr".
+class Tokens {
+public:
+  Tokens(std::string_view text, std::uint32_t begin);
+
+  [[nodiscard]] const Token &peek() const { return m_ahead; }
+  [[nodiscard]] bool at(TokenKind kind) const { return m_ahead.kind == kind; }
+  [[nodiscard]] bool atWord(std::string_view word) const {
+    return at(TokenKind::Identifier) && text(m_ahead) == word;
+  }
+  Token next();
+  /// Consumes the next token if it is of this kind.
+  bool accept(TokenKind kind);
+  bool acceptWord(std::string_view word);
+  /// The next token as the grammar of numerals cuts it, which may be longer: "0.5". Consumed.
+  Token nextNumeral();
+  [[nodiscard]] std::string_view text(const Token &token) const {
+    return m_text.substr(token.span.begin, token.span.end - token.span.begin);
+  }
+  /// The end of the token that was consumed last.
+  [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
+
+private:
+  std::string_view m_text;
+  Lexer m_lexer;
+  Token m_ahead;
+  std::uint32_t m_lastEnd;
+};
+
+} // namespace arbiter::fp::ati

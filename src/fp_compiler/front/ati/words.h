@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "fp_compiler/ati/shader.h"
+
+/// The words of the grammar (ATFS 3.10.1), case-sensitive as it is.
+namespace arbiter::fp::ati {
+
+[[nodiscard]] std::optional<Op> opOf(std::string_view word);
+[[nodiscard]] std::string_view name(Op op);
+
+/// "str", "stq", "str_dr", "stq_dq"
+[[nodiscard]] std::optional<Coordinates> coordinatesOf(std::string_view word);
+
+/// "2x" to "eighth"; None does not occur.
+[[nodiscard]] std::optional<Scale> scaleOf(std::string_view word);
+
+/// "r", "rg" to "rgba": letters of rgba in order. Bit 0 = r; 0 for any other word.
+[[nodiscard]] std::uint8_t maskOf(std::string_view word);
+
+/// The number behind a letter: "r3" with 'r' is 3. Numbers of more than two digits are no such
+/// name.
+[[nodiscard]] std::optional<std::uint8_t> numbered(std::string_view word, char letter);
+
+/// True for the words with which a parser that lost its way finds it again: those that begin a
+/// statement, a block or the end of one.
+[[nodiscard]] bool beginsStatement(std::string_view word);
+
+} // namespace arbiter::fp::ati

@@ -1,0 +1,44 @@
+#include "fp_compiler/front/unexpected.h"
+
+#include "fp_compiler/limits.h"
+
+namespace arbiter::fp {
+
+std::string describe(std::string_view text, const Token &token) {
+  if (token.kind == TokenKind::EndOfText)
+    return "the end of the text";
+  const auto byte = token.span.begin < text.size() ? std::uint8_t(text[token.span.begin]) : 0;
+  if (token.kind == TokenKind::InvalidByte && (byte < ' ' || byte > '~')) {
+    static constexpr char kHex[] = "0123456789ABCDEF";
+    return std::string("0x") + kHex[byte >> 4] + kHex[byte & 15];
+  }
+  return quote(text.substr(token.span.begin, token.span.end - token.span.begin));
+}
+
+void reportUnexpected(Reporter &reporter, std::string_view text, const Token &token,
+                      std::string_view expected, std::string hint) {
+  switch (token.kind) {
+  case TokenKind::InvalidByte: {
+    const char c = text[token.span.begin];
+    if (hint.empty() && (c == '/' || c == '*'))
+      hint = "a comment begins with #";
+    reporter.error(DiagnosticId::InvalidCharacter, token.span,
+                   "invalid character " + describe(text, token), std::move(hint));
+    return;
+  }
+  case TokenKind::OverlongIdentifier:
+    reporter.error(DiagnosticId::IdentifierTooLong, token.span,
+                   "an identifier of more than " + std::to_string(kMaxIdentifierBytes) + " bytes");
+    return;
+  case TokenKind::OverlongNumeral:
+    reporter.error(DiagnosticId::NumeralTooLong, token.span,
+                   "a numeral of more than " + std::to_string(kMaxNumeralBytes) + " characters");
+    return;
+  default:
+    reporter.error(DiagnosticId::Syntax, token.span,
+                   "expected " + std::string(expected) + ", found " + describe(text, token),
+                   std::move(hint));
+  }
+}
+
+} // namespace arbiter::fp
