@@ -13,7 +13,8 @@ namespace {
 using namespace arbiter::differential;
 
 constexpr const char *kHelp =
-    "usage: differential [--mode arb|glsl] [--count N] [--seed S] [--json FILE] [--failures DIR]\n"
+    "usage: differential [--mode arb|glsl] [--language arb|ati] [--count N] [--seed S] [--json "
+    "FILE] [--failures DIR]\n"
     "\n"
     "Draws N (500) generated fragment programs, 16 x 16 fragments each into float buffers, and\n"
     "compares every pixel with the reference interpreter, within tolerances stated per opcode.\n"
@@ -21,6 +22,7 @@ constexpr const char *kHelp =
     "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
     "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
     "limits)\n"
+    "  --language ati   ATI fragment shaders in their text form, --mode glsl alone\n"
     "  --suite random|edges|mutants   edges: each opcode on pairs of special values instead;\n"
     "               mutants: the interpreter is wrong on purpose, and three of five must show\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
@@ -46,6 +48,8 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     const char *value = argv[++i];
     if (name == "--mode" && (!std::strcmp(value, "arb") || !std::strcmp(value, "glsl")))
       arguments.mode = value;
+    else if (name == "--language" && (!std::strcmp(value, "arb") || !std::strcmp(value, "ati")))
+      arguments.suite.subject = std::strcmp(value, "ati") ? arbSubject : atiSubject;
     else if (name == "--count" && std::atoi(value) > 0)
       arguments.suite.count = std::atoi(value);
     else if (name == "--seed")
@@ -60,7 +64,7 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     else
       return false;
   }
-  return true;
+  return arguments.suite.subject == arbSubject || (arguments.mode == "glsl" && !arguments.edges);
 }
 
 void writeJson(const std::string &path, const std::string &mode, const Report &report) {

@@ -18,6 +18,7 @@ Inputs inputsOf(const PixelInputs &pixel) {
   Inputs inputs;
   inputs.attributes = pixel.attributes;
   inputs.fogCoordinate = pixel.fogCoordinate;
+  inputs.secondary = pixel.secondary;
   inputs.parameter = parameterValue;
   inputs.texture = sampleTexture;
   return inputs;

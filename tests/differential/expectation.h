@@ -23,10 +23,12 @@ struct ExpectedPixel {
   std::optional<Expected> depth;
 };
 
-/// Attribute values at one pixel, one for each of Program::attributes, and the fog coordinate.
+/// Attribute values at one pixel, one for each of Program::attributes, and what the stages after
+/// the program read.
 struct PixelInputs {
   std::vector<Vec4> attributes;
   float fogCoordinate = 0;
+  Vec4 secondary = {};
 };
 
 /// Runs the interpreter on exact arithmetic, then \p trials times with every operand and result

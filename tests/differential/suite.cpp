@@ -5,7 +5,6 @@
 
 #include "expectation.h"
 #include "fp_compiler/ir/print.h"
-#include "fp_compiler/testing/random.h"
 #include "mutate.h"
 
 namespace arbiter::differential {
@@ -46,6 +45,12 @@ public:
   }
 
 private:
+  /// What stages after the program read, as this host interpolates it.
+  struct Pipeline {
+    const std::vector<float> &fogCoordinate;
+    const std::vector<float> &secondary;
+  };
+
   void fail(std::uint64_t seed, const std::string &reason) {
     m_report.failures.push_back({seed, reason});
   }
@@ -110,15 +115,16 @@ private:
 
   void one(std::uint64_t seed) {
     ++m_report.programs;
-    const std::string text = fp::testing::spell(fp::testing::randomProgram(seed), seed);
-    const fp::CheckResult checked = check(text);
-    if (!checked.ok())
-      return fail(seed, "generated program refused: " + checked.errorString(text));
-    const Program &program = *checked.program;
+    const Subject subject = m_options.subject(seed);
+    const std::string &text = subject.text;
+    if (!subject.program)
+      return fail(seed, "generated program refused: " + subject.error);
+    const Program &program = *subject.program;
     std::vector<const std::vector<float> *> attributes;
     for (const Attribute &attribute : program.attributes)
       attributes.push_back(&measured(attribute, program.options));
-    const std::vector<float> &fog = measured({AttributeKind::FogCoord, 0}, {});
+    const Pipeline pipeline{measured({AttributeKind::FogCoord, 0}, {}),
+                            measured({AttributeKind::ColorSecondary, 0}, {})};
     std::string problem = m_backend.use(text, program);
     if (problem.empty())
       problem = draw();
@@ -126,12 +132,12 @@ private:
       writeFailure(m_options.failures, seed, text, problem, {}, {});
       return fail(seed, problem.substr(0, problem.find('\n')));
     }
-    compare(seed, text, m_options.mutate ? mutant(program, seed) : program, attributes, fog);
+    compare(seed, text, m_options.mutate ? mutant(program, seed) : program, attributes, pipeline);
   }
 
   void compare(std::uint64_t seed, const std::string &text, const Program &program,
                const std::vector<const std::vector<float> *> &attributes,
-               const std::vector<float> &fog) {
+               const Pipeline &pipeline) {
     std::array<Pixels, kColorBuffers> seen;
     for (int i = 0; i < kColorBuffers; ++i)
       seen[std::size_t(i)] = m_target.read(i);
@@ -145,7 +151,8 @@ private:
       PixelInputs inputs;
       for (const std::vector<float> *values : attributes)
         inputs.attributes.push_back(rgba(*values));
-      inputs.fogCoordinate = fog[pixel * 4];
+      inputs.fogCoordinate = pipeline.fogCoordinate[pixel * 4];
+      inputs.secondary = rgba(pipeline.secondary);
       const ExpectedPixel expected = expect(program, inputs, seed * 1000 + pixel, kFewTrials);
       for (std::size_t i = 0; i < 4; ++i)
         picture[pixel * 4 + i] = expected.killed ? kUntouched : expected.colors[0][i].value;
@@ -180,17 +187,6 @@ private:
   std::map<Optioned, std::vector<float>> m_measured;
 };
 } // namespace
-
-fp::Limits suiteLimits() {
-  fp::Limits limits;
-  limits.api = {1024, 1024, 1024, 1024, 64, 256, 16};
-  limits.native = limits.api;
-  limits.localParameters = limits.envParameters = 16;
-  limits.textureCoords = limits.textureImageUnits = limits.textureUnits = 8;
-  limits.programMatrices = 8;
-  limits.drawBuffers = kColorBuffers;
-  return limits;
-}
 
 Report runSuite(Backend &backend, const SuiteOptions &options) {
   return Suite(backend, options).run();

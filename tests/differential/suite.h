@@ -5,10 +5,12 @@
 
 #include "backend.h"
 #include "gl_host.h"
+#include "subject.h"
 
 namespace arbiter::differential {
 
 struct SuiteOptions {
+  Subject (*subject)(std::uint64_t seed) = arbSubject;
   int count = 500;
   std::uint64_t firstSeed = 1;
   bool mutate = false;  ///< expect what a mutant of the program computes: most must fail
@@ -28,9 +30,6 @@ struct Report {
   float worst = 0;            ///< error in units of what is allowed, over the passing programs
   std::vector<Failure> failures;
 };
-
-/// Limits under which the programs of the suite are checked: wide, the programs are small.
-[[nodiscard]] fp::Limits suiteLimits();
 
 /// Draws each program, and compares each pixel with the interpreter.
 [[nodiscard]] Report runSuite(Backend &backend, const SuiteOptions &options);

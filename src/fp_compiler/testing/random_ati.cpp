@@ -66,11 +66,12 @@ private:
       if (i != always && m_random.chance(35))
         continue;
       Setup &setup = pass.setups[i];
-      const bool sample = m_options.sampledUnits >> i & 1 && m_random.chance(50);
-      setup.kind = sample ? SetupKind::SampleMap : SetupKind::PassTexCoord;
       setup.fromRegister = number > 0 && m_random.chance(50);
       setup.source = std::uint8_t(m_random.below(setup.fromRegister ? kRegisters : kTextTexCoords));
       setup.coordinates = chosen[setup.source + (setup.fromRegister ? kTextTexCoords : 0)];
+      const bool wild = m_options.tameSamples && setup.coordinates == Coordinates::StrDr;
+      const bool sample = !wild && m_options.sampledUnits >> i & 1 && m_random.chance(60);
+      setup.kind = sample ? SetupKind::SampleMap : SetupKind::PassTexCoord;
     }
   }
 

@@ -11,6 +11,9 @@ namespace arbiter::fp::testing {
 struct RandomAtiOptions {
   /// Image units that setups may sample, bit 0 = unit 0.
   std::uint8_t sampledUnits = 0x3F;
+  /// Samples divide by texture coordinates' q alone, which inputs keep away from zero: where a
+  /// sample at an infinity falls is the host's choice.
+  bool tameSamples = false;
   /// Dot products of alpha whose destination is not that of the colour operation: the API form
   /// alone can say that.
   bool separateDots = false;

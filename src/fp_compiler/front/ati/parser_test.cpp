@@ -48,8 +48,9 @@ void expectSound(const std::string &text) {
   const CheckResult result = checkProgram(ir::Language::AtiFragment, text, eightUnits());
   EXPECT_EQ(result.ok(), result.errorPosition() < 0) << text;
   EXPECT_LE(result.errorPosition(), std::int32_t(text.size())) << text;
-  if (result.ok())
+  if (result.ok()) {
     EXPECT_TRUE(ir::validate(*result.program).empty()) << text;
+  }
 }
 
 TEST(AtiParser, EveryEditOfATextHasAnAnswer) {

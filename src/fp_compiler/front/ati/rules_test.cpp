@@ -281,8 +281,8 @@ TEST(AtiRules, R11NoAlphaAfterADot4ThatLeavesItOut) {
   accepts(output("DOT4 r0.rgb, r1, r2; MOV r0.r, r1; MOV r0.a, r1;"));
   accepts(output("DOT3 r0.rgb, r1, r2; MOV r0.a, r1;"));
   accepts(prelim("DOT4 r0.rgb, r1, r2;") + output("MOV r0.a, r1;"));
-  refuses("ati-after-dot4", output("DOT4 r0.rgb, r1, r2; MOV r0.@a, r1;"));
-  refuses("ati-after-dot4", output("DOT4 r3.g, r1, r2; MUL r0.@a.2x.sat, r1, r1;"));
+  refuses("ati-alpha-after-dot", output("DOT4 r0.rgb, r1, r2; MOV r0.@a, r1;"));
+  refuses("ati-alpha-after-dot", output("DOT4 r3.g, r1, r2; MUL r0.@a.2x.sat, r1, r1;"));
 }
 
 TEST(AtiRules, R12TheSecondaryColourHasNoAlpha) {

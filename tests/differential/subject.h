@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/limits.h"
+
+namespace arbiter::differential {
+
+/// A generated program, as text and as what the compiler made of it.
+struct Subject {
+  std::string text;
+  std::optional<fp::ir::Program> program;
+  std::string error; ///< why there is no program
+};
+
+/// Limits under which the programs of the suite are checked: wide, the programs are small.
+[[nodiscard]] fp::Limits suiteLimits();
+
+/// An ARB fragment program.
+[[nodiscard]] Subject arbSubject(std::uint64_t seed);
+
+/// An ATI fragment shader in its text form, for draws with the scene's textures, and under a fog
+/// and a colour sum that the seed chooses. Registers clamp to [-8, 8] for half of the seeds.
+[[nodiscard]] Subject atiSubject(std::uint64_t seed);
+
+} // namespace arbiter::differential
