@@ -2,61 +2,17 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/header.h"
 #include "fp_compiler/front/suggest.h"
+#include "fp_compiler/front/unexpected.h"
 
 namespace arbiter::fp {
-
-namespace {
-
-/// What a header that is not the expected one says about the text.
-struct HeaderRow {
-  std::string_view begin;
-  const char *hint;
-};
-
-constexpr HeaderRow kHeaders[] = {
-    {"!!ARBvp1.0", "this is a vertex program; load it for GL_VERTEX_PROGRAM_ARB"},
-    {"!!ARBfp1.0", "this is a fragment program; load it for GL_FRAGMENT_PROGRAM_ARB"},
-    {"!!ATIfs1.0", "this is a fragment shader; load it for GL_TEXT_FRAGMENT_SHADER_ATI"},
-    {"!!VP", "this is an NV_vertex_program, which is not offered"},
-    {"!!VSP", "this is an NV_vertex_program's state program, which is not offered"},
-    {"!!FP", "this is an NV_fragment_program, which is not offered"},
-    {"!!FCP", "this is an NV_fragment_program, which is not offered"},
-    {"\xEF\xBB\xBF", "a byte order mark precedes the header; save the file without one"},
-};
-
-bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter) {
-  if (text.starts_with(header))
-    return true;
-  std::uint32_t wrong = 0;
-  while (wrong < text.size() && text[wrong] == header[wrong])
-    ++wrong;
-  std::string hint =
-      "the first ten bytes must be " + std::string(header) + ", with nothing before them";
-  if (text.empty())
-    hint = "the text is empty; the length given was 0";
-  else if (text.find(header) < 64)
-    hint = "the header is there, but not at the first byte";
-  for (const HeaderRow &row : kHeaders)
-    if (text.starts_with(row.begin))
-      hint = row.hint;
-  reporter.error(DiagnosticId::HeaderMissing,
-                 {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
-                 "the header " + std::string(header) + " is missing", std::move(hint));
-  return false;
-}
-
-} // namespace
 
 ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options) {
   Reporter reporter;
   ParseResult result;
-  if (text.size() > kMaxTextBytes) {
-    reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
-                   "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
-                   "check the length given; no program needs so much");
-  } else if (checkHeader(language.header, text, reporter)) {
+  if (checkHeader(language.header, text, reporter)) {
     Parser parser(language, text, options, reporter);
     parser.parse();
     if (!reporter.hasErrors()) {
@@ -220,43 +176,15 @@ bool Parser::unexpected(const char *expected, std::string hint) {
 }
 
 bool Parser::unexpectedToken(const Token &token, const char *expected, std::string hint) {
-  switch (token.kind) {
-  case TokenKind::InvalidByte: {
-    const char c = m_text[token.span.begin];
-    if (c == '|' || c == '(' || c == ')' || c == '<' || c == '>')
-      hint = std::string("absolute values and condition codes belong to the ") +
-             m_language.nvOptions + " options";
-    else if (c == '/' || c == '*')
-      hint = "a comment begins with #";
-    error(DiagnosticId::InvalidCharacter, token.span, "invalid character " + describe(token),
-          std::move(hint));
-    break;
-  }
-  case TokenKind::OverlongIdentifier:
-    error(DiagnosticId::IdentifierTooLong, token.span,
-          "an identifier of more than " + std::to_string(kMaxIdentifierBytes) + " bytes");
-    break;
-  case TokenKind::OverlongNumeral:
-    error(DiagnosticId::NumeralTooLong, token.span,
-          "a numeral of more than " + std::to_string(kMaxNumeralBytes) + " characters");
-    break;
-  default:
-    error(DiagnosticId::Syntax, token.span,
-          "expected " + std::string(expected) + ", found " + describe(token), std::move(hint));
-  }
+  if (token.kind == TokenKind::InvalidByte &&
+      std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos)
+    hint = std::string("absolute values and condition codes belong to the ") +
+           m_language.nvOptions + " options";
+  reportUnexpected(m_reporter, m_text, token, expected, std::move(hint));
   return false;
 }
 
-std::string Parser::describe(const Token &token) const {
-  if (token.kind == TokenKind::EndOfText)
-    return "the end of the text";
-  const auto byte = token.span.begin < m_text.size() ? std::uint8_t(m_text[token.span.begin]) : 0;
-  if (token.kind == TokenKind::InvalidByte && (byte < ' ' || byte > '~')) {
-    static constexpr char kHex[] = "0123456789ABCDEF";
-    return std::string("0x") + kHex[byte >> 4] + kHex[byte & 15];
-  }
-  return quote(text(token));
-}
+std::string Parser::describe(const Token &token) const { return fp::describe(m_text, token); }
 
 Word Parser::keywordAt() const {
   return m_tokens.at(TokenKind::Identifier) ? wordOf(m_tokens.peek()) : Word{};

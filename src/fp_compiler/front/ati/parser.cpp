@@ -3,43 +3,16 @@
 #include <algorithm>
 
 #include "fp_compiler/front/ati/words.h"
+#include "fp_compiler/front/header.h"
 #include "fp_compiler/front/suggest.h"
 #include "fp_compiler/front/unexpected.h"
 
 namespace arbiter::fp::ati {
 
-namespace {
-
-bool checkHeader(std::string_view text, Reporter &reporter) {
-  if (text.starts_with(kHeader))
-    return true;
-  std::uint32_t wrong = 0;
-  while (wrong < text.size() && text[wrong] == kHeader[wrong])
-    ++wrong;
-  std::string hint = "the first ten bytes must be !!ATIfs1.0, with nothing before them";
-  if (text.empty())
-    hint = "the text is empty; the length given was 0";
-  else if (text.starts_with("!!ARB"))
-    hint = "this is a program of another target; load it for GL_FRAGMENT_PROGRAM_ARB or "
-           "GL_VERTEX_PROGRAM_ARB";
-  else if (text.find(kHeader) < 64)
-    hint = "the header is there, but not at the first byte";
-  reporter.error(DiagnosticId::HeaderMissing,
-                 {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
-                 "the header !!ATIfs1.0 is missing", std::move(hint));
-  return false;
-}
-
-} // namespace
-
 ParseResult parse(std::string_view text, const CompileOptions &options) {
   Reporter reporter;
   ParseResult result;
-  if (text.size() > kMaxTextBytes) {
-    reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
-                   "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
-                   "check the length given; no program needs so much");
-  } else if (checkHeader(text, reporter)) {
+  if (checkHeader(kHeader, text, reporter)) {
     Parser parser(text, options.limits, reporter);
     parser.run();
     if (!reporter.hasErrors()) {

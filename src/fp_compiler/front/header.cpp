@@ -1,0 +1,55 @@
+#include "fp_compiler/front/header.h"
+
+#include <algorithm>
+
+#include "fp_compiler/limits.h"
+
+namespace arbiter::fp {
+
+namespace {
+/// What a header that is not the expected one says about the text.
+struct HeaderRow {
+  std::string_view begin;
+  const char *hint;
+};
+
+constexpr HeaderRow kHeaders[] = {
+    {"!!ARBvp1.0", "this is a vertex program; load it for GL_VERTEX_PROGRAM_ARB"},
+    {"!!ARBfp1.0", "this is a fragment program; load it for GL_FRAGMENT_PROGRAM_ARB"},
+    {"!!ATIfs1.0", "this is a fragment shader; load it for GL_TEXT_FRAGMENT_SHADER_ATI"},
+    {"!!VP", "this is an NV_vertex_program, which is not offered"},
+    {"!!VSP", "this is an NV_vertex_program's state program, which is not offered"},
+    {"!!FP", "this is an NV_fragment_program, which is not offered"},
+    {"!!FCP", "this is an NV_fragment_program, which is not offered"},
+    {"\xEF\xBB\xBF", "a byte order mark precedes the header; save the file without one"},
+};
+} // namespace
+
+bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter) {
+  if (text.size() > kMaxTextBytes) {
+    reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
+                   "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
+                   "check the length given; no program needs so much");
+    return false;
+  }
+  if (text.starts_with(header))
+    return true;
+  std::uint32_t wrong = 0;
+  while (wrong < text.size() && text[wrong] == header[wrong])
+    ++wrong;
+  std::string hint =
+      "the first ten bytes must be " + std::string(header) + ", with nothing before them";
+  if (text.empty())
+    hint = "the text is empty; the length given was 0";
+  else if (text.find(header) < 64)
+    hint = "the header is there, but not at the first byte";
+  for (const HeaderRow &row : kHeaders)
+    if (text.starts_with(row.begin))
+      hint = row.hint;
+  reporter.error(DiagnosticId::HeaderMissing,
+                 {wrong, std::min(wrong + 1, std::uint32_t(text.size()))},
+                 "the header " + std::string(header) + " is missing", std::move(hint));
+  return false;
+}
+
+} // namespace arbiter::fp
