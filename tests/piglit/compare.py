@@ -20,6 +20,7 @@ import time
 import expectations
 import profiles
 import run as piglit
+import table
 
 
 def layer_is_active(layer, library, folder):
@@ -74,7 +75,8 @@ def compare(profile, bare, tests, args, run_bare):
     return {
         "profile": profile, "seconds": round(time.monotonic() - start, 1),
         "bare": collections.Counter(bare.values()), "layer": collections.Counter(layer.values()),
-        "explained": explained,
+        "explained": {k: {"bare": bare.get(k, "missing"), "layer": layer.get(k, "missing"),
+                          "reason": reason} for k, reason in explained.items()},
         "unexpected": {k: {"bare": b, "layer": l} for k, (b, l) in unexpected.items()},
         "flakes": {k: {"bare": b, "layer": l} for k, (b, l) in flakes.items()},
         "stale": {row.where: row.pattern for row in stale},
@@ -88,14 +90,9 @@ def show(report):
     for side in ("bare", "layer"):
         print("  %-6s %s" % (side, "  ".join("%s %d" % pair
                                              for pair in sorted(report[side].items()))))
-    for test, reason in report["explained"].items():
-        print("  explained   %s: %s" % (test, reason))
-    for kind in ("flakes", "unexpected"):
-        for test, result in report[kind].items():
-            print("  %-11s %s: %s on the bare host, %s under the layer"
-                  % (kind, test, result["bare"], result["layer"]))
-    for where, pattern in report["stale"].items():
-        print("  stale       %s: no such difference for %s" % (where, pattern))
+    for kind, test, bare, layer, reason in table.rows(report):
+        results = ": %s on the bare host, %s under the layer" % (bare, layer) if bare else ""
+        print("  %-11s %s%s (%s)" % (kind, test, results, reason))
     sys.stdout.flush()
 
 
@@ -149,8 +146,9 @@ def main():
     for profile in args.profiles.split(","):
         reports.append(compare(profile, bare, tests, args, run_bare))
         show(reports[-1])
-    (args.results / "report.json").write_text(json.dumps(
-        {"schema": 1, "set": args.set, "reports": reports}, indent=1) + "\n")
+    document = {"schema": 2, "set": args.set, "reports": reports}
+    (args.results / "report.json").write_text(json.dumps(document, indent=1) + "\n")
+    (args.results / "report.md").write_text(table.markdown(document))
     sums = {k: sum(r[k] for r in reports) for k in ("passed", "failed", "skipped")}
     if args.counts:
         args.counts.write_text(json.dumps({"name": "piglit", **sums}) + "\n")

@@ -6,6 +6,7 @@ import unittest
 import compare
 import expectations
 import run as piglit
+import table
 
 
 class Expectations(unittest.TestCase):
@@ -56,6 +57,22 @@ class RunAgain(unittest.TestCase):
         steady, flakes = compare.run_again(
             {"a": ("pass", "fail"), "b": ("pass", "fail")}, tests, sides, 2)
         self.assertEqual((list(steady), list(flakes)), (["a"], ["b"]))
+
+
+class Table(unittest.TestCase):
+    REPORT = {"profile": "r300", "bare": {"pass": 2}, "layer": {"pass": 1, "fail": 1},
+              "unexpected": {"u": {"bare": "pass", "layer": "fail"}},
+              "explained": {"e|x": {"bare": "skip", "layer": "pass", "reason": "ours"}},
+              "flakes": {"f": {"bare": "pass", "layer": "crash"}}, "stale": {"r300.txt:3": "s*"}}
+
+    def test_every_difference_has_its_row(self):
+        kinds = [row[0] for row in table.rows(self.REPORT)]
+        self.assertEqual(kinds, ["unexpected", "explained", "flake", "stale"])
+
+    def test_the_page_holds_counts_and_reasons(self):
+        page = table.markdown({"set": "full", "reports": [self.REPORT]})
+        self.assertIn("| layer | 1 | 1 |", page)
+        self.assertIn("| explained | e\\|x | skip | pass | ours |", page)
 
 
 class Environment(unittest.TestCase):
