@@ -126,7 +126,7 @@ public:
   std::uint64_t readBufferCalls = 0;
   swrast::FeedbackTracker feedback;
 
-  std::shared_ptr<const Identity> identity; ///< made at the first query
+  const Identity *identity = nullptr; ///< made at the first query; interned
 };
 
 /// The row of a target's GL name; null where the target is unknown or the host's to answer.

@@ -128,7 +128,7 @@ template <typename T, typename Host> void get(Context &context, GLenum pname, T 
 
 const Identity &applicationIdentity(Context &context) {
   if (!context.identity) {
-    context.identity = std::make_shared<const Identity>(
+    context.identity = &internIdentity(
         makeIdentity(context.caps, context.caps.obstacle() == nullptr, identityRules()));
     logInfo("state", "context %u: %zu extensions are announced", context.serial,
             context.identity->extensions.names.size());

@@ -58,6 +58,8 @@ struct HostCaps {
 struct FilteredExtensions {
   std::vector<std::string> names;
   std::string joined;
+
+  bool operator==(const FilteredExtensions &) const = default;
 };
 /// The host's list, plus what the layer implements, less the extensions that offer fragment program
 /// text in a language that the layer refuses.

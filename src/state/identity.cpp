@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <memory>
+#include <mutex>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "state/active_profile.h"
 #include "util/flags.h"
@@ -105,6 +109,17 @@ void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &
 }
 
 } // namespace
+
+const Identity &internIdentity(Identity identity) {
+  static std::mutex s_mutex;
+  // Never destroyed, and as short as the list of hosts and settings that a process sees.
+  static auto *const s_identities = new std::vector<std::unique_ptr<const Identity>>;
+  const std::lock_guard lock(s_mutex);
+  for (const auto &known : *s_identities)
+    if (*known == identity)
+      return *known;
+  return *s_identities->emplace_back(std::make_unique<const Identity>(std::move(identity)));
+}
 
 std::optional<std::uint32_t> extensionYear(std::string_view name) {
   const auto *const row =

@@ -35,11 +35,17 @@ struct Identity {
   int major = 0;                     ///< of `version`; 0: the host's
   int minor = 0;
   FilteredExtensions extensions;
+
+  bool operator==(const Identity &) const = default;
 };
 
 /// `offered`: ARB_fragment_program is ours in this context. A card's version above the host's is
 /// not taken over: it would promise entry points that are not there.
 [[nodiscard]] Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules);
+
+/// The one copy of such an identity in the process, which is never freed: applications keep the
+/// pointers of GetString beyond the life of the context that gave them (6.1.11: static strings).
+[[nodiscard]] const Identity &internIdentity(Identity identity);
 
 /// The year in which an extension was first written (extension_years.def); nothing if not known.
 [[nodiscard]] std::optional<std::uint32_t> extensionYear(std::string_view name);

@@ -100,6 +100,15 @@ TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
   EXPECT_EQ(std::count(all.begin(), all.end(), "GL_NEW_and_odd"), 0);
 }
 
+// An application may keep the pointers of one context's GetString when the next one is current.
+TEST(Identity, EqualOnesAreOneForTheLifeOfTheProcess) {
+  const Identity &first = internIdentity(makeIdentity(caps(), true, {}));
+  const Identity &again = internIdentity(makeIdentity(caps(), true, {}));
+  EXPECT_EQ(&first, &again);
+  EXPECT_NE(&first, &internIdentity(makeIdentity(caps(), true, {nullptr, 2001, 0})));
+  EXPECT_EQ(first.extensions.joined, makeIdentity(caps(), true, {}).extensions.joined);
+}
+
 TEST(Extensions, ACardsYearCutsToo) {
   fp::hw::Identity c = card();
   c.year.value = "2001";
@@ -156,7 +165,7 @@ TEST(IdentityQueries, EveryWayToAskAgrees) {
   FakeHost host;
   CurrentContext context(host);
   const fp::hw::Identity c = card();
-  context->identity = std::make_shared<const Identity>(makeIdentity(context->caps, true, {&c}));
+  context->identity = &internIdentity(makeIdentity(context->caps, true, {&c}));
   EXPECT_EQ(string(*context, GL_VENDOR), "ATI Technologies Inc.");
   EXPECT_EQ(string(*context, GL_RENDERER), "RADEON 9700 Generic");
   EXPECT_EQ(string(*context, GL_VERSION), "1.3.4510 (X4.3.0-3.12.0)");
@@ -181,7 +190,7 @@ TEST(IdentityQueries, TheShadingLanguageIsAnErrorWhereTheVersionHasNone) {
   CurrentContext context(host);
   EXPECT_EQ(string(*context, GL_SHADING_LANGUAGE_VERSION), "1.30");
   const fp::hw::Identity c = card();
-  context->identity = std::make_shared<const Identity>(makeIdentity(context->caps, true, {&c}));
+  context->identity = &internIdentity(makeIdentity(context->caps, true, {&c}));
   EXPECT_EQ(string(*context, GL_SHADING_LANGUAGE_VERSION), "(null)");
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_ENUM));
 }
