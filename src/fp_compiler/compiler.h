@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/diagnostic.h"
 #include "fp_compiler/fixed_function.h"
 #include "fp_compiler/ir/ir.h"

@@ -130,4 +130,20 @@ std::uint8_t registerMask(const Instruction &instruction, int operand) {
   return mask;
 }
 
+std::vector<bool> readsUnwritten(const Program &program) {
+  std::vector<std::uint8_t> written(program.temporaries.size(), 0);
+  std::vector<bool> result(program.temporaries.size(), false);
+  for (const Instruction &instruction : program.code) {
+    for (int i = 0; i < info(instruction.op).operandCount(); ++i) {
+      const Operand &operand = instruction.src[std::size_t(i)];
+      if (operand.file == File::Temporary &&
+          (registerMask(instruction, i) & ~written[operand.index]))
+        result[operand.index] = true;
+    }
+    if (writeMask(instruction) && instruction.dst.file == File::Temporary)
+      written[instruction.dst.index] |= writeMask(instruction);
+  }
+  return result;
+}
+
 } // namespace arbiter::fp::ir

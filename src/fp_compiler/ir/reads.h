@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "fp_compiler/ir/ir.h"
 
@@ -23,6 +24,10 @@ namespace arbiter::fp::ir {
 
 /// Components of a result that count: z of a depth, x of a fog coordinate or point size, else all.
 [[nodiscard]] std::uint8_t resultMask(OutputKind kind);
+
+/// For each temporary, whether some instruction reads a component before any has written it: those
+/// must start at zero.
+[[nodiscard]] std::vector<bool> readsUnwritten(const Program &program);
 
 /// Components written: the destination's mask, none for KIL.
 [[nodiscard]] std::uint8_t writeMask(const Instruction &instruction);

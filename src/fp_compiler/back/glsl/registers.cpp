@@ -42,23 +42,6 @@ const char *samplerType(ir::TexTarget target) {
   return "";
 }
 
-/// Components of each register that some instruction reads before any instruction wrote them:
-/// those must be zero.
-std::vector<bool> readsUnwritten(const ir::Program &program) {
-  std::vector<std::uint8_t> written(program.temporaries.size(), 0);
-  std::vector<bool> result(program.temporaries.size(), false);
-  for (const ir::Instruction &instruction : program.code) {
-    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i) {
-      const ir::Operand &operand = instruction.src[std::size_t(i)];
-      if (operand.file == File::Temporary &&
-          (ir::registerMask(instruction, i) & ~written[operand.index]))
-        result[operand.index] = true;
-    }
-    if (ir::writeMask(instruction) && instruction.dst.file == File::Temporary)
-      written[instruction.dst.index] |= ir::writeMask(instruction);
-  }
-  return result;
-}
 } // namespace
 
 Registers::Registers(const ir::Program &program)
@@ -167,7 +150,7 @@ void Registers::nameTemporaries(const ir::Program &program) {
           ir::registerMask(instruction, i) != 0)
         used[instruction.src[std::size_t(i)].index] = true;
   }
-  const std::vector<bool> needsZero = readsUnwritten(program);
+  const std::vector<bool> needsZero = ir::readsUnwritten(program);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i])
       continue;

@@ -1,0 +1,174 @@
+#include "fp_compiler/back/assembly/assembly.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "fp_compiler/back/assembly/names.h"
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp {
+
+using ir::Instruction;
+using ir::Opcode;
+using ir::Operand;
+using ir::Select;
+
+namespace {
+constexpr const char *kLetters = "xyzw01";
+
+std::string options(const ir::Options &o) {
+  constexpr const char *kFog[] = {"", "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
+  constexpr const char *kHint[] = {"", "ARB_precision_hint_fastest", "ARB_precision_hint_nicest"};
+  std::string text;
+  const auto option = [&](bool given, const char *name) {
+    if (given)
+      text += std::string("OPTION ") + name + ";\n";
+  };
+  option(o.fog != ir::FogMode::None, kFog[std::size_t(o.fog)]);
+  option(o.precision != ir::Precision::Unspecified, kHint[std::size_t(o.precision)]);
+  option(o.shadow, "ARB_fragment_program_shadow");
+  option(o.drawBuffers, "ARB_draw_buffers");
+  option(o.originUpperLeft, "ARB_fragment_coord_origin_upper_left");
+  option(o.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
+  option(o.positionInvariant, "ARB_position_invariant");
+  return text;
+}
+
+/// True for an operand that only SWZ can spell: 0, 1, or signs that differ.
+bool isExtended(const Operand &operand) {
+  return (operand.negate != 0 && operand.negate != 0xF) ||
+         std::any_of(operand.swizzle.begin(), operand.swizzle.end(),
+                     [](Select select) { return select > Select::W; });
+}
+
+std::string masked(const std::string &name, std::uint8_t mask) {
+  if (mask == 0xF)
+    return name;
+  std::string text = name + ".";
+  for (int i = 0; i < 4; ++i)
+    if (mask >> i & 1)
+      text += kLetters[i];
+  return text;
+}
+
+class Writer {
+public:
+  explicit Writer(const ir::Program &program) : m_program(program), m_names(program) {}
+
+  std::string run() {
+    assert(m_program.language != ir::Language::AtiFragment && !m_program.options.colorSum);
+    zeros();
+    for (const Instruction &instruction : m_program.code)
+      statement(instruction);
+    const bool vertex = m_program.language == ir::Language::ArbVertex;
+    return std::string(vertex ? "!!ARBvp1.0\n" : "!!ARBfp1.0\n") + options(m_program.options) +
+           m_names.declarations(m_scratch) + m_code + "END\n";
+  }
+
+private:
+  /// What the specification leaves undefined, and this project does not.
+  void zeros() {
+    const std::vector<bool> temporaries = ir::readsUnwritten(m_program);
+    for (std::size_t i = 0; i < temporaries.size(); ++i)
+      if (temporaries[i])
+        m_code += "MOV t" + std::to_string(i) + ", {0, 0, 0, 0};\n";
+    for (const std::uint8_t address : addressesReadUnwritten())
+      m_code += "ARL a" + std::to_string(address) + ".x, {0, 0, 0, 0}.x;\n";
+    zeroResults();
+  }
+
+  std::vector<std::uint8_t> addressesReadUnwritten() const {
+    std::vector<bool> known(m_program.addresses.size(), false);
+    std::vector<std::uint8_t> result;
+    for (const Instruction &instruction : m_program.code) {
+      for (const Operand &operand : instruction.src)
+        if (operand.relative && !known[operand.address]) {
+          known[operand.address] = true;
+          result.push_back(operand.address);
+        }
+      if (instruction.op == Opcode::Arl)
+        known[instruction.dst.index] = true;
+    }
+    return result;
+  }
+
+  void zeroResults() {
+    std::vector<std::uint8_t> written(m_program.outputs.size(), 0);
+    for (const Instruction &instruction : m_program.code)
+      if (ir::writeMask(instruction) && instruction.dst.file == ir::File::Output)
+        written[instruction.dst.index] |= instruction.dst.mask;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      const std::uint8_t missing =
+          std::uint8_t(ir::resultMask(m_program.outputs[i].kind) & ~written[i]);
+      // A result of which nothing is written is not there, and a depth is the fragment's own.
+      if (missing == 0 || written[i] == 0 || m_program.outputs[i].kind == ir::OutputKind::Depth)
+        continue;
+      ir::Destination dst;
+      dst.file = ir::File::Output;
+      dst.index = std::uint16_t(i);
+      m_code += "MOV " + masked(m_names.destination(dst), missing) + ", {0, 0, 0, 0};\n";
+    }
+  }
+
+  std::string extended(const Operand &operand) const {
+    std::string text = m_names.source(operand);
+    for (int i = 0; i < 4; ++i)
+      text += std::string(", ") + (operand.negate >> i & 1 ? "-" : "") +
+              kLetters[int(operand.swizzle[std::size_t(i)])];
+    return text;
+  }
+
+  /// An operand, by way of a SWZ into a scratch temporary where it has no spelling of its own.
+  /// \param scratch how many of them the instruction has
+  std::string source(const Operand &operand, bool scalar, int &scratch) {
+    if (isExtended(operand)) {
+      const std::string name = "s" + std::to_string(scratch++);
+      m_scratch = std::max(m_scratch, scratch);
+      m_code += "SWZ " + name + ", " + extended(operand) + ";\n";
+      return scalar ? name + ".x" : name;
+    }
+    std::string text = (operand.negate ? "-" : "") + m_names.source(operand);
+    if (scalar)
+      return text + "." + kLetters[int(operand.swizzle[0])];
+    if (operand.swizzle == ir::kIdentity)
+      return text;
+    text += '.';
+    const bool one = std::all_of(operand.swizzle.begin(), operand.swizzle.end(),
+                                 [&](Select select) { return select == operand.swizzle[0]; });
+    for (std::size_t i = 0; i < (one ? 1u : 4u); ++i)
+      text += kLetters[int(operand.swizzle[i])];
+    return text;
+  }
+
+  void statement(const Instruction &instruction) {
+    const ir::OpInfo &row = ir::info(instruction.op);
+    // MOV's extended operand is what SWZ is for.
+    const bool swizzles = instruction.op == Opcode::Swz ||
+                          (instruction.op == Opcode::Mov && isExtended(instruction.src[0]));
+    std::string text = swizzles ? "SWZ" : row.mnemonic;
+    if (!row.has(ir::Kills))
+      text += (instruction.dst.saturate ? "_SAT " : " ") +
+              masked(m_names.destination(instruction.dst), instruction.dst.mask) + ",";
+    int scratch = 0;
+    for (int i = 0; i < row.operandCount(); ++i) {
+      const Operand &operand = instruction.src[std::size_t(i)];
+      text += (i ? ", " : " ") +
+              (swizzles ? extended(operand) : source(operand, row.shapes[i] == 'S', scratch));
+    }
+    if (row.has(ir::Texture))
+      text += ", texture[" + std::to_string(instruction.unit) + "], " +
+              ir::targetText(instruction.target);
+    m_code += text + ";\n";
+  }
+
+  const ir::Program &m_program;
+  assembly::Names m_names;
+  std::string m_code;
+  int m_scratch = 0;
+};
+} // namespace
+
+std::string emitAssembly(const ir::Program &program) { return Writer(program).run(); }
+
+} // namespace arbiter::fp

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp {
+
+/// The program as !!ARBvp1.0 or !!ARBfp1.0 text in one plain form, for a host's own parser: one
+/// list of temporaries, a PARAM a row, arrays as PARAM arrays, no aliases, no comments. Numbers are
+/// the shortest that give the same float. What this project defines and the specifications do not
+/// (registers that are read before they are written, results that are partly written) is written
+/// out, so that the host's reading of the text is ours; checkProgram() of it means the same
+/// program.
+///
+/// Requires: validate(program) finds nothing; the language is not AtiFragment, whose option of a
+/// colour sum no assembly language has; constants are finite; a vertex program has no _SAT.
+[[nodiscard]] std::string emitAssembly(const ir::Program &program);
+
+} // namespace arbiter::fp

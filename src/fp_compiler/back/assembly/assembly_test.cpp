@@ -1,0 +1,147 @@
+#include "fp_compiler/back/assembly/assembly.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "fp_compiler/back/assembly/names.h"
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/testing/inputs.h"
+#include "fp_compiler/testing/random.h"
+
+namespace arbiter::fp {
+namespace {
+
+using ir::AttributeKind;
+using ir::Builder;
+using ir::Opcode;
+using ir::OutputKind;
+
+Limits roomy() {
+  Limits limits;
+  limits.api = {4096, 4096, 4096, 4096, 256, 256, 32, 4};
+  limits.native = limits.api;
+  limits.localParameters = limits.envParameters = 256;
+  limits.textureCoords = limits.textureImageUnits = limits.textureUnits = 8;
+  limits.programMatrices = 8;
+  limits.drawBuffers = 4;
+  return limits;
+}
+
+/// The text is a program of the same meaning, and printing that one changes nothing more.
+void expectRoundTrip(const ir::Program &program, const std::string &context) {
+  const std::string text = emitAssembly(program);
+  const CheckResult checked = checkProgram(program.language, text, {roomy(), LimitPolicy::Enforce});
+  ASSERT_TRUE(checked.ok()) << context << "\n" << checked.errorString(text) << "\n" << text;
+  for (std::uint64_t pixel = 0; pixel < 4; ++pixel)
+    ASSERT_TRUE(
+        testing::same(testing::outcome(program, pixel), testing::outcome(*checked.program, pixel)))
+        << context << "\n"
+        << text << ir::print(program) << ir::print(*checked.program);
+  const std::string again = emitAssembly(*checked.program);
+  const CheckResult second = checkProgram(program.language, again, {roomy(), LimitPolicy::Enforce});
+  ASSERT_TRUE(second.ok()) << context << "\n" << again;
+  EXPECT_EQ(emitAssembly(*second.program), again) << context;
+}
+
+/// No text spells an infinity.
+void makeFinite(ir::Program &program) {
+  for (ir::Parameter &row : program.parameters)
+    for (float &value : row.constant)
+      if (std::isinf(value))
+        value = std::copysign(std::numeric_limits<float>::max(), value);
+}
+
+TEST(Assembly, NumeralsRoundTripEveryBit) {
+  for (const float value : {0.0f, -0.0f, 1.0f, 0.1f, -3.14159274f, 16777217.0f, 1e-40f,
+                            3.4028235e38f, 1.17549435e-38f, 1e20f, 123456.789f}) {
+    const std::string text = assembly::numeral(value);
+    const float back = std::strtof(text.c_str(), nullptr);
+    EXPECT_EQ(std::memcmp(&back, &value, sizeof value), 0) << text;
+  }
+}
+
+TEST(Assembly, FragmentTextIsPlain) {
+  Builder b;
+  b.options().fog = ir::FogMode::Linear;
+  const auto t = b.temporary("some_name");
+  (void)b.temporary("never_used");
+  const auto k = b.constant(-0.5f, 2, 1e-20f, 0);
+  b.tex(Opcode::Txp, t, -b.attribute(AttributeKind::TexCoord, 2).swz("yxzw"), 3,
+        ir::TexTarget::Cube);
+  b.op(Opcode::Mad, t.mask("xw").sat(), {t.read().swz("w"), k, b.local(4).swz("x1z0").negated(5)});
+  b.op(Opcode::Mov, b.color(), {t.read()});
+  EXPECT_EQ(emitAssembly(b.program()), "!!ARBfp1.0\n"
+                                       "OPTION ARB_fog_linear;\n"
+                                       "TEMP t0, s0;\n"
+                                       "PARAM p0 = {-0.5, 2, 1e-20, 0};\n"
+                                       "PARAM p1 = program.local[4];\n"
+                                       "TXP t0, -fragment.texcoord[2].yxzw, texture[3], CUBE;\n"
+                                       "SWZ s0, p1, -x, 1, -z, 0;\n"
+                                       "MAD_SAT t0.xw, t0.w, p0, s0;\n"
+                                       "MOV result.color, t0;\n"
+                                       "END\n");
+}
+
+TEST(Assembly, WhatIsUndefinedElsewhereIsWrittenOut) {
+  Builder b;
+  const auto t = b.temporary();
+  b.op(Opcode::Mov, t.mask("x"), {b.local(0)});
+  b.op(Opcode::Mov, b.color().mask("xyz"), {t.read()});
+  const std::string text = emitAssembly(b.program());
+  EXPECT_NE(text.find("MOV t0, {0, 0, 0, 0};\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("MOV result.color.w, {0, 0, 0, 0};\n"), std::string::npos) << text;
+}
+
+TEST(Assembly, ProgramsByTheirOwnText) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    testing::RandomOptions options;
+    options.wild = seed & 1;
+    ir::Program program = testing::randomProgram(seed + 70000, options);
+    makeFinite(program);
+    expectRoundTrip(program, "seed " + std::to_string(seed));
+    optimise(program);
+    expectRoundTrip(program, "optimised, seed " + std::to_string(seed));
+    if (::testing::Test::HasFailure())
+      return;
+  }
+}
+
+TEST(Assembly, VertexText) {
+  Builder b(ir::Language::ArbVertex);
+  const auto a = b.address();
+  const auto position = b.result(OutputKind::Position);
+  const auto row = b.env(8);
+  const int array = b.array({b.env(7), row, b.constant(1)});
+  b.op(Opcode::Arl, a, {-b.attribute(AttributeKind::Generic, 5).swz("z")});
+  b.op(Opcode::Add, position,
+       {-Builder::element(array, a, -2).swz("x"), Builder::element(array, a).swz("wzyx")});
+  b.op(Opcode::Mul, b.result(OutputKind::TexCoord, 3).mask("xy"),
+       {row, b.attribute(AttributeKind::Normal)});
+  EXPECT_EQ(emitAssembly(b.program()),
+            "!!ARBvp1.0\n"
+            "ADDRESS a0;\n"
+            "PARAM c0[3] = { program.env[7], program.env[8], {1, 1, 1, 1} };\n"
+            "MOV result.texcoord[3].zw, {0, 0, 0, 0};\n"
+            "ARL a0.x, -vertex.attrib[5].z;\n"
+            "ADD result.position, -c0[a0.x-2].x, c0[a0.x].wzyx;\n"
+            "MUL result.texcoord[3].xy, c0[1], vertex.normal;\n"
+            "END\n");
+}
+
+TEST(Assembly, AddressesStartAtZero) {
+  Builder b(ir::Language::ArbVertex);
+  b.options().positionInvariant = true;
+  const auto a = b.address();
+  const int array = b.array({b.env(7)});
+  b.op(Opcode::Mov, b.result(OutputKind::FrontPrimary), {Builder::element(array, a)});
+  const std::string text = emitAssembly(b.program());
+  EXPECT_NE(text.find("OPTION ARB_position_invariant;\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("ARL a0.x, {0, 0, 0, 0}.x;\nMOV result"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace arbiter::fp

@@ -1,0 +1,140 @@
+#include "fp_compiler/back/assembly/names.h"
+
+#include <charconv>
+
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp::assembly {
+
+using ir::File;
+
+namespace {
+std::string numbered(const char *prefix, std::size_t index) {
+  return prefix + std::to_string(index);
+}
+
+std::string bindingOf(const ir::Parameter &row) {
+  if (row.kind != ir::ParameterKind::Constant)
+    return ir::bindingText(row);
+  std::string text = "{";
+  for (std::size_t i = 0; i < 4; ++i)
+    text += (i ? ", " : "") + numeral(row.constant[i]);
+  return text + "}";
+}
+
+/// "TEMP t0, t1;\n" of the marked ones.
+std::string list(const char *statement, const char *prefix, const std::vector<bool> &used) {
+  std::string text;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i])
+      text += (text.empty() ? "" : ", ") + numbered(prefix, i);
+  return text.empty() ? "" : std::string(statement) + " " + text + ";\n";
+}
+} // namespace
+
+std::string numeral(float value) {
+  char digits[64];
+  // The locale of the application must not turn the point into a comma.
+  const auto end = std::to_chars(digits, digits + sizeof digits, value);
+  return std::string(digits, end.ptr);
+}
+
+Names::Names(const ir::Program &program)
+    : m_program(program), m_temporaries(program.temporaries.size()),
+      m_parameters(program.parameters.size()), m_addresses(program.addresses.size()),
+      m_arrays(program.arrays.size()), m_elements(program.parameters.size()) {
+  for (const ir::Instruction &instruction : program.code) {
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
+      use(instruction.src[std::size_t(i)]);
+    if (ir::writeMask(instruction) == 0)
+      continue;
+    if (instruction.dst.file == File::Temporary)
+      m_temporaries[instruction.dst.index] = true;
+    if (instruction.dst.file == File::Address)
+      m_addresses[instruction.dst.index] = true;
+  }
+  for (std::size_t array = 0; array < m_arrays.size(); ++array) {
+    const auto &rows = program.arrays[array].rows;
+    for (std::size_t row = 0; m_arrays[array] && row < rows.size(); ++row)
+      if (m_elements[rows[row]].empty())
+        m_elements[rows[row]] = numbered("c", array) + "[" + std::to_string(row) + "]";
+  }
+}
+
+void Names::use(const ir::Operand &operand) {
+  if (operand.relative) {
+    m_arrays[operand.index] = true;
+    m_addresses[operand.address] = true;
+  } else if (operand.file == File::Temporary) {
+    m_temporaries[operand.index] = true;
+  } else if (operand.file == File::Parameter) {
+    m_parameters[operand.index] = true;
+  }
+}
+
+std::string Names::declarations(int scratch) const {
+  return temporaries(scratch) + list("ADDRESS", "a", m_addresses) + parameters();
+}
+
+std::string Names::temporaries(int scratch) const {
+  std::string text = list("TEMP", "t", m_temporaries);
+  const std::string more = list("TEMP", "s", std::vector<bool>(std::size_t(scratch), true));
+  if (text.empty() || more.empty())
+    return text + more;
+  return text.replace(text.size() - 2, 2, ", " + more.substr(5));
+}
+
+std::string Names::parameters() const {
+  std::string text;
+  for (std::size_t i = 0; i < m_parameters.size(); ++i)
+    if (m_parameters[i] && m_elements[i].empty())
+      text += "PARAM " + numbered("p", i) + " = " + bindingOf(m_program.parameters[i]) + ";\n";
+  for (std::size_t i = 0; i < m_arrays.size(); ++i) {
+    if (!m_arrays[i])
+      continue;
+    std::string rows;
+    for (const std::uint16_t row : m_program.arrays[i].rows)
+      rows += (rows.empty() ? "" : ", ") + bindingOf(m_program.parameters[row]);
+    text += "PARAM " + numbered("c", i) + "[" + std::to_string(m_program.arrays[i].rows.size()) +
+            "] = { " + rows + " };\n";
+  }
+  return text;
+}
+
+std::string Names::source(const ir::Operand &operand) const {
+  if (operand.relative) {
+    std::string offset;
+    if (operand.offset != 0)
+      offset = (operand.offset > 0 ? "+" : "") + std::to_string(operand.offset);
+    return numbered("c", operand.index) + "[" + numbered("a", operand.address) + ".x" + offset +
+           "]";
+  }
+  switch (operand.file) {
+  case File::Temporary:
+    return numbered("t", operand.index);
+  case File::Attribute:
+    return ir::bindingText(m_program.attributes[operand.index], m_program.language);
+  case File::Parameter:
+    return m_elements[operand.index].empty() ? numbered("p", operand.index)
+                                             : m_elements[operand.index];
+  case File::Output:
+  case File::Address:
+    break; // written only
+  }
+  return "";
+}
+
+std::string Names::destination(const ir::Destination &dst) const {
+  if (dst.file == File::Temporary)
+    return numbered("t", dst.index);
+  if (dst.file == File::Address)
+    return numbered("a", dst.index);
+  const ir::Output &output = m_program.outputs[dst.index];
+  // An index is part of the grammar only under the option.
+  if (output.kind == ir::OutputKind::Color && !m_program.options.drawBuffers)
+    return "result.color";
+  return ir::bindingText(output);
+}
+
+} // namespace arbiter::fp::assembly
