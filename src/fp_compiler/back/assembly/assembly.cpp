@@ -99,10 +99,10 @@ private:
       if (ir::writeMask(instruction) && instruction.dst.file == ir::File::Output)
         written[instruction.dst.index] |= instruction.dst.mask;
     for (std::size_t i = 0; i < written.size(); ++i) {
-      const std::uint8_t missing =
-          std::uint8_t(ir::resultMask(m_program.outputs[i].kind) & ~written[i]);
+      const std::uint8_t wanted = ir::resultMask(m_program.outputs[i].kind);
+      const auto missing = std::uint8_t(wanted & ~written[i]);
       // A result of which nothing is written is not there, and a depth is the fragment's own.
-      if (missing == 0 || written[i] == 0 || m_program.outputs[i].kind == ir::OutputKind::Depth)
+      if (missing == 0 || missing == wanted || m_program.outputs[i].kind == ir::OutputKind::Depth)
         continue;
       ir::Destination dst;
       dst.file = ir::File::Output;
