@@ -30,11 +30,12 @@ inline bool runChecked(Pass pass, ir::Program &program, const std::string &conte
   return changed;
 }
 
-/// The contract on random programs, half of them with special values; the pass must find work.
+/// The contract on random programs, half of them with special values and half of them vertex
+/// programs; the pass must find work in both.
 /// \param prepare gives the pass something to do
 inline void runOnRandomPrograms(
     Pass pass, int count = 300, void (*prepare)(ir::Program &) = [](ir::Program &) {}) {
-  int changed = 0;
+  int changed = 0, changedVertex = 0;
   for (std::uint64_t seed = 0; seed < std::uint64_t(count); ++seed) {
     testing::RandomOptions options;
     options.wild = seed & 1;
@@ -42,10 +43,14 @@ inline void runOnRandomPrograms(
     ir::Program program = testing::randomProgram(seed + 10000, options);
     prepare(program);
     changed += runChecked(pass, program, "seed " + std::to_string(seed));
+    program = testing::randomVertexProgram(seed + 20000, options);
+    prepare(program);
+    changedVertex += runChecked(pass, program, "vertex, seed " + std::to_string(seed));
     if (::testing::Test::HasFailure())
       return;
   }
   EXPECT_GT(changed, 0) << "the pass never had anything to do";
+  EXPECT_GT(changedVertex, 0) << "the pass never had anything to do in vertex programs";
 }
 
 } // namespace arbiter::fp::opt

@@ -1,10 +1,12 @@
 #include "fp_compiler/testing/inputs.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string_view>
 
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
 #include "util/hash.h"
 
@@ -28,12 +30,27 @@ bool sameBits(const ir::Vec4 &a, const ir::Vec4 &b) {
       return false;
   return true;
 }
+/// The binding; attribute 0 of a vertex is its position.
+std::string nameOf(const ir::Attribute &attribute, ir::Language language) {
+  const bool position = attribute.kind == ir::AttributeKind::Generic && attribute.index == 0;
+  return ir::bindingText(position ? ir::Attribute{ir::AttributeKind::Position, 0} : attribute,
+                         language);
+}
+
+/// Components of an output that some instruction writes.
+std::uint8_t written(const ir::Program &program, std::size_t output) {
+  std::uint8_t mask = 0;
+  for (const ir::Instruction &instruction : program.code)
+    if (instruction.dst.file == ir::File::Output && instruction.dst.index == output)
+      mask |= ir::writeMask(instruction);
+  return mask;
+}
 } // namespace
 
 Outcome outcome(const ir::Program &program, std::uint64_t pixel) {
   std::vector<ir::Vec4> attributes;
   for (const ir::Attribute &attribute : program.attributes)
-    attributes.push_back(madeUp(ir::bindingText(attribute), pixel));
+    attributes.push_back(madeUp(nameOf(attribute, program.language), pixel));
   ir::Inputs inputs;
   inputs.attributes = attributes;
   inputs.fogCoordinate = madeUp("fog", pixel)[0];
@@ -49,9 +66,18 @@ Outcome outcome(const ir::Program &program, std::uint64_t pixel) {
   Outcome result;
   result.killed = evaluation.killed;
   result.depth = evaluation.depth;
-  for (std::size_t i = 0; i < program.outputs.size(); ++i)
-    if (program.outputs[i].kind == ir::OutputKind::Color)
-      result.colors[program.outputs[i].index] = evaluation.outputs[i];
+  const bool vertex = program.language == ir::Language::ArbVertex;
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    const ir::Output &output = program.outputs[i];
+    const std::uint8_t mask = ir::resultMask(output.kind);
+    if (output.kind == ir::OutputKind::Depth || (vertex && (written(program, i) & mask) == 0))
+      continue;
+    ir::Vec4 value = evaluation.outputs[i];
+    for (std::size_t c = 0; c < 4; ++c)
+      if (!(mask >> c & 1))
+        value[c] = 0;
+    result.results[{output.kind, output.index}] = value;
+  }
   return result;
 }
 
@@ -60,13 +86,10 @@ bool same(const Outcome &a, const Outcome &b) {
     return false;
   if (a.depth && !sameBits(*a.depth, *b.depth))
     return false;
-  for (std::size_t i = 0; i < a.colors.size(); ++i) {
-    if (a.colors[i].has_value() != b.colors[i].has_value())
-      return false;
-    if (a.colors[i] && !sameBits(*a.colors[i], *b.colors[i]))
-      return false;
-  }
-  return true;
+  return std::equal(a.results.begin(), a.results.end(), b.results.begin(), b.results.end(),
+                    [](const auto &one, const auto &other) {
+                      return one.first == other.first && sameBits(one.second, other.second);
+                    });
 }
 
 } // namespace arbiter::fp::testing

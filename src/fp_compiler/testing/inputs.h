@@ -1,15 +1,19 @@
 #pragma once
-#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "fp_compiler/ir/evaluate.h"
 
 namespace arbiter::fp::testing {
 
-/// What a fragment ends up as, by result binding, so that programs with different tables compare.
+/// What a fragment or vertex ends up as, by result binding, so that programs with different tables
+/// compare.
 struct Outcome {
-  std::array<std::optional<ir::Vec4>, 4> colors;
+  /// By kind and index; components that do not count are zero. A vertex result of which nothing is
+  /// written is as if it were not bound.
+  std::map<std::pair<ir::OutputKind, int>, ir::Vec4> results;
   std::optional<float> depth;
   bool killed = false;
 };

@@ -75,6 +75,16 @@ Interval attributeRange(ir::AttributeKind kind, int index) {
   return {};
 }
 
+Interval vertexAttributeRange(const ir::Attribute &attribute, int index) {
+  const bool position = attribute.kind == ir::AttributeKind::Position ||
+                        (attribute.kind == ir::AttributeKind::Generic && attribute.index == 0);
+  if (position)
+    return index == 3 ? Interval{1, 1} : Interval{-1, 1};
+  if (attribute.kind == ir::AttributeKind::Normal && index == 3)
+    return {1, 1};
+  return attributeRange(attribute.kind, index);
+}
+
 std::array<Interval, 4> rangesOf(Opcode op, const std::array<Ranges, 3> &operands) {
   const Ranges &a = operands[0], &b = operands[1];
   const Interval dot3 = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -96,6 +106,14 @@ std::array<Interval, 4> rangesOf(Opcode op, const std::array<Ranges, 3> &operand
     return all({std::exp2(a[0].lo), std::exp2(a[0].hi)});
   case Opcode::Lg2:
     return all({std::log2(a[0].lo), std::log2(a[0].hi)});
+  case Opcode::Exp:
+    return {Interval{std::exp2(std::floor(a[0].lo)), std::exp2(a[0].hi)}, Interval{0, 1},
+            Interval{std::exp2(a[0].lo), std::exp2(a[0].hi)}, Interval{1, 1}};
+  case Opcode::Log: {
+    const Interval from = absolute(a[0]);
+    const Interval log = {std::log2(from.lo), std::log2(from.hi)};
+    return {Interval{std::floor(log.lo), log.hi}, Interval{1, 2}, log, Interval{1, 1}};
+  }
   case Opcode::Rcp:
     return all({1 / a[0].hi, 1 / a[0].lo});
   case Opcode::Rsq: {

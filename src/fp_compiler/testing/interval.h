@@ -25,6 +25,9 @@ struct Interval {
 /// The range of one component of an attribute, within InputRanges.
 [[nodiscard]] Interval attributeRange(ir::AttributeKind kind, int component);
 
+/// The same for the attributes of a vertex, whose position is inside the window.
+[[nodiscard]] Interval vertexAttributeRange(const ir::Attribute &attribute, int component);
+
 /// The ranges of an arithmetic opcode's result.
 [[nodiscard]] std::array<Interval, 4>
 rangesOf(ir::Opcode op, const std::array<std::array<Interval, 4>, 3> &operands);

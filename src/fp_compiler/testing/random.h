@@ -53,8 +53,15 @@ struct InputRanges {
 /// A program that validate() accepts and that spell() can write.
 [[nodiscard]] ir::Program randomProgram(std::uint64_t seed, const RandomOptions &options = {});
 
-/// ARBfp1.0 text for a program of randomProgram(), with names, bindings, arrays, aliases, comments,
-/// numerals and suffixes varied by \p seed. Parsing it gives a program of the same meaning.
+/// Likewise a vertex program. It leaves the vertex where it is (its position is the attribute's, or
+/// ARB_position_invariant) and writes one or two results in full; wild ones also parts of others.
+/// Rows that a tame program reads by address are rows that are there.
+[[nodiscard]] ir::Program randomVertexProgram(std::uint64_t seed,
+                                              const RandomOptions &options = {});
+
+/// ARBfp1.0 or ARBvp1.0 text for a program of the functions above, with names, bindings, arrays,
+/// aliases, comments, numerals and suffixes varied by \p seed. Parsing it gives a program of the
+/// same meaning.
 [[nodiscard]] std::string spell(const ir::Program &program, std::uint64_t seed);
 
 } // namespace arbiter::fp::testing

@@ -21,11 +21,13 @@ public:
   Speller(const Program &program, std::uint64_t seed) : m_program(program), m_random(seed) {}
 
   std::string run() {
-    m_text = "!!ARBfp1.0\n";
+    m_text = isVertex() ? "!!ARBvp1.0\n" : "!!ARBfp1.0\n";
     options();
     temporaries();
+    addresses();
     attributes();
     parameters();
+    arrays();
     outputs();
     for (const Instruction &instruction : m_program.code)
       statement(instruction);
@@ -34,6 +36,8 @@ public:
   }
 
 private:
+  bool isVertex() const { return m_program.language == Language::ArbVertex; }
+
   void line(const std::string &text) {
     m_text += text;
     if (m_random.chance(8))
@@ -56,6 +60,7 @@ private:
     option(o.drawBuffers, m_random.chance(50) ? "ARB_draw_buffers" : "ATI_draw_buffers");
     option(o.originUpperLeft, "ARB_fragment_coord_origin_upper_left");
     option(o.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
+    option(o.positionInvariant, "ARB_position_invariant");
   }
 
   void temporaries() {
@@ -78,14 +83,22 @@ private:
       }
   }
 
+  void addresses() {
+    for (std::size_t i = 0; i < m_program.addresses.size(); ++i) {
+      m_addresses.push_back((m_random.chance(30) ? "at" : "addr_") + std::to_string(i));
+      line("ADDRESS " + m_addresses.back() + ";");
+    }
+  }
+
   void attributes() {
     for (std::size_t i = 0; i < m_program.attributes.size(); ++i) {
       const Attribute &attribute = m_program.attributes[i];
-      std::string binding = bindingText(attribute);
+      const std::string stage = isVertex() ? "vertex." : "fragment.";
+      std::string binding = bindingText(attribute, m_program.language);
       if (attribute.kind == AttributeKind::ColorPrimary && m_random.chance(50))
-        binding = "fragment.color";
+        binding = stage + "color";
       if (attribute.kind == AttributeKind::TexCoord && attribute.index == 0 && m_random.chance(50))
-        binding = "fragment.texcoord";
+        binding = stage + "texcoord";
       if (m_random.chance(40)) {
         line("ATTRIB in" + std::to_string(i) + " = " + binding + ";");
         binding = "in" + std::to_string(i);
@@ -148,12 +161,51 @@ private:
            array + "};");
   }
 
+  /// Arrays that are read by address; a run of env rows may be spelled as one.
+  void arrays() {
+    for (std::size_t i = 0; i < m_program.arrays.size(); ++i) {
+      const std::vector<std::uint16_t> &rows = m_program.arrays[i].rows;
+      const std::string size = std::to_string(rows.size());
+      const Parameter &first = m_program.parameters[rows.front()];
+      std::string list;
+      if (first.kind == ParameterKind::Env && m_random.chance(60)) {
+        list = "program.env[" + std::to_string(first.index) + ".." +
+               std::to_string(first.index + rows.size() - 1) + "]";
+      } else {
+        for (const std::uint16_t row : rows) {
+          const Parameter &parameter = m_program.parameters[row];
+          list += (list.empty() ? "" : ", ") + (parameter.kind == ParameterKind::Constant
+                                                    ? constant(parameter.constant)
+                                                    : bindingText(parameter));
+        }
+      }
+      m_arrays.push_back("rows" + std::to_string(i));
+      line("PARAM " + m_arrays.back() + "[" + (m_random.chance(50) ? size : "") + "] = { " + list +
+           " };");
+    }
+  }
+
+  std::string vertexResult(const Output &output) {
+    if (output.kind == OutputKind::FrontPrimary)
+      return m_random.chance(50) ? "result.color" : "result.color.primary";
+    if (output.kind == OutputKind::FrontSecondary && m_random.chance(50))
+      return "result.color.secondary";
+    if (output.kind == OutputKind::BackPrimary && m_random.chance(50))
+      return "result.color.back";
+    return bindingText(output);
+  }
+
+  std::string fragmentResult(const Output &output) {
+    std::string binding = output.kind == OutputKind::Depth ? "result.depth" : "result.color";
+    if (output.kind == OutputKind::Color && output.index != 0)
+      binding += "[" + std::to_string(output.index) + "]";
+    return binding;
+  }
+
   void outputs() {
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
       const Output &output = m_program.outputs[i];
-      std::string binding = output.kind == OutputKind::Depth ? "result.depth" : "result.color";
-      if (output.kind == OutputKind::Color && output.index != 0)
-        binding += "[" + std::to_string(output.index) + "]";
+      std::string binding = isVertex() ? vertexResult(output) : fragmentResult(output);
       if (m_random.chance(30)) {
         line("OUTPUT out" + std::to_string(i) + " = " + binding + ";");
         binding = "out" + std::to_string(i);
@@ -162,9 +214,12 @@ private:
     }
   }
 
-  const char *letters() { return m_random.chance(30) ? "rgba" : "xyzw"; }
+  /// The letters of a colour are of fragment programs.
+  const char *letters() { return !isVertex() && m_random.chance(30) ? "rgba" : "xyzw"; }
 
-  std::string nameOf(const Operand &operand) const {
+  std::string nameOf(const Operand &operand) {
+    if (operand.relative)
+      return element(operand);
     switch (operand.file) {
     case File::Temporary:
       return m_temporaries[operand.index];
@@ -173,6 +228,13 @@ private:
     default:
       return m_parameters[operand.index];
     }
+  }
+
+  std::string element(const Operand &operand) {
+    std::string text = m_arrays[operand.index] + "[" + m_addresses[operand.address] + ".x";
+    if (operand.offset != 0 || m_random.chance(20))
+      text += (operand.offset < 0 ? " - " : " + ") + std::to_string(std::abs(int(operand.offset)));
+    return text + "]";
   }
 
   std::string source(const Operand &operand, bool scalar) {
@@ -198,6 +260,8 @@ private:
   }
 
   std::string destination(const Destination &dst) {
+    if (dst.file == File::Address)
+      return m_addresses[dst.index] + ".x";
     std::string text = dst.file == File::Output ? m_outputs[dst.index] : m_temporaries[dst.index];
     if (dst.mask == 0xF && m_random.chance(90))
       return text;
@@ -229,7 +293,8 @@ private:
   const Program &m_program;
   Random m_random;
   std::string m_text;
-  std::vector<std::string> m_temporaries, m_attributes, m_parameters, m_outputs;
+  std::vector<std::string> m_temporaries, m_attributes, m_parameters, m_outputs, m_addresses,
+      m_arrays;
 };
 } // namespace
 
