@@ -250,6 +250,19 @@ class Compile(Temporary):
         self.assertEqual(plain.stdout.count('MOV'), 2)
         self.assertEqual(passed.stdout.count('MOV'), 1)
 
+    def test_assembly_is_a_program_again(self):
+        text = ('!!ARBvp1.0\nPARAM r[] = {program.env[0..1]}; ADDRESS i;\n'
+                'ARL i.x, vertex.attrib[3].w;\nMOV result.position, r[i.x + 1].yxzw;\nEND\n')
+        result = arbiter('compile', '--emit', 'assembly', '-', text=text)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout,
+                         '!!ARBvp1.0\nADDRESS a0;\n'
+                         'PARAM c0[2] = { program.env[0], program.env[1] };\n'
+                         'ARL a0.x, vertex.attrib[3].w;\n'
+                         'MOV result.position, c0[a0.x+1].yxzw;\nEND\n')
+        again = arbiter('compile', '--emit', 'assembly', '-', text=result.stdout)
+        self.assertEqual(again.stdout, result.stdout)
+
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
         result = arbiter('compile', '-o', output, '-', text=GOOD)

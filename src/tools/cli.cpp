@@ -63,11 +63,13 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   CLI::App *command = app.add_subcommand("compile", "Show what the compiler makes of a program");
   compile.profile = settings().profile;
   command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
-  command->add_option("--emit", compile.emit, "tokens, ir (checked program) or glsl (1.20)")
-      ->check(CLI::IsMember({"tokens", "ir", "glsl"}))
+  command
+      ->add_option("--emit", compile.emit,
+                   "tokens, ir (checked program), assembly (plain text) or glsl (1.20)")
+      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl"}))
       ->capture_default_str();
   addLanguage(*command, compile.language);
-  command->add_flag("--optimise,-O", compile.optimise, "ir: after the passes");
+  command->add_flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
   command->add_option("-o,--output", compile.output, "file to write; - is standard output")
       ->capture_default_str();
   command->add_option("FILE", compile.file, "a program text; - is standard input")->required();

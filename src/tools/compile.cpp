@@ -36,6 +36,14 @@ std::string tokenListing(std::string_view text) {
   return listing;
 }
 
+std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
+  if (arguments.emit == "glsl")
+    return fp::emitGlsl(program).text;
+  if (arguments.optimise)
+    fp::optimise(program);
+  return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
+}
+
 } // namespace
 
 int compile(const CompileArguments &arguments) {
@@ -67,13 +75,11 @@ int compile(const CompileArguments &arguments) {
       std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
     if (!result.ok())
       return kExitInvalid;
-    if (arguments.emit == "ir") {
-      if (arguments.optimise)
-        fp::optimise(*result.program);
-      emitted = fp::ir::print(*result.program);
-    } else {
-      emitted = fp::emitGlsl(*result.program).text;
+    if (arguments.emit == "assembly" && language == fp::ir::Language::AtiFragment) {
+      complain(arguments.file + ": no assembly text says what an ATI shader does");
+      return kExitUsage;
     }
+    emitted = emit(*result.program, arguments);
   }
   const std::string fault = writeOutput(arguments.output, emitted);
   if (!fault.empty()) {
