@@ -214,24 +214,6 @@ bool writtenByOther(const char *path, const timespec &began) {
          (info.st_mtim.tv_sec == began.tv_sec && info.st_mtim.tv_nsec > began.tv_nsec);
 }
 
-/// Writes beside the file and renames, so that a reader sees all or nothing.
-bool replaceFile(const std::string &path, const std::string &text) {
-  struct stat info {};
-  if (lstat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
-    errno = ELOOP;
-    return false;
-  }
-  const std::string temporary = path + "." + std::to_string(getpid()) + ".tmp";
-  if (!writePrivateFile(temporary.c_str(), text))
-    return false;
-  if (std::rename(temporary.c_str(), path.c_str()) == 0)
-    return true;
-  const int error = errno;
-  unlink(temporary.c_str());
-  errno = error;
-  return false;
-}
-
 } // namespace
 
 void noteContextCreated(Context &context) {
@@ -354,7 +336,7 @@ void writeStatistics() {
   static bool s_written = false; // our own earlier file may be replaced
   if (!named && (getpid() != r.process || (!s_written && writtenByOther(path.c_str(), r.began))))
     path += "." + std::to_string(getpid());
-  if (replaceFile(path, statisticsJson()))
+  if (replacePrivateFile(path, statisticsJson()))
     s_written = true;
   else
     logWarn("state", "cannot write statistics to %s: %s", path.c_str(), std::strerror(errno));

@@ -1,6 +1,7 @@
 #include "util/file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -53,6 +54,94 @@ bool writePrivateFile(const char *path, std::string_view bytes) noexcept {
   if (!written)
     errno = failure;
   return written && closed;
+}
+
+namespace {
+
+/// Writes the bytes beside `path`; the name of that file, or nothing with errno set.
+std::string writeBeside(const std::string &path, std::string_view bytes) {
+  std::string temporary = path + "." + std::to_string(::getpid()) + ".tmp";
+  if (writePrivateFile(temporary.c_str(), bytes))
+    return temporary;
+  const int failure = errno;
+  ::unlink(temporary.c_str());
+  errno = failure;
+  return {};
+}
+
+/// Keeps errno: what went wrong before is what counts.
+void removeQuietly(const std::string &path) {
+  const int failure = errno;
+  ::unlink(path.c_str());
+  errno = failure;
+}
+
+} // namespace
+
+bool replacePrivateFile(const std::string &path, std::string_view bytes) {
+  struct stat status = {};
+  if (::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    errno = ELOOP;
+    return false;
+  }
+  const std::string temporary = writeBeside(path, bytes);
+  if (temporary.empty())
+    return false;
+  if (std::rename(temporary.c_str(), path.c_str()) == 0)
+    return true;
+  removeQuietly(temporary);
+  return false;
+}
+
+bool createPrivateFile(const std::string &path, std::string_view bytes) {
+  struct stat status = {};
+  if (::lstat(path.c_str(), &status) == 0)
+    return true;
+  const std::string temporary = writeBeside(path, bytes);
+  if (temporary.empty())
+    return false;
+  // A link fails where a rename would take the place of what another process put there.
+  bool created = ::link(temporary.c_str(), path.c_str()) == 0 || errno == EEXIST;
+  if (!created && (errno == EPERM || errno == ENOTSUP || errno == ENOSYS)) // no hard links here
+    return std::rename(temporary.c_str(), path.c_str()) == 0;
+  removeQuietly(temporary);
+  return created;
+}
+
+FileState stateOf(const char *path) noexcept {
+  struct stat status = {};
+  if (::stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+    return {};
+  const auto nanoseconds = [](const timespec &time) {
+    return std::int64_t(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+  };
+  return {nanoseconds(status.st_mtim), nanoseconds(status.st_ctim), std::uint64_t(status.st_size),
+          status.st_ino, true};
+}
+
+bool readFile(const char *path, std::size_t limit, std::string &bytes) {
+  const int descriptor = ::open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (descriptor < 0)
+    return false;
+  struct stat status = {};
+  int failure = ::fstat(descriptor, &status) != 0 ? errno : S_ISREG(status.st_mode) ? 0 : EINVAL;
+  bytes.clear();
+  char block[16384];
+  while (failure == 0) {
+    const ssize_t count = ::read(descriptor, block, sizeof block);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      failure = errno;
+    if (count <= 0)
+      break;
+    bytes.append(block, std::size_t(count));
+    if (bytes.size() > limit)
+      failure = EFBIG;
+  }
+  ::close(descriptor);
+  errno = failure;
+  return failure == 0;
 }
 
 std::string expandPid(std::string_view path) {
