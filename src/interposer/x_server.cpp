@@ -41,11 +41,11 @@ xcb_extension_t g_glx = {"GLX", 0};
 /// able to load the layer.
 struct Xcb {
   void *handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
-  template <typename Function> Function *get(Function *, const char *name) const {
-    return handle ? reinterpret_cast<Function *>(dlsym(handle, name)) : nullptr;
+  template <typename Function> Function get(const char *name) const {
+    return handle ? reinterpret_cast<Function>(dlsym(handle, name)) : nullptr;
   }
 // NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
-#define ARBITER_XCB(name) decltype(&::name) name = get(&::name, #name)
+#define ARBITER_XCB(name) decltype(&::name) name = get<decltype(&::name)>(#name)
   ARBITER_XCB(xcb_connect);
   ARBITER_XCB(xcb_connection_has_error);
   ARBITER_XCB(xcb_disconnect);
