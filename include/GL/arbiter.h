@@ -36,13 +36,17 @@
 #define ARBITER_ENV_EXTENSIONS_MAX_LENGTH "ARBITER_EXTENSIONS_MAX_LENGTH"
 #define ARBITER_ENV_STATS "ARBITER_STATS"
 #define ARBITER_ENV_LOG "ARBITER_LOG"
+#define ARBITER_ENV_CAPTURE "ARBITER_CAPTURE"
+#define ARBITER_ENV_REPLACE "ARBITER_REPLACE"
 #define ARBITER_ENV_DEBUG "ARBITER_DEBUG"
 #define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
 #define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
-/* The "schema" number at the top of the JSON that ARBITER_STATS and `arbiter check --json` write.
+/* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json` and
+ * `arbiter capture` (index.json, process-*.json) write.
  * It changes when a member changes its meaning or goes; a new member does not change it. */
 #define ARBITER_STATS_SCHEMA 1
 #define ARBITER_CHECK_SCHEMA 1
+#define ARBITER_CAPTURE_SCHEMA 1
 
 #endif /* GL_ARBITER_H */

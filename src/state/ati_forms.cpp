@@ -40,6 +40,7 @@ std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &wh
   auto form = std::make_shared<CompiledProgram>();
   form->target = whole.target;
   form->hash = whole.hash;
+  form->replacement = whole.replacement;
   form->glsl = fp::emitGlsl(fp::withFixedFunction(m_program, seen), m_host);
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);

@@ -8,6 +8,7 @@
 #include "state/errors.h"
 #include "state/fixed_function.h"
 #include "state/program_api.h"
+#include "state/replacement.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
 #include "util/flags.h"
@@ -137,6 +138,7 @@ void release(Context *context) {
     return;
   logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
   noteContextDestroyed(*context);
+  captureContextGone(*context);
   delete context;
 }
 
@@ -146,6 +148,7 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
   auto *const context =
       new Context(provider, table, share ? share->group : std::make_shared<ShareGroup>());
   noteContextCreated(*context);
+  captureContextMade(*context);
   logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
           share ? ", shared" : "");
   return context;
@@ -192,8 +195,11 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
 }
 
 void frameEnd(Context *context) {
-  if (context)
-    ++context->frames;
+  if (!context)
+    return;
+  captureFrame(*context);
+  ++context->frames;
+  refreshReplacements(*context);
 }
 
 } // namespace arbiter::state

@@ -11,6 +11,7 @@
 #include "host/null_host.h"
 #include "state/ati_recorder.h"
 #include "state/attrib_stack.h"
+#include "state/capture.h"
 #include "state/current.h"
 #include "state/host_assembly.h"
 #include "state/host_caps.h"
@@ -40,6 +41,7 @@ inline constexpr std::uint32_t kCompare = 16; ///< stays: a plain texture target
 inline constexpr std::uint32_t kInvalid = 32; ///< stays: draws are errors
 inline constexpr std::uint32_t kShared = 64;  ///< stays: another context may load a program
 inline constexpr std::uint32_t kList = 128;   ///< stays: a display list is being compiled
+inline constexpr std::uint32_t kWatch = 256;  ///< stays: no frame ends here at which files are seen
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
@@ -119,6 +121,8 @@ public:
   AttribStack attribStack;
   ListCompiler list;
   int listDepth = 0; ///< nested calls of lists that hold our commands
+
+  CaptureInForce inForce; ///< while there is a capture
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

@@ -10,6 +10,7 @@
 #include "state/errors.h"
 #include "state/fixed_function.h"
 #include "state/program_api.h"
+#include "state/replacement.h"
 #include "state/share_group.h"
 
 namespace arbiter::state {
@@ -137,10 +138,13 @@ std::uint32_t stickyAttention(const Context &context) {
                     context.row(Target::AtiApi).enabled;
   if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
+  if (ours && replacing() && context.frames == 0)
+    bits |= attention::kWatch;
   return bits;
 }
 
-void select(Context &context) {
+/// Brings what is in force into the host.
+void install(Context &context) {
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
   if (context.path == Path::HostAssembly)
@@ -150,6 +154,12 @@ void select(Context &context) {
   context.hostAssembly.release(context);
   context.host->UseProgram(context.variant->hostProgram);
   context.hostProgramIsOurs = true;
+}
+
+void select(Context &context) {
+  captureLeave(context);
+  install(context);
+  captureEnter(context);
 }
 
 /// Another context loaded a program, or set a local parameter, that draws here use.
@@ -184,6 +194,8 @@ bool validate(Context &context) {
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
     context.attention |= attention::kProgram;
+  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
+    refreshReplacements(context);
   if ((context.attention & attention::kProgram) != 0)
     select(context);
   const std::uint32_t sticky = stickyAttention(context);

@@ -19,7 +19,7 @@ GLuint load(Context &context, const CompiledProgram &compiled) {
   host.GenProgramsARB(1, &name);
   host.BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, name);
   host.ProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB,
-                        GLsizei(compiled.text.size()), compiled.text.data());
+                        GLsizei(compiled.source().size()), compiled.source().data());
   if (!scope.failed())
     return name;
   logError("state", "the host's own compiler refuses program %s", toHex(compiled.hash).c_str());

@@ -9,6 +9,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/unit_scope.h"
 
 namespace arbiter::state {
 
@@ -17,28 +18,6 @@ namespace {
 using fp::ir::MatrixModifier;
 using fp::ir::StateItem;
 using fp::ir::StateRef;
-
-/// Selects a texture unit for queries that have no unit of their own, and puts the old one back.
-class UnitScope {
-public:
-  UnitScope(const host::HostTable &host, GLuint unit) : m_host(host) {
-    m_host.GetIntegerv(GL_ACTIVE_TEXTURE, &m_previous);
-    m_changed = GLuint(m_previous) != GL_TEXTURE0 + unit;
-    if (m_changed)
-      m_host.ActiveTexture(GL_TEXTURE0 + unit);
-  }
-  ~UnitScope() {
-    if (m_changed)
-      m_host.ActiveTexture(GLenum(m_previous));
-  }
-  UnitScope(const UnitScope &) = delete;
-  UnitScope &operator=(const UnitScope &) = delete;
-
-private:
-  const host::HostTable &m_host;
-  GLint m_previous = GL_TEXTURE0;
-  bool m_changed = false;
-};
 
 glm::mat4 getMatrix(const host::HostTable &host, GLenum pname) {
   glm::mat4 matrix(1.0f);

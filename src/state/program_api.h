@@ -8,6 +8,8 @@
 /// replayed from a display list. Arguments that list compilation does not check are checked here.
 namespace arbiter::state {
 
+struct Replacement;
+
 /// True where a command of ours may run. Inside Begin/End it raises INVALID_OPERATION (2.6.3).
 [[nodiscard]] bool outsideBeginEnd(Context &context, const char *command);
 /// Marks that the share group uses a program target: lists are cut from now on.
@@ -17,6 +19,15 @@ void invalidateProgram(Context &context);
 
 /// ProgramString's format and length; false after an error.
 [[nodiscard]] bool checkProgramString(Context &context, GLenum format, GLsizei length);
+/// What the compiler is told for programs of the target.
+[[nodiscard]] fp::CompileOptions compileOptions(const ProgramTarget &row);
+/// What an object holds after a load of `text`: the GLSL of a valid replacement or else of the text
+/// itself, with the answers that the application expects.
+/// \param own of the text; \param replacement null where there is none
+/// \returns null where neither is valid.
+[[nodiscard]] std::shared_ptr<const CompiledProgram>
+compileProgram(const Context &context, Target target, std::string_view text,
+               const fp::CheckResult &own, const Replacement *replacement);
 /// ProgramString (3.11.1) into `object`, in the language of its target.
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string);

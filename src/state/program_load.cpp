@@ -6,8 +6,10 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/ati_forms.h"
+#include "state/capture.h"
 #include "state/errors.h"
 #include "state/program_api.h"
+#include "state/replacement.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
 #include "util/flags.h"
@@ -27,8 +29,6 @@ bool checkProgramString(Context &context, GLenum format, GLsizei length) {
   return true;
 }
 
-namespace {
-
 fp::CompileOptions compileOptions(const ProgramTarget &row) {
   fp::CompileOptions options;
   options.limits = row.limits;
@@ -36,14 +36,43 @@ fp::CompileOptions compileOptions(const ProgramTarget &row) {
   return options;
 }
 
-} // namespace
-
 fp::GlslHost glslHost(const HostCaps &caps) {
   fp::GlslHost host;
   host.textureRectangle = caps.textureRectangle;
   host.fragCoordConventions = caps.fragCoordConventions;
   host.drawBuffers = caps.drawBuffers;
   return host;
+}
+
+std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Target target,
+                                                      std::string_view text,
+                                                      const fp::CheckResult &own,
+                                                      const Replacement *replacement) {
+  const bool replaced = replacement && replacement->result.ok();
+  const fp::CheckResult &source = replaced ? replacement->result : own;
+  if (!source.ok())
+    return nullptr;
+  // The application hears of its own program, if that is one at all.
+  const fp::CheckResult &answers = own.ok() ? own : source;
+  auto compiled = std::make_shared<CompiledProgram>();
+  compiled->target = target;
+  compiled->text = text;
+  compiled->hash = hashBytes(text);
+  if (replaced)
+    compiled->replacement = replacement->text;
+  compiled->warnings = own.ok() ? own.errorString(text) : std::string();
+  compiled->counts = answers.counts;
+  compiled->nativeCounts = answers.nativeCounts;
+  compiled->underNativeLimits = answers.underNativeLimits;
+  if (infoOf(target).language == fp::ir::Language::AtiFragment)
+    compiled->ati = std::make_shared<const AtiForms>(*source.program, glslHost(context.caps));
+  else
+    compiled->glsl = fp::emitGlsl(*source.program, glslHost(context.caps));
+  if (debugFlag(DebugFlag::Ir))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));
+  if (debugFlag(DebugFlag::Glsl))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), compiled->glsl.text);
+  return compiled;
 }
 
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
@@ -61,37 +90,32 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
   }
 
   const ProgramTarget &row = context.row(object.target);
-  const fp::CheckResult result = fp::checkProgram(row.info().language, text, compileOptions(row));
+  const fp::CompileOptions options = compileOptions(row);
+  const fp::CheckResult result = fp::checkProgram(row.info().language, text, options);
   context.errorPosition = result.errorPosition();
   context.errorString = result.errorString(text);
-  noteLoadedProgram(context, object, text, result);
   if (debugFlag(DebugFlag::Text))
     logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
-  if (!result.ok()) {
+  std::optional<Replacement> replacement;
+  if (replacing())
+    replacement = findReplacement(object.target, hashBytes(text), options);
+  std::shared_ptr<const CompiledProgram> compiled =
+      compileProgram(context, object.target, text, result, replacement ? &*replacement : nullptr);
+  noteLoadedProgram(context, object, text, result);
+  captureLoad(context, object, text, result, compiled.get());
+  if (!compiled) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,
             context.errorString.c_str());
     return raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
   }
 
-  if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report
+  if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report, or replaced
     logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
             context.errorString.c_str());
-  auto compiled = std::make_shared<CompiledProgram>();
-  compiled->target = object.target;
-  compiled->text = text;
-  compiled->hash = hashBytes(text);
-  compiled->warnings = context.errorString;
-  compiled->counts = result.counts;
-  compiled->nativeCounts = result.nativeCounts;
-  compiled->underNativeLimits = result.underNativeLimits;
-  if (row.info().language == fp::ir::Language::AtiFragment)
-    compiled->ati = std::make_shared<const AtiForms>(*result.program, glslHost(context.caps));
-  else
-    compiled->glsl = fp::emitGlsl(*result.program, glslHost(context.caps));
-  if (debugFlag(DebugFlag::Ir))
-    logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*result.program));
-  if (debugFlag(DebugFlag::Glsl))
-    logText(LogLevel::Debug, "state", toHex(compiled->hash), compiled->glsl.text);
+  if (!result.ok()) { // only its replacement is valid
+    context.errorPosition = -1;
+    context.errorString.clear();
+  }
   context.group->setCompiled(object, std::move(compiled));
   if (row.bound.get() == &object)
     invalidateProgram(context);

@@ -31,8 +31,10 @@ class AtiForms;
 /// contexts of a share group read it without a lock.
 struct CompiledProgram {
   Target target = Target::Fragment; ///< whose env and local parameters it reads
-  std::string text;
-  Hash128 hash;
+  std::string text;                 ///< the application's
+  Hash128 hash;                     ///< of `text`
+  /// What was compiled in place of `text` (ARBITER_REPLACE); empty: nothing was.
+  std::string replacement;
   std::string warnings; ///< PROGRAM_ERROR_STRING_ARB after the load
   fp::ResourceCounts counts;
   fp::ResourceCounts nativeCounts;
@@ -40,6 +42,10 @@ struct CompiledProgram {
   fp::GlslShader glsl;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
   std::shared_ptr<const AtiForms> ati;
+
+  [[nodiscard]] bool replaced() const { return !replacement.empty(); }
+  /// The text that was compiled.
+  [[nodiscard]] const std::string &source() const { return replaced() ? replacement : text; }
 };
 
 /// A local parameter. Contexts of a share group may write and read it at once, without a lock: the

@@ -62,6 +62,14 @@ std::shared_ptr<const CompiledProgram> ShareGroup::compiledOf(const ProgramObjec
   return object.compiled;
 }
 
+std::vector<std::shared_ptr<ProgramObject>> ShareGroup::objects() {
+  const std::lock_guard lock(m_mutex);
+  std::vector<std::shared_ptr<ProgramObject>> all(m_defaults.begin(), m_defaults.end());
+  for (const auto &[name, object] : m_objects)
+    all.push_back(object);
+  return all;
+}
+
 void ShareGroup::setDefaultLocals(Target target, std::size_t count) {
   const std::lock_guard lock(m_mutex);
   std::vector<LocalParameter> &locals = defaultProgram(target)->locals;

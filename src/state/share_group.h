@@ -34,6 +34,8 @@ public:
   [[nodiscard]] bool contains(GLuint name);
   /// A name that nobody uses, where the host has no GenPrograms.
   [[nodiscard]] GLuint takeName();
+  /// Every object of the group, at this moment.
+  [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects();
   void setCompiled(ProgramObject &object, std::shared_ptr<const CompiledProgram> compiled);
   [[nodiscard]] std::shared_ptr<const CompiledProgram> compiledOf(const ProgramObject &object);
   /// Object 0 of the target: starts empty, hence invalid (AFP 4691).
@@ -80,6 +82,8 @@ public:
   std::atomic<bool> hostListsChangeProgram{false};
   std::atomic<bool> hostListsUnbalanced{false};
   std::atomic<int> contexts{0};
+  /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
+  std::atomic<std::uint64_t> replacementsSeen{0};
 
 private:
   std::mutex m_mutex;

@@ -16,16 +16,22 @@ namespace arbiter::state {
 struct TargetInfo {
   GLenum name; ///< as Enable takes it, and every entry point of the program API (not AtiApi's)
   fp::ir::Language language;
-  const char *word; ///< in statistics and logs
+  const char *word;      ///< in statistics and logs
+  const char *extension; ///< of a text's file name; empty: has no text
 };
 inline constexpr TargetInfo kTargets[kTargetCount] = {
-    {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment"},
-    {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex"},
-    {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment"},
-    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api"},
+    {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment", ".fp"},
+    {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex", ".vp"},
+    {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
+    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
+}
+
+/// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".
+[[nodiscard]] inline std::string textFileName(Target target, const Hash128 &hash) {
+  return toHex(hash) + infoOf(target).extension;
 }
 
 /// A program target of a context: one row of Context::targets. All that the program API keeps for a

@@ -152,8 +152,10 @@ void VariantCache::drop(Context &context, const CompiledProgram *compiled) {
   const auto it = m_map->find(compiled);
   if (it == m_map->end())
     return;
-  if (context.variant == it->second.get())
+  if (context.variant == it->second.get()) {
+    captureLeave(context); // it holds the parameters of its last draw
     context.variant = nullptr;
+  }
   destroy(context, *it->second);
   m_map->erase(it);
 }

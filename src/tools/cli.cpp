@@ -24,6 +24,7 @@ struct Arguments {
   CompileArguments compile;
   DrawArguments draw;
   RunArguments run;
+  CaptureArguments capture;
   ProfilesArguments profiles;
 };
 
@@ -101,6 +102,9 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
                      "write statistics as JSON at exit; %p becomes the process id");
   command.add_option("--log", layer.log, "off, error, warn, info, debug, FILE or LEVEL:FILE");
   command.add_option("--debug", layer.debug, "debug flags, separated by commas; help lists them");
+  command.add_option("--replace", layer.replace,
+                     "a folder of texts named by hash (as capture writes them) that are loaded in "
+                     "place of the application's, and again when a file changes");
   command.add_option("--host-vendor", layer.hostVendor,
                      "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   command.add_option("--library", layer.library, "the layer's library, where it is not beside us");
@@ -159,6 +163,27 @@ void addRun(CLI::App &app, RunArguments &run) {
                   "  eval \"$(arbiter run --print-environment --limits report)\"");
 }
 
+void addCapture(CLI::App &app, CaptureArguments &capture) {
+  CLI::App *command = app.add_subcommand(
+      "capture", "Run a command under the layer and keep each program that it loads:\n"
+                 "arbiter capture [-o DIR] [OPTIONS] [--] COMMAND [ARGUMENTS...]");
+  command->add_option("-o,--output", capture.folder,
+                      "the folder to write; COMMAND.capture by default");
+  command->add_flag("--index-only", capture.indexOnly,
+                    "run nothing: make the index of the folder anew");
+  addLayer(*command, capture.layer);
+  command->prefix_command();
+  command->footer("The folder gets HASH.fp, .vp or .atifs for each text, its GLSL, a shader_test "
+                  "for piglit, index.json and index.html. Edit a text there, and\n"
+                  "  arbiter run --replace DIR -- COMMAND\n"
+                  "loads it in place of the application's, while it runs too.\n"
+                  "Exit code: that of COMMAND, or 128 and the signal that ended it; 1 usage or a "
+                  "file; 126 COMMAND cannot be executed; 127 there is no such command.\n"
+                  "Examples:\n"
+                  "  arbiter capture -o game.capture -- ./game\n"
+                  "  arbiter capture --index-only -o game.capture");
+}
+
 void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   CLI::App *command =
       app.add_subcommand("profiles", "List the hardware profiles, or print one with its sources");
@@ -166,9 +191,9 @@ void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   command->footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
 }
 
-/// What stands behind the first "--" of `run` is the command, whatever it looks like.
+/// What stands behind the first "--" of `run` and `capture` is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
-  if (words.empty() || words[0] != "run")
+  if (words.empty() || (words[0] != "run" && words[0] != "capture"))
     return {};
   const auto mark = std::find(words.begin(), words.end(), "--");
   if (mark == words.end())
@@ -178,24 +203,45 @@ std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   return command;
 }
 
-int runCommand(const CLI::App &app, Arguments &arguments, std::vector<std::string> command) {
-  const std::vector<std::string> rest = app.get_subcommand("run")->remaining();
-  if (command.empty())
+/// The command of `run` or `capture`: what stood behind "--", or the words that no option took.
+/// \returns false after a complaint.
+bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::string> &command) {
+  const std::vector<std::string> rest = subcommand.remaining();
+  const std::string help = " (arbiter " + subcommand.get_name() + " --help)";
+  if (command.empty()) {
     command = rest;
-  else if (!rest.empty()) {
+  } else if (!rest.empty()) {
     complain("unexpected " + rest[0] + " before --");
-    return kExitUsage;
+    return false;
   }
   if (!command.empty() && command[0].starts_with("-")) {
-    complain("no option " + command[0] + " (arbiter run --help)");
+    complain("no option " + command[0] + help);
+    return false;
+  }
+  if (command.empty() && !optional) {
+    complain("no command to run" + help);
+    return false;
+  }
+  return true;
+}
+
+int runCommand(const CLI::App &app, RunArguments &arguments, std::vector<std::string> command) {
+  if (!takeCommand(*app.get_subcommand("run"), arguments.printEnvironment, command))
+    return kExitUsage;
+  arguments.command = std::move(command);
+  return run(arguments);
+}
+
+int captureCommand(const CLI::App &app, CaptureArguments &arguments,
+                   std::vector<std::string> command) {
+  if (!takeCommand(*app.get_subcommand("capture"), arguments.indexOnly, command))
+    return kExitUsage;
+  if (arguments.indexOnly && (arguments.folder.empty() || !command.empty())) {
+    complain("--index-only takes a folder (-o DIR) and no command");
     return kExitUsage;
   }
-  if (command.empty() && !arguments.run.printEnvironment) {
-    complain("no command to run (arbiter run --help)");
-    return kExitUsage;
-  }
-  arguments.run.command = std::move(command);
-  return run(arguments.run);
+  arguments.command = std::move(command);
+  return capture(arguments);
 }
 
 int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string> command,
@@ -208,7 +254,9 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return draw(arguments.draw, argv);
   if (app.got_subcommand("profiles"))
     return profiles(arguments.profiles);
-  return runCommand(app, arguments, std::move(command));
+  if (app.got_subcommand("capture"))
+    return captureCommand(app, arguments.capture, std::move(command));
+  return runCommand(app, arguments.run, std::move(command));
 }
 
 /// CLI11 takes an unknown subcommand for a missing one.
@@ -237,6 +285,7 @@ int interpret(int argc, char **argv) {
   addCompile(app, arguments.compile);
   addDraw(app, arguments.draw);
   addRun(app, arguments.run);
+  addCapture(app, arguments.capture);
   addProfiles(app, arguments.profiles);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
 

@@ -48,6 +48,8 @@ struct LayerArguments {
   std::string log;
   std::string debug;
   std::string hostVendor;
+  std::string capture; ///< a folder that exists when the command starts
+  std::string replace; ///< likewise
 };
 
 struct RunArguments {
@@ -56,6 +58,15 @@ struct RunArguments {
   std::vector<std::string> command;
 };
 [[nodiscard]] int run(const RunArguments &arguments);
+
+struct CaptureArguments {
+  LayerArguments layer;
+  std::string folder;     ///< empty: named for the command
+  bool indexOnly = false; ///< make the index of a folder anew, run nothing
+  std::vector<std::string> command;
+};
+/// Runs the command and makes an index of the programs that it loaded.
+[[nodiscard]] int capture(const CaptureArguments &arguments);
 
 struct DrawArguments {
   LayerArguments layer;

@@ -147,6 +147,14 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     environment.push_back({ARBITER_ENV_EXTENSIONS_MAX_LENGTH, arguments.extensionsMaxLength});
   if (!arguments.stats.empty())
     environment.push_back({ARBITER_ENV_STATS, absolutePath(arguments.stats)});
+  if (!arguments.capture.empty())
+    environment.push_back({ARBITER_ENV_CAPTURE, absolutePath(arguments.capture)});
+  if (!arguments.replace.empty()) {
+    std::error_code error;
+    if (!fs::is_directory(arguments.replace, error))
+      return LaunchError{arguments.replace + ": no such folder"};
+    environment.push_back({ARBITER_ENV_REPLACE, absolutePath(arguments.replace)});
+  }
   if (!arguments.log.empty())
     environment.push_back({ARBITER_ENV_LOG, absoluteLog(arguments.log)});
   if (!arguments.debug.empty())

@@ -141,6 +141,8 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::Limits &limi
 
 } // namespace
 
+std::span<const ResourceRow> resourceRows() { return kRows; }
+
 std::string asText(const CheckedFile &file, const fp::hw::Profile &profile, bool brief) {
   std::string text;
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {

@@ -32,6 +32,8 @@ struct ResourceRow {
   }
 };
 
+[[nodiscard]] std::span<const ResourceRow> resourceRows();
+
 /// Diagnostics ("file:line:col: error: text [ID]" and, unless brief, source, caret and hint), then
 /// the counts against the limits.
 [[nodiscard]] std::string asText(const CheckedFile &file, const fp::hw::Profile &profile,

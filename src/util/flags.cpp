@@ -209,6 +209,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readIdentity(reader, result);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
+  result.capturePath = reader.read(Env::Capture);
+  result.replacePath = reader.read(Env::Replace);
   result.statsPath = reader.read(Env::Stats);
   result.hostOsmesa = reader.read(Env::HostOsmesa);
   if (const std::string_view profile = reader.read(Env::Profile); !profile.empty())

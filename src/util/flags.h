@@ -44,6 +44,8 @@ struct Settings {
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
   std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length
   std::string statsPath;                 ///< empty: none; expandPid() is still to be applied
+  std::string capturePath;               ///< a folder; empty: no capture
+  std::string replacePath;               ///< a folder; empty: no replacement
   LogLevel logLevel = LogLevel::Warn;
   std::string logPath;     ///< empty: standard error
   std::string hostVendor;  ///< empty: libglvnd's own choice

@@ -47,6 +47,8 @@ TEST(Settings, ReadsEveryVariable) {
   const Parsed parsed = parse({{"ARBITER_PROFILE", "nv30"},
                                {"ARBITER_LIMITS", "report"},
                                {"ARBITER_STATS", "/tmp/s-%p.json"},
+                               {"ARBITER_CAPTURE", "/tmp/capture"},
+                               {"ARBITER_REPLACE", "/tmp/edited"},
                                {"ARBITER_LOG", "debug:/tmp/log"},
                                {"ARBITER_DEBUG", "glsl,,text"},
                                {"ARBITER_HOST_VENDOR", "mesa"},
@@ -55,6 +57,8 @@ TEST(Settings, ReadsEveryVariable) {
   EXPECT_EQ(parsed.settings.profile, "nv30");
   EXPECT_FALSE(parsed.settings.enforceLimits);
   EXPECT_EQ(parsed.settings.statsPath, "/tmp/s-%p.json");
+  EXPECT_EQ(parsed.settings.capturePath, "/tmp/capture");
+  EXPECT_EQ(parsed.settings.replacePath, "/tmp/edited");
   EXPECT_EQ(parsed.settings.logLevel, LogLevel::Debug);
   EXPECT_EQ(parsed.settings.logPath, "/tmp/log");
   EXPECT_TRUE(parsed.settings.has(DebugFlag::Glsl));

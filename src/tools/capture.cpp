@@ -1,0 +1,158 @@
+#include "tools/capture_index.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tools/capture_page.h"
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/launch.h"
+#include "tools/shader_test.h"
+#include "util/file.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// COMMAND.capture, or the first of COMMAND.capture-2, -3, ... that is free.
+std::string freeFolder(const std::string &command) {
+  const std::string base = fs::path(command).filename().string() + ".capture";
+  std::error_code error;
+  std::string name = base;
+  for (int i = 2; fs::exists(fs::symlink_status(name, error)); ++i)
+    name = base + "-" + std::to_string(i);
+  return name;
+}
+
+/// \returns an empty string, or why texts cannot be captured there.
+std::string prepareFolder(const std::string &folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    if (!fs::create_directory(folder, error))
+      return folder + ": " + (error ? error.message() : std::string("exists and is no folder"));
+    // Texts and command lines are their owner's business.
+    fs::permissions(folder, fs::perms::owner_all, error);
+    return {};
+  }
+  const std::vector<std::string> edited = editedTexts(folder);
+  if (!edited.empty())
+    return edited[0] + " is edited, and a capture would mistake it for the application's text; "
+                       "name another folder with -o";
+  for (const auto &entry : fs::directory_iterator(folder, error))
+    if (const std::string name = entry.path().filename();
+        name.starts_with("process-") && name.ends_with(".json"))
+      return folder + " holds a capture; name another folder with -o, or remove it";
+  return error ? folder + ": " + error.message() : std::string();
+}
+
+volatile std::sig_atomic_t g_child = 0;
+
+void forward(int signal) {
+  if (g_child > 0)
+    ::kill(pid_t(g_child), signal);
+}
+
+/// Runs the command and waits for it: its exit code, or 128 and the signal that ended it. What a
+/// terminal sends to the whole group is left to the command; what is sent to us alone is passed on.
+int runAndWait(const std::vector<Assignment> &environment,
+               const std::vector<std::string> &command) {
+  struct sigaction ignore = {}, pass = {};
+  ignore.sa_handler = SIG_IGN;
+  pass.sa_handler = forward;
+  struct sigaction interrupt = {}, quit = {};
+  ::sigaction(SIGINT, &ignore, &interrupt);
+  ::sigaction(SIGQUIT, &ignore, &quit);
+  const pid_t child = ::fork();
+  if (child < 0) {
+    complain(std::string("fork: ") + std::strerror(errno));
+    return kExitInternal;
+  }
+  if (child == 0) {
+    ::sigaction(SIGINT, &interrupt, nullptr);
+    ::sigaction(SIGQUIT, &quit, nullptr);
+    ::_exit(execute(environment, command));
+  }
+  g_child = child;
+  ::sigaction(SIGTERM, &pass, nullptr);
+  ::sigaction(SIGHUP, &pass, nullptr);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  g_child = 0;
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+bool write(const std::string &path, const std::string &text) {
+  if (replacePrivateFile(path, text))
+    return true;
+  complain(path + ": " + std::strerror(errno));
+  return false;
+}
+
+/// Makes the index of what the folder holds. \returns false if a file cannot be written.
+bool assemble(const std::string &folder) {
+  const CaptureIndex index = readCapture(folder);
+  for (const std::string &fault : index.faults)
+    complain(fault);
+  if (index.programs.empty() && index.processes.empty())
+    complain("no process made a GL context that the layer saw (docs/debugging.md)");
+  bool good = true;
+  std::size_t refused = 0;
+  for (const CapturedProgram &program : index.programs) {
+    refused += program.error.empty() ? 0 : 1;
+    std::string reason;
+    const std::string test = shaderTest(program, reason);
+    if (!test.empty())
+      good = write(folder + "/" + program.file() + ".shader_test", test) && good;
+  }
+  good = write(folder + "/index.json", indexJson(index)) && good;
+  good = write(folder + "/index.html", indexPage(index)) && good;
+  if (good)
+    std::fprintf(stderr,
+                 "arbiter: programs: %zu, refused: %zu, processes: %zu; see %s/index.html\n",
+                 index.programs.size(), refused, index.processes.size(), folder.c_str());
+  return good;
+}
+
+} // namespace
+
+int capture(const CaptureArguments &arguments) {
+  std::error_code error;
+  if (arguments.indexOnly) {
+    if (fs::is_directory(arguments.folder, error))
+      return assemble(arguments.folder) ? kExitOk : kExitUsage;
+    complain(arguments.folder + ": no such folder");
+    return kExitUsage;
+  }
+  LayerArguments layer = arguments.layer;
+  layer.capture = arguments.folder.empty() ? freeFolder(arguments.command[0]) : arguments.folder;
+  const auto files = findLayer(layer.library);
+  if (!files) {
+    complain(files.error().message);
+    return kExitUsage;
+  }
+  const auto environment = layerEnvironment(files.value(), layer);
+  if (!environment) {
+    complain(environment.error().message);
+    return kExitUsage;
+  }
+  if (const std::string fault = prepareFolder(layer.capture); !fault.empty()) {
+    complain(fault);
+    return kExitUsage;
+  }
+  const int code = runAndWait(environment.value(), arguments.command);
+  if (fs::remove(layer.capture, error)) { // it was empty
+    complain("nothing was captured: no process made a GL context that the layer saw");
+    return code;
+  }
+  return assemble(layer.capture) ? code : kExitUsage;
+}
+
+} // namespace arbiter::tools

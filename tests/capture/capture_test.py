@@ -1,0 +1,260 @@
+#!/usr/bin/env python3
+"""`arbiter capture` and `arbiter run --replace` on real clients: what the folder holds, that its tests
+run under piglit, and that an edited text is drawn, while the application runs too.
+
+usage: capture_test.py ARBITER LIGHTING LIFE TICKER [unittest arguments]
+TICKER draws again and again and prints the colour that it finds; see ticker.cpp.
+"""
+import contextlib
+import html.parser
+import json
+import os
+import pathlib
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ARBITER, LIGHTING, LIFE, TICKER = (os.path.abspath(path) for path in sys.argv[1:5])
+SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
+RED = b'!!ARBfp1.0\nMOV result.color, {1, 0, 0, 1};\nEND\n'
+BLUE = b'!!ARBfp1.0\n# of another length\nMOV result.color, {0, 0, 1, 1};\nEND\n'
+WRONG = b'!!ARBfp1.0\nMOV result.color, nothing;\nEND\n'
+
+
+def environment(**more):
+    clean = {name: value for name, value in os.environ.items()
+             if not name.startswith('ARBITER_') and name not in ('LD_PRELOAD', 'LD_LIBRARY_PATH')}
+    return {**clean, 'LIBGL_ALWAYS_SOFTWARE': '1', **more}
+
+
+def run(*words, **more):
+    return subprocess.run([str(word) for word in words], env=environment(**more), timeout=120,
+                          capture_output=True, text=True, errors='replace')
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix='arbiter-capture-')
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name) / 'folder'
+
+    def capture(self, *command, code=0):
+        result = run(ARBITER, 'capture', '-o', self.folder, '--', *command)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return json.loads((self.folder / 'index.json').read_text())
+
+
+class Page(html.parser.HTMLParser):
+    """Fails on what is fetched from elsewhere; keeps the text."""
+
+    def __init__(self):
+        super().__init__()
+        self.text, self.outside, self.open = '', [], []
+
+    def handle_starttag(self, tag, attributes):
+        self.outside += [value for name, value in attributes
+                         if name in ('src', 'href') and value and '//' in value]
+
+    def handle_data(self, data):
+        self.text += data
+
+
+class Capture(Folder):
+    def test_the_index_says_what_was_drawn(self):
+        index = self.capture(LIGHTING, '--headless', '--size', '32x32', '--frames', '3')
+        self.assertEqual(index['schema'], 1)
+        self.assertEqual([p['complete'] for p in index['processes']], [True])
+        program, = index['programs']
+        text = (self.folder / program['file']).read_bytes()
+        self.assertTrue(text.startswith(b'!!ARBfp1.0'))
+        self.assertEqual(len(text), program['bytes'])
+        checked = json.loads(run(ARBITER, 'check', '--json', self.folder / program['file']).stdout)
+        self.assertEqual(checked['files'][0]['hash'], program['hash'])
+        self.assertEqual((program['target'], program['loads'], program['draws']),
+                         ('fragment', 1, 3))
+        self.assertEqual(program['path'], 'host-glsl')
+        self.assertIsNone(program['error'])
+        for name, row in checked['files'][0]['counts'].items():
+            self.assertEqual(program['counts'][name], row['used'], name)
+        self.assertIn('#version 120', program['glsl'])
+        self.assertEqual([(t['unit'], t['target'], t['width'], t['format'])
+                          for t in program['textures']],
+                         [(0, '2D', 32, 'RGBA8'), (1, '2D', 32, 'RGBA8')])
+        self.assertEqual([p['name'] for p in program['parameters']],
+                         [f'program.local[{i}]' for i in range(3)])
+
+    def test_parameters_are_those_of_the_last_draw(self):
+        index = self.capture(TICKER, '--frames', '3')
+        program = next(p for p in index['programs'] if p['draws'])
+        # It sets local[0].x to the frame's number before each draw, and to 99 after it.
+        self.assertEqual(program['parameters'],
+                         [{'name': 'program.local[0]', 'value': [2, 0, 0, 0]}])
+        self.assertEqual((program['draws'], program['frames']), (3, 1))
+
+    def test_a_refused_text_with_bytes_that_are_not_utf_8(self):
+        index = self.capture(TICKER, '--frames', '1')
+        program = next(p for p in index['programs'] if p['error'])
+        self.assertIn(b'\xe9', (self.folder / program['file']).read_bytes())
+        self.assertEqual((program['error']['line'], program['error']['column']), (3, 19))
+        self.assertIn("'missing' is not declared", program['error']['text'])
+        page = Page()
+        page.feed((self.folder / 'index.html').read_text())  # strict UTF-8
+        self.assertEqual(page.outside, [])
+        self.assertIn("'missing' is not declared", page.text)
+        self.assertIn('\\xE9', page.text)
+        self.assertIn(program['hash'][:12], page.text)
+
+    def test_several_processes_are_merged(self):
+        twice = f'"{LIGHTING}" --headless --size 8x8 --frames 2'
+        index = self.capture('sh', '-c', f'{twice}; {twice}; "{LIFE}" --headless --size 32x32 '
+                             '--frames 1 --form packed')
+        self.assertEqual(len(index['processes']), 3)
+        program = next(p for p in index['programs'] if len(p['processes']) == 2)
+        self.assertEqual((program['loads'], program['draws']), (2, 4))
+        self.assertGreater(len(index['programs']), 1)
+
+    def test_a_process_that_is_killed_leaves_what_it_loaded(self):
+        with subprocess.Popen([ARBITER, 'capture', '-o', self.folder, '--', TICKER], text=True,
+                              stdout=subprocess.PIPE, env=environment()) as process:
+            process.stdout.readline()  # it has drawn
+            pid = int(next(self.folder.glob('process-*.json')).name.split('-')[1])
+            os.kill(pid, signal.SIGKILL)
+            self.assertEqual(process.wait(60), 128 + signal.SIGKILL)
+        index = json.loads((self.folder / 'index.json').read_text())
+        self.assertEqual([p['complete'] for p in index['processes']], [False])
+        self.assertEqual(sorted(p['error'] is None for p in index['programs']), [False, True])
+        self.assertEqual([p.name for p in self.folder.glob('*.tmp')], [])
+
+    def test_a_record_that_is_damaged_or_lost_leaves_the_texts(self):
+        self.capture(LIGHTING, '--headless', '--size', '8x8', '--frames', '1')
+        record, = self.folder.glob('process-*.json')
+        for damage in (lambda: record.write_text(record.read_text()[:700]),
+                       lambda: record.write_text('{"schema": 1, "programs": 7}'), record.unlink):
+            damage()
+            again = run(ARBITER, 'capture', '--index-only', '-o', self.folder)
+            self.assertEqual(again.returncode, 0, again.stderr)
+            program, = json.loads((self.folder / 'index.json').read_text())['programs']
+            self.assertEqual(program['counts']['alu_instructions'], 24)
+
+    def test_links_and_files_of_others_stay(self):
+        self.folder.mkdir()
+        self.capture(TICKER, '--frames', '1')
+        name = next(self.folder.glob('*.fp')).name
+        for path in self.folder.iterdir():
+            path.unlink()
+        victim = self.folder.parent / 'victim'
+        victim.write_text('precious')
+        (self.folder / 'index.json').symlink_to(victim)
+        (self.folder / name).symlink_to(victim)
+        run(ARBITER, 'capture', '-o', self.folder, '--', TICKER, '--frames', '1')
+        self.assertEqual(victim.read_text(), 'precious')
+
+    @unittest.skipUnless(SHADER_RUNNERS, 'piglit is not installed')
+    def test_shader_tests_run(self):
+        index = self.capture(LIGHTING, '--headless', '--size', '32x32', '--frames', '1')
+        test = self.folder / (index['programs'][0]['file'] + '.shader_test')
+        for front in ((), (ARBITER, 'run', '--')):
+            result = run(*front, SHADER_RUNNERS[0], test, '-auto', '-fbo',
+                         PIGLIT_PLATFORM='surfaceless_egl')
+            self.assertIn('"result": "pass"', result.stdout, result.stderr)
+
+
+@contextlib.contextmanager
+def ticking(folder, *options):
+    """A TICKER under replacement; gives a function that waits until it has drawn a colour."""
+    with subprocess.Popen([ARBITER, 'run', '--replace', folder, *options, '--', TICKER],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          env=environment()) as process:
+        rest = last = b''
+
+        def waits_for(colour, seconds=20):
+            nonlocal rest, last
+            end = time.monotonic() + seconds
+            while time.monotonic() < end:
+                if select.select([process.stdout], [], [], 0.1)[0]:
+                    rest += os.read(process.stdout.fileno(), 4096)
+                    lines = rest.split(b'\n')
+                    rest = lines.pop()
+                    if b'unlike' in b' '.join(lines):
+                        raise AssertionError('the application noticed')
+                    last = lines[-1] if lines else last
+                if last == colour:
+                    return True
+            return False
+
+        try:
+            yield waits_for, process
+        finally:
+            process.terminate()
+
+
+class Replace(Folder):
+    """TICKER's own program draws green."""
+
+    def put(self, name, text):
+        (self.folder / (name + '.new')).write_bytes(text)
+        os.replace(self.folder / (name + '.new'), self.folder / name)  # as editors do
+
+    def test_an_edit_is_drawn_while_the_application_runs(self):
+        index = self.capture(TICKER, '--frames', '1')
+        name = next(p['file'] for p in index['programs'] if p['draws'])
+        own = (self.folder / name).read_bytes()
+        with ticking(self.folder) as (waits_for, process):
+            self.assertTrue(waits_for(b'0 255 0'))
+            self.put(name, RED)
+            self.assertTrue(waits_for(b'255 0 0'), 'the edit was not seen')
+            with open(self.folder / name, 'wb') as file:  # in place
+                file.write(BLUE)
+            self.assertTrue(waits_for(b'0 0 255'))
+            self.put(name, WRONG)
+            end = time.monotonic() + 20
+            log = b''
+            while b'undeclared-name' not in log and time.monotonic() < end:
+                if select.select([process.stderr], [], [], 0.1)[0]:
+                    log += os.read(process.stderr.fileno(), 4096)
+                waits_for(b'', 0.05)
+            self.assertIn(f'{self.folder}/{name}:2:19: error: '.encode(), log)
+            self.assertIn(b'\n                    ^~~~~~~\n', log)
+            self.assertTrue(waits_for(b'0 0 255'), 'the last good text is lost')
+            (self.folder / name).unlink()
+            self.assertTrue(waits_for(b'0 255 0'), 'the own text is not back')
+            self.put(name, RED)
+            self.assertTrue(waits_for(b'255 0 0'), 'a new file was not seen')
+            self.put(name, own)
+            self.assertTrue(waits_for(b'0 255 0'))
+
+    def test_a_wrong_text_at_the_start_leaves_the_own(self):
+        index = self.capture(TICKER, '--frames', '1')
+        name = next(p['file'] for p in index['programs'] if p['draws'])
+        self.put(name, WRONG)
+        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, '--frames', '1')
+        self.assertEqual(result.stdout, '0 255 0\n')
+        self.assertIn(f'{name}:2:19: error: ', result.stderr)
+
+    def test_a_refused_text_may_be_replaced(self):
+        index = self.capture(TICKER, '--frames', '1')
+        name = next(p['file'] for p in index['programs'] if p['error'])
+        self.put(name, RED)
+        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, '--frames', '1')
+        self.assertEqual(result.stdout, 'accepted\n0 255 0\n')
+
+    def test_a_capture_of_a_replaced_program_keeps_both(self):
+        index = self.capture(TICKER, '--frames', '1')
+        name = next(p['file'] for p in index['programs'] if p['draws'])
+        self.put(name, RED)
+        other = self.folder.parent / 'other'
+        result = run(ARBITER, 'capture', '--replace', self.folder, '-o', other, '--', TICKER,
+                     '--frames', '1')
+        self.assertEqual(result.stdout, '255 0 0\n')
+        program = next(p for p in json.loads((other / 'index.json').read_text())['programs']
+                       if p['draws'])
+        self.assertEqual((program['file'], program['replaced'], program['edited']),
+                         (name, True, False))
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1] + sys.argv[5:])
