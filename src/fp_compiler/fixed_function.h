@@ -24,4 +24,9 @@ struct FixedFunction {
 /// fog (evaluate() does the same).
 [[nodiscard]] ir::Program withFixedFunction(ir::Program program, const FixedFunction &state);
 
+/// The same program as one of language ArbFragment, which has fog options and no colour sum: the
+/// code adds the secondary colour itself. For emitAssembly(). Requires a program that
+/// withFixedFunction() gave.
+[[nodiscard]] ir::Program asArbFragment(ir::Program program);
+
 } // namespace arbiter::fp

@@ -84,5 +84,31 @@ TEST(FixedFunction, ClampsBeforeTheSumAndBeforeTheFog) {
             (ir::Vec4{0.5f, 0.375f, 0.25f, 0.5f}));
 }
 
+TEST(FixedFunction, AsAnArbProgramItAddsTheSecondaryItself) {
+  Builder b(ir::Language::AtiFragment);
+  b.op(Opcode::Mov, b.color(), {b.constant(2, 0.25f, -1, 0.5f)});
+  FixedFunction state;
+  state.colorSum = true;
+  state.fog = ir::FogMode::Linear;
+  const ir::Program own = withFixedFunction(b.program(), state);
+  const ir::Program arb = asArbFragment(own);
+  EXPECT_EQ(arb.language, ir::Language::ArbFragment);
+  EXPECT_FALSE(arb.options.colorSum);
+  for (const std::string &problem : ir::validate(arb))
+    ADD_FAILURE() << problem;
+  ir::Inputs inputs;
+  const std::array<ir::Vec4, 1> attributes = {ir::Vec4{0.5f, 0.5f, 0.5f, 0.5f}};
+  inputs.secondary = attributes[0];
+  inputs.attributes = attributes;
+  inputs.fogCoordinate = 0.5f;
+  inputs.parameter = [](const ir::Parameter &row) {
+    if (row.kind == ir::ParameterKind::Constant)
+      return row.constant;
+    return row.state.item == ir::StateItem::FogParams ? ir::Vec4{1, 0, 1, 1} : ir::Vec4{};
+  };
+  EXPECT_EQ(ir::evaluate(arb, inputs).outputs[0], ir::evaluate(own, inputs).outputs[0]);
+  EXPECT_EQ(ir::evaluate(arb, inputs).outputs[0], (ir::Vec4{0.5f, 0.375f, 0.25f, 0.5f}));
+}
+
 } // namespace
 } // namespace arbiter::fp

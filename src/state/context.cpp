@@ -101,6 +101,7 @@ void initialise(Context &context) {
   offer(context, Target::Fragment, fragmentLimits(*context.host, context.caps));
   if (context.offered) {
     const fp::Limits limits = atiLimits(context.row(Target::Fragment).limits);
+    offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
   }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));

@@ -67,7 +67,9 @@ std::shared_ptr<const CompiledProgram> compileShader(const Context &context,
                                                      const fp::ati::Shader &shader) {
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->target = Target::AtiApi;
-  fp::ir::Program program = fp::ati::lower(shader, {.clampConstants = false});
+  fp::ir::Program program =
+      fp::ati::lower(shader, {.registerRange = context.row(Target::AtiApi).limits.atiRegisterRange,
+                              .clampConstants = false});
   const std::string listing = fp::ir::print(program);
   compiled->hash = hashBytes(listing);
   compiled->underNativeLimits = true;
@@ -175,8 +177,9 @@ void EndFragmentShaderATI(Context &context) {
     return;
   const AtiRecorder::Verdict verdict = recorder->end();
   const bool valid = verdict.error == GL_NO_ERROR;
-  noteFragmentShader(context, *shaderRow(context).bound, valid ? "" : verdict.why);
-  replaceShader(context, valid ? compileShader(context, recorder->shader()) : nullptr);
+  auto compiled = valid ? compileShader(context, recorder->shader()) : nullptr;
+  noteFragmentShader(context, *shaderRow(context).bound, compiled.get(), verdict.why);
+  replaceShader(context, std::move(compiled));
   context.atiRecorder = nullptr; // an error closes the pair too
   judge(context, verdict);
 }

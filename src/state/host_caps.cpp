@@ -155,7 +155,8 @@ FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
       "GL_NV_gpu_program5",      "GL_NV_gpu_program5_mem_extended",
       "GL_NV_gpu_program_fp64",
   };
-  static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ATI_fragment_shader"};
+  static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ATI_fragment_shader",
+                                          "GL_ATI_text_fragment_shader"};
   FilteredExtensions out;
   for (const std::string &name : caps.extensions) {
     const bool hidden = offered && std::any_of(std::begin(kHidden), std::end(kHidden),

@@ -263,13 +263,15 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
 }
 
 void noteFragmentShader(const Context &context, const ProgramObject &object,
-                        std::string_view error) {
+                        const CompiledProgram *compiled, std::string_view error) {
   if (!wanted())
     return;
   ProgramRow row;
   row.context = context.serial;
   row.name = object.name;
   row.target = infoOf(object.target).word;
+  if (compiled)
+    row.hash = compiled->hash;
   row.error = error;
   addProgram(std::move(row));
 }

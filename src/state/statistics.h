@@ -9,6 +9,7 @@
 namespace arbiter::state {
 
 class Context;
+struct CompiledProgram;
 struct ProgramObject;
 
 /// Version of the JSON's form; grows when a member changes its meaning or goes.
@@ -20,9 +21,9 @@ void noteContextDestroyed(const Context &context);
 /// A program string was given to our compiler. Kept only if statistics are asked for.
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
                        const fp::CheckResult &result);
-/// EndFragmentShaderATI: `error` is empty if the shader is valid. Kept as a loaded program is.
+/// EndFragmentShaderATI: `compiled` is null where `error` says why. Kept as a loaded program is.
 void noteFragmentShader(const Context &context, const ProgramObject &object,
-                        std::string_view error);
+                        const CompiledProgram *compiled, std::string_view error);
 /// A program string of the vertex target went to the host; `error` is empty if it loaded.
 void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
                        std::string_view error);
