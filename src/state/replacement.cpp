@@ -12,16 +12,27 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
   ReplacementFolder &folder = *ReplacementFolder::instance();
   const std::string name = textFileName(target, hash);
   Replacement replacement;
-  // A text as it was captured replaces nothing.
-  if (!folder.read(name, replacement.text) || hashBytes(replacement.text) == hash)
+  if (!folder.read(name, replacement.text))
     return std::nullopt;
-  replacement.result = fp::checkProgram(infoOf(target).language, replacement.text, options);
   const std::string path = folder.pathOf(name);
-  if (replacement.result.ok())
+  const auto check = [&] {
+    replacement.result = fp::checkProgram(infoOf(target).language, replacement.text, options);
+    return replacement.result.ok();
+  };
+  if (hashBytes(replacement.text) == hash) { // as it was captured: it replaces nothing
+    folder.keepGood(name, {});
+    return std::nullopt;
+  }
+  if (check()) {
     logInfo("state", "%s: loaded in place of the application's text", path.c_str());
-  else
-    logText(LogLevel::Error, "state", path + " is not valid; the last text that was stays:",
-            fp::renderAll(path, replacement.text, replacement.result.diagnostics));
+    folder.keepGood(name, replacement.text);
+    return replacement;
+  }
+  logText(LogLevel::Error, "state", path + " is not valid; the last text that was stays:",
+          fp::renderAll(path, replacement.text, replacement.result.diagnostics));
+  // For a program that is loaded again, in an object of its own.
+  if (folder.lastGood(name, replacement.text))
+    static_cast<void>(check());
   return replacement;
 }
 
@@ -34,7 +45,7 @@ void reload(Context &context, ProgramObject &object, std::uint64_t since) {
     return;
   const ProgramTarget &row = context.row(object.target);
   const auto replacement = findReplacement(object.target, old->hash, compileOptions(row));
-  if (replacement && !replacement->result.ok())
+  if (replacement && (!replacement->result.ok() || replacement->text == old->replacement))
     return;
   const fp::CheckResult own = fp::checkProgram(row.info().language, old->text, compileOptions(row));
   std::shared_ptr<const CompiledProgram> fresh =

@@ -25,7 +25,8 @@ struct Replacement {
 }
 
 /// The replacement of the text of that hash; nothing where there is none. One that is not valid is
-/// reported in the log, with file, line, column and caret.
+/// reported in the log, with file, line, column and caret; the last one that was stands in for it,
+/// if there was one.
 [[nodiscard]] std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
                                                          const fp::CompileOptions &options);
 

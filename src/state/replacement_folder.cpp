@@ -63,9 +63,25 @@ bool ReplacementFolder::read(const std::string &name, std::string &text) {
   m_files[name].state = stateOf(path.c_str());
   if (readFile(path.c_str(), fp::kMaxTextBytes, text))
     return !text.empty();
-  if (errno != ENOENT)
+  if (errno == ENOENT)
+    m_files[name].good.clear();
+  else
     logError("state", "%s: %s", path.c_str(), std::strerror(errno));
   return false;
+}
+
+void ReplacementFolder::keepGood(const std::string &name, std::string text) {
+  const std::lock_guard lock(m_mutex);
+  m_files[name].good = std::move(text);
+}
+
+bool ReplacementFolder::lastGood(const std::string &name, std::string &text) {
+  const std::lock_guard lock(m_mutex);
+  const auto it = m_files.find(name);
+  if (it == m_files.end() || it->second.good.empty())
+    return false;
+  text = it->second.good;
+  return true;
 }
 
 /// Whether inotify has anything to say. What it is does not matter: the files are looked at.

@@ -27,6 +27,12 @@ public:
   bool read(const std::string &name, std::string &text);
   [[nodiscard]] std::string pathOf(const std::string &name) const { return m_path + "/" + name; }
 
+  /// The text of a file that proved valid: what stands in for it while an edit is wrong. Gone with
+  /// the file.
+  void keepGood(const std::string &name, std::string text);
+  /// \returns false where there is none.
+  bool lastGood(const std::string &name, std::string &text);
+
   /// Looks for changes, if the last look is a while ago. Fit to be called for each frame.
   void poll();
   /// Grows when poll() has seen a change.
@@ -40,6 +46,7 @@ private:
   struct File {
     FileState state;
     std::uint64_t changed = 0; ///< the generation
+    std::string good;
   };
 
   void watch();

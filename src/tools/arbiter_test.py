@@ -308,12 +308,12 @@ class Run(Temporary):
 
     def test_sets_what_the_options_say(self):
         seen = self.run_env('--profile', 'nv30', '--limits', 'report', '--log', 'debug',
-                            '--debug', 'glsl', '--host-vendor', 'mesa')
+                            '--debug', 'glsl', '--host-vendor', 'mesa', '--replace', '/tmp')
         self.assertEqual(seen['LD_PRELOAD'], FAKE)
         self.assertEqual({name: value for name, value in seen.items()
                           if name.startswith('ARBITER_')},
                          {'ARBITER_PROFILE': 'nv30', 'ARBITER_LIMITS': 'report',
-                          'ARBITER_LOG': 'debug', 'ARBITER_DEBUG': 'glsl',
+                          'ARBITER_LOG': 'debug', 'ARBITER_DEBUG': 'glsl', 'ARBITER_REPLACE': '/tmp',
                           'ARBITER_HOST_VENDOR': 'mesa'})
 
     def test_paths_become_absolute(self):
@@ -454,6 +454,54 @@ class Draw(Temporary):
             self.assertEqual(self.draw(GOOD, size=size).returncode, 1, size)
         self.assertEqual(arbiter('draw', *self.words, '-o', '/nowhere/x.png', '-',
                                  text=GOOD).returncode, 1)
+
+
+class Capture(Temporary):
+    def capture(self, *words):
+        return subprocess.run([os.path.abspath(ARBITER), 'capture', '--library', FAKE, *map(str, words)],
+                              capture_output=True, text=True, timeout=60, env=clean_environment(),
+                              cwd=self.folder.name)
+
+    def test_the_command_sees_a_folder_that_is_private(self):
+        result = self.capture('-o', 'kept', '--', 'sh', '-c',
+                              'stat -c %a "$ARBITER_CAPTURE"; touch "$ARBITER_CAPTURE/x"; exit 5')
+        self.assertEqual((result.returncode, result.stdout), (5, '700\n'), result.stderr)
+        self.assertEqual(json.loads(self.path('kept/index.json').read_text())['programs'], [])
+
+    def test_the_folder_is_named_for_the_command(self):
+        seen = self.capture('--', 'sh', '-c', 'basename "$ARBITER_CAPTURE"')
+        self.assertEqual(seen.stdout, 'sh.capture\n')
+        self.assertFalse(self.path('sh.capture').exists(), 'nothing was captured')
+        self.path('sh.capture').mkdir()
+        seen = self.capture('--', 'sh', '-c', 'basename "$ARBITER_CAPTURE"')
+        self.assertEqual(seen.stdout, 'sh.capture-2\n')
+
+    def test_signals(self):
+        result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
+        self.assertEqual(result.returncode, 128 + 11)
+        result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; sleep 30')
+        self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')
+
+    def test_errors(self):
+        self.path('file').write_text('')
+        self.path('kept').mkdir()
+        (self.path('kept') / ('0' * 32 + '.fp')).write_text('edited')
+        self.path('old').mkdir()
+        (self.path('old') / 'process-1-2.json').write_text('{}')
+        for words, text in ((('-o', 'file', '--', 'true'), 'file'),
+                            (('-o', 'no/such', '--', 'true'), 'no/such'),
+                            (('-o', 'kept', '--', 'true'), 'is edited'),
+                            (('-o', 'old', '--', 'true'), 'holds a capture'),
+                            ((), 'no command to run'),
+                            (('--index-only',), '--index-only takes a folder'),
+                            (('--index-only', '-o', 'none'), 'none: no such folder'),
+                            (('--index-only', '-o', 'kept', '--', 'true'), 'no command'),
+                            (('--replace', 'none', '--', 'true'), 'none: no such folder')):
+            result = self.capture(*words)
+            self.assertEqual(result.returncode, 1, words)
+            self.assertIn(text, result.stderr, words)
+        self.assertEqual(self.capture('--', './nothing').returncode, 127)
+        self.assertEqual((self.path('kept') / ('0' * 32 + '.fp')).read_text(), 'edited')
 
 
 class Layered(Draw):

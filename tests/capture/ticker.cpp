@@ -1,6 +1,6 @@
 // A client without a window that draws one pixel again and again and prints its colour as "R G B"
 // whenever it changed. It never swaps buffers, sets a local parameter around each draw, asks for
-// its program string and counts, and loads a program that is refused.
+// its program string and counts, loads its program anew now and then, and one that is refused.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -82,6 +82,13 @@ int main(int argc, char **argv) {
                      kProgram);
   std::array<unsigned char, 4> last{1, 2, 3, 4};
   for (long frame = 0; frame != frames; ++frame) {
+    if (frame % 20 == 10) { // a new object with the same text
+      const GLuint name = 1;
+      glDeleteProgramsARB(1, &name);
+      glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, name);
+      glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, sizeof kProgram - 1,
+                         kProgram);
+    }
     glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, GLfloat(frame), 0, 0, 0);
     glRectf(-1, -1, 1, 1);
     glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 99, 0, 0, 0);
