@@ -81,10 +81,11 @@ TRAITS = {
 
 def opcodes():
     source = 'src/fp_compiler/ir/ops.def'
-    out = ['# Opcodes of ARBfp1.0\n', GENERATED.format(source=source),
-           'Sections are those of the ARB_fragment_program specification. Every instruction but KIL '
-           'takes a destination with a write mask, and `_SAT` behind its name clamps the result to '
-           '[0,1]. A scalar operand names one component (`a.x`).\n',
+    out = ['# Opcodes of ARBfp1.0 and ARBvp1.0\n', GENERATED.format(source=source),
+           'Sections are those of the ARB_fragment_program specification, or of ARB_vertex_program '
+           'for what vertex programs alone have (2.14). Every instruction but KIL takes a '
+           'destination with a write mask; in fragment programs `_SAT` behind its name clamps the '
+           'result to [0,1]. A scalar operand names one component (`a.x`).\n',
            '| opcode | operands | result | properties | section |', '|---|---|---|---|---|']
     for _, mnemonic, shapes, traits, section, doc in rows_of(ROOT / source, 'FP_OP'):
         operands = ', '.join(SHAPES[shape] for shape in shapes)

@@ -14,7 +14,7 @@ using namespace arbiter::fp;
 CompileOptions makeOptions(LimitPolicy policy) {
   CompileOptions options;
   options.policy = policy;
-  options.limits.api = {96, 64, 32, 4, 32, 32, 10};
+  options.limits.api = {96, 64, 32, 4, 32, 32, 10, 1};
   options.limits.native = options.limits.api;
   options.limits.localParameters = options.limits.envParameters = 32;
   options.limits.textureCoords = options.limits.textureUnits = 8;
@@ -48,7 +48,10 @@ void checkAnswer(std::string_view text, const CheckResult &result) {
   require(result.counts.instructions == program.code.size());
   require(result.counts.temporaries == program.temporaries.size());
   require(result.counts.attribs == program.attributes.size());
-  require(result.counts.parameters <= program.parameters.size());
+  require(result.counts.addressRegisters == program.addresses.size());
+  // Arrays under relative addressing count equal constants apart.
+  if (program.arrays.empty())
+    require(result.counts.parameters <= program.parameters.size());
 }
 
 } // namespace
@@ -57,11 +60,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   static const CompileOptions kOptions[] = {makeOptions(LimitPolicy::Enforce),
                                             makeOptions(LimitPolicy::Report)};
   const std::string_view text(reinterpret_cast<const char *>(data), size);
-  const CheckResult result = checkFragmentProgram(text, kOptions[size % 2]);
+  const ir::Language language =
+      text.starts_with("!!ARBvp") ? ir::Language::ArbVertex : ir::Language::ArbFragment;
+  const CheckResult result = checkProgram(language, text, kOptions[size % 2]);
   checkAnswer(text, result);
   // What loads under the limits loads where they are only reported, and is the same program.
   if (result.ok() && size % 2 == 0) {
-    const CheckResult reported = checkFragmentProgram(text, kOptions[1]);
+    const CheckResult reported = checkProgram(language, text, kOptions[1]);
     require(reported.ok() && reported.counts == result.counts);
   }
   return 0;

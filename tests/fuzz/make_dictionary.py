@@ -1,4 +1,4 @@
-"""Writes a libFuzzer dictionary of the program language: opcodes from the opcode table, and the
+"""Writes a libFuzzer dictionary of the program languages: opcodes from the opcode table, and the
 words and pieces that a program is made of."""
 
 import re
@@ -15,7 +15,10 @@ program.env program.local state. material. front. back. ambient diffuse specular
 light[ attenuation spot.direction half lightmodel. scenecolor lightprod[ texenv fog. params
 depth.range matrix. modelview projection mvp palette[ program[ inverse transpose invtrans
 .row[ .. [0] [0..3] [] , ; = { } + - .xyzw .rgba .x .a .wzyx .xyz _SAT
-0 1 2.5 .5 5. 1e3 1e999 4294967296 65536 vertex.
+0 1 2.5 .5 5. 1e3 1e999 4294967296 65536
+!!ARBvp1.0 ARB_position_invariant NV_vertex_program2 vertex. normal weight matrixindex[ attrib[
+result.position result.fogcoord result.pointsize result.texcoord[ .front .back .secondary
+texgen .eye.s .object.q clip[ .plane point.size A0 [A0.x] [A0.x+63] [A0.x-64]
 """
 
 

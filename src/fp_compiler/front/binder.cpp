@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "fp_compiler/ir/print.h"
+
 namespace arbiter::fp {
 
 namespace {
@@ -21,6 +23,27 @@ std::uint64_t keyOf(ir::ParameterKind kind, std::uint64_t rest) {
   return std::uint64_t(kind) << 56 | rest;
 }
 
+/// The generic attribute in the row of an attribute in table X.2.1 (ARB_vertex_program 2.14.3.1).
+int genericOf(ir::Attribute attribute) {
+  switch (attribute.kind) {
+  case ir::AttributeKind::Position:
+    return 0;
+  case ir::AttributeKind::Normal:
+    return 2;
+  case ir::AttributeKind::ColorPrimary:
+    return 3;
+  case ir::AttributeKind::ColorSecondary:
+    return 4;
+  case ir::AttributeKind::FogCoord:
+    return 5;
+  case ir::AttributeKind::TexCoord:
+    return 8 + attribute.index;
+  case ir::AttributeKind::Generic:
+    return attribute.index;
+  }
+  return -1;
+}
+
 } // namespace
 
 std::size_t Binder::BitsHash::operator()(const Bits &bits) const {
@@ -37,36 +60,6 @@ Binder::Bits Binder::countedBits(const ir::Vec4 &value) {
   for (std::size_t i = 0; i < 4; ++i)
     bits[i] = value[i] == 0 ? 0 : std::bit_cast<std::uint32_t>(value[i]);
   return bits;
-}
-
-bool AttributePairs::add(ir::Attribute attribute) {
-  std::size_t slot = 0;
-  switch (attribute.kind) {
-  case ir::AttributeKind::Position:
-    slot = 0;
-    break;
-  case ir::AttributeKind::Normal:
-    slot = 2;
-    break;
-  case ir::AttributeKind::ColorPrimary:
-    slot = 3;
-    break;
-  case ir::AttributeKind::ColorSecondary:
-    slot = 4;
-    break;
-  case ir::AttributeKind::FogCoord:
-    slot = 5;
-    break;
-  case ir::AttributeKind::TexCoord:
-    slot = 8u + attribute.index;
-    break;
-  case ir::AttributeKind::Generic:
-    slot = attribute.index;
-    break;
-  }
-  const bool generic = attribute.kind == ir::AttributeKind::Generic;
-  (generic ? m_generic : m_conventional).set(slot);
-  return !(generic ? m_conventional : m_generic).test(slot);
 }
 
 Binder::Binder(ir::Language language, const CompileOptions &options, Reporter &reporter)
@@ -104,13 +97,19 @@ std::uint16_t Binder::attribute(ir::Attribute attribute, Span where) {
   if (!isNew)
     return index;
   m_budget.spend(Resource::Attribs, where);
-  if (m_program.language == ir::Language::ArbVertex && !m_pairs.add(attribute))
-    m_reporter.error(DiagnosticId::AttributeAlias, where,
-                     "vertex.attrib[n] and the conventional attribute that may share its storage "
-                     "are both bound",
-                     "a program binds one of the two: position is 0, normal 2, color 3, "
-                     "color.secondary 4, fogcoord 5, texcoord[n] 8+n");
+  if (m_program.language == ir::Language::ArbVertex)
+    refuseAlias(attribute, where);
   return index;
+}
+
+/// A conventional attribute and the generic one of its row may not both be bound.
+void Binder::refuseAlias(ir::Attribute attribute, Span where) {
+  for (const ir::Attribute &other : m_program.attributes)
+    if (!(other == attribute) && genericOf(other) == genericOf(attribute))
+      m_reporter.error(DiagnosticId::AttributeAlias, where,
+                       bindingText(attribute, m_program.language) + " is bound beside " +
+                           bindingText(other, m_program.language),
+                       "the two may share their storage: a program binds one of them");
 }
 
 std::uint16_t Binder::output(ir::Output output) {

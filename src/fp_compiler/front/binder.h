@@ -1,5 +1,4 @@
 #pragma once
-#include <bitset>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -9,18 +8,6 @@
 #include "fp_compiler/front/indirections.h"
 
 namespace arbiter::fp {
-
-/// Which vertex attributes are bound, by the generic attribute of their row of table X.2.1
-/// (ARB_vertex_program 2.14.3.1).
-class AttributePairs {
-public:
-  /// Adds an attribute of a vertex program. False where the other attribute of its row is bound.
-  bool add(ir::Attribute attribute);
-
-private:
-  std::bitset<264> m_conventional; // texcoord[255] pairs with attrib[263]
-  std::bitset<264> m_generic;
-};
 
 /// Builds the ir::Program: gives every distinct binding one row, counts it, and appends checked
 /// instructions. Cost per call does not grow with the program.
@@ -61,6 +48,7 @@ private:
     std::size_t operator()(const Bits &bits) const;
   };
   std::uint16_t row(std::uint64_t key, const ir::Parameter &parameter, Span where);
+  void refuseAlias(ir::Attribute attribute, Span where);
   bool countKinds(const ir::Instruction &instruction, Span opcode);
   std::uint16_t append(const ir::Parameter &parameter);
 
@@ -74,7 +62,6 @@ private:
   std::unordered_set<Bits, BitsHash> m_constantsCounted;
   std::unordered_set<Bits, BitsHash> m_relativeConstants;
   std::unordered_set<std::uint16_t> m_relativeState; ///< rows of arrays indexed relatively
-  AttributePairs m_pairs;
 };
 
 } // namespace arbiter::fp

@@ -102,7 +102,9 @@ int validateGlsl(const std::vector<fs::path> &folders) {
         continue;
       }
       ++files;
-      const std::string command = "glslangValidator -S frag '" + path.string() + "'";
+      const bool vertex = fs::exists(fs::path(path).replace_extension(".vp"));
+      const std::string command = std::string("glslangValidator -S ") + (vertex ? "vert" : "frag") +
+                                  " '" + path.string() + "'";
       failures += std::system(command.c_str()) != 0;
     }
   std::cout << files << " shaders, " << failures << " failures\n";
@@ -132,7 +134,8 @@ int main(int argc, char **argv) {
     return validateGlsl(folders);
   Goldens goldens(regenerate);
   for (const fs::path &folder : folders)
-    for (const fs::path &path : filesOf(folder, ".fp"))
-      goldens.program(path);
+    for (const char *extension : {".fp", ".vp"})
+      for (const fs::path &path : filesOf(folder, extension))
+        goldens.program(path);
   return goldens.finish(argv[0]);
 }
