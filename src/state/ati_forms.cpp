@@ -40,8 +40,11 @@ std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &wh
   auto form = std::make_shared<CompiledProgram>();
   form->target = whole.target;
   form->hash = whole.hash;
-  form->replacement = whole.replacement;
-  form->glsl = fp::emitGlsl(fp::withFixedFunction(m_program, seen), m_host);
+  fp::ir::Program program = fp::withFixedFunction(m_program, seen);
+  form->glsl = fp::emitGlsl(program, m_host);
+  form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
+  if (whole.replaced())
+    form->replacement = form->text; // it is emitted from the replacement
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
   return m_forms.emplace_back(seen, std::move(form)).second;

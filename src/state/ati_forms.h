@@ -22,8 +22,9 @@ public:
 
   /// The image units that it samples, one bit each.
   [[nodiscard]] std::uint32_t units() const { return m_units; }
-  /// The form under `state`, of which units that it does not sample are not looked at. `whole` is
-  /// the program that this is the shader of. Any thread may call it.
+  /// The form under `state`, of which units that it does not sample are not looked at: its GLSL,
+  /// and as its text the assembly for the host's ARB path. `whole` is the program that this is the
+  /// shader of. Any thread may call it.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> under(const CompiledProgram &whole,
                                                              const fp::FixedFunction &state) const;
   /// The forms there are.

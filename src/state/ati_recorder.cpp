@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 
 namespace arbiter::state {
 
@@ -281,7 +283,10 @@ Verdict AtiRecorder::operation(const RawOperation &raw) {
 void AtiRecorder::setConstant(int constant, const fp::ir::Vec4 &value) {
   fp::ati::Constant &row = m_shader.constants[std::size_t(constant)];
   row.kind = fp::ati::ConstantKind::Value;
-  row.value = value;
+  // Values beyond [0,1] are undefined (AFS:629); text has no numerals for some of them.
+  constexpr float kMost = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < value.size(); ++i)
+    row.value[i] = std::isnan(value[i]) ? 0.0f : std::clamp(value[i], -kMost, kMost);
 }
 
 Verdict AtiRecorder::end() const {

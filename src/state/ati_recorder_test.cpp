@@ -2,6 +2,9 @@
 // API's tests' (tests/api/ati_errors_test.cpp).
 #include "state/ati_recorder.h"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace arbiter::state {
@@ -128,6 +131,17 @@ TEST(AtiRecorder, ConstantsAreTheContextsUntilSet) {
   EXPECT_EQ(constants[3].value[2], 0.75f);
   EXPECT_EQ(constants[4].kind, fp::ati::ConstantKind::Env);
   EXPECT_EQ(constants[4].index, 4);
+}
+
+TEST(AtiRecorder, ConstantsAreNumbers) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  AtiRecorder recorder(8, 8);
+  recorder.setConstant(0, {std::nanf(""), kInfinity, -kInfinity, -0.5f});
+  const fp::ir::Vec4 &value = recorder.shader().constants[0].value;
+  EXPECT_EQ(value[0], 0.0f);
+  EXPECT_EQ(value[1], std::numeric_limits<float>::max());
+  EXPECT_EQ(value[2], std::numeric_limits<float>::lowest());
+  EXPECT_EQ(value[3], -0.5f) << "kept, though beyond [0,1]";
 }
 
 } // namespace
