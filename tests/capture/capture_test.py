@@ -20,6 +20,12 @@ import unittest
 
 ARBITER, LIGHTING, LIFE, TICKER = (os.path.abspath(path) for path in sys.argv[1:5])
 SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
+# Red, and wrong, in the other languages.
+KINDS = {
+    'ati': ('.atifs', b'!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1.0, 0.0, 0.0, 1.0}; EndConstants;\n'
+            b'StartOutputPass; MOV r0, c0; EndPass;\n',
+            b'!!ATIfs1.0\nStartOutputPass;MOV nothing, c0;EndPass;\n'),
+}
 RED = b'!!ARBfp1.0\nMOV result.color, {1, 0, 0, 1};\nEND\n'
 BLUE = b'!!ARBfp1.0\n# of another length\nMOV result.color, {0, 0, 1, 1};\nEND\n'
 WRONG = b'!!ARBfp1.0\nMOV result.color, nothing;\nEND\n'
@@ -88,7 +94,7 @@ class Capture(Folder):
                          [f'program.local[{i}]' for i in range(3)])
 
     def test_parameters_are_those_of_the_last_draw(self):
-        index = self.capture(TICKER, '--frames', '3')
+        index = self.capture(TICKER, 'fragment', '3')
         program = next(p for p in index['programs'] if p['draws'])
         # It sets local[0].x to the frame's number before each draw, and to 99 after it.
         self.assertEqual(program['parameters'],
@@ -96,7 +102,7 @@ class Capture(Folder):
         self.assertEqual((program['draws'], program['frames']), (3, 1))
 
     def test_a_refused_text_with_bytes_that_are_not_utf_8(self):
-        index = self.capture(TICKER, '--frames', '1')
+        index = self.capture(TICKER, 'fragment', '1')
         program = next(p for p in index['programs'] if p['error'])
         self.assertIn(b'\xe9', (self.folder / program['file']).read_bytes())
         self.assertEqual((program['error']['line'], program['error']['column']), (3, 19))
@@ -142,7 +148,7 @@ class Capture(Folder):
 
     def test_links_and_files_of_others_stay(self):
         self.folder.mkdir()
-        self.capture(TICKER, '--frames', '1')
+        self.capture(TICKER, 'fragment', '1')
         name = next(self.folder.glob('*.fp')).name
         for path in self.folder.iterdir():
             path.unlink()
@@ -150,7 +156,7 @@ class Capture(Folder):
         victim.write_text('precious')
         (self.folder / 'index.json').symlink_to(victim)
         (self.folder / name).symlink_to(victim)
-        run(ARBITER, 'capture', '-o', self.folder, '--', TICKER, '--frames', '1')
+        run(ARBITER, 'capture', '-o', self.folder, '--', TICKER, 'fragment', '1')
         self.assertEqual(victim.read_text(), 'precious')
 
     @unittest.skipUnless(SHADER_RUNNERS, 'piglit is not installed')
@@ -164,9 +170,9 @@ class Capture(Folder):
 
 
 @contextlib.contextmanager
-def ticking(folder, *options):
+def ticking(folder, kind='fragment'):
     """A TICKER under replacement; gives a function that waits until it has drawn a colour."""
-    with subprocess.Popen([ARBITER, 'run', '--replace', folder, *options, '--', TICKER],
+    with subprocess.Popen([ARBITER, 'run', '--replace', folder, '--', TICKER, kind],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           env=environment()) as process:
         rest = last = b''
@@ -200,7 +206,7 @@ class Replace(Folder):
         os.replace(self.folder / (name + '.new'), self.folder / name)  # as editors do
 
     def test_an_edit_is_drawn_while_the_application_runs(self):
-        index = self.capture(TICKER, '--frames', '1')
+        index = self.capture(TICKER, 'fragment', '1')
         name = next(p['file'] for p in index['programs'] if p['draws'])
         own = (self.folder / name).read_bytes()
         with ticking(self.folder) as (waits_for, process):
@@ -228,28 +234,50 @@ class Replace(Folder):
             self.put(name, own)
             self.assertTrue(waits_for(b'0 255 0'))
 
+    def test_the_other_languages(self):
+        for kind, (extension, red, wrong) in KINDS.items():
+            with self.subTest(kind=kind):
+                self.folder = self.folder.parent / kind
+                index = self.capture(TICKER, kind, '3')
+                program = next(p for p in index['programs'] if p['draws'])
+                name = program['file']
+                self.assertTrue(name.endswith(extension))
+                self.assertEqual(program['draws'], 3)
+                self.assertEqual(program['parameters'],
+                                 [{'name': 'program.local[0]', 'value': [2, 0, 0, 0]}])
+                self.assertIn('#version 120', program['glsl'])
+                self.assertEqual(sum(p['error'] is not None for p in index['programs']), 1)
+                with ticking(self.folder, kind) as (waits_for, _):
+                    self.assertTrue(waits_for(b'0 255 0'))
+                    self.put(name, red)
+                    self.assertTrue(waits_for(b'255 0 0'), 'the edit was not seen')
+                    self.put(name, wrong)
+                    self.assertFalse(waits_for(b'0 255 0', 1), 'the last good text is lost')
+                    (self.folder / name).unlink()
+                    self.assertTrue(waits_for(b'0 255 0'), 'the own text is not back')
+
     def test_a_wrong_text_at_the_start_leaves_the_own(self):
-        index = self.capture(TICKER, '--frames', '1')
+        index = self.capture(TICKER, 'fragment', '1')
         name = next(p['file'] for p in index['programs'] if p['draws'])
         self.put(name, WRONG)
-        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, '--frames', '1')
+        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, 'fragment', '1')
         self.assertEqual(result.stdout, '0 255 0\n')
         self.assertIn(f'{name}:2:19: error: ', result.stderr)
 
     def test_a_refused_text_may_be_replaced(self):
-        index = self.capture(TICKER, '--frames', '1')
+        index = self.capture(TICKER, 'fragment', '1')
         name = next(p['file'] for p in index['programs'] if p['error'])
         self.put(name, RED)
-        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, '--frames', '1')
+        result = run(ARBITER, 'run', '--replace', self.folder, '--', TICKER, 'fragment', '1')
         self.assertEqual(result.stdout, 'accepted\n0 255 0\n')
 
     def test_a_capture_of_a_replaced_program_keeps_both(self):
-        index = self.capture(TICKER, '--frames', '1')
+        index = self.capture(TICKER, 'fragment', '1')
         name = next(p['file'] for p in index['programs'] if p['draws'])
         self.put(name, RED)
         other = self.folder.parent / 'other'
         result = run(ARBITER, 'capture', '--replace', self.folder, '-o', other, '--', TICKER,
-                     '--frames', '1')
+                     'fragment', '1')
         self.assertEqual(result.stdout, '255 0 0\n')
         program = next(p for p in json.loads((other / 'index.json').read_text())['programs']
                        if p['draws'])

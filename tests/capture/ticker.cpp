@@ -1,6 +1,8 @@
 // A client without a window that draws one pixel again and again and prints its colour as "R G B"
 // whenever it changed. It never swaps buffers, sets a local parameter around each draw, asks for
 // its program string and counts, loads its program anew now and then, and one that is refused.
+//
+//   ticker [KIND [FRAMES]]     KIND: fragment, vertex or ati
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -11,16 +13,46 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#ifndef GL_TEXT_FRAGMENT_SHADER_ATI
+#define GL_TEXT_FRAGMENT_SHADER_ATI 0x8200
+#endif
+
 namespace {
 
-const char kProgram[] = "!!ARBfp1.0\n"
-                        "# caf\xe9: a Latin-1 byte\n"
-                        "ADD result.color, program.local[0].yyyy, {0, 1, 0, 1};\n"
-                        "END\n";
-const char kRefused[] = "!!ARBfp1.0\n"
-                        "# \xe9\n"
-                        "MOV result.color, missing;\n"
-                        "END\n";
+/// A program that draws green and reads program.local[0], and one that is refused. Each has a
+/// Latin-1 byte in a comment.
+struct Kind {
+  const char *name;
+  GLenum target;
+  const char *program;
+  const char *refused;
+};
+const Kind kKinds[] = {
+    {"fragment", GL_FRAGMENT_PROGRAM_ARB,
+     "!!ARBfp1.0\n# caf\xe9\nADD result.color, program.local[0].yyyy, {0, 1, 0, 1};\nEND\n",
+     "!!ARBfp1.0\n# \xe9\nMOV result.color, missing;\nEND\n"},
+    {"vertex", GL_VERTEX_PROGRAM_ARB,
+     "!!ARBvp1.0\n# caf\xe9\nMOV result.position, vertex.position;\n"
+     "ADD result.color, program.local[0].y, {0, 1, 0, 1};\nEND\n",
+     "!!ARBvp1.0\n# \xe9\nMOV result.color, missing;\nEND\n"},
+    {"ati", GL_TEXT_FRAGMENT_SHADER_ATI,
+     "!!ATIfs1.0\n# caf\xe9\nStartConstants;\nCONSTANT c0 = program.local[0];\n"
+     "CONSTANT c1 = {0.0, 1.0, 0.0, 1.0};\nEndConstants;\n"
+     "StartOutputPass;\nADD r0, c0.g, c1;\nEndPass;\n",
+     "!!ATIfs1.0\n# \xe9\nStartOutputPass;\nMOV r0, missing;\nEndPass;\n"},
+};
+
+const Kind *findKind(const char *name) {
+  for (const Kind &kind : kKinds)
+    if (std::strcmp(kind.name, name) == 0)
+      return &kind;
+  return nullptr;
+}
+
+void load(const Kind &kind, GLuint name, const char *text) {
+  glBindProgramARB(kind.target, name);
+  glProgramStringARB(kind.target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(std::strlen(text)), text);
+}
 
 bool makeContext() {
   const auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
@@ -50,58 +82,60 @@ void makeTarget() {
   glViewport(0, 0, 1, 1);
 }
 
-/// What the application was told after the load, and must always be told.
-bool sameAsLoaded() {
-  GLint length = 0, instructions = 0;
-  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
-  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_INSTRUCTIONS_ARB, &instructions);
-  std::string text(std::size_t(length), '\0');
-  glGetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, text.data());
-  return text == kProgram && instructions == 1 && glGetError() == GL_NO_ERROR;
+GLint instructions(const Kind &kind) {
+  GLint count = 0;
+  glGetProgramivARB(kind.target, GL_PROGRAM_INSTRUCTIONS_ARB, &count);
+  return count;
 }
 
-} // namespace
+std::string programString(const Kind &kind) {
+  GLint length = 0;
+  glGetProgramivARB(kind.target, GL_PROGRAM_LENGTH_ARB, &length);
+  std::string text(std::size_t(length), '\0');
+  glGetProgramStringARB(kind.target, GL_PROGRAM_STRING_ARB, text.data());
+  return text;
+}
 
-int main(int argc, char **argv) {
-  long frames = -1;
-  if (argc == 3 && std::strcmp(argv[1], "--frames") == 0)
-    frames = std::atol(argv[2]);
-  if (!makeContext()) {
-    std::puts("no context");
-    return 1;
-  }
-  makeTarget();
-  glEnable(GL_FRAGMENT_PROGRAM_ARB);
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 2);
-  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, sizeof kRefused - 1,
-                     kRefused);
-  if (glGetError() == GL_NO_ERROR)
-    std::puts("accepted");
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 1);
-  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, sizeof kProgram - 1,
-                     kProgram);
+void tick(const Kind &kind, long frames) {
+  const GLint counted = instructions(kind);
   std::array<unsigned char, 4> last{1, 2, 3, 4};
   for (long frame = 0; frame != frames; ++frame) {
     if (frame % 20 == 10) { // a new object with the same text
       const GLuint name = 1;
       glDeleteProgramsARB(1, &name);
-      glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, name);
-      glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, sizeof kProgram - 1,
-                         kProgram);
+      load(kind, name, kind.program);
     }
-    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, GLfloat(frame), 0, 0, 0);
+    glProgramLocalParameter4fARB(kind.target, 0, GLfloat(frame), 0, 0, 0);
     glRectf(-1, -1, 1, 1);
-    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 99, 0, 0, 0);
+    glProgramLocalParameter4fARB(kind.target, 0, 99, 0, 0, 0);
     std::array<unsigned char, 4> colour{};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, colour.data());
     if (colour != last)
       std::printf("%d %d %d\n", colour[0], colour[1], colour[2]);
-    if (!sameAsLoaded())
+    if (programString(kind) != kind.program || instructions(kind) != counted ||
+        glGetError() != GL_NO_ERROR)
       std::puts("unlike what was loaded");
     std::fflush(stdout);
     last = colour;
     if (frames < 0)
       usleep(10000);
   }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const Kind *const kind = findKind(argc > 1 ? argv[1] : "fragment");
+  if (!kind || !makeContext()) {
+    std::puts(kind ? "no context" : "no such kind");
+    return 1;
+  }
+  makeTarget();
+  glEnable(kind->target);
+  load(*kind, 2, kind->refused);
+  if (glGetError() == GL_NO_ERROR)
+    std::puts("accepted");
+  load(*kind, 1, kind->program);
+  tick(*kind, argc > 2 ? std::atol(argv[2]) : -1);
   return 0;
 }
