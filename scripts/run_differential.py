@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""The differential suite three ways, each against the reference interpreter.
+"""The differential suite in several ways, each against the reference interpreter.
 
 glsl: the compiler's GLSL given to the host; host: the host's own ARB path, in a process of its own;
 layer: the same calls with the layer in front, whose statistics must show that it compiled them.
+ati-glsl, ati-api: ATI fragment shaders as GLSL, and through ATI_fragment_shader with the layer in
+front.
 """
 
 import argparse
@@ -13,20 +15,20 @@ import subprocess
 import sys
 
 
-def run(name, args, mode, extra):
+def run(name, args, options, extra):
     """(failed, programs) of one way; failed is None if it could not run at all."""
     report = args.out / (name + ".json")
     report.unlink(missing_ok=True)
-    print("%-6s" % name, end=" ", flush=True)
+    print("%-8s" % name, end=" ", flush=True)
     done = subprocess.run(
-        [str(args.build / "tests/differential/differential"), "--mode", mode,
+        [str(args.build / "tests/differential/differential"), *options,
          "--count", str(args.count), "--json", str(report),
          "--failures", str(args.out / (name + "-failures"))],
         env={**os.environ, **extra}, stdin=subprocess.DEVNULL)
     try:
         document = json.loads(report.read_text())
     except (OSError, ValueError):
-        print("%-6s no report, status %d" % (name, done.returncode), flush=True)
+        print("%-8s no report, status %d" % (name, done.returncode), flush=True)
         return None
     failed = len(document["failures"])
     if done.returncode not in (0, 1) or (done.returncode == 1) != (failed > 0):
@@ -54,12 +56,14 @@ def main():
     stats = args.out / "stats.json"
     stats.unlink(missing_ok=True)
     layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    ways = [("glsl", "glsl", {}), ("host", "arb", {}),
-            ("layer", "arb", {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host",
-                              "ARBITER_STATS": str(stats)})]
+    in_front = {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host"}
+    ati = ["--language", "ati", "--mode"]
+    ways = [("glsl", ["--mode", "glsl"], {}), ("host", ["--mode", "arb"], {}),
+            ("layer", ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(stats)}),
+            ("ati-glsl", [*ati, "glsl"], {}), ("ati-api", [*ati, "api"], in_front)]
     passed = failed = 0
-    for name, mode, extra in ways:
-        result = run(name, args, mode, extra)
+    for name, options, extra in ways:
+        result = run(name, args, options, extra)
         if result is None:
             failed += 1
             continue

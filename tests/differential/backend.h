@@ -19,6 +19,9 @@ public:
 
 /// The API of ARB_fragment_program, whoever implements it.
 [[nodiscard]] std::unique_ptr<Backend> arbBackend();
+/// ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, whoever implements them.
+[[nodiscard]] std::unique_ptr<Backend> atiTextBackend();
+[[nodiscard]] std::unique_ptr<Backend> atiApiBackend();
 /// emitGlsl()'s text, compiled by the host.
 [[nodiscard]] std::unique_ptr<Backend> glslBackend();
 

@@ -13,7 +13,7 @@ namespace {
 using namespace arbiter::differential;
 
 constexpr const char *kHelp =
-    "usage: differential [--mode arb|glsl] [--language arb|ati] [--count N] [--seed S] [--json "
+    "usage: differential [--mode MODE] [--language arb|ati] [--count N] [--seed S] [--json "
     "FILE] [--failures DIR]\n"
     "\n"
     "Draws N (500) generated fragment programs, 16 x 16 fragments each into float buffers, and\n"
@@ -22,7 +22,9 @@ constexpr const char *kHelp =
     "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
     "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
     "limits)\n"
-    "  --language ati   ATI fragment shaders in their text form, --mode glsl alone\n"
+    "  --language ati   ATI fragment shaders: --mode glsl, --mode arb (their text form) and\n"
+    "               --mode api (ATI_fragment_shader); --mode peer is api with shaders that Mesa's\n"
+    "               own implementation of it draws as the specification says\n"
     "  --suite random|edges|mutants   edges: each opcode on pairs of special values instead;\n"
     "               mutants: the interpreter is wrong on purpose, and three of five must show\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
@@ -31,9 +33,15 @@ constexpr const char *kHelp =
 struct Arguments {
   std::string mode = "glsl";
   std::string json;
+  bool ati = false; ///< the language
   bool edges = false;
   SuiteOptions suite;
 };
+
+bool isMode(const char *name) {
+  return !std::strcmp(name, "arb") || !std::strcmp(name, "api") || !std::strcmp(name, "peer") ||
+         !std::strcmp(name, "glsl");
+}
 
 bool isSuite(const char *name) {
   return !std::strcmp(name, "random") || !std::strcmp(name, "edges") ||
@@ -46,10 +54,10 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     if (i + 1 == argc)
       return false;
     const char *value = argv[++i];
-    if (name == "--mode" && (!std::strcmp(value, "arb") || !std::strcmp(value, "glsl")))
+    if (name == "--mode" && isMode(value))
       arguments.mode = value;
     else if (name == "--language" && (!std::strcmp(value, "arb") || !std::strcmp(value, "ati")))
-      arguments.suite.subject = std::strcmp(value, "ati") ? arbSubject : atiSubject;
+      arguments.ati = !std::strcmp(value, "ati");
     else if (name == "--count" && std::atoi(value) > 0)
       arguments.suite.count = std::atoi(value);
     else if (name == "--seed")
@@ -64,7 +72,19 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     else
       return false;
   }
-  return arguments.suite.subject == arbSubject || (arguments.mode == "glsl" && !arguments.edges);
+  if (arguments.ati)
+    arguments.suite.subject = arguments.mode == "glsl"   ? atiSubject
+                              : arguments.mode == "peer" ? atiSubjectOfPeer
+                                                         : atiSubjectOfHost;
+  return arguments.ati ? !arguments.edges : arguments.mode != "api" && arguments.mode != "peer";
+}
+
+std::unique_ptr<Backend> backendOf(const Arguments &arguments) {
+  if (arguments.mode == "glsl")
+    return glslBackend();
+  if (!arguments.ati)
+    return arbBackend();
+  return arguments.mode == "arb" ? atiTextBackend() : atiApiBackend();
 }
 
 void writeJson(const std::string &path, const std::string &mode, const Report &report) {
@@ -101,7 +121,7 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "differential: no GL context: %s\n", why.c_str());
     return 77;
   }
-  const auto backend = arguments.mode == "arb" ? arbBackend() : glslBackend();
+  const auto backend = backendOf(arguments);
   const Report report =
       arguments.edges ? runEdges(*backend, arguments.suite) : runSuite(*backend, arguments.suite);
   std::printf("%-5s %-40.40s programs %4d  values %9llu  ill-conditioned %7llu  worst %.3f  "

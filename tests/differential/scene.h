@@ -24,6 +24,9 @@ using fp::ir::Vec4;
 /// \param programMatrices also the matrices of ARB_fragment_program
 void applyState(bool programMatrices);
 
+/// The name that GL has for a target; of the texture, where the target compares.
+[[nodiscard]] unsigned textureTarget(fp::ir::TexTarget target);
+
 /// Texture objects on their units.
 void applyTextures();
 void applyEnvParameters();

@@ -10,6 +10,25 @@ namespace arbiter::differential {
 
 using namespace fp::ir;
 
+unsigned textureTarget(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return GL_TEXTURE_1D;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    return GL_TEXTURE_2D;
+  case TexTarget::Tex3D:
+    return GL_TEXTURE_3D;
+  case TexTarget::Cube:
+    return GL_TEXTURE_CUBE_MAP;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return GL_TEXTURE_RECTANGLE;
+  }
+  return 0;
+}
+
 namespace {
 struct Size {
   int width, height, depth; ///< depth: slices, or the faces of a cube map
@@ -122,25 +141,6 @@ Vec4 compared(TexTarget target, float reference, float depth) {
   }
 }
 
-GLenum glTarget(TexTarget target) {
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return GL_TEXTURE_1D;
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    return GL_TEXTURE_2D;
-  case TexTarget::Tex3D:
-    return GL_TEXTURE_3D;
-  case TexTarget::Cube:
-    return GL_TEXTURE_CUBE_MAP;
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return GL_TEXTURE_RECTANGLE;
-  }
-  return 0;
-}
-
 std::vector<float> image(int unit, TexTarget target, int firstSlice, int slices) {
   const Size size = sizeOf(target);
   std::vector<float> values;
@@ -158,7 +158,7 @@ void upload(int unit, TexTarget target) {
   const Size size = sizeOf(target);
   const GLint internal = isShadow(target) ? GL_DEPTH_COMPONENT24 : GL_RGBA32F;
   const GLenum format = isShadow(target) ? GL_DEPTH_COMPONENT : GL_RGBA;
-  const GLenum name = glTarget(target);
+  const GLenum name = textureTarget(target);
   if (name == GL_TEXTURE_CUBE_MAP) {
     for (int face = 0; face < 6; ++face)
       glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(face), 0, internal, size.width,
@@ -189,7 +189,7 @@ Vec4 sampleTexture(const Sample &sample) {
 void applyTextures() {
   for (std::size_t unit = 0; unit < fp::testing::kUnitTargets.size(); ++unit) {
     const TexTarget target = fp::testing::kUnitTargets[unit];
-    const GLenum name = glTarget(target);
+    const GLenum name = textureTarget(target);
     const bool repeats = name != GL_TEXTURE_RECTANGLE && name != GL_TEXTURE_CUBE_MAP;
     const GLint wrap = repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     GLuint texture = 0;

@@ -14,6 +14,27 @@ Subject checked(fp::ir::Language language, std::string text, const fp::Limits &l
   std::string error = result.ok() ? "" : result.errorString(text);
   return {std::move(text), std::move(result.program), std::move(error)};
 }
+
+Subject atiUnder(const fp::Limits &limits, std::uint64_t seed, bool peer) {
+  // Beyond unit 4 the scene has shadow textures, which these shaders do not compare. One shader of
+  // four reads what it did not write.
+  const fp::ati::Shader shader = fp::testing::randomAtiShader(
+      seed,
+      {.sampledUnits = 0x1F, .tameSamples = true, .defined = peer || seed % 4 != 0, .peer = peer});
+  Subject subject =
+      checked(fp::ir::Language::AtiFragment, fp::testing::spell(shader, seed), limits);
+  if (!subject.program)
+    return subject;
+  fp::testing::Random random(seed);
+  fp::FixedFunction state;
+  state.targets = fp::testing::kUnitTargets;
+  // Without GLSL, what is clamped before these is the host's own affair with float buffers.
+  state.colorSum = !peer && random.chance(30);
+  if (!peer && random.chance(30))
+    state.fog = fp::ir::FogMode(1 + random.below(3));
+  subject.program = fp::withFixedFunction(*std::move(subject.program), state);
+  return subject;
+}
 } // namespace
 
 fp::Limits suiteLimits() {
@@ -33,23 +54,12 @@ Subject arbSubject(std::uint64_t seed) {
 }
 
 Subject atiSubject(std::uint64_t seed) {
-  // Beyond unit 4 the scene has shadow textures, which these shaders do not compare.
-  const fp::ati::Shader shader =
-      fp::testing::randomAtiShader(seed, {.sampledUnits = 0x1F, .tameSamples = true});
   fp::Limits limits = suiteLimits();
   limits.atiRegisterRange = seed % 2 ? 8 : 0;
-  Subject subject =
-      checked(fp::ir::Language::AtiFragment, fp::testing::spell(shader, seed), limits);
-  if (!subject.program)
-    return subject;
-  fp::testing::Random random(seed);
-  fp::FixedFunction state;
-  state.targets = fp::testing::kUnitTargets;
-  state.colorSum = random.chance(30);
-  if (random.chance(30))
-    state.fog = fp::ir::FogMode(1 + random.below(3));
-  subject.program = fp::withFixedFunction(*std::move(subject.program), state);
-  return subject;
+  return atiUnder(limits, seed, false);
 }
+
+Subject atiSubjectOfHost(std::uint64_t seed) { return atiUnder(suiteLimits(), seed, false); }
+Subject atiSubjectOfPeer(std::uint64_t seed) { return atiUnder(suiteLimits(), seed, true); }
 
 } // namespace arbiter::differential

@@ -25,4 +25,10 @@ struct Subject {
 /// and a colour sum that the seed chooses. Registers clamp to [-8, 8] for half of the seeds.
 [[nodiscard]] Subject atiSubject(std::uint64_t seed);
 
+/// The same with registers of any range, as they are under the profile of the host.
+[[nodiscard]] Subject atiSubjectOfHost(std::uint64_t seed);
+
+/// The same, and within what the specification defines and Mesa's own implementation keeps to.
+[[nodiscard]] Subject atiSubjectOfPeer(std::uint64_t seed);
+
 } // namespace arbiter::differential

@@ -28,8 +28,10 @@ std::string describe(const fs::path &program) {
   const std::string name = program.filename().string();
   const std::string text = readFile(program);
   const bool vertex = isVertex(program);
-  const CheckResult result = checkProgram(
-      vertex ? ir::Language::ArbVertex : ir::Language::ArbFragment, text, testing_support::small());
+  const auto language = vertex                        ? ir::Language::ArbVertex
+                        : text.starts_with("!!ATIfs") ? ir::Language::AtiFragment
+                                                      : ir::Language::ArbFragment;
+  const CheckResult result = checkProgram(language, text, testing_support::small());
   std::string out = "position " + std::to_string(result.errorPosition()) + "\n";
   for (const Diagnostic &diagnostic : result.diagnostics)
     out += render(name, text, diagnostic);

@@ -1,6 +1,8 @@
 #include "fp_compiler/testing/random_ati.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "fp_compiler/testing/random.h"
@@ -48,8 +50,42 @@ private:
     for (std::size_t i = 0; i < pass.pairCount; ++i) {
       // A colour operation and the alpha operation after it would be one pair.
       const bool alphaAlone = i == 0 || pass.pairs[i - 1].alpha;
-      pass.pairs[i] = pair(alphaAlone);
+      const bool result = m_options.defined && m_last && i + 1 == pass.pairCount;
+      pass.pairs[i] = result ? resultPair() : pair(alphaAlone);
+      markWritten(pass.pairs[i]);
     }
+  }
+
+  /// Writes all of r0.
+  Pair resultPair() {
+    Pair pair;
+    do {
+      pair.color = operation(false, 7);
+      pair.color->mask = 7;
+      pair.color->destination = 0;
+      pair.alpha = *pair.color;
+    } while (!validWhole(*pair.color));
+    return pair;
+  }
+
+  void markWritten(const Pair &pair) {
+    if (pair.color)
+      m_written[pair.color->destination] |= pair.color->mask;
+    if (pair.alpha)
+      m_written[pair.alpha->destination] |= 8;
+  }
+
+  /// The operation may be an alpha operation with the same arguments.
+  bool validWhole(const Operation &op) const {
+    for (int i = 0; i < argumentCount(op.op); ++i) {
+      const Argument &a = op.arguments[std::size_t(i)];
+      const bool alpha = a.replicate == Replicate::None && !isDot(op.op);
+      if (a.source == Source::Secondary && a.replicate == Replicate::None)
+        return false;
+      if (m_options.defined && alpha && a.source == Source::Register && !(m_written[a.index] & 8))
+        return false;
+    }
+    return true;
   }
 
   void setups(Pass &pass, int number) {
@@ -61,6 +97,7 @@ private:
       chosen[i] = q ? (divided ? Coordinates::StqDq : Coordinates::Stq)
                     : (divided ? Coordinates::StrDr : Coordinates::Str);
     }
+    const std::array<std::uint8_t, kRegisters> before = std::exchange(m_written, {});
     const auto always = std::size_t(m_random.below(kRegisters));
     for (std::size_t i = 0; i < kRegisters; ++i) {
       if (i != always && m_random.chance(35))
@@ -68,10 +105,15 @@ private:
       Setup &setup = pass.setups[i];
       setup.fromRegister = number > 0 && m_random.chance(50);
       setup.source = std::uint8_t(m_random.below(setup.fromRegister ? kRegisters : kTextTexCoords));
+      if (m_options.defined && setup.fromRegister && (before[setup.source] & 7) != 7)
+        setup.fromRegister = false;
       setup.coordinates = chosen[setup.source + (setup.fromRegister ? kTextTexCoords : 0)];
-      const bool wild = m_options.tameSamples && setup.coordinates == Coordinates::StrDr;
+      const bool wild =
+          (m_options.tameSamples && setup.coordinates == Coordinates::StrDr) ||
+          (m_options.defined && (i == 2 || i == 3) && setup.coordinates >= Coordinates::StrDr);
       const bool sample = !wild && m_options.sampledUnits >> i & 1 && m_random.chance(60);
       setup.kind = sample ? SetupKind::SampleMap : SetupKind::PassTexCoord;
+      m_written[i] = sample ? 0xF : 7;
     }
   }
 
@@ -86,15 +128,22 @@ private:
       pair.alpha = whole(*pair.color);
     else if (shape < 6 && pair.color->op != Op::Dot4)
       pair.alpha = operation(true, 0);
+    if (m_options.peer && pair.alpha && !isDot(pair.alpha->op) && pair.color &&
+        readsResult(*pair.alpha, *pair.color))
+      pair.alpha.reset();
     return pair;
+  }
+
+  static bool readsResult(const Operation &alpha, const Operation &color) {
+    return std::any_of(alpha.arguments.begin(), alpha.arguments.end(), [&](const Argument &a) {
+      return a.source == Source::Register && a.index == color.destination;
+    });
   }
 
   /// The alpha half of an instruction that writes all components, or a dot product's copy.
   std::optional<Operation> whole(const Operation &color) {
-    for (int i = 0; i < argumentCount(color.op); ++i)
-      if (color.arguments[std::size_t(i)].source == Source::Secondary &&
-          color.arguments[std::size_t(i)].replicate == Replicate::None)
-        return {};
+    if (!validWhole(color))
+      return {};
     Operation alpha = color;
     alpha.mask = Operation().mask;
     if (isDot(alpha.op) && m_options.separateDots && m_random.chance(60)) {
@@ -109,7 +158,7 @@ private:
     Operation op;
     do
       op.op = Op(m_random.below(int(Op::Dot2Add) + 1));
-    while (alpha && isDot(op.op));
+    while ((alpha && isDot(op.op)) || (m_options.peer && op.op == Op::Dot2Add));
     // r0 is the result: a shader that seldom writes it says little.
     op.destination = std::uint8_t(m_random.chance(30) ? 0 : m_random.below(kRegisters));
     if (!alpha)
@@ -118,16 +167,49 @@ private:
     op.saturate = m_random.chance(40);
     std::vector<std::uint8_t> constants;
     for (int i = 0; i < argumentCount(op.op); ++i)
-      op.arguments[std::size_t(i)] = argument(alpha, op.op, constants);
+      op.arguments[std::size_t(i)] = argument(alpha ? 8 : op.mask, op.op, i, constants);
     return op;
   }
 
-  Argument argument(bool alpha, Op op, std::vector<std::uint8_t> &constants) {
+  /// The components that an operation takes of its argument.
+  static std::uint8_t components(std::uint8_t mask, Op op, int at) {
+    switch (op) {
+    case Op::Dot3:
+      return 7;
+    case Op::Dot4:
+      return 0xF;
+    case Op::Dot2Add:
+      return at < 2 ? 3 : 4;
+    default:
+      return mask;
+    }
+  }
+
+  /// A register that has these components, if there is one.
+  std::optional<std::uint8_t> readable(std::uint8_t needed) {
+    const auto first = std::uint8_t(m_random.below(kRegisters));
+    for (std::uint8_t i = 0; i < kRegisters; ++i) {
+      const auto reg = std::uint8_t((first + i) % kRegisters);
+      if (!m_options.defined || (m_written[reg] & needed) == needed)
+        return reg;
+    }
+    return {};
+  }
+
+  Argument argument(std::uint8_t mask, Op op, int at, std::vector<std::uint8_t> &constants) {
     Argument argument;
-    const int kind = m_random.below(20);
+    argument.replicate = m_random.chance(50) ? Replicate::None : Replicate(1 + m_random.below(4));
+    const std::uint8_t needed = argument.replicate == Replicate::None
+                                    ? components(mask, op, at)
+                                    : std::uint8_t(1 << (int(argument.replicate) - 1));
+    const bool factor = m_options.defined && op == Op::Lerp && at == 0;
+    const std::optional<std::uint8_t> reg = readable(needed);
+    int kind = m_random.below(20);
+    if (kind < 10 && (!reg || factor))
+      kind += 10;
     if (kind < 10) {
       argument.source = Source::Register;
-      argument.index = std::uint8_t(m_random.below(kRegisters));
+      argument.index = *reg;
     } else if (kind < 14) {
       argument.source = Source::Constant;
       argument.index = constants.size() == 2 ? constants[std::size_t(m_random.below(2))]
@@ -139,17 +221,16 @@ private:
     } else {
       argument.source = m_random.chance(50) ? Source::Zero : Source::One;
     }
-    argument.replicate = m_random.chance(50) ? Replicate::None : Replicate(1 + m_random.below(4));
     // The secondary colour has no alpha (ATFS:843).
     if (argument.source == Source::Secondary) {
-      const bool whole = argument.replicate == Replicate::None && (alpha || op == Op::Dot4);
+      const bool whole = argument.replicate == Replicate::None && (mask == 8 || op == Op::Dot4);
       if (whole || argument.replicate == Replicate::Alpha)
         argument.replicate = Replicate(1 + m_random.below(3));
     }
     argument.complement = m_random.chance(20);
-    argument.bias = m_random.chance(20);
-    argument.twice = m_random.chance(20);
-    argument.negate = m_random.chance(20);
+    argument.bias = !factor && m_random.chance(20);
+    argument.twice = !factor && m_random.chance(20);
+    argument.negate = !factor && m_random.chance(20);
     return argument;
   }
 
@@ -157,6 +238,7 @@ private:
   const RandomAtiOptions &m_options;
   Shader m_shader;
   std::array<bool, kTextTexCoords> m_usesQ = {};
+  std::array<std::uint8_t, kRegisters> m_written = {}; ///< components, in the pass at hand
   bool m_last = false;
 };
 } // namespace

@@ -14,6 +14,13 @@ struct RandomAtiOptions {
   /// Samples divide by texture coordinates' q alone, which inputs keep away from zero: where a
   /// sample at an infinity falls is the host's choice.
   bool tameSamples = false;
+  /// Nothing in the shader is undefined by the specification: registers are written before they are
+  /// read, r0 is written, the factor of LERP is in [0,1], samples of units 2 and 3 (the scene's 3D
+  /// and cube textures) do not divide.
+  bool defined = false;
+  /// Leaves out what Mesa 22.3.6 does against the specification: DOT2ADD's third argument, and
+  /// alpha operations that read what the colour operation of their pair writes.
+  bool peer = false;
   /// Dot products of alpha whose destination is not that of the colour operation: the API form
   /// alone can say that.
   bool separateDots = false;

@@ -109,8 +109,13 @@ void Parser::unknownStatement(const Token &first) {
   if (word == "CONSTANT")
     return error(DiagnosticId::Syntax, first.span, "CONSTANT in a pass",
                  "constants are declared between StartConstants; and EndConstants;");
+  // The prose of the specification and the API form write LERP_ATI, SampleMapATI.
+  std::string_view bare = word;
+  for (const std::string_view suffix : {"ATI", "_"})
+    if (bare.size() > suffix.size() && bare.ends_with(suffix))
+      bare.remove_suffix(suffix.size());
   error(DiagnosticId::UnknownInstruction, first.span, "unknown instruction " + quote(word),
-        didYouMean(word, {"MOV", "ADD", "MUL", "SUB", "DOT3", "DOT4", "MAD", "LERP", "CND", "CND0",
+        didYouMean(bare, {"MOV", "ADD", "MUL", "SUB", "DOT3", "DOT4", "MAD", "LERP", "CND", "CND0",
                           "DOT2ADD", "PassTexCoord", "SampleMap", "EndPass"}));
 }
 

@@ -1,0 +1,24 @@
+!!ATIfs1.0
+StartConstants;
+    CONSTANT c0 = { 1.0, 2.0 };
+    CONSTANT c0 = program.env[8];
+    CONSTANT c1 = program.local[1];
+    CONSTANT c2 = program.local[2];
+EndConstants;
+StartPrelimPass;
+    SampleMap r0, r1.str;
+    SampleMap r0, t0.stq;
+EndPass;
+StartOutputPass;
+    SampleMap r1, t0.str;
+    SampleMap r2, r2.stq_dq;
+    MAD r0, c0, c1, c2;
+    MOV r0, c3;
+    DOT3 r0.a, r1, r2;
+    DOT4 r0.rgb, r1, r2;
+    MOV r0.a, r1;
+    MUL r0, r1, color1;
+    MOV r6.bgr, r1.4x;
+    SampleMap r3, t1;
+    LERP_ATI r0, r1, r2, r3;
+EndPass;

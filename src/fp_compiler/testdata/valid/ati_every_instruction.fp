@@ -1,0 +1,30 @@
+!!ATIfs1.0
+StartConstants;
+    CONSTANT c0 = program.env[1];
+EndConstants;
+StartPrelimPass;
+    PassTexCoord r0, t0.str;
+    PassTexCoord r1, t1.stq_dq;
+    SampleMap    r2, t2.str;
+    MOV     r3.rgb, r0;
+    MOV     r3.a, r2.comp;
+    ADD     r3.2x, r3, r1.r;
+    MUL     r4.4x.sat, r3, r2.bias;
+    SUB     r4.rb.8x, r4, # a comment within a statement
+                      r2.2x;
+    DOT3    r5.half, r0.neg, r1;
+    DOT4    r5.ga.quarter, r2, r4;
+    MAD     r0, r5, r4, c0;
+EndPass;
+StartOutputPass;
+    PassTexCoord r0, r0.str;
+    SampleMap    r1, r3.str;
+    PassTexCoord r5, r5.str_dr;
+    LERP    r0.rgb, r0.r, r1, color0;
+    DOT2ADD r2.eighth, r1, r5, color1;
+    CND     r0, r0, r2, r5;
+    CND0    r0.sat, r0, r1.neg.2x.bias.comp, r2;
+    MOV     r3.rgb, r1.a;
+    MOV     r0.a, 0;
+    ADD     r0, r0, 1.neg;
+EndPass;
