@@ -3,8 +3,8 @@
 
 glsl: the compiler's GLSL given to the host; host: the host's own ARB path, in a process of its own;
 layer: the same calls with the layer in front, whose statistics must show that it compiled them.
-ati-glsl, ati-api: ATI fragment shaders as GLSL, and through ATI_fragment_shader with the layer in
-front.
+ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the layer in
+front through ATI_text_fragment_shader and through ATI_fragment_shader.
 """
 
 import argparse
@@ -60,7 +60,8 @@ def main():
     ati = ["--language", "ati", "--mode"]
     ways = [("glsl", ["--mode", "glsl"], {}), ("host", ["--mode", "arb"], {}),
             ("layer", ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(stats)}),
-            ("ati-glsl", [*ati, "glsl"], {}), ("ati-api", [*ati, "api"], in_front)]
+            ("ati-glsl", [*ati, "glsl"], {}), ("ati-text", [*ati, "arb"], in_front),
+            ("ati-api", [*ati, "api"], in_front)]
     passed = failed = 0
     for name, options, extra in ways:
         result = run(name, args, options, extra)

@@ -19,6 +19,9 @@ depth.range matrix. modelview projection mvp palette[ program[ inverse transpose
 !!ARBvp1.0 ARB_position_invariant NV_vertex_program2 vertex. normal weight matrixindex[ attrib[
 result.position result.fogcoord result.pointsize result.texcoord[ .front .back .secondary
 texgen .eye.s .object.q clip[ .plane point.size A0 [A0.x] [A0.x+63] [A0.x-64]
+!!ATIfs1.0 StartConstants; EndConstants; StartPrelimPass; StartOutputPass; EndPass; CONSTANT
+PassTexCoord SampleMap DOT3 DOT4 DOT2ADD LERP CND CND0 r0 r5 c0 c7 t0 t5 color0 color1
+.str .stq .str_dr .stq_dq .2x .4x .8x .half .quarter .eighth .sat .neg .bias .comp .rgb
 """
 
 
