@@ -1,0 +1,97 @@
+#include "fp_compiler/compilation.h"
+
+#include <cstring>
+
+#include "fp_compiler/front/diagnostic_ids.h"
+#include "fp_compiler/ir/validate.h"
+#include "util/archive.h"
+
+namespace arbiter::fp {
+
+// Members are taken apart by name, so that a new one does not compile until it is written too. The
+// functions stand beside their types' declarations, where the archive finds them.
+
+#define FP_FIELDS(Type, ...)                                                                       \
+  template <typename Archive> void fields(Archive &archive, Type &value) {                         \
+    auto &[__VA_ARGS__] = value;                                                                   \
+    archive(__VA_ARGS__);                                                                          \
+  }
+
+FP_FIELDS(Span, begin, end)
+FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
+FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
+          buffers, palette, indirections, vertexUnits, clipPlanes, vertexAttribs)
+FP_FIELDS(CompileOptions, limits, policy)
+FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipVertex)
+FP_FIELDS(GlslSampler, uniform, unit, target)
+FP_FIELDS(GlslUniform, parameter)
+FP_FIELDS(GlslAttribute, name, index)
+FP_FIELDS(GlslShader, text, uniforms, samplers, attributes, writesDepth, kills)
+FP_FIELDS(CheckResult, diagnostics, program, counts, nativeCounts, underNative)
+FP_FIELDS(Compilation, check, glsl)
+
+namespace ir {
+FP_FIELDS(Operand, file, index, swizzle, negate, relative, address, offset, span)
+FP_FIELDS(Destination, file, index, mask, saturate, span)
+FP_FIELDS(Instruction, op, dst, src, unit, target, span)
+FP_FIELDS(Attribute, kind, index)
+FP_FIELDS(Output, kind, index)
+FP_FIELDS(StateRef, item, back, index, modifier, row)
+FP_FIELDS(Parameter, kind, constant, index, state)
+FP_FIELDS(Temporary, name)
+FP_FIELDS(Options, fog, precision, shadow, drawBuffers, upperLeft, centerInteger, invariant, sum)
+FP_FIELDS(ParameterArray, name, rows)
+FP_FIELDS(Program, language, options, temporaries, attributes, parameters, outputs, addresses,
+          arrays, code)
+} // namespace ir
+
+/// An ID is a pointer into the table of diagnostics: it is written as text and found again.
+void fields(ArchiveWriter &archive, Diagnostic &value) {
+  auto &[severity, id, span, message, hint] = value;
+  archive(severity, std::string_view(id), span, message, hint);
+}
+void fields(ArchiveReader &archive, Diagnostic &value) {
+  auto &[severity, id, span, message, hint] = value;
+  std::string name;
+  archive(severity, name, span, message, hint);
+  for (const DiagnosticInfo &row : diagnosticTable()) {
+    if (name == row.id) {
+      id = row.id;
+      return;
+    }
+  }
+  archive.fail();
+}
+
+#undef FP_FIELDS
+
+Compilation compile(const CompilationInput &input, std::string_view text) {
+  Compilation result;
+  result.check = checkProgram(input.language, text, input.options);
+  if (result.check.ok())
+    result.glsl = emitGlsl(*result.check.program, input.host);
+  return result;
+}
+
+std::string cacheKey(const CompilationInput &input, std::string_view text) {
+  ArchiveWriter archive;
+  archive(input.language, input.options, input.host, text);
+  return archive.take();
+}
+
+std::string serialise(const Compilation &compilation) {
+  ArchiveWriter archive;
+  archive(compilation);
+  return archive.take();
+}
+
+std::optional<Compilation> deserialise(std::string_view bytes) {
+  ArchiveReader archive(bytes);
+  std::optional<Compilation> result(std::in_place);
+  archive(*result);
+  if (!archive.complete() || (result->check.ok() && !ir::validate(*result->check.program).empty()))
+    return std::nullopt;
+  return result;
+}
+
+} // namespace arbiter::fp

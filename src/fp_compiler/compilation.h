@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fp_compiler/compiler.h"
+
+/// A program string's whole way through the compiler as one value, and that value as bytes, for a
+/// cache. No GL, no files.
+namespace arbiter::fp {
+
+struct Compilation {
+  CheckResult check;
+  GlslShader glsl; ///< empty where the check failed
+};
+
+/// What a compilation depends on, beside the compiler itself.
+struct CompilationInput {
+  ir::Language language = ir::Language::ArbFragment;
+  CompileOptions options;
+  GlslHost host;
+};
+
+/// checkProgram() and, if that went well, emitGlsl().
+[[nodiscard]] Compilation compile(const CompilationInput &input, std::string_view text);
+
+/// All that decides the result, as bytes: equal for equal inputs, different for different ones.
+[[nodiscard]] std::string cacheKey(const CompilationInput &input, std::string_view text);
+
+/// The result as bytes, for this build of the compiler only.
+[[nodiscard]] std::string serialise(const Compilation &compilation);
+/// Nothing if the bytes are not, to the last, what serialise() wrote, or hold a program that
+/// ir::validate() does not accept. Safe for any bytes.
+[[nodiscard]] std::optional<Compilation> deserialise(std::string_view bytes);
+
+} // namespace arbiter::fp

@@ -1,0 +1,130 @@
+/// A compilation as bytes comes back as it was, and damaged bytes never come back as a program.
+#include "fp_compiler/compilation.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "fp_compiler/hw/profile.h"
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/testing/random.h"
+
+namespace arbiter::fp {
+namespace {
+
+CompilationInput input(LimitPolicy policy = LimitPolicy::Enforce) {
+  CompilationInput input;
+  input.options.limits = hw::findBuiltin("r300")->fragment;
+  input.options.policy = policy;
+  return input;
+}
+
+void expectSame(const Compilation &a, const Compilation &b, std::string_view text) {
+  EXPECT_EQ(a.check.errorString(text), b.check.errorString(text));
+  EXPECT_EQ(a.check.errorPosition(), b.check.errorPosition());
+  ASSERT_EQ(a.check.ok(), b.check.ok());
+  EXPECT_EQ(a.check.counts, b.check.counts);
+  EXPECT_EQ(a.check.nativeCounts, b.check.nativeCounts);
+  EXPECT_EQ(a.check.underNativeLimits, b.check.underNativeLimits);
+  if (a.check.ok()) {
+    EXPECT_EQ(ir::print(*a.check.program), ir::print(*b.check.program));
+  }
+  EXPECT_EQ(a.glsl.text, b.glsl.text);
+  ASSERT_EQ(a.glsl.uniforms.size(), b.glsl.uniforms.size());
+  for (std::size_t i = 0; i < a.glsl.uniforms.size(); ++i) {
+    EXPECT_EQ(a.glsl.uniforms[i].parameter.kind, b.glsl.uniforms[i].parameter.kind);
+    EXPECT_EQ(a.glsl.uniforms[i].parameter.index, b.glsl.uniforms[i].parameter.index);
+    EXPECT_EQ(a.glsl.uniforms[i].parameter.state, b.glsl.uniforms[i].parameter.state);
+  }
+  ASSERT_EQ(a.glsl.samplers.size(), b.glsl.samplers.size());
+  for (std::size_t i = 0; i < a.glsl.samplers.size(); ++i)
+    EXPECT_EQ(a.glsl.samplers[i].uniform, b.glsl.samplers[i].uniform);
+  EXPECT_EQ(a.glsl.writesDepth, b.glsl.writesDepth);
+  EXPECT_EQ(a.glsl.kills, b.glsl.kills);
+}
+
+const char *const kTexts[] = {
+    "!!ARBfp1.0\nPARAM p = program.env[3];\nPARAM c = {1,2,3,4};\nTEMP t;\n"
+    "TEX t, fragment.texcoord[1], texture[2], 2D;\nMAD_SAT t.xyz, -t.wzyx, p, c;\n"
+    "KIL t.x;\nMUL result.color, t, state.material.diffuse;\nMOV result.depth.z, t.w;\nEND\n",
+    "!!ARBfp1.0\nOPTION ARB_fog_exp2;\nMOV result.color, fragment.color;\nEND\n",
+    "!!ARBfp1.0\nMOV result.color, nothing;\nEND\n",
+    "", // not a program at all
+};
+
+TEST(Compilation, ComesBackAsItWas) {
+  for (const char *text : kTexts) {
+    const Compilation before = compile(input(), text);
+    const auto after = deserialise(serialise(before));
+    ASSERT_TRUE(after) << text;
+    expectSame(before, *after, text);
+    EXPECT_EQ(serialise(before), serialise(*after)); // all of it, whatever the test knows
+  }
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::string text = testing::spell(testing::randomProgram(seed), seed);
+    const Compilation before = compile(input(LimitPolicy::Report), text);
+    const auto after = deserialise(serialise(before));
+    ASSERT_TRUE(after) << text;
+    expectSame(before, *after, text);
+    EXPECT_EQ(serialise(before), serialise(*after));
+  }
+}
+
+TEST(Compilation, VertexProgramsComeBackToo) {
+  CompilationInput vertex = input();
+  vertex.language = ir::Language::ArbVertex;
+  vertex.options.limits.api = {256, 256, 0, 0, 32, 256, 16, 1};
+  vertex.options.limits.native = vertex.options.limits.api;
+  const char *const text = "!!ARBvp1.0\nADDRESS a;\nPARAM m[] = { program.env[0..7] };\n"
+                           "ARL a.x, vertex.attrib[3].x;\nMOV result.color, m[a.x + 2];\n"
+                           "MOV result.position, vertex.position;\nEND\n";
+  const Compilation before = compile(vertex, text);
+  ASSERT_TRUE(before.check.ok()) << before.check.errorString(text);
+  const auto after = deserialise(serialise(before));
+  ASSERT_TRUE(after);
+  expectSame(before, *after, text);
+  EXPECT_EQ(serialise(before), serialise(*after));
+}
+
+TEST(Compilation, BytesThatEndEarlyOrLateAreRefused) {
+  for (const char *text : kTexts) {
+    const std::string good = serialise(compile(input(), text));
+    for (std::size_t length = 0; length < good.size(); ++length)
+      ASSERT_FALSE(deserialise(std::string_view(good).substr(0, length))) << length;
+    EXPECT_FALSE(deserialise(good + '\0'));
+  }
+}
+
+// The store's checksum finds damage first; this is for the bytes that it might miss: no crash, no
+// wild allocation, no program that validate() does not accept.
+TEST(Compilation, AFlippedBitIsNoCrash) {
+  for (const char *text : kTexts) {
+    const std::string good = serialise(compile(input(), text));
+    for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
+      std::string bad = good;
+      bad[bit / 8] = char(bad[bit / 8] ^ (1 << (bit % 8)));
+      (void)deserialise(bad);
+    }
+  }
+}
+
+TEST(CacheKey, DiffersWhereverTheResultMay) {
+  const std::string text = kTexts[0];
+  const std::string key = cacheKey(input(), text);
+  EXPECT_EQ(key, cacheKey(input(), text));
+  EXPECT_NE(key, cacheKey(input(), text + " "));
+  EXPECT_NE(key, cacheKey(input(LimitPolicy::Report), text));
+  CompilationInput other = input();
+  other.language = ir::Language::ArbVertex;
+  EXPECT_NE(key, cacheKey(other, text));
+  other = input();
+  other.options.limits.native.temporaries += 1;
+  EXPECT_NE(key, cacheKey(other, text));
+  other = input();
+  other.host.clipVertex = !other.host.clipVertex;
+  EXPECT_NE(key, cacheKey(other, text));
+}
+
+} // namespace
+} // namespace arbiter::fp
