@@ -8,8 +8,9 @@
 
 namespace arbiter::fp {
 
-// Members are taken apart by name, so that a new one does not compile until it is written too. The
-// functions stand beside their types' declarations, where the archive finds them.
+// Members are taken apart by position, so that a new one does not compile here until it has a name
+// in its structure's list and is written too; what the name is does not matter. The functions stand
+// in their types' namespaces, where the archive finds them.
 
 #define FP_FIELDS(Type, ...)                                                                       \
   template <typename Archive> void fields(Archive &archive, Type &value) {                         \
@@ -20,7 +21,7 @@ namespace arbiter::fp {
 FP_FIELDS(Span, begin, end)
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
-          buffers, palette, indirections, vertexUnits, clipPlanes, vertexAttribs)
+          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs)
 FP_FIELDS(CompileOptions, limits, policy)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipVertex)
 FP_FIELDS(GlslSampler, uniform, unit, target)
@@ -68,7 +69,7 @@ void fields(ArchiveReader &archive, Diagnostic &value) {
 Compilation compile(const CompilationInput &input, std::string_view text) {
   Compilation result;
   result.check = checkProgram(input.language, text, input.options);
-  if (result.check.ok())
+  if (result.check.ok() && input.language != ir::Language::AtiFragment)
     result.glsl = emitGlsl(*result.check.program, input.host);
   return result;
 }

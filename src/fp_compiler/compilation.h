@@ -11,7 +11,9 @@ namespace arbiter::fp {
 
 struct Compilation {
   CheckResult check;
-  GlslShader glsl; ///< empty where the check failed
+  /// Empty where the check failed, and for ATI's languages: theirs depends on the state that they
+  /// are drawn under (fixed_function.h).
+  GlslShader glsl;
 };
 
 /// What a compilation depends on, beside the compiler itself.
@@ -21,7 +23,7 @@ struct CompilationInput {
   GlslHost host;
 };
 
-/// checkProgram() and, if that went well, emitGlsl().
+/// checkProgram() and, if that went well and the language allows, emitGlsl().
 [[nodiscard]] Compilation compile(const CompilationInput &input, std::string_view text);
 
 /// All that decides the result, as bytes: equal for equal inputs, different for different ones.

@@ -2,6 +2,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "fp_compiler/compilation.h"
 #include "state/context.h"
 
 /// The program API below the entry points: what runs when a command is executed, be it called or
@@ -21,13 +22,16 @@ void invalidateProgram(Context &context);
 [[nodiscard]] bool checkProgramString(Context &context, GLenum format, GLsizei length);
 /// What the compiler is told for programs of the target.
 [[nodiscard]] fp::CompileOptions compileOptions(const ProgramTarget &row);
+/// The text through the compiler, or from the program cache.
+[[nodiscard]] fp::Compilation compileText(const Context &context, const ProgramTarget &row,
+                                          std::string_view text);
 /// What an object holds after a load of `text`: the GLSL of a valid replacement or else of the text
 /// itself, with the answers that the application expects.
 /// \param own of the text; \param replacement null where there is none
 /// \returns null where neither is valid.
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 compileProgram(const Context &context, Target target, std::string_view text,
-               const fp::CheckResult &own, const Replacement *replacement);
+               const fp::Compilation &own, const Replacement *replacement);
 /// ProgramString (3.11.1) into `object`, in the language of its target.
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string);

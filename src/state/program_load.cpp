@@ -9,6 +9,7 @@
 #include "state/capture.h"
 #include "state/errors.h"
 #include "state/program_api.h"
+#include "state/program_cache.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
@@ -44,30 +45,35 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   return host;
 }
 
+fp::Compilation compileText(const Context &context, const ProgramTarget &row,
+                            std::string_view text) {
+  return compileCached({row.info().language, compileOptions(row), glslHost(context.caps)}, text);
+}
+
 std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Target target,
                                                       std::string_view text,
-                                                      const fp::CheckResult &own,
+                                                      const fp::Compilation &own,
                                                       const Replacement *replacement) {
   const bool replaced = replacement && replacement->result.ok();
-  const fp::CheckResult &source = replaced ? replacement->result : own;
+  const fp::CheckResult &source = replaced ? replacement->result : own.check;
   if (!source.ok())
     return nullptr;
   // The application hears of its own program, if that is one at all.
-  const fp::CheckResult &answers = own.ok() ? own : source;
+  const fp::CheckResult &answers = own.check.ok() ? own.check : source;
   auto compiled = std::make_shared<CompiledProgram>();
   compiled->target = target;
   compiled->text = text;
   compiled->hash = hashBytes(text);
   if (replaced)
     compiled->replacement = replacement->text;
-  compiled->warnings = own.ok() ? own.errorString(text) : std::string();
+  compiled->warnings = own.check.ok() ? own.check.errorString(text) : std::string();
   compiled->counts = answers.counts;
   compiled->nativeCounts = answers.nativeCounts;
   compiled->underNativeLimits = answers.underNativeLimits;
   if (infoOf(target).language == fp::ir::Language::AtiFragment)
     compiled->ati = std::make_shared<const AtiForms>(*source.program, glslHost(context.caps));
   else
-    compiled->glsl = fp::emitGlsl(*source.program, glslHost(context.caps));
+    compiled->glsl = replaced ? fp::emitGlsl(*source.program, glslHost(context.caps)) : own.glsl;
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));
   if (debugFlag(DebugFlag::Glsl))
@@ -90,17 +96,17 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
   }
 
   const ProgramTarget &row = context.row(object.target);
-  const fp::CompileOptions options = compileOptions(row);
-  const fp::CheckResult result = fp::checkProgram(row.info().language, text, options);
+  const fp::Compilation own = compileText(context, row, text);
+  const fp::CheckResult &result = own.check;
   context.errorPosition = result.errorPosition();
   context.errorString = result.errorString(text);
   if (debugFlag(DebugFlag::Text))
     logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
   std::optional<Replacement> replacement;
   if (replacing())
-    replacement = findReplacement(object.target, hashBytes(text), options);
+    replacement = findReplacement(object.target, hashBytes(text), compileOptions(row));
   std::shared_ptr<const CompiledProgram> compiled =
-      compileProgram(context, object.target, text, result, replacement ? &*replacement : nullptr);
+      compileProgram(context, object.target, text, own, replacement ? &*replacement : nullptr);
   noteLoadedProgram(context, object, text, result);
   captureLoad(context, object, text, result, compiled.get());
   if (!compiled) {

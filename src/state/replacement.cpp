@@ -47,7 +47,7 @@ void reload(Context &context, ProgramObject &object, std::uint64_t since) {
   const auto replacement = findReplacement(object.target, old->hash, compileOptions(row));
   if (replacement && (!replacement->result.ok() || replacement->text == old->replacement))
     return;
-  const fp::CheckResult own = fp::checkProgram(row.info().language, old->text, compileOptions(row));
+  const fp::Compilation own = compileText(context, row, old->text);
   std::shared_ptr<const CompiledProgram> fresh =
       compileProgram(context, object.target, old->text, own, replacement ? &*replacement : nullptr);
   if (!fresh) {

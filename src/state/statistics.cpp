@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "state/context.h"
+#include "state/program_cache.h"
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/hash.h"
@@ -321,6 +322,12 @@ std::string statisticsJson() {
     writeProgram(json, row);
   json.endArray();
   json.key("programs_not_listed").value(r.programsNotListed);
+  const ProgramCacheCounters cache = programCacheCounters();
+  json.key("program_cache").beginObject();
+  json.key("hits").value(cache.hits);
+  json.key("misses").value(cache.misses);
+  json.key("stored").value(cache.stored);
+  json.endObject();
   writeDraws(json, totals);
   writeFeedback(json, totals);
   json.key("frames").value(totals.frames);

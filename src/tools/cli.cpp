@@ -26,6 +26,7 @@ struct Arguments {
   RunArguments run;
   CaptureArguments capture;
   ProfilesArguments profiles;
+  CacheArguments cache;
 };
 
 constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
@@ -191,6 +192,14 @@ void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   command->footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
 }
 
+void addCache(CLI::App &app, CacheArguments &cache) {
+  CLI::App *command =
+      app.add_subcommand("cache", "Show where compiled programs are kept on disk, and how many");
+  command->add_flag("--clear", cache.clear, "remove them");
+  command->footer("ARBITER_CACHE and ARBITER_CACHE_MAX_MB rule the cache; see arbiter(7).\n"
+                  "Examples:\n  arbiter cache\n  arbiter cache --clear");
+}
+
 /// What stands behind the first "--" of `run` and `capture` is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   if (words.empty() || (words[0] != "run" && words[0] != "capture"))
@@ -252,6 +261,8 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return compile(arguments.compile);
   if (app.got_subcommand("draw"))
     return draw(arguments.draw, argv);
+  if (app.got_subcommand("cache"))
+    return cache(arguments.cache);
   if (app.got_subcommand("profiles"))
     return profiles(arguments.profiles);
   if (app.got_subcommand("capture"))
@@ -287,6 +298,7 @@ int interpret(int argc, char **argv) {
   addRun(app, arguments.run);
   addCapture(app, arguments.capture);
   addProfiles(app, arguments.profiles);
+  addCache(app, arguments.cache);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
 
   const std::vector<std::string> all(argv, argv + argc);

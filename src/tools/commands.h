@@ -84,6 +84,11 @@ struct DrawArguments {
 /// \param argv the whole command line, to be executed again under the layer
 [[nodiscard]] int draw(const DrawArguments &arguments, const std::vector<std::string> &argv);
 
+struct CacheArguments {
+  bool clear = false;
+};
+[[nodiscard]] int cache(const CacheArguments &arguments);
+
 struct ProfilesArguments {
   std::string name; ///< empty: list all
 };

@@ -158,6 +158,16 @@ std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std:
   return fallback;
 }
 
+void readCache(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Cache);
+  if (value == "0")
+    result.cache = false;
+  else if (!value.empty() && value != "1")
+    reader.warn(Env::Cache, "expected 0 or 1, not " + quoted(value));
+  result.cacheMaxMegabytes =
+      readNumber(reader, Env::CacheMaxMb, 1, 65536, result.cacheMaxMegabytes);
+}
+
 /// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
@@ -206,6 +216,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readDebug(reader, result);
   readLimits(reader, result);
   readHostVendor(reader, result);
+  readCache(reader, result);
   readIdentity(reader, result);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);

@@ -137,6 +137,22 @@ TEST(Settings, NumbersAreWholeAndInRange) {
     EXPECT_EQ(parse({{"ARBITER_EXTENSIONS_MAX_LENGTH", bad}}).warnings.size(), 1u) << bad;
 }
 
+TEST(Settings, TheCacheIsOnUnlessItIsTurnedOff) {
+  EXPECT_TRUE(parse({}).settings.cache);
+  EXPECT_EQ(std::to_string(parse({}).settings.cacheMaxMegabytes), info(Env::CacheMaxMb).fallback);
+  EXPECT_FALSE(parse({{"ARBITER_CACHE", "0"}}).settings.cache);
+  EXPECT_TRUE(parse({{"ARBITER_CACHE", "1"}}).settings.cache);
+  EXPECT_EQ(parse({{"ARBITER_CACHE_MAX_MB", "5"}}).settings.cacheMaxMegabytes, 5u);
+  for (const char *bad : {"no", "2", "-0"}) {
+    EXPECT_TRUE(parse({{"ARBITER_CACHE", bad}}).settings.cache) << bad;
+    EXPECT_EQ(parse({{"ARBITER_CACHE", bad}}).warnings.size(), 1u) << bad;
+  }
+  for (const char *bad : {"0", "65537", "-5", "lots", "99999999999999999999"}) {
+    EXPECT_EQ(parse({{"ARBITER_CACHE_MAX_MB", bad}}).settings.cacheMaxMegabytes, 64u) << bad;
+    EXPECT_EQ(parse({{"ARBITER_CACHE_MAX_MB", bad}}).warnings.size(), 1u) << bad;
+  }
+}
+
 TEST(Settings, TheHostVendorIsAPlainNameAndNotOurselves) {
   for (const char *bad : {"../evil", "a/b", "me sa", "arbiter"}) {
     const Parsed parsed = parse({{"ARBITER_HOST_VENDOR", bad}});
