@@ -1,13 +1,12 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "state/capture_row.h"
 #include "state/program_object.h"
 #include "state/target.h"
 
@@ -18,28 +17,8 @@
 /// merges the records.
 namespace arbiter::state {
 
-/// The texture of a unit that a program samples, when its draws began.
-struct TextureUse {
-  std::uint8_t unit = 0;
-  fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
-  GLint name = 0;
-  GLint width = 0, height = 0, depth = 0; ///< texels; 0: no image
-  GLint format = 0;                       ///< internal format
-  std::uint8_t enabled = 0; ///< fixed-function targets of the unit: bit i is kFixedTargets[i]
-};
-
-/// The fixed-function texture targets, in rising precedence (3.8.15).
-struct FixedTarget {
-  GLenum cap;
-  const char *name;
-};
-inline constexpr FixedTarget kFixedTargets[] = {
-    {GL_TEXTURE_1D, "TEXTURE_1D"},
-    {GL_TEXTURE_2D, "TEXTURE_2D"},
-    {GL_TEXTURE_RECTANGLE, "TEXTURE_RECTANGLE"},
-    {GL_TEXTURE_3D, "TEXTURE_3D"},
-    {GL_TEXTURE_CUBE_MAP, "TEXTURE_CUBE_MAP"},
-};
+/// ARBITER_CAPTURE_SCHEMA of GL/arbiter.h: grows when a member changes its meaning or goes.
+inline constexpr int kCaptureSchema = 1;
 
 /// One stretch of draws with a program.
 struct ProgramUse {
@@ -73,13 +52,11 @@ public:
   void finish();
 
 private:
-  struct Row;
-
   explicit CaptureRecord(std::string folder);
   void afterFork();
-  Row *rowOf(Target target, const Hash128 &hash);
+  CaptureRow *rowOf(Target target, const Hash128 &hash);
   void writeFile(const std::string &name, std::string_view text, bool keep);
-  void writeGlsl(Row &row, const CompiledProgram &program);
+  void writeGlsl(CaptureRow &row, const CompiledProgram &program);
   void write(bool complete);
   void writeNowAndThen();
   [[nodiscard]] std::string json(bool complete) const;
@@ -88,8 +65,8 @@ private:
   const std::string m_folder;
   pid_t m_process = 0;
   std::string m_path;
-  std::unordered_map<std::string, std::unique_ptr<Row>> m_rows; ///< by file name
-  std::vector<const Row *> m_order;
+  std::unordered_map<std::string, std::unique_ptr<CaptureRow>> m_rows; ///< by file name
+  std::vector<const CaptureRow *> m_order;
   std::uint64_t m_notListed = 0;
   std::uint64_t m_contexts = 0;
   std::uint64_t m_frames = 0;
