@@ -2,9 +2,10 @@
 """The differential suite in several ways, each against the reference interpreter.
 
 glsl: the compiler's GLSL given to the host; host: the host's own ARB path, in a process of its own;
-layer: the same calls with the layer in front, whose statistics must show that it compiled them.
-ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the layer in
-front through ATI_text_fragment_shader and through ATI_fragment_shader.
+printed: that path with the compiler's own text of each program; layer: the same calls with the
+layer in front, whose statistics must show that it compiled them. vertex-...: likewise of vertex
+programs. ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the
+layer in front through ATI_text_fragment_shader and through ATI_fragment_shader.
 """
 
 import argparse
@@ -15,20 +16,20 @@ import subprocess
 import sys
 
 
-def run(name, args, options, extra):
+def run(name, args, count, options, extra):
     """(failed, programs) of one way; failed is None if it could not run at all."""
     report = args.out / (name + ".json")
     report.unlink(missing_ok=True)
-    print("%-8s" % name, end=" ", flush=True)
+    print("%-15s" % name, end=" ", flush=True)
     done = subprocess.run(
         [str(args.build / "tests/differential/differential"), *options,
-         "--count", str(args.count), "--json", str(report),
+         "--count", str(count), "--json", str(report),
          "--failures", str(args.out / (name + "-failures"))],
         env={**os.environ, **extra}, stdin=subprocess.DEVNULL)
     try:
         document = json.loads(report.read_text())
     except (OSError, ValueError):
-        print("%-8s no report, status %d" % (name, done.returncode), flush=True)
+        print("%-15s no report, status %d" % (name, done.returncode), flush=True)
         return None
     failed = len(document["failures"])
     if done.returncode not in (0, 1) or (done.returncode == 1) != (failed > 0):
@@ -49,29 +50,38 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--count", type=int, default=500)
+    parser.add_argument("--count", type=int, default=500, help="fragment programs")
+    parser.add_argument("--vertex-count", type=int, default=300, help="vertex programs")
     parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
+    layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
     stats = args.out / "stats.json"
     stats.unlink(missing_ok=True)
-    layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
     in_front = {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host"}
     ati = ["--language", "ati", "--mode"]
-    ways = [("glsl", ["--mode", "glsl"], {}), ("host", ["--mode", "arb"], {}),
-            ("layer", ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(stats)}),
-            ("ati-glsl", [*ati, "glsl"], {}), ("ati-text", [*ati, "arb"], in_front),
-            ("ati-api", [*ati, "api"], in_front)]
+    vertex = ["--language", "vertex", "--mode"]
+    ways = [("glsl", args.count, ["--mode", "glsl"], {}),
+            ("host", args.count, ["--mode", "arb"], {}),
+            ("printed", args.count, ["--mode", "assembly"], {}),
+            ("layer", args.count, ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(stats)}),
+            ("vertex-glsl", args.vertex_count, [*vertex, "glsl"], {}),
+            ("vertex-host", args.vertex_count, [*vertex, "arb"], {}),
+            ("vertex-printed", args.vertex_count, [*vertex, "assembly"], {}),
+            ("vertex-layer", args.vertex_count, [*vertex, "arb"], in_front),
+            ("ati-glsl", args.count, [*ati, "glsl"], {}),
+            ("ati-text", args.count, [*ati, "arb"], in_front),
+            ("ati-api", args.count, [*ati, "api"], in_front)]
     passed = failed = 0
-    for name, options, extra in ways:
-        result = run(name, args, options, extra)
+    for name, count, options, extra in ways:
+        result = run(name, args, count, options, extra)
         if result is None:
             failed += 1
             continue
         failed += result[0]
         passed += result[1] - result[0]
     if compiled_by_layer(stats) < args.count:
-        print("layer  compiled fewer programs than were drawn: it was not in front")
+        print("layer: it compiled fewer programs than were drawn")
         failed += 1
     if args.counts:
         args.counts.write_text(json.dumps({"name": "differential", "passed": passed,

@@ -46,14 +46,14 @@ Vec4 valueOf(const Constant &constant) {
 /// ARB programs, with which the suite measures attributes, and one form of ATI's shaders.
 class AtiBackend : public Backend {
 public:
-  std::string use(const std::string &text, const fp::ir::Program &program) final {
-    const bool ati = text.starts_with(kHeader);
+  std::string use(const Stage &fragment, const Stage *vertex) final {
+    const bool ati = fragment.text.starts_with(kHeader);
     (ati ? glEnable : glDisable)(m_capability);
     if (!ati)
-      return m_arb->use(text, program);
+      return m_arb->use(fragment, vertex);
     glDisable(GL_FRAGMENT_PROGRAM_ARB);
-    applyFixedFunction(program.options);
-    return load(text);
+    applyFixedFunction(fragment.program.options);
+    return load(fragment.text);
   }
   bool hasProgramMatrices() const final { return true; }
 

@@ -10,77 +10,111 @@ namespace arbiter::differential {
 namespace {
 class ArbBackend : public Backend {
 public:
-  std::string use(const std::string &text, const fp::ir::Program &) override {
-    if (m_name)
-      glDeleteProgramsARB(1, &m_name);
-    glGenProgramsARB(1, &m_name);
-    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_name);
-    glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
-                       text.data());
+  /// \param printed give our own text instead of the application's
+  explicit ArbBackend(bool printed) : m_printed(printed) {}
+  std::string use(const Stage &fragment, const Stage *vertex) override {
+    std::string problem = load(GL_FRAGMENT_PROGRAM_ARB, m_fragment, fragment);
+    if (problem.empty() && vertex)
+      problem = load(GL_VERTEX_PROGRAM_ARB, m_vertex, *vertex);
+    if (!vertex)
+      glDisable(GL_VERTEX_PROGRAM_ARB);
+    return problem;
+  }
+  bool hasProgramMatrices() const override { return true; }
+
+private:
+  std::string load(GLenum target, GLuint &name, const Stage &stage) const {
+    const std::string text = m_printed ? fp::emitAssembly(stage.program) : stage.text;
+    if (name)
+      glDeleteProgramsARB(1, &name);
+    glGenProgramsARB(1, &name);
+    glBindProgramARB(target, name);
+    glProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
     GLint position = -1;
     glGetIntegerv(GL_PROGRAM_ERROR_POSITION_ARB, &position);
     if (position != -1) {
       const char *message =
           reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
       (void)takeErrors();
-      return "refused at byte " + std::to_string(position) + ": " + (message ? message : "");
+      return "refused at byte " + std::to_string(position) + ": " + (message ? message : "") +
+             (m_printed ? "\n" + text : "");
     }
-    applyLocalParameters();
-    applyEnvParameters();
-    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+    applyLocalParameters(target);
+    applyEnvParameters(target);
+    glEnable(target);
     return takeErrors();
   }
-  bool hasProgramMatrices() const override { return true; }
 
-private:
-  GLuint m_name = 0;
+  bool m_printed;
+  GLuint m_fragment = 0, m_vertex = 0;
 };
 
 class GlslBackend : public Backend {
 public:
-  std::string use(const std::string &, const fp::ir::Program &program) override {
-    const fp::GlslShader emitted = fp::emitGlsl(program);
+  std::string use(const Stage &fragment, const Stage *vertex) override {
+    const fp::GlslShader fragmentShader = fp::emitGlsl(fragment.program);
+    const fp::GlslShader vertexShader = vertex ? fp::emitGlsl(vertex->program) : fp::GlslShader{};
+    const std::string texts = vertexShader.text + fragmentShader.text;
     if (m_program)
       glDeleteProgram(m_program);
     m_program = glCreateProgram();
-    const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
-    const char *text = emitted.text.c_str();
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    glAttachShader(m_program, shader);
+    std::string problem = attach(GL_FRAGMENT_SHADER, fragmentShader);
+    if (vertex)
+      problem += attach(GL_VERTEX_SHADER, vertexShader);
+    for (const fp::GlslAttribute &attribute : vertexShader.attributes)
+      glBindAttribLocation(m_program, attribute.index, attribute.name.c_str());
     glLinkProgram(m_program);
-    glDeleteShader(shader);
     GLint linked = 0;
     glGetProgramiv(m_program, GL_LINK_STATUS, &linked);
     if (!linked) {
       char log[4096] = "";
-      glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-      if (!log[0])
-        glGetProgramInfoLog(m_program, sizeof log, nullptr, log);
-      return std::string("not compiled: ") + log + "\n" + emitted.text;
+      glGetProgramInfoLog(m_program, sizeof log, nullptr, log);
+      return "not compiled: " + problem + log + "\n" + texts;
     }
     glUseProgram(m_program);
-    for (const fp::GlslSampler &sampler : emitted.samplers)
+    for (const fp::GlslSampler &sampler : fragmentShader.samplers)
       glUniform1i(glGetUniformLocation(m_program, sampler.uniform.c_str()), sampler.unit);
+    upload("arb_param", fragmentShader);
+    upload("arb_vparam", vertexShader);
+    const std::string errors = takeErrors();
+    return errors.empty() ? "" : errors + "\n" + texts;
+  }
+  bool hasProgramMatrices() const override { return false; }
+
+private:
+  /// The host's complaints, if there are any.
+  std::string attach(GLenum type, const fp::GlslShader &emitted) const {
+    const GLuint shader = glCreateShader(type);
+    const char *text = emitted.text.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(m_program, shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    char log[4096] = "";
+    if (!compiled)
+      glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    glDeleteShader(shader);
+    return log;
+  }
+
+  void upload(const char *array, const fp::GlslShader &emitted) const {
     std::vector<float> values;
     for (const fp::GlslUniform &uniform : emitted.uniforms) {
       const Vec4 value = parameterValue(uniform.parameter);
       values.insert(values.end(), value.begin(), value.end());
     }
     if (!values.empty())
-      glUniform4fv(glGetUniformLocation(m_program, "arb_param"), GLsizei(values.size() / 4),
+      glUniform4fv(glGetUniformLocation(m_program, array), GLsizei(values.size() / 4),
                    values.data());
-    const std::string errors = takeErrors();
-    return errors.empty() ? "" : errors + "\n" + emitted.text;
   }
-  bool hasProgramMatrices() const override { return false; }
 
-private:
   GLuint m_program = 0;
 };
 } // namespace
 
-std::unique_ptr<Backend> arbBackend() { return std::make_unique<ArbBackend>(); }
+std::unique_ptr<Backend> arbBackend() { return std::make_unique<ArbBackend>(false); }
+std::unique_ptr<Backend> assemblyBackend() { return std::make_unique<ArbBackend>(true); }
 std::unique_ptr<Backend> glslBackend() { return std::make_unique<GlslBackend>(); }
 
 } // namespace arbiter::differential

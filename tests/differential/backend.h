@@ -6,22 +6,30 @@
 
 namespace arbiter::differential {
 
-/// One way from a program text to pixels.
+/// A program as text and as what the front end made of it.
+struct Stage {
+  const std::string &text;
+  const fp::ir::Program &program;
+};
+
+/// One way from program texts to pixels.
 class Backend {
 public:
   virtual ~Backend() = default;
-  /// Makes the program current for the draws that follow; a reason if it cannot.
-  [[nodiscard]] virtual std::string use(const std::string &text,
-                                        const fp::ir::Program &program) = 0;
+  /// Makes a fragment program, and a vertex program before it or fixed function, current for the
+  /// draws that follow; a reason if it cannot.
+  [[nodiscard]] virtual std::string use(const Stage &fragment, const Stage *vertex = nullptr) = 0;
   /// True if program matrices are GL state of this way.
   [[nodiscard]] virtual bool hasProgramMatrices() const = 0;
 };
 
-/// The API of ARB_fragment_program, whoever implements it.
+/// The API of ARB_fragment_program and ARB_vertex_program, whoever implements it.
 [[nodiscard]] std::unique_ptr<Backend> arbBackend();
 /// ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, whoever implements them.
 [[nodiscard]] std::unique_ptr<Backend> atiTextBackend();
 [[nodiscard]] std::unique_ptr<Backend> atiApiBackend();
+/// The same with emitAssembly()'s text in the place of the application's.
+[[nodiscard]] std::unique_ptr<Backend> assemblyBackend();
 /// emitGlsl()'s text, compiled by the host.
 [[nodiscard]] std::unique_ptr<Backend> glslBackend();
 

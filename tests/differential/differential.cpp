@@ -8,20 +8,23 @@
 #include "edges.h"
 #include "suite.h"
 #include "util/json.h"
+#include "vertex_suite.h"
 
 namespace {
 using namespace arbiter::differential;
 
 constexpr const char *kHelp =
-    "usage: differential [--mode MODE] [--language arb|ati] [--count N] [--seed S] [--json "
-    "FILE] [--failures DIR]\n"
+    "usage: differential [--mode MODE] [--language arb|vertex|ati] [--suite S] [--count N]\n"
+    "                    [--seed S] [--json FILE] [--failures DIR]\n"
     "\n"
-    "Draws N (500) generated fragment programs, 16 x 16 fragments each into float buffers, and\n"
+    "Draws N (500) generated programs, 16 x 16 fragments or vertices each into float buffers, and\n"
     "compares every pixel with the reference interpreter, within tolerances stated per opcode.\n"
     "  --mode glsl  through the compiler's GLSL, given to the host's GLSL compiler (default)\n"
-    "  --mode arb   through the calls of ARB_fragment_program: the host's own implementation, or\n"
+    "  --mode arb   through the calls of the ARB extensions: the host's own implementation, or\n"
     "               the layer's where it is preloaded (ARBITER_PROFILE=host lifts a card's "
     "limits)\n"
+    "  --mode assembly   the same with the compiler's own text, printed from the checked program\n"
+    "  --language arb, vertex   ARB_fragment_program (default), ARB_vertex_program\n"
     "  --language ati   ATI fragment shaders: --mode glsl, --mode arb (their text form) and\n"
     "               --mode api (ATI_fragment_shader); --mode peer is api with shaders that Mesa's\n"
     "               own implementation of it draws as the specification says\n"
@@ -30,18 +33,43 @@ constexpr const char *kHelp =
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
+/// One way to draw the programs of a language, and what may be drawn so.
+struct WayRow {
+  const char *language;
+  const char *mode;
+  std::unique_ptr<Backend> (*create)();
+  Subject (*subject)(std::uint64_t seed); ///< of runSuite()
+  Report (*random)(Backend &, const SuiteOptions &);
+  Report (*edges)(Backend &, const SuiteOptions &); ///< null: there are none
+};
+constexpr WayRow kWays[] = {
+    {"arb", "glsl", glslBackend, arbSubject, runSuite, runEdges},
+    {"arb", "arb", arbBackend, arbSubject, runSuite, runEdges},
+    {"arb", "assembly", assemblyBackend, arbSubject, runSuite, runEdges},
+    {"vertex", "glsl", glslBackend, nullptr, runVertexSuite, runVertexEdges},
+    {"vertex", "arb", arbBackend, nullptr, runVertexSuite, runVertexEdges},
+    {"vertex", "assembly", assemblyBackend, nullptr, runVertexSuite, runVertexEdges},
+    {"ati", "glsl", glslBackend, atiSubject, runSuite, nullptr},
+    {"ati", "arb", atiTextBackend, atiSubjectOfHost, runSuite, nullptr},
+    {"ati", "api", atiApiBackend, atiSubjectOfHost, runSuite, nullptr},
+    {"ati", "peer", atiApiBackend, atiSubjectOfPeer, runSuite, nullptr},
+};
+
+const WayRow *findWay(const std::string &language, const std::string &mode) {
+  for (const WayRow &row : kWays)
+    if (language == row.language && mode == row.mode)
+      return &row;
+  return nullptr;
+}
+
 struct Arguments {
   std::string mode = "glsl";
   std::string json;
-  bool ati = false; ///< the language
+  std::string language = "arb";
+  const WayRow *way = nullptr;
   bool edges = false;
   SuiteOptions suite;
 };
-
-bool isMode(const char *name) {
-  return !std::strcmp(name, "arb") || !std::strcmp(name, "api") || !std::strcmp(name, "peer") ||
-         !std::strcmp(name, "glsl");
-}
 
 bool isSuite(const char *name) {
   return !std::strcmp(name, "random") || !std::strcmp(name, "edges") ||
@@ -54,10 +82,10 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     if (i + 1 == argc)
       return false;
     const char *value = argv[++i];
-    if (name == "--mode" && isMode(value))
+    if (name == "--mode")
       arguments.mode = value;
-    else if (name == "--language" && (!std::strcmp(value, "arb") || !std::strcmp(value, "ati")))
-      arguments.ati = !std::strcmp(value, "ati");
+    else if (name == "--language")
+      arguments.language = value;
     else if (name == "--count" && std::atoi(value) > 0)
       arguments.suite.count = std::atoi(value);
     else if (name == "--seed")
@@ -72,19 +100,11 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     else
       return false;
   }
-  if (arguments.ati)
-    arguments.suite.subject = arguments.mode == "glsl"   ? atiSubject
-                              : arguments.mode == "peer" ? atiSubjectOfPeer
-                                                         : atiSubjectOfHost;
-  return arguments.ati ? !arguments.edges : arguments.mode != "api" && arguments.mode != "peer";
-}
-
-std::unique_ptr<Backend> backendOf(const Arguments &arguments) {
-  if (arguments.mode == "glsl")
-    return glslBackend();
-  if (!arguments.ati)
-    return arbBackend();
-  return arguments.mode == "arb" ? atiTextBackend() : atiApiBackend();
+  arguments.way = findWay(arguments.language, arguments.mode);
+  if (!arguments.way)
+    return false;
+  arguments.suite.subject = arguments.way->subject;
+  return arguments.way->edges || !arguments.edges;
 }
 
 void writeJson(const std::string &path, const std::string &mode, const Report &report) {
@@ -121,9 +141,9 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "differential: no GL context: %s\n", why.c_str());
     return 77;
   }
-  const auto backend = backendOf(arguments);
-  const Report report =
-      arguments.edges ? runEdges(*backend, arguments.suite) : runSuite(*backend, arguments.suite);
+  const auto backend = arguments.way->create();
+  const auto run = arguments.edges ? arguments.way->edges : arguments.way->random;
+  const Report report = run(*backend, arguments.suite);
   std::printf("%-5s %-40.40s programs %4d  values %9llu  ill-conditioned %7llu  worst %.3f  "
               "failed %zu\n",
               arguments.mode.c_str(), report.renderer.c_str(), report.programs,

@@ -132,7 +132,7 @@ private:
         fp::checkFragmentProgram(text, {suiteLimits(), fp::LimitPolicy::Enforce});
     if (!checked.ok())
       return fail(op, checked.errorString(text));
-    std::string problem = m_backend.use(text, *checked.program);
+    std::string problem = m_backend.use({text, *checked.program});
     m_target.clear();
     glRectf(-1, -1, 1, 1);
     if (problem.empty())

@@ -169,7 +169,7 @@ Verdict judge(const Program &program, const ExpectedPixel &expected,
         compare(verdict, *expected.depth, depth, "depth");
       continue;
     }
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; output.index < kColorBuffers && i < 4; ++i)
       compare(verdict, expected.colors[output.index][i], colors[output.index][i],
               "color[" + std::to_string(output.index) + "]." + "xyzw"[i]);
   }

@@ -29,9 +29,18 @@ void applyState(bool programMatrices);
 
 /// Texture objects on their units.
 void applyTextures();
-void applyEnvParameters();
-/// For the bound program.
-void applyLocalParameters();
+/// \param target GL_FRAGMENT_PROGRAM_ARB or GL_VERTEX_PROGRAM_ARB
+void applyEnvParameters(unsigned target);
+/// For the program that is bound to the target.
+void applyLocalParameters(unsigned target);
+
+/// What one vertex has for an attribute of a vertex program: the position is the centre of pixel
+/// (x, y) in clip coordinates, the rest made up.
+[[nodiscard]] Vec4 vertexValue(const fp::ir::Attribute &attribute, int x, int y);
+
+/// One point for each pixel of the window, each a vertex that carries every attribute, conventional
+/// and generic.
+void drawPoints();
 
 /// Covers the window with one quad that carries every attribute.
 void drawQuad();

@@ -127,15 +127,14 @@ void drawQuad() {
   glEnd();
 }
 
-void applyEnvParameters() {
+void applyEnvParameters(unsigned target) {
   for (std::uint16_t i = 0; i < 16; ++i)
-    glProgramEnvParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, i,
-                                parameterValue({ParameterKind::Env, {}, i, {}}).data());
+    glProgramEnvParameter4fvARB(target, i, parameterValue({ParameterKind::Env, {}, i, {}}).data());
 }
 
-void applyLocalParameters() {
+void applyLocalParameters(unsigned target) {
   for (std::uint16_t i = 0; i < 16; ++i)
-    glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, i,
+    glProgramLocalParameter4fvARB(target, i,
                                   parameterValue({ParameterKind::Local, {}, i, {}}).data());
 }
 

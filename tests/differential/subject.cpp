@@ -39,7 +39,7 @@ Subject atiUnder(const fp::Limits &limits, std::uint64_t seed, bool peer) {
 
 fp::Limits suiteLimits() {
   fp::Limits limits;
-  limits.api = {1024, 1024, 1024, 1024, 64, 256, 16};
+  limits.api = {1024, 1024, 1024, 1024, 64, 256, 16, 2};
   limits.native = limits.api;
   limits.localParameters = limits.envParameters = 16;
   limits.textureCoords = limits.textureImageUnits = limits.textureUnits = 8;

@@ -79,7 +79,7 @@ private:
       text += "OPTION ARB_fragment_coord_pixel_center_integer;\n";
     text += "MOV result.color, " + bindingText(attribute) + ";\nEND\n";
     const fp::CheckResult checked = check(text);
-    std::string problem = m_backend.use(text, *checked.program);
+    std::string problem = m_backend.use({text, *checked.program});
     if (problem.empty())
       problem = draw();
     std::vector<float> &values = m_measured[key] = m_target.read(0).rgba;
@@ -125,7 +125,7 @@ private:
       attributes.push_back(&measured(attribute, program.options));
     const Pipeline pipeline{measured({AttributeKind::FogCoord, 0}, {}),
                             measured({AttributeKind::ColorSecondary, 0}, {})};
-    std::string problem = m_backend.use(text, program);
+    std::string problem = m_backend.use({text, program});
     if (problem.empty())
       problem = draw();
     if (!problem.empty()) {

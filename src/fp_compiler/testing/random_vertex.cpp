@@ -94,7 +94,8 @@ private:
         rows.push_back(mixedRow(i));
       m_arrays.push_back({m_builder.array(rows), int(rows.size()), ranges});
     }
-    for (int i = 1 + m_random.below(2); i > 0; --i)
+    // One is all that a host need have.
+    for (int i = m_options.wild ? 1 + m_random.below(2) : 1; i > 0; --i)
       m_addresses.push_back({m_builder.address()});
   }
 
