@@ -23,7 +23,7 @@ FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
           buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs)
 FP_FIELDS(CompileOptions, limits, policy)
-FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipVertex)
+FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes)
 FP_FIELDS(GlslSampler, uniform, unit, target)
 FP_FIELDS(GlslUniform, parameter)
 FP_FIELDS(GlslAttribute, name, index)

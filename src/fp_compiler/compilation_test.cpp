@@ -122,7 +122,7 @@ TEST(CacheKey, DiffersWhereverTheResultMay) {
   other.options.limits.native.temporaries += 1;
   EXPECT_NE(key, cacheKey(other, text));
   other = input();
-  other.host.clipVertex = !other.host.clipVertex;
+  other.host.clipPlanes = !other.host.clipPlanes;
   EXPECT_NE(key, cacheKey(other, text));
 }
 

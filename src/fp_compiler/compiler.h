@@ -87,9 +87,10 @@ struct GlslHost {
   bool textureRectangle = true;     ///< GL_ARB_texture_rectangle
   bool fragCoordConventions = true; ///< GL_ARB_fragment_coord_conventions
   bool drawBuffers = true;
-  /// User clip planes do nothing unless a shader writes gl_ClipVertex. False for hosts that clip
-  /// gl_Position in clip space otherwise, as Mesa does; there it would cost an output a vertex.
-  bool clipVertex = false;
+  /// Vertex programs: write gl_ClipVertex, without which user clip planes do nothing, or are taken
+  /// for planes of clip space, as Mesa does. It costs the host an output a vertex, planes or not;
+  /// a text that is drawn with every plane disabled can do without.
+  bool clipPlanes = true;
 };
 
 /// Optimises a copy of the program and writes it as GLSL. Requires a program that ir::validate()

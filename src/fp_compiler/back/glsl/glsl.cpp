@@ -88,7 +88,7 @@ std::string invariantPosition(const ir::Program &program) {
 /// is. For others the specification has no clipping, but hosts clip them in clip space, by planes
 /// taken through the projection, and programs have come to rely on it.
 std::string clipVertex(const ir::Program &program, const GlslHost &host) {
-  if (program.language != ir::Language::ArbVertex || !host.clipVertex)
+  if (program.language != ir::Language::ArbVertex || !host.clipPlanes)
     return "";
   return program.options.positionInvariant
              ? "  gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;\n"

@@ -93,20 +93,16 @@ TEST(EmitVertex, PositionInvariantIsFixedFunctions) {
   b.options().positionInvariant = true;
   b.op(Opcode::Mov, b.result(OutputKind::FrontPrimary), {b.attribute(AttributeKind::ColorPrimary)});
   EXPECT_TRUE(contains(b.text(), "  gl_Position = ftransform();\n")) << b.text();
-  EXPECT_FALSE(contains(b.text(), "gl_ClipVertex"));
-  GlslHost host;
-  host.clipVertex = true;
-  EXPECT_TRUE(contains(b.shader(host).text, "gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;"));
+  EXPECT_TRUE(contains(b.text(), "gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;")) << b.text();
 }
 
 TEST(EmitVertex, OthersAreClippedInClipSpace) {
   Vertex b;
   b.op(Opcode::Mov, b.position(), {b.vertex()});
-  EXPECT_FALSE(contains(b.text(), "gl_ClipVertex"));
+  EXPECT_TRUE(contains(b.text(), "gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;\n}"));
   GlslHost host;
-  host.clipVertex = true;
-  EXPECT_TRUE(contains(b.shader(host).text,
-                       "gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;\n}"));
+  host.clipPlanes = false;
+  EXPECT_FALSE(contains(b.shader(host).text, "gl_ClipVertex"));
 }
 
 TEST(EmitVertex, ArraysOfParametersAreOneRunOfUniforms) {

@@ -55,4 +55,5 @@ void main() {
   t0.xyz = t0.xyz - t2.xyz;
   t2.xyz = cross(t0.xyz, vec3(-t0.x, 1.0, 0.0));
   gl_Position = t2;
+  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;
 }

@@ -7,4 +7,5 @@ void main() {
   t2 = t1 * vec4(0.5);
   t3 = max(t2, vec4(0.0));
   gl_Position = t3;
+  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;
 }

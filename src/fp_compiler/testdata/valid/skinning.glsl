@@ -33,4 +33,5 @@ void main() {
   t1.xyz = t1.xyz * t1.www;
   gl_FrontColor = vec4(dot(t1.xyz, vec3(0.3, 0.5, 0.8)));
   gl_TexCoord[0] = gl_MultiTexCoord0;
+  gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;
 }

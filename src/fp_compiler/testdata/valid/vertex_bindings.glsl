@@ -22,4 +22,5 @@ void main() {
   gl_PointSize = s6.x * s7.y;
   gl_TexCoord[0] = gl_MultiTexCoord0;
   gl_TexCoord[7].xy = t0.xy;
+  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;
 }

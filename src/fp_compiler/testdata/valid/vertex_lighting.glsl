@@ -22,4 +22,5 @@ void main() {
   t0.xyz = t2.yyy * s10.xyz + s11.xyz;
   gl_FrontColor.xyz = t2.zzz * s12.xyz + t0.xyz;
   gl_FrontColor.w = gl_FrontMaterial.diffuse.w;
+  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;
 }
