@@ -392,6 +392,40 @@ class Run(Temporary):
                                capture_output=True, text=True, env=clean_environment())
         self.assertEqual(shell.stdout, os.path.join(os.getcwd(), "it's.json"))
 
+    def test_identity_options_become_variables(self):
+        result = arbiter('run', '--library', FAKE, '--print-environment', '--identity', 'profile',
+                         '--extensions-max-year', '2003', '--extensions-max-length', '4095')
+        for line in ("ARBITER_IDENTITY='profile'", "ARBITER_EXTENSIONS_MAX_YEAR='2003'",
+                     "ARBITER_EXTENSIONS_MAX_LENGTH='4095'"):
+            self.assertIn('export ' + line + '\n', result.stdout)
+        for bad in (('--identity', 'r300'), ('--extensions-max-year', '-1'),
+                    ('--extensions-max-year', '1991'), ('--extensions-max-length', '0'),
+                    ('--extensions-max-length', '4k')):
+            self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 1)
+
+
+class Cache(Temporary):
+    def test_shows_and_clears_what_is_there(self):
+        folder = self.path('arbiter/programs/2a')
+        os.makedirs(folder)
+        for name in ('2a' * 16, 'ea' * 16):
+            pathlib.Path(folder, name).write_bytes(b'x' * 100)
+        mine = pathlib.Path(folder, 'notes.txt')
+        mine.write_text('mine')
+        home = {'XDG_CACHE_HOME': self.path('')}
+        shown = arbiter('cache', **home, ARBITER_CACHE_MAX_MB='2')
+        self.assertEqual(shown.returncode, 0)
+        self.assertIn('arbiter/programs\n', shown.stdout)
+        self.assertIn('bytes     204 of 2097152\n', shown.stdout)
+        self.assertIn('off', arbiter('cache', **home, ARBITER_CACHE='0').stdout)
+        arbiter('cache', '--clear', **home)
+        self.assertEqual(os.listdir(folder), ['notes.txt'])
+
+    def test_without_a_home_it_says_so(self):
+        result = arbiter('cache', XDG_CACHE_HOME='relative', HOME='')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('neither XDG_CACHE_HOME nor HOME', result.stderr)
+
 
 class Draw(Temporary):
     """On the bare host; the same through the layer is Layered."""
@@ -551,7 +585,7 @@ class Whole(unittest.TestCase):
 
     def test_the_manual_has_every_option(self):
         manual = (ROOT / 'docs' / 'man' / 'arbiter.1').read_text().replace('\\-', '-')
-        for command in ('check', 'compile', 'draw', 'run', 'profiles'):
+        for command in ('check', 'compile', 'draw', 'run', 'profiles', 'cache'):
             self.assertIn(f'arbiter {command}', manual)
             for option in re.findall(r'(?<![\w-])--[a-z-]+', arbiter(command, '--help').stdout):
                 if option not in ('--help', '--help-all'):
