@@ -20,7 +20,7 @@ Subject atiUnder(const fp::Limits &limits, std::uint64_t seed, bool peer) {
   // four reads what it did not write.
   const fp::ati::Shader shader = fp::testing::randomAtiShader(
       seed,
-      {.sampledUnits = 0x1F, .tameSamples = true, .defined = peer || seed % 4 != 0, .peer = peer});
+      {.sampledUnits = 0x1F, .tameDivisors = true, .defined = peer || seed % 4 != 0, .peer = peer});
   Subject subject =
       checked(fp::ir::Language::AtiFragment, fp::testing::spell(shader, seed), limits);
   if (!subject.program)

@@ -64,7 +64,7 @@ private:
       pair.color->mask = 7;
       pair.color->destination = 0;
       pair.alpha = *pair.color;
-    } while (!validWhole(*pair.color));
+    } while (!validWhole(*pair.color) || (m_options.peer && readsResult(*pair.alpha, *pair.color)));
     return pair;
   }
 
@@ -92,7 +92,8 @@ private:
     // One choice of coordinates for a source in a pass: the API form asks for that (AFS:716).
     std::array<Coordinates, kTextTexCoords + kRegisters> chosen;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const bool divided = m_random.chance(25);
+      const bool tame = m_options.tameDivisors && i >= kTextTexCoords;
+      const bool divided = m_random.chance(25) && !tame;
       const bool q = i < kTextTexCoords && m_usesQ[i];
       chosen[i] = q ? (divided ? Coordinates::StqDq : Coordinates::Stq)
                     : (divided ? Coordinates::StrDr : Coordinates::Str);
@@ -109,7 +110,7 @@ private:
         setup.fromRegister = false;
       setup.coordinates = chosen[setup.source + (setup.fromRegister ? kTextTexCoords : 0)];
       const bool wild =
-          (m_options.tameSamples && setup.coordinates == Coordinates::StrDr) ||
+          (m_options.tameDivisors && setup.coordinates == Coordinates::StrDr) ||
           (m_options.defined && (i == 2 || i == 3) && setup.coordinates >= Coordinates::StrDr);
       const bool sample = !wild && m_options.sampledUnits >> i & 1 && m_random.chance(60);
       setup.kind = sample ? SetupKind::SampleMap : SetupKind::PassTexCoord;
@@ -128,8 +129,7 @@ private:
       pair.alpha = whole(*pair.color);
     else if (shape < 6 && pair.color->op != Op::Dot4)
       pair.alpha = operation(true, 0);
-    if (m_options.peer && pair.alpha && !isDot(pair.alpha->op) && pair.color &&
-        readsResult(*pair.alpha, *pair.color))
+    if (m_options.peer && pair.alpha && pair.color && readsResult(*pair.alpha, *pair.color))
       pair.alpha.reset();
     return pair;
   }

@@ -11,9 +11,9 @@ namespace arbiter::fp::testing {
 struct RandomAtiOptions {
   /// Image units that setups may sample, bit 0 = unit 0.
   std::uint8_t sampledUnits = 0x3F;
-  /// Samples divide by texture coordinates' q alone, which inputs keep away from zero: where a
-  /// sample at an infinity falls is the host's choice.
-  bool tameSamples = false;
+  /// No setup divides by a component of a register, and samples divide by texture coordinates' q
+  /// alone, which inputs keep away from zero: what becomes of an infinity is the host's choice.
+  bool tameDivisors = false;
   /// Nothing in the shader is undefined by the specification: registers are written before they are
   /// read, r0 is written, the factor of LERP is in [0,1], samples of units 2 and 3 (the scene's 3D
   /// and cube textures) do not divide.
