@@ -34,6 +34,25 @@ const GLuint *programs() {
   return names;
 }
 
+/// The same of the vertex target.
+const GLuint *vertexPrograms() {
+  static GLuint names[2] = {0, 0};
+  if (!names[0]) {
+    static constexpr std::string_view kText =
+        "!!ARBvp1.0\nMOV result.position, vertex.position;\n"
+        "MAD result.color, vertex.color, program.local[0], program.env[0];\nEND\n";
+    glGenProgramsARB(2, names);
+    for (const GLuint name : names) {
+      glBindProgramARB(GL_VERTEX_PROGRAM_ARB, name);
+      glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(kText.size()),
+                         kText.data());
+    }
+  }
+  glBindProgramARB(GL_VERTEX_PROGRAM_ARB, names[0]);
+  glEnable(GL_VERTEX_PROGRAM_ARB);
+  return names;
+}
+
 // Known to the layer as calls of no concern: these go from glvnd straight to the host.
 std::vector<double> color(int count, unsigned) {
   return average(count, [](int i) { glColor4f(float(i & 1), 0.5f, 0.25f, 1.0f); });
@@ -65,6 +84,34 @@ std::vector<double> bind(int count, unsigned) {
   auto time =
       average(count, [&](int i) { glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, names[i & 1]); });
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, names[0]);
+  return time;
+}
+std::vector<double> vertexLocal(int count, unsigned) {
+  vertexPrograms();
+  auto time = average(count, [](int i) {
+    glProgramLocalParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, float(i & 1), 0.5f, 0.25f, 1.0f);
+  });
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  return time;
+}
+std::vector<double> vertexEnv(int count, unsigned) {
+  vertexPrograms();
+  auto time = average(count, [](int i) {
+    glProgramEnvParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, float(i & 1), 0.5f, 0.25f, 1.0f);
+  });
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  return time;
+}
+std::vector<double> vertexBind(int count, unsigned) {
+  const GLuint *names = vertexPrograms();
+  auto time = average(count, [&](int i) { glBindProgramARB(GL_VERTEX_PROGRAM_ARB, names[i & 1]); });
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  return time;
+}
+std::vector<double> enableVertexProgram(int count, unsigned) {
+  vertexPrograms();
+  auto time = average(count, [](int i) { (i & 1 ? glEnable : glDisable)(GL_VERTEX_PROGRAM_ARB); });
+  glDisable(GL_VERTEX_PROGRAM_ARB);
   return time;
 }
 std::vector<double> enableBlend(int count, unsigned) {
@@ -100,6 +147,10 @@ const std::vector<Row> &callRows() {
       {"call/glBindProgramARB", bind},
       {"call/glEnable(BLEND)", enableBlend},
       {"call/glEnable(FRAGMENT_PROGRAM_ARB)", enableProgram},
+      {"call/glProgramLocalParameter4fARB, vertex", vertexLocal},
+      {"call/glProgramEnvParameter4fARB, vertex", vertexEnv},
+      {"call/glBindProgramARB, vertex", vertexBind},
+      {"call/glEnable(VERTEX_PROGRAM_ARB)", enableVertexProgram},
       {"call/glTexParameteri", texParameter},
       {"call/glGetError", getError},
   };

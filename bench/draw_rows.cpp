@@ -33,9 +33,38 @@ void prepare() {
   glColor4f(1, 1, 1, 1);
 }
 
-/// The time of \p count frames of kDraws draws each, glFinish included.
-template <typename Draw> std::vector<double> frames(int count, Draw draw) {
+/// The same behind a vertex program.
+void preparePair() {
+  static GLuint program = 0;
+  if (!program) {
+    static constexpr std::string_view kText =
+        "!!ARBvp1.0\nPARAM mvp[4] = { state.matrix.mvp };\n"
+        "DP4 result.position.x, mvp[0], vertex.position;\n"
+        "DP4 result.position.y, mvp[1], vertex.position;\n"
+        "DP4 result.position.z, mvp[2], vertex.position;\n"
+        "DP4 result.position.w, mvp[3], vertex.position;\n"
+        "MUL result.color, vertex.color, program.local[0];\nEND\n";
+    glGenProgramsARB(1, &program);
+    glBindProgramARB(GL_VERTEX_PROGRAM_ARB, program);
+    glProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(kText.size()),
+                       kText.data());
+  }
   prepare();
+  glBindProgramARB(GL_VERTEX_PROGRAM_ARB, program);
+  glProgramLocalParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, 1, 1, 1, 1);
+  glEnable(GL_VERTEX_PROGRAM_ARB);
+}
+
+/// The vertex program before fixed-function fragments.
+void prepareVertex() {
+  preparePair();
+  glDisable(GL_FRAGMENT_PROGRAM_ARB);
+}
+
+/// The time of \p count frames of kDraws draws each, glFinish included.
+template <typename Draw>
+std::vector<double> frames(int count, Draw draw, void (*setUp)() = prepare) {
+  setUp();
   glFinish();
   const auto begin = Clock::now();
   for (int frame = 0; frame < count; ++frame) {
@@ -44,7 +73,26 @@ template <typename Draw> std::vector<double> frames(int count, Draw draw) {
     glFinish();
   }
   const std::chrono::duration<double, std::nano> time = Clock::now() - begin;
+  glDisable(GL_VERTEX_PROGRAM_ARB);
   return {time.count() / count};
+}
+
+std::vector<double> vertexArrays(int count, unsigned) {
+  return frames(
+      count, [](int) { glDrawArrays(GL_TRIANGLE_FAN, 0, 4); }, prepareVertex);
+}
+std::vector<double> pairArrays(int count, unsigned) {
+  return frames(
+      count, [](int) { glDrawArrays(GL_TRIANGLE_FAN, 0, 4); }, preparePair);
+}
+std::vector<double> pairArraysWithLocals(int count, unsigned) {
+  return frames(
+      count,
+      [](int i) {
+        glProgramLocalParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, float(i & 255) / 255.0f, 1, 1, 1);
+        glDrawArrays(GL_TRIANGLE_FAN, 0, 4);
+      },
+      preparePair);
 }
 
 std::vector<double> arrays(int count, unsigned) {
@@ -75,6 +123,9 @@ const std::vector<Row> &drawRows() {
       {"draws/10000 glDrawArrays", arrays},
       {"draws/10000 parameter + glDrawArrays", arraysWithLocals},
       {"draws/10000 glBegin..glEnd", immediate},
+      {"draws/10000 glDrawArrays, vertex program", vertexArrays},
+      {"draws/10000 glDrawArrays, both programs", pairArrays},
+      {"draws/10000 vertex parameter + glDrawArrays", pairArraysWithLocals},
   };
   return rows;
 }

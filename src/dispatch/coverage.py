@@ -15,8 +15,8 @@ import generate
 
 HERE = pathlib.Path(__file__).resolve().parent
 GL_XML = pathlib.Path("/usr/share/khronos-api/gl.xml")
-TITLES = {"own": "Arbiter's own", "draw": "Draws", "validate": "Validated", "observe": "Observed",
-          "guard": "Guarded"}
+TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate": "Validated",
+          "observe": "Observed", "guard": "Guarded"}
 
 
 class Unexplained(Exception):

@@ -112,13 +112,17 @@ void captureEnter(Context &context) {
   CaptureInForce &inForce = context.inForce;
   inForce.path = std::size_t(context.path);
   inForce.drawsBefore = context.draws[inForce.path];
-  const auto slot = std::size_t(context.variant->compiled->target);
-  inForce.programs[slot] = context.variant->compiled;
-  std::vector<TextureUse> &textures = inForce.textures[slot];
-  textures.clear();
   const HostErrorScope scope(context);
-  for (const fp::GlslSampler &sampler : context.variant->compiled->glsl.samplers)
-    textures.push_back(look(context, sampler));
+  for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
+    if (!stage->compiled)
+      continue;
+    const auto slot = std::size_t(stage->compiled->target);
+    inForce.programs[slot] = stage->compiled->shared_from_this();
+    std::vector<TextureUse> &textures = inForce.textures[slot];
+    textures.clear();
+    for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)
+      textures.push_back(look(context, sampler));
+  }
 }
 
 void captureLeave(Context &context) {
@@ -130,11 +134,13 @@ void captureLeave(Context &context) {
     const std::shared_ptr<const CompiledProgram> program = std::move(inForce.programs[i]);
     if (!program || draws == 0)
       continue;
-    const Variant *const variant = context.variant;
-    const bool held = variant && variant->compiled == program;
+    const std::vector<Vec4> *held = nullptr;
+    if (const Variant *const variant = context.variant)
+      for (const VariantStage *const stage : {&variant->vertex, &variant->fragment})
+        if (stage->compiled == program.get())
+          held = &stage->uploaded;
     CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,
-                                     pathName(Path(inForce.path)),
-                                     held ? &variant->uploaded : nullptr, &inForce.textures[i]});
+                                     pathName(Path(inForce.path)), held, &inForce.textures[i]});
   }
 }
 

@@ -18,13 +18,14 @@ namespace arbiter::state {
 
 namespace {
 
-/// The profile's limits of the fragment target, no higher than the host can keep: what is promised
-/// must draw.
-fp::Limits fragmentLimits(const host::HostTable &host, const HostCaps &caps) {
+/// The profile's limits of the target, no higher than the host can keep: what is promised must
+/// draw.
+fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
   const fp::hw::Profile &profile = activeProfile();
-  if (profile.fromHost && caps.fragmentProgram)
-    return queryHostFragmentLimits(host, caps);
-  fp::Limits limits = profile.fragment;
+  const bool vertex = target == Target::Vertex;
+  if (profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram))
+    return queryHostLimits(infoOf(target).name, host, caps);
+  fp::Limits limits = vertex ? profile.vertex : profile.fragment;
   const auto clamp = [](std::uint32_t &value, GLint host_) {
     value = std::min(value, std::uint32_t(std::max(host_, 0)));
   };
@@ -34,6 +35,7 @@ fp::Limits fragmentLimits(const host::HostTable &host, const HostCaps &caps) {
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
   clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  clamp(limits.vertexAttribs, caps.maxVertexAttribs);
   return limits;
 }
 
@@ -82,7 +84,9 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
 Context::~Context() {
   if (!group)
     return;
-  group->addGarbage({variants.abandon(), samplerOverride.abandon(), hostAssembly.abandon()});
+  VariantCache::Names names = variants.abandon();
+  group->addGarbage({std::move(names.programs), std::move(names.shaders), samplerOverride.abandon(),
+                     hostAssembly.abandon()});
   group->contexts.fetch_sub(1);
 }
 
@@ -95,10 +99,11 @@ void initialise(Context &context) {
     return;
   }
   if (const char *obstacle = context.caps.obstacle())
-    logWarn("state", "context %u: no ARB_fragment_program here: %s", context.serial, obstacle);
+    logWarn("state", "context %u: no ARB programs here: %s", context.serial, obstacle);
   context.passThrough = false;
   context.offered = context.caps.obstacle() == nullptr;
-  offer(context, Target::Fragment, fragmentLimits(*context.host, context.caps));
+  for (const Target target : {Target::Fragment, Target::Vertex})
+    offer(context, target, limitsOf(target, *context.host, context.caps));
   if (context.offered) {
     const fp::Limits limits = atiLimits(context.row(Target::Fragment).limits);
     offer(context, Target::AtiText, limits);
@@ -114,6 +119,10 @@ void collectGarbage(Context &context) {
   for (const GLuint program : garbage.programs) {
     context.group->removeHostProgram(program);
     context.host->DeleteProgram(program);
+  }
+  for (const GLuint shader : garbage.shaders) {
+    context.group->removeHostProgram(shader);
+    context.host->DeleteShader(shader);
   }
   if (!garbage.samplers.empty())
     context.host->DeleteSamplers(GLsizei(garbage.samplers.size()), garbage.samplers.data());

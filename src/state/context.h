@@ -46,16 +46,16 @@ inline constexpr std::uint32_t kWatch = 256;  ///< stays: no frame ends here at 
 
 /// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
 enum class Path : std::uint8_t {
-  HostGlsl,              ///< our translation, on the host
-  NoProgram,             ///< host untouched: no fragment program is enabled
-  ApplicationGlsl,       ///< host untouched: the application's own GLSL program wins
-  ApplicationPipeline,   ///< host untouched: the application's program pipeline wins
-  HostAssembly,          ///< the checked text on the host's ARB path, under GLSL vertices
-  ApplicationVertexGlsl, ///< host untouched: GLSL vertices, and the host refuses the ARB program
-  NotOffered,            ///< host untouched: this context has no ARB_fragment_program of ours
-  Recorded,              ///< into a display list: counted when compiled
-  InvalidProgram,        ///< dropped: the bound program object holds no valid program
-  HostRefused,           ///< dropped: the host did not compile or link our shader
+  HostGlsl,             ///< our translation, on the host
+  NoProgram,            ///< host untouched: no program target is enabled
+  ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
+  ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
+  HostAssembly,         ///< on the host's ARB path, beside one stage of the application's GLSL
+  ApplicationStageGlsl, ///< host untouched: one stage of GLSL, and the host refuses the ARB program
+  NotOffered,           ///< host untouched: this context has no program targets of ours
+  Recorded,             ///< into a display list: counted when compiled
+  InvalidProgram,       ///< dropped: the bound program object holds no valid program
+  HostRefused,          ///< dropped: the host did not compile or link our shader
 };
 inline constexpr int kPathCount = 10;
 [[nodiscard]] const char *pathName(Path path);
@@ -78,7 +78,7 @@ public:
   Context &operator=(const Context &) = delete;
 
   Provider provider = Provider::Glx;
-  /// We implement ARB_fragment_program here: a compatibility context with GLSL, made current once.
+  /// We implement the program targets here: a compatibility context with GLSL, made current once.
   bool offered = false;
   bool initialised = false; ///< the host has been asked for its limits
   bool destroyed = false;   ///< free when last un-current

@@ -20,15 +20,15 @@ const char *pathName(Path path) {
   case Path::HostGlsl:
     return "host-glsl";
   case Path::NoProgram:
-    return "no-fragment-program";
+    return "no-program";
   case Path::ApplicationGlsl:
     return "application-glsl";
   case Path::ApplicationPipeline:
     return "application-pipeline";
   case Path::HostAssembly:
     return "host-assembly-under-application-glsl";
-  case Path::ApplicationVertexGlsl:
-    return "application-glsl-without-fragment-stage";
+  case Path::ApplicationStageGlsl:
+    return "application-glsl-of-one-stage";
   case Path::NotOffered:
     return "not-offered";
   case Path::Recorded:
@@ -69,51 +69,99 @@ GLuint applicationPipeline(Context &context) {
   return GLuint(pipeline);
 }
 
-/// Whether a linked program shades fragments, as far as the host still tells: shaders that were
-/// detached after linking cannot be seen, and such a program is taken to shade them.
-bool shadesFragments(Context &context, GLuint program) {
+/// The stages that a linked program of the application's has.
+struct Stages {
+  bool vertex = false;
+  bool fragment = false;
+};
+
+/// As far as the host still tells: shaders that were detached after linking cannot be seen, and
+/// such a program is taken to have both stages.
+Stages stagesOf(Context &context, GLuint program) {
   constexpr GLsizei kMaxShaders = 16;
   GLuint shaders[kMaxShaders] = {};
   GLsizei count = 0;
   const HostErrorScope scope(context);
   context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
+  if (count <= 0)
+    return {true, true};
+  Stages stages;
   for (GLsizei i = 0; i < count; ++i) {
     GLint type = 0;
     context.host->GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
-    if (type == GL_FRAGMENT_SHADER)
-      return true;
+    stages.vertex |= type == GL_VERTEX_SHADER;
+    stages.fragment |= type == GL_FRAGMENT_SHADER;
   }
-  return count <= 0;
+  return stages;
 }
 
-/// Precedence (ARB_shader_objects; DESIGN): the application's own GLSL wins over ARB programs, and
-/// these over ATI's fragment shaders.
+/// The rows whose programs shade now; null where fixed function or the application's GLSL does.
+struct InForce {
+  const ProgramTarget *vertex = nullptr;
+  const ProgramTarget *fragment = nullptr;
+  bool ati = false; ///< an ATI fragment shader is enabled, of either form, and no `fragment`
+  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati; }
+};
+
+InForce enabledRows(const Context &context) {
+  const auto ifEnabled = [&](Target target) {
+    const ProgramTarget &row = context.row(target);
+    return row.enabled ? &row : nullptr;
+  };
+  InForce rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
+  rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
+  return rows;
+}
+
+/// The compiled programs of the rows; false if one has none that is valid. An ATI shader that is
+/// not leaves fragments to fixed function.
+bool takePrograms(Context &context, const InForce &rows, ProgramPair &pair) {
+  if (rows.vertex)
+    pair.vertex = context.group->compiledOf(*rows.vertex->bound);
+  if (rows.fragment)
+    pair.fragment = context.group->compiledOf(*rows.fragment->bound);
+  else if (rows.ati)
+    pair.fragment = atiShaderInForce(context);
+  return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
+}
+
+/// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
+/// programs, and these over ATI's fragment shaders.
 Path choosePath(Context &context) {
   context.variant = nullptr;
   context.atiShaderInForce = false;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)
       row.seenVersion = row.bound->version.load(std::memory_order_acquire);
-  const ProgramTarget &fragment = context.row(Target::Fragment);
-  const bool ati = context.row(Target::AtiText).enabled || context.row(Target::AtiApi).enabled;
-  if (!fragment.enabled && !ati)
+  InForce rows = enabledRows(context);
+  if (rows.none())
     return Path::NoProgram;
   const GLuint program = applicationProgram(context);
-  if (program != 0 && shadesFragments(context, program))
-    return Path::ApplicationGlsl;
   if (program == 0 && applicationPipeline(context) != 0)
     return Path::ApplicationPipeline;
+  if (program != 0) {
+    const Stages theirs = stagesOf(context, program);
+    if (theirs.vertex)
+      rows.vertex = nullptr;
+    if (theirs.fragment) {
+      rows.fragment = nullptr;
+      rows.ati = false;
+    }
+    if (rows.none())
+      return Path::ApplicationGlsl;
+  }
 
-  const auto compiled =
-      fragment.enabled ? context.group->compiledOf(*fragment.bound) : atiShaderInForce(context);
-  if (!compiled)
-    return fragment.enabled ? Path::InvalidProgram : Path::NoProgram;
-  // GLSL vertices with no fragment stage: fragments are the ARB program's, as under fixed-function
-  // vertices, and no program of ours can be linked to the application's.
+  ProgramPair pair;
+  if (!takePrograms(context, rows, pair))
+    return Path::InvalidProgram;
+  if (!pair.vertex && !pair.fragment)
+    return Path::NoProgram;
+  // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
+  // function; no program of ours can be linked to the application's.
   if (program != 0)
-    return context.hostAssembly.apply(context, compiled) ? Path::HostAssembly
-                                                         : Path::ApplicationVertexGlsl;
-  context.variant = context.variants.get(context, compiled);
+    return context.hostAssembly.apply(context, pair) ? Path::HostAssembly
+                                                     : Path::ApplicationStageGlsl;
+  context.variant = context.variants.get(context, pair);
   if (context.variant->hostProgram == 0) {
     context.variant = nullptr;
     return Path::HostRefused;
@@ -169,9 +217,25 @@ bool changedElsewhere(const Context &context) {
   });
 }
 
+/// As validate(), for commands that transform no vertex: whether a vertex program is valid does not
+/// matter to them (ARB_vertex_program 2.14.4).
+bool validatePixels(Context &context) {
+  if (validate(context))
+    return true;
+  ProgramTarget &vertex = context.row(Target::Vertex);
+  if (!vertex.enabled)
+    return false;
+  setEnabled(context, vertex, false);
+  const bool valid = validate(context);
+  setEnabled(context, vertex, true); // and the next draw looks again
+  return valid;
+}
+
+using Validate = bool (*)(Context &);
+
 /// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
 /// too, with what was validated when the segment was opened.
-bool beginListDraw(Context &context) {
+bool beginListDraw(Context &context, Validate validateDraw) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE || context.insideBeginEnd)
     return true;
   const std::uint32_t rest = context.attention & ~attention::kList;
@@ -179,7 +243,7 @@ bool beginListDraw(Context &context) {
     return true;
   bool valid = true;
   // Validation calls the host, and none of that belongs into the application's list.
-  context.list.outside(context, [&] { valid = validate(context); });
+  context.list.outside(context, [&] { valid = validateDraw(context); });
   if (!valid) {
     ++*context.drawCounter;
     raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
@@ -201,9 +265,7 @@ bool validate(Context &context) {
   const std::uint32_t sticky = stickyAttention(context);
   if (context.path == Path::HostGlsl) {
     Variant &variant = *context.variant;
-    if ((context.attention & (attention::kParameters | attention::kState)) != 0 &&
-        variant.readsParameters)
-      uploadParameters(context, variant);
+    uploadParameters(context, variant, context.attention);
     if ((sticky & attention::kCompare) != 0)
       context.samplerOverride.apply(context, variant);
     else if (context.samplerOverride.active())
@@ -239,7 +301,7 @@ void bindMute(Context &context) {
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
     return program;
   }();
-  const Variant &mute = *context.variants.get(context, s_mute);
+  const Variant &mute = *context.variants.get(context, {nullptr, s_mute});
   if (mute.hostProgram == 0)
     return;
   context.host->UseProgram(mute.hostProgram);
@@ -274,19 +336,26 @@ void afterHostList(Context &context) {
   invalidateProgram(context);
 }
 
-namespace handlers {
+namespace {
 
-bool beginDraw(Context &context) {
+bool begin(Context &context, Validate validateDraw) {
   if (context.passThrough || context.insideBeginEnd)
     return true; // a draw between Begin and End is the host's error to raise
   if (context.listMode)
-    return beginListDraw(context);
-  if (validate(context)) [[likely]]
+    return beginListDraw(context, validateDraw);
+  if (validateDraw(context)) [[likely]]
     return true;
   ++*context.drawCounter;
   raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
   return false;
 }
+
+} // namespace
+
+namespace handlers {
+
+bool beginDraw(Context &context) { return begin(context, validate); }
+bool beginPixels(Context &context) { return begin(context, validatePixels); }
 
 void restoreApplicationProgram(Context &context) {
   if (!context.hostProgramIsOurs)

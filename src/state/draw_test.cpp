@@ -140,15 +140,16 @@ TEST(Draw, AContextOfTheGroupSeesAReloadOnlyWhenItLooks) {
     load(*second, kFour);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->compiled->text, kThree) << "its attention was clear";
+    EXPECT_EQ(first->variant->fragment.compiled->text, kThree) << "its attention was clear";
     handlers::BindProgramARB(*first, kFragment, name);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->compiled->text, kFour);
+    EXPECT_EQ(first->variant->fragment.compiled->text, kFour);
     makeCurrent(&*second);
     load(*second, kThree);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->compiled->text, kThree) << "with two contexts each draw looks";
+    EXPECT_EQ(first->variant->fragment.compiled->text, kThree)
+        << "with two contexts each draw looks";
     makeCurrent(&*second);
   }
   makeCurrent(&*first);
@@ -186,7 +187,105 @@ TEST(Draw, VariantsDoNotPileUp) {
   }
   EXPECT_LE(context->variants.size(), 2u);
   EXPECT_LE(host.programs.size(), 2u);
-  EXPECT_TRUE(host.shaders.empty()) << "shaders are not needed once linked";
+  EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
+}
+
+constexpr char kVertexText[] = "!!ARBvp1.0\n"
+                               "ADD result.position, vertex.position, program.env[0];\n"
+                               "ADD result.color, vertex.attrib[3], program.local[1];\n"
+                               "END";
+
+TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint fragments[] = {use(*context, kThree), use(*context, kFour)};
+  const GLuint vertices[] = {use(*context, kVertexText, kVertex),
+                             use(*context, std::string(kVertexText) + " ", kVertex)};
+  for (int round = 0; round < 2; ++round)
+    for (const GLuint fragment : fragments)
+      for (const GLuint vertex : vertices) {
+        handlers::BindProgramARB(*context, kFragment, fragment);
+        handlers::BindProgramARB(*context, kVertex, vertex);
+        ASSERT_TRUE(draw(*context));
+      }
+  EXPECT_EQ(host.count("CreateShader"), 4);
+  EXPECT_EQ(host.count("LinkProgram"), 4);
+  EXPECT_EQ(host.count("BindAttribLocation 3"), 4) << "before each link";
+  handlers::Disable(*context, kFragment);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("CreateShader"), 4) << "alone it is the same shader";
+  EXPECT_EQ(host.count("LinkProgram"), 5);
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 9u);
+  handlers::DeleteProgramsARB(*context, 2, vertices);
+  EXPECT_EQ(context->variants.size(), 0u);
+  EXPECT_EQ(host.shaders.size(), 2u);
+}
+
+TEST(Draw, AStageIsSentWhatItsTargetChanged) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  use(*context, kVertexText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  host.calls.clear();
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.calls, (std::vector<std::string>{"Uniform4fv 500 1"}));
+  host.calls.clear();
+  handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 1, 2, 3, 4);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 2, 3, 4);
+  g_allocations = 0;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_LE(g_allocations, 12u) << "more than the fake keeps of two calls";
+  EXPECT_EQ(host.calls, (std::vector<std::string>{"Uniform4fv 501 1", "Uniform4fv 10 1"}));
+  host.calls.clear();
+  for (int i = 0; i < 10; ++i)
+    ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.calls.empty()) << host.calls.front();
+}
+
+TEST(Draw, AnInvalidProgramOfEitherTargetStopsDraws) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  handlers::Enable(*context, kVertex);
+  EXPECT_FALSE(draw(*context)) << "object 0 holds no vertex program";
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  load(*context, kVertexText, kVertex); // object 0 may hold one
+  EXPECT_TRUE(draw(*context));
+  handlers::BindProgramARB(*context, kFragment, 0);
+  EXPECT_FALSE(draw(*context));
+  handlers::Disable(*context, kFragment);
+  EXPECT_TRUE(draw(*context));
+}
+
+TEST(Draw, OneStageOfTheApplicationsGlslLeavesTheOtherToUs) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  use(*context, kVertexText, kVertex);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
+  host.programs = {50, 51, 52};
+  host.stages = {{50, {GL_VERTEX_SHADER}},
+                 {51, {GL_FRAGMENT_SHADER}},
+                 {52, {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}}};
+  host.calls.clear();
+  handlers::UseProgram(*context, 50);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Enable " + std::to_string(kFragment)), 1);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kVertex)), 0);
+  handlers::UseProgram(*context, 51);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Disable " + std::to_string(kFragment)), 1);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kVertex)), 1);
+  EXPECT_EQ(drawsBy(*context, Path::HostAssembly), 2u);
+  handlers::UseProgram(*context, 52);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::ApplicationGlsl), 1u);
+  EXPECT_EQ(host.count("Disable " + std::to_string(kVertex)), 1);
+  handlers::UseProgram(*context, 0);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
 }
 
 } // namespace

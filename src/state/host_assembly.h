@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -8,37 +9,40 @@ namespace arbiter::state {
 
 class Context;
 struct CompiledProgram;
+struct ProgramPair;
 
-/// The one use of the host's own ARB path: the application's GLSL program has vertices only, and
-/// its fragments are an ARB program's. No GLSL program of ours can join one of the application's,
-/// so the host gets the text itself: checked by our compiler, within our limits, and each text in a
-/// host object of its own, for a host may not survive one that is specified again and again.
+/// The one use of the host's own ARB path: the application's GLSL program has one stage alone, and
+/// the other one is an ARB program's. No GLSL program of ours can join one of the application's, so
+/// the host gets assembly: from a program that our compiler checked, within our limits, and each in
+/// a host object of its own, for a host may not survive one that is specified again and again.
 class HostAssembly {
 public:
-  /// Binds and enables the program on the host, loading it at the first call. False, with nothing
-  /// bound, if the host refuses it. Raises no error.
-  [[nodiscard]] bool apply(Context &context,
-                           const std::shared_ptr<const CompiledProgram> &compiled);
-  /// Gives the host the env and local values that the program in force reads.
+  /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage
+  /// that has none is released. False, with nothing bound, if the host refuses one. Raises no
+  /// error.
+  [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
+  /// Gives the host the env and local values that the programs in force read.
   void uploadParameters(Context &context) const;
   /// Disables and unbinds what apply() bound.
   void release(Context &context);
-  /// The name is one of ours, which the application does not know.
-  [[nodiscard]] bool owns(GLuint name) const;
   /// Empties without touching the host; gives the host objects' names.
   [[nodiscard]] std::vector<GLuint> abandon();
-  [[nodiscard]] bool active() const { return m_active != nullptr; }
+  [[nodiscard]] bool active() const { return m_active[0] || m_active[1]; }
 
 private:
   struct Entry {
     std::shared_ptr<const CompiledProgram> compiled;
     GLuint name = 0; ///< 0: the host refused it
   };
-  [[nodiscard]] Entry &entryOf(Context &context,
-                               const std::shared_ptr<const CompiledProgram> &compiled);
+  [[nodiscard]] GLuint nameOf(Context &context,
+                              const std::shared_ptr<const CompiledProgram> &compiled);
+  [[nodiscard]] bool applyStage(Context &context, std::size_t stage,
+                                const std::shared_ptr<const CompiledProgram> &compiled);
+  void releaseStage(Context &context, std::size_t stage);
 
   std::vector<Entry> m_entries;
-  std::shared_ptr<const CompiledProgram> m_active;
+  /// Vertex, fragment; null where the host's target is disabled.
+  std::array<std::shared_ptr<const CompiledProgram>, 2> m_active;
 };
 
 } // namespace arbiter::state

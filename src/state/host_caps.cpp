@@ -107,6 +107,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   if (gl >= 20) {
     caps.maxTextureCoords = getInteger(host, GL_MAX_TEXTURE_COORDS, 0);
     caps.maxTextureImageUnits = getInteger(host, GL_MAX_TEXTURE_IMAGE_UNITS, 0);
+    caps.maxVertexAttribs = getInteger(host, GL_MAX_VERTEX_ATTRIBS, 16);
     caps.maxDrawBuffers = getInteger(host, GL_MAX_DRAW_BUFFERS, 1);
     caps.maxFragmentUniformComponents = getInteger(host, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, 0);
   }
@@ -117,24 +118,32 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   return caps;
 }
 
-fp::Limits queryHostFragmentLimits(const host::HostTable &host, const HostCaps &caps) {
+fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const HostCaps &caps) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
-    host.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, pname, &value);
+    host.GetProgramivARB(target, pname, &value);
     return std::uint32_t(std::max(value, 0));
   };
   fp::Limits limits;
-  limits.api = {get(GL_MAX_PROGRAM_INSTRUCTIONS_ARB),     get(GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB),
-                get(GL_MAX_PROGRAM_TEX_INSTRUCTIONS_ARB), get(GL_MAX_PROGRAM_TEX_INDIRECTIONS_ARB),
-                get(GL_MAX_PROGRAM_TEMPORARIES_ARB),      get(GL_MAX_PROGRAM_PARAMETERS_ARB),
-                get(GL_MAX_PROGRAM_ATTRIBS_ARB)};
-  limits.native = {get(GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB),
-                   get(GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB)};
+  limits.api.instructions = get(GL_MAX_PROGRAM_INSTRUCTIONS_ARB);
+  limits.api.temporaries = get(GL_MAX_PROGRAM_TEMPORARIES_ARB);
+  limits.api.parameters = get(GL_MAX_PROGRAM_PARAMETERS_ARB);
+  limits.api.attribs = get(GL_MAX_PROGRAM_ATTRIBS_ARB);
+  limits.native.instructions = get(GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB);
+  limits.native.temporaries = get(GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB);
+  limits.native.parameters = get(GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB);
+  limits.native.attribs = get(GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB);
+  if (target == GL_VERTEX_PROGRAM_ARB) {
+    limits.api.addressRegisters = get(GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB);
+    limits.native.addressRegisters = get(GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB);
+  } else {
+    limits.api.aluInstructions = get(GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB);
+    limits.api.texInstructions = get(GL_MAX_PROGRAM_TEX_INSTRUCTIONS_ARB);
+    limits.api.texIndirections = get(GL_MAX_PROGRAM_TEX_INDIRECTIONS_ARB);
+    limits.native.aluInstructions = get(GL_MAX_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB);
+    limits.native.texInstructions = get(GL_MAX_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB);
+    limits.native.texIndirections = get(GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB);
+  }
   limits.localParameters = get(GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB);
   limits.envParameters = get(GL_MAX_PROGRAM_ENV_PARAMETERS_ARB);
   limits.textureCoords = std::uint32_t(caps.maxTextureCoords);
@@ -143,28 +152,32 @@ fp::Limits queryHostFragmentLimits(const host::HostTable &host, const HostCaps &
   limits.programMatrices = std::uint32_t(caps.maxProgramMatrices);
   limits.programMatrixStackDepth = std::uint32_t(caps.maxProgramMatrixStackDepth);
   limits.drawBuffers = std::uint32_t(caps.maxDrawBuffers);
+  limits.vertexAttribs = std::uint32_t(caps.maxVertexAttribs);
   return limits;
 }
 
 FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
-  // Fragment program text in these languages is refused, so an application must not count on them.
+  // Program text in these languages is refused, so an application must not count on them.
   static constexpr const char *kHidden[] = {
-      "GL_NV_fragment_program",  "GL_NV_fragment_program_option",
-      "GL_NV_fragment_program2", "GL_NV_fragment_program4",
-      "GL_NV_gpu_program4",      "GL_NV_gpu_program4_1",
-      "GL_NV_gpu_program5",      "GL_NV_gpu_program5_mem_extended",
-      "GL_NV_gpu_program_fp64",
+      "GL_NV_fragment_program",       "GL_NV_fragment_program_option",
+      "GL_NV_fragment_program2",      "GL_NV_fragment_program4",
+      "GL_NV_gpu_program4",           "GL_NV_gpu_program4_1",
+      "GL_NV_gpu_program5",           "GL_NV_gpu_program5_mem_extended",
+      "GL_NV_gpu_program_fp64",       "GL_NV_vertex_program",
+      "GL_NV_vertex_program1_1",      "GL_NV_vertex_program2",
+      "GL_NV_vertex_program2_option", "GL_NV_vertex_program3",
+      "GL_NV_vertex_program4",
   };
-  static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ATI_fragment_shader",
-                                          "GL_ATI_text_fragment_shader"};
+  static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ARB_vertex_program",
+                                          "GL_ATI_fragment_shader", "GL_ATI_text_fragment_shader"};
   FilteredExtensions out;
   for (const std::string &name : caps.extensions) {
     const bool hidden = offered && std::any_of(std::begin(kHidden), std::end(kHidden),
                                                [&](const char *h) { return name == h; });
     // A host that draws our programs but lacks GLSL draws none: then the name would be a lie.
-    const bool lie =
-        !offered && caps.compatibility &&
-        (name == "GL_ARB_fragment_program" || name == "GL_ARB_fragment_program_shadow");
+    const bool lie = !offered && caps.compatibility &&
+                     (name == "GL_ARB_fragment_program" ||
+                      name == "GL_ARB_fragment_program_shadow" || name == "GL_ARB_vertex_program");
     if (!hidden && !lie)
       out.names.push_back(name);
   }

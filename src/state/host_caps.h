@@ -37,22 +37,21 @@ struct HostCaps {
   GLint maxProgramMatrices = 0;
   GLint maxProgramMatrixStackDepth = 0;
   GLint maxDrawBuffers = 1;
+  GLint maxVertexAttribs = 16;
   GLint maxFragmentUniformComponents = 0;
   std::vector<std::string> extensions;
 
   [[nodiscard]] bool has(const char *extension) const;
 
-  /// The host has GenPrograms, which then gives the names of both targets.
-  [[nodiscard]] bool hostProgramNames() const { return vertexProgram || fragmentProgram; }
-
-  /// Why ARB_fragment_program cannot be ours here; null if it can.
+  /// Why ARB programs cannot be ours here; null if they can.
   [[nodiscard]] const char *obstacle() const;
 };
 
 [[nodiscard]] HostCaps queryHostCaps(const host::HostTable &host);
 
-/// The host's own limits of the fragment target, for the profile `host`.
-[[nodiscard]] fp::Limits queryHostFragmentLimits(const host::HostTable &host, const HostCaps &caps);
+/// The host's own limits of a program target, for the profile `host`.
+[[nodiscard]] fp::Limits queryHostLimits(GLenum target, const host::HostTable &host,
+                                         const HostCaps &caps);
 
 /// The extension list that the application sees.
 struct FilteredExtensions {

@@ -55,11 +55,8 @@ namespace handlers {
 void NamedProgramStringEXT(Context &context, GLuint program, GLenum target, GLenum format,
                            GLsizei len, const void *string) {
   const ProgramTarget *const row = rowOf(context, target);
-  if (!row) {
-    if (target == infoOf(Target::Vertex).name)
-      return namedVertexStringOfHost(context, program, format, len, string);
+  if (!row)
     return context.host->NamedProgramStringEXT(program, target, format, len, string);
-  }
   if (!outsideBeginEnd(context, "NamedProgramString between Begin and End"))
     return;
   noteProgramApiUse(context);

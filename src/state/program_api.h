@@ -18,8 +18,6 @@ void noteProgramApiUse(Context &context);
 /// Makes the next draw look at what is in force.
 void invalidateProgram(Context &context);
 
-/// ProgramString's format and length; false after an error.
-[[nodiscard]] bool checkProgramString(Context &context, GLenum format, GLsizei length);
 /// What the compiler is told for programs of the target.
 [[nodiscard]] fp::CompileOptions compileOptions(const ProgramTarget &row);
 /// The text through the compiler, or from the program cache.
@@ -65,12 +63,5 @@ void popAttrib(Context &context);
 /// GetProgramiv on an object of the target. False: pname is not known.
 [[nodiscard]] bool queryProgram(Context &context, const ProgramTarget &row,
                                 const ProgramObject &object, GLenum pname, GLint *params);
-
-// --- The vertex target where it is the host's: length and shape are checked, the host parses ---
-
-void vertexStringOfHost(Context &context, GLenum format, GLsizei length, const void *string);
-void namedVertexStringOfHost(Context &context, GLuint name, GLenum format, GLsizei length,
-                             const void *string);
-void bindVertexProgramOfHost(Context &context, GLuint name);
 
 } // namespace arbiter::state

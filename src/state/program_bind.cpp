@@ -29,14 +29,8 @@ std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarge
                                             GLuint name) {
   if (name == 0)
     return context.group->defaultProgram(row.target);
-  std::shared_ptr<ProgramObject> object = context.group->find(name);
-  if (!object) {
-    // A vertex program that a list of the host's made is known to the host alone.
-    const bool taken = !context.row(Target::Vertex).offered && context.caps.hostProgramNames() &&
-                       context.host->IsProgramARB(name) == GL_TRUE;
-    object = context.group->findOrCreate(name, taken ? Target::Vertex : row.target,
-                                         row.limits.localParameters);
-  }
+  std::shared_ptr<ProgramObject> object =
+      context.group->findOrCreate(name, row.target, row.limits.localParameters);
   if (object->target == row.target)
     return object;
   raise(context, GL_INVALID_OPERATION, "BindProgram: the object has another target");
@@ -108,11 +102,8 @@ void BindProgramARB(Context &context, GLenum target, GLuint program) {
   if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
     return;
   ProgramTarget *const row = rowOf(context, target);
-  if (!row) {
-    if (target == infoOf(Target::Vertex).name)
-      return bindVertexProgramOfHost(context, program);
+  if (!row)
     return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
-  }
   noteProgramApiUse(context);
   if (context.listMode)
     return context.list.record(
@@ -127,17 +118,8 @@ void GenProgramsARB(Context &context, GLsizei n, GLuint *programs) {
     return raise(context, GL_INVALID_VALUE, "GenPrograms: n is negative");
   if (!programs)
     return;
-  for (GLsizei i = 0; i < n; ++i) {
-    // The host does not know names that were bound to a target of ours without Gen: it may give one
-    // of them. It stays reserved there, and is not given again.
-    do {
-      programs[i] = 0;
-      if (context.caps.hostProgramNames())
-        context.host->GenProgramsARB(1, &programs[i]);
-      else
-        programs[i] = context.group->takeName();
-    } while (programs[i] != 0 && context.group->contains(programs[i]));
-  }
+  for (GLsizei i = 0; i < n; ++i)
+    programs[i] = context.group->takeName();
 }
 
 void DeleteProgramsARB(Context &context, GLsizei n, const GLuint *programs) {
@@ -150,22 +132,13 @@ void DeleteProgramsARB(Context &context, GLsizei n, const GLuint *programs) {
   for (GLsizei i = 0; i < n; ++i)
     if (programs[i] != 0)
       deleteProgram(context, programs[i]);
-  if (context.caps.hostProgramNames())
-    context.host->DeleteProgramsARB(n, programs);
 }
 
 GLboolean IsProgramARB(Context &context, GLuint program) {
   if (!outsideBeginEnd(context, "IsProgram between Begin and End"))
     return GL_FALSE;
-  if (program == 0)
-    return GL_FALSE;
   // An object exists once its name was bound; a name that Gen returned is none yet.
-  const auto object = context.group->find(program);
-  if (object && context.row(object->target).offered)
-    return GL_TRUE;
-  if (!context.caps.hostProgramNames() || context.hostAssembly.owns(program))
-    return GL_FALSE;
-  return context.host->IsProgramARB(program);
+  return program != 0 && context.group->contains(program) ? GL_TRUE : GL_FALSE;
 }
 
 void Enable(Context &context, GLenum cap) {

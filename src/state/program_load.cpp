@@ -18,7 +18,10 @@
 
 namespace arbiter::state {
 
-bool checkProgramString(Context &context, GLenum format, GLsizei length) {
+namespace {
+
+/// ProgramString's format and length; false after an error.
+bool checkArguments(Context &context, GLenum format, GLsizei length) {
   if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
     raise(context, GL_INVALID_ENUM, "ProgramString: format is not PROGRAM_FORMAT_ASCII");
     return false;
@@ -29,6 +32,8 @@ bool checkProgramString(Context &context, GLenum format, GLsizei length) {
   }
   return true;
 }
+
+} // namespace
 
 fp::CompileOptions compileOptions(const ProgramTarget &row) {
   fp::CompileOptions options;
@@ -72,8 +77,10 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   compiled->underNativeLimits = answers.underNativeLimits;
   if (infoOf(target).language == fp::ir::Language::AtiFragment)
     compiled->ati = std::make_shared<const AtiForms>(*source.program, glslHost(context.caps));
-  else
+  else {
+    compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
     compiled->glsl = replaced ? fp::emitGlsl(*source.program, glslHost(context.caps)) : own.glsl;
+  }
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));
   if (debugFlag(DebugFlag::Glsl))
@@ -83,7 +90,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
 
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string) {
-  if (!checkProgramString(context, format, length))
+  if (!checkArguments(context, format, length))
     return;
   const std::string_view text =
       string ? std::string_view(static_cast<const char *>(string), std::size_t(length))
@@ -149,11 +156,8 @@ void ProgramStringARB(Context &context, GLenum target, GLenum format, GLsizei le
   if (!outsideBeginEnd(context, "ProgramString between Begin and End"))
     return;
   ProgramTarget *const row = rowOf(context, target);
-  if (!row) {
-    if (target == infoOf(Target::Vertex).name)
-      return vertexStringOfHost(context, format, len, string);
-    return context.host->ProgramStringARB(target, format, len, string);
-  }
+  if (!row)
+    return context.host->ProgramStringARB(target, format, len, string); // raises INVALID_ENUM
   noteProgramApiUse(context);
   if (context.listMode)
     return recordProgramString(context, Command::Kind::ProgramString, *row, 0, format, len, string);

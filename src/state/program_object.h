@@ -29,7 +29,7 @@ class AtiForms;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
-struct CompiledProgram {
+struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   Target target = Target::Fragment; ///< whose env and local parameters it reads
   std::string text;                 ///< the application's
   Hash128 hash;                     ///< of `text`
@@ -40,6 +40,8 @@ struct CompiledProgram {
   fp::ResourceCounts nativeCounts;
   bool underNativeLimits = false;
   fp::GlslShader glsl;
+  /// As it was checked: what the host's ARB path is given. Null of an ATI shader.
+  std::shared_ptr<const fp::ir::Program> program;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
   std::shared_ptr<const AtiForms> ati;
 

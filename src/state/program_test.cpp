@@ -23,7 +23,7 @@ TEST(Programs, FragmentProgramsNeverReachTheHost) {
 TEST(Programs, GenSkipsNamesThatWereBoundWithoutIt) {
   FakeHost host;
   const CurrentContext context(host);
-  const GLuint taken = host.lastName + 2;
+  const GLuint taken = 2;
   handlers::BindProgramARB(*context, kFragment, taken);
   GLuint names[3] = {};
   handlers::GenProgramsARB(*context, 3, names);
@@ -42,26 +42,38 @@ TEST(Programs, TheSameTextKeepsWhatWasCompiled) {
   EXPECT_NE(context->row(Target::Fragment).bound->compiled.get(), before);
 }
 
-TEST(Programs, UnsafeVertexTextStopsHere) {
+TEST(Programs, NeitherTargetsTextReachesTheHost) {
   FakeHost host;
   const CurrentContext context(host);
-  const auto vertex = [&](const std::string &text) {
-    handlers::ProgramStringARB(*context, GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB,
-                               GLsizei(text.size()), text.data());
-    return handlers::GetError(*context);
-  };
-  EXPECT_EQ(vertex("!!ARBvp1.0\nMOV result.position, vertex.position;\nEND"), GLenum(GL_NO_ERROR));
-  EXPECT_EQ(host.count("ProgramString"), 1);
-  EXPECT_EQ(vertex(std::string("!!ARBvp1.0\0END", 14)), GLenum(GL_INVALID_OPERATION));
-  EXPECT_EQ(vertex("!!ARBvp1.0\n" + std::string(fp::kMaxTextBytes, ' ')),
-            GLenum(GL_INVALID_OPERATION));
-  std::string list = "!!ARBvp1.0 PARAM p[] = { 0";
-  for (int i = 0; i < 5000; ++i)
-    list += ",1";
-  EXPECT_EQ(vertex(list + "};END"), GLenum(GL_INVALID_OPERATION));
-  EXPECT_EQ(vertex("!!ARBvp1.0\n#" + std::string(5000, ',') + "\nEND"), GLenum(GL_NO_ERROR))
-      << "a comment is no list";
-  EXPECT_EQ(host.count("ProgramString"), 2);
+  use(*context, "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND", kVertex);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
+  ASSERT_TRUE(draw(*context));
+  load(*context, "!!ARBvp1.0 junk", kVertex);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(context->errorPosition, 11);
+  EXPECT_EQ(host.count("ProgramString"), 0);
+  EXPECT_EQ(host.count("Enable"), 0) << "the host has a vertex program target of its own";
+}
+
+TEST(Programs, ANameBelongsToOneTarget) {
+  FakeHost host;
+  const CurrentContext context(host);
+  handlers::BindProgramARB(*context, kVertex, 7);
+  handlers::BindProgramARB(*context, kFragment, 7);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(context->row(Target::Fragment).bound->name, 0u);
+  EXPECT_EQ(context->row(Target::Vertex).bound->name, 7u);
+  handlers::BindProgramARB(*context, kFragment, 0);
+  handlers::BindProgramARB(*context, kVertex, 0);
+  EXPECT_NE(context->row(Target::Fragment).bound, context->row(Target::Vertex).bound)
+      << "object 0 is one a target";
+}
+
+TEST(Programs, ATargetThatIsNotOfferedIsTheHosts) {
+  FakeHost host;
+  const CurrentContext context(host);
+  load(*context, "!!ATIfs1.0", GL_TEXT_FRAGMENT_SHADER_ATI);
+  EXPECT_EQ(host.count("ProgramString"), context->row(Target::AtiText).offered ? 0 : 1);
 }
 
 TEST(Programs, TheAttributeStackIsMirrored) {

@@ -36,6 +36,9 @@ constexpr CountRow kRows[] = {
      GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB, &fp::ResourceCounts::temporaries},
     {GL_PROGRAM_PARAMETERS_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, GL_PROGRAM_NATIVE_PARAMETERS_ARB,
      GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB, &fp::ResourceCounts::parameters},
+    {GL_PROGRAM_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB,
+     GL_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB,
+     &fp::ResourceCounts::addressRegisters},
     {GL_PROGRAM_ATTRIBS_ARB, GL_MAX_PROGRAM_ATTRIBS_ARB, GL_PROGRAM_NATIVE_ATTRIBS_ARB,
      GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB, &fp::ResourceCounts::attribs},
 };
@@ -47,10 +50,15 @@ bool isFragmentOnly(GLenum pname) {
          pname <= GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB;
 }
 
-/// Address registers are the vertex language's; a fragment program uses and may use none.
+/// Address registers are the vertex language's; other programs use and may use none.
 bool isAddressRegisters(GLenum pname) {
   return pname >= GL_PROGRAM_ADDRESS_REGISTERS_ARB &&
          pname <= GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB;
+}
+
+/// The target's programs have no such resource.
+bool isNoneOf(Target target, GLenum pname) {
+  return target == Target::Vertex ? isFragmentOnly(pname) : isAddressRegisters(pname);
 }
 
 bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenum pname,
@@ -77,6 +85,10 @@ bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenu
 bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObject &object,
                   GLenum pname, GLint *params) {
   const std::shared_ptr<const CompiledProgram> program = context.group->compiledOf(object);
+  if (isNoneOf(row.target, pname)) {
+    *params = 0;
+    return true;
+  }
   if (queryCounts(row.limits, program.get(), pname, params))
     return true;
   switch (pname) {
@@ -99,10 +111,7 @@ bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObjec
     *params = program && program->underNativeLimits ? GL_TRUE : GL_FALSE;
     return true;
   default:
-    if (!isAddressRegisters(pname))
-      return false;
-    *params = 0;
-    return true;
+    return false;
   }
 }
 
@@ -110,14 +119,8 @@ namespace handlers {
 
 void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *params) {
   const ProgramTarget *const row = rowOf(context, target);
-  if (!row) {
-    if (target == GL_VERTEX_PROGRAM_ARB && isFragmentOnly(pname) && !context.insideBeginEnd) {
-      if (params)
-        *params = 0;
-      return;
-    }
+  if (!row)
     return context.host->GetProgramivARB(target, pname, params);
-  }
   if (!outsideBeginEnd(context, "GetProgramiv between Begin and End") || !params)
     return;
   if (!queryProgram(context, *row, *row->bound, pname, params))

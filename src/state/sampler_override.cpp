@@ -102,7 +102,7 @@ void SamplerOverride::apply(Context &context, const Variant &variant) {
   release(context);
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  for (const fp::GlslSampler &sampler : variant.compiled->glsl.samplers)
+  for (const fp::GlslSampler &sampler : variant.fragment.compiled->glsl.samplers)
     applyUnit(context, sampler);
   context.host->ActiveTexture(GLenum(active));
 }

@@ -84,9 +84,10 @@ void ShareGroup::addGarbage(const Garbage &garbage) {
   };
   const std::lock_guard lock(m_mutex);
   const bool programs = append(m_garbage.programs, garbage.programs);
+  const bool shaders = append(m_garbage.shaders, garbage.shaders);
   const bool samplers = append(m_garbage.samplers, garbage.samplers);
   const bool assembly = append(m_garbage.assembly, garbage.assembly);
-  m_hasGarbage.store(programs || samplers || assembly, std::memory_order_release);
+  m_hasGarbage.store(programs || shaders || samplers || assembly, std::memory_order_release);
 }
 
 ShareGroup::Garbage ShareGroup::takeGarbage() {

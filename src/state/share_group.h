@@ -32,7 +32,7 @@ public:
   /// Frees the name; the object lives on where it is bound. Null if there was none.
   std::shared_ptr<ProgramObject> remove(GLuint name);
   [[nodiscard]] bool contains(GLuint name);
-  /// A name that nobody uses, where the host has no GenPrograms.
+  /// A name that nobody uses and that was not given before.
   [[nodiscard]] GLuint takeName();
   /// Every object of the group, at this moment.
   [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects();
@@ -53,6 +53,7 @@ public:
   /// moment when it is current.
   struct Garbage {
     std::vector<GLuint> programs; ///< GLSL
+    std::vector<GLuint> shaders;
     std::vector<GLuint> samplers;
     std::vector<GLuint> assembly; ///< program objects of the host's ARB path
   };
@@ -60,7 +61,7 @@ public:
   [[nodiscard]] bool hasGarbage() const { return m_hasGarbage.load(std::memory_order_acquire); }
   [[nodiscard]] Garbage takeGarbage();
 
-  // --- Host programs of ours, so that IsProgram and its kin do not know them ---
+  // --- Host programs and shaders of ours, so that IsProgram and its kin do not know them ---
 
   void addHostProgram(GLuint name);
   void removeHostProgram(GLuint name);

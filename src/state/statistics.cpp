@@ -138,6 +138,7 @@ void writeCounts(JsonWriter &json, const char *key, const fp::ResourceCounts &co
   json.key("temporaries").value(counts.temporaries);
   json.key("parameters").value(counts.parameters);
   json.key("attribs").value(counts.attribs);
+  json.key("address_registers").value(counts.addressRegisters);
   json.endObject();
 }
 
@@ -171,7 +172,7 @@ bool isFallback(Path path) { return path != Path::HostGlsl && path != Path::Reco
 void writeDraws(JsonWriter &json, const Totals &totals) {
   std::uint64_t untouched = 0;
   for (const Path path : {Path::NoProgram, Path::ApplicationGlsl, Path::ApplicationPipeline,
-                          Path::ApplicationVertexGlsl, Path::NotOffered})
+                          Path::ApplicationStageGlsl, Path::NotOffered})
     untouched += totals.draws[std::size_t(path)];
   const std::uint64_t dropped = totals.draws[std::size_t(Path::InvalidProgram)] +
                                 totals.draws[std::size_t(Path::HostRefused)];
@@ -273,21 +274,6 @@ void noteFragmentShader(const Context &context, const ProgramObject &object,
   row.target = infoOf(object.target).word;
   if (compiled)
     row.hash = compiled->hash;
-  row.error = error;
-  addProgram(std::move(row));
-}
-
-void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
-                       std::string_view error) {
-  if (!wanted())
-    return;
-  ProgramRow row;
-  row.context = context.serial;
-  row.name = name;
-  row.hash = hashBytes(text);
-  row.target = "vertex";
-  row.language = languageOf(text);
-  row.errorPosition = context.errorPosition;
   row.error = error;
   addProgram(std::move(row));
 }

@@ -24,9 +24,6 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
 /// EndFragmentShaderATI: `compiled` is null where `error` says why. Kept as a loaded program is.
 void noteFragmentShader(const Context &context, const ProgramObject &object,
                         const CompiledProgram *compiled, std::string_view error);
-/// A program string of the vertex target went to the host; `error` is empty if it loaded.
-void noteVertexProgram(const Context &context, unsigned name, std::string_view text,
-                       std::string_view error);
 
 /// The statistics up to now.
 [[nodiscard]] std::string statisticsJson();

@@ -1,7 +1,6 @@
 #include "state/variant.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
 
 #include "host/host_table.h"
@@ -28,10 +27,13 @@ std::string infoLog(GLuint object, GetIv getIv, GetLog getLog) {
   return text;
 }
 
+bool isVertex(const CompiledProgram &compiled) { return compiled.target == Target::Vertex; }
+
 /// 0 if the host does not compile it.
 GLuint compileShader(Context &context, const CompiledProgram &compiled) {
   const host::HostTable &host = *context.host;
-  const GLuint shader = host.CreateShader(GL_FRAGMENT_SHADER);
+  const GLuint shader =
+      host.CreateShader(isVertex(compiled) ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
   if (shader == 0)
     return 0;
   const GLchar *const text = compiled.glsl.text.c_str();
@@ -49,27 +51,35 @@ GLuint compileShader(Context &context, const CompiledProgram &compiled) {
   return 0;
 }
 
-/// A linked program of the fragment stage alone; 0 if the host refuses.
-GLuint linkProgram(Context &context, const CompiledProgram &compiled) {
+std::string nameOf(const ProgramPair &pair) {
+  std::string name;
+  for (const auto &compiled : {pair.vertex, pair.fragment})
+    if (compiled)
+      name += (name.empty() ? "" : " with ") + toHex(compiled->hash);
+  return name;
+}
+
+/// A program of those of the two shaders that are not 0; 0 if the host refuses.
+GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLuint fragment) {
   const host::HostTable &host = *context.host;
-  const GLuint shader = compileShader(context, compiled);
-  if (shader == 0)
-    return 0;
   const GLuint program = host.CreateProgram();
-  if (program != 0) {
-    host.AttachShader(program, shader);
-    host.LinkProgram(program);
-    host.DetachShader(program, shader);
-  }
-  host.DeleteShader(shader);
   if (program == 0)
     return 0;
+  if (pair.vertex)
+    for (const fp::GlslAttribute &attribute : pair.vertex->glsl.attributes)
+      host.BindAttribLocation(program, attribute.index, attribute.name.c_str());
+  for (const GLuint shader : {vertex, fragment})
+    if (shader != 0)
+      host.AttachShader(program, shader);
+  host.LinkProgram(program);
+  for (const GLuint shader : {vertex, fragment})
+    if (shader != 0)
+      host.DetachShader(program, shader);
   GLint status = GL_FALSE;
   host.GetProgramiv(program, GL_LINK_STATUS, &status);
   if (status == GL_TRUE)
     return program;
-  logError("state", "the host does not link the GLSL of program %s:\n%s",
-           toHex(compiled.hash).c_str(),
+  logError("state", "the host does not link the GLSL of program %s:\n%s", nameOf(pair).c_str(),
            infoLog(program, host.GetProgramiv, host.GetProgramInfoLog).c_str());
   host.DeleteProgram(program);
   return 0;
@@ -78,7 +88,7 @@ GLuint linkProgram(Context &context, const CompiledProgram &compiled) {
 /// Samplers are set once: two of different types on one unit, which zero would give, is an error at
 /// the draw. Requires the program to be current.
 void setSamplers(Context &context, const Variant &variant) {
-  for (const fp::GlslSampler &sampler : variant.compiled->glsl.samplers) {
+  for (const fp::GlslSampler &sampler : variant.fragment.compiled->glsl.samplers) {
     const GLint location =
         context.host->GetUniformLocation(variant.hostProgram, sampler.uniform.c_str());
     if (location >= 0)
@@ -86,43 +96,23 @@ void setSamplers(Context &context, const Variant &variant) {
   }
 }
 
-void findParameters(Context &context, Variant &variant) {
-  const auto &uniforms = variant.compiled->glsl.uniforms;
-  variant.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
-  variant.locations.resize(uniforms.size());
+void findParameters(Context &context, GLuint hostProgram, VariantStage &stage) {
+  const auto &uniforms = stage.compiled->glsl.uniforms;
+  const char *const array = isVertex(*stage.compiled) ? "arb_vparam" : "arb_param";
+  stage.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
+  stage.locations.resize(uniforms.size());
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
     char name[32];
-    std::snprintf(name, sizeof name, "arb_param[%zu]", i);
-    variant.locations[i] = context.host->GetUniformLocation(variant.hostProgram, name);
-    variant.readsState |= uniforms[i].parameter.kind == fp::ir::ParameterKind::State;
+    std::snprintf(name, sizeof name, "%s[%zu]", array, i);
+    stage.locations[i] = context.host->GetUniformLocation(hostProgram, name);
+    stage.readsState |= uniforms[i].parameter.kind == fp::ir::ParameterKind::State;
   }
-  variant.readsParameters = !uniforms.empty();
 }
 
 bool isPlain(fp::ir::TexTarget target) {
   using fp::ir::TexTarget;
   return target != TexTarget::Shadow1D && target != TexTarget::Shadow2D &&
          target != TexTarget::ShadowRect;
-}
-
-std::unique_ptr<Variant> build(Context &context,
-                               const std::shared_ptr<const CompiledProgram> &compiled) {
-  auto variant = std::make_unique<Variant>();
-  variant->compiled = compiled;
-  const HostErrorScope scope(context);
-  variant->hostProgram = linkProgram(context, *compiled);
-  if (variant->hostProgram == 0)
-    return variant;
-  context.group->addHostProgram(variant->hostProgram);
-  context.host->UseProgram(variant->hostProgram);
-  context.hostProgramIsOurs = true;
-  setSamplers(context, *variant);
-  findParameters(context, *variant);
-  const auto &samplers = compiled->glsl.samplers;
-  variant->hasPlainSamplers =
-      std::any_of(samplers.begin(), samplers.end(),
-                  [](const auto &sampler) { return isPlain(sampler.target); });
-  return variant;
 }
 
 void destroy(Context &context, const Variant &variant) {
@@ -134,110 +124,114 @@ void destroy(Context &context, const Variant &variant) {
 
 } // namespace
 
-Variant *VariantCache::get(Context &context,
-                           const std::shared_ptr<const CompiledProgram> &compiled) {
-  if (!m_map)
-    m_map = std::make_unique<Map>();
-  const auto it = m_map->find(compiled.get());
-  if (it != m_map->end())
+const VariantCache::Shader *
+VariantCache::shaderOf(Context &context, const std::shared_ptr<const CompiledProgram> &compiled) {
+  const auto [it, isNew] = m_maps->shaders.try_emplace(compiled.get());
+  if (isNew) {
+    it->second = {compiled, compileShader(context, *compiled)};
+    if (it->second.name != 0)
+      context.group->addHostProgram(it->second.name);
+  }
+  return &it->second;
+}
+
+std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair &pair) {
+  auto variant = std::make_unique<Variant>();
+  variant->vertex.compiled = pair.vertex.get();
+  variant->fragment.compiled = pair.fragment.get();
+  const HostErrorScope scope(context);
+  GLuint shaders[2] = {};
+  for (const auto &compiled : {pair.vertex, pair.fragment}) {
+    if (!compiled)
+      continue;
+    GLuint &shader = shaders[isVertex(*compiled) ? 0 : 1];
+    shader = shaderOf(context, compiled)->name;
+    if (shader == 0)
+      return variant;
+  }
+  variant->hostProgram = linkProgram(context, pair, shaders[0], shaders[1]);
+  if (variant->hostProgram == 0)
+    return variant;
+  context.group->addHostProgram(variant->hostProgram);
+  context.host->UseProgram(variant->hostProgram);
+  context.hostProgramIsOurs = true;
+  for (VariantStage *stage : {&variant->vertex, &variant->fragment}) {
+    if (!stage->compiled)
+      continue;
+    findParameters(context, variant->hostProgram, *stage);
+    variant->readsState |= stage->readsState;
+  }
+  if (pair.fragment) {
+    setSamplers(context, *variant);
+    const auto &samplers = pair.fragment->glsl.samplers;
+    variant->hasPlainSamplers =
+        std::any_of(samplers.begin(), samplers.end(),
+                    [](const auto &sampler) { return isPlain(sampler.target); });
+  }
+  return variant;
+}
+
+Variant *VariantCache::get(Context &context, const ProgramPair &pair) {
+  if (!m_maps)
+    m_maps = std::make_unique<Maps>();
+  const Key key = {pair.vertex.get(), pair.fragment.get()};
+  const auto it = m_maps->variants.find(key);
+  if (it != m_maps->variants.end())
     return it->second.get();
-  if (m_map->size() >= m_sweepAt)
+  if (m_maps->shaders.size() >= m_sweepAt)
     sweep(context);
-  return m_map->emplace(compiled.get(), build(context, compiled)).first->second.get();
+  return m_maps->variants.emplace(key, build(context, pair)).first->second.get();
 }
 
 void VariantCache::drop(Context &context, const CompiledProgram *compiled) {
-  if (!m_map)
+  if (!m_maps)
     return;
-  const auto it = m_map->find(compiled);
-  if (it == m_map->end())
+  const auto shader = m_maps->shaders.find(compiled);
+  if (shader == m_maps->shaders.end())
     return;
-  if (context.variant == it->second.get()) {
-    captureLeave(context); // it holds the parameters of its last draw
-    context.variant = nullptr;
-  }
-  destroy(context, *it->second);
-  m_map->erase(it);
-}
-
-/// Variants whose program left its object through another context: nobody else holds it any more.
-void VariantCache::sweep(Context &context) {
-  std::erase_if(*m_map, [&](const auto &entry) {
-    const Variant &variant = *entry.second;
-    if (variant.compiled.use_count() > 1 || context.variant == &variant)
+  std::erase_if(m_maps->variants, [&](const auto &entry) {
+    if (entry.first.vertex != compiled && entry.first.fragment != compiled)
       return false;
-    destroy(context, variant);
+    if (context.variant == entry.second.get()) {
+      captureLeave(context); // it holds the parameters of its last draw
+      context.variant = nullptr;
+    }
+    destroy(context, *entry.second);
     return true;
   });
-  m_sweepAt = std::max<std::size_t>(64, 2 * m_map->size());
+  if (shader->second.name != 0) {
+    context.group->removeHostProgram(shader->second.name);
+    context.host->DeleteShader(shader->second.name);
+  }
+  m_maps->shaders.erase(shader);
 }
 
-std::vector<GLuint> VariantCache::abandon() {
-  std::vector<GLuint> names;
-  if (m_map) {
-    for (const auto &[compiled, variant] : *m_map)
-      if (variant->hostProgram != 0)
-        names.push_back(variant->hostProgram);
-    m_map->clear();
+/// Programs that left their object through another context: nobody else holds them any more.
+void VariantCache::sweep(Context &context) {
+  std::vector<const CompiledProgram *> left;
+  for (const auto &[compiled, shader] : m_maps->shaders) {
+    const bool inForce = context.variant && (context.variant->vertex.compiled == compiled ||
+                                             context.variant->fragment.compiled == compiled);
+    if (!inForce && shader.compiled.use_count() == 1)
+      left.push_back(compiled);
   }
+  for (const CompiledProgram *const compiled : left)
+    drop(context, compiled);
+  m_sweepAt = std::max<std::size_t>(64, 2 * m_maps->shaders.size());
+}
+
+VariantCache::Names VariantCache::abandon() {
+  Names names;
+  if (!m_maps)
+    return names;
+  for (const auto &[key, variant] : m_maps->variants)
+    if (variant->hostProgram != 0)
+      names.programs.push_back(variant->hostProgram);
+  for (const auto &[compiled, shader] : m_maps->shaders)
+    if (shader.name != 0)
+      names.shaders.push_back(shader.name);
+  m_maps.reset();
   return names;
-}
-
-namespace {
-
-/// The value that element `i` of arb_param has to have.
-void currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter,
-                  Vec4 &value) {
-  switch (parameter.kind) {
-  case fp::ir::ParameterKind::Constant:
-    value = parameter.constant;
-    break;
-  case fp::ir::ParameterKind::Env:
-    if (parameter.index < row.env.size())
-      value = row.env[parameter.index];
-    break;
-  case fp::ir::ParameterKind::Local:
-    if (parameter.index < row.bound->locals.size())
-      value = row.bound->locals[parameter.index].load();
-    break;
-  case fp::ir::ParameterKind::State:
-    fetchState(context, parameter.state, value.data());
-    break;
-  }
-}
-
-} // namespace
-
-void uploadParameters(Context &context, Variant &variant) {
-  const auto &uniforms = variant.compiled->glsl.uniforms;
-  const std::size_t count = uniforms.size();
-  std::size_t begin = 0; // of the run of changed values, as far as it goes
-  std::size_t end = 0;
-  const auto flush = [&] {
-    if (begin != end)
-      context.host->Uniform4fv(variant.locations[begin], GLsizei(end - begin),
-                               variant.uploaded[begin].data());
-    begin = end = 0;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (variant.locations[i] < 0)
-      continue;
-    Vec4 value{};
-    currentValue(context, context.row(variant.compiled->target), uniforms[i].parameter, value);
-    // Bits, not values: a NaN would be sent for ever, and -0 never.
-    if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
-        std::bit_cast<std::array<std::uint32_t, 4>>(variant.uploaded[i]))
-      continue;
-    variant.uploaded[i] = value;
-    const bool joins = begin != end && end == i &&
-                       variant.locations[i] == variant.locations[begin] + GLint(i - begin);
-    if (!joins) {
-      flush();
-      begin = i;
-    }
-    end = i + 1;
-  }
-  flush();
 }
 
 } // namespace arbiter::state

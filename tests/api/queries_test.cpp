@@ -156,7 +156,7 @@ TEST_F(Queries, UnsafeVertexProgramsDoNotReachTheHost) {
   BARE_HOST_DIFFERS("its parser reads freed memory");
   std::string text = "!!ARBvp1.0\nPARAM p[] = {";
   for (int i = 0; i < 6000; ++i)
-    text += i ? ", {1,2,3,4}" : "{1,2,3,4}";
+    text += (i ? ", {" : "{") + std::to_string(i) + ",2,3,4}";
   text += "};\nMOV result.position, p[0];\nEND";
   glBindProgramARB(kVertex, 78);
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, load(text, kVertex));

@@ -83,10 +83,10 @@ class Evidence(unittest.TestCase):
     def test_statistics_of_all_processes_count(self):
         good = {"target": "fragment", "error": None}
         stats = [{}, {"programs": [good, {"target": "vertex"}], "draws": {"host_glsl": 3}},
-                 {"programs": [good], "draws": {"host_glsl": 1, "reasons": {"no-fragment-program": 2}}}]
+                 {"programs": [good], "draws": {"host_glsl": 1, "reasons": {"no-program": 2}}}]
         summary = evidence.summarise(stats)
         self.assertEqual((summary["programs"], summary["draws_glsl"]), (2, 4))
-        self.assertEqual(summary["reasons"], {"no-fragment-program": 2})
+        self.assertEqual(summary["reasons"], {"no-program": 2})
         self.assertEqual(evidence.problems(summary, 2), [])
         self.assertEqual(len(evidence.problems(summary, 3)), 1)
 

@@ -10,6 +10,7 @@
 namespace arbiter::state::testing {
 
 inline constexpr GLenum kFragment = GL_FRAGMENT_PROGRAM_ARB;
+inline constexpr GLenum kVertex = GL_VERTEX_PROGRAM_ARB;
 
 /// A context of the fake host, current for as long as this lives.
 class CurrentContext {
@@ -32,18 +33,18 @@ private:
   Context *m_context;
 };
 
-inline void load(Context &context, std::string_view text) {
-  handlers::ProgramStringARB(context, kFragment, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
+inline void load(Context &context, std::string_view text, GLenum target = kFragment) {
+  handlers::ProgramStringARB(context, target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
                              text.data());
 }
 
 /// Binds a new object with that text and enables the target.
-inline GLuint use(Context &context, std::string_view text) {
+inline GLuint use(Context &context, std::string_view text, GLenum target = kFragment) {
   GLuint name = 0;
   handlers::GenProgramsARB(context, 1, &name);
-  handlers::BindProgramARB(context, kFragment, name);
-  load(context, text);
-  handlers::Enable(context, kFragment);
+  handlers::BindProgramARB(context, target, name);
+  load(context, text, target);
+  handlers::Enable(context, target);
   return name;
 }
 

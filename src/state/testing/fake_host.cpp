@@ -63,15 +63,18 @@ void getIntegerv(GLenum pname, GLint *value) {
     *value = 16; // limits
 }
 
+void getProgramLimit(GLenum, GLenum, GLint *value) { *value = 64; }
+
 GLenum getError() {
   const GLenum error = fake().error;
   fake().error = GL_NO_ERROR;
   return error;
 }
 
-GLuint createShader(GLenum) {
+GLuint createShader(GLenum type) {
   if (fake().createFails)
     return 0;
+  fake().note(words("CreateShader", {type}));
   fake().shaders.insert(++fake().lastName);
   return fake().lastName;
 }
@@ -86,8 +89,11 @@ void deleteProgram(GLuint name) {
   fake().note(words("DeleteProgram", {name}));
   fake().programs.erase(name);
 }
-void getShaderiv(GLuint, GLenum pname, GLint *value) {
-  *value = pname == GL_COMPILE_STATUS ? !fake().compileFails : 5;
+void getShaderiv(GLuint name, GLenum pname, GLint *value) {
+  if (pname == GL_SHADER_TYPE)
+    *value = GLint(name); // as getAttachedShaders() names them
+  else
+    *value = pname == GL_COMPILE_STATUS ? !fake().compileFails : 5;
 }
 void getProgramiv(GLuint, GLenum pname, GLint *value) {
   *value = pname == GL_LINK_STATUS ? !fake().linkFails : 5;
@@ -106,9 +112,14 @@ void useProgram(GLuint name) {
     fake().currentProgram = name;
 }
 
-/// arb_param[i] is at 10 + i, samplers at 0.
+/// arb_param[i] is at 10 + i, arb_vparam[i] at 500 + i, samplers at 0.
 GLint getUniformLocation(GLuint, const GLchar *name) {
+  if (std::strncmp(name, "arb_vparam[", 11) == 0)
+    return 500 + std::atoi(name + 11);
   return std::strncmp(name, "arb_param[", 10) == 0 ? 10 + std::atoi(name + 10) : 0;
+}
+void bindAttribLocation(GLuint, GLuint index, const GLchar *name) {
+  fake().note("BindAttribLocation " + std::to_string(index) + " " + name);
 }
 void uniform4fv(GLint location, GLsizei count, const GLfloat *values) {
   fake().note(words("Uniform4fv", {location, count}));
@@ -159,6 +170,13 @@ GLboolean isEnabled(GLenum cap) {
   return fake().enabled.count(cap) != 0;
 }
 void activeTexture(GLenum unit) { fake().note(words("ActiveTexture", {unit})); }
+void disable(GLenum cap) { fake().note(words("Disable", {cap})); }
+void getAttachedShaders(GLuint program, GLsizei most, GLsizei *count, GLuint *shaders) {
+  *count = 0;
+  for (const GLenum type : fake().stages[program])
+    if (*count < most)
+      shaders[(*count)++] = type;
+}
 
 struct Row {
   const char *name;
@@ -171,6 +189,7 @@ const Row kRows[] = {
     ROW(GetStringi, getStringi),
     ROW(GetIntegerv, getIntegerv),
     ROW(GetError, getError),
+    ROW(GetProgramivARB, getProgramLimit),
     ROW(CreateShader, createShader),
     ROW(CreateProgram, createProgram),
     ROW(DeleteShader, deleteShader),
@@ -197,6 +216,9 @@ const Row kRows[] = {
     ROW(Enable, enable),
     ROW(IsEnabled, isEnabled),
     ROW(ActiveTexture, activeTexture),
+    ROW(Disable, disable),
+    ROW(BindAttribLocation, bindAttribLocation),
+    ROW(GetAttachedShaders, getAttachedShaders),
 };
 #undef ROW
 

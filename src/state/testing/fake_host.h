@@ -40,6 +40,8 @@ public:
   GLuint currentProgram = 0;
   std::set<GLuint> programs;
   std::set<GLuint> shaders;
+  /// The types of the shaders of a program of the application's.
+  std::map<GLuint, std::vector<GLenum>> stages;
   std::set<GLuint> lists;
   GLuint compiling = 0;                           ///< the list between NewList and EndList
   std::map<GLint, std::vector<GLfloat>> uniforms; ///< by location, of whichever program
