@@ -70,13 +70,8 @@ FogMode askFog(Context &context) {
   }
 }
 
-bool vertexProgramInForce(Context &context) {
-  if (context.applicationProgram != 0)
-    return true;
-  const ProgramTarget &row = context.row(Target::Vertex);
-  if (row.offered)
-    return row.enabled;
-  return context.caps.vertexProgram && context.host->IsEnabled(GL_VERTEX_PROGRAM_ARB);
+bool vertexProgramInForce(const Context &context) {
+  return context.applicationProgram != 0 || context.row(Target::Vertex).enabled;
 }
 
 /// Lighting makes the secondary colour itself, whatever COLOR_SUM says, and leaves it black unless
@@ -100,7 +95,6 @@ bool choosesForm(GLenum cap) {
   case GL_TEXTURE_3D:
   case GL_TEXTURE_CUBE_MAP:
   case GL_TEXTURE_RECTANGLE:
-  case GL_VERTEX_PROGRAM_ARB:
     return true;
   default:
     return false;

@@ -1,6 +1,6 @@
-// ATI_fragment_shader: what is drawn. Defects of the bare host (Mesa 22.3.6) are tests that it skips:
-// DOT2_ADD takes its third argument from the second, alpha reads what its colour wrote, and colour
-// sum is left out.
+// ATI_fragment_shader: what is drawn. Defects of the bare host (Mesa 22.3.6) are tests that it
+// skips: DOT2_ADD takes its third argument from the second, alpha reads what its colour wrote, and
+// colour sum is left out.
 #include "ati_shader.h"
 
 #include <algorithm>
@@ -153,6 +153,34 @@ TEST_F(AtiDraws, AnArbVertexProgramFeedsIt) {
               kVertex);
   glEnable(kVertex);
   EXPECT_EQ(drawn(), kYellow);
+}
+
+TEST_F(AtiDraws, GlslVerticesAloneFeedIt) {
+  makeConstantShader(GL_CON_0_ATI);
+  glUseProgram(makeGlsl("void main() { gl_Position = gl_Vertex; }", nullptr));
+  EXPECT_EQ(drawn(), kRedPixel);
+  BARE_HOST_DIFFERS("a change of a constant is not seen");
+  constant(GL_CON_0_ATI, 0, 1, 0, 1);
+  EXPECT_EQ(drawn(), kGreenPixel);
+  glUseProgram(0);
+}
+
+TEST_F(AtiDraws, GlslVerticesColorSumAndFog) {
+  BARE_HOST_DIFFERS("leaves the colour sum out");
+  makeConstantShader(GL_CON_0_ATI);
+  glUseProgram(makeGlsl("void main() { gl_Position = gl_Vertex; gl_FogFragCoord = 0.5;"
+                        " gl_FrontSecondaryColor = vec4(0, 1, 0, 0); }",
+                        nullptr));
+  EXPECT_EQ(drawn(), kRedPixel);
+  glEnable(GL_COLOR_SUM);
+  EXPECT_EQ(drawn(), kYellow);
+  const GLfloat black[] = {0, 0, 0, 1};
+  glFogfv(GL_FOG_COLOR, black);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glEnable(GL_FOG);
+  expectNear(drawn(), {128, 128, 0, 255});
+  glDisable(GL_COLOR_SUM);
+  expectNear(drawn(), {128, 0, 0, 255});
 }
 
 TEST_F(AtiDraws, TwoPasses) {
