@@ -36,6 +36,7 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
   clamp(limits.drawBuffers, caps.maxDrawBuffers);
   clamp(limits.vertexAttribs, caps.maxVertexAttribs);
+  clamp(limits.clipPlanes, caps.maxClipPlanes);
   return limits;
 }
 

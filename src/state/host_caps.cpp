@@ -104,6 +104,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
     return caps;
   caps.maxAttribStackDepth = getInteger(host, GL_MAX_ATTRIB_STACK_DEPTH, 16);
   caps.maxTextureUnits = getInteger(host, GL_MAX_TEXTURE_UNITS, 2);
+  caps.maxClipPlanes = getInteger(host, GL_MAX_CLIP_PLANES, 6);
   if (gl >= 20) {
     caps.maxTextureCoords = getInteger(host, GL_MAX_TEXTURE_COORDS, 0);
     caps.maxTextureImageUnits = getInteger(host, GL_MAX_TEXTURE_IMAGE_UNITS, 0);
@@ -153,6 +154,7 @@ fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const Hos
   limits.programMatrixStackDepth = std::uint32_t(caps.maxProgramMatrixStackDepth);
   limits.drawBuffers = std::uint32_t(caps.maxDrawBuffers);
   limits.vertexAttribs = std::uint32_t(caps.maxVertexAttribs);
+  limits.clipPlanes = std::uint32_t(caps.maxClipPlanes);
   return limits;
 }
 

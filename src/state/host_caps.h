@@ -38,6 +38,7 @@ struct HostCaps {
   GLint maxProgramMatrixStackDepth = 0;
   GLint maxDrawBuffers = 1;
   GLint maxVertexAttribs = 16;
+  GLint maxClipPlanes = 6;
   GLint maxFragmentUniformComponents = 0;
   std::vector<std::string> extensions;
 
