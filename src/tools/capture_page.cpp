@@ -77,9 +77,9 @@ std::string summaryRow(const CapturedProgram &program) {
          "</code></a>" + marks + "</td>" + cell(program.target->word) + numberCell(program.loads) +
          numberCell(program.contexts.size()) + numberCell(program.processes.size()) +
          numberCell(program.frames) + numberCell(program.draws) +
-         numberCell(program.counts.aluInstructions) + numberCell(program.counts.texInstructions) +
-         numberCell(program.counts.texIndirections) + (good ? "<td>" : "<td class=bad>") +
-         verdict(program) + "</td></tr>\n";
+         numberCell(program.counts.instructions) + numberCell(program.counts.aluInstructions) +
+         numberCell(program.counts.texInstructions) + numberCell(program.counts.texIndirections) +
+         (good ? "<td>" : "<td class=bad>") + verdict(program) + "</td></tr>\n";
 }
 
 /// The source, a line a row; the line of the error has a caret under its column.

@@ -24,7 +24,8 @@ h2 { margin-top: 2em; font-size: 1.1em; border-top: 2px solid #222; padding-top:
 
 inline constexpr const char *kCapturePageColumns =
     "<table id=programs><thead><tr><th>program<th>target<th>loads<th>contexts<th>processes"
-    "<th>frames<th>draws<th>ALU<th>TEX<th>indirections<th>verdict</tr></thead><tbody>\n";
+    "<th>frames<th>draws<th>instructions<th>ALU<th>TEX<th>indirections<th>verdict</tr></"
+    "thead><tbody>\n";
 
 inline constexpr const char *kCapturePageFoot = R"html(<script>
 "use strict";

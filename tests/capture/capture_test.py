@@ -22,6 +22,9 @@ ARBITER, LIGHTING, LIFE, TICKER = (os.path.abspath(path) for path in sys.argv[1:
 SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
 # Red, and wrong, in the other languages.
 KINDS = {
+    'vertex': ('.vp', b'!!ARBvp1.0\nMOV result.position, vertex.position;\n'
+               b'MOV result.color, {1, 0, 0, 1};\nEND\n',
+               b'!!ARBvp1.0\nMOV result.color, nothing;\nEND\n'),
     'ati': ('.atifs', b'!!ATIfs1.0\nStartConstants; CONSTANT c0 = {1.0, 0.0, 0.0, 1.0}; EndConstants;\n'
             b'StartOutputPass; MOV r0, c0; EndPass;\n',
             b'!!ATIfs1.0\nStartOutputPass;MOV nothing, c0;EndPass;\n'),
@@ -161,12 +164,15 @@ class Capture(Folder):
 
     @unittest.skipUnless(SHADER_RUNNERS, 'piglit is not installed')
     def test_shader_tests_run(self):
-        index = self.capture(LIGHTING, '--headless', '--size', '32x32', '--frames', '1')
-        test = self.folder / (index['programs'][0]['file'] + '.shader_test')
-        for front in ((), (ARBITER, 'run', '--')):
-            result = run(*front, SHADER_RUNNERS[0], test, '-auto', '-fbo',
-                         PIGLIT_PLATFORM='surfaceless_egl')
-            self.assertIn('"result": "pass"', result.stdout, result.stderr)
+        for name, command in (('pixels', (LIGHTING, '--headless', '--size', '32x32')),
+                              ('vertices', (TICKER, 'vertex', '1'))):
+            self.folder = self.folder.parent / name
+            program = next(p for p in self.capture(*command)['programs'] if p['draws'])
+            test = self.folder / (program['file'] + '.shader_test')
+            for front in ((), (ARBITER, 'run', '--')):
+                result = run(*front, SHADER_RUNNERS[0], test, '-auto', '-fbo',
+                             PIGLIT_PLATFORM='surfaceless_egl')
+                self.assertIn('"result": "pass"', result.stdout, result.stderr)
 
 
 @contextlib.contextmanager
