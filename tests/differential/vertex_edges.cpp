@@ -5,6 +5,7 @@
 
 #include "fp_compiler/ir/evaluate.h"
 #include "tolerance.h"
+#include "vertex_clip.h"
 #include "vertex_reader.h"
 #include "vertex_suite.h"
 
@@ -97,6 +98,9 @@ public:
     applyState(m_backend.hasProgramMatrices());
     for (const Case &wanted : cases())
       one(wanted);
+    ++m_report.programs;
+    if (const std::string difference = clipDifference(m_backend, m_target); !difference.empty())
+      fail({"user clip plane", ""}, difference);
     return m_report;
   }
 

@@ -8,7 +8,8 @@ namespace arbiter::differential {
 /// program's results as colours, and where the point lands and its depth show the position.
 [[nodiscard]] Report runVertexSuite(Backend &backend, const SuiteOptions &options);
 
-/// Each opcode of vertex programs on special values, and rows by addresses far outside their array.
+/// Each opcode of vertex programs on special values, rows by addresses far outside their array, and
+/// a user clip plane.
 [[nodiscard]] Report runVertexEdges(Backend &backend, const SuiteOptions &options);
 
 } // namespace arbiter::differential

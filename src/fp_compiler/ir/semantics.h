@@ -16,8 +16,9 @@
 ///
 /// Registers. Temporaries, output colours and their components are zero until written. An output
 /// depth that was not written is the fragment's own; a vertex result of which nothing is written is
-/// as if it were not bound. Address registers start at 0, and a row that is not there is zero. All operands are read before any component is
-/// written, so a destination may be a source. Components outside the mask keep their value.
+/// as if it were not bound. Address registers start at 0, and a row that is not there is zero. All
+/// operands are read before any component is written, so a destination may be a source. Components
+/// outside the mask keep their value.
 ///
 /// _SAT     NaN gives 0, then min(max(x, 0), 1).
 /// ABS      clears the sign.
