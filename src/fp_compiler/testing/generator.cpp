@@ -214,6 +214,10 @@ void Generator::arithmetic(Opcode op) {
   std::array<Intervals, 3> ranges = {};
   for (std::size_t i = 0; i < picked.size(); ++i)
     ranges[i] = picked[i].ranges;
+  // LIT's 0^0 is 1 by the specifications; a host's own path gives 0.
+  const bool zeroToZero = ranges[0][1].lo <= 0 && ranges[0][3].lo <= 0 && ranges[0][3].hi >= 0;
+  if (op == Opcode::Lit && zeroToZero && !m_options.wild)
+    op = Opcode::Abs;
   Destination dst = destination(op);
   const Intervals result = rangesOf(op, ranges);
   bool large = false;
