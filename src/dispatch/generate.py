@@ -196,7 +196,9 @@ def handlers_header(table):
            "/// Slow path of a draw: validates. False: the draw is dropped, its error raised.\n"
            "bool beginDraw(Context &context);\n"
            "/// The same of a command that shades fragments and transforms no vertex.\n"
-           "bool beginPixels(Context &context);\n\n"
+           "bool beginPixels(Context &context);\n"
+           "/// The same of RasterPos, which transforms a vertex and draws nothing.\n"
+           "bool beginRasterPos(Context &context);\n\n"
            "/// Makes the application's own program the host's current one again.\n"
            "void restoreApplicationProgram(Context &context);\n\n"
            "/// `name` if the application may know it; for a program or shader object of the layer a "
@@ -234,7 +236,11 @@ def thunks(command, action, symbol):
         flag, slow = "t->hostProgramIsOurs", "  handlers::restoreApplicationProgram(here());\n"
     else:
         flag = "t->attention"
-        begin = "beginPixels" if action == "pixels" else "beginDraw"
+        begin = "beginDraw"
+        if action == "pixels":
+            begin = "beginPixels"
+        elif action == "validate":
+            flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
         slow = f"  if (!handlers::{begin}(here()))\n    return{'' if result == 'void' else ' {}'};\n"
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
              f"{slow}{lead}{count}  {call}\n}}\n")

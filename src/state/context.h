@@ -113,7 +113,9 @@ public:
 
   // --- The path that draws take ---
   Path path = Path::NoProgram;
-  Variant *variant = nullptr; ///< in force, or null
+  Variant *variant = nullptr;       ///< in force, or null
+  bool rasterizes = true;           ///< the render mode is RENDER
+  bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
   VariantCache variants;
   SamplerOverride samplerOverride;
   HostAssembly hostAssembly;

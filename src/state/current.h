@@ -22,6 +22,9 @@ struct ContextHot {
   /// application's first (Context::restoreApplicationProgram).
   bool hostProgramIsOurs = false;
   bool insideBeginEnd = false;
+  /// The host's program is a vertex and a fragment program of ours, linked: of the vertex program's
+  /// results it has only those that the fragment program reads.
+  bool stagesAreLinked = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
   /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the

@@ -30,10 +30,12 @@ struct Command {
     Enable,        ///< target
     Disable,       ///< target
     UseProgram,    ///< name
-    PushAttrib,    ///< name: mask
+    AttribPushed,  ///< name: mask; the host's segment before it has pushed
     PopAttrib,
-    CallList,  ///< name
-    CallLists, ///< count, target: type; bytes: the names, ListBase is added when executed
+    CallList,    ///< name
+    CallLists,   ///< count, target: type; bytes: the names, ListBase is added when executed
+    CopyTexture, ///< object: a swrast::CopyKind; target, format: internal, count: level,
+                 ///< name: border; bytes: a swrast::CopyRegion
   };
   Kind kind;
   GLenum target = 0;
@@ -45,11 +47,15 @@ struct Command {
   std::vector<Vec4> values;
 };
 
+/// How a run of commands leaves Begin/End: as it was, inside, or outside.
+enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
+
 /// A list as segments: host lists and our commands in turn.
 struct DisplayList {
   struct Item {
     GLuint hostList = 0; ///< 0: a command
     std::unique_ptr<const Command> command;
+    Primitive primitive = Primitive::AsBefore; ///< of the host list
   };
   std::vector<Item> items;
 };

@@ -69,32 +69,6 @@ GLuint applicationPipeline(Context &context) {
   return GLuint(pipeline);
 }
 
-/// The stages that a linked program of the application's has.
-struct Stages {
-  bool vertex = false;
-  bool fragment = false;
-};
-
-/// As far as the host still tells: shaders that were detached after linking cannot be seen, and
-/// such a program is taken to have both stages.
-Stages stagesOf(Context &context, GLuint program) {
-  constexpr GLsizei kMaxShaders = 16;
-  GLuint shaders[kMaxShaders] = {};
-  GLsizei count = 0;
-  const HostErrorScope scope(context);
-  context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
-  if (count <= 0)
-    return {true, true};
-  Stages stages;
-  for (GLsizei i = 0; i < count; ++i) {
-    GLint type = 0;
-    context.host->GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
-    stages.vertex |= type == GL_VERTEX_SHADER;
-    stages.fragment |= type == GL_FRAGMENT_SHADER;
-  }
-  return stages;
-}
-
 /// The rows whose programs shade now; null where fixed function or the application's GLSL does.
 struct InForce {
   const ProgramTarget *vertex = nullptr;
@@ -129,6 +103,7 @@ bool takePrograms(Context &context, const InForce &rows, ProgramPair &pair) {
 /// programs, and these over ATI's fragment shaders.
 Path choosePath(Context &context) {
   context.variant = nullptr;
+  context.stagesAreLinked = false;
   context.atiShaderInForce = false;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)
@@ -137,19 +112,22 @@ Path choosePath(Context &context) {
   if (rows.none())
     return Path::NoProgram;
   const GLuint program = applicationProgram(context);
-  if (program == 0 && applicationPipeline(context) != 0)
-    return Path::ApplicationPipeline;
-  if (program != 0) {
-    const Stages theirs = stagesOf(context, program);
-    if (theirs.vertex)
-      rows.vertex = nullptr;
-    if (theirs.fragment) {
-      rows.fragment = nullptr;
-      rows.ati = false;
-    }
-    if (rows.none())
-      return Path::ApplicationGlsl;
+  const GLuint pipeline = program == 0 ? applicationPipeline(context) : 0;
+  GlslStages theirs;
+  if (program != 0)
+    theirs = stagesOf(context, program);
+  else if (pipeline != 0)
+    theirs = stagesOfPipeline(context, pipeline);
+  if (pipeline != 0 && theirs.none())
+    return Path::ApplicationPipeline; // an empty pipeline: the host's to judge
+  if (theirs.vertex)
+    rows.vertex = nullptr;
+  if (theirs.fragment) {
+    rows.fragment = nullptr;
+    rows.ati = false;
   }
+  if (rows.none())
+    return program != 0 ? Path::ApplicationGlsl : Path::ApplicationPipeline;
 
   ProgramPair pair;
   if (!takePrograms(context, rows, pair))
@@ -158,14 +136,18 @@ Path choosePath(Context &context) {
     return Path::NoProgram;
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
   // function; no program of ours can be linked to the application's.
-  if (program != 0)
+  if (program != 0 || pipeline != 0)
     return context.hostAssembly.apply(context, pair) ? Path::HostAssembly
                                                      : Path::ApplicationStageGlsl;
+  // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
+  if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
+    pair.fragment = nullptr;
   context.variant = context.variants.get(context, pair);
   if (context.variant->hostProgram == 0) {
     context.variant = nullptr;
     return Path::HostRefused;
   }
+  context.stagesAreLinked = pair.vertex && pair.fragment;
   return Path::HostGlsl;
 }
 
@@ -191,12 +173,19 @@ std::uint32_t stickyAttention(const Context &context) {
   return bits;
 }
 
+void releaseHostProgram(Context &context) {
+  if (!context.hostProgramIsOurs)
+    return;
+  context.host->UseProgram(0);
+  context.hostProgramIsOurs = false;
+}
+
 /// Brings what is in force into the host.
 void install(Context &context) {
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
   if (context.path == Path::HostAssembly)
-    return;
+    return releaseHostProgram(context);
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
   context.hostAssembly.release(context);
@@ -234,21 +223,17 @@ bool validatePixels(Context &context) {
 using Validate = bool (*)(Context &);
 
 /// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
-/// too, with what was validated when the segment was opened.
-bool beginListDraw(Context &context, Validate validateDraw) {
+/// too, with what was validated when the segment was opened; where that is not valid the host
+/// refuses it, and records it all the same.
+bool beginListDraw(Context &context) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE || context.insideBeginEnd)
     return true;
   const std::uint32_t rest = context.attention & ~attention::kList;
-  if (rest == 0)
+  if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly.refuses()))
     return true;
-  bool valid = true;
   // Validation calls the host, and none of that belongs into the application's list.
-  context.list.outside(context, [&] { valid = validateDraw(context); });
-  if (!valid) {
-    ++*context.drawCounter;
-    raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
-  }
-  return valid;
+  context.list.outside(context, [] {});
+  return true;
 }
 
 } // namespace
@@ -289,13 +274,13 @@ void releaseHostState(Context &context) {
   if (context.samplerOverride.active())
     context.samplerOverride.release(context);
   context.hostAssembly.release(context);
-  if (!context.hostProgramIsOurs)
-    return;
-  context.host->UseProgram(0);
-  context.hostProgramIsOurs = false;
+  releaseHostProgram(context);
 }
 
-void bindMute(Context &context) {
+void refuseDraws(Context &context) {
+  if (context.hostAssembly.refuse(context))
+    return;
+  // Without assembly programs the host can only be made to draw nothing.
   static const std::shared_ptr<const CompiledProgram> s_mute = [] {
     auto program = std::make_shared<CompiledProgram>();
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
@@ -316,13 +301,13 @@ void dropVariants(Context &context, const CompiledProgram &compiled) {
     context.variants.drop(context, form.get());
 }
 
+void validateForList(Context &context) {
+  if (!validate(context))
+    refuseDraws(context);
+}
+
 void afterHostList(Context &context) {
   noteFixedFunctionChange(context);
-  if (context.group->hostListsUnbalanced.load(std::memory_order_relaxed)) {
-    GLint depth = 0;
-    context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
-    context.attribStack.resize(std::size_t(depth < 0 ? 0 : depth));
-  }
   if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
     return;
   GLint current = 0;
@@ -342,7 +327,7 @@ bool begin(Context &context, Validate validateDraw) {
   if (context.passThrough || context.insideBeginEnd)
     return true; // a draw between Begin and End is the host's error to raise
   if (context.listMode)
-    return beginListDraw(context, validateDraw);
+    return beginListDraw(context);
   if (validateDraw(context)) [[likely]]
     return true;
   ++*context.drawCounter;
@@ -356,6 +341,36 @@ namespace handlers {
 
 bool beginDraw(Context &context) { return begin(context, validate); }
 bool beginPixels(Context &context) { return begin(context, validatePixels); }
+
+bool beginRasterPos(Context &context) {
+  if (!beginDraw(context))
+    return false;
+  // The raster position keeps each result of the vertex program, whatever the fragment program in
+  // force reads of them now.
+  if (context.stagesAreLinked && !context.insideBeginEnd && context.listMode == 0) {
+    // Mesa gathers bitmaps, and would draw them with the program that is current when it ends.
+    context.host->Flush();
+    context.vertexResultsMatter = true;
+    invalidateProgram(context);
+    (void)validate(context);
+    context.vertexResultsMatter = false;
+    invalidateProgram(context);
+  }
+  return true;
+}
+
+GLint RenderMode(Context &context, GLenum mode) {
+  const GLint result = context.host->RenderMode(mode);
+  if (context.insideBeginEnd)
+    return result;
+  GLint current = GL_RENDER;
+  context.host->GetIntegerv(GL_RENDER_MODE, &current);
+  if (context.rasterizes != (current == GL_RENDER)) {
+    context.rasterizes = current == GL_RENDER;
+    invalidateProgram(context);
+  }
+  return result;
+}
 
 void restoreApplicationProgram(Context &context) {
   if (!context.hostProgramIsOurs)
@@ -378,13 +393,18 @@ void Begin(Context &context, GLenum mode) {
     return;
   ++*context.drawCounter;
   context.host->Begin(mode);
-  // An illegal mode opens nothing. In COMPILE mode nothing is executed.
-  if (context.listMode != GL_COMPILE && mode <= GL_POLYGON)
+  if (mode > GL_POLYGON)
+    return; // opens nothing
+  if (context.listMode)
+    context.list.notePrimitive(Primitive::Open);
+  if (context.listMode != GL_COMPILE && !context.hostAssembly.refuses())
     context.insideBeginEnd = true;
 }
 
 void End(Context &context) {
   context.host->End();
+  if (context.listMode)
+    context.list.notePrimitive(Primitive::Closed);
   if (context.listMode != GL_COMPILE)
     context.insideBeginEnd = false;
 }

@@ -11,8 +11,12 @@ bool validate(Context &context);
 void releaseHostState(Context &context);
 /// Its sampler bindings alone; the next draw looks again.
 void releaseSamplers(Context &context);
-/// Binds a program that discards every fragment, while the program in force is not valid.
-void bindMute(Context &context);
+/// While the program in force is not valid: makes the host itself refuse draws, in lists too, as
+/// the specification asks for. releaseHostState() ends it.
+void refuseDraws(Context &context);
+/// validate() before the host compiles and executes a segment of a list: what it executes must
+/// find its program bound, or be refused.
+void validateForList(Context &context);
 /// A host list ran: what it may have changed is looked at again.
 void afterHostList(Context &context);
 

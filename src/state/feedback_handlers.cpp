@@ -1,13 +1,97 @@
 // Texture feedback: CopyTexImage and CopyTexSubImage are tracked, counted and passed on.
+#include <cstring>
+
 #include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/context.h"
+#include "state/feedback.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
 
 namespace arbiter::state {
 
 namespace {
 
 using swrast::CopyKind;
+
+/// One of the copies, whatever its entry point.
+struct CopyCommand {
+  CopyKind kind = CopyKind::Image2D;
+  GLenum target = 0;
+  GLint level = 0;
+  GLenum internalFormat = 0; ///< of a CopyTexImage
+  GLint border = 0;
+  swrast::CopyRegion region;
+};
+
+void forward(const host::HostTable &host, const CopyCommand &c) {
+  const swrast::CopyRegion &r = c.region;
+  switch (c.kind) {
+  case CopyKind::Image1D:
+    return host.CopyTexImage1D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, c.border);
+  case CopyKind::Image2D:
+    return host.CopyTexImage2D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, r.height,
+                               c.border);
+  case CopyKind::SubImage1D:
+    return host.CopyTexSubImage1D(c.target, c.level, r.destX, r.x, r.y, r.width);
+  case CopyKind::SubImage2D:
+    return host.CopyTexSubImage2D(c.target, c.level, r.destX, r.destY, r.x, r.y, r.width, r.height);
+  case CopyKind::SubImage3D:
+    return host.CopyTexSubImage3D(c.target, c.level, r.destX, r.destY, r.destZ, r.x, r.y, r.width,
+                                  r.height);
+  }
+}
+
+/// Where the copy goes to is asked from the host: bindings are passed on untracked, and a query is
+/// small beside a copy.
+void perform(Context &context, const CopyCommand &copy) {
+  const GLenum binding = bindingOf(copy.target);
+  if (!context.insideBeginEnd && context.listMode != GL_COMPILE && binding != 0) {
+    GLint texture = 0;
+    context.host->GetIntegerv(binding, &texture);
+    trackCopy(context, {GLuint(texture), copy.target, copy.level}, copy.kind, copy.region);
+  }
+  forward(*context.host, copy);
+}
+
+/// In a list the copy is a command of ours, to be counted when it is executed; in one that is older
+/// than the group's first program it is the host's.
+void performOrRecord(Context &context, const CopyCommand &copy) {
+  if (context.listMode == 0 || context.insideBeginEnd ||
+      !context.group->programApiUsed.load(std::memory_order_relaxed))
+    return perform(context, copy);
+  Command command{.kind = Command::Kind::CopyTexture, .target = copy.target};
+  command.object = GLuint(copy.kind);
+  command.format = copy.internalFormat;
+  command.count = copy.level;
+  command.name = GLuint(copy.border);
+  command.bytes.assign(reinterpret_cast<const char *>(&copy.region), sizeof copy.region);
+  context.list.record(context, std::move(command));
+}
+
+} // namespace
+
+void trackCopy(Context &context, const swrast::TextureLevel &to, CopyKind kind,
+               const swrast::CopyRegion &region) {
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    context.host->GetIntegerv(pname, &value);
+    return GLuint(value);
+  };
+  swrast::ColorBuffer source;
+  if (context.caps.framebufferObjects)
+    source.framebuffer = get(GL_READ_FRAMEBUFFER_BINDING);
+  source.buffer = get(GL_READ_BUFFER);
+  context.feedback.record(to, kind, source, region, context.frames);
+}
+
+void copyTexture(Context &context, const Command &command) {
+  CopyCommand copy{.kind = CopyKind(command.object), .target = command.target};
+  copy.level = command.count;
+  copy.internalFormat = command.format;
+  copy.border = GLint(command.name);
+  std::memcpy(&copy.region, command.bytes.data(), sizeof copy.region);
+  perform(context, copy);
+}
 
 GLenum bindingOf(GLenum target) {
   switch (target) {
@@ -26,69 +110,53 @@ GLenum bindingOf(GLenum target) {
   }
 }
 
-GLuint getName(const Context &context, GLenum pname) {
-  GLint name = 0;
-  context.host->GetIntegerv(pname, &name);
-  return GLuint(name);
-}
-
-/// Where the copy goes from and to is asked from the host: bindings are passed on untracked, and a
-/// query is small beside a copy. Copies compiled into a list are the host's alone.
-void track(Context &context, CopyKind kind, GLenum target, GLint level,
-           const swrast::CopyRegion &region) {
-  const GLenum binding = bindingOf(target);
-  if (context.insideBeginEnd || context.listMode == GL_COMPILE || binding == 0)
-    return;
-  swrast::ColorBuffer source;
-  if (context.caps.framebufferObjects)
-    source.framebuffer = getName(context, GL_READ_FRAMEBUFFER_BINDING);
-  source.buffer = getName(context, GL_READ_BUFFER);
-  context.feedback.record({getName(context, binding), target, level}, kind, source, region,
-                          context.frames);
-}
-
-} // namespace
-
 namespace handlers {
 
 void CopyTexImage1D(Context &context, GLenum target, GLint level, GLenum internalformat, GLint x,
                     GLint y, GLsizei width, GLint border) {
-  track(context, CopyKind::Image1D, target, level, {.x = x, .y = y, .width = width, .height = 1});
-  context.host->CopyTexImage1D(target, level, internalformat, x, y, width, border);
+  performOrRecord(context, {CopyKind::Image1D,
+                            target,
+                            level,
+                            internalformat,
+                            border,
+                            {.x = x, .y = y, .width = width, .height = 1}});
 }
 
 void CopyTexImage2D(Context &context, GLenum target, GLint level, GLenum internalformat, GLint x,
                     GLint y, GLsizei width, GLsizei height, GLint border) {
-  track(context, CopyKind::Image2D, target, level,
-        {.x = x, .y = y, .width = width, .height = height});
-  context.host->CopyTexImage2D(target, level, internalformat, x, y, width, height, border);
+  performOrRecord(context, {CopyKind::Image2D,
+                            target,
+                            level,
+                            internalformat,
+                            border,
+                            {.x = x, .y = y, .width = width, .height = height}});
 }
 
 void CopyTexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLint x,
                        GLint y, GLsizei width) {
-  track(context, CopyKind::SubImage1D, target, level,
-        {.destX = xoffset, .x = x, .y = y, .width = width, .height = 1});
-  context.host->CopyTexSubImage1D(target, level, xoffset, x, y, width);
+  performOrRecord(context, {CopyKind::SubImage1D,
+                            target,
+                            level,
+                            0,
+                            0,
+                            {.destX = xoffset, .x = x, .y = y, .width = width, .height = 1}});
 }
 
 void CopyTexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                        GLint x, GLint y, GLsizei width, GLsizei height) {
-  track(context, CopyKind::SubImage2D, target, level,
-        {.destX = xoffset, .destY = yoffset, .x = x, .y = y, .width = width, .height = height});
-  context.host->CopyTexSubImage2D(target, level, xoffset, yoffset, x, y, width, height);
+  performOrRecord(
+      context,
+      {CopyKind::SubImage2D, target, level, 0, 0, {xoffset, yoffset, 0, x, y, width, height}});
 }
 
 void CopyTexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                        GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
-  track(context, CopyKind::SubImage3D, target, level,
-        {.destX = xoffset,
-         .destY = yoffset,
-         .destZ = zoffset,
-         .x = x,
-         .y = y,
-         .width = width,
-         .height = height});
-  context.host->CopyTexSubImage3D(target, level, xoffset, yoffset, zoffset, x, y, width, height);
+  performOrRecord(context, {CopyKind::SubImage3D,
+                            target,
+                            level,
+                            0,
+                            0,
+                            {xoffset, yoffset, zoffset, x, y, width, height}});
 }
 
 void ReadBuffer(Context &context, GLenum src) {

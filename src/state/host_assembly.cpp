@@ -1,6 +1,7 @@
 #include "state/host_assembly.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "host/host_table.h"
@@ -71,11 +72,30 @@ bool HostAssembly::applyStage(Context &context, std::size_t stage,
   context.host->BindProgramARB(kHostTargets[stage], name);
   if (!m_active[stage])
     context.host->Enable(kHostTargets[stage]);
+  m_used = true;
   m_active[stage] = compiled;
   return true;
 }
 
+bool HostAssembly::refuse(Context &context) {
+  release(context);
+  if (!context.caps.fragmentProgram)
+    return false;
+  context.host->Enable(GL_FRAGMENT_PROGRAM_ARB);
+  m_used = m_refuses = true;
+  return true;
+}
+
+void HostAssembly::disableAgain(Context &context) const {
+  if (!m_used)
+    return;
+  for (const GLenum target : kHostTargets)
+    context.host->Disable(target);
+}
+
 bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
+  if (m_refuses)
+    release(context);
   if (applyStage(context, 0, pair.vertex) && applyStage(context, 1, pair.fragment))
     return true;
   release(context);
@@ -110,6 +130,8 @@ void HostAssembly::releaseStage(Context &context, std::size_t stage) {
 }
 
 void HostAssembly::release(Context &context) {
+  if (std::exchange(m_refuses, false))
+    context.host->Disable(GL_FRAGMENT_PROGRAM_ARB);
   releaseStage(context, 0);
   releaseStage(context, 1);
 }

@@ -23,11 +23,17 @@ public:
   [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
   /// Gives the host the env and local values that the programs in force read.
   void uploadParameters(Context &context) const;
+  /// Enables the host's fragment target with no program in it: each draw is the host's error then,
+  /// as it would be the layer's. False if the host has no such target.
+  [[nodiscard]] bool refuse(Context &context);
+  [[nodiscard]] bool refuses() const { return m_refuses; }
+  /// PopAttrib or CopyContext may have brought back an enable of ours on the host.
+  void disableAgain(Context &context) const;
   /// Disables and unbinds what apply() bound.
   void release(Context &context);
   /// Empties without touching the host; gives the host objects' names.
   [[nodiscard]] std::vector<GLuint> abandon();
-  [[nodiscard]] bool active() const { return m_active[0] || m_active[1]; }
+  [[nodiscard]] bool active() const { return m_active[0] || m_active[1] || m_refuses; }
 
 private:
   struct Entry {
@@ -41,6 +47,8 @@ private:
   void releaseStage(Context &context, std::size_t stage);
 
   std::vector<Entry> m_entries;
+  bool m_refuses = false;
+  bool m_used = false; ///< the host's enables were ever set
   /// Vertex, fragment; null where the host's target is disabled.
   std::array<std::shared_ptr<const CompiledProgram>, 2> m_active;
 };

@@ -1,5 +1,6 @@
 #include "state/list_compiler.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -15,7 +16,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   // What executes with the list must find its program bound: nothing of ours may be called once the
   // host records. And what is only recorded must not find ours bound.
   if (mode == GL_COMPILE_AND_EXECUTE) {
-    (void)validate(context);
+    validateForList(context);
   } else {
     releaseHostState(context);
     invalidateProgram(context);
@@ -24,6 +25,8 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_segment = name;
   m_items.clear();
   m_pushes.clear();
+  m_primitive = Primitive::AsBefore;
+  m_begun = m_endsFirst = false;
   context.listMode = std::uint16_t(mode);
   context.attention |= attention::kList;
   if (mode == GL_COMPILE)
@@ -31,9 +34,18 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   context.host->NewList(name, mode);
 }
 
+/// The segment becomes an item, with the pushes in it that wait for an entry of ours.
+void ListCompiler::finishSegment() {
+  m_items.push_back({m_segment, nullptr, std::exchange(m_primitive, Primitive::AsBefore)});
+  for (Push &push : m_pushes)
+    if (!std::exchange(push.noted, true))
+      m_items.push_back({0, std::make_unique<const Command>(
+                                Command{.kind = Command::Kind::AttribPushed, .name = push.mask})});
+}
+
 void ListCompiler::closeSegment(Context &context) {
   context.host->EndList();
-  m_items.push_back({m_segment, nullptr});
+  finishSegment();
   // While our commands run nothing is compiled.
   m_mode = std::exchange(context.listMode, std::uint16_t(0));
   context.attention &= ~attention::kList;
@@ -41,7 +53,7 @@ void ListCompiler::closeSegment(Context &context) {
 
 void ListCompiler::openSegment(Context &context) {
   if (m_mode == GL_COMPILE_AND_EXECUTE)
-    (void)validate(context);
+    validateForList(context);
   m_segment = context.group->lists.takeSegmentName(*context.host);
   context.listMode = m_mode;
   context.attention |= attention::kList;
@@ -51,6 +63,7 @@ void ListCompiler::openSegment(Context &context) {
 }
 
 void ListCompiler::record(Context &context, Command command) {
+  noteProgramApiUse(context);
   auto recorded = std::make_unique<const Command>(std::move(command));
   const Command &reference = *recorded;
   closeSegment(context);
@@ -63,14 +76,15 @@ void ListCompiler::record(Context &context, Command command) {
 void ListCompiler::end(Context &context) {
   context.host->EndList();
   context.listMode = 0;
-  if (!m_pushes.empty())
-    context.group->hostListsUnbalanced.store(true, std::memory_order_relaxed);
+  // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
+  const bool leavesOpen = m_primitive == Primitive::Open;
+  const bool pushes =
+      std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
   std::shared_ptr<DisplayList> list;
-  if (!m_items.empty()) {
+  if (!m_items.empty() || leavesOpen || pushes || m_endsFirst) {
+    finishSegment();
     list = std::make_shared<DisplayList>();
-    list->items = std::move(m_items);
-    list->items.push_back({m_segment, nullptr});
-    m_items.clear();
+    list->items = std::exchange(m_items, {});
   }
   if (list || !context.group->lists.empty())
     context.group->lists.replace(*context.host, m_name, std::move(list));
@@ -79,16 +93,12 @@ void ListCompiler::end(Context &context) {
   context.attention &= ~attention::kList;
 }
 
-bool ListCompiler::notePop(Context &context) {
-  if (!m_pushes.empty()) {
-    const bool cuts = m_pushes.back();
-    m_pushes.pop_back();
-    return cuts;
-  }
-  if (context.group->programApiUsed.load(std::memory_order_relaxed))
+bool ListCompiler::notePop() {
+  if (m_pushes.empty())
     return true; // it may pop enables that were pushed outside
-  context.group->hostListsUnbalanced.store(true, std::memory_order_relaxed);
-  return false;
+  const bool noted = m_pushes.back().noted;
+  m_pushes.pop_back();
+  return noted;
 }
 
 namespace {
@@ -135,6 +145,10 @@ void executeProgram(Context &context, ProgramTarget &row, const Command &command
 } // namespace
 
 void execute(Context &context, const Command &command) {
+  const bool nested =
+      command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
+  if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))
+    return;
   switch (command.kind) {
   case Command::Kind::ProgramString:
   case Command::Kind::BindProgram:
@@ -149,31 +163,48 @@ void execute(Context &context, const Command &command) {
     return;
   case Command::Kind::UseProgram:
     return useProgram(context, command.name);
-  case Command::Kind::PushAttrib:
-    return pushAttrib(context, command.name);
+  case Command::Kind::AttribPushed:
+    return pushEnables(context, command.name);
   case Command::Kind::PopAttrib:
     return popAttrib(context);
   case Command::Kind::CallList:
     return callList(context, command.name);
   case Command::Kind::CallLists:
     return callLists(context, command.count, command.target, command.bytes.data());
+  case Command::Kind::CopyTexture:
+    return copyTexture(context, command);
   }
 }
 
 namespace {
 
-/// A host list may draw: the program in force is bound first. Where that is not valid, the list's
-/// draws must not show while its other commands must take effect: a program that discards every
-/// fragment stands in. Whether the list draws at all only the host knows, so no error is raised.
-void callHostList(Context &context, GLuint name) {
-  if (context.attention && !context.insideBeginEnd && !validate(context)) {
-    bindMute(context);
+/// A host list may draw: the program in force is bound first. Where that is not valid the host is
+/// brought to refuse: the list's other commands must take effect.
+void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore) {
+  if (context.insideBeginEnd) {
+    context.host->CallList(name);
+    context.insideBeginEnd = primitive != Primitive::Closed;
+    return;
+  }
+  if (context.attention && !validate(context)) {
+    refuseDraws(context);
     context.host->CallList(name);
     releaseHostState(context);
   } else {
     context.host->CallList(name);
+    context.insideBeginEnd = primitive == Primitive::Open;
   }
-  afterHostList(context);
+  if (!context.insideBeginEnd)
+    afterHostList(context);
+}
+
+/// A list kept by the host alone may have called one that pushes or pops attributes.
+void followAttribStack(Context &context) {
+  if (context.insideBeginEnd || !context.group->hostListsNest.load(std::memory_order_relaxed))
+    return;
+  GLint depth = 0;
+  context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+  context.attribStack.resize(std::size_t(depth < 0 ? 0 : depth));
 }
 
 std::size_t elementSize(GLenum type) {
@@ -236,8 +267,10 @@ std::size_t callListsBytes(GLsizei count, GLenum type) {
 
 void callList(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
-  if (!list)
-    return callHostList(context, name);
+  if (!list) {
+    callHostList(context, name);
+    return followAttribStack(context);
+  }
   if (context.listDepth >= ListCompiler::kMaxDepth)
     return;
   ++context.listDepth;
@@ -245,20 +278,35 @@ void callList(Context &context, GLuint name) {
     if (item.command)
       execute(context, *item.command);
     else
-      callHostList(context, item.hostList);
+      callHostList(context, item.hostList, item.primitive);
   }
   --context.listDepth;
 }
 
+void callListIntoHost(Context &context, GLuint name) {
+  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
+  if (!list)
+    return context.host->CallList(name);
+  for (const DisplayList::Item &item : list->items) {
+    if (item.hostList == 0)
+      continue; // ours are errors between Begin and End
+    context.host->CallList(item.hostList);
+    if (item.primitive != Primitive::AsBefore)
+      context.insideBeginEnd = item.primitive == Primitive::Open;
+  }
+}
+
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
   if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
-    const bool mute = context.attention && !context.insideBeginEnd && !validate(context);
-    if (mute)
-      bindMute(context);
+    const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
+    if (refused)
+      refuseDraws(context);
     context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
-    if (mute)
+    if (refused)
       releaseHostState(context);
-    return afterHostList(context);
+    if (!context.insideBeginEnd)
+      afterHostList(context);
+    return followAttribStack(context);
   }
   GLint base = 0;
   if (!context.insideBeginEnd)

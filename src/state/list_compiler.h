@@ -33,20 +33,35 @@ public:
   }
 
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
-  /// The attribute stack as the list being compiled moves it; pops below zero count too.
-  void notePush(bool cuts) { m_pushes.push_back(cuts); }
-  /// True if the pop must be a command of ours: its push is one, or it is in no list of ours to
-  /// see.
-  [[nodiscard]] bool notePop(Context &context);
+  /// The list's Begin or End.
+  void notePrimitive(Primitive primitive) {
+    m_endsFirst = m_endsFirst || (primitive == Primitive::Closed && !m_begun);
+    m_begun = m_begun || primitive == Primitive::Open;
+    m_primitive = primitive;
+  }
+  /// PushAttrib is the host's to compile. Our entry of the stack is made where the list is next
+  /// cut, as nothing of ours has changed until there: a list that pops it before needs no cut.
+  void notePush(GLbitfield mask) { m_pushes.push_back({mask, false}); }
+  /// True if the pop must be a command of ours: its push has an entry of ours, or is in another
+  /// list.
+  [[nodiscard]] bool notePop();
 
 private:
+  struct Push {
+    GLbitfield mask;
+    bool noted; ///< as a command of ours
+  };
   void closeSegment(Context &context);
   void openSegment(Context &context);
+  void finishSegment();
 
   GLuint m_name = 0;
-  GLuint m_segment = 0; ///< the host list being compiled
+  GLuint m_segment = 0;                        ///< the host list being compiled
+  Primitive m_primitive = Primitive::AsBefore; ///< of the segment
+  bool m_begun = false;                        ///< the list has a Begin
+  bool m_endsFirst = false;                    ///< its first End has no Begin in it
   std::vector<DisplayList::Item> m_items;
-  std::vector<bool> m_pushes;
+  std::vector<Push> m_pushes;
   std::uint16_t m_mode = 0; ///< while a segment is closed
 };
 
@@ -55,6 +70,9 @@ void execute(Context &context, const Command &command);
 /// CallList: the list's segments in turn, or the host's list.
 void callList(Context &context, GLuint name);
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists);
+/// CallList between Begin and End while a list is compiled and executed, where the host's list
+/// cannot be cut: the host gets the segments of `name`.
+void callListIntoHost(Context &context, GLuint name);
 /// The size of CallLists' array; 0 if the arguments are not valid.
 [[nodiscard]] std::size_t callListsBytes(GLsizei count, GLenum type);
 

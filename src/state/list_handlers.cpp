@@ -11,9 +11,16 @@ namespace arbiter::state::handlers {
 namespace {
 
 /// Nested calls are recorded by us once the group uses programs: what they call may hold our
-/// commands when the outer list is executed.
-bool recordsCalls(const Context &context) {
-  return context.listMode != 0 && context.group->programApiUsed.load(std::memory_order_relaxed);
+/// commands when the outer list is executed. Before, lists stay the host's, whole, and only their
+/// effect on the attribute stack is asked for when they were executed.
+bool recordsCalls(Context &context) {
+  if (context.listMode == 0)
+    return false;
+  const ShareGroup &group = *context.group;
+  if (group.programApiUsed.load(std::memory_order_relaxed) || !group.lists.empty())
+    return true;
+  context.group->hostListsNest.store(true, std::memory_order_relaxed);
+  return false;
 }
 
 } // namespace
@@ -36,7 +43,7 @@ void CallList(Context &context, GLuint list) {
   if (recordsCalls(context) && !context.insideBeginEnd)
     return context.list.record(context, {.kind = Command::Kind::CallList, .name = list});
   if (context.listMode)
-    return context.host->CallList(list);
+    return callListIntoHost(context, list);
   callList(context, list);
 }
 

@@ -36,8 +36,10 @@ TEST(Lists, ACommandCutsTheList) {
   host.calls.clear();
   handlers::NewList(*context, 1, GL_COMPILE);
   handlers::Begin(*context, GL_POINTS);
+  handlers::End(*context);
   handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
   handlers::Begin(*context, GL_LINES);
+  handlers::End(*context);
   handlers::EndList(*context);
   EXPECT_EQ(host.calls, (std::vector<std::string>{newList(1), "Begin 0", "EndList", newList(kTop),
                                                   "Begin 1", "EndList"}));
@@ -144,6 +146,90 @@ TEST(Lists, CallListsDecodesEveryType) {
   EXPECT_FALSE(calls(GL_BYTE, bytes));
   host.integers[GL_LIST_BASE] = 400;
   EXPECT_TRUE(calls(GL_BYTE, bytes));
+}
+
+TEST(Lists, APrimitiveLeftOpenIsFollowed) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::Begin(*context, GL_LINES);
+  handlers::EndList(*context);
+  handlers::NewList(*context, 2, GL_COMPILE);
+  handlers::End(*context);
+  handlers::EndList(*context);
+  handlers::NewList(*context, 3, GL_COMPILE);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
+  handlers::EndList(*context);
+  EXPECT_FALSE(context->insideBeginEnd) << "nothing was executed yet";
+  handlers::CallList(*context, 1);
+  EXPECT_TRUE(context->insideBeginEnd);
+  handlers::CallList(*context, 3);
+  EXPECT_EQ(context->row(Target::Fragment).env[0][0], 0.0f) << "between Begin and End";
+  handlers::CallList(*context, 2);
+  EXPECT_FALSE(context->insideBeginEnd);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+}
+
+TEST(Lists, PushesCutOnlyWhereACommandOfOursIsBeforeThePop) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::PushAttrib(*context, GL_ENABLE_BIT);
+  handlers::PopAttrib(*context);
+  handlers::EndList(*context);
+  EXPECT_TRUE(context->group->lists.empty()) << "a balanced pair stays the host's";
+  handlers::NewList(*context, 2, GL_COMPILE);
+  handlers::PushAttrib(*context, GL_ENABLE_BIT);
+  handlers::PushAttrib(*context, GL_LIGHTING_BIT);
+  handlers::Disable(*context, kFragment);
+  handlers::PopAttrib(*context);
+  handlers::PopAttrib(*context);
+  handlers::EndList(*context);
+  handlers::NewList(*context, 3, GL_COMPILE);
+  handlers::PushAttrib(*context, GL_ENABLE_BIT);
+  handlers::EndList(*context);
+  EXPECT_EQ(context->attribStack.depth(), 0u);
+  handlers::CallList(*context, 2);
+  EXPECT_TRUE(context->row(Target::Fragment).enabled);
+  EXPECT_EQ(context->attribStack.depth(), 0u);
+  handlers::CallList(*context, 3);
+  EXPECT_EQ(context->attribStack.depth(), 1u) << "pushed by a list, to be popped by others";
+  handlers::Disable(*context, kFragment);
+  handlers::PopAttrib(*context);
+  EXPECT_TRUE(context->row(Target::Fragment).enabled);
+}
+
+TEST(Lists, TheHostRefusesDrawsWhileTheProgramIsNotValid) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::BindProgramARB(*context, kFragment, 0);
+  host.calls.clear();
+  handlers::CallList(*context, 1);
+  const std::string enable = "Enable " + std::to_string(kFragment);
+  const auto called = std::find(host.calls.begin(), host.calls.end(), "CallList 1");
+  EXPECT_NE(std::find(host.calls.begin(), called, enable), called);
+  EXPECT_FALSE(context->hostAssembly.active()) << "left enabled on the host";
+  EXPECT_EQ(host.currentProgram, 0u);
+}
+
+TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::CopyTexSubImage2D(*context, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
+  handlers::EndList(*context);
+  EXPECT_EQ(context->feedback.copies(), 0u);
+  handlers::CallList(*context, 1);
+  handlers::CallList(*context, 1);
+  EXPECT_EQ(context->feedback.copies(), 2u);
+  handlers::CopyTextureSubImage2DEXT(*context, 7, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
+  handlers::CopyTextureSubImage2D(*context, 7, 0, 0, 0, 0, 0, 8, 8);
+  handlers::CopyMultiTexSubImage2DEXT(*context, GL_TEXTURE0, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
+  EXPECT_EQ(context->feedback.copies(), 5u);
 }
 
 } // namespace

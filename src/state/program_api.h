@@ -58,7 +58,11 @@ void dropVariants(Context &context, const CompiledProgram &compiled);
 [[nodiscard]] fp::GlslHost glslHost(const HostCaps &caps);
 void useProgram(Context &context, GLuint name);
 void pushAttrib(Context &context, GLbitfield mask);
+/// The attribute stack's entry of ours, after the host's.
+void pushEnables(Context &context, GLbitfield mask);
 void popAttrib(Context &context);
+/// A recorded CopyTex(Sub)Image.
+void copyTexture(Context &context, const Command &command);
 
 /// GetProgramiv on an object of the target. False: pname is not known.
 [[nodiscard]] bool queryProgram(Context &context, const ProgramTarget &row,

@@ -118,6 +118,7 @@ void GenProgramsARB(Context &context, GLsizei n, GLuint *programs) {
     return raise(context, GL_INVALID_VALUE, "GenPrograms: n is negative");
   if (!programs)
     return;
+  noteProgramApiUse(context);
   for (GLsizei i = 0; i < n; ++i)
     programs[i] = context.group->takeName();
 }

@@ -134,60 +134,7 @@ std::vector<GLuint> SamplerOverride::abandon() {
   return names;
 }
 
-namespace {
-
-/// Something that compares may now be bound: programs with plain targets look at each draw.
-[[gnu::noinline, gnu::cold]] void useCompareMode(Context &context) {
-  if (!context.group->compareModeUsed.exchange(true, std::memory_order_relaxed))
-    context.attention |= attention::kProgram;
-}
-
-inline void noteCompareMode(Context &context, GLenum pname, GLint value) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && value != GL_NONE) [[unlikely]]
-    useCompareMode(context);
-}
-
-} // namespace
-
 namespace handlers {
-
-void TexParameteri(Context &context, GLenum target, GLenum pname, GLint param) {
-  noteCompareMode(context, pname, param);
-  context.host->TexParameteri(target, pname, param);
-}
-void TexParameterf(Context &context, GLenum target, GLenum pname, GLfloat param) {
-  if (pname == GL_TEXTURE_COMPARE_MODE) [[unlikely]]
-    noteCompareMode(context, pname, param != 0.0f);
-  context.host->TexParameterf(target, pname, param);
-}
-void TexParameteriv(Context &context, GLenum target, GLenum pname, const GLint *params) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && params) [[unlikely]]
-    noteCompareMode(context, pname, *params);
-  context.host->TexParameteriv(target, pname, params);
-}
-void TexParameterfv(Context &context, GLenum target, GLenum pname, const GLfloat *params) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && params) [[unlikely]]
-    noteCompareMode(context, pname, *params != 0.0f);
-  context.host->TexParameterfv(target, pname, params);
-}
-void TextureParameteri(Context &context, GLuint texture, GLenum pname, GLint param) {
-  noteCompareMode(context, pname, param);
-  context.host->TextureParameteri(texture, pname, param);
-}
-void TextureParameteriv(Context &context, GLuint texture, GLenum pname, const GLint *param) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && param) [[unlikely]]
-    noteCompareMode(context, pname, *param);
-  context.host->TextureParameteriv(texture, pname, param);
-}
-void SamplerParameteri(Context &context, GLuint sampler, GLenum pname, GLint param) {
-  noteCompareMode(context, pname, param);
-  context.host->SamplerParameteri(sampler, pname, param);
-}
-void SamplerParameteriv(Context &context, GLuint sampler, GLenum pname, const GLint *param) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && param) [[unlikely]]
-    noteCompareMode(context, pname, *param);
-  context.host->SamplerParameteriv(sampler, pname, param);
-}
 
 void BindSampler(Context &context, GLuint unit, GLuint sampler) {
   releaseSamplers(context);

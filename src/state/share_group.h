@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "state/application_glsl.h"
 #include "state/display_list.h"
 #include "state/fragment_shaders.h"
 #include "state/program_object.h"
@@ -70,6 +71,7 @@ public:
   // --- Display lists that hold our commands ---
 
   DisplayListTable lists;
+  LinkedStages linkedStages;
 
   /// Set for good by the first use of a program target of ours by any context of the group: until
   /// then lists are the host's own, whole, and cost nothing.
@@ -79,9 +81,10 @@ public:
   std::atomic<bool> atiShadersUsed{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
   std::atomic<bool> compareModeUsed{false};
-  /// A list kept by the host alone holds UseProgram, or pushes and pops attributes unevenly.
+  /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop
+  /// attributes.
   std::atomic<bool> hostListsChangeProgram{false};
-  std::atomic<bool> hostListsUnbalanced{false};
+  std::atomic<bool> hostListsNest{false};
   std::atomic<int> contexts{0};
   /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
   std::atomic<std::uint64_t> replacementsSeen{0};

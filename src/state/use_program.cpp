@@ -29,13 +29,16 @@ void releaseHostAssembly(Context &context) {
   invalidateProgram(context);
 }
 
-/// The attribute stack's entry of ours.
+} // namespace
+
 void pushEnables(Context &context, GLbitfield mask) {
   AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0};
   for (const ProgramTarget &row : context.targets)
     entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
   (void)context.attribStack.push(entry);
 }
+
+namespace {
 
 void popEnables(Context &context) {
   AttribStack::Entry entry;
@@ -49,6 +52,8 @@ void popEnables(Context &context) {
 
 void pushAttrib(Context &context, GLbitfield mask) {
   releaseHostAssembly(context);
+  if ((mask & GL_TEXTURE_BIT) != 0)
+    releaseSamplers(context);
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where ours would overflow too
   pushEnables(context, mask);
 }
@@ -56,6 +61,7 @@ void pushAttrib(Context &context, GLbitfield mask) {
 void popAttrib(Context &context) {
   releaseHostAssembly(context);
   context.host->PopAttrib();
+  context.hostAssembly.disableAgain(context);
   popEnables(context);
   noteFixedFunctionChange(context);
 }
@@ -74,24 +80,12 @@ void UseProgram(Context &context, GLuint program) {
   useProgram(context, program);
 }
 
-void BindProgramPipeline(Context &context, GLuint pipeline) {
-  if (context.hostProgramIsOurs && !context.listMode)
-    releaseHostState(context);
-  context.host->BindProgramPipeline(pipeline);
-  context.pipelinesUsed = true;
-  invalidateProgram(context);
-}
-
 void PushAttrib(Context &context, GLbitfield mask) {
   if (context.insideBeginEnd)
     return context.host->PushAttrib(mask);
   if (!context.listMode)
     return pushAttrib(context, mask);
-  const bool cuts =
-      (mask & GL_ENABLE_BIT) != 0 && context.group->programApiUsed.load(std::memory_order_relaxed);
-  context.list.notePush(cuts);
-  if (cuts)
-    return context.list.record(context, {.kind = Command::Kind::PushAttrib, .name = mask});
+  context.list.notePush(mask);
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     pushEnables(context, mask);
   context.host->PushAttrib(mask);
@@ -102,7 +96,7 @@ void PopAttrib(Context &context) {
     return context.host->PopAttrib();
   if (!context.listMode)
     return popAttrib(context);
-  if (context.list.notePop(context))
+  if (context.list.notePop())
     return context.list.record(context, {.kind = Command::Kind::PopAttrib});
   context.host->PopAttrib();
   if (context.listMode == GL_COMPILE_AND_EXECUTE)

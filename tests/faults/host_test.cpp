@@ -138,5 +138,38 @@ TEST(HostFaults, FewUnitsInTheHostLimitTheProfile) {
   EXPECT_EQ(units, 4) << "more was promised than the host can sample";
 }
 
+/// After a reset (ARB_robustness) nothing has an effect any more and GetError may say CONTEXT_LOST
+/// for ever: the layer must neither wait for an end of the errors nor trust an answer.
+TEST(HostFaults, AContextThatIsLost) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText);
+  EXPECT_TRUE(draw(*context));
+  handlers::NewList(*context, 1, GL_COMPILE);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
+  handlers::EndList(*context);
+
+  host.lost = true;
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_CONTEXT_LOST)) << "passed on";
+  use(*context, kText);
+  (void)draw(*context);
+  load(*context, "!!ARBfp1.0\nMOV result.color, 1;\nEND"); // another text: compiled anew
+  (void)draw(*context);
+  handlers::CallList(*context, 1);
+  handlers::NewList(*context, 2, GL_COMPILE_AND_EXECUTE);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 2, 0, 0, 1);
+  (void)draw(*context);
+  handlers::EndList(*context);
+  handlers::PushAttrib(*context, GL_ALL_ATTRIB_BITS);
+  handlers::PopAttrib(*context);
+  handlers::UseProgram(*context, 5);
+  (void)draw(*context);
+  handlers::LinkProgram(*context, 5);
+  handlers::BindProgramPipeline(*context, 5);
+  (void)draw(*context);
+  handlers::DeleteLists(*context, 1, 2);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_CONTEXT_LOST));
+}
+
 } // namespace
 } // namespace arbiter::state

@@ -48,6 +48,8 @@ const GLubyte *getStringi(GLenum, GLuint index) {
 
 void getIntegerv(GLenum pname, GLint *value) {
   FakeHost &f = fake();
+  if (f.lost)
+    return;
   const auto it = f.integers.find(pname);
   if (pname == GL_CURRENT_PROGRAM)
     *value = GLint(f.currentProgram);
@@ -66,20 +68,22 @@ void getIntegerv(GLenum pname, GLint *value) {
 void getProgramLimit(GLenum, GLenum, GLint *value) { *value = 64; }
 
 GLenum getError() {
+  if (fake().lost)
+    return GL_CONTEXT_LOST;
   const GLenum error = fake().error;
   fake().error = GL_NO_ERROR;
   return error;
 }
 
 GLuint createShader(GLenum type) {
-  if (fake().createFails)
+  if (fake().createFails || fake().lost)
     return 0;
   fake().note(words("CreateShader", {type}));
   fake().shaders.insert(++fake().lastName);
   return fake().lastName;
 }
 GLuint createProgram() {
-  if (fake().createFails)
+  if (fake().createFails || fake().lost)
     return 0;
   fake().programs.insert(++fake().lastName);
   return fake().lastName;
@@ -90,13 +94,16 @@ void deleteProgram(GLuint name) {
   fake().programs.erase(name);
 }
 void getShaderiv(GLuint name, GLenum pname, GLint *value) {
+  if (fake().lost)
+    return;
   if (pname == GL_SHADER_TYPE)
     *value = GLint(name); // as getAttachedShaders() names them
   else
     *value = pname == GL_COMPILE_STATUS ? !fake().compileFails : 5;
 }
 void getProgramiv(GLuint, GLenum pname, GLint *value) {
-  *value = pname == GL_LINK_STATUS ? !fake().linkFails : 5;
+  if (!fake().lost)
+    *value = pname == GL_LINK_STATUS ? !fake().linkFails : 5;
 }
 void getLog(GLuint, GLsizei length, GLsizei *written, GLchar *text) {
   *written = std::min<GLsizei>(length, 4);
