@@ -207,6 +207,20 @@ def run_close(setting):
         need(not alive, f"{way}: contexts {alive} outlived their display")
 
 
+def run_cycles(setting):
+    """1,000 contexts with programs of both targets: the layer's memory grows by no more than the
+    host's own, give or take a page a cycle over the whole."""
+    cycles, slack = 1000, 2048  # kilobytes
+    grown = {}
+    for layer in (False, True):
+        outcome = execute([setting.clients / "client_cycles", cycles], setting.environment(layer))
+        where = "layer" if layer else "bare host"
+        need_success(outcome, where)
+        grown[where] = outcome.reports()[0]["kilobytes"]
+    need(grown["layer"] <= max(grown["bare host"], 0) + slack, f"grown by kilobytes: {grown}")
+    return f"grown by kilobytes: {grown}"
+
+
 def run_spawn(setting):
     """Each of the two processes writes statistics of its own."""
     outcome = execute([setting.clients / "client_spawn"],
@@ -428,7 +442,9 @@ def all_cases():
         "handle reuse, OSMesa": Client([c + "client_reuse", "osmesa", "1000"], bare=False),
         "GLX, OSMesa, EGL, GLX": Client([c + "client_mixed"], draws=4),
         "display closed": run_close,
-        "4 threads share": Client([c + "client_threads", "4", "100"], draws=401),
+        "1,000 contexts": run_cycles,
+        # The bare host mixes up what threads draw with a vertex program that they share.
+        "4 threads share": Client([c + "client_threads", "4", "100"], bare=False, draws=401),
         "GL in a constructor": run_early,
         "fork and exec": run_spawn,
         "vendor without preload": run_vendor_only,

@@ -24,28 +24,7 @@ import time
 from pathlib import Path
 
 import cases
-
-
-class XServer:
-    """An Xvfb on a display number that it chooses; -noreset, or the gap between two clients is one
-    in which nobody can connect."""
-
-    def __enter__(self):
-        reader, writer = os.pipe()
-        self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writer), "-noreset", "-nolisten", "tcp", "-screen", "0",
-             "640x480x24", "+extension", "GLX"],
-            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(writer)
-        with os.fdopen(reader) as stream:
-            number = stream.readline().strip()
-        if not number:
-            sys.exit("clients: Xvfb does not start")
-        return ":" + number
-
-    def __exit__(self, *_):
-        self.process.terminate()
-        self.process.wait()
+from x_server import XServer
 
 
 def pack(build, folder):
@@ -62,7 +41,7 @@ def pack(build, folder):
         shutil.copy(build / name, target)
         if not name.endswith(".json"):
             subprocess.run(["strip", target], check=True)
-    for script in ("run.py", "cases.py"):
+    for script in ("run.py", "cases.py", "x_server.py"):
         shutil.copy(Path(__file__).resolve().parent / script, folder)
 
 
@@ -72,8 +51,7 @@ def run_case(name, case, build, display, vendor):
         setting = cases.Setting(build, Path(__file__).resolve().parent, Path(scratch), display,
                                 vendor)
         try:
-            case(setting)
-            result, note = "pass", ""
+            result, note = "pass", case(setting) or ""
         except cases.Skip as skip:
             result, note = "skip", str(skip)
         except cases.Failure as failure:

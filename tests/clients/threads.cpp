@@ -1,5 +1,6 @@
 /// Threads that draw at once, each in its own context of one share group, with program objects of
-/// their own and one that all load parameters into. argv[1]: threads, argv[2]: draws of each.
+/// their own and one that all load parameters into, with a vertex program and a list that all
+/// share, and lists of their own that come and go. argv[1]: threads, argv[2]: draws of each.
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -19,11 +20,75 @@ Egl g_egl;
 constexpr GLuint kSharedProgram = 4242;
 constexpr const char *kShared = "!!ARBfp1.0\nMOV result.color, program.local[1];\nEND\n";
 
+constexpr GLuint kSharedVertices = 4243;
+constexpr GLuint kSharedList = 4244;
+constexpr const char *kVertices = "!!ARBvp1.0\nMOV result.position, vertex.position;\n"
+                                  "MUL result.color, vertex.color, program.local[0];\nEND\n";
+
 void *fromEgl(const char *name) {
   static void *const s_library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   return dlsym(s_library, name);
 }
 void *byEgl(const char *name) { return reinterpret_cast<void *>(g_egl.GetProcAddress(name)); }
+
+/// What threads need beyond the client's body.
+struct Lists {
+  GLuint (*Gen)(GLsizei) = nullptr;
+  void (*New)(GLuint, GLenum) = nullptr;
+  void (*End)() = nullptr;
+  void (*Call)(GLuint) = nullptr;
+  void (*Delete)(GLuint, GLsizei) = nullptr;
+};
+template <typename Function> void loadOne(Function *&function, const char *name) {
+  function = reinterpret_cast<Function *>(byEgl(name));
+  if (!function)
+    die("no function", name);
+}
+Lists loadLists() {
+  Lists lists;
+  loadOne(lists.Gen, "glGenLists");
+  loadOne(lists.New, "glNewList");
+  loadOne(lists.End, "glEndList");
+  loadOne(lists.Call, "glCallList");
+  loadOne(lists.Delete, "glDeleteLists");
+  return lists;
+}
+
+void loadProgram(const Gl &gl, GLenum target, GLuint name, const char *text) {
+  gl.BindProgramARB(target, name);
+  gl.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(std::strlen(text)), text);
+}
+
+void quad(const Gl &gl) {
+  gl.Color4f(1, 1, 1, 1);
+  gl.Begin(GL_QUADS);
+  gl.Vertex2f(-1, -1);
+  gl.Vertex2f(1, -1);
+  gl.Vertex2f(1, 1);
+  gl.Vertex2f(-1, 1);
+  gl.End();
+}
+
+/// A list of the thread's own calls the one that all share, which binds the programs of all; the
+/// thread's fragments say who drew. True if they did.
+bool drawByLists(const Gl &gl, const Lists &lists, GLuint program, int thread) {
+  const float own = float(thread % 4 + 1) / 5;
+  const GLuint list = lists.Gen(1);
+  lists.New(list, GL_COMPILE);
+  lists.Call(kSharedList);
+  gl.BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+  gl.ProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 1, own, 0.5f, 0, 1);
+  quad(gl);
+  gl.Disable(GL_VERTEX_PROGRAM_ARB);
+  gl.Disable(GL_FRAGMENT_PROGRAM_ARB);
+  lists.End();
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  lists.Call(list);
+  unsigned char pixel[4] = {};
+  gl.ReadPixels(16, 16, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  lists.Delete(list, 1);
+  return std::abs(pixel[0] - int(own * 255 + 0.5f)) <= 1 && std::abs(pixel[1] - 128) <= 1;
+}
 
 } // namespace
 
@@ -33,9 +98,18 @@ int main(int argc, char **argv) {
   g_egl = loadEgl(fromEgl);
   EglSurface base = openSurface(g_egl);
   const Gl gl = load(byEgl);
+  const Lists lists = loadLists();
+  loadProgram(gl, GL_FRAGMENT_PROGRAM_ARB, kSharedProgram, kShared);
+  loadProgram(gl, GL_VERTEX_PROGRAM_ARB, kSharedVertices, kVertices);
+  gl.ProgramLocalParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, 1, 1, 1, 1);
+  lists.New(kSharedList, GL_COMPILE);
+  gl.BindProgramARB(GL_VERTEX_PROGRAM_ARB, kSharedVertices);
+  gl.Enable(GL_VERTEX_PROGRAM_ARB);
   gl.BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, kSharedProgram);
-  gl.ProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB,
-                      GLsizei(std::strlen(kShared)), kShared);
+  gl.Enable(GL_FRAGMENT_PROGRAM_ARB);
+  quad(gl);
+  lists.End();
+  gl.Finish();
   std::atomic<int> wrong{0};
   std::vector<std::thread> threads;
   for (int t = 0; t < count; ++t)
@@ -47,10 +121,13 @@ int main(int argc, char **argv) {
           g_egl.CreateContext(base.display, base.config, base.context, nullptr);
       if (!g_egl.MakeCurrent(base.display, surface, surface, context))
         die("no context on a thread");
+      const GLuint own = GLuint(5000 + t);
+      loadProgram(gl, GL_FRAGMENT_PROGRAM_ARB, own, kShared);
       for (int i = 0; i < draws; ++i) {
         gl.BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, kSharedProgram);
         gl.ProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 1, float(t), float(i), 0, 1);
         wrong += !drawAndReport(gl, "thread", 0.25f * float(1 + t % 4), true);
+        wrong += !drawByLists(gl, lists, own, t);
       }
       // Half of the threads end with their context current.
       if (t % 2 == 0)

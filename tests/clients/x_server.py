@@ -1,0 +1,26 @@
+"""An X server of a test's own."""
+import os
+import subprocess
+import sys
+
+
+class XServer:
+    """An Xvfb on a display number that it chooses; -noreset, or the gap between two clients is one
+    in which nobody can connect."""
+
+    def __enter__(self):
+        reader, writer = os.pipe()
+        self.process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(writer), "-noreset", "-nolisten", "tcp", "-screen", "0",
+             "640x480x24", "+extension", "GLX"],
+            pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as stream:
+            number = stream.readline().strip()
+        if not number:
+            sys.exit("Xvfb does not start")
+        return ":" + number
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        self.process.wait()
