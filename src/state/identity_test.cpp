@@ -93,7 +93,7 @@ TEST(Identity, TheShadingLanguageIsThereWithItsExtensionOrOpenGl2) {
 TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
   // Not offered: the host's names alone, whatever the layer learns to add.
   EXPECT_EQ(makeIdentity(caps(), false, {nullptr, 2002}).extensions.names,
-            (Names{"GL_EXT_abgr", "GL_ARB_multitexture", "GL_ARB_vertex_program"}));
+            (Names{"GL_EXT_abgr", "GL_ARB_multitexture"}));
   EXPECT_EQ(makeIdentity(caps(), true, {nullptr, 1998}).extensions.names,
             (Names{"GL_EXT_abgr", "GL_ARB_multitexture"}));
   EXPECT_EQ(makeIdentity(caps(), true, {nullptr, 1992}).extensions.joined, "");
@@ -119,8 +119,7 @@ TEST(Extensions, ACardsYearCutsToo) {
 // Off by one here is a buffer overrun in the program that this is for.
 TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
   const std::string whole = makeIdentity(caps(), false, {nullptr, 0, 1u << 20}).extensions.joined;
-  EXPECT_EQ(whole, "GL_EXT_abgr GL_ARB_multitexture GL_ARB_vertex_program GL_KHR_no_error "
-                   "GL_NEW_and_odd ");
+  EXPECT_EQ(whole, "GL_EXT_abgr GL_ARB_multitexture GL_KHR_no_error GL_NEW_and_odd ");
   for (std::uint32_t length = 1; length <= whole.size() + 1; ++length) {
     const FilteredExtensions cut = makeIdentity(caps(), false, {nullptr, 0, length}).extensions;
     ASSERT_LE(cut.joined.size(), length);
