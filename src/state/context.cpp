@@ -36,7 +36,8 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
   clamp(limits.drawBuffers, caps.maxDrawBuffers);
   clamp(limits.vertexAttribs, caps.maxVertexAttribs);
-  clamp(limits.clipPlanes, caps.maxClipPlanes);
+  // MAX_CLIP_PLANES is the host's to answer, and a program must be able to bind what it promises.
+  limits.clipPlanes = std::uint32_t(std::max(caps.maxClipPlanes, 0));
   return limits;
 }
 

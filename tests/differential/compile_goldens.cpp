@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 /// Empty if it links; the host's log otherwise.
 std::string link(const std::string &text) {
-  const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
+  const bool vertex = text.find("gl_Position") != std::string::npos;
+  const GLuint shader = glCreateShader(vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
   const char *source = text.c_str();
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);

@@ -4,6 +4,10 @@
 
 namespace arbiter::fp {
 
+namespace {
+constexpr std::uint32_t kMostOffset = 4095;
+} // namespace
+
 /// <vectorSrcReg>, or <scalarSrcReg>, whose component is repeated.
 bool Parser::parseSource(bool scalar, ir::Operand &operand) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
@@ -175,7 +179,7 @@ bool Parser::parseAddressComponent() {
   return true;
 }
 
-/// <addrRegRelOffset>
+/// <addrRegRelOffset>: -64 to 63 by the grammar, with a warning as far as Mesa goes.
 bool Parser::parseRelativeOffset(std::int16_t &offset) {
   const bool negative = m_tokens.at(TokenKind::Minus);
   if (!negative && !m_tokens.at(TokenKind::Plus))
@@ -185,14 +189,18 @@ bool Parser::parseRelativeOffset(std::int16_t &offset) {
     return unexpected("an integer");
   const Token token = m_tokens.next();
   const std::uint32_t value = parseInteger(text(token));
-  const std::uint32_t most = negative ? 64 : 63;
-  if (value > most)
-    error(DiagnosticId::RelativeOffset, token.span,
-          "the offset " + std::string(negative ? "-" : "+") + std::string(text(token)) +
-              " is out of range",
+  const std::string spelled = (negative ? "-" : "+") + std::string(text(token));
+  if (value > kMostOffset) {
+    error(DiagnosticId::RelativeOffset, token.span, "the offset " + spelled + " is out of range",
           "offsets reach from -64 to 63; add the rest to what ARL loads");
-  else
-    offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
+    return true;
+  }
+  // Drivers take more than the grammar does, and programs have come to rely on it.
+  if (value > (negative ? 64u : 63u))
+    m_reporter.warning(DiagnosticId::RelativeOffset, token.span,
+                       "the offset " + spelled + " is beyond the grammar's; a driver may refuse it",
+                       "offsets reach from -64 to 63; add the rest to what ARL loads");
+  offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
   return true;
 }
 

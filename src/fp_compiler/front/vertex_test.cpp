@@ -46,6 +46,18 @@ TEST(Vertex, EveryOpcodeOfTheLanguage) {
   EXPECT_EQ(opcodes, 27); // table X.5
 }
 
+// piglit's vp-arl-constant-array-huge-relative-offset draws with one, and Mesa lets it.
+TEST(Vertex, AnOffsetBeyondTheGrammarsIsAWarning) {
+  const std::string text = wrapVertex(
+      "ADDRESS A; PARAM c[] = {1, 2}; ARL A.x, c[0].x; MOV result.color, c[A.x - 4095];");
+  const CheckResult result = check(text, generous());
+  ASSERT_TRUE(result.ok()) << result.errorString(text);
+  EXPECT_EQ(result.errorPosition(), -1);
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_EQ(result.diagnostics[0].severity, Severity::Warning);
+  EXPECT_EQ(result.program->code[1].src[0].offset, -4095);
+}
+
 TEST(Vertex, RelativeOperands) {
   const ir::Program p =
       program("PARAM c[] = { program.env[0..3], state.matrix.mvp, {1,2,3,4}, {1,2,3,4} };"
