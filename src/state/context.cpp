@@ -200,6 +200,8 @@ void destroyContext(Context *context) {
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   noteFixedFunctionChange(to);
+  if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
+    copyClipPlanes(from, to);
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
   for (ProgramTarget &row : to.targets)

@@ -12,6 +12,7 @@
 #include "state/ati_recorder.h"
 #include "state/attrib_stack.h"
 #include "state/capture.h"
+#include "state/clip_planes.h"
 #include "state/current.h"
 #include "state/host_assembly.h"
 #include "state/host_caps.h"
@@ -105,6 +106,8 @@ public:
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
   bool atiShaderInForce = false; ///< draws depend on fixed-function state (fixed_function.h)
+
+  ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
 
   // --- The application's GLSL: the host knows; asked again when something may have changed it ---
   GLuint applicationProgram = 0;

@@ -7,6 +7,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/ati_forms.h"
+#include "state/clip_planes.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
 #include "state/program_api.h"
@@ -142,6 +143,8 @@ Path choosePath(Context &context) {
   // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
   if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
     pair.fragment = nullptr;
+  if (pair.vertex && clipPlanesMatter(context))
+    pair.vertex = pair.vertex->clipped->of(*pair.vertex);
   context.variant = context.variants.get(context, pair);
   if (context.variant->hostProgram == 0) {
     context.variant = nullptr;
@@ -295,6 +298,8 @@ void refuseDraws(Context &context) {
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
   context.variants.drop(context, &compiled);
+  if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
+    context.variants.drop(context, form.get());
   if (!compiled.ati)
     return;
   for (const auto &form : compiled.ati->all())

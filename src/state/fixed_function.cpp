@@ -84,23 +84,6 @@ bool askColorSum(Context &context) {
   return control == GL_SEPARATE_SPECULAR_COLOR;
 }
 
-/// Enable and Disable of these choose another form.
-bool choosesForm(GLenum cap) {
-  switch (cap) {
-  case GL_FOG:
-  case GL_LIGHTING:
-  case GL_COLOR_SUM:
-  case GL_TEXTURE_1D:
-  case GL_TEXTURE_2D:
-  case GL_TEXTURE_3D:
-  case GL_TEXTURE_CUBE_MAP:
-  case GL_TEXTURE_RECTANGLE:
-    return true;
-  default:
-    return false;
-  }
-}
-
 } // namespace
 
 fp::FixedFunction fixedFunctionNow(Context &context, std::uint32_t units) {
@@ -136,11 +119,6 @@ void noteFixedFunctionCommand(Context &context) {
   noteFixedFunctionChange(context);
   if (context.listMode && context.group->atiShadersUsed.load(std::memory_order_relaxed))
     context.list.cut(context);
-}
-
-void noteCapability(Context &context, GLenum cap) {
-  if (choosesForm(cap))
-    noteFixedFunctionCommand(context);
 }
 
 namespace handlers {
@@ -194,16 +172,6 @@ void LightModeliv(Context &context, GLenum pname, const GLint *params) {
   context.host->LightModeliv(pname, params);
   if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
     noteFixedFunctionCommand(context);
-}
-
-void Enablei(Context &context, GLenum target, GLuint index) {
-  context.host->Enablei(target, index);
-  noteCapability(context, target); // EXT_direct_state_access: a texture unit's enable
-}
-
-void Disablei(Context &context, GLenum target, GLuint index) {
-  context.host->Disablei(target, index);
-  noteCapability(context, target);
 }
 
 } // namespace handlers

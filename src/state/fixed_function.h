@@ -27,11 +27,9 @@ struct CompiledProgram;
 /// What fixedFunctionNow() asks may have changed: the next draw of an ATI shader looks again. One
 /// test where none is in force.
 void noteFixedFunctionChange(Context &context);
-/// The same for Enable and Disable, which mostly are of other capabilities. While a list is
-/// compiled that ATI shaders may be drawn from, it is cut here, so that what follows is drawn with
-/// the form for the new state.
-void noteCapability(Context &context, GLenum cap);
-/// The same for a fixed-function parameter that chooses the form.
+/// The same for a parameter or a capability that chooses the form. While a list is compiled that
+/// ATI shaders may be drawn from, it is cut here, so that what follows is drawn with the form for
+/// the new state.
 void noteFixedFunctionCommand(Context &context);
 
 } // namespace arbiter::state

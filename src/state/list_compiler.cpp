@@ -186,6 +186,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
     context.insideBeginEnd = primitive != Primitive::Closed;
     return;
   }
+  noteClipPlanesOfLists(context);
   if (context.attention && !validate(context)) {
     refuseDraws(context);
     context.host->CallList(name);
@@ -298,6 +299,8 @@ void callListIntoHost(Context &context, GLuint name) {
 
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
   if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
+    if (!context.insideBeginEnd)
+      noteClipPlanesOfLists(context);
     const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
     if (refused)
       refuseDraws(context);

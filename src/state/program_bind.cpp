@@ -1,6 +1,8 @@
 // Names, binding, enabling: Gen, Delete, Is, Bind, Enable, Disable, IsEnabled (3.11.1, 6.1.12).
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/capability.h"
+#include "state/clip_planes.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
 #include "state/program_api.h"
@@ -94,6 +96,14 @@ void enable(Context &context, ProgramTarget &row, bool enabled) {
   context.list.record(context, {.kind = kind, .target = row.info().name});
 }
 
+/// After the host's Enable or Disable.
+void noteCapability(Context &context, Capability capability, bool enabled) {
+  if (capability == Capability::ChoosesForm)
+    noteFixedFunctionCommand(context);
+  else if (capability == Capability::ClipPlane)
+    noteClipPlane(context, enabled);
+}
+
 } // namespace
 
 namespace handlers {
@@ -143,19 +153,33 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 }
 
 void Enable(Context &context, GLenum cap) {
-  ProgramTarget *const row = enableRowOf(context, cap);
-  if (row)
+  const Capability capability = capabilityOf(cap);
+  if (capability == Capability::Host) [[likely]]
+    return context.host->Enable(cap);
+  if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, true);
   context.host->Enable(cap);
-  noteCapability(context, cap);
+  noteCapability(context, capability, true);
 }
 
 void Disable(Context &context, GLenum cap) {
-  ProgramTarget *const row = enableRowOf(context, cap);
-  if (row)
+  const Capability capability = capabilityOf(cap);
+  if (capability == Capability::Host) [[likely]]
+    return context.host->Disable(cap);
+  if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, false);
   context.host->Disable(cap);
-  noteCapability(context, cap);
+  noteCapability(context, capability, false);
+}
+
+void Enablei(Context &context, GLenum target, GLuint index) {
+  context.host->Enablei(target, index);
+  noteCapability(context, capabilityOf(target), true); // EXT_direct_state_access: a unit's enable
+}
+
+void Disablei(Context &context, GLenum target, GLuint index) {
+  context.host->Disablei(target, index);
+  noteCapability(context, capabilityOf(target), false);
 }
 
 GLboolean IsEnabled(Context &context, GLenum cap) {

@@ -7,6 +7,7 @@
 #include "host/host_table.h"
 #include "state/ati_forms.h"
 #include "state/capture.h"
+#include "state/clip_planes.h"
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/program_cache.h"
@@ -47,6 +48,7 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   host.textureRectangle = caps.textureRectangle;
   host.fragCoordConventions = caps.fragCoordConventions;
   host.drawBuffers = caps.drawBuffers;
+  host.clipPlanes = false; // the clipped form of a program is made when it is needed
   return host;
 }
 
@@ -80,6 +82,11 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   else {
     compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
     compiled->glsl = replaced ? fp::emitGlsl(*source.program, glslHost(context.caps)) : own.glsl;
+  }
+  if (target == Target::Vertex) {
+    fp::GlslHost clipping = glslHost(context.caps);
+    clipping.clipPlanes = true;
+    compiled->clipped = std::make_shared<const ClippedForm>(clipping);
   }
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));

@@ -26,6 +26,7 @@ enum class Target : std::uint8_t {
 inline constexpr int kTargetCount = 4;
 
 class AtiForms;
+class ClippedForm;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
@@ -44,6 +45,9 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   std::shared_ptr<const fp::ir::Program> program;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
   std::shared_ptr<const AtiForms> ati;
+  /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
+  /// that form itself.
+  std::shared_ptr<const ClippedForm> clipped;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
   /// The text that was compiled.

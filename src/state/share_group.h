@@ -79,6 +79,8 @@ public:
   /// Set for good by the first enable of ATI fragment shaders: lists are cut where fixed-function
   /// state that their draws depend on changes.
   std::atomic<bool> atiShadersUsed{false};
+  /// Set for good by the first enable of a clip plane that goes into a list.
+  std::atomic<bool> listsEnableClipPlanes{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
   std::atomic<bool> compareModeUsed{false};
   /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop

@@ -64,6 +64,7 @@ void popAttrib(Context &context) {
   context.hostAssembly.disableAgain(context);
   popEnables(context);
   noteFixedFunctionChange(context);
+  noteClipPlanesChange(context);
 }
 
 namespace handlers {

@@ -294,6 +294,37 @@ void clipPlanes(Recorder &r) {
   r.picture("clipped");
 }
 
+/// Planes that come and go while a vertex program is in force: by calls, stacks and lists.
+void changingClipPlanes(Recorder &r) {
+  usePrograms();
+  load("!!ARBvp1.0\nOPTION ARB_position_invariant;\nMOV result.color, vertex.color.bgra;\nEND",
+       kVertex);
+  const GLdouble plane[] = {0, 1, 0, -0.25};
+  glClipPlane(GL_CLIP_PLANE1, plane);
+  gradient(-1, -1, -0.75f, 1);
+  glEnable(GL_CLIP_PLANE1);
+  gradient(-0.75f, -1, -0.5f, 1);
+  glPushAttrib(GL_ENABLE_BIT);
+  glDisable(GL_CLIP_PLANE1);
+  gradient(-0.5f, -1, -0.25f, 1);
+  glPopAttrib();
+  gradient(-0.25f, -1, 0, 1);
+  glDisable(GL_CLIP_PLANE1);
+  r.picture("calls and stack");
+  glClear(GL_COLOR_BUFFER_BIT);
+  glNewList(1, GL_COMPILE_AND_EXECUTE);
+  gradient(-1, -1, -0.5f, 1);
+  glEnable(GL_CLIP_PLANE1);
+  gradient(-0.5f, -1, 0, 1);
+  glEndList();
+  glDisable(GL_CLIP_PLANE1);
+  glTranslatef(1, 0, 0);
+  glCallList(1);
+  glDisable(GL_CLIP_PLANE1);
+  glDeleteLists(1, 1);
+  r.picture("lists");
+}
+
 /// Positions as a vertex program gives them; selection hits too.
 void feedbackMode(Recorder &r) {
   usePrograms();
@@ -374,6 +405,7 @@ const std::vector<Case> kDrawCases = {
     {"draw-two-sides", twoSides},
     {"draw-points-and-lines", pointsAndLines},
     {"draw-clip-planes", clipPlanes},
+    {"draw-changing-clip-planes", changingClipPlanes},
     {"draw-feedback-mode", feedbackMode},
     {"draw-raster-position", rasterPosition},
 };
