@@ -301,6 +301,9 @@ void changingClipPlanes(Recorder &r) {
        kVertex);
   const GLdouble plane[] = {0, 1, 0, -0.25};
   glClipPlane(GL_CLIP_PLANE1, plane);
+  glMatrixMode(GL_PROJECTION); // the planes of eye space are others than those of clip space
+  glScalef(1, 0.5f, 1);
+  glMatrixMode(GL_MODELVIEW);
   gradient(-1, -1, -0.75f, 1);
   glEnable(GL_CLIP_PLANE1);
   gradient(-0.75f, -1, -0.5f, 1);
