@@ -34,7 +34,7 @@ public:
   bool compileFails = false;
   bool linkFails = false;
   bool createFails = false;
-  bool lost = false; ///< CONTEXT_LOST for ever; queries leave their arguments as they are
+  bool lost = false;          ///< CONTEXT_LOST for ever; queries leave their arguments as they are
   GLenum error = GL_NO_ERROR; ///< pending
 
   // --- What it holds ---
