@@ -223,20 +223,18 @@ bool validatePixels(Context &context) {
   return valid;
 }
 
-using Validate = bool (*)(Context &);
-
 /// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
 /// too, with what was validated when the segment was opened; where that is not valid the host
 /// refuses it, and records it all the same.
-bool beginListDraw(Context &context) {
-  if (context.listMode != GL_COMPILE_AND_EXECUTE || context.insideBeginEnd)
-    return true;
+void prepareListDraw(Context &context) {
+  if (context.listMode != GL_COMPILE_AND_EXECUTE)
+    return;
   const std::uint32_t rest = context.attention & ~attention::kList;
   if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly.refuses()))
-    return true;
-  // Validation calls the host, and none of that belongs into the application's list.
+    return;
+  // Validation calls the host, and none of that belongs into the application's list: the segment
+  // that is opened behind this has it.
   context.list.outside(context, [] {});
-  return true;
 }
 
 } // namespace
@@ -328,11 +326,15 @@ void afterHostList(Context &context) {
 
 namespace {
 
+using Validate = bool (*)(Context &);
+
 bool begin(Context &context, Validate validateDraw) {
   if (context.passThrough || context.insideBeginEnd)
     return true; // a draw between Begin and End is the host's error to raise
-  if (context.listMode)
-    return beginListDraw(context);
+  if (context.listMode) {
+    prepareListDraw(context);
+    return true;
+  }
   if (validateDraw(context)) [[likely]]
     return true;
   ++*context.drawCounter;

@@ -36,13 +36,14 @@ TEST_F(VertexQueries, TheAliasesOfNvAreTheSameCalls) {
   const auto gen = reinterpret_cast<Gen>(eglGetProcAddress("glGenProgramsNV"));
   const auto bind = reinterpret_cast<Bind>(eglGetProcAddress("glBindProgramNV"));
   const auto is = reinterpret_cast<Is>(eglGetProcAddress("glIsProgramNV"));
-  if (!gen || !bind || !is)
-    GTEST_SKIP() << "no aliases";
+  ASSERT_TRUE(gen && bind && is); // libglvnd has a stub for every name
   GLuint name = 0;
   gen(1, &name);
   bind(kVertex, name);
-  if (glGetError() != GL_NO_ERROR || name == 0)
-    GTEST_SKIP() << "the host's aliases do nothing";
+  const bool works = glGetError() == GL_NO_ERROR && name != 0;
+  if (!works && !layered())
+    GTEST_SKIP() << "bare host without NV_vertex_program: its aliases do nothing";
+  ASSERT_TRUE(works);
   EXPECT_EQ(programiv(GL_PROGRAM_BINDING_ARB, kVertex), GLint(name));
   EXPECT_TRUE(is(name));
 }
