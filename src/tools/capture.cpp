@@ -63,6 +63,13 @@ void forward(int signal) {
 /// terminal sends to the whole group is left to the command; what is sent to us alone is passed on.
 int runAndWait(const std::vector<Assignment> &environment,
                const std::vector<std::string> &command) {
+  // Held back until there is a child to pass them on to: a signal that came between the fork and
+  // the handlers would end us and leave the command running.
+  sigset_t passed, before;
+  ::sigemptyset(&passed);
+  ::sigaddset(&passed, SIGTERM);
+  ::sigaddset(&passed, SIGHUP);
+  ::sigprocmask(SIG_BLOCK, &passed, &before);
   struct sigaction ignore = {}, pass = {};
   ignore.sa_handler = SIG_IGN;
   pass.sa_handler = forward;
@@ -71,17 +78,21 @@ int runAndWait(const std::vector<Assignment> &environment,
   ::sigaction(SIGQUIT, &ignore, &quit);
   const pid_t child = ::fork();
   if (child < 0) {
-    complain(std::string("fork: ") + std::strerror(errno));
+    const int reason = errno;
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    complain(std::string("fork: ") + std::strerror(reason));
     return kExitInternal;
   }
   if (child == 0) {
     ::sigaction(SIGINT, &interrupt, nullptr);
     ::sigaction(SIGQUIT, &quit, nullptr);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
     ::_exit(execute(environment, command));
   }
   g_child = child;
   ::sigaction(SIGTERM, &pass, nullptr);
   ::sigaction(SIGHUP, &pass, nullptr);
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
