@@ -4,19 +4,11 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/parser.h"
+#include "fp_compiler/hw/native.h"
 
 namespace arbiter::fp {
 
 namespace {
-
-bool fits(const ResourceCounts &counts, const ResourceCounts &limits) {
-  return counts.instructions <= limits.instructions &&
-         counts.aluInstructions <= limits.aluInstructions &&
-         counts.texInstructions <= limits.texInstructions &&
-         counts.texIndirections <= limits.texIndirections &&
-         counts.temporaries <= limits.temporaries && counts.parameters <= limits.parameters &&
-         counts.attribs <= limits.attribs && counts.addressRegisters <= limits.addressRegisters;
-}
 
 CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options) {
@@ -26,8 +18,10 @@ CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
   result.program = std::move(parsed.program);
   if (result.program) {
     result.counts = parsed.counts;
-    result.nativeCounts = parsed.counts;
-    result.underNativeLimits = fits(result.nativeCounts, options.limits.native);
+    const hw::NativeCounts native =
+        hw::countNative(*result.program, parsed.counts, options.limits);
+    result.nativeCounts = native.counts;
+    result.underNativeLimits = native.fits;
   }
   return result;
 }

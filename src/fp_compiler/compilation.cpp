@@ -21,7 +21,8 @@ namespace arbiter::fp {
 FP_FIELDS(Span, begin, end)
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
-          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs)
+          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
+          model, rectangles)
 FP_FIELDS(CompileOptions, limits, policy)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes)
 FP_FIELDS(GlslSampler, uniform, unit, target)

@@ -30,7 +30,7 @@ struct CheckResult {
   /// The checked program; empty if there is any error.
   std::optional<ir::Program> program;
   ResourceCounts counts;       ///< by the API's rules; zero if there is an error
-  ResourceCounts nativeCounts; ///< of the modelled hardware; equal to counts until the model lands
+  ResourceCounts nativeCounts; ///< of the profile's card (hw/native.h)
   bool underNativeLimits = false;
 
   [[nodiscard]] bool ok() const { return program.has_value(); }

@@ -18,6 +18,10 @@ struct ResourceCounts {
   bool operator==(const ResourceCounts &) const = default;
 };
 
+/// How a card's own counts come about. Documented: its limits are numbers from papers, its counts
+/// those of the API. The others are models of the chip (hw/native.h).
+enum class NativeModel : std::uint8_t { Documented, R300, Nv30, I915 };
+
 /// Limits of one target of a profile. Every number is a row of a profile with its source; see
 /// src/fp_compiler/hw/profiles/.
 struct Limits {
@@ -41,6 +45,9 @@ struct Limits {
   std::uint32_t vertexUnits = 1;    ///< modelview[n], ARB_vertex_blend absent: 1
   std::uint32_t clipPlanes = 6;     ///< GL_MAX_CLIP_PLANES: state.clip[n]
   std::uint32_t vertexAttribs = 16; ///< GL_MAX_VERTEX_ATTRIBS_ARB: vertex.attrib[n]
+  NativeModel nativeModel = NativeModel::Documented;
+  /// 1: the chip samples rectangle textures at [0,1], so that each sample costs a MUL before it.
+  std::uint32_t scaleRectangles = 0;
 };
 
 /// Limits on the text itself, whatever the profile: a program string is bad input until proved

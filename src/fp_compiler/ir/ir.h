@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fp_compiler/numerics.h"
 #include "fp_compiler/span.h"
 
 /// The checked program as data: straight-line code over vec4 registers. No text, no GL. One form
@@ -241,9 +242,7 @@ struct Options {
   bool operator==(const Options &) const = default;
 };
 
-/// How arithmetic is done. Host: IEEE single with the host's multiplication. Later modes (0*x = 0,
-/// 24-bit floats) are further enumerators; the interpreter takes the mode as an argument.
-enum class Numerics : std::uint8_t { Host };
+using fp::Numerics;
 
 /// An array that relative operands read. Rows may repeat and need not follow each other.
 struct ParameterArray {

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+/// How a program's arithmetic is done, and the number formats that it needs.
+namespace arbiter::fp {
+
+/// Host    IEEE single precision, as ir/semantics.h states it.
+/// Legacy  Host, but a product with a zero factor is zero, whatever the other factor: in every
+///         opcode that multiplies. The chips of the era did so, and programs rely on it.
+/// Fp24    Legacy on the R300's numbers: every value is a 24-bit float (below). Vertex programs
+///         have no such unit and follow Legacy.
+enum class Numerics : std::uint8_t { Host, Legacy, Fp24 };
+
+/// The names of ARBITER_NUMERICS and of a profile, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 3> kNumericsNames = {"host", "legacy", "fp24"};
+[[nodiscard]] std::optional<Numerics> numericsNamed(std::string_view name);
+
+/// The 24-bit float of the R300: sign 1, exponent 7 (bias 63), mantissa 16, kept in an IEEE single
+/// that holds exactly that value.
+///   value      (-1)^s * 2^(e - 63) * (1 + m / 2^16) for 1 <= e <= 126
+///   e = 0      zero of the sign, whatever the mantissa: there are no denormals
+///   e = 127    infinity for m = 0, else NaN. What the chip did there is not documented; an
+///              infinity is what the era's "RCP of 0, times 0 is 0" needs.
+namespace fp24 {
+inline constexpr int kMantissaBits = 16;
+inline constexpr int kBias = 63;
+inline constexpr float kGreatest = 0x1.FFFFp63f;
+inline constexpr float kLeastNormal = 0x1p-62f;
+
+/// To nearest, ties to even. First the mantissa is rounded, then the range is looked at: beyond
+/// kGreatest is an infinity, below kLeastNormal a zero of the sign.
+[[nodiscard]] float rounded(float value);
+/// Toward zero, as constants and parameters are loaded: a value too large becomes kGreatest,
+/// an infinity stays one.
+[[nodiscard]] float truncated(float value);
+/// An interpolated colour: clamped to [0,1] (NaN is 0), to the nearest multiple of 1/4095 (ties to
+/// even), then rounded().
+[[nodiscard]] float colour(float value);
+} // namespace fp24
+
+} // namespace arbiter::fp
