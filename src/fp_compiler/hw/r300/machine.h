@@ -141,6 +141,9 @@ struct Constant {
     RectangleScale, ///< (1/width, 1/height, 1, 1) of image unit `index`
     ViewportScale,  ///< of fragment.position
     ViewportOffset,
+    FogColor,   ///< of a fog option: state.fog.color
+    FogFactors, ///< likewise, from state.fog.params, so that the factor is of one or two slots:
+                ///< (-1/(end-start), end/(end-start), -density/ln 2, density/sqrt(ln 2))
   };
   Kind kind = Kind::Value;
   std::uint16_t index = 0;
@@ -148,9 +151,14 @@ struct Constant {
   std::uint16_t origin = kNone; ///< the first instruction that made it necessary
 };
 
+/// Interpolant::attribute of what an option reads and no attribute of the program names.
+inline constexpr std::uint16_t kFogCoordinate = 0xFFFE;   ///< a fog option's
+inline constexpr std::uint16_t kSecondaryColour = 0xFFFD; ///< Options::colorSum's
+
 /// A register that the rasterizer fills before the first node.
 struct Interpolant {
-  std::uint16_t attribute = 0; ///< index into ir::Program::attributes
+  /// Index into ir::Program::attributes, kFogCoordinate or kSecondaryColour.
+  std::uint16_t attribute = 0;
   std::uint16_t temporary = 0;
   /// fragment.position arrives as the clip position, in a texture coordinate's interpolator; the
   /// fog coordinate as (f, 0, 0, 1) in another.
