@@ -1,5 +1,6 @@
 #include "fp_compiler/ir/evaluate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,9 +12,15 @@ namespace {
 class Machine {
 public:
   Machine(const Program &program, const Inputs &inputs)
-      : m_program(program), m_inputs(inputs), m_temporaries(program.temporaries.size(), Vec4{}),
+      : m_program(program), m_inputs(inputs),
+        m_numerics(numericsOf(program.language, inputs.numerics)),
+        m_temporaries(program.temporaries.size(), Vec4{}),
+        m_attributes(inputs.attributes.begin(), inputs.attributes.end()),
         m_parameters(program.parameters.size()), m_addresses(program.addresses.size(), 0) {
     m_evaluation.outputs.assign(program.outputs.size(), Vec4{});
+    m_attributes.resize(program.attributes.size(), Vec4{});
+    for (std::size_t i = 0; i < m_attributes.size(); ++i)
+      m_attributes[i] = read(m_attributes[i], program.attributes[i].kind);
     for (std::size_t i = 0; i < m_parameters.size(); ++i)
       m_parameters[i] = resolve(program.parameters[i]);
   }
@@ -35,10 +42,27 @@ public:
   }
 
 private:
-  Vec4 resolve(const Parameter &parameter) const {
+  /// An attribute as the mode's instructions read it.
+  Vec4 read(Vec4 value, AttributeKind kind) const {
+    const bool color = kind == AttributeKind::ColorPrimary || kind == AttributeKind::ColorSecondary;
+    for (float &component : value)
+      component = color && m_numerics == Numerics::Fp24 ? fp24::colour(component)
+                                                        : held(component, m_numerics);
+    return value;
+  }
+
+  Vec4 given(const Parameter &parameter) const {
     if (parameter.kind == ParameterKind::Constant)
       return parameter.constant;
     return m_inputs.parameter ? m_inputs.parameter(parameter) : Vec4{};
+  }
+
+  /// A row as the mode's instructions read it.
+  Vec4 resolve(const Parameter &parameter) const {
+    Vec4 value = given(parameter);
+    for (float &component : value)
+      component = loaded(component, m_numerics);
+    return value;
   }
 
   Vec4 element(const Operand &operand) const {
@@ -55,8 +79,7 @@ private:
       source = m_temporaries[operand.index];
       break;
     case File::Attribute:
-      if (operand.index < m_inputs.attributes.size())
-        source = m_inputs.attributes[operand.index];
+      source = m_attributes[operand.index];
       break;
     case File::Parameter:
       source = operand.relative ? element(operand) : m_parameters[operand.index];
@@ -86,7 +109,10 @@ private:
         request.coordinate[i] = instruction.op == Opcode::Txp ? value[i] / value[3] : value[i];
     if (instruction.op == Opcode::Txb && (operandMask(instruction, 0) & 8))
       request.bias = value[3];
-    return m_inputs.texture ? m_inputs.texture(request) : Vec4{};
+    Vec4 texel = m_inputs.texture ? m_inputs.texture(request) : Vec4{};
+    for (float &component : texel)
+      component = held(component, m_numerics);
+    return texel;
   }
 
   void step(const Instruction &instruction) {
@@ -104,7 +130,7 @@ private:
         operands[i] = fetch(instruction.src[i]);
       if (m_inputs.operands)
         m_inputs.operands(instruction, operands);
-      value = apply(instruction.op, operands, m_inputs.numerics);
+      value = apply(instruction.op, operands, m_numerics);
     }
     if (m_inputs.result)
       m_inputs.result(instruction, value);
@@ -132,54 +158,76 @@ private:
       m_evaluation.depth = target[2];
   }
 
-  Vec4 stateRow(StateItem item) const {
+  static Parameter stateRow(StateItem item) {
     Parameter parameter;
     parameter.kind = ParameterKind::State;
     parameter.state.item = item;
-    return resolve(parameter);
+    return parameter;
   }
 
+  float compute(Opcode op, float a, float b = 0, float c = 0) const {
+    return apply(op, {Vec4{a}, Vec4{b}, Vec4{c}}, m_numerics)[0];
+  }
+
+  /// Before its clamp. The rows that a chip's driver would load are made in singles.
   float fogFactor() const {
-    const Vec4 params = stateRow(StateItem::FogParams);
-    const float c = m_inputs.fogCoordinate;
-    constexpr float kMinusOneOverLn2 = -1.442695041f;
+    const Vec4 params = given(stateRow(StateItem::FogParams));
+    const float c = held(m_inputs.fogCoordinate, m_numerics);
+    const auto scaled = [&](float value) {
+      return compute(Opcode::Mul, c, loaded(value, m_numerics));
+    };
+    constexpr float kOneOverLn2 = 1.442695041f, kOneOverRootLn2 = 1.201122409f;
     switch (m_program.options.fog) {
     case FogMode::None:
       break;
     case FogMode::Exp:
-      return saturated(std::exp2(params[0] * c * kMinusOneOverLn2));
-    case FogMode::Exp2:
-      return saturated(std::exp2(params[0] * c * params[0] * c * kMinusOneOverLn2));
+      return compute(Opcode::Ex2, -scaled(params[0] * kOneOverLn2));
+    case FogMode::Exp2: {
+      const float root = scaled(params[0] * kOneOverRootLn2);
+      return compute(Opcode::Ex2, -compute(Opcode::Mul, root, root));
+    }
     case FogMode::Linear:
-      return saturated((params[2] - c) / (params[2] - params[1]));
+      if (m_numerics != Numerics::Fp24)
+        return (params[2] - c) / (params[2] - params[1]);
+      return compute(Opcode::Mad, c, loaded(-params[3], m_numerics),
+                     loaded(params[2] * params[3], m_numerics));
     }
     return 1.0f;
   }
 
   void colorSum() {
+    const Vec4 secondary = read(m_inputs.secondary, AttributeKind::ColorSecondary);
     for (std::size_t o = 0; o < m_program.outputs.size(); ++o)
-      if (m_program.outputs[o].kind == OutputKind::Color)
-        for (std::size_t i = 0; i < 3; ++i)
-          m_evaluation.outputs[o][i] =
-              saturated(m_evaluation.outputs[o][i]) + m_inputs.secondary[i];
+      if (m_program.outputs[o].kind == OutputKind::Color) {
+        Vec4 &value = m_evaluation.outputs[o];
+        const Vec4 sum = apply(Opcode::Add, {clamped(value), secondary}, m_numerics);
+        std::copy_n(sum.begin(), 3, value.begin());
+      }
   }
 
   void fog() {
-    const float factor = fogFactor();
-    const Vec4 color = stateRow(StateItem::FogColor);
+    const float factor = saturated(fogFactor());
+    const Vec4 color = resolve(stateRow(StateItem::FogColor));
     for (std::size_t o = 0; o < m_program.outputs.size(); ++o)
-      if (m_program.outputs[o].kind == OutputKind::Color)
-        for (std::size_t i = 0; i < 4; ++i) {
-          float &value = m_evaluation.outputs[o][i];
-          value = saturated(value);
-          if (i < 3)
-            value = factor * value + (1.0f - factor) * color[i];
-        }
+      if (m_program.outputs[o].kind == OutputKind::Color) {
+        Vec4 &value = m_evaluation.outputs[o];
+        value = clamped(value);
+        const Vec4 blend =
+            apply(Opcode::Lrp, {Vec4{factor, factor, factor}, value, color}, m_numerics);
+        std::copy_n(blend.begin(), 3, value.begin());
+      }
+  }
+
+  static Vec4 clamped(Vec4 value) {
+    for (float &component : value)
+      component = saturated(component);
+    return value;
   }
 
   const Program &m_program;
   const Inputs &m_inputs;
-  std::vector<Vec4> m_temporaries, m_parameters;
+  const Numerics m_numerics;
+  std::vector<Vec4> m_temporaries, m_attributes, m_parameters;
   std::vector<std::int32_t> m_addresses;
   Evaluation m_evaluation;
 };

@@ -29,6 +29,8 @@ struct Inputs {
   float fogCoordinate = 0.0f;
   /// The secondary colour, for Options::colorSum.
   Vec4 secondary = {};
+  /// A vertex program takes Legacy for Fp24. The functions and attributes give what the application
+  /// gave: rounding is the interpreter's.
   Numerics numerics = Numerics::Host;
   /// For error analysis: may change what an arithmetic opcode reads.
   std::function<void(const Instruction &, Operands &)> operands;

@@ -22,12 +22,37 @@ template <typename F> Vec4 zip(const Vec4 &a, const Vec4 &b, const Vec4 &c, F fu
           function(a[3], b[3], c[3])};
 }
 
-float product(float a, float b) { return flushed(a * b); }
-float sum(float a, float b) { return flushed(a + b); }
+/// A mode's single operations. result() is what becomes of a function's single result.
+struct Host {
+  static float product(float a, float b) { return flushed(a * b); }
+  static float sum(float a, float b) { return flushed(a + b); }
+  static float result(float value) { return flushed(value); }
+  /// a > 0, b != 0. One rounding: hosts have pow() as one function.
+  static float power(float a, float b) {
+    return result(float(std::exp2(double(b) * std::log2(double(a)))));
+  }
+  static constexpr float kExponentLimit = 127.99999f; // 128 - 2^-17
+};
 
-float dot3(const Vec4 &a, const Vec4 &b) {
-  return sum(sum(product(a[0], b[0]), product(a[1], b[1])), product(a[2], b[2]));
-}
+struct Legacy : Host {
+  static float product(float a, float b) {
+    const float value = a * b;
+    if (std::isnan(value) && (a == 0.0f || b == 0.0f))
+      return 0.0f;
+    return flushed(value);
+  }
+  static float power(float a, float b) { return a == 1.0f ? 1.0f : Host::power(a, b); }
+};
+
+struct Fp24 : Legacy {
+  static float product(float a, float b) { return fp24::rounded(Legacy::product(a, b)); }
+  static float sum(float a, float b) { return fp24::rounded(a + b); }
+  static float result(float value) { return fp24::rounded(value); }
+  static float power(float a, float b) {
+    return result(std::exp2(product(b, result(std::log2(a)))));
+  }
+  static constexpr float kExponentLimit = 0x1.FFFFp6f; // the same, truncated
+};
 
 float maximum(float a, float b) {
   if (std::isnan(a) || std::isnan(b))
@@ -45,26 +70,7 @@ float minimum(float a, float b) {
   return a < b ? a : b;
 }
 
-float power(float a, float b) {
-  if (b == 0.0f)
-    return 1.0f;
-  if (!(a > 0.0f))
-    return 0.0f;
-  return float(std::exp2(double(b) * std::log2(double(a))));
-}
-
-Vec4 lit(const Vec4 &a) {
-  constexpr float kLimit = 127.99999f; // 128 - 2^-17
-  const float exponent = minimum(maximum(a[3], -kLimit), kLimit);
-  return {1.0f, maximum(a[0], 0.0f), a[0] > 0.0f ? power(a[1], exponent) : 0.0f, 1.0f};
-}
-
-Vec4 cross(const Vec4 &a, const Vec4 &b) {
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return product(a[i], b[j]) - product(a[j], b[i]);
-  };
-  return {minor(1, 2), minor(2, 0), minor(0, 1), 0.0f};
-}
+float fraction(float a) { return a - std::floor(a); }
 
 /// LOG: exponent and mantissa; of 0 (-infinity, 1, -infinity, 1).
 Vec4 logarithm(float value) {
@@ -77,12 +83,50 @@ Vec4 logarithm(float value) {
   return {float(exponent - 1), mantissa * 2.0f, logarithm, 1.0f};
 }
 
-Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
+/// The opcodes in a mode's operations. Its results need no rounding but result().
+template <typename Mode> struct Unit {
+  static float dot3(const Vec4 &a, const Vec4 &b) {
+    return Mode::sum(Mode::sum(Mode::product(a[0], b[0]), Mode::product(a[1], b[1])),
+                     Mode::product(a[2], b[2]));
+  }
+
+  static float power(float a, float b) {
+    if (b == 0.0f)
+      return 1.0f;
+    return a > 0.0f ? Mode::power(a, b) : 0.0f;
+  }
+
+  static Vec4 lit(const Vec4 &a) {
+    const float exponent = minimum(maximum(a[3], -Mode::kExponentLimit), Mode::kExponentLimit);
+    return {1.0f, maximum(a[0], 0.0f), a[0] > 0.0f ? power(a[1], exponent) : 0.0f, 1.0f};
+  }
+
+  static Vec4 cross(const Vec4 &a, const Vec4 &b) {
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return Mode::product(a[i], b[j]) - Mode::product(a[j], b[i]);
+    };
+    return {minor(1, 2), minor(2, 0), minor(0, 1), 0.0f};
+  }
+
+  static float blend(float a, float b, float c) {
+    return Mode::sum(Mode::product(a, b), Mode::product(Mode::sum(1.0f, -a), c));
+  }
+
+  static Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c);
+  static Vec4 apply(Opcode op, const Operands &operands) {
+    return map(compute(op, map(operands[0], flushed), map(operands[1], flushed),
+                       map(operands[2], flushed)),
+               Mode::result);
+  }
+};
+
+template <typename Mode>
+Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
   switch (op) {
   case Opcode::Abs:
     return map(a, [](float x) { return std::fabs(x); });
   case Opcode::Add:
-    return zip(a, b, sum);
+    return zip(a, b, Mode::sum);
   case Opcode::Cmp:
     return zip(a, b, c, [](float x, float y, float z) { return x < 0.0f ? y : z; });
   case Opcode::Cos:
@@ -90,27 +134,26 @@ Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
   case Opcode::Dp3:
     return all(dot3(a, b));
   case Opcode::Dp4:
-    return all(sum(dot3(a, b), product(a[3], b[3])));
+    return all(Mode::sum(dot3(a, b), Mode::product(a[3], b[3])));
   case Opcode::Dph:
-    return all(sum(dot3(a, b), b[3]));
+    return all(Mode::sum(dot3(a, b), b[3]));
   case Opcode::Dst:
-    return {1.0f, a[1] * b[1], a[2], b[3]};
+    return {1.0f, Mode::product(a[1], b[1]), a[2], b[3]};
   case Opcode::Ex2:
     return all(std::exp2(a[0]));
   case Opcode::Flr:
     return map(a, [](float x) { return std::floor(x); });
   case Opcode::Frc:
-    return map(a, [](float x) { return x - std::floor(x); });
+    return map(a, fraction);
   case Opcode::Lg2:
     return all(std::log2(a[0]));
   case Opcode::Lit:
     return lit(a);
   case Opcode::Lrp:
-    return zip(a, b, c, [](float x, float y, float z) {
-      return sum(product(x, y), product(sum(1.0f, -x), z));
-    });
+    return zip(a, b, c, blend);
   case Opcode::Mad:
-    return zip(a, b, c, [](float x, float y, float z) { return sum(product(x, y), z); });
+    return zip(a, b, c,
+               [](float x, float y, float z) { return Mode::sum(Mode::product(x, y), z); });
   case Opcode::Max:
     return zip(a, b, maximum);
   case Opcode::Min:
@@ -119,7 +162,7 @@ Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
   case Opcode::Swz:
     return a;
   case Opcode::Mul:
-    return zip(a, b, product);
+    return zip(a, b, Mode::product);
   case Opcode::Pow:
     return all(power(a[0], b[0]));
   case Opcode::Rcp:
@@ -141,7 +184,7 @@ Vec4 compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c) {
   case Opcode::Arl:
     return all(std::floor(a[0]));
   case Opcode::Exp:
-    return {std::exp2(std::floor(a[0])), a[0] - std::floor(a[0]), std::exp2(a[0]), 1.0f};
+    return {std::exp2(std::floor(a[0])), fraction(a[0]), std::exp2(a[0]), 1.0f};
   case Opcode::Log:
     return logarithm(a[0]);
   case Opcode::Tex:
@@ -165,14 +208,29 @@ float saturated(float value) {
   return value < 1.0f ? value : 1.0f;
 }
 
+Numerics numericsOf(Language language, Numerics asked) {
+  const bool vertex = language == Language::ArbVertex;
+  return vertex && asked == Numerics::Fp24 ? Numerics::Legacy : asked;
+}
+
+float held(float value, Numerics numerics) {
+  return numerics == Numerics::Fp24 ? fp24::rounded(value) : flushed(value);
+}
+
+float loaded(float value, Numerics numerics) {
+  return numerics == Numerics::Fp24 ? fp24::truncated(value) : flushed(value);
+}
+
 Vec4 apply(Opcode op, const Operands &operands, Numerics numerics) {
   switch (numerics) {
   case Numerics::Host:
-    break;
+    return Unit<Host>::apply(op, operands);
+  case Numerics::Legacy:
+    return Unit<Legacy>::apply(op, operands);
+  case Numerics::Fp24:
+    return Unit<Fp24>::apply(op, operands);
   }
-  return map(
-      compute(op, map(operands[0], flushed), map(operands[1], flushed), map(operands[2], flushed)),
-      flushed);
+  return {};
 }
 
 bool kills(const Vec4 &operand) {

@@ -54,12 +54,57 @@
 /// (hosts compute it so); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
 ///
 /// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is
-/// f*rgb + (1-f)*fog.rgb with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or (end-c)/(end-start).
+/// f*rgb + (1-f)*fog.rgb, as LRP, with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or
+/// (end-c)/(end-start).
+///
+/// All of the above is Numerics::Host; the other modes change this much of it and no more:
+///
+/// Legacy   A product of a zero and an infinity or a NaN is +0. A factor that is a denormal is a
+///          zero. It holds for each single product of MUL MAD DP3 DP4 DPH LRP XPD DST, for POW's
+///          b * LG2(a), so that POW(1, b) is 1 for every b, and for the fog option's. Every other
+///          product is Host's, the sign of a zero included: so the two modes differ where Host
+///          makes a NaN, and only there. (Chips that came later make +0 of every product with a
+///          zero; of the era's own it is not known, only that it is a zero. This choice keeps x*1
+///          the same as x, and lets a back end write a plain product where it knows that the
+///          factors are finite.)
+///
+/// Fp24     Of fragment programs; a vertex program follows Legacy (numericsOf). Legacy's rule, and
+///          every value is a 24-bit float (fp_compiler/numerics.h) held in a single.
+///   Reads     Attributes are fp24::rounded, both colours fp24::colour in all components;
+///             constants, env, local and state rows are fp24::truncated.
+///   Steps     Each single operation is done on singles as above, and its result is
+///             fp24::rounded: each product, each sum (also those inside of MAD, LRP, XPD and the
+///             dot products, from left to right), 1-a of LRP, a - FLR(a). That it is rounded twice
+///             is the definition. Where the single result is a tie of the 24-bit grid only because
+///             of its own rounding, one rounding would differ by a unit of the last place.
+///   Functions COS EX2 LG2 RCP RSQ SCS SIN: the single result, fp24::rounded. POW is three steps,
+///             LG2 MUL EX2; LIT's POW is that, and its exponent's limit, a constant, is
+///             truncated: +-(128 - 2^-10).
+///   Exact     ABS CMP FLR MAX MIN MOV SGE SLT SWZ KIL, signs and _SAT: they need no rounding.
+///   Textures  Texels are fp24::rounded. TXP's division and TXB's bias are the texture unit's own:
+///             in singles, of 24-bit coordinates, not rounded.
+///   Options   Fog is what the specification charges for it: MUL EX2, MUL MUL EX2 or MAD, and LRP.
+///             exp     f = EX2(-MUL(c, p)), p = d * 1.442695041 (1 / ln 2)
+///             exp2    f = EX2(-MUL(t, t)), t = MUL(c, p), p = d * 1.201122409 (1 / sqrt(ln 2))
+///             linear  f = MAD(c, -s, p), s = fog.params.w, p = end * s
+///             c is read as an attribute; p and s are rows that a driver loads: made in singles of
+///             the state as it is, then truncated. Colour sum: ADD of the secondary colour, read as
+///             that attribute.
+///   Outputs   are stored as they are; a depth that is not written stays the fragment's own.
 // clang-format on
 namespace arbiter::fp::ir {
 
 /// The value that takes part in arithmetic: denormals become zero of the same sign.
 [[nodiscard]] float flushed(float value);
+
+/// The mode that a program of \p language follows when \p asked is set.
+[[nodiscard]] Numerics numericsOf(Language language, Numerics asked);
+
+/// A result, a texel, or an attribute that is no colour, as a register holds it: flushed, and in
+/// Fp24 rounded.
+[[nodiscard]] float held(float value, Numerics numerics);
+/// A constant or a row of parameters, as an instruction reads it: in Fp24 truncated.
+[[nodiscard]] float loaded(float value, Numerics numerics);
 
 /// Clamp to [0,1]; NaN gives 0.
 [[nodiscard]] float saturated(float value);
@@ -68,7 +113,7 @@ using Operands = std::array<Vec4, 3>;
 
 /// The result of an arithmetic opcode for all four components, before _SAT and mask. Operands are
 /// already swizzled and negated; a scalar operand stands in x.
-/// Requires: \p op is neither Texture nor Kills.
+/// Requires: \p op is neither Texture nor Kills; in Fp24 the operands are 24-bit floats.
 [[nodiscard]] Vec4 apply(Opcode op, const Operands &operands, Numerics numerics);
 
 /// KIL's condition.

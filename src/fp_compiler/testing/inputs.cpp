@@ -1,13 +1,13 @@
 #include "fp_compiler/testing/inputs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string_view>
 
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
+#include "fp_compiler/testing/specials.h"
 #include "util/hash.h"
 
 namespace arbiter::fp::testing {
@@ -19,17 +19,6 @@ ir::Vec4 madeUp(std::string_view text, std::uint64_t pixel) {
   return {random.real(-2, 2), random.real(-2, 2), random.real(-2, 2), random.real(-2, 2)};
 }
 
-bool sameBits(float a, float b) {
-  return (std::isnan(a) && std::isnan(b)) ||
-         std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
-bool sameBits(const ir::Vec4 &a, const ir::Vec4 &b) {
-  for (std::size_t i = 0; i < 4; ++i)
-    if (!sameBits(a[i], b[i]))
-      return false;
-  return true;
-}
 /// The binding; attribute 0 of a vertex is its position.
 std::string nameOf(const ir::Attribute &attribute, ir::Language language) {
   const bool position = attribute.kind == ir::AttributeKind::Generic && attribute.index == 0;
