@@ -1,64 +1,30 @@
 #include "tools/capture_page.h"
 
+#include <algorithm>
 #include <cstdio>
 
-#include "tools/capture_page_frame.h"
+#include "tools/page/frame.h"
+#include "tools/page/html.h"
 #include "tools/report.h"
 
 namespace arbiter::tools {
 
 namespace {
 
-/// The length of the UTF-8 sequence at the front of `text` (RFC 3629); 0 where there is none.
-std::size_t sequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned lead = byte(0);
-  if (lead < 0x80)
-    return 1;
-  const std::size_t length = lead >= 0xF5   ? 0
-                             : lead >= 0xF0 ? 4
-                             : lead >= 0xE0 ? 3
-                             : lead >= 0xC2 ? 2
-                                            : 0;
-  if (length == 0 || text.size() < length)
-    return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80)
-      return 0;
-  const bool overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
-  const bool outside = (lead == 0xED && byte(1) > 0x9F) || (lead == 0xF4 && byte(1) > 0x8F);
-  return overlong || outside ? 0 : length;
-}
-
-std::string escaped(std::string_view text) {
-  std::string html;
-  while (!text.empty()) {
-    const char c = text.front();
-    const std::size_t length = sequenceLength(text);
-    const bool control = (c >= 0 && c < 0x20 && c != '\n' && c != '\t') || c == 0x7F;
-    if (length == 0 || control) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\x%02X", static_cast<unsigned char>(c));
-      html += std::string("<i>") + code + "</i>";
-    } else if (c == '&') {
-      html += "&amp;";
-    } else if (c == '<') {
-      html += "&lt;";
-    } else if (c == '>') {
-      html += "&gt;";
-    } else if (c == '"') {
-      html += "&quot;";
-    } else {
-      html += text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
-  }
-  return html;
-}
-
-std::string number(std::uint64_t value) { return std::to_string(value); }
-std::string cell(const std::string &html) { return "<td>" + html + "</td>"; }
-std::string numberCell(std::uint64_t value) { return "<td class=n>" + number(value) + "</td>"; }
+constexpr Column kColumns[] = {
+    {"program", "program"},
+    {"target", "target"},
+    {"loads", "loads", true},
+    {"contexts", "contexts", true},
+    {"processes", "processes", true},
+    {"frames", "frames", true},
+    {"draws", "draws", true},
+    {"instructions", "instructions", true},
+    {"alu", "ALU", true},
+    {"tex", "TEX", true},
+    {"nodes", "indirections", true},
+    {"status", "verdict"},
+};
 
 const char *verdict(const CapturedProgram &program) {
   if (!program.error.empty())
@@ -73,8 +39,9 @@ std::string summaryRow(const CapturedProgram &program) {
   const bool good = program.error.empty();
   std::string marks = program.edited ? " edited" : "";
   marks += program.replaced ? " replaced" : "";
-  return "<tr><td><a href=\"#" + program.file() + "\"><code>" + program.hash.substr(0, 12) +
-         "</code></a>" + marks + "</td>" + cell(program.target->word) + numberCell(program.loads) +
+  return std::string("<tr data-s=\"") + verdict(program) + "\"><td><a href=\"#" + program.file() +
+         "\"><code>" + program.hash.substr(0, 12) + "</code></a>" + marks + "</td>" +
+         cell(program.target->word) + numberCell(program.loads) +
          numberCell(program.contexts.size()) + numberCell(program.processes.size()) +
          numberCell(program.frames) + numberCell(program.draws) +
          numberCell(program.counts.instructions) + numberCell(program.counts.aluInstructions) +
@@ -87,21 +54,15 @@ std::string source(const CapturedProgram &program) {
   const bool marked = !program.error.empty() && program.errorPosition >= 0 && !program.edited;
   const fp::LineColumn place =
       marked ? fp::locate(program.text, std::uint32_t(program.errorPosition)) : fp::LineColumn{};
+  std::vector<std::string_view> lines = linesOf(program.text);
+  if (marked) // an error of the whole program may be behind the last line's end
+    lines.resize(std::max<std::size_t>(lines.size(), place.line));
   std::string html = "<pre class=source>";
-  std::string_view rest = program.text;
-  for (std::uint32_t line = 1; !rest.empty() || (marked && line <= place.line); ++line) {
-    // CR LF, LF and CR each end a line, as the compiler counts them.
-    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
-    html += "<span class=line data-n=\"" + number(line) + "\">" + escaped(rest.substr(0, end)) +
-            "</span>\n";
-    if (marked && line == place.line) {
-      std::string indent;
-      for (const char c : rest.substr(0, std::min<std::size_t>(place.column - 1, end)))
-        indent += c == '\t' ? '\t' : ' ';
-      html += "<span class=\"line caret\" data-n=\"\">" + indent + "^</span>\n";
-    }
-    const bool pair = rest.substr(end, 2) == "\r\n";
-    rest.remove_prefix(std::min(end + (pair ? 2 : 1), rest.size()));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    html += "<span class=line data-n=\"" + number(i + 1) + "\">" + escaped(lines[i]) + "</span>\n";
+    if (marked && i + 1 == place.line)
+      html += "<span class=\"line caret\" data-n=\"\">" + caretIndent(lines[i], place.column) +
+              "^</span>\n";
   }
   return html + "</pre>\n";
 }
@@ -181,8 +142,8 @@ std::string details(const CapturedProgram &program) {
 } // namespace
 
 std::string indexPage(const CaptureIndex &index) {
-  std::string html = kCapturePageHead;
-  html += "<h1>" + number(index.programs.size()) + " captured programs</h1>\n";
+  std::string html = pageHead("Captured programs");
+  html += "<h1>" + counted(index.programs.size(), "captured program") + "</h1>\n";
   for (const CapturedProcess &process : index.processes) {
     html += "<p>process " + number(process.id) + " <code>" + escaped(process.command) +
             "</code>: " + number(process.contexts) + " contexts, " + number(process.frames) +
@@ -192,13 +153,13 @@ std::string indexPage(const CaptureIndex &index) {
   }
   for (const std::string &fault : index.faults)
     html += "<p class=bad>" + escaped(fault) + "</p>\n";
-  html += kCapturePageColumns;
+  html += sortableTable(kColumns);
   for (const CapturedProgram &program : index.programs)
     html += summaryRow(program);
-  html += "</tbody></table>\n";
+  html += kSortableTableEnd;
   for (const CapturedProgram &program : index.programs)
     html += details(program);
-  return html + kCapturePageFoot;
+  return html + pageFoot();
 }
 
 } // namespace arbiter::tools
