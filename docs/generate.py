@@ -86,15 +86,69 @@ def opcodes():
            'for what vertex programs alone have (2.14). Every instruction but KIL takes a '
            'destination with a write mask; in fragment programs `_SAT` behind its name clamps the '
            'result to [0,1]. A scalar operand names one component (`a.x`).\n',
-           '| opcode | operands | result | properties | section |', '|---|---|---|---|---|']
-    for _, mnemonic, shapes, traits, section, doc in rows_of(ROOT / source, 'FP_OP'):
+           '| opcode | operands | result | formula | properties | section |',
+           '|---|---|---|---|---|---|']
+    formulas = dict(rows_of(ROOT / 'src/fp_compiler/ir/formulas.def', 'FP_FORMULA'))
+    for enumerator, mnemonic, shapes, traits, section, doc in rows_of(ROOT / source, 'FP_OP'):
         operands = ', '.join(SHAPES[shape] for shape in shapes)
         if 'Texture' in traits:
             operands += ', unit, target'
         names = [TRAITS[name.strip()] for name in traits.split('|')]
-        out.append(f'| `{mnemonic}` | {operands} | {doc} | {"; ".join(filter(None, names))} '
-                   f'| {section} |')
+        formula = formulas[enumerator].replace('|', '\\|')
+        out.append(f'| `{mnemonic}` | {operands} | {doc} | `{formula}` '
+                   f'| {"; ".join(filter(None, names))} | {section} |')
     return '\n'.join(out) + '\n'
+
+
+LANGUAGES = {'Both': 'both', 'Fragment': 'fragment', 'Vertex': 'vertex',
+             'ArbFragment': 'fragment', 'ArbVertex': 'vertex'}
+
+
+def words():
+    front = ROOT / 'src' / 'fp_compiler' / 'front'
+    source = 'src/fp_compiler/front/{words.def,bindings.def,ati/words.def}'
+    out = ['# Words and bindings of the languages\n', GENERATED.format(source=source),
+           'Sections are those of ARB_fragment_program (3.11), or of ARB_vertex_program (2.14) for '
+           'what vertex programs alone have.\n',
+           '## Bindings\n',
+           '`[n]` is an index, `[n]?` one that may be left out; of `{a\\|b}` one or none is written, '
+           'of `(a\\|b)` one.\n',
+           '| binding | programs | components | what it is | section |', '|---|---|---|---|---|']
+    for path, languages, section, components, doc in rows_of(front / 'bindings.def', 'FP_BINDING'):
+        path = path.replace('|', '\\|')
+        out.append(f'| `{path}` | {LANGUAGES[languages]} | `{components}` | {doc} | {section} |')
+    tables = front / 'words.def'
+    out += ['\n## Reserved words\n', 'Beside the [opcodes](opcodes.md).\n',
+            '| word | programs | what it is | section |', '|---|---|---|---|']
+    for _, word, languages, section, doc in rows_of(tables, 'FP_KEYWORD'):
+        out.append(f'| `{word}` | {LANGUAGES[languages]} | {doc} | {section} |')
+    out += ['\n## Options\n', '| option | programs | what it asks for | section |',
+            '|---|---|---|---|']
+    for word, language, _, _, section, doc in rows_of(tables, 'FP_OPTION'):
+        out.append(f'| `{word}` | {LANGUAGES[language]} | {doc} | {section} |')
+    out += ['\n## Texture targets\n', '| target | what it is |', '|---|---|']
+    for word, _, _, doc in rows_of(tables, 'FP_TARGET'):
+        out.append(f'| `{word}` | {doc} |')
+    out += ati_words(front / 'ati' / 'words.def')
+    return '\n'.join(out) + '\n'
+
+
+def ati_words(tables):
+    out = ['\n## ATI fragment shaders\n',
+           'Of ATI_text_fragment_shader 3.10.1; `a`, `b` and `c` are the arguments.\n',
+           '| word | what it is |', '|---|---|']
+    for _, word, formula in rows_of(tables, 'ATI_OP'):
+        out.append(f'| `{word}` | `{formula}` |')
+    for word, doc in rows_of(tables, 'ATI_STATEMENT'):
+        out.append(f'| `{word}` | {doc} |')
+    for word, count, doc in rows_of(tables, 'ATI_SOURCE'):
+        names = f'`{word}`' if count == '0' else f'`{word}0` to `{word}{int(count) - 1}`'
+        out.append(f'| {names} | {doc} |')
+    for macro in ('ATI_COORDINATES', 'ATI_SCALE', 'ATI_MODIFIER'):
+        for *_, word, doc in rows_of(tables, macro):
+            if word:
+                out.append(f'| `.{word}` | {doc} |')
+    return out
 
 
 def flags():
@@ -170,6 +224,7 @@ def entry_points():
 PAGES = {
     'entry_points.md': entry_points,
     'opcodes.md': opcodes,
+    'words.md': words,
     'flags.md': flags,
     'profiles.md': profiles,
     'diagnostics.md': diagnostics,

@@ -5,29 +5,29 @@
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/hw/native.h"
+#include "fp_compiler/inspect.h"
 
 namespace arbiter::fp {
 
 namespace {
 
 CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
-                            const CompileOptions &options) {
-  ParseResult parsed = parseArbProgram(language, text, options);
+                            const CompileOptions &options, NameTable *names) {
+  ParseResult parsed = parseArbProgram(language, text, options, names);
   CheckResult result;
   result.diagnostics = std::move(parsed.diagnostics);
   result.program = std::move(parsed.program);
   if (result.program) {
     result.counts = parsed.counts;
-    const hw::NativeCounts native =
-        hw::countNative(*result.program, parsed.counts, options.limits);
+    const hw::NativeCounts native = hw::countNative(*result.program, parsed.counts, options.limits);
     result.nativeCounts = native.counts;
     result.underNativeLimits = native.fits;
   }
   return result;
 }
 
-CheckResult checkAtiShader(std::string_view text, const CompileOptions &options) {
-  ati::ParseResult parsed = ati::parse(text, options);
+CheckResult checkAtiShader(std::string_view text, const CompileOptions &options, NameTable *names) {
+  ati::ParseResult parsed = ati::parse(text, options, names);
   CheckResult result;
   result.diagnostics = std::move(parsed.diagnostics);
   if (parsed.shader) {
@@ -37,6 +37,18 @@ CheckResult checkAtiShader(std::string_view text, const CompileOptions &options)
     result.underNativeLimits = true;
   }
   return result;
+}
+
+CheckResult checkIn(ir::Language language, std::string_view text, const CompileOptions &options,
+                    NameTable *names) {
+  switch (language) {
+  case ir::Language::ArbFragment:
+  case ir::Language::ArbVertex:
+    return checkArbProgram(arbLanguage(language), text, options, names);
+  case ir::Language::AtiFragment:
+    break;
+  }
+  return checkAtiShader(text, options, names);
 }
 
 } // namespace
@@ -64,14 +76,15 @@ std::optional<ir::Language> languageOfText(std::string_view text) {
 
 CheckResult checkProgram(ir::Language language, std::string_view text,
                          const CompileOptions &options) {
-  switch (language) {
-  case ir::Language::ArbFragment:
-  case ir::Language::ArbVertex:
-    return checkArbProgram(arbLanguage(language), text, options);
-  case ir::Language::AtiFragment:
-    break;
-  }
-  return checkAtiShader(text, options);
+  return checkIn(language, text, options, nullptr);
+}
+
+Inspection inspectProgram(ir::Language language, std::string_view text,
+                          const CompileOptions &options) {
+  Inspection inspection;
+  inspection.check = checkIn(language, text, options, &inspection.names);
+  inspection.names.sort();
+  return inspection;
 }
 
 CheckResult checkFragmentProgram(std::string_view text, const CompileOptions &options) {

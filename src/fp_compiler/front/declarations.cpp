@@ -18,6 +18,7 @@ bool Parser::newName(Token &name) {
 void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
   if (wordOf(name).keyword != Keyword::None)
     return;
+  note(name, Access::Declare, kind);
   const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span});
   if (before)
     error(DiagnosticId::RedeclaredName, name.span, quote(text(name)) + " is declared twice",
@@ -84,6 +85,7 @@ bool Parser::parseAlias() {
           "ALIAS takes a declared name; use ATTRIB, PARAM or OUTPUT to name a binding");
     return false;
   }
+  note(target, Access::Read);
   if (const Symbol *found = m_symbols.find(text(target)))
     symbol = *found;
   else

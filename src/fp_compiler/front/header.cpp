@@ -52,4 +52,10 @@ bool checkHeader(std::string_view header, std::string_view text, Reporter &repor
   return false;
 }
 
+std::uint32_t endOfWrongHeader(std::string_view text) {
+  if (!text.starts_with("!"))
+    return 0;
+  return std::uint32_t(std::min(text.find_first_of("\r\n"), text.size()));
+}
+
 } // namespace arbiter::fp

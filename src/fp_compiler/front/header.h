@@ -9,4 +9,8 @@ namespace arbiter::fp {
 /// at its first one. Else the reason is reported.
 [[nodiscard]] bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter);
 
+/// Where the statements of a text may begin whose header is not the expected one: behind a first
+/// line that begins as a header does, else at the first byte.
+[[nodiscard]] std::uint32_t endOfWrongHeader(std::string_view text);
+
 } // namespace arbiter::fp

@@ -15,10 +15,8 @@ struct TargetRow {
 };
 
 constexpr TargetRow kTargets[] = {
-    {"1D", ir::TexTarget::Tex1D, false},         {"2D", ir::TexTarget::Tex2D, false},
-    {"3D", ir::TexTarget::Tex3D, false},         {"CUBE", ir::TexTarget::Cube, false},
-    {"RECT", ir::TexTarget::Rect, false},        {"SHADOW1D", ir::TexTarget::Shadow1D, true},
-    {"SHADOW2D", ir::TexTarget::Shadow2D, true}, {"SHADOWRECT", ir::TexTarget::ShadowRect, true},
+#define FP_TARGET(word, Enumerator, shadow, doc) {word, ir::TexTarget::Enumerator, shadow},
+#include "fp_compiler/front/words.def"
 };
 
 std::string_view spelling(ir::TexTarget target) {
@@ -82,6 +80,7 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
   if (first.kind != TokenKind::Identifier || word.keyword != Keyword::None)
     return readOnlyDestination(first, word);
   m_tokens.next();
+  note(first, Access::Write);
   const Symbol *symbol = m_symbols.find(text(first));
   if (!symbol)
     return undeclared(first);
@@ -127,6 +126,7 @@ bool Parser::parseAddressDestination(ir::Destination &destination) {
   if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
     return unexpected("an address register", kHint);
   m_tokens.next();
+  note(name, Access::Write);
   const Symbol *symbol = m_symbols.find(text(name));
   if (!symbol && !undeclared(name))
     return false;

@@ -46,35 +46,27 @@ const OpcodeRow *findOpcode(std::string_view word) {
   return row != kOpcodes.end() && row->code == code ? row : nullptr;
 }
 
-Keyword findAttributes(std::string_view word, const ArbLanguage &language) {
-  return word == language.attributes ? Keyword::Attributes : Keyword::None;
+/// A word of at most eight letters as one number.
+constexpr std::uint64_t packWord(std::string_view word) {
+  std::uint64_t packed = 0;
+  for (const char c : word)
+    packed = packed << 8 | std::uint8_t(c);
+  return packed;
 }
+
+constexpr Keyword onlyIf(bool holds, Keyword keyword) { return holds ? keyword : Keyword::None; }
 
 /// The words that are no opcodes; `language` decides about those that only one language has.
 Keyword findOther(std::string_view word, const ArbLanguage &language) {
-  switch (word.size()) {
-  case 3:
-    return word == "END" ? Keyword::End : Keyword::None;
-  case 4:
-    return word == "TEMP" ? Keyword::Temp : Keyword::None;
-  case 5:
-    return word == "PARAM"   ? Keyword::Param
-           : word == "ALIAS" ? Keyword::Alias
-           : word == "state" ? Keyword::State
-                             : Keyword::None;
-  case 6:
-    return word == "ATTRIB"   ? Keyword::Attrib
-           : word == "OPTION" ? Keyword::Option
-           : word == "OUTPUT" ? Keyword::Output
-           : word == "result" ? Keyword::Result
-                              : findAttributes(word, language);
-  case 7:
-    return word == "program"                          ? Keyword::Program
-           : word == "texture" && !language.addresses ? Keyword::Texture
-           : word == "ADDRESS" && language.addresses  ? Keyword::Address
-                                                      : Keyword::None;
-  case 8:
-    return findAttributes(word, language);
+  if (word.size() > 8)
+    return Keyword::None;
+  const bool vertex = language.language == Language::ArbVertex;
+  switch (packWord(word)) {
+#define FP_KEYWORD(Enumerator, text, languages, section, doc)                                      \
+  case packWord(text):                                                                             \
+    static_assert(sizeof(text) <= 9, "a word is packed into eight bytes");                         \
+    return onlyIf(isOf(Languages::languages, vertex), Keyword::Enumerator);
+#include "fp_compiler/front/words.def"
   default:
     return Keyword::None;
   }

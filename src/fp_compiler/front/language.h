@@ -9,6 +9,12 @@
 
 namespace arbiter::fp {
 
+/// Which of the ARB languages have a word.
+enum class Languages : std::uint8_t { Both, Fragment, Vertex };
+[[nodiscard]] constexpr bool isOf(Languages languages, bool vertex) {
+  return languages == Languages::Both || (languages == Languages::Vertex) == vertex;
+}
+
 /// What sets one ARB assembly language apart from the other, where a datum can say it. The two
 /// share everything else: tokens, statements, parameters, state, counts.
 struct ArbLanguage {

@@ -83,6 +83,7 @@ bool Parser::parseSourceRegister(ir::Operand &operand) {
 
 bool Parser::parseNamedSource(ir::Operand &operand) {
   const Token name = m_tokens.next();
+  note(name, Access::Read);
   const Symbol *symbol = m_symbols.find(text(name));
   if (!symbol)
     return undeclared(name);
@@ -147,6 +148,7 @@ bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::O
   if (keywordAt().keyword != Keyword::None)
     return unexpected("an integer or an address register");
   m_tokens.next();
+  note(token, Access::Read);
   const Symbol *address = m_symbols.find(text(token));
   if (!address && !undeclared(token))
     return false;
@@ -212,7 +214,7 @@ bool Parser::skipIndex() {
          m_tokens.at(TokenKind::Minus)) {
     if (beginsStatement(keywordAt().keyword))
       return false;
-    m_tokens.next();
+    noteSkipped(m_tokens.next());
   }
   return expect(TokenKind::CloseBracket, "']'");
 }

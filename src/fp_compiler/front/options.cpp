@@ -51,21 +51,9 @@ struct OptionRow {
 /// The options of ARB_fragment_program 3.11.4.5 and of the extensions beside it, and of
 /// ARB_vertex_program 2.14.4.5.
 constexpr OptionRow kOptions[] = {
-    {"ARB_fog_exp", Language::ArbFragment, fog<ir::FogMode::Exp>, &kFogs},
-    {"ARB_fog_exp2", Language::ArbFragment, fog<ir::FogMode::Exp2>, &kFogs},
-    {"ARB_fog_linear", Language::ArbFragment, fog<ir::FogMode::Linear>, &kFogs},
-    {"ARB_precision_hint_fastest", Language::ArbFragment, precision<ir::Precision::Fastest>,
-     &kPrecisions},
-    {"ARB_precision_hint_nicest", Language::ArbFragment, precision<ir::Precision::Nicest>,
-     &kPrecisions},
-    {"ARB_fragment_program_shadow", Language::ArbFragment, set<&ir::Options::shadow>, nullptr},
-    {"ARB_draw_buffers", Language::ArbFragment, set<&ir::Options::drawBuffers>, nullptr},
-    {"ATI_draw_buffers", Language::ArbFragment, set<&ir::Options::drawBuffers>, nullptr},
-    {"ARB_fragment_coord_origin_upper_left", Language::ArbFragment,
-     set<&ir::Options::originUpperLeft>, nullptr},
-    {"ARB_fragment_coord_pixel_center_integer", Language::ArbFragment,
-     set<&ir::Options::pixelCenterInteger>, nullptr},
-    {"ARB_position_invariant", Language::ArbVertex, set<&ir::Options::positionInvariant>, nullptr},
+#define FP_OPTION(word, language, apply, conflict, section, doc)                                   \
+  {word, Language::language, apply, conflict},
+#include "fp_compiler/front/words.def"
 };
 
 } // namespace

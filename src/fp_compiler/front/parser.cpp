@@ -9,11 +9,14 @@
 namespace arbiter::fp {
 
 ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
-                            const CompileOptions &options) {
+                            const CompileOptions &options, NameTable *names) {
   Reporter reporter;
   ParseResult result;
-  if (checkHeader(language.header, text, reporter)) {
-    Parser parser(language, text, options, reporter);
+  const bool good = checkHeader(language.header, text, reporter);
+  if (good || (names && text.size() <= kMaxTextBytes)) {
+    const std::uint32_t begin =
+        good ? std::uint32_t(language.header.size()) : endOfWrongHeader(text);
+    Parser parser(language, text, options, reporter, begin, names);
     parser.parse();
     if (!reporter.hasErrors()) {
       result.counts = parser.binder().counts();
@@ -25,9 +28,9 @@ ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
 }
 
 Parser::Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
-               Reporter &reporter)
+               Reporter &reporter, std::uint32_t begin, NameTable *names)
     : m_language(language), m_text(text), m_limits(options.limits), m_policy(options.policy),
-      m_reporter(reporter), m_tokens(text, std::uint32_t(language.header.size())),
+      m_reporter(reporter), m_names(names), m_tokens(text, begin),
       m_binder(language.language, options, reporter) {}
 
 void Parser::parse() {
@@ -160,9 +163,20 @@ void Parser::recover() {
   while (!m_tokens.at(TokenKind::EndOfText)) {
     if (beginsStatement(keywordAt().keyword))
       return;
-    if (m_tokens.next().kind == TokenKind::Semicolon)
+    const Token token = m_tokens.next();
+    if (token.kind == TokenKind::Semicolon)
       return;
+    noteSkipped(token);
   }
+}
+
+/// A token of a statement that was given up: if it is a known name, it still stands there.
+void Parser::noteSkipped(const Token &token) {
+  if (!m_names || token.kind != TokenKind::Identifier)
+    return;
+  const bool suffix = token.span.begin > 0 && m_text[token.span.begin - 1] == '.';
+  if (!suffix && m_symbols.find(text(token)))
+    note(token, Access::Read);
 }
 
 bool Parser::expect(TokenKind kind, const char *what, const char *hint) {

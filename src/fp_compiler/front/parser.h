@@ -7,6 +7,7 @@
 #include "fp_compiler/front/keywords.h"
 #include "fp_compiler/front/language.h"
 #include "fp_compiler/front/lexer.h"
+#include "fp_compiler/front/names.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
 
@@ -21,8 +22,11 @@ struct ParseResult {
 /// Parses and checks an ARBfp1.0 (ARB_fragment_program 3.11.2 to 3.11.6) or an ARBvp1.0 program
 /// (ARB_vertex_program 2.14.2 to 2.14.5). Time and memory are linear in the text; there is no
 /// recursion.
+/// \param names if not null, gets every name of the text, and a text whose header is wrong is still
+///        parsed behind it, for the names and for more diagnostics
 [[nodiscard]] ParseResult parseArbProgram(const ArbLanguage &language, std::string_view text,
-                                          const CompileOptions &options);
+                                          const CompileOptions &options,
+                                          NameTable *names = nullptr);
 
 /// One statement a function. A function that returns bool returns false for a syntax error, which
 /// it has reported; the statement is then given up and the parser goes on at the next one. Errors
@@ -31,7 +35,7 @@ class Parser {
 public:
   /// Begins behind the header, which has been checked.
   Parser(const ArbLanguage &language, std::string_view text, const CompileOptions &options,
-         Reporter &reporter);
+         Reporter &reporter, std::uint32_t begin, NameTable *names);
 
   void parse();
   [[nodiscard]] Binder &binder() { return m_binder; }
@@ -68,6 +72,12 @@ private:
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   /// A word that the other language has.
   void foreign(const Token &token, std::string_view what);
+  /// A name stands here; kept where names are asked for.
+  void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
+    if (m_names)
+      m_names->add(text(name), name.span, access, kind);
+  }
+  void noteSkipped(const Token &token);
 
   // declarations.cpp
   bool parseRegisters(SymbolKind kind);
@@ -160,6 +170,7 @@ private:
   const Limits &m_limits;
   LimitPolicy m_policy;
   Reporter &m_reporter;
+  NameTable *m_names; ///< null where nobody asks for names
   TokenStream m_tokens;
   Binder m_binder;
   SymbolTable m_symbols;

@@ -67,6 +67,7 @@ bool Parser::parseConstantName(const char *what, Token &token, std::uint8_t &ind
     return unexpected(what);
   index = *number;
   token = m_tokens.next();
+  note(token, Access::Declare, SymbolKind::Parameter);
   return true;
 }
 

@@ -97,9 +97,10 @@ bool Parser::parseSource(Argument &argument, Token &token) {
   token = m_tokens.peek();
   const std::string_view word = text(token);
   const std::optional<std::uint8_t> constant = numbered(word, 'c');
-  if (isRegister(token, argument.index)) {
+  if (isRegister(token, Access::Read, argument.index)) {
     argument.source = Source::Register;
   } else if (constant && *constant < kConstants) {
+    note(token, Access::Read);
     argument.source = Source::Constant;
     argument.index = *constant;
   } else if (word == "0" || word == "1") {

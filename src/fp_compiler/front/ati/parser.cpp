@@ -9,11 +9,13 @@
 
 namespace arbiter::fp::ati {
 
-ParseResult parse(std::string_view text, const CompileOptions &options) {
+ParseResult parse(std::string_view text, const CompileOptions &options, NameTable *names) {
   Reporter reporter;
   ParseResult result;
-  if (checkHeader(kHeader, text, reporter)) {
-    Parser parser(text, options.limits, reporter);
+  const bool good = checkHeader(kHeader, text, reporter);
+  if (good || (names && text.size() <= kMaxTextBytes)) {
+    const std::uint32_t begin = good ? std::uint32_t(kHeader.size()) : endOfWrongHeader(text);
+    Parser parser(text, options.limits, reporter, begin, names);
     parser.run();
     if (!reporter.hasErrors()) {
       result.counts = parser.counts();
@@ -24,9 +26,9 @@ ParseResult parse(std::string_view text, const CompileOptions &options) {
   return result;
 }
 
-Parser::Parser(std::string_view text, const Limits &limits, Reporter &reporter)
-    : m_text(text), m_limits(limits), m_reporter(reporter),
-      m_tokens(text, std::uint32_t(kHeader.size())) {}
+Parser::Parser(std::string_view text, const Limits &limits, Reporter &reporter, std::uint32_t begin,
+               NameTable *names)
+    : m_text(text), m_limits(limits), m_reporter(reporter), m_names(names), m_tokens(text, begin) {}
 
 void Parser::run() {
   if (m_tokens.acceptWord("StartConstants"))

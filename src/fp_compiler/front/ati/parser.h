@@ -7,6 +7,7 @@
 #include "fp_compiler/ati/shader.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/tokens.h"
+#include "fp_compiler/front/names.h"
 #include "fp_compiler/front/reporter.h"
 
 /// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
@@ -26,14 +27,18 @@ struct ParseResult {
 /// Parses and checks an !!ATIfs1.0 text. Time is linear in the text, memory constant but for the
 /// diagnostics; there is no recursion. The limits that count are those of parameters and of
 /// fixed-function texture units; sizes are of the grammar, so they bind under every LimitPolicy.
-[[nodiscard]] ParseResult parse(std::string_view text, const CompileOptions &options);
+/// \param names as of parseArbProgram(): registers and constants, under the kinds of temporaries
+///        and parameters
+[[nodiscard]] ParseResult parse(std::string_view text, const CompileOptions &options,
+                                NameTable *names = nullptr);
 
 /// One statement a function. A function that returns bool returns false for a syntax error, which
 /// it has reported; the statement is then given up and the parser goes on at the next one. Errors
 /// of meaning are reported and the statement goes on.
 class Parser {
 public:
-  Parser(std::string_view text, const Limits &limits, Reporter &reporter);
+  Parser(std::string_view text, const Limits &limits, Reporter &reporter, std::uint32_t begin,
+         NameTable *names);
 
   void run();
   [[nodiscard]] const Shader &shader() const { return m_shader; }
@@ -53,6 +58,11 @@ private:
   /// The word after a full stop; nothing, and a report, if there is none.
   bool suffixWord(const char *what, Token &word);
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
+  /// A name stands here; kept where names are asked for.
+  void note(const Token &name, Access access, SymbolKind kind = SymbolKind::Unknown) {
+    if (m_names)
+      m_names->add(text(name), name.span, access, kind);
+  }
 
   // constants.cpp
   void parseConstants();
@@ -67,7 +77,7 @@ private:
   bool parseSetupSource(Setup &setup);
   bool parseCoordinates(Setup &setup, const Token &source);
   bool parseRegister(const char *what, Token &token, std::uint8_t &index);
-  bool isRegister(const Token &token, std::uint8_t &index);
+  bool isRegister(const Token &token, Access access, std::uint8_t &index);
   void useTexCoord(const Setup &setup, const Token &source, const Token &selector);
 
   // instructions.cpp
@@ -90,6 +100,7 @@ private:
   std::string_view m_text;
   const Limits &m_limits;
   Reporter &m_reporter;
+  NameTable *m_names; ///< null where nobody asks for names
   Tokens m_tokens;
   Shader m_shader;
 

@@ -25,10 +25,11 @@ bool Parser::parseSetup(const Token &first, SetupKind kind) {
   return expect(TokenKind::Semicolon, "';'");
 }
 
-bool Parser::isRegister(const Token &token, std::uint8_t &index) {
+bool Parser::isRegister(const Token &token, Access access, std::uint8_t &index) {
   const std::optional<std::uint8_t> number = numbered(text(token), 'r');
   if (!number)
     return false;
+  note(token, access);
   if (*number >= kRegisters) {
     error(DiagnosticId::AtiRegister, token.span, "no register " + quote(text(token)),
           "the registers are r0 to r5");
@@ -49,7 +50,7 @@ bool Parser::parseRegister(const char *what, Token &token, std::uint8_t &index) 
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected(what);
   token = m_tokens.peek();
-  if (!isRegister(token, index))
+  if (!isRegister(token, Access::Write, index))
     return unexpected(what);
   m_tokens.next();
   return true;
@@ -60,7 +61,7 @@ bool Parser::parseSetupSource(Setup &setup) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected(kWhat);
   const Token source = m_tokens.peek();
-  setup.fromRegister = isRegister(source, setup.source);
+  setup.fromRegister = isRegister(source, Access::Read, setup.source);
   if (setup.fromRegister) {
     if (m_shader.passCount == 1)
       error(DiagnosticId::AtiRegisterSource, source.span,

@@ -8,13 +8,30 @@
 namespace arbiter::fp::ati {
 
 namespace {
-constexpr std::string_view kOps[] = {"MOV", "ADD",  "MUL", "SUB",  "DOT3",   "DOT4",
-                                     "MAD", "LERP", "CND", "CND0", "DOT2ADD"};
-constexpr std::string_view kCoordinates[] = {"str", "stq", "str_dr", "stq_dq"};
-constexpr std::string_view kScales[] = {"", "2x", "4x", "8x", "half", "quarter", "eighth"};
-constexpr std::string_view kStatements[] = {"StartConstants",  "EndConstants",    "CONSTANT",
-                                            "StartPrelimPass", "StartOutputPass", "EndPass",
-                                            "PassTexCoord",    "SampleMap"};
+constexpr std::string_view kOps[] = {
+#define ATI_OP(Enumerator, word, formula) word,
+#include "fp_compiler/front/ati/words.def"
+};
+constexpr std::string_view kCoordinates[] = {
+#define ATI_COORDINATES(Enumerator, word, doc) word,
+#include "fp_compiler/front/ati/words.def"
+};
+constexpr std::string_view kScales[] = {
+#define ATI_SCALE(Enumerator, word, doc) word,
+#include "fp_compiler/front/ati/words.def"
+};
+constexpr std::string_view kStatements[] = {
+#define ATI_STATEMENT(word, doc) word,
+#include "fp_compiler/front/ati/words.def"
+};
+
+// lookUp() takes a word's place for its enumerator.
+#define ATI_OP(Enumerator, word, formula) static_assert(kOps[std::size_t(Op::Enumerator)] == word);
+#define ATI_COORDINATES(Enumerator, word, doc)                                                     \
+  static_assert(kCoordinates[std::size_t(Coordinates::Enumerator)] == word);
+#define ATI_SCALE(Enumerator, word, doc)                                                           \
+  static_assert(kScales[std::size_t(Scale::Enumerator)] == word);
+#include "fp_compiler/front/ati/words.def"
 
 /// The enumerator whose place in the table the word has.
 template <typename Enum, std::size_t N>
