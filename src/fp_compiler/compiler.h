@@ -97,7 +97,8 @@ struct GlslHost {
 /// accepts; cannot fail on one.
 [[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {});
 
-/// The pass pipeline of opt/ over the program, until nothing moves.
-void optimise(ir::Program &program);
+/// The pass pipeline of opt/ over the program, until nothing moves. The result means the same in
+/// that mode; in another one it may not.
+void optimise(ir::Program &program, Numerics numerics = Numerics::Host);
 
 } // namespace arbiter::fp

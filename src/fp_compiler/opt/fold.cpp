@@ -1,3 +1,4 @@
+#include <cassert>
 #include <cmath>
 
 #include "fp_compiler/ir/reads.h"
@@ -24,14 +25,14 @@ bool isFolded(const Instruction &instruction) {
 
 /// The operands' values where they matter, or nothing if one is not constant.
 std::optional<ir::Operands> constantOperands(const ir::Program &program,
-                                             const Instruction &instruction) {
+                                             const Instruction &instruction, Numerics numerics) {
   ir::Operands operands = {};
   for (int s = 0; s < ir::info(instruction.op).operandCount(); ++s) {
     const std::uint8_t reads = ir::operandMask(instruction, s);
     for (int i = 0; i < 4; ++i) {
       if (!(reads >> i & 1))
         continue;
-      const auto value = constantAt(program, instruction.src[std::size_t(s)], i);
+      const auto value = constantAt(program, instruction.src[std::size_t(s)], i, numerics);
       if (!value)
         return {};
       operands[std::size_t(s)][std::size_t(i)] = *value;
@@ -40,9 +41,11 @@ std::optional<ir::Operands> constantOperands(const ir::Program &program,
   return operands;
 }
 
-/// The result; components outside the mask repeat one inside, so that rows are shared.
-std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operands &operands) {
-  ir::Vec4 value = ir::apply(instruction.op, operands, ir::Numerics::Host);
+/// The result; components outside the mask repeat one inside, so that rows are shared. It is a
+/// number of the mode, so reading it as a constant gives it back.
+std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operands &operands,
+                               Numerics numerics) {
+  ir::Vec4 value = ir::apply(instruction.op, operands, numerics);
   float filler = 0.0f;
   for (std::size_t i = 4; i-- > 0;) {
     if (!(instruction.dst.mask >> i & 1))
@@ -51,6 +54,7 @@ std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operand
       value[i] = ir::saturated(value[i]);
     if (!std::isfinite(value[i]))
       return {};
+    assert(ir::loaded(value[i], numerics) == value[i]);
     filler = value[i];
   }
   for (std::size_t i = 0; i < 4; ++i)
@@ -60,7 +64,8 @@ std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operand
 }
 } // namespace
 
-bool foldConstants(ir::Program &program) {
+bool foldConstants(ir::Program &program, Numerics asked) {
+  const Numerics numerics = ir::numericsOf(program.language, asked);
   ConstantRows rows(program);
   bool changed = false;
   for (Instruction &instruction : program.code) {
@@ -68,10 +73,10 @@ bool foldConstants(ir::Program &program) {
     if (row.has(ir::Texture) || row.has(ir::Kills) || isFolded(instruction) ||
         instruction.dst.file == ir::File::Address || !rows.hasRoom())
       continue;
-    const auto operands = constantOperands(program, instruction);
+    const auto operands = constantOperands(program, instruction, numerics);
     if (!operands)
       continue;
-    const auto value = result(instruction, *operands);
+    const auto value = result(instruction, *operands, numerics);
     if (!value)
       continue;
     instruction.src = {rows.operand(*value, instruction.src[0].span), {}, {}};

@@ -1,3 +1,6 @@
+#include <limits>
+#include <optional>
+
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/pass_check.h"
@@ -51,6 +54,51 @@ TEST(FoldConstants, LeavesMovesAlone) {
   b.op(Opcode::Mov, b.color(), {-b.constant(1, 2, 3, 4).swz("wzyx")});
   ir::Program program = b.take();
   EXPECT_FALSE(runChecked(foldConstants, program));
+}
+
+/// The color's row after folding `op` of the constants in a mode; nothing if it does not fold.
+std::optional<float> folded(Opcode op, std::initializer_list<float> values, Numerics numerics) {
+  Builder b;
+  ir::Source sources[3];
+  std::size_t count = 0;
+  for (const float value : values)
+    sources[count++] = b.constant(value);
+  if (count == 2)
+    b.op(op, b.color(), {sources[0], sources[1]});
+  else
+    b.op(op, b.color(), {sources[0], sources[1], sources[2]});
+  ir::Program program = b.take();
+  if (!runChecked(foldConstants, program, "", numerics))
+    return {};
+  return program.parameters[program.code[0].src[0].index].constant[0];
+}
+
+TEST(FoldConstants, ComputesInTheMode) {
+  // Truncated on load to 1 + 2^-16, whose square has 2^-32 to lose; as singles it is another.
+  constexpr float kJustAbove = 0x1.0001FEp0f;
+  EXPECT_EQ(folded(Opcode::Mul, {kJustAbove, kJustAbove}, Numerics::Fp24), 0x1.0002p0f);
+  EXPECT_EQ(folded(Opcode::Mul, {kJustAbove, kJustAbove}, Numerics::Host), kJustAbove * kJustAbove);
+  // Each step is rounded: 2^17 + 1 is 2^17, and taking 2^17 away leaves nothing.
+  EXPECT_EQ(folded(Opcode::Mad, {1, 0x1p17f, 1}, Numerics::Fp24), 0x1p17f);
+  EXPECT_EQ(folded(Opcode::Mad, {1, 0x1p17f, 1}, Numerics::Legacy), 0x1p17f + 1);
+  // Beyond the format, though not beyond a single.
+  EXPECT_EQ(folded(Opcode::Mul, {0x1p40f, 0x1p40f}, Numerics::Fp24), std::nullopt);
+  EXPECT_EQ(folded(Opcode::Mul, {0x1p-40f, 0x1p-40f}, Numerics::Fp24), 0.0f);
+  EXPECT_EQ(folded(Opcode::Mul, {0x1p40f, 0x1p40f}, Numerics::Host), 0x1p80f);
+}
+
+TEST(FoldConstants, ZeroTimesInfinityIsAConstantInLegacy) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(folded(Opcode::Mul, {0, kInfinity}, Numerics::Host), std::nullopt);
+  EXPECT_EQ(folded(Opcode::Mul, {0, kInfinity}, Numerics::Legacy), 0.0f);
+  EXPECT_EQ(folded(Opcode::Mad, {0, kInfinity, 3}, Numerics::Fp24), 3.0f);
+}
+
+TEST(FoldConstants, AVertexProgramHasNo24Bits) {
+  Builder b(ir::Language::ArbVertex);
+  b.op(Opcode::Mul, b.result(ir::OutputKind::Position), {b.constant(0x1p40f), b.constant(0x1p40f)});
+  ir::Program program = b.take();
+  EXPECT_TRUE(runChecked(foldConstants, program, "", Numerics::Fp24));
 }
 
 TEST(FoldConstants, RandomPrograms) { runOnRandomPrograms(foldConstants); }

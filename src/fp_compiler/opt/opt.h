@@ -2,14 +2,15 @@
 #include "fp_compiler/ir/ir.h"
 
 /// The passes. Each requires a program that ir::validate() accepts and leaves one; keeps its
-/// meaning to the bit (ir/semantics.h; all NaNs are one); runs in time linear in the program;
-/// returns true if it changed anything, and false when it is run again at once. Register numbers
-/// stay as they are; foldConstants() may append parameters.
+/// meaning to the bit (ir/semantics.h; all NaNs are one) in the mode that it is given, or in every
+/// mode if it takes none; runs in time linear in the program; returns true if it changed anything,
+/// and false when it is run again at once. Register numbers stay as they are; foldConstants() may
+/// append parameters.
 namespace arbiter::fp::opt {
 
 /// Computes instructions whose operands are all constant, with the interpreter's own arithmetic.
 /// A result that is infinite or NaN is left to the host.
-[[nodiscard]] bool foldConstants(ir::Program &program);
+[[nodiscard]] bool foldConstants(ir::Program &program, Numerics numerics = Numerics::Host);
 
 /// Makes reads of a copy (MOV, SWZ without _SAT) reads of its source, composing swizzles and signs;
 /// reads of components that were never written become reads of zero.
@@ -20,13 +21,14 @@ namespace arbiter::fp::opt {
 [[nodiscard]] bool shareExpressions(ir::Program &program);
 
 /// Rewrites instructions by identities that hold for every value, NaN, infinity and -0 included:
-/// x*1, x-0, MAD by 1, CMP of a constant, POW by 0, MAX(x, x), signs under ABS.
-[[nodiscard]] bool simplify(ir::Program &program);
+/// x*1, x-0, MAD by 1, CMP of a constant, POW by 0, MAX(x, x), signs under ABS. The identities hold
+/// in every mode, as registers hold the mode's numbers; what a constant is depends on the mode.
+[[nodiscard]] bool simplify(ir::Program &program, Numerics numerics = Numerics::Host);
 
 /// Drops write mask components that nothing reads, and instructions that write none.
 [[nodiscard]] bool removeDeadCode(ir::Program &program);
 
 /// All of them, until nothing moves, or until a long program has had its share of rounds.
-void run(ir::Program &program);
+void run(ir::Program &program, Numerics numerics = Numerics::Host);
 
 } // namespace arbiter::fp::opt

@@ -10,28 +10,44 @@
 /// What every pass owes, on programs made by hand and at random.
 namespace arbiter::fp::opt {
 
-using Pass = bool (*)(ir::Program &);
+/// A pass, whether it asks for the mode or holds in every one.
+class Pass {
+public:
+  Pass(bool (*inEveryMode)(ir::Program &)) : m_inEveryMode(inEveryMode) {}
+  Pass(bool (*inMode)(ir::Program &, Numerics)) : m_inMode(inMode) {}
+  bool operator()(ir::Program &program, Numerics numerics) const {
+    return m_inMode ? m_inMode(program, numerics) : m_inEveryMode(program);
+  }
+
+private:
+  bool (*m_inEveryMode)(ir::Program &) = nullptr;
+  bool (*m_inMode)(ir::Program &, Numerics) = nullptr;
+};
 
 /// Runs a pass and checks its contract: the program stays valid, means the same to the bit, changes
 /// iff the pass says so, and a second run moves nothing. Returns what the pass returned.
-inline bool runChecked(Pass pass, ir::Program &program, const std::string &context = "") {
+inline bool runChecked(Pass pass, ir::Program &program, const std::string &context = "",
+                       Numerics numerics = Numerics::Host) {
   const ir::Program before = program;
-  const bool changed = pass(program);
-  const std::string text =
-      context + "\nbefore:\n" + ir::print(before) + "after:\n" + ir::print(program);
+  const bool changed = pass(program, numerics);
+  const std::string text = context + " " + std::string(kNumericsNames[std::size_t(numerics)]) +
+                           "\nbefore:\n" + ir::print(before) + "after:\n" + ir::print(program);
   for (const std::string &problem : ir::validate(program))
     ADD_FAILURE() << problem << text;
-  for (std::uint64_t pixel = 0; pixel < 4; ++pixel)
-    EXPECT_TRUE(testing::same(testing::outcome(before, pixel), testing::outcome(program, pixel)))
-        << "meaning changed" << text;
+  for (std::uint64_t pixel = 0; pixel < 6; ++pixel) {
+    const testing::Made made = {pixel, numerics, pixel >= 4};
+    EXPECT_TRUE(testing::same(testing::outcome(before, made), testing::outcome(program, made)))
+        << "meaning changed, pixel " << pixel << text;
+  }
   EXPECT_EQ(changed, ir::print(before) != ir::print(program)) << text;
   ir::Program again = program;
-  EXPECT_FALSE(pass(again)) << "not a fixed point" << text << "again:\n" << ir::print(again);
+  EXPECT_FALSE(pass(again, numerics)) << "not a fixed point" << text << "again:\n"
+                                      << ir::print(again);
   return changed;
 }
 
-/// The contract on random programs, half of them with special values and half of them vertex
-/// programs; the pass must find work in both.
+/// The contract on random programs in every mode, half of them with special values and half of them
+/// vertex programs; the pass must find work in both.
 /// \param prepare gives the pass something to do
 inline void runOnRandomPrograms(
     Pass pass, int count = 300, void (*prepare)(ir::Program &) = [](ir::Program &) {}) {
@@ -40,12 +56,13 @@ inline void runOnRandomPrograms(
     testing::RandomOptions options;
     options.wild = seed & 1;
     options.maxInstructions = 40;
+    const auto numerics = Numerics(seed / 2 % kNumericsNames.size());
     ir::Program program = testing::randomProgram(seed + 10000, options);
     prepare(program);
-    changed += runChecked(pass, program, "seed " + std::to_string(seed));
+    changed += runChecked(pass, program, "seed " + std::to_string(seed), numerics);
     program = testing::randomVertexProgram(seed + 20000, options);
     prepare(program);
-    changedVertex += runChecked(pass, program, "vertex, seed " + std::to_string(seed));
+    changedVertex += runChecked(pass, program, "vertex, seed " + std::to_string(seed), numerics);
     if (::testing::Test::HasFailure())
       return;
   }

@@ -9,31 +9,35 @@ namespace arbiter::fp {
 namespace opt {
 
 namespace {
-using Pass = bool (*)(ir::Program &);
-
 /// Copies first, so that folding sees through them; sharing before dead code, which sweeps up what
 /// all of them leave.
-constexpr Pass kPasses[] = {propagateCopies, foldConstants, simplify, shareExpressions,
-                            removeDeadCode};
+bool round(ir::Program &program, Numerics numerics) {
+  bool progress = false;
+  const auto count = [&](bool changed) {
+    progress |= changed;
+    assert(ir::validate(program).empty());
+  };
+  count(propagateCopies(program));
+  count(foldConstants(program, numerics));
+  count(simplify(program, numerics));
+  count(shareExpressions(program));
+  count(removeDeadCode(program));
+  return progress;
+}
 
 /// A chain of constants folds by one link a round. Programs within a card's limits are at rest
 /// long before; without a bound one of 10,000 additions takes 10,000 rounds over all of it.
 constexpr int kMaxRounds = 64;
 } // namespace
 
-void run(ir::Program &program) {
-  bool progress = true;
-  for (int round = 0; progress && round < kMaxRounds; ++round) {
-    progress = false;
-    for (const Pass pass : kPasses) {
-      progress |= pass(program);
-      assert(ir::validate(program).empty());
-    }
-  }
+void run(ir::Program &program, Numerics numerics) {
+  for (int rounds = 0; rounds < kMaxRounds; ++rounds)
+    if (!round(program, numerics))
+      return;
 }
 
 } // namespace opt
 
-void optimise(ir::Program &program) { opt::run(program); }
+void optimise(ir::Program &program, Numerics numerics) { opt::run(program, numerics); }
 
 } // namespace arbiter::fp

@@ -10,9 +10,9 @@ namespace {
 using ir::Builder;
 using ir::Opcode;
 
-bool runAll(ir::Program &program) {
+bool runAll(ir::Program &program, Numerics numerics) {
   const std::string before = ir::print(program);
-  run(program);
+  run(program, numerics);
   return ir::print(program) != before;
 }
 
@@ -30,7 +30,7 @@ TEST(Pipeline, PassesFeedEachOther) {
   EXPECT_EQ(ir::print(program.code[0]), "MOV o0, p1");
 }
 
-TEST(Pipeline, RandomPrograms) { runOnRandomPrograms(runAll, 500); }
+TEST(Pipeline, RandomPrograms) { runOnRandomPrograms(runAll, 1200); }
 
 /// A few thousand instructions are a matter of milliseconds: four times the program must not take
 /// much more than four times as long.

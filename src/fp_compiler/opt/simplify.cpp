@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fp_compiler/ir/reads.h"
-#include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/values.h"
 
@@ -23,8 +22,8 @@ bool isMinusZero(std::optional<float> value) {
 
 class Simplifier {
 public:
-  Simplifier(const ir::Program &program, Instruction &instruction)
-      : m_program(program), m_instruction(instruction) {}
+  Simplifier(const ir::Program &program, Instruction &instruction, Numerics numerics)
+      : m_program(program), m_instruction(instruction), m_numerics(numerics) {}
 
   bool run() {
     switch (m_instruction.op) {
@@ -56,7 +55,8 @@ public:
 
 private:
   std::optional<float> constant(int source) const {
-    return uniformConstant(m_program, operand(source), ir::operandMask(m_instruction, source));
+    return uniformConstant(m_program, operand(source), ir::operandMask(m_instruction, source),
+                           m_numerics);
   }
   const Operand &operand(int source) const { return m_instruction.src[std::size_t(source)]; }
   bool minusZero(int source) const { return isMinusZero(constant(source)); }
@@ -121,10 +121,10 @@ private:
     for (int i = 0; i < 4; ++i) {
       if (!(m_instruction.dst.mask >> i & 1))
         continue;
-      const std::optional<float> value = constantAt(m_program, operand(0), i);
+      const std::optional<float> value = constantAt(m_program, operand(0), i, m_numerics);
       if (!value)
         return false;
-      (ir::flushed(*value) < 0.0f ? notBelow : below) = false;
+      (*value < 0.0f ? notBelow : below) = false;
     }
     if (below || notBelow)
       return become(Opcode::Mov, {below ? 1 : 2});
@@ -140,6 +140,7 @@ private:
 
   const ir::Program &m_program;
   Instruction &m_instruction;
+  const Numerics m_numerics;
 };
 
 /// MOV t.xy, t: nothing moves.
@@ -156,25 +157,25 @@ bool isIdle(const Instruction &instruction) {
 }
 
 /// KIL of numbers that are not below zero.
-bool isHarmless(const ir::Program &program, const Instruction &instruction) {
+bool isHarmless(const ir::Program &program, const Instruction &instruction, Numerics numerics) {
   if (instruction.op != Opcode::Kil)
     return false;
   for (int i = 0; i < 4; ++i) {
-    const std::optional<float> value = constantAt(program, instruction.src[0], i);
-    if (!value || ir::flushed(*value) < 0.0f)
+    const std::optional<float> value = constantAt(program, instruction.src[0], i, numerics);
+    if (!value || *value < 0.0f)
       return false;
   }
   return true;
 }
 } // namespace
 
-bool simplify(ir::Program &program) {
+bool simplify(ir::Program &program, Numerics numerics) {
   bool changed = false;
   for (Instruction &instruction : program.code)
-    while (Simplifier(program, instruction).run())
+    while (Simplifier(program, instruction, numerics).run())
       changed = true;
   const std::size_t removed = std::erase_if(program.code, [&](const Instruction &instruction) {
-    return isIdle(instruction) || isHarmless(program, instruction);
+    return isIdle(instruction) || isHarmless(program, instruction, numerics);
   });
   return changed || removed != 0;
 }

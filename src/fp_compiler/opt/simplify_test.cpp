@@ -50,6 +50,26 @@ TEST(Simplify, ConditionsThatAreKnown) {
   EXPECT_EQ(simplified(Opcode::Cmp, {y, x, x}, b), "MOV o0.xyz, p0");
 }
 
+TEST(Simplify, AConstantIsWhatTheModeReads) {
+  const auto after = [](Opcode op, float constant, Numerics numerics) {
+    Builder b;
+    const Source c = b.constant(constant), x = b.local(0), y = b.local(1);
+    if (op == Opcode::Cmp)
+      b.op(op, b.color(), {c, x, y});
+    else
+      b.op(op, b.color(), {x, c});
+    ir::Program program = b.take();
+    runChecked(simplify, program, "", numerics);
+    return ir::print(program.code[0]);
+  };
+  // Below zero as a single; a zero as a 24-bit float.
+  EXPECT_EQ(after(Opcode::Cmp, -0x1p-63f, Numerics::Host), "MOV o0, p1");
+  EXPECT_EQ(after(Opcode::Cmp, -0x1p-63f, Numerics::Fp24), "MOV o0, p2");
+  EXPECT_EQ(after(Opcode::Cmp, -0x1p-62f, Numerics::Fp24), "MOV o0, p1");
+  EXPECT_EQ(after(Opcode::Mul, 0x1.000002p0f, Numerics::Legacy), "MUL o0, p1, p0");
+  EXPECT_EQ(after(Opcode::Mul, 0x1.000002p0f, Numerics::Fp24), "MOV o0, p1") << "truncated to 1";
+}
+
 TEST(Simplify, LeavesWhatIsNotAnIdentity) {
   Builder b;
   const Source x = b.local(0), zero = b.constant(0);

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "fp_compiler/ir/reads.h"
+#include "fp_compiler/ir/semantics.h"
 
 namespace arbiter::fp::opt {
 
@@ -17,7 +18,8 @@ std::array<std::uint32_t, 4> bitsOf(const ir::Vec4 &value) {
 }
 } // namespace
 
-std::optional<float> constantAt(const ir::Program &program, const Operand &operand, int position) {
+std::optional<float> constantAt(const ir::Program &program, const Operand &operand, int position,
+                                Numerics numerics) {
   const Select select = operand.swizzle[std::size_t(position)];
   float value = 0.0f;
   if (select == Select::One) {
@@ -28,18 +30,19 @@ std::optional<float> constantAt(const ir::Program &program, const Operand &opera
     const ir::Parameter &parameter = program.parameters[operand.index];
     if (parameter.kind != ir::ParameterKind::Constant)
       return {};
-    value = parameter.constant[std::size_t(select)];
+    value = ir::loaded(parameter.constant[std::size_t(select)],
+                       ir::numericsOf(program.language, numerics));
   }
   return operand.negate >> position & 1 ? -value : value;
 }
 
 std::optional<float> uniformConstant(const ir::Program &program, const Operand &operand,
-                                     std::uint8_t mask) {
+                                     std::uint8_t mask, Numerics numerics) {
   std::optional<float> result;
   for (int i = 0; i < 4; ++i) {
     if (!(mask >> i & 1))
       continue;
-    const std::optional<float> value = constantAt(program, operand, i);
+    const std::optional<float> value = constantAt(program, operand, i, numerics);
     if (!value)
       return {};
     if (result && std::bit_cast<std::uint32_t>(*result) != std::bit_cast<std::uint32_t>(*value))

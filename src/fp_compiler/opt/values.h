@@ -9,13 +9,14 @@
 /// What passes ask about values.
 namespace arbiter::fp::opt {
 
-/// The number that one component of an operand is known to be.
-[[nodiscard]] std::optional<float> constantAt(const ir::Program &program,
-                                              const ir::Operand &operand, int position);
+/// The number that one component of an operand is known to be, as an instruction reads it.
+[[nodiscard]] std::optional<float>
+constantAt(const ir::Program &program, const ir::Operand &operand, int position, Numerics numerics);
 
 /// The number that every component in \p mask is, if it is one and the same to the bit.
 [[nodiscard]] std::optional<float> uniformConstant(const ir::Program &program,
-                                                   const ir::Operand &operand, std::uint8_t mask);
+                                                   const ir::Operand &operand, std::uint8_t mask,
+                                                   Numerics numerics);
 
 /// True if both operands name the same register, or the same row by the same address register.
 [[nodiscard]] bool sameRegister(const ir::Operand &a, const ir::Operand &b);

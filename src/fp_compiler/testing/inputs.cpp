@@ -13,10 +13,16 @@
 namespace arbiter::fp::testing {
 
 namespace {
-/// Four numbers in [-2,2) that a text and a pixel determine.
-ir::Vec4 madeUp(std::string_view text, std::uint64_t pixel) {
+/// Four numbers, in [-2,2) but for the special ones, that a text and a pixel determine.
+ir::Vec4 madeUp(std::string_view text, std::uint64_t pixel, bool special) {
   Random random(arbiter::hashBytes(text).low ^ (pixel * 0x9E3779B97F4A7C15u));
-  return {random.real(-2, 2), random.real(-2, 2), random.real(-2, 2), random.real(-2, 2)};
+  ir::Vec4 value = {};
+  for (float &component : value)
+    component = random.real(-2, 2);
+  for (float &component : value)
+    if (special && random.chance(25))
+      component = kSpecials[std::size_t(random.below(int(kSpecials.size())))];
+  return value;
 }
 
 /// The binding; attribute 0 of a vertex is its position.
@@ -36,14 +42,18 @@ std::uint8_t written(const ir::Program &program, std::size_t output) {
 }
 } // namespace
 
-Outcome outcome(const ir::Program &program, std::uint64_t pixel) {
+Outcome outcome(const ir::Program &program, const Made &made) {
+  const auto valueOf = [&](std::string_view text, std::uint64_t pixel) {
+    return madeUp(text, pixel, made.special);
+  };
   std::vector<ir::Vec4> attributes;
   for (const ir::Attribute &attribute : program.attributes)
-    attributes.push_back(madeUp(nameOf(attribute, program.language), pixel));
+    attributes.push_back(valueOf(nameOf(attribute, program.language), made.pixel));
   ir::Inputs inputs;
   inputs.attributes = attributes;
-  inputs.fogCoordinate = madeUp("fog", pixel)[0];
-  inputs.parameter = [](const ir::Parameter &p) { return madeUp(ir::bindingText(p), 0); };
+  inputs.fogCoordinate = valueOf("fog", made.pixel)[0];
+  inputs.numerics = made.numerics;
+  inputs.parameter = [&](const ir::Parameter &p) { return valueOf(ir::bindingText(p), 0); };
   inputs.texture = [](const ir::Sample &s) {
     // Any function of the request will do, as long as it is bounded.
     const float mix = s.coordinate[0] + 3 * s.coordinate[1] + 7 * s.coordinate[2] + 11 * s.bias +

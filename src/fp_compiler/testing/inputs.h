@@ -18,9 +18,21 @@ struct Outcome {
   bool killed = false;
 };
 
-/// Runs a program on made-up attributes, parameters and texels that depend on \p pixel and on the
+/// What a program is run on.
+struct Made {
+  std::uint64_t pixel = 0;
+  Numerics numerics = Numerics::Host;
+  /// One attribute or parameter component in four is one of kSpecials: an infinity, a NaN, an end
+  /// of the range.
+  bool special = false;
+};
+
+/// Runs a program on made-up attributes, parameters and texels that depend on \p made and on the
 /// binding alone.
-[[nodiscard]] Outcome outcome(const ir::Program &program, std::uint64_t pixel);
+[[nodiscard]] Outcome outcome(const ir::Program &program, const Made &made);
+[[nodiscard]] inline Outcome outcome(const ir::Program &program, std::uint64_t pixel) {
+  return outcome(program, Made{pixel});
+}
 
 /// Equal bit by bit, all NaNs being one.
 [[nodiscard]] bool same(const Outcome &a, const Outcome &b);

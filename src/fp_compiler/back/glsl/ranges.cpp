@@ -49,7 +49,7 @@ Proofs Ranges::proofs(const Operand &base, int basePosition, const Operand &expo
                       int exponentPosition) const {
   Proofs result;
   result.baseNotNegative = operand(base, basePosition) != Range::Any;
-  if (const auto value = opt::constantAt(m_program, exponent, exponentPosition)) {
+  if (const auto value = opt::constantAt(m_program, exponent, exponentPosition, Numerics::Host)) {
     result.exponentNotZero = *value != 0.0f;
     result.exponentPositive = *value > 0.0f;
   }
