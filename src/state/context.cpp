@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "fp_compiler/ati/limits.h"
 #include "host/host_table.h"
 #include "state/active_profile.h"
 #include "state/errors.h"
@@ -38,22 +39,6 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   clamp(limits.vertexAttribs, caps.maxVertexAttribs);
   // MAX_CLIP_PLANES is the host's to answer, and a program must be able to bind what it promises.
   limits.clipPlanes = std::uint32_t(std::max(caps.maxClipPlanes, 0));
-  return limits;
-}
-
-/// Limits of ATI's fragment shaders: fixed by their language (ATI_text_fragment_shader 3.10.1), but
-/// for the units.
-fp::Limits atiLimits(fp::Limits limits) {
-  fp::ResourceCounts counts;
-  counts.aluInstructions = fp::ati::kMaxPasses * fp::ati::kMaxPairs; // pairs
-  counts.texInstructions = fp::ati::kMaxPasses * fp::ati::kRegisters;
-  counts.instructions = counts.aluInstructions + counts.texInstructions;
-  counts.texIndirections = fp::ati::kMaxPasses;
-  counts.temporaries = fp::ati::kRegisters;
-  counts.parameters = fp::ati::kConstants;
-  counts.attribs = fp::ati::kRegisters + 2; // t0 to t5, and the colours
-  limits.api = limits.native = counts;
-  limits.envParameters = limits.localParameters = fp::ati::kConstants;
   return limits;
 }
 
@@ -107,7 +92,7 @@ void initialise(Context &context) {
   for (const Target target : {Target::Fragment, Target::Vertex})
     offer(context, target, limitsOf(target, *context.host, context.caps));
   if (context.offered) {
-    const fp::Limits limits = atiLimits(context.row(Target::Fragment).limits);
+    const fp::Limits limits = fp::ati::limitsOf(context.row(Target::Fragment).limits);
     offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
   }

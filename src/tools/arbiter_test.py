@@ -95,13 +95,13 @@ class Check(Temporary):
         result = arbiter('check', self.path('good.fp', GOOD))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('good.fp: valid, within the native limits of r300', result.stdout)
-        self.assertRegex(result.stdout, r'(?m)^  instructions +1 +96 +1 +96$')
+        self.assertRegex(result.stdout, r'(?m)^  instructions +1 +96 +1 +96  \[#\.{9}\] \[#\.{9}\]$')
 
     def test_the_header_names_the_language(self):
         result = arbiter('check', self.path('good.vp', VERTEX))
         self.assertEqual(result.returncode, 0, result.stdout)
-        self.assertRegex(result.stdout, r'(?m)^  instructions +2 +256 +2 +256$')
-        self.assertRegex(result.stdout, r'(?m)^  address registers +1 +1 +1 +1$')
+        self.assertRegex(result.stdout, r'(?m)^  instructions +2 +256 +2 +256 ')
+        self.assertRegex(result.stdout, r'(?m)^  address registers +1 +1 +1 +1 ')
         self.assertNotIn('ALU', result.stdout)
         result = arbiter('check', '--json', '--profile', 'nv30', self.path('good.vp', VERTEX),
                          self.path('good.fp', GOOD))
@@ -149,7 +149,7 @@ class Check(Temporary):
         self.assertEqual(result.returncode, 3)
         self.assertIn('valid, but over the native limits of r300-catalyst-2004', result.stdout)
         self.assertRegex(result.stdout,
-                         r'(?m)^  ALU instructions +70 +128 +70 +64  over the native limit$')
+                         r'(?m)^  ALU instructions +70 +128 +70 +64  \[#####\.{5}\] \[#{9}>\]  over the native limit$')
 
     def test_api_limits_are_enforced_or_reported(self):
         self.assertEqual(arbiter('check', '-', text=alu(64)).returncode, 0)

@@ -9,7 +9,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
 #include "tools/language.h"
-#include "tools/report.h"
+#include "tools/resources.h"
 #include "util/hash.h"
 #include "util/json.h"
 

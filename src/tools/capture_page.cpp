@@ -5,7 +5,7 @@
 
 #include "tools/page/frame.h"
 #include "tools/page/html.h"
-#include "tools/report.h"
+#include "tools/resources.h"
 
 namespace arbiter::tools {
 

@@ -1,76 +1,166 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tools/check/compare.h"
+#include "tools/check/find_files.h"
+#include "tools/check/json.h"
+#include "tools/check/summary.h"
+#include "tools/check/text.h"
 #include "tools/commands.h"
 #include "tools/input.h"
-#include "tools/language.h"
-#include "tools/report.h"
 
 namespace arbiter::tools {
 
 namespace {
 
-CheckedFile checkFile(const std::string &name, const CheckArguments &arguments,
-                      const fp::hw::Profile &profile) {
-  CheckedFile file;
-  file.name = name == "-" ? "<stdin>" : name;
-  auto input = readInput(name);
-  if (!input) {
-    file.status = FileStatus::Unreadable;
-    file.fault = input.error().message;
-    return file;
-  }
-  file.text = std::move(input).value();
-  file.language = chooseLanguage(arguments.language, file.text);
-  fp::CompileOptions options;
-  options.limits = limitsOf(profile, file.language);
-  options.policy =
-      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
-  file.result = fp::checkProgram(file.language, file.text, options);
-  if (!file.result.ok())
-    file.status = FileStatus::Invalid;
-  else if (!file.result.underNativeLimits)
-    file.status = FileStatus::OverNative;
-  return file;
+using Profiles = std::vector<fp::hw::Profile>;
+
+/// More files than this are a list of what is wrong and a summary, not a table for each.
+constexpr std::size_t kFew = 8;
+
+CheckedFile checkOne(const std::string &path, const CheckArguments &arguments,
+                     const fp::hw::Profile &profile) {
+  return checkFile(
+      path, arguments.language,
+      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce, profile);
 }
 
-/// The worst file decides: a file that cannot be read, then an invalid one, then one over limits.
-int exitCode(const std::vector<CheckedFile> &files) {
-  const auto any = [&](FileStatus status) {
-    return std::any_of(files.begin(), files.end(),
-                       [&](const CheckedFile &file) { return file.status == status; });
+void print(const std::string &text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+/// One document for all files.
+class JsonReport {
+public:
+  explicit JsonReport(const fp::hw::Profile &profile) {
+    writeHead(m_json.beginObject(), profile);
+    m_json.key("files").beginArray();
+  }
+  void add(const CheckedFile &file) { writeFile(m_json, file); }
+  void end(const Summary &summary) {
+    m_json.endArray().key("summary");
+    summary.write(m_json);
+    print(m_json.endObject().take());
+  }
+
+private:
+  JsonWriter m_json;
+};
+
+/// Lines, or tables, as they come; then the summary.
+class TextReport {
+public:
+  TextReport(const CheckArguments &arguments, const FoundFiles &found,
+             const fp::hw::Profile &profile)
+      : m_profile(profile), m_options{styleOf(arguments.gauges), arguments.why},
+        m_brief(arguments.brief), m_several(found.folders || found.paths.size() > 1),
+        m_many(found.folders || found.paths.size() > kFew),
+        m_full(!m_brief && (!m_many || arguments.why || arguments.gauges == "always")) {}
+
+  /// Whether add() wants the file explained.
+  [[nodiscard]] bool wantsReasons(const CheckedFile &file) const {
+    return m_full || (!m_brief && file.status == FileStatus::OverNative);
+  }
+  [[nodiscard]] std::string of(const CheckedFile &file) const {
+    return m_full ? fullText(file, m_profile, m_options) : briefText(file);
+  }
+  void end(const Summary &summary) const {
+    if (m_brief || !m_several)
+      return;
+    print(summary.line(m_profile));
+    if (m_many)
+      print(summary.tables(m_options.style));
+  }
+
+private:
+  const fp::hw::Profile &m_profile;
+  TextOptions m_options;
+  bool m_brief;
+  bool m_several;
+  bool m_many;
+  bool m_full;
+};
+
+int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
+  const FoundFiles found = findFiles(arguments.files);
+  Summary summary;
+  Progress progress(found.paths.size());
+  const auto report = [&](const std::string &fault) {
+    progress.clear();
+    complain(shown(fault));
   };
-  if (any(FileStatus::Unreadable))
+  for (const std::string &fault : found.faults) {
+    summary.addFault();
+    report(fault);
+  }
+  JsonReport json(profile);
+  const TextReport text(arguments, found, profile);
+  for (std::size_t i = 0; i < found.paths.size(); ++i) {
+    progress.at(i);
+    CheckedFile file = checkOne(found.paths[i], arguments, profile);
+    if (arguments.json || text.wantsReasons(file))
+      explain(file);
+    summary.add(file);
+    if (file.status == FileStatus::Unreadable)
+      report(file.fault);
+    if (arguments.json) {
+      json.add(file);
+    } else if (file.status != FileStatus::Unreadable) {
+      if (const std::string part = text.of(file); !part.empty()) {
+        progress.clear();
+        print(part);
+      }
+    }
+  }
+  progress.clear();
+  arguments.json ? json.end(summary) : text.end(summary);
+  return summary.exitCode();
+}
+
+/// Two files under one profile, or one under two.
+int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
+  if (arguments.files.size() + profiles.size() != 3) {
+    complain("--compare takes two files, or one file and --profile twice");
     return kExitUsage;
-  if (any(FileStatus::Invalid))
-    return kExitInvalid;
-  return any(FileStatus::OverNative) ? kExitOverNative : kExitOk;
+  }
+  std::vector<Side> sides;
+  Summary summary;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const fp::hw::Profile &profile = profiles[profiles.size() == 2 ? i : 0];
+    CheckedFile file =
+        checkOne(arguments.files[arguments.files.size() == 2 ? i : 0], arguments, profile);
+    explain(file);
+    summary.add(file);
+    if (file.status == FileStatus::Unreadable)
+      complain(shown(file.fault));
+    sides.push_back({std::move(file), &profile});
+  }
+  const Comparison comparison(sides[0], sides[1]);
+  print(arguments.json ? comparison.json() : comparison.text(styleOf(arguments.gauges)));
+  return summary.exitCode();
 }
 
 } // namespace
 
 int check(const CheckArguments &arguments) {
-  const auto profile = fp::hw::loadProfile(arguments.profile);
-  if (!profile) {
-    complain(profile.error().message);
+  Profiles profiles;
+  for (const std::string &name : arguments.profiles) {
+    auto profile = fp::hw::loadProfile(name);
+    if (!profile) {
+      complain(profile.error().message);
+      return kExitUsage;
+    }
+    profiles.push_back(std::move(profile).value());
+  }
+  if (profiles.size() != 1 && !arguments.compare) {
+    complain("--profile twice is for --compare");
     return kExitUsage;
   }
-  std::vector<CheckedFile> files;
-  for (const std::string &name : arguments.files) {
-    files.push_back(checkFile(name, arguments, profile.value()));
-    const CheckedFile &file = files.back();
-    if (file.status == FileStatus::Unreadable)
-      complain(file.fault);
-    else if (!arguments.json)
-      std::fputs(asText(file, profile.value(), arguments.brief).c_str(), stdout);
-  }
-  if (arguments.json)
-    std::fputs(asJson(files, profile.value()).c_str(), stdout);
+  const int code =
+      arguments.compare ? compareTwo(arguments, profiles) : checkAll(arguments, profiles[0]);
   if (std::fflush(stdout) != 0) {
     complain("standard output cannot be written");
     return kExitUsage;
   }
-  return exitCode(files);
+  return code;
 }
 
 } // namespace arbiter::tools

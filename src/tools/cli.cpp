@@ -42,8 +42,11 @@ void addLanguage(CLI::App &command, std::string &language) {
 void addCheck(CLI::App &app, CheckArguments &check) {
   CLI::App *command = app.add_subcommand(
       "check", "Check programs: errors with line and column, counts against limits");
-  check.profile = settings().profile; // ARBITER_PROFILE, or the default
-  command->add_option("--profile", check.profile, kProfileHelp)->capture_default_str();
+  check.profiles = {settings().profile}; // ARBITER_PROFILE, or the default
+  command->add_option("--profile", check.profiles, kProfileHelp)
+      ->allow_extra_args(false)
+      ->take_all()
+      ->capture_default_str();
   command
       ->add_option("--limits", check.limits,
                    "a program over the API limits: enforce: invalid; report: a warning")
@@ -52,12 +55,30 @@ void addCheck(CLI::App &app, CheckArguments &check) {
   addLanguage(*command, check.language);
   command->add_flag("--json", check.json, "one JSON document for all files");
   command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
-  command->add_option("FILE", check.files, "program texts; - is standard input")->required();
-  command->footer("Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "
+  command->add_flag("--why", check.why,
+                    "every reason, texture node, dependent read and cost, for every file");
+  command->add_flag("--compare", check.compare,
+                    "two files side by side, or one under two profiles (--profile twice)");
+  command
+      ->add_option("--gauges", check.gauges,
+                   "auto: blocks on a UTF-8 terminal; always: into a file too, and a table for "
+                   "each of many files; never: numbers alone")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  command
+      ->add_option("FILE", check.files,
+                   "program texts, or folders of them and of captures; - is standard input")
+      ->required();
+  command->footer("Up to eight files get a table each; more, or a folder, the lines of what is "
+                  "wrong and a summary.\n"
+                  "Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "
                   "over the native limits; 4 internal error. The worst file decides.\n"
                   "Examples:\n"
-                  "  arbiter check shader.fp\n"
+                  "  arbiter check --why shader.fp\n"
                   "  arbiter check --profile nv30 --json *.fp *.vp\n"
+                  "  arbiter check shaders/ game.capture/\n"
+                  "  arbiter check --compare before.fp after.fp\n"
+                  "  arbiter check --compare --profile r300 --profile nv30 shader.fp\n"
                   "  arbiter check --profile r300-catalyst-2004 - < shader.fp");
 }
 
@@ -67,8 +88,9 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
   command
       ->add_option("--emit", compile.emit,
-                   "tokens, ir (checked program), assembly (plain text) or glsl (1.20)")
-      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl"}))
+                   "tokens, ir (checked program), assembly (plain text), glsl (1.20) or native "
+                   "(as the profile's card runs it)")
+      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl", "native"}))
       ->capture_default_str();
   addLanguage(*command, compile.language);
   command->add_flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");

@@ -17,18 +17,21 @@ enum ExitCode : int {
 };
 
 struct CheckArguments {
-  std::string profile;
-  std::string limits = "enforce"; ///< or "report"
-  std::string language = "auto";  ///< by the header; or a name of languageRows()
+  std::vector<std::string> profiles; ///< one; two only to compare one file under both
+  std::string limits = "enforce";    ///< or "report"
+  std::string language = "auto";     ///< by the header; or a name of languageRows()
+  std::string gauges = "auto";       ///< "always", "never": styleOf() of check/terminal.h
   bool json = false;
   bool brief = false; ///< first lines of diagnostics only, no counts
-  std::vector<std::string> files;
+  bool why = false;   ///< every reason, for every file
+  bool compare = false;
+  std::vector<std::string> files; ///< and folders
 };
 [[nodiscard]] int check(const CheckArguments &arguments);
 
 struct CompileArguments {
   std::string profile;
-  std::string emit = "glsl";     ///< "tokens", "ir" or "glsl"
+  std::string emit = "glsl";     ///< "tokens", "ir", "assembly", "glsl" or "native"
   std::string language = "auto"; ///< by the header; or a name of languageRows()
   bool optimise = false;         ///< ir: after the passes
   std::string output = "-";

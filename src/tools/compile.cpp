@@ -2,6 +2,7 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/lexer.h"
+#include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/ir/print.h"
 #include "tools/commands.h"
@@ -44,6 +45,35 @@ std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
 
+/// Writes the checked program in the form asked for into `emitted`.
+/// \returns an exit code, after a complaint unless it is kExitOk.
+int emitProgram(std::string_view text, const CompileArguments &arguments,
+                const fp::hw::Profile &profile, std::string &emitted) {
+  const fp::ir::Language language = chooseLanguage(arguments.language, text);
+  fp::CompileOptions options;
+  options.limits = limitsOf(profile, language);
+  fp::CheckResult result = fp::checkProgram(language, text, options);
+  const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
+  for (const fp::Diagnostic &diagnostic : result.diagnostics)
+    std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
+  if (!result.ok())
+    return kExitInvalid;
+  if (arguments.emit == "assembly" && language == fp::ir::Language::AtiFragment) {
+    complain(arguments.file + ": no assembly text says what an ATI shader does");
+    return kExitUsage;
+  }
+  if (arguments.emit != "native") {
+    emitted = emit(*result.program, arguments);
+    return kExitOk;
+  }
+  emitted = fp::hw::explainNative(*result.program, result.counts, options.limits).disassembly;
+  if (!emitted.empty())
+    return kExitOk;
+  complain(arguments.file + ": the profile " + profile.name + " has no model that runs " +
+           (languageRow(language).header + 2) + " programs: its limits are documented numbers");
+  return kExitUsage;
+}
+
 } // namespace
 
 int compile(const CompileArguments &arguments) {
@@ -59,27 +89,15 @@ int compile(const CompileArguments &arguments) {
   }
   const std::string &text = input.value();
   std::string emitted;
-  if (arguments.emit == "tokens") {
-    if (text.size() > fp::kMaxTextBytes) {
-      complain(arguments.file + ": longer than 1 MiB");
-      return kExitInvalid;
-    }
-    emitted = tokenListing(text);
+  if (arguments.emit != "tokens") {
+    const int code = emitProgram(text, arguments, profile.value(), emitted);
+    if (code != kExitOk)
+      return code;
+  } else if (text.size() > fp::kMaxTextBytes) {
+    complain(arguments.file + ": longer than 1 MiB");
+    return kExitInvalid;
   } else {
-    fp::CompileOptions options;
-    const fp::ir::Language language = chooseLanguage(arguments.language, text);
-    options.limits = limitsOf(profile.value(), language);
-    fp::CheckResult result = fp::checkProgram(language, text, options);
-    const std::string name = arguments.file == "-" ? "<stdin>" : arguments.file;
-    for (const fp::Diagnostic &diagnostic : result.diagnostics)
-      std::fputs(fp::render(name, text, diagnostic).c_str(), stderr);
-    if (!result.ok())
-      return kExitInvalid;
-    if (arguments.emit == "assembly" && language == fp::ir::Language::AtiFragment) {
-      complain(arguments.file + ": no assembly text says what an ATI shader does");
-      return kExitUsage;
-    }
-    emitted = emit(*result.program, arguments);
+    emitted = tokenListing(text);
   }
   const std::string fault = writeOutput(arguments.output, emitted);
   if (!fault.empty()) {

@@ -1,5 +1,7 @@
 #include "tools/language.h"
 
+#include "fp_compiler/ati/limits.h"
+
 namespace arbiter::tools {
 
 using fp::ir::Language;
@@ -35,7 +37,9 @@ Language chooseLanguage(std::string_view name, std::string_view text) {
   return fp::languageOfText(text).value_or(Language::ArbFragment);
 }
 
-const fp::Limits &limitsOf(const fp::hw::Profile &profile, Language language) {
+fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {
+  if (language == Language::AtiFragment)
+    return fp::ati::limitsOf(profile.fragment);
   return language == Language::ArbVertex ? profile.vertex : profile.fragment;
 }
 

@@ -25,7 +25,7 @@ struct LanguageRow {
 /// names none, so that the header is what is reported.
 [[nodiscard]] fp::ir::Language chooseLanguage(std::string_view name, std::string_view text);
 
-/// The limits of the language's target.
-[[nodiscard]] const fp::Limits &limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
+/// The limits of the language's target; for ATI's those of the language itself.
+[[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 
 } // namespace arbiter::tools

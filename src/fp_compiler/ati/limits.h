@@ -1,0 +1,25 @@
+#pragma once
+#include "fp_compiler/ati/shader.h"
+#include "fp_compiler/limits.h"
+
+namespace arbiter::fp::ati {
+
+/// Limits of ATI's fragment shaders: fixed by their language (ATI_text_fragment_shader 3.10.1), but
+/// for the units, which are the fragment target's. What fits the language is native: the language
+/// is the card's.
+[[nodiscard]] inline Limits limitsOf(Limits fragment) {
+  ResourceCounts counts;
+  counts.aluInstructions = kMaxPasses * kMaxPairs; // pairs
+  counts.texInstructions = kMaxPasses * kRegisters;
+  counts.instructions = counts.aluInstructions + counts.texInstructions;
+  counts.texIndirections = kMaxPasses;
+  counts.temporaries = kRegisters;
+  counts.parameters = kConstants;
+  counts.attribs = kRegisters + 2; // t0 to t5, and the colours
+  fragment.api = fragment.native = counts;
+  fragment.envParameters = fragment.localParameters = kConstants;
+  fragment.nativeModel = NativeModel::Documented;
+  return fragment;
+}
+
+} // namespace arbiter::fp::ati

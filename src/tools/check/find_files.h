@@ -1,0 +1,23 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+/// Which files `arbiter check` and `arbiter report` look at.
+namespace arbiter::tools {
+
+struct FoundFiles {
+  std::vector<std::string> paths;
+  /// "path: reason": a folder that cannot be listed, or that has no program in it.
+  std::vector<std::string> faults;
+  bool folders = false; ///< at least one operand was a folder
+};
+
+/// The operands in their order, each folder as the programs in it, in the order of their bytes.
+/// Folders are searched with their subfolders; names that begin with a full stop are left out, and
+/// symbolic links to folders are not followed. A file there is a program if its name ends in .fp,
+/// .vp, .atifs, .arbfp or .arbvp, or else if its text begins with a program's header. An operand
+/// that is no folder is taken as it is; "-" is standard input.
+[[nodiscard]] FoundFiles findFiles(std::span<const std::string> operands);
+
+} // namespace arbiter::tools

@@ -1,0 +1,206 @@
+#include "tools/check/summary.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tools/commands.h"
+#include "tools/language.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+constexpr std::string_view kLimitId = "limit-"; ///< of the diagnostics of API limits
+constexpr std::size_t kWidestName = 48;
+
+/// "limit-alu-instructions" is of the row "alu_instructions".
+const ResourceRow *rowOfId(std::string_view id) {
+  std::string key(id.substr(kLimitId.size()));
+  std::replace(key.begin(), key.end(), '-', '_');
+  for (const ResourceRow &row : resourceRows())
+    if (key == row.name)
+      return &row;
+  return nullptr;
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+} // namespace
+
+void Summary::add(const CheckedFile &file) {
+  ++m_counts[std::size_t(file.status)];
+  if (file.counted()) {
+    ++m_programs[std::size_t(file.language)];
+    addFullest(file);
+  }
+  if (file.status == FileStatus::OverNative || file.status == FileStatus::Invalid)
+    addMisfit(file);
+}
+
+void Summary::addFullest(const CheckedFile &file) {
+  auto &fullest = m_fullest[std::size_t(file.language)];
+  std::size_t at = 0;
+  for (const ResourceRow &row : resourceRows()) {
+    Fullest &held = fullest[at++];
+    const std::uint32_t used = file.result.nativeCounts.*row.member;
+    const std::uint32_t limit = file.limits.native.*row.member;
+    // used / limit, compared without dividing by a limit of 0.
+    const bool fuller = std::uint64_t(used) * std::max(held.limit, 1u) >
+                        std::uint64_t(held.used) * std::max(limit, 1u);
+    if (held.file.empty() || fuller)
+      held = {used, limit, file.name};
+  }
+}
+
+void Summary::addMisfit(const CheckedFile &file) {
+  if (file.status == FileStatus::Invalid) {
+    for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
+      if (diagnostic.severity != fp::Severity::Error)
+        continue;
+      if (!std::string_view(diagnostic.id).starts_with(kLimitId))
+        return; // wrong in itself, whatever the card
+      m_misfits.push_back({file.name, rowOfId(diagnostic.id), {}, 0, diagnostic.message});
+      return;
+    }
+    return;
+  }
+  // The first row that is over and says why; else the first that is over.
+  Misfit misfit{file.name, nullptr, {}, 0, ""};
+  const auto &reasons = file.native->reasons;
+  for (const ResourceRow &row : resourceRows()) {
+    const std::uint32_t used = file.result.nativeCounts.*row.member;
+    if (used <= file.limits.native.*row.member)
+      continue;
+    const auto reason =
+        std::find_if(reasons.begin(), reasons.end(),
+                     [&](const fp::hw::Reason &each) { return each.resource == row.member; });
+    if (misfit.used && reason == reasons.end())
+      continue;
+    misfit.row = &row;
+    misfit.used = used;
+    misfit.limit = file.limits.native.*row.member;
+    if (reason != reasons.end()) {
+      misfit.why = reason->text;
+      break;
+    }
+  }
+  if (!misfit.used && !reasons.empty())
+    misfit.why = reasons[0].text;
+  m_misfits.push_back(std::move(misfit));
+}
+
+std::string Summary::line(const fp::hw::Profile &profile) const {
+  std::size_t total = 0;
+  for (const std::size_t each : m_counts)
+    total += each;
+  std::string text = std::to_string(total) + (total == 1 ? " file" : " files") + " under " +
+                     profile.name + ": " + std::to_string(count(FileStatus::Valid)) + " valid";
+  const auto add = [&](FileStatus status, const char *what) {
+    if (count(status) != 0)
+      text += ", " + std::to_string(count(status)) + " " + what;
+  };
+  add(FileStatus::OverNative, "over the native limits");
+  add(FileStatus::Invalid, "invalid");
+  add(FileStatus::Unreadable, "unreadable");
+  return text + "\n";
+}
+
+std::string Summary::fullestTable(const Style &style) const {
+  std::string text;
+  for (const LanguageRow &language : languageRows()) {
+    const std::size_t programs = m_programs[std::size_t(language.language)];
+    if (programs == 0)
+      continue;
+    text += "the fullest of " + std::to_string(programs) + " " + (language.header + 2) +
+            (programs == 1 ? " program" : " programs") + ":\n";
+    std::size_t at = 0;
+    for (const ResourceRow &row : resourceRows()) {
+      const Fullest &held = m_fullest[std::size_t(language.language)][at++];
+      if (!row.of(language.language))
+        continue;
+      char numbers[64];
+      std::snprintf(numbers, sizeof numbers, "  %-18s%8u%8u  ", row.title, held.used, held.limit);
+      text += numbers;
+      if (style.gauges)
+        text += gauge(held.used, held.limit, style) + "  ";
+      text += shown(held.file) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string Summary::misfitTable() const {
+  if (m_misfits.empty())
+    return {};
+  std::size_t widest = 4;
+  for (const Misfit &misfit : m_misfits)
+    widest = std::max(widest, std::min(shown(misfit.file).size(), kWidestName));
+  std::string text = "  " + padded("file", widest) + "  resource              used   limit  why\n";
+  for (const Misfit &misfit : m_misfits) {
+    const char *title = misfit.row == nullptr ? "" : misfit.row->title;
+    char numbers[64];
+    if (misfit.used)
+      std::snprintf(numbers, sizeof numbers, "  %-18s%8u%8u  ", title, *misfit.used, misfit.limit);
+    else
+      std::snprintf(numbers, sizeof numbers, "  %-18s%8s%8s  ", title, "-", "-");
+    text += "  " + padded(shown(misfit.file), widest) + numbers + misfit.why;
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  return "do not fit:\n" + text;
+}
+
+std::string Summary::tables(const Style &style) const {
+  return fullestTable(style) + misfitTable();
+}
+
+void Summary::write(JsonWriter &json) const {
+  json.beginObject();
+  json.key("valid").value(std::uint64_t(count(FileStatus::Valid)));
+  json.key("over_native").value(std::uint64_t(count(FileStatus::OverNative)));
+  json.key("invalid").value(std::uint64_t(count(FileStatus::Invalid)));
+  json.key("unreadable").value(std::uint64_t(count(FileStatus::Unreadable)));
+  json.key("fullest").beginArray();
+  for (const LanguageRow &language : languageRows()) {
+    if (m_programs[std::size_t(language.language)] == 0)
+      continue;
+    std::size_t at = 0;
+    for (const ResourceRow &row : resourceRows()) {
+      const Fullest &held = m_fullest[std::size_t(language.language)][at++];
+      if (!row.of(language.language))
+        continue;
+      json.beginObject();
+      json.key("language").value(language.header + 2).key("resource").value(row.name);
+      json.key("native_used").value(held.used).key("native_limit").value(held.limit);
+      json.key("file").value(held.file);
+      json.endObject();
+    }
+  }
+  json.endArray();
+  json.key("misfits").beginArray();
+  for (const Misfit &misfit : m_misfits) {
+    json.beginObject();
+    json.key("file").value(misfit.file);
+    if (misfit.row != nullptr)
+      json.key("resource").value(misfit.row->name);
+    if (misfit.used)
+      json.key("native_used").value(*misfit.used).key("native_limit").value(misfit.limit);
+    json.key("why").value(misfit.why);
+    json.endObject();
+  }
+  json.endArray();
+  json.endObject();
+}
+
+int Summary::exitCode() const {
+  if (m_faults != 0 || count(FileStatus::Unreadable) != 0)
+    return kExitUsage;
+  if (count(FileStatus::Invalid) != 0)
+    return kExitInvalid;
+  return count(FileStatus::OverNative) != 0 ? kExitOverNative : kExitOk;
+}
+
+} // namespace arbiter::tools

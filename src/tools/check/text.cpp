@@ -1,0 +1,108 @@
+#include "tools/check/text.h"
+
+#include <cstdio>
+
+#include "tools/check/why.h"
+#include "tools/resources.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+constexpr const char *kOverApi = "  over the API limit";
+constexpr const char *kOverNative = "  over the native limit";
+
+std::string tableHead(const Style &style) {
+  char line[128];
+  std::snprintf(line, sizeof line, "  %-18s%8s%8s%8s%8s", "resource", "used", "limit", "native",
+                "limit");
+  const int cells = style.blocks ? 10 : 12;
+  char bars[64] = "";
+  if (style.gauges)
+    std::snprintf(bars, sizeof bars, "  %-*s native", cells, "API");
+  return painted(std::string(line) + bars, Colour::Dim, style) + "\n";
+}
+
+/// The four numbers stand first, whatever follows them, as scripts read them.
+std::string tableRow(const CheckedFile &file, const ResourceRow &row, const Style &style) {
+  const std::uint32_t used = file.result.counts.*row.member;
+  const std::uint32_t limit = file.limits.api.*row.member;
+  const std::uint32_t nativeUsed = file.result.nativeCounts.*row.member;
+  const std::uint32_t nativeLimit = file.limits.native.*row.member;
+  char line[128];
+  std::snprintf(line, sizeof line, "  %-18s%8u%8u%8u%8u", row.title, used, limit, nativeUsed,
+                nativeLimit);
+  std::string text = line;
+  if (style.gauges)
+    text += "  " + gauge(used, limit, style) + " " + gauge(nativeUsed, nativeLimit, style);
+  if (used > limit)
+    text += painted(kOverApi, Colour::Bad, style);
+  else if (nativeUsed > nativeLimit)
+    text += painted(kOverNative, Colour::Bad, style);
+  return text + "\n";
+}
+
+std::string table(const CheckedFile &file, const Why &why, const TextOptions &options) {
+  bool anyOver = false;
+  for (const ResourceRow &row : resourceRows())
+    anyOver = anyOver || file.result.nativeCounts.*row.member > file.limits.native.*row.member;
+  std::string text = tableHead(options.style);
+  for (const ResourceRow &row : resourceRows()) {
+    if (!row.of(file.language))
+      continue;
+    text += tableRow(file, row, options.style);
+    // A program can be over by something that no count shows; then any reason may be it.
+    const bool over = file.result.nativeCounts.*row.member > file.limits.native.*row.member ||
+                      (file.status == FileStatus::OverNative && !anyOver);
+    if (over || options.why)
+      text += why.reasons(row);
+  }
+  return text;
+}
+
+} // namespace
+
+std::string briefText(const CheckedFile &file) {
+  std::string text;
+  for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
+    text += fp::renderLine(shown(file.name), file.text, diagnostic) + "\n";
+  return text;
+}
+
+std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
+  switch (file.status) {
+  case FileStatus::Valid:
+    return "valid, within the native limits of " + profile.name;
+  case FileStatus::OverNative:
+    return "valid, but over the native limits of " + profile.name;
+  case FileStatus::Invalid:
+  case FileStatus::Unreadable:
+    break;
+  }
+  return name(file.status);
+}
+
+std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
+                     const TextOptions &options) {
+  std::string text;
+  for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
+    text += fp::render(shown(file.name), file.text, diagnostic);
+    if (text.back() != '\n')
+      text += '\n';
+  }
+  const Colour colour = file.status == FileStatus::Valid        ? Colour::Good
+                        : file.status == FileStatus::OverNative ? Colour::Close
+                                                                : Colour::Bad;
+  text += shown(file.name) + ": " + painted(verdict(file, profile), colour, options.style) + "\n";
+  if (!file.counted())
+    return text;
+  const Why why(file, options.style, options.why);
+  text += table(file, why, options) + why.headline();
+  if (options.why)
+    return text + why.nodes() + why.chain() + why.cycles() + why.costs();
+  // The count of indirections is one number for a shape: show the shape.
+  const bool deep = file.native->counts.texIndirections > file.limits.native.texIndirections;
+  return deep ? text + why.nodes() + why.chain() : text;
+}
+
+} // namespace arbiter::tools
