@@ -19,8 +19,9 @@ struct ResourceCounts {
 };
 
 /// How a card's own counts come about. Documented: its limits are numbers from papers, its counts
-/// those of the API. The others are models of the chip (hw/native.h).
-enum class NativeModel : std::uint8_t { Documented, R300, Nv30, I915 };
+/// those of the API. The others are models of the chip (hw/native.h); their names are those of
+/// hw/choices.def.
+enum class NativeModel : std::uint8_t { Documented, R300, Nv30, I915, Nv35 };
 
 /// Limits of one target of a profile. Every number is a row of a profile with its source; see
 /// src/fp_compiler/hw/profiles/.

@@ -16,35 +16,45 @@ void list() {
   }
 }
 
+std::string quoted(std::string_view text) {
+  std::string escaped = "\"";
+  for (const char c : text)
+    escaped += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return escaped + "\"";
+}
+
+void printKey(const char *key, const std::string &value, const std::string &source) {
+  std::printf("%s = { value = %s, source = %s }\n", key, value.c_str(), quoted(source).c_str());
+}
+
+void printTable(const fp::hw::Profile &profile, std::string_view table) {
+  std::printf("\n[%.*s]\n", int(table.size()), table.data());
+  for (const fp::hw::RowInfo &row : fp::hw::rows())
+    if (table == row.table)
+      printKey(row.key, std::to_string(profile.value(row.row)),
+               profile.sources[std::size_t(row.row)]);
+  if (table != fp::hw::kModelTable)
+    return;
+  for (const fp::hw::ChoiceInfo &choice : fp::hw::choices())
+    printKey(choice.key, quoted(choice.names[profile.value(choice.choice)]),
+             profile.choiceSources[std::size_t(choice.choice)]);
+}
+
 /// As a TOML file that `arbiter check --profile` reads, so that it can be the start of a new one.
 void print(const fp::hw::Profile &profile) {
-  const auto quoted = [](const std::string &text) {
-    std::string escaped = "\"";
-    for (const char c : text)
-      escaped += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    return escaped + "\"";
-  };
   std::printf("name = %s\ndescription = %s\n", quoted(profile.name).c_str(),
               quoted(profile.description).c_str());
   if (profile.fromHost)
     std::printf("from_host = true\n");
-  std::string table;
-  for (const fp::hw::RowInfo &row : fp::hw::rows()) {
-    if (table != row.table) {
-      table = row.table;
-      std::printf("\n[%s]\n", row.table);
-    }
-    std::printf("%s = { value = %u, source = %s }\n", row.key, profile.value(row.row),
-                quoted(profile.sources[std::size_t(row.row)]).c_str());
-  }
+  for (const std::string_view table : fp::hw::tables())
+    printTable(profile, table);
   if (!profile.identity.empty())
     std::printf("\n[identity]\n");
   for (const fp::hw::IdentityKey &row : fp::hw::identityKeys()) {
     const fp::hw::Identity::Text &text = profile.identity.*row.member;
     const bool number = std::string_view(row.key) == "year";
     if (!text.value.empty())
-      std::printf("%s = { value = %s, source = %s }\n", row.key,
-                  (number ? text.value : quoted(text.value)).c_str(), quoted(text.source).c_str());
+      printKey(row.key, number ? text.value : quoted(text.value), text.source);
   }
 }
 

@@ -23,6 +23,7 @@ struct BuiltinProfile {
   const char *description;
   bool fromHost;
   BuiltinRow rows[kRowCount];              ///< in the order of rows.def
+  BuiltinRow choices[kChoiceCount];        ///< in the order of choices.def
   BuiltinText identity[kIdentityKeyCount]; ///< in the order of identityKeys()
 };
 

@@ -12,9 +12,10 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 # The order of every listing; the first is the default.
-ORDER = ['r300', 'r300-catalyst-2004', 'r420', 'nv30', 'i915', 'host']
+ORDER = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35', 'i915', 'host']
 ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d+), (\d+)\)$')
-
+CHOICE = re.compile(r'^PROFILE_CHOICE\((\w+), (\w+), ([\w.]+), (\w+), "([\w|]+)", "(.+)"\)$')
+MODEL = 'model'  # the table that has choices
 
 # The keys of [identity], in the order of profile.cpp.
 IDENTITY = ['vendor', 'renderer', 'version', 'shading_language_version', 'extensions', 'year']
@@ -35,6 +36,29 @@ def read_rows():
             rows.append({'name': name, 'table': table, 'key': key, 'gl': gl_name,
                          'least': int(least), 'most': int(most)})
     return rows
+
+
+def read_choices():
+    choices = []
+    for line in (HERE / 'choices.def').read_text().splitlines():
+        if line.startswith('PROFILE_CHOICE'):
+            match = CHOICE.match(line)
+            if not match:
+                raise Broken(f'choices.def: cannot read: {line}')
+            name, key, member, kind, names, doc = match.groups()
+            choices.append({'name': name, 'key': key, 'names': names.split('|'), 'doc': doc})
+    return choices
+
+
+def check_choice(where, choice, entry):
+    if set(entry) != {'value', 'source'}:
+        raise Broken(f'{where}: needs a value and a source, and nothing else')
+    value, source = entry['value'], entry['source']
+    if value not in choice['names']:
+        raise Broken(f'{where}: not one of {", ".join(choice["names"])}')
+    if not isinstance(source, str) or not source.strip():
+        raise Broken(f'{where}: empty source')
+    return value, source
 
 
 def check_row(where, row, entry):
@@ -70,25 +94,12 @@ def check_identity(where, key, entry):
     return value, source
 
 
-def read_profile(path, rows, earlier):
-    data = tomllib.loads(path.read_text())
-    if data.get('name') != path.stem:
-        raise Broken(f'{path.name}: name must be "{path.stem}"')
-    if not data.get('description'):
-        raise Broken(f'{path.name}: no description')
-    tables = list(dict.fromkeys(row['table'] for row in rows))
-    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'identity', *tables}
-    if unknown:
-        raise Broken(f'{path.name}: unknown keys {sorted(unknown)}')
-    base = {}
-    if 'inherits' in data:
-        if data['inherits'] not in earlier:
-            raise Broken(f'{path.name}: inherits from an unknown or later profile')
-        base = earlier[data['inherits']]['rows']
+def read_rows_of(path, data, rows, base):
     known = {(row['table'], row['key']) for row in rows}
-    for table in tables:
+    choices = {(MODEL, choice['key']) for choice in read_choices()}
+    for table in dict.fromkeys(row['table'] for row in rows):
         for key in data.get(table, {}):
-            if (table, key) not in known:
+            if (table, key) not in known | choices:
                 raise Broken(f'{path.name}: unknown row {table}.{key}')
     values = {}
     for row in rows:
@@ -100,7 +111,25 @@ def read_profile(path, rows, earlier):
             values[row['name']] = base[row['name']]
         else:
             raise Broken(f'{where}: missing')
-    identity = dict(earlier[data['inherits']]['identity']) if 'inherits' in data else {}
+    return values
+
+
+def read_choices_of(path, data, base):
+    values = dict(base)
+    for choice in read_choices():
+        where = f'{path.name}: {MODEL}.{choice["key"]}'
+        entry = data.get(MODEL, {}).get(choice['key'])
+        if entry is not None:
+            values[choice['name']] = check_choice(where, choice, entry)
+        elif choice['name'] not in base:
+            raise Broken(f'{where}: missing')
+    return values
+
+
+def read_identity_of(path, data, base):
+    if data.get('identity') is False:
+        return {}
+    identity = dict(base)
     for key, entry in data.get('identity', {}).items():
         where = f'{path.name}: identity.{key}'
         if key not in IDENTITY:
@@ -108,8 +137,29 @@ def read_profile(path, rows, earlier):
         identity[key] = check_identity(where, key, entry)
     if identity and not {'vendor', 'renderer', 'version', 'extensions'} <= set(identity):
         raise Broken(f'{path.name}: an identity is vendor, renderer, version and extensions')
-    return {'name': data['name'], 'description': data['description'], 'identity': identity,
-            'from_host': bool(data.get('from_host', False)), 'rows': values}
+    return identity
+
+
+def read_profile(path, rows, earlier):
+    data = tomllib.loads(path.read_text())
+    if data.get('name') != path.stem:
+        raise Broken(f'{path.name}: name must be "{path.stem}"')
+    if not data.get('description'):
+        raise Broken(f'{path.name}: no description')
+    tables = {row['table'] for row in rows}
+    unknown = set(data) - {'name', 'description', 'inherits', 'from_host', 'identity', *tables}
+    if unknown:
+        raise Broken(f'{path.name}: unknown keys {sorted(unknown)}')
+    base = {'rows': {}, 'choices': {}, 'identity': {}}
+    if 'inherits' in data:
+        if data['inherits'] not in earlier:
+            raise Broken(f'{path.name}: inherits from an unknown or later profile')
+        base = earlier[data['inherits']]
+    return {'name': data['name'], 'description': data['description'],
+            'from_host': bool(data.get('from_host', False)),
+            'rows': read_rows_of(path, data, rows, base['rows']),
+            'choices': read_choices_of(path, data, base['choices']),
+            'identity': read_identity_of(path, data, base['identity'])}
 
 
 def read_all():
@@ -138,6 +188,12 @@ def as_cpp(rows, profiles):
         for row in rows:
             value, source = profile['rows'][row['name']]
             lines.append(f'         {{{value}, {quote(source)}}}, // {row["table"]}.{row["key"]}')
+        lines.append('     },')
+        lines.append('     {')
+        for choice in read_choices():
+            value, source = profile['choices'][choice['name']]
+            lines.append(f'         {{{choice["names"].index(value)}, {quote(source)}}}, '
+                         f'// {MODEL}.{choice["key"]}: {value}')
         lines.append('     },')
         lines.append('     {')
         for key in IDENTITY:
@@ -170,13 +226,20 @@ temporaries = { value = 16, source = "an experiment" }   # or just: temporaries 
 [vertex_api]                    # likewise of the vertex target
 parameters = 96
 
+[model]                         # what no query answers
+fragment = "r300"               # how native counts come about (docs/native_model.md)
+numerics = "fp24"               # the arithmetic, where ARBITER_NUMERICS does not say
+
 [identity]                      # what ARBITER_IDENTITY=profile answers (docs/identity.md)
 renderer = "RADEON 9700 PRO x86/SSE2"
 ```
 
 Tables: `api`, `native` and `state` for the fragment target and for what both targets share;
-`vertex_api`, `vertex_native` and `vertex_state` for the vertex target. A file that says nothing of
-the vertex target, and inherits nothing, gets the rows of `r300` for it.
+`model` for how a fragment program is counted and computed; `vertex_api`, `vertex_native` and
+`vertex_state` for the vertex target, which has documented limits and no model: its native counts
+are the API's. A file that inherits nothing gets the rows of `r300` for the vertex target if it says
+nothing of it, and `documented` for a model. `identity = false` in place of the table is no identity,
+whatever was inherited.
 
 API limits are what `glGetProgramivARB` answers and what a program is refused for; native limits
 decide `GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB` and never refuse a program. With `from_host = true` the
@@ -195,8 +258,14 @@ def as_markdown(rows, profiles):
         gl = row['gl'] if row['gl'].startswith('none') else f'`GL_{row["gl"]}`'
         out.append(f'| {row["table"]}.{row["key"]} | {gl} | ' + ' | '.join(cells) +
                    f' | {row["least"]} | {row["most"]} |')
+    for choice in read_choices():
+        cells = [profile['choices'][choice['name']][0] for profile in profiles]
+        out.append(f'| {MODEL}.{choice["key"]} | none | ' + ' | '.join(cells) + ' | | |')
     out.append('\nLeast: what the specification guarantees; a profile may go below it. Most: what '
                'Arbiter can hold.\n')
+    for choice in read_choices():
+        out.append(f'- `{MODEL}.{choice["key"]}` ({", ".join(choice["names"])}): {choice["doc"]}')
+    out.append('')
     for profile in profiles:
         out.append(f'## {profile["name"]}\n\n{profile["description"]}.\n')
         out.append('| row | value | source |')
@@ -204,6 +273,9 @@ def as_markdown(rows, profiles):
         for row in rows:
             value, source = profile['rows'][row['name']]
             out.append(f'| {row["table"]}.{row["key"]} | {value} | {source} |')
+        for choice in read_choices():
+            value, source = profile['choices'][choice['name']]
+            out.append(f'| {MODEL}.{choice["key"]} | {value} | {source} |')
         for key in IDENTITY:
             if key in profile['identity']:
                 value, source = profile['identity'][key]

@@ -24,6 +24,15 @@ std::uint32_t &member(Profile &profile, Row row) {
   return profile.fragment.api.instructions; // every enumerator has its case
 }
 
+/// "a|b|c"
+std::vector<std::string_view> split(std::string_view names) {
+  std::vector<std::string_view> parts;
+  for (std::size_t bar; (bar = names.find('|')) != names.npos; names.remove_prefix(bar + 1))
+    parts.push_back(names.substr(0, bar));
+  parts.push_back(names);
+  return parts;
+}
+
 /// Limits that both targets go by.
 constexpr std::uint32_t Limits::*kShared[] = {&Limits::textureCoords,
                                               &Limits::textureImageUnits,
@@ -53,6 +62,8 @@ std::vector<Profile> makeBuiltins() {
       const BuiltinRow &row = from.rows[std::size_t(info.row)];
       profile.set(info.row, row.value, row.source);
     }
+    for (int i = 0; i < kChoiceCount; ++i)
+      profile.set(Choice(i), from.choices[i].value, from.choices[i].source);
     for (int i = 0; i < kIdentityKeyCount; ++i)
       profile.identity.*kIdentityKeys[i].member = {from.identity[i].value, from.identity[i].source};
   }
@@ -70,10 +81,22 @@ const std::vector<Profile> &builtins() {
 std::span<const RowInfo> rows() { return kRows; }
 
 std::span<const std::string_view> tables() {
-  static constexpr std::string_view kTables[] = {"api",        "native",        "state",
-                                                 "vertex_api", "vertex_native", "vertex_state"};
+  static constexpr std::string_view kTables[] = {
+      "api", "native", "state", kModelTable, "vertex_api", "vertex_native", "vertex_state"};
   return kTables;
 }
+
+std::span<const ChoiceInfo> choices() {
+  // Never destroyed, as the profiles.
+  static const std::vector<ChoiceInfo> &infos = *new std::vector<ChoiceInfo>{
+#define PROFILE_CHOICE(Enumerator, key, member, type, names, doc)                                  \
+  {Choice::Enumerator, #key, split(names)},
+#include "fp_compiler/hw/choices.def"
+#undef PROFILE_CHOICE
+  };
+  return infos;
+}
+
 std::span<const IdentityKey> identityKeys() { return kIdentityKeys; }
 
 std::uint32_t Profile::value(Row row) const {
@@ -85,6 +108,29 @@ void Profile::set(Row row, std::uint32_t value, std::string source) {
   for (std::uint32_t Limits::*const shared : kShared)
     vertex.*shared = fragment.*shared;
   sources[std::size_t(row)] = std::move(source);
+}
+
+std::uint32_t Profile::value(Choice choice) const {
+  switch (choice) {
+#define PROFILE_CHOICE(Enumerator, key, member, type, names, doc)                                  \
+  case Choice::Enumerator:                                                                         \
+    return std::uint32_t(member);
+#include "fp_compiler/hw/choices.def"
+#undef PROFILE_CHOICE
+  }
+  return 0; // every enumerator has its case
+}
+
+void Profile::set(Choice choice, std::uint32_t value, std::string source) {
+  switch (choice) {
+#define PROFILE_CHOICE(Enumerator, key, member, type, names, doc)                                  \
+  case Choice::Enumerator:                                                                         \
+    member = type(value);                                                                          \
+    break;
+#include "fp_compiler/hw/choices.def"
+#undef PROFILE_CHOICE
+  }
+  choiceSources[std::size_t(choice)] = std::move(source);
 }
 
 std::vector<std::string_view> builtinNames() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fp_compiler/limits.h"
+#include "fp_compiler/numerics.h"
 #include "util/result.h"
 
 /// Hardware profiles: limits as data, each number with its source. Built-in ones come from
@@ -29,7 +30,7 @@ inline constexpr int kRowCount = int(std::size(kAllRows));
 
 struct RowInfo {
   Row row;
-  const char *table;   ///< "api", "native", "state", "vertex_api", "vertex_native", "vertex_state"
+  const char *table;   ///< "api", "native", "state", "model", "vertex_api", "vertex_native" ...
   const char *key;     ///< "alu_instructions"
   const char *glName;  ///< without GL_
   std::uint32_t least; ///< what the specification guarantees; a profile may go below it
@@ -38,6 +39,29 @@ struct RowInfo {
 [[nodiscard]] std::span<const RowInfo> rows();
 /// The tables of rows(), in their order.
 [[nodiscard]] std::span<const std::string_view> tables();
+
+/// A key of [model] whose value is a name.
+enum class Choice : std::uint8_t {
+#define PROFILE_CHOICE(Enumerator, key, member, type, names, doc) Enumerator,
+#include "fp_compiler/hw/choices.def"
+#undef PROFILE_CHOICE
+};
+
+struct ChoiceInfo {
+  Choice choice;
+  const char *key;                     ///< "fragment"
+  std::vector<std::string_view> names; ///< "documented", "r300" ... in the order of the values
+};
+/// In the order of choices.def.
+[[nodiscard]] std::span<const ChoiceInfo> choices();
+inline constexpr int kChoiceCount = [] {
+  int count = 0;
+#define PROFILE_CHOICE(...) ++count;
+#include "fp_compiler/hw/choices.def"
+#undef PROFILE_CHOICE
+  return count;
+}();
+inline constexpr std::string_view kModelTable = "model";
 
 /// Whom the card says it is (ARBITER_IDENTITY=profile); an empty value is the host's own.
 struct Identity {
@@ -66,15 +90,21 @@ struct Profile {
   std::string name;
   std::string description;
   Limits fragment; ///< the numbers of the fragment target
-  Limits vertex;   ///< the numbers of the vertex target
+  Limits vertex;   ///< the numbers of the vertex target; it has no model, only documented limits
+  /// How arithmetic is done unless ARBITER_NUMERICS says otherwise.
+  Numerics numerics = Numerics::Host;
   /// The numbers are to be asked from the host's driver, by the names in rows(); those here are
   /// documented defaults for when there is no driver to ask (`arbiter check`).
   bool fromHost = false;
   std::array<std::string, kRowCount> sources;
+  std::array<std::string, kChoiceCount> choiceSources;
   Identity identity;
 
   [[nodiscard]] std::uint32_t value(Row row) const;
   void set(Row row, std::uint32_t value, std::string source);
+  /// An index into the choice's names.
+  [[nodiscard]] std::uint32_t value(Choice choice) const;
+  void set(Choice choice, std::uint32_t value, std::string source);
 };
 
 struct ProfileError {

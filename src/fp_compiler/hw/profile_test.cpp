@@ -37,7 +37,7 @@ TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
 
 // ARB_fragment_program's state tables: no built-in profile may promise less.
 TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
-  EXPECT_EQ(builtinNames().size(), 6u);
+  EXPECT_EQ(builtinNames().size(), 9u);
   for (const std::string_view name : builtinNames()) {
     const Profile *profile = findBuiltin(name);
     ASSERT_NE(profile, nullptr) << name;
@@ -51,12 +51,58 @@ TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
   EXPECT_TRUE(findBuiltin("host")->fromHost);
 }
 
+TEST(Profiles, EveryCardHasAModelAndTheHostNone) {
+  constexpr std::pair<std::string_view, NativeModel> kModels[] = {
+      {"r300", NativeModel::R300},       {"r300-catalyst-2004", NativeModel::R300},
+      {"r350", NativeModel::R300},       {"r360", NativeModel::R300},
+      {"r420", NativeModel::R300},       {"nv30", NativeModel::Nv30},
+      {"nv35", NativeModel::Nv35},       {"i915", NativeModel::I915},
+      {"host", NativeModel::Documented},
+  };
+  ASSERT_EQ(std::size(kModels), builtinNames().size());
+  for (const auto &[name, model] : kModels) {
+    const Profile &profile = *findBuiltin(name);
+    EXPECT_EQ(profile.fragment.nativeModel, model) << name;
+    EXPECT_EQ(profile.vertex.nativeModel, NativeModel::Documented) << name;
+    EXPECT_EQ(profile.numerics, Numerics::Host) << name;
+    EXPECT_EQ(profile.fragment.scaleRectangles, model == NativeModel::R300 ? 1u : 0u) << name;
+    for (const std::string &source : profile.choiceSources)
+      EXPECT_FALSE(source.empty()) << name;
+  }
+}
+
+TEST(Profiles, NamesOfChoicesAreThoseOfTheirTypes) {
+  ASSERT_EQ(choices().size(), std::size_t(kChoiceCount));
+  for (const ChoiceInfo &info : choices()) {
+    ASSERT_EQ(&info - choices().data(), std::ptrdiff_t(info.choice));
+    if (info.choice == Choice::Numerics) {
+      EXPECT_TRUE(std::equal(info.names.begin(), info.names.end(), kNumericsNames.begin(),
+                             kNumericsNames.end()));
+      EXPECT_EQ(info.names[std::size_t(Numerics::Fp24)], "fp24");
+    } else {
+      EXPECT_EQ(info.names[std::size_t(NativeModel::Documented)], "documented");
+      EXPECT_EQ(info.names[std::size_t(NativeModel::R300)], "r300");
+      EXPECT_EQ(info.names[std::size_t(NativeModel::Nv30)], "nv30");
+      EXPECT_EQ(info.names[std::size_t(NativeModel::I915)], "i915");
+      EXPECT_EQ(info.names[std::size_t(NativeModel::Nv35)], "nv35");
+    }
+  }
+}
+
+// Mesa's r300_screen.c: what R400 has more of than R300, and what it has not.
+TEST(Profiles, R420HasLongerBlocksAndNoMoreNodes) {
+  const Limits &limits = findBuiltin("r420")->fragment;
+  EXPECT_EQ(limits.native, (ResourceCounts{512, 512, 512, 4, 64, 32, 10}));
+  EXPECT_EQ(findBuiltin("r350")->fragment.native, findBuiltin("r300")->fragment.native);
+  EXPECT_EQ(findBuiltin("nv35")->fragment.native, findBuiltin("nv30")->fragment.native);
+}
+
 TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   const auto result = loadProfile("r3000");
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message,
             "no profile \"r3000\"; did you mean \"r300\"? (built in: r300, r300-catalyst-2004, "
-            "r420, nv30, i915, host; or the path of a TOML file)");
+            "r350, r360, r420, nv30, nv35, i915, host; or the path of a TOML file)");
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 
@@ -152,7 +198,7 @@ TEST(UserProfile, ErrorsHaveFileLineAndColumn) {
 TEST(Profiles, EachCardSaysWhoItIsWithSources) {
   for (const std::string_view name : builtinNames()) {
     const Identity &identity = findBuiltin(name)->identity;
-    EXPECT_EQ(identity.empty(), name == "host") << name;
+    EXPECT_EQ(identity.empty(), name == "host" || name == "r350" || name == "r360") << name;
     for (const IdentityKey &row : identityKeys()) {
       const Identity::Text &text = identity.*row.member;
       EXPECT_EQ(text.value.empty(), text.source.empty()) << name << " " << row.key;
@@ -191,6 +237,59 @@ TEST(UserProfile, HasAnIdentityOfItsOwnOrTheInheritedOne) {
   EXPECT_THAT(errorOf(head + "extensions = 'WGL_ARB_pbuffer'\n"),
               HasSubstr("no name of an extension: \"WGL_ARB_pbuffer\""));
   EXPECT_THAT(errorOf("inherits = 'r300'\nidentity = 3\n"), HasSubstr("identity must be a table"));
+}
+
+TEST(UserProfile, HasAModelOfItsOwnOrTheInheritedOneOrNone) {
+  const auto own = parseProfile("inherits = 'r300'\n[model]\nscale_rectangles = 0\n"
+                                "numerics = { value = 'fp24', source = 'me' }\n",
+                                "p.toml");
+  ASSERT_TRUE(own) << own.error().message;
+  EXPECT_EQ(own.value().fragment.nativeModel, NativeModel::R300);
+  EXPECT_EQ(own.value().fragment.scaleRectangles, 0u);
+  EXPECT_EQ(own.value().numerics, Numerics::Fp24);
+  EXPECT_EQ(own.value().choiceSources[std::size_t(Choice::Numerics)], "me");
+  const auto none = parseProfile("inherits = 'r300'\n[model]\nfragment = 'documented'\n", "p.toml");
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_EQ(none.value().fragment.nativeModel, NativeModel::Documented);
+  EXPECT_EQ(none.value().choiceSources[std::size_t(Choice::FragmentModel)], "p.toml:3");
+  std::string whole;
+  std::string table;
+  for (const RowInfo &row : rows()) {
+    if (row.table == kModelTable)
+      continue;
+    if (table != row.table)
+      whole += "[" + (table = row.table) + "]\n";
+    whole += std::string(row.key) + " = " + std::to_string(row.least) + "\n";
+  }
+  const auto unsaid = parseProfile(whole, "p.toml");
+  ASSERT_TRUE(unsaid) << unsaid.error().message;
+  EXPECT_EQ(unsaid.value().fragment.nativeModel, NativeModel::Documented);
+  EXPECT_EQ(unsaid.value().choiceSources[std::size_t(Choice::FragmentModel)],
+            "the file does not say");
+
+  const std::string head = "inherits = 'r300'\n[model]\n";
+  EXPECT_THAT(errorOf(head + "  fragment = 'r30'\n"),
+              StartsWith("p.toml:3:14: model.fragment cannot be \"r30\"; did you mean \"r300\"? "
+                         "(one of documented, r300, nv30, i915, nv35)"));
+  EXPECT_THAT(errorOf(head + "numerics = 3\n"),
+              StartsWith("p.toml:3:12: model.numerics must be a string"));
+  EXPECT_THAT(errorOf(head + "numeric = 'host'\n"),
+              StartsWith("p.toml:3:1: unknown row \"model.numeric\"; did you mean \"numerics\"?"));
+  EXPECT_THAT(errorOf(head + "numerics = { source = 'x' }\n"),
+              HasSubstr("model.numerics has no value"));
+  EXPECT_THAT(errorOf(head + "scale_rectangles = 2\n"), HasSubstr("out of range: 0 to 1"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\nmodel = 'r300'\n"), HasSubstr("model must be a table"));
+  EXPECT_THAT(errorOf("inherits = 'r300'\n[api]\nfragment = 'r300'\n"),
+              HasSubstr("unknown row \"api.fragment\""));
+}
+
+TEST(UserProfile, CanGiveUpAnInheritedIdentity) {
+  const auto result = parseProfile("inherits = 'r300'\nidentity = false\n", "p.toml");
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result.value().identity.empty());
+  EXPECT_TRUE(result.value().identity.extensions.value.empty());
+  EXPECT_THAT(errorOf("inherits = 'r300'\nidentity = true\n"),
+              StartsWith("p.toml:2:12: identity must be a table"));
 }
 
 TEST(UserProfile, HostileTextIsAnErrorNotACrash) {
