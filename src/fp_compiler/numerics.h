@@ -36,8 +36,8 @@ inline constexpr float kLeastNormal = 0x1p-62f;
 /// Toward zero, as constants and parameters are loaded: a value too large becomes kGreatest,
 /// an infinity stays one.
 [[nodiscard]] float truncated(float value);
-/// An interpolated colour: clamped to [0,1] (NaN is 0), to the nearest multiple of 1/4095 (ties to
-/// even), then rounded().
+/// An interpolated colour: clamped to [0,1] (NaN is 0), to a multiple of 1/4095, then rounded().
+/// The steps are those of singles: times 4095, to the nearest integer (ties to even), by 4095.
 [[nodiscard]] float colour(float value);
 } // namespace fp24
 

@@ -22,11 +22,19 @@ template <typename F> Vec4 zip(const Vec4 &a, const Vec4 &b, const Vec4 &c, F fu
           function(a[3], b[3], c[3])};
 }
 
-/// A mode's single operations. result() is what becomes of a function's single result.
+constexpr auto kCosine = [](auto x) { return std::cos(x); };
+constexpr auto kSine = [](auto x) { return std::sin(x); };
+constexpr auto kExp2 = [](auto x) { return std::exp2(x); };
+constexpr auto kLog2 = [](auto x) { return std::log2(x); };
+constexpr auto kReciprocalRoot = [](auto x) { return 1 / std::sqrt(std::fabs(x)); };
+
+/// A mode's single operations. result() is what becomes of every result; of() takes a function to
+/// its result.
 struct Host {
   static float product(float a, float b) { return flushed(a * b); }
   static float sum(float a, float b) { return flushed(a + b); }
   static float result(float value) { return flushed(value); }
+  template <typename F> static float of(F function, float x) { return function(x); }
   /// a > 0, b != 0. One rounding: hosts have pow() as one function.
   static float power(float a, float b) {
     return result(float(std::exp2(double(b) * std::log2(double(a)))));
@@ -48,9 +56,11 @@ struct Fp24 : Legacy {
   static float product(float a, float b) { return fp24::rounded(Legacy::product(a, b)); }
   static float sum(float a, float b) { return fp24::rounded(a + b); }
   static float result(float value) { return fp24::rounded(value); }
-  static float power(float a, float b) {
-    return result(std::exp2(product(b, result(std::log2(a)))));
+  /// Through a double, so that the single is the right one: the mode is to the bit.
+  template <typename F> static float of(F function, float x) {
+    return result(float(function(double(x))));
   }
+  static float power(float a, float b) { return of(kExp2, product(b, of(kLog2, a))); }
   static constexpr float kExponentLimit = 0x1.FFFFp6f; // the same, truncated
 };
 
@@ -130,7 +140,7 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Cmp:
     return zip(a, b, c, [](float x, float y, float z) { return x < 0.0f ? y : z; });
   case Opcode::Cos:
-    return all(std::cos(a[0]));
+    return all(Mode::of(kCosine, a[0]));
   case Opcode::Dp3:
     return all(dot3(a, b));
   case Opcode::Dp4:
@@ -140,13 +150,13 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Dst:
     return {1.0f, Mode::product(a[1], b[1]), a[2], b[3]};
   case Opcode::Ex2:
-    return all(std::exp2(a[0]));
+    return all(Mode::of(kExp2, a[0]));
   case Opcode::Flr:
     return map(a, [](float x) { return std::floor(x); });
   case Opcode::Frc:
     return map(a, fraction);
   case Opcode::Lg2:
-    return all(std::log2(a[0]));
+    return all(Mode::of(kLog2, a[0]));
   case Opcode::Lit:
     return lit(a);
   case Opcode::Lrp:
@@ -168,13 +178,13 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Rcp:
     return all(1.0f / a[0]);
   case Opcode::Rsq:
-    return all(1.0f / std::sqrt(std::fabs(a[0])));
+    return all(Mode::of(kReciprocalRoot, a[0]));
   case Opcode::Scs:
-    return {std::cos(a[0]), std::sin(a[0]), 0.0f, 0.0f};
+    return {Mode::of(kCosine, a[0]), Mode::of(kSine, a[0]), 0.0f, 0.0f};
   case Opcode::Sge:
     return zip(a, b, [](float x, float y) { return x >= y ? 1.0f : 0.0f; });
   case Opcode::Sin:
-    return all(std::sin(a[0]));
+    return all(Mode::of(kSine, a[0]));
   case Opcode::Slt:
     return zip(a, b, [](float x, float y) { return x < y ? 1.0f : 0.0f; });
   case Opcode::Sub:

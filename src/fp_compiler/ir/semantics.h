@@ -77,9 +77,10 @@
 ///             dot products, from left to right), 1-a of LRP, a - FLR(a). That it is rounded twice
 ///             is the definition. Where the single result is a tie of the 24-bit grid only because
 ///             of its own rounding, one rounding would differ by a unit of the last place.
-///   Functions COS EX2 LG2 RCP RSQ SCS SIN: the single result, fp24::rounded. POW is three steps,
-///             LG2 MUL EX2; LIT's POW is that, and its exponent's limit, a constant, is
-///             truncated: +-(128 - 2^-10).
+///   Functions COS EX2 LG2 RCP RSQ SCS SIN: the exact result to a single, then fp24::rounded.
+///             POW is three steps, LG2 MUL EX2; LIT's POW is that, and its exponent's limit, a
+///             constant, is truncated: +-(128 - 2^-10). A host that is a unit of a single off is a
+///             unit of the 24 bits off in about one such result of 128, and right in the others.
 ///   Exact     ABS CMP FLR MAX MIN MOV SGE SLT SWZ KIL, signs and _SAT: they need no rounding.
 ///   Textures  Texels are fp24::rounded. TXP's division and TXB's bias are the texture unit's own:
 ///             in singles, of 24-bit coordinates, not rounded.
