@@ -263,6 +263,13 @@ class Compile(Temporary):
         again = arbiter('compile', '--emit', 'assembly', '-', text=result.stdout)
         self.assertEqual(again.stdout, result.stdout)
 
+    def test_native_wants_a_model(self):
+        result = arbiter('compile', '--emit', 'native', '--profile', 'host', '-', text=GOOD)
+        self.assertEqual((result.returncode, result.stdout), (1, ''))
+        self.assertEqual(result.stderr, 'arbiter: -: the profile host has no model that runs '
+                                        'ARBfp1.0 programs: its limits are documented numbers\n')
+        self.assertEqual(arbiter('compile', '--emit', 'native', '-', text=BAD).returncode, 2)
+
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
         result = arbiter('compile', '-o', output, '-', text=GOOD)

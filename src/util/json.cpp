@@ -38,6 +38,16 @@ std::size_t utf8Length(std::string_view text) {
 
 } // namespace
 
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8Length(text);
+    if (length == 0)
+      return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 void JsonWriter::appendString(std::string_view text) {
   static constexpr char kDigits[] = "0123456789abcdef";
   m_text += '"';

@@ -42,6 +42,13 @@ TEST(JsonWriter, KeepsGoodUtf8AndReplacesBad) {
   EXPECT_EQ(read[1], "a\xEF\xBF\xBDz");
 }
 
+TEST(IsUtf8, HoldsToTheTable) {
+  for (const char *good : {"", "a.fp", "\xC3\xBC", "\xE2\x96\x88", "\xF0\x9F\x98\x80"})
+    EXPECT_TRUE(isUtf8(good)) << good;
+  for (const char *bad : {"\xFF", "a\xC3", "\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80"})
+    EXPECT_FALSE(isUtf8(bad)) << bad;
+}
+
 TEST(JsonWriter, NumbersThatJsonLacksBecomeNull) {
   JsonWriter json;
   json.beginArray().value(std::numeric_limits<double>::infinity()).value(0.1).endArray();

@@ -103,9 +103,11 @@ std::string row(const Line &line, const Style &style) {
             cell(line.api[1], line.apiLimits[1], true, style) + deltaCell(line.api, style);
   else
     text += std::string(34, ' ');
-  return text + cell(line.native[0], line.nativeLimits[0], line.limited, style) +
-         cell(line.native[1], line.nativeLimits[1], line.limited, style) +
-         deltaCell(line.native, style) + "\n";
+  text += cell(line.native[0], line.nativeLimits[0], line.limited, style) +
+          cell(line.native[1], line.nativeLimits[1], line.limited, style) +
+          deltaCell(line.native, style);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
 }
 
 std::string boundOf(const CheckedFile &file) {

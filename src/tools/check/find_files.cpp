@@ -24,12 +24,13 @@ bool beginsAsProgram(const fs::path &path) {
 
 bool isProgram(const fs::directory_entry &entry) {
   std::error_code error;
-  if (!entry.is_regular_file(error) || error)
-    return false;
   const std::string extension = entry.path().extension().string();
-  return std::find(std::begin(kExtensions), std::end(kExtensions), extension) !=
-             std::end(kExtensions) ||
-         beginsAsProgram(entry.path());
+  const bool named =
+      std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
+  // A link that leads nowhere is by its name a program that cannot be read, and is reported so.
+  if (!entry.is_regular_file(error))
+    return named && entry.is_symlink(error) && !entry.exists(error);
+  return named || beginsAsProgram(entry.path());
 }
 
 bool isFolder(const fs::directory_entry &entry) {

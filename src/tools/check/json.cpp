@@ -23,6 +23,16 @@ const char *severityName(fp::Severity severity) {
   return "";
 }
 
+std::string hexOf(std::string_view bytes) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += {kDigits[byte >> 4], kDigits[byte & 15]};
+  }
+  return text;
+}
+
 /// Members of an open object: bytes, lines and columns of a span.
 void writeSpan(JsonWriter &json, const SourceText &source, fp::Span span) {
   const fp::LineColumn begin = source.at(span.begin);
@@ -156,18 +166,9 @@ private:
 
 } // namespace
 
-const char *name(fp::NativeModel model) {
-  switch (model) {
-  case fp::NativeModel::Documented:
-    return "documented";
-  case fp::NativeModel::R300:
-    return "r300";
-  case fp::NativeModel::Nv30:
-    return "nv30";
-  case fp::NativeModel::I915:
-    return "i915";
-  }
-  return "";
+std::string name(fp::NativeModel model) {
+  const auto &names = fp::hw::choices()[std::size_t(fp::hw::Choice::FragmentModel)].names;
+  return std::string(names[std::size_t(model)]);
 }
 
 void writeHead(JsonWriter &json, const fp::hw::Profile &profile) {
@@ -180,6 +181,8 @@ void writeHead(JsonWriter &json, const fp::hw::Profile &profile) {
 void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile *profile) {
   json.beginObject();
   json.key("file").value(file.name);
+  if (!isUtf8(file.name)) // JSON cannot say its bytes, and a script must find it
+    json.key("file_hex").value(hexOf(file.name));
   if (profile != nullptr)
     json.key("profile").value(profile->name);
   json.key("status").value(name(file.status));

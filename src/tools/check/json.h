@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "tools/check/checked_file.h"
 #include "util/json.h"
 
@@ -12,7 +14,7 @@ void writeHead(JsonWriter &json, const fp::hw::Profile &profile);
 /// \param profile named in the element, where the document has files of several; else nullptr
 void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile *profile = nullptr);
 
-/// The model's name in JSON: "documented", "r300".
-[[nodiscard]] const char *name(fp::NativeModel model);
+/// The model's name, as a profile says it: "documented", "r300".
+[[nodiscard]] std::string name(fp::NativeModel model);
 
 } // namespace arbiter::tools
