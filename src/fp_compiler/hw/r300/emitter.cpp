@@ -1,0 +1,442 @@
+#include "fp_compiler/hw/r300/emitter.h"
+
+#include <bit>
+#include <cmath>
+
+namespace arbiter::fp::hw::r300 {
+
+Ref literal(float value) {
+  Ref ref;
+  ref.value = value;
+  return ref;
+}
+
+Value literals(float value) {
+  Refs refs;
+  refs.fill(literal(value));
+  return valueOf(refs);
+}
+
+Ref negated(Ref ref) {
+  if (ref.kind == Ref::Kind::Literal)
+    ref.value = -ref.value;
+  else
+    ref.negate = !ref.negate;
+  return ref;
+}
+
+Value negated(Value value) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    value.direct[c] = negated(value.direct[c]);
+    value.through[c] = negated(value.through[c]);
+  }
+  return value;
+}
+
+Value broadcast(const Value &value, std::size_t component) {
+  Value result;
+  result.direct.fill(value.direct[component]);
+  result.through.fill(value.through[component]);
+  return result;
+}
+
+void Emitter::begin(std::uint16_t origin, Home home) {
+  m_origin = origin;
+  m_home = home;
+  m_ownHome = false;
+  m_written = 0;
+  m_pieces.clear();
+}
+
+void Emitter::set(Home home, std::uint8_t mask, const Value &value) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (mask >> c & 1) {
+      m_current[home].direct[c] = value.direct[c];
+      m_current[home].through[c] = value.through[c];
+    }
+}
+
+bool Emitter::readable(const Ref &ref) const {
+  if (ref.kind != Ref::Kind::Item)
+    return true;
+  const Home home = m_flow.items[ref.index].home[ref.component];
+  if (home >= m_current.size())
+    return true;
+  const Ref &now = m_current[home].direct[ref.component];
+  return now.kind == Ref::Kind::Item && now.index == ref.index && now.component == ref.component;
+}
+
+Item Emitter::like(RgbOp rgb, AlphaOp alpha, const How &how) const {
+  Item item;
+  item.rgb = rgb;
+  item.alpha = alpha;
+  item.clamp = how.clamp;
+  item.modifier = how.modifier;
+  item.cause = how.cause;
+  item.origin = m_origin;
+  return item;
+}
+
+/// An operation that reads what an earlier one of the same instruction overwrites: the destination
+/// becomes something of its own.
+void Emitter::avoidHazard(const Item &item) {
+  if (m_written == 0 || m_ownHome)
+    return;
+  forEachRead(item, [&](ItemId read, std::uint8_t component) {
+    m_ownHome |= m_flow.items[read].home[component] == m_home && (m_written >> component & 1);
+  });
+  if (!m_ownHome)
+    return;
+  for (const ItemId piece : m_pieces)
+    for (std::size_t c = 0; c < 4; ++c)
+      if (m_flow.items[piece].home[c] == m_home) {
+        m_flow.items[piece].home[c] = m_nextHome++;
+        m_flow.homes[piece][c] = m_flow.items[piece].home[c];
+      }
+}
+
+ItemId Emitter::add(Item item, std::uint8_t mask, bool home) {
+  item.mask = mask;
+  avoidHazard(item);
+  const ItemId id = ItemId(m_flow.items.size());
+  std::array<Home, 4> homes;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const bool written = mask >> c & 1;
+    if (written && home && !m_ownHome)
+      item.home[c] = m_home;
+    else if (written || item.replicated)
+      item.home[c] = m_nextHome++;
+    homes[c] = written ? item.home[c] : kNoHome;
+  }
+  if (home) {
+    m_written |= mask;
+    m_pieces.push_back(id);
+  }
+  m_flow.items.push_back(item);
+  m_flow.parent.push_back(id);
+  m_flow.homes.push_back(homes);
+  return id;
+}
+
+/// Whether the items may be one register, and makes them so.
+bool Emitter::join(std::span<const Ref> refs, bool commit) {
+  const ItemId root = m_flow.web(refs[0].index);
+  std::array<Home, 4> merged = m_flow.homes[root];
+  for (std::size_t i = 1; i < refs.size(); ++i) {
+    if (refs[i].index == refs[i - 1].index)
+      continue;
+    const std::array<Home, 4> &other = m_flow.homes[m_flow.web(refs[i].index)];
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (other[c] == kNoHome)
+        continue;
+      if (merged[c] != kNoHome && merged[c] != other[c])
+        return false;
+      merged[c] = other[c];
+    }
+  }
+  for (const Ref &ref : refs) {
+    const Home home = m_flow.items[ref.index].home[ref.component];
+    if (merged[ref.component] != kNoHome && merged[ref.component] != home)
+      return false;
+    merged[ref.component] = home;
+  }
+  if (!commit)
+    return true;
+  for (const Ref &ref : refs) {
+    m_flow.parent[m_flow.web(ref.index)] = root;
+    m_flow.items[ref.index].mask |= std::uint8_t(1 << ref.component);
+  }
+  m_flow.homes[root] = merged;
+  return true;
+}
+
+namespace {
+/// 0, 1/2 and 1 are there without a source.
+bool freeConstant(float value, std::uint8_t &select) {
+  const float size = std::fabs(value);
+  if (size == 0.0f)
+    select = std::uint8_t(RgbSelect::Zero);
+  else if (size == 1.0f)
+    select = std::uint8_t(RgbSelect::One);
+  else if (size == 0.5f)
+    select = std::uint8_t(RgbSelect::Half);
+  else
+    return false;
+  return true;
+}
+
+bool sameNumber(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+} // namespace
+
+bool Emitter::take(const Refs &refs, std::uint8_t components, FlowArgument &argument, bool commit) {
+  const std::size_t first = std::size_t(std::countr_zero(components));
+  const Ref &one = refs[first];
+  bool equal = true;
+  for (std::size_t c = first + 1; c < 3; ++c) {
+    if (!(components >> c & 1))
+      continue;
+    if (refs[c].kind != one.kind || refs[c].absolute != one.absolute ||
+        refs[c].negate != one.negate)
+      return false;
+    equal &= sameNumber(refs[c].value, one.value);
+  }
+  argument = {};
+  argument.absolute = one.absolute;
+  argument.negate = one.negate;
+  if (one.kind != Ref::Kind::Literal)
+    return takeItems(refs, components, argument, commit);
+  if (equal && freeConstant(one.value, argument.select)) {
+    argument.negate = std::signbit(one.value);
+    return true;
+  }
+  if (!commit)
+    return true;
+  const Rows::Place place = m_rows.rgb(refs, components, m_origin);
+  argument.bank = FlowArgument::Bank::Row;
+  argument.select = place.select;
+  argument.negate = place.negate;
+  argument.source[0] = place.row;
+  return true;
+}
+
+bool Emitter::takeItems(const Refs &refs, std::uint8_t components, FlowArgument &argument,
+                        bool commit) {
+  for (std::uint8_t select = 0;; ++select) {
+    if (select == std::uint8_t(RgbSelect::Zero))
+      return false;
+    bool fits = true;
+    for (std::size_t c = 0; c < 3; ++c)
+      fits &= !(components >> c & 1) || refs[c].component == kTaps[select][c];
+    if (!fits)
+      continue;
+    argument.select = select;
+    break;
+  }
+  std::array<Ref, 3> colours, alphas;
+  std::size_t colourCount = 0, alphaCount = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (components >> c & 1) {
+      if (refs[c].component < 3)
+        colours[colourCount++] = refs[c];
+      else
+        alphas[alphaCount++] = refs[c];
+      argument.source[c] = refs[c].index;
+    }
+  const Ref &one = colourCount ? colours[0] : alphas[0];
+  if (one.kind == Ref::Kind::Row) {
+    for (std::size_t i = 1; i < colourCount; ++i)
+      if (colours[i].index != one.index)
+        return false;
+    for (std::size_t i = 0; i < alphaCount; ++i)
+      if (alphas[i].index != one.index)
+        return false;
+    argument.bank = FlowArgument::Bank::Row;
+    argument.source[0] = one.index;
+    return true;
+  }
+  argument.bank = FlowArgument::Bank::Item;
+  const std::span<const Ref> colour(colours.data(), colourCount), alpha(alphas.data(), alphaCount);
+  // Both first: no half of an argument may be joined if the other cannot.
+  if ((colourCount && !join(colour, false)) || (alphaCount && !join(alpha, false)))
+    return false;
+  if (!commit)
+    return true;
+  if (colourCount)
+    (void)join(colour, true);
+  return !alphaCount || join(alpha, true);
+}
+
+bool Emitter::take(const Value &value, std::uint8_t components, FlowArgument &argument,
+                   bool commit) {
+  return take(value.through, components, argument, commit) ||
+         take(value.direct, components, argument, commit);
+}
+
+bool Emitter::takeAlpha(const Ref &ref, FlowArgument &argument) {
+  argument = {};
+  argument.absolute = ref.absolute;
+  argument.negate = ref.negate;
+  if (ref.kind == Ref::Kind::Literal) {
+    if (freeConstant(ref.value, argument.select)) {
+      argument.select = std::uint8_t(argument.select - std::uint8_t(RgbSelect::Zero) +
+                                     std::uint8_t(AlphaSelect::Zero));
+      argument.negate = std::signbit(ref.value);
+      return true;
+    }
+    const Rows::Place place = m_rows.alpha(ref, m_origin);
+    argument.bank = FlowArgument::Bank::Row;
+    argument.select = place.select;
+    argument.negate = place.negate;
+    argument.source[0] = place.row;
+    return true;
+  }
+  argument.select = ref.component;
+  argument.source[0] = ref.index;
+  argument.bank = ref.kind == Ref::Kind::Row ? FlowArgument::Bank::Row : FlowArgument::Bank::Item;
+  return ref.kind == Ref::Kind::Row || join({&ref, 1}, true);
+}
+
+void Emitter::takeAlpha(const Value &value, std::size_t component, FlowArgument &argument) {
+  if (!takeAlpha(value.through[component], argument))
+    (void)takeAlpha(value.direct[component], argument);
+}
+
+bool Emitter::feasible(std::span<const Value> operands, std::uint8_t components) {
+  FlowArgument ignored;
+  for (const Value &operand : operands)
+    if (!take(operand, components, ignored, false))
+      return false;
+  return true;
+}
+
+/// The fewest parts of \p components that each are one operation.
+std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t components,
+                              std::array<std::uint8_t, 3> &parts) {
+  if (components == 0)
+    return 0;
+  parts[0] = components;
+  if (std::has_single_bit(components) || feasible(operands, components))
+    return 1;
+  if (components == 7)
+    for (const std::uint8_t two : {3, 6, 5})
+      if (feasible(operands, two)) {
+        parts[0] = two;
+        parts[1] = std::uint8_t(components & ~two);
+        return 2;
+      }
+  std::uint32_t count = 0;
+  for (std::uint8_t bit = 1; bit < 8; bit = std::uint8_t(bit << 1))
+    if (components & bit)
+      parts[count++] = bit;
+  return count;
+}
+
+void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
+                       bool home, Value &result) {
+  Item item = like;
+  item.kind = Item::Kind::Rgb;
+  item.alpha = AlphaOp::None;
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    if (!take(operands[i], components, item.rgbArguments[i], true)) {
+      // Two arguments together may ask for joins that each could have had alone.
+      for (std::uint8_t bit = 1; bit < 8; bit = std::uint8_t(bit << 1))
+        if (components & bit)
+          rgbPhase(like, bit, operands, home, result);
+      return;
+    }
+  const ItemId id = add(item, components, home);
+  for (std::uint8_t c = 0; c < 3; ++c)
+    if (components >> c & 1)
+      result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+}
+
+void Emitter::alphaPart(const Item &like, std::span<const Value> operands, bool home,
+                        Value &result) {
+  Item item = like;
+  item.kind = Item::Kind::Alpha;
+  item.rgb = RgbOp::None;
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    takeAlpha(operands[i], 3, item.alphaArguments[i]);
+  result.direct[3] = {Ref::Kind::Item, 3, false, false, add(item, 8, home), 0.0f};
+}
+
+Value Emitter::componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask,
+                             std::span<const Value> operands, const How &how) {
+  Value result;
+  const Item item = like(rgb, alpha, how);
+  std::array<std::uint8_t, 3> parts;
+  const std::uint32_t count = phases(operands, mask & 7, parts);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Item part = item;
+    if (i > 0 && part.cause == Cause::Instruction)
+      part.cause = Cause::Swizzle;
+    rgbPhase(part, parts[i], operands, how.home, result);
+  }
+  if (mask & 8)
+    alphaPart(item, operands, how.home, result);
+  result.through = result.direct;
+  return result;
+}
+
+namespace {
+/// A power of two that the output modifier has, at +-1 in the argument's place.
+bool modifierOf(float value, Modifier &modifier) {
+  const float size = std::fabs(value);
+  modifier = size == 2.0f     ? Modifier::X2
+             : size == 4.0f   ? Modifier::X4
+             : size == 8.0f   ? Modifier::X8
+             : size == 0.25f  ? Modifier::Quarter
+             : size == 0.125f ? Modifier::Eighth
+                              : Modifier::One;
+  return modifier != Modifier::One;
+}
+
+bool isLiteral(const Refs &refs, std::uint8_t mask, float value) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
+      return false;
+  return true;
+}
+
+/// The factor that all of \p mask have, if it is one of the output modifier's.
+bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
+  const Ref &first = value.through[std::size_t(std::countr_zero(mask))];
+  Modifier ignored;
+  factor = first.value;
+  return first.kind == Ref::Kind::Literal && modifierOf(factor, ignored) &&
+         isLiteral(value.through, mask, factor);
+}
+} // namespace
+
+Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+                   const How &how) {
+  Value result;
+  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
+    if (half == 0)
+      continue;
+    std::array<Value, 3> operands = {a, b, c};
+    How mine = how;
+    float factor = 1.0f;
+    if (how.modifier == Modifier::One && isLiteral(c.through, half, 0.0f))
+      for (std::size_t i = 0; i < 2; ++i)
+        if (mine.modifier == Modifier::One && scaleOf(operands[i], half, factor)) {
+          (void)modifierOf(factor, mine.modifier);
+          operands[i] = literals(std::copysign(1.0f, factor));
+        }
+    const Value part = componentwise(RgbOp::Mad, AlphaOp::Mad, half, operands, mine);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (half >> i & 1)
+        result.direct[i] = part.direct[i];
+  }
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::copy(std::uint8_t mask, const Value &value, const How &how) {
+  // The sum with -0 keeps a zero's sign.
+  return mad(mask, value, literals(1.0f), literals(-0.0f), how);
+}
+
+Value Emitter::replicated(Item item, std::uint8_t mask, bool home) {
+  item.replicated = true;
+  item.kind = Item::Kind::Both;
+  const ItemId id = add(item, mask, home);
+  Value result;
+  for (std::uint8_t c = 0; c < 4; ++c)
+    result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::scalar(AlphaOp op, std::uint8_t mask, const Value &operand, const How &how) {
+  Item item = like(RgbOp::ReplAlpha, op, how);
+  takeAlpha(operand, 3, item.alphaArguments[0]);
+  Value result = replicated(item, mask, how.home);
+  // In w alone it leaves the RGB half to others.
+  result.through.fill(result.direct[3]);
+  return result;
+}
+
+} // namespace arbiter::fp::hw::r300

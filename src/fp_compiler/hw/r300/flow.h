@@ -1,0 +1,200 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fp_compiler/hw/r300/machine.h"
+
+/// The compiler's own form of a program: a flat list of operations of one half (or of both) in an
+/// order that would be right to execute, over virtual registers. An operation is what it writes, so
+/// a value is (operation, component). Operations whose components are read together share a virtual
+/// register; those are the classes of a union-find, the webs.
+namespace arbiter::fp::hw::r300 {
+
+using ItemId = std::uint32_t;
+inline constexpr ItemId kNoItem = 0xFFFFFFFF;
+using Home = std::uint32_t;
+inline constexpr Home kNoHome = 0xFFFFFFFF;
+
+/// One component of a value that can be read.
+struct Ref {
+  enum class Kind : std::uint8_t {
+    Literal, ///< `value`; `index` is the program's constant that it comes from, or kNone
+    Row,     ///< a row of Flow::rows whose value is not known
+    Item,
+  };
+  Kind kind = Kind::Literal;
+  std::uint8_t component = 0;
+  bool absolute = false; ///< before the sign; literals have both in their value
+  bool negate = false;
+  std::uint32_t index = kNone;
+  float value = 0.0f;
+  bool operator==(const Ref &) const = default;
+};
+using Refs = std::array<Ref, 4>;
+
+/// An argument of a half with virtual registers for sources.
+struct FlowArgument {
+  enum class Bank : std::uint8_t { None, Row, Item };
+  Bank bank = Bank::None;  ///< None: the select is a constant
+  std::uint8_t select = 0; ///< RgbSelect or AlphaSelect
+  bool absolute = false;
+  bool negate = false;
+  bool presubtracted = false;
+  /// The row in [0], or the item that result component i reads; alpha arguments use [0] alone.
+  std::array<ItemId, 3> source = {kNoItem, kNoItem, kNoItem};
+};
+
+struct Item {
+  enum class Kind : std::uint8_t { Interpolant, Texture, Rgb, Alpha, Both };
+  Kind kind = Kind::Rgb;
+  RgbOp rgb = RgbOp::None;
+  AlphaOp alpha = AlphaOp::None;
+  bool live = true;        ///< prune() knows
+  bool replicated = false; ///< all components have the one value; those outside the mask are free
+  std::uint8_t mask = 0;   ///< components of the virtual register that are written
+  std::uint8_t outputMask = 0;
+  std::uint8_t output = 0;
+  bool depth = false, clamp = false;
+  Modifier modifier = Modifier::One;
+  Presubtract presubtract = Presubtract::None; ///< of the one half that the item has
+  Cause cause = Cause::Instruction;
+  std::uint16_t origin = kNone;
+  /// The RGB half's and the alpha half's. A texture's coordinate: x y z of rgbArguments[0], w of
+  /// alphaArguments[0].
+  std::array<FlowArgument, 3> rgbArguments, alphaArguments;
+  std::array<FlowArgument, 2> presubtracted; ///< sources 0 and 1 of the presubtract
+  TexOp texture = TexOp::Load;
+  std::uint8_t unit = 0;
+  ir::TexTarget target = ir::TexTarget::Tex2D;
+  std::uint16_t attribute = 0; ///< Interpolant
+  /// What each component is a version of: a register of the program, or something of its own. In a
+  /// web the versions of a component are all of one home, so that the order of the list is right
+  /// for it.
+  std::array<Home, 4> home = {kNoHome, kNoHome, kNoHome, kNoHome};
+
+  [[nodiscard]] bool isAlu() const { return kind >= Kind::Rgb; }
+  /// Components that count once dead ones are gone.
+  [[nodiscard]] std::uint8_t written() const {
+    return std::uint8_t(mask | outputMask | (depth ? 8 : 0));
+  }
+};
+
+struct Row {
+  Constant constant;
+  std::uint8_t filled = 0xF; ///< components of a Value row that are taken
+  bool known = false;        ///< its value is constant.value
+};
+
+struct Flow {
+  std::vector<Item> items;
+  std::vector<Row> rows;
+  std::vector<ItemId> parent;             ///< of each item: the webs' forest
+  std::vector<std::array<Home, 4>> homes; ///< of each web's root
+
+  [[nodiscard]] ItemId web(ItemId item) {
+    while (parent[item] != item) {
+      parent[item] = parent[parent[item]];
+      item = parent[item];
+    }
+    return item;
+  }
+};
+
+/// The component that component i of an RGB select reads; 4 where it is a constant.
+inline constexpr std::uint8_t kTaps[11][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2},
+                                              {3, 3, 3}, {1, 2, 0}, {2, 0, 1}, {3, 2, 1},
+                                              {4, 4, 4}, {4, 4, 4}, {4, 4, 4}};
+
+[[nodiscard]] inline bool isDot(RgbOp op) { return op == RgbOp::Dp3 || op == RgbOp::Dp4; }
+
+[[nodiscard]] inline int argumentsOf(RgbOp op) {
+  switch (op) {
+  case RgbOp::None:
+  case RgbOp::ReplAlpha:
+    return 0;
+  case RgbOp::Frc:
+    return 1;
+  case RgbOp::Dp3:
+  case RgbOp::Dp4:
+  case RgbOp::Min:
+  case RgbOp::Max:
+    return 2;
+  case RgbOp::Mad:
+  case RgbOp::Cnd:
+  case RgbOp::Cmp:
+    return 3;
+  }
+  return 0;
+}
+
+[[nodiscard]] inline int argumentsOf(AlphaOp op, RgbOp beside) {
+  switch (op) {
+  case AlphaOp::None:
+    return 0;
+  case AlphaOp::Dp:
+    return beside == RgbOp::Dp4 ? 2 : 0;
+  case AlphaOp::Frc:
+  case AlphaOp::Ex2:
+  case AlphaOp::Lg2:
+  case AlphaOp::Rcp:
+  case AlphaOp::Rsq:
+    return 1;
+  case AlphaOp::Min:
+  case AlphaOp::Max:
+    return 2;
+  case AlphaOp::Mad:
+  case AlphaOp::Cnd:
+  case AlphaOp::Cmp:
+    return 3;
+  }
+  return 0;
+}
+
+/// Components of the result that an RGB argument is read for.
+[[nodiscard]] inline std::uint8_t rgbComponents(const Item &item) {
+  return isDot(item.rgb) || item.kind == Item::Kind::Texture ? 7 : std::uint8_t(item.written() & 7);
+}
+
+/// Calls visit(item, component) for each component of another item that \p item reads.
+template <typename Visit> void forEachRead(const Item &item, Visit visit) {
+  if (item.kind == Item::Kind::Interpolant)
+    return;
+  if (item.kind == Item::Kind::Texture) {
+    for (std::uint8_t c = 0; c < 3; ++c)
+      if (item.rgbArguments[0].source[c] != kNoItem)
+        visit(item.rgbArguments[0].source[c], c);
+    if (item.alphaArguments[0].source[0] != kNoItem)
+      visit(item.alphaArguments[0].source[0], std::uint8_t(3));
+    return;
+  }
+  const std::uint8_t components = rgbComponents(item);
+  const auto rgb = [&](const FlowArgument &argument) {
+    if (argument.bank == FlowArgument::Bank::Item)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (components >> c & 1)
+          visit(argument.source[c], kTaps[argument.select][c]);
+  };
+  const auto alpha = [&](const FlowArgument &argument) {
+    if (argument.bank == FlowArgument::Bank::Item)
+      visit(argument.source[0], argument.select);
+  };
+  bool presubtracted = false;
+  for (int i = 0; i < argumentsOf(item.rgb); ++i) {
+    const FlowArgument &argument = item.rgbArguments[std::size_t(i)];
+    presubtracted |= argument.presubtracted;
+    if (!argument.presubtracted)
+      rgb(argument);
+  }
+  for (int i = 0; i < argumentsOf(item.alpha, item.rgb); ++i) {
+    const FlowArgument &argument = item.alphaArguments[std::size_t(i)];
+    presubtracted |= argument.presubtracted;
+    if (!argument.presubtracted)
+      alpha(argument);
+  }
+  if (presubtracted)
+    for (const FlowArgument &argument : item.presubtracted)
+      item.kind == Item::Kind::Alpha ? alpha(argument) : rgb(argument);
+}
+
+} // namespace arbiter::fp::hw::r300

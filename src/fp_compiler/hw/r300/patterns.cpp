@@ -1,0 +1,384 @@
+#include <bit>
+
+#include "fp_compiler/hw/r300/emitter.h"
+#include "fp_compiler/ir/reads.h"
+
+/// Operations that are more than one component at a time: dot products, comparisons and
+/// interpolations on presubtracted sources, texture accesses.
+namespace arbiter::fp::hw::r300 {
+
+namespace {
+bool isLiteral(const Refs &refs, std::uint8_t components, float value) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((components >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
+      return false;
+  return true;
+}
+
+bool plainSource(const FlowArgument &argument) {
+  return argument.bank != FlowArgument::Bank::None && !argument.absolute;
+}
+} // namespace
+
+/// x - y as one argument of \p item: by presubtract, or because one of them is zero.
+/// \p components: of RGB, or 8 for the alpha half.
+bool Emitter::differenceOf(const Refs &x, const Refs &y, std::uint8_t components, Item &item,
+                           FlowArgument &argument) {
+  const bool alpha = components == 8;
+  const auto takeOne = [&](const Refs &refs, FlowArgument &result) {
+    return alpha ? takeAlpha(refs[3], result) : take(refs, components, result, true);
+  };
+  if (isLiteral(y, components, 0.0f))
+    return takeOne(x, argument);
+  if (isLiteral(x, components, 0.0f)) {
+    if (!takeOne(y, argument))
+      return false;
+    argument.negate = !argument.negate;
+    return true;
+  }
+  const auto usable = [&](const FlowArgument &source) {
+    return plainSource(source) && (alpha ? source.select == std::uint8_t(AlphaSelect::W)
+                                         : source.select <= std::uint8_t(RgbSelect::Zzz));
+  };
+  const bool oneMinus = isLiteral(x, components, 1.0f), minusOne = isLiteral(y, components, 1.0f);
+  FlowArgument first, second;
+  bool negate = false;
+  if (oneMinus || minusOne) {
+    if (!takeOne(oneMinus ? y : x, first) || !usable(first) || first.negate)
+      return false;
+    item.presubtract = Presubtract::OneMinusS0;
+    negate = minusOne;
+  } else {
+    if (!takeOne(y, first) || !takeOne(x, second) || !usable(first) || !usable(second) ||
+        first.select != second.select)
+      return false;
+    // Source 0 is y, source 1 is x.
+    item.presubtract =
+        first.negate == second.negate ? Presubtract::S1MinusS0 : Presubtract::S1PlusS0;
+    negate = second.negate;
+    item.presubtracted[1] = second;
+  }
+  item.presubtracted[0] = first;
+  argument = {};
+  argument.select = first.select;
+  argument.negate = negate;
+  argument.presubtracted = true;
+  return true;
+}
+
+bool Emitter::difference(const Value &x, const Value &y, std::uint8_t components, Item &item,
+                         FlowArgument &argument) {
+  return differenceOf(x.through, y.through, components, item, argument) ||
+         differenceOf(x.direct, y.through, components, item, argument) ||
+         differenceOf(x.through, y.direct, components, item, argument) ||
+         differenceOf(x.direct, y.direct, components, item, argument);
+}
+
+/// As two of add() do it, with one argument made by difference().
+Value Emitter::compareHalf(std::uint8_t mask, const Value &x, const Value &y, float below,
+                           float notBelow, const How &how) {
+  const bool alpha = mask == 8;
+  Item item = like(alpha ? RgbOp::None : RgbOp::Cmp, alpha ? AlphaOp::Cmp : AlphaOp::None, how);
+  item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
+  auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
+  if (!difference(x, y, mask, item, arguments[2])) {
+    How own;
+    own.cause = how.cause;
+    const Value rest = mad(mask, x, literals(1.0f), negated(y), own);
+    const std::array<Value, 3> operands = {literals(notBelow), literals(below), rest};
+    return componentwise(RgbOp::Cmp, AlphaOp::Cmp, mask, operands, how);
+  }
+  for (const std::size_t i : {0, 1}) {
+    const Value number = literals(i == 0 ? notBelow : below);
+    if (alpha)
+      takeAlpha(number, 3, arguments[i]);
+    else
+      (void)take(number, mask, arguments[i], true);
+  }
+  const ItemId id = add(item, mask, how.home);
+  Value result;
+  for (std::uint8_t c = 0; c < 4; ++c)
+    result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::compare(std::uint8_t mask, const Value &x, const Value &y, float below,
+                       float notBelow, const How &how) {
+  Value result;
+  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
+    if (half == 0)
+      continue;
+    const Value part = compareHalf(half, x, y, below, notBelow, how);
+    for (std::size_t c = 0; c < 4; ++c)
+      if (half >> c & 1)
+        result.direct[c] = part.direct[c];
+  }
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+                        const How &how) {
+  const bool alpha = mask == 8;
+  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, how);
+  item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
+  auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
+  bool fits = difference(b, c, mask, item, arguments[1]);
+  if (fits && alpha) {
+    takeAlpha(a, 3, arguments[0]);
+    takeAlpha(c, 3, arguments[2]);
+  } else if (fits) {
+    fits = take(a, mask, arguments[0], true) && take(c, mask, arguments[2], true);
+  }
+  if (!fits) {
+    How own;
+    own.cause = how.cause;
+    const Value rest = mad(mask, b, literals(1.0f), negated(c), own);
+    return mad(mask, a, rest, c, how);
+  }
+  const ItemId id = add(item, mask, how.home);
+  Value result;
+  for (std::uint8_t i = 0; i < 4; ++i)
+    result.direct[i] = {Ref::Kind::Item, i, false, false, id, 0.0f};
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+                    const How &how) {
+  Value result;
+  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
+    if (half == 0)
+      continue;
+    const Value part = lerpHalf(half, a, b, c, how);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (half >> i & 1)
+        result.direct[i] = part.direct[i];
+  }
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::arch(std::uint8_t mask, const Value &f, const How &how) {
+  const bool alpha = mask == 8;
+  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, how);
+  item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
+  item.modifier = Modifier::X4;
+  item.presubtract = Presubtract::OneMinusTwoS0;
+  if (alpha)
+    takeAlpha(f, 3, item.presubtracted[0]);
+  else
+    (void)take(f, mask, item.presubtracted[0], true);
+  // In terms of n = -u, which is the presubtract result: 4*(n|n| - n).
+  FlowArgument n;
+  n.presubtracted = true;
+  n.select = item.presubtracted[0].select;
+  auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
+  arguments = {n, n, n};
+  arguments[1].absolute = true;
+  arguments[2].negate = true;
+  const ItemId id = add(item, mask, how.home);
+  Refs refs;
+  for (std::uint8_t c = 0; c < 4; ++c)
+    refs[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+  return valueOf(refs);
+}
+
+bool Emitter::dotArguments(Item &item, const Refs &a, const Refs &b, bool commit) {
+  if (!take(a, 7, item.rgbArguments[0], commit) || !take(b, 7, item.rgbArguments[1], commit))
+    return false;
+  return true;
+}
+
+namespace {
+constexpr std::array<std::array<std::uint8_t, 4>, 24> kPermutations = [] {
+  std::array<std::array<std::uint8_t, 4>, 24> all = {};
+  std::size_t count = 0;
+  // Those that leave w in its place first: a DP3 has them alone.
+  for (std::uint8_t w = 4; w-- > 0;)
+    for (std::uint8_t x = 0; x < 4; ++x)
+      for (std::uint8_t y = 0; y < 4; ++y)
+        for (std::uint8_t z = 0; z < 4; ++z)
+          if (x != y && x != z && x != w && y != z && y != w && z != w)
+            all[count++] = {x, y, z, w};
+  return all;
+}();
+
+Refs permuted(const Refs &refs, const std::array<std::uint8_t, 4> &order) {
+  return {refs[order[0]], refs[order[1]], refs[order[2]], refs[order[3]]};
+}
+
+bool isNegative(const Ref &ref) {
+  return ref.kind == Ref::Kind::Literal ? ref.value < 0.0f : ref.negate;
+}
+
+/// Moves the signs of \p from to \p to: products do not change.
+void moveSigns(Refs &from, Refs &to) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (isNegative(from[c])) {
+      from[c] = negated(from[c]);
+      to[c] = negated(to[c]);
+    }
+}
+
+template <typename Try> bool eachReading(const Value &a, const Value &b, Try attempt) {
+  return attempt(a.through, b.through) || attempt(a.direct, b.through) ||
+         attempt(a.through, b.direct) || attempt(a.direct, b.direct);
+}
+} // namespace
+
+Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, const How &how) {
+  Item item = like(op, AlphaOp::Dp, how);
+  const std::size_t orders = op == RgbOp::Dp3 ? 6 : kPermutations.size();
+  const auto attempt = [&](const Refs &x, const Refs &y, std::size_t order, int signs) {
+    Refs first = permuted(x, kPermutations[order]), second = permuted(y, kPermutations[order]);
+    if (signs == 1)
+      moveSigns(first, second);
+    else if (signs == 2)
+      moveSigns(second, first);
+    if (!dotArguments(item, first, second, false) || !dotArguments(item, first, second, true))
+      return false;
+    if (op == RgbOp::Dp4 && (!takeAlpha(first[3], item.alphaArguments[0]) ||
+                             !takeAlpha(second[3], item.alphaArguments[1])))
+      return false;
+    return true;
+  };
+  for (std::size_t order = 0; order < orders; ++order)
+    for (int signs = 0; signs < 3; ++signs)
+      if (eachReading(a, b,
+                      [&](const Refs &x, const Refs &y) { return attempt(x, y, order, signs); })) {
+        Value result = replicated(item, mask, how.home);
+        // A Dp3 that writes no w leaves the alpha half to others.
+        if (op == RgbOp::Dp3)
+          result.through[3] =
+              result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
+        return result;
+      }
+  return dotByCopy(item, mask, a, b, how.home);
+}
+
+/// One side, or both, through a register of its own.
+Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b, bool home) {
+  FlowArgument ignored;
+  std::array<std::uint8_t, 3> parts;
+  const auto costOf = [&](const Value &value) {
+    return take(value, 7, ignored, false) ? 0 : phases({&value, 1}, 7, parts);
+  };
+  How own;
+  own.cause = Cause::Swizzle;
+  const std::uint8_t all = item.rgb == RgbOp::Dp3 ? 7 : 15;
+  const auto order = [&](const Value &value, std::size_t i) {
+    return Value{permuted(value.direct, kPermutations[i]),
+                 permuted(value.through, kPermutations[i])};
+  };
+  std::size_t best = 0;
+  std::uint32_t least = ~0u;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::uint32_t cost = costOf(order(a, i)) + costOf(order(b, i));
+    if (cost < least) {
+      least = cost;
+      best = i;
+    }
+  }
+  Value x = order(a, best), y = order(b, best);
+  // What a join made impossible meanwhile is copied as well.
+  if (costOf(x) != 0)
+    x = copy(all, x, own);
+  if (costOf(y) != 0)
+    y = copy(all, y, own);
+  for (Value *side : {&x, &y})
+    if (!take(*side, 7, item.rgbArguments[side == &x ? 0 : 1], true)) {
+      *side = copy(all, *side, own);
+      (void)take(*side, 7, item.rgbArguments[side == &x ? 0 : 1], true);
+    }
+  if (item.rgb == RgbOp::Dp4) {
+    takeAlpha(x, 3, item.alphaArguments[0]);
+    takeAlpha(y, 3, item.alphaArguments[1]);
+  }
+  Value result = replicated(item, mask, home);
+  if (item.rgb == RgbOp::Dp3)
+    result.through[3] =
+        result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
+  return result;
+}
+
+Refs Emitter::interpolant(std::uint16_t attribute) {
+  Item item;
+  item.kind = Item::Kind::Interpolant;
+  item.attribute = attribute;
+  const ItemId id = add(item, 0xF, false);
+  Refs refs;
+  for (std::uint8_t c = 0; c < 4; ++c)
+    refs[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+  return refs;
+}
+
+Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t coordinates,
+                      const Value &coordinate, std::uint8_t mask, bool home) {
+  Refs plain = {};
+  std::uint8_t bad = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (!(coordinates >> c & 1))
+      continue;
+    const auto fits = [c](const Ref &ref) {
+      return ref.kind == Ref::Kind::Item && !ref.negate && !ref.absolute && ref.component == c;
+    };
+    if (fits(coordinate.through[c]))
+      plain[c] = coordinate.through[c];
+    else if (fits(coordinate.direct[c]))
+      plain[c] = coordinate.direct[c];
+    else
+      bad |= std::uint8_t(1 << c);
+  }
+  const auto joined = [&] {
+    std::array<Ref, 4> all;
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+      if (coordinates >> c & 1)
+        all[count++] = plain[c];
+    return join({all.data(), count}, true);
+  };
+  How own;
+  own.cause = Cause::TextureOperand;
+  const auto copied = [&](std::uint8_t components) {
+    const Value fresh = copy(components, coordinate, own);
+    for (std::size_t c = 0; c < 4; ++c)
+      if (components >> c & 1)
+        plain[c] = fresh.direct[c];
+  };
+  if (bad)
+    copied(bad);
+  if (!joined()) {
+    copied(coordinates);
+    (void)joined();
+  }
+  Item item = like(RgbOp::None, AlphaOp::None, {});
+  item.kind = Item::Kind::Texture;
+  item.texture = op;
+  item.unit = instruction.unit;
+  item.target = instruction.target;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (coordinates >> c & 1)
+      item.rgbArguments[0].source[c] = plain[c].index;
+  if (coordinates & 8)
+    item.alphaArguments[0].source[0] = plain[3].index;
+  Refs result = {};
+  if (op == TexOp::Kill) {
+    (void)add(item, 0, false);
+    return result;
+  }
+  const ItemId id = add(item, mask, home);
+  // The whole register is written, wanted or not.
+  for (std::uint8_t c = 0; c < 4; ++c) {
+    result[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
+    Item &sample = m_flow.items[id];
+    if (!(mask >> c & 1)) {
+      sample.home[c] = m_flow.homes[id][c] = m_nextHome++;
+      sample.mask |= std::uint8_t(1 << c);
+    }
+  }
+  return result;
+}
+
+} // namespace arbiter::fp::hw::r300

@@ -1,0 +1,229 @@
+#include "fp_compiler/hw/r300/schedule.h"
+
+#include <algorithm>
+
+namespace arbiter::fp::hw::r300 {
+
+namespace {
+class Scheduler {
+public:
+  explicit Scheduler(const Flow &flow) : m_flow(flow), m_states(flow.items.size()) {}
+
+  Plan run() {
+    dependencies();
+    levels();
+    for (std::uint32_t node = 0; node <= m_last; ++node)
+      fill(node);
+    return std::move(m_plan);
+  }
+
+private:
+  struct Edge {
+    ItemId from, to;
+    bool reads; ///< false: `to` overwrites what `from` reads, so that both may be TEX of a node
+  };
+  struct State {
+    std::uint32_t level = 0, deadline = 0, height = 0;
+    std::uint32_t waiting = 0; ///< for this many
+    std::uint32_t first = 0;   ///< into m_edges, which are sorted by `from`
+  };
+
+  [[nodiscard]] bool isTexture(ItemId id) const {
+    return m_flow.items[id].kind == Item::Kind::Texture;
+  }
+
+  void dependencies() {
+    std::vector<Edge> edges;
+    edges.reserve(m_flow.items.size() * 4);
+    std::vector<std::array<ItemId, 4>> writer(m_flow.items.size(),
+                                              {kNoItem, kNoItem, kNoItem, kNoItem});
+    for (ItemId id = 0; id < m_flow.items.size(); ++id) {
+      const Item &item = m_flow.items[id];
+      if (!item.live || item.kind == Item::Kind::Interpolant)
+        continue;
+      const std::size_t before = edges.size();
+      forEachRead(item, [&](ItemId read, std::uint8_t) {
+        if (m_flow.items[read].kind == Item::Kind::Interpolant)
+          return;
+        for (std::size_t i = before; i < edges.size(); ++i)
+          if (edges[i].from == read)
+            return;
+        edges.push_back({read, id, true});
+      });
+      for (std::uint8_t c = 0; c < 4; ++c)
+        if (item.mask >> c & 1) {
+          ItemId &last = writer[m_flow.parent[id]][c];
+          if (last != kNoItem)
+            overwrites(last, id, c, edges);
+          last = id;
+        }
+    }
+    // By counting: `first` of each, then in place.
+    for (const Edge &edge : edges) {
+      ++m_states[edge.from].first;
+      ++m_states[edge.to].waiting;
+    }
+    std::uint32_t sum = 0;
+    for (State &state : m_states) {
+      sum += state.first;
+      state.first = sum;
+    }
+    m_edges.resize(edges.size());
+    for (std::size_t i = edges.size(); i-- > 0;)
+      m_edges[--m_states[edges[i].from].first] = edges[i];
+  }
+
+  void overwrites(ItemId last, ItemId id, std::uint8_t component, std::vector<Edge> &edges) {
+    edges.push_back({last, id, true});
+    for (ItemId between = last + 1; between < id; ++between)
+      if (m_flow.items[between].live)
+        forEachRead(m_flow.items[between], [&](ItemId read, std::uint8_t c) {
+          if (read == last && c == component)
+            edges.push_back({between, id, false});
+        });
+  }
+
+  template <typename Visit> void forEachEdge(ItemId id, Visit visit) const {
+    const std::size_t end = id + 1 < m_states.size() ? m_states[id + 1].first : m_edges.size();
+    for (std::size_t i = m_states[id].first; i < end; ++i)
+      visit(m_edges[i]);
+  }
+
+  /// The first node that each can stand in, the last one, and the longest way to that one's end.
+  void levels() {
+    for (ItemId id = 0; id < m_flow.items.size(); ++id) {
+      if (!m_flow.items[id].live)
+        continue;
+      const bool texture = isTexture(id);
+      m_last = std::max(m_last, m_states[id].level);
+      forEachEdge(id, [&](const Edge &edge) {
+        const std::uint32_t further = isTexture(edge.to) && (edge.reads || !texture) ? 1 : 0;
+        m_states[edge.to].level = std::max(m_states[edge.to].level, m_states[id].level + further);
+      });
+    }
+    for (ItemId id = ItemId(m_flow.items.size()); id-- > 0;) {
+      State &state = m_states[id];
+      state.deadline = m_last;
+      if (!m_flow.items[id].isAlu() || !m_flow.items[id].live)
+        continue;
+      forEachEdge(id, [&](const Edge &edge) {
+        const State &to = m_states[edge.to];
+        const bool texture = isTexture(edge.to);
+        state.deadline = std::min(state.deadline, texture ? to.level - 1 : to.deadline);
+        state.height = std::max(state.height, texture ? 1 : to.height + 1);
+      });
+      m_waitingFor.resize(m_last + 1);
+      ++m_waitingFor[state.deadline];
+    }
+    m_waitingFor.resize(m_last + 1);
+    for (ItemId id = 0; id < m_flow.items.size(); ++id)
+      if (m_flow.items[id].live && m_flow.items[id].isAlu() && m_states[id].waiting == 0)
+        m_ready.push_back(id);
+  }
+
+  void release(ItemId id) {
+    forEachEdge(id, [&](const Edge &edge) {
+      if (--m_states[edge.to].waiting == 0 && !isTexture(edge.to))
+        m_released.push_back(edge.to);
+    });
+  }
+  void takeReleased() {
+    m_ready.insert(m_ready.end(), m_released.begin(), m_released.end());
+    m_released.clear();
+  }
+
+  void fill(std::uint32_t index) {
+    Node node;
+    node.firstTexture = std::uint32_t(m_plan.textures.size());
+    node.firstPair = std::uint32_t(m_plan.slots.size());
+    for (ItemId id = 0; id < m_flow.items.size(); ++id)
+      if (m_flow.items[id].live && isTexture(id) && m_states[id].level == index) {
+        m_plan.textures.push_back(id);
+        release(id);
+      }
+    takeReleased();
+    while (m_waitingFor[index] > 0)
+      slot();
+    // The last operations of a program may all be overdue; a node without any takes what there is.
+    if (m_plan.slots.size() == node.firstPair)
+      slot();
+    node.textures = std::uint32_t(m_plan.textures.size()) - node.firstTexture;
+    node.pairs = std::uint32_t(m_plan.slots.size()) - node.firstPair;
+    m_plan.nodes.push_back(node);
+  }
+
+  /// Lower goes first: by deadline, by the longest way, by the program's order.
+  [[nodiscard]] std::uint64_t key(ItemId id) const {
+    const State &state = m_states[id];
+    return std::uint64_t(state.deadline) << 48 | std::uint64_t(0xFFFFF - state.height) << 28 | id;
+  }
+
+  void take(std::size_t at) {
+    const ItemId id = m_ready[at];
+    m_ready[at] = m_ready.back();
+    m_ready.pop_back();
+    --m_waitingFor[m_states[id].deadline];
+    release(id);
+  }
+
+  void slot() {
+    Plan::Slot slot;
+    if (m_ready.empty()) {
+      m_plan.slots.push_back(slot);
+      return;
+    }
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < m_ready.size(); ++i)
+      if (key(m_ready[i]) < key(m_ready[best]))
+        best = i;
+    const ItemId id = m_ready[best];
+    const Item &item = m_flow.items[id];
+    const bool rgb = item.kind != Item::Kind::Alpha, alpha = item.kind != Item::Kind::Rgb;
+    if (rgb)
+      slot.rgb = id;
+    if (alpha)
+      slot.alpha = id;
+    (void)pack(m_flow, rgb ? &item : nullptr, alpha ? &item : nullptr, slot.packed);
+    take(best);
+    if (rgb != alpha)
+      partner(slot);
+    m_plan.slots.push_back(slot);
+    takeReleased();
+  }
+
+  /// The best operation of the idle half that the addresses left allow.
+  void partner(Plan::Slot &slot) {
+    const bool wantsRgb = slot.rgb == kNoItem;
+    std::size_t best = m_ready.size();
+    Packed packed;
+    for (std::size_t i = 0; i < m_ready.size(); ++i) {
+      const Item &item = m_flow.items[m_ready[i]];
+      if (item.kind != (wantsRgb ? Item::Kind::Rgb : Item::Kind::Alpha) ||
+          (best != m_ready.size() && key(m_ready[i]) > key(m_ready[best])))
+        continue;
+      const bool fits = wantsRgb ? pack(m_flow, &item, &m_flow.items[slot.alpha], packed)
+                                 : pack(m_flow, &m_flow.items[slot.rgb], &item, packed);
+      if (!fits)
+        continue;
+      best = i;
+      slot.packed = packed;
+    }
+    if (best == m_ready.size())
+      return;
+    (wantsRgb ? slot.rgb : slot.alpha) = m_ready[best];
+    take(best);
+  }
+
+  const Flow &m_flow;
+  std::vector<State> m_states;
+  std::vector<Edge> m_edges;
+  std::vector<std::uint32_t> m_waitingFor; ///< operations left, by deadline
+  std::vector<ItemId> m_ready, m_released;
+  std::uint32_t m_last = 0;
+  Plan m_plan;
+};
+} // namespace
+
+Plan schedule(const Flow &flow) { return Scheduler(flow).run(); }
+
+} // namespace arbiter::fp::hw::r300
