@@ -10,10 +10,10 @@ packages_build=(
   libgl1 libglx0 libegl1 libopengl0 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libosmesa6
 )
 
-# `./dev test`: unit tests, the clients, piglit and a display for them.
+# `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
   libgtest-dev libgmock-dev glslang-tools xvfb xauth piglit
-  libsdl2-dev libglew-dev
+  libsdl2-dev libglew-dev chromium
 )
 
 # The one real program of `./dev test`.

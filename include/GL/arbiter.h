@@ -44,11 +44,12 @@
 #define ARBITER_ENV_HOST_VENDOR "ARBITER_HOST_VENDOR"
 #define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
-/* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json` and
- * `arbiter capture` (index.json, process-*.json) write.
+/* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json`,
+ * `arbiter capture` (index.json, process-*.json) and `arbiter report --json` write.
  * It changes when a member changes its meaning or goes; a new member does not change it. */
 #define ARBITER_STATS_SCHEMA 1
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
+#define ARBITER_REPORT_SCHEMA 1
 
 #endif /* GL_ARBITER_H */

@@ -1,8 +1,8 @@
 #include "tools/capture_page.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "tools/capture_tables.h"
 #include "tools/page/frame.h"
 #include "tools/page/html.h"
 #include "tools/resources.h"
@@ -68,40 +68,11 @@ std::string source(const CapturedProgram &program) {
 }
 
 std::string countsTable(const CapturedProgram &program) {
-  std::string html = "<table><tr><th>resource<th>used<th>native</tr>\n";
+  std::string html = "<table><tr><th>resource</th><th>used</th><th>native</th></tr>\n";
   for (const ResourceRow &row : resourceRows())
     if (row.of(program.target->language))
       html += "<tr>" + cell(row.title) + numberCell(program.counts.*row.member) +
               numberCell(program.nativeCounts.*row.member) + "</tr>\n";
-  return html + "</table>\n";
-}
-
-std::string parameterTable(const CapturedProgram &program) {
-  std::string html = "<table><tr><th>parameter at last use<th>x<th>y<th>z<th>w</tr>\n";
-  for (const CapturedParameter &parameter : program.parameters) {
-    html += "<tr>" + cell("<code>" + escaped(parameter.name) + "</code>");
-    for (const double component : parameter.value) {
-      char text[48];
-      std::snprintf(text, sizeof text, "<td class=n>%.9g</td>", component);
-      html += text;
-    }
-    html += "</tr>\n";
-  }
-  return html + "</table>\n";
-}
-
-std::string textureTable(const CapturedProgram &program) {
-  std::string html = "<table><tr><th>unit<th>target<th>texture<th>size<th>format<th>enabled</tr>\n";
-  for (const CapturedTexture &texture : program.textures) {
-    std::string enabled;
-    for (const std::string &name : texture.enabled)
-      enabled += (enabled.empty() ? "" : " ") + name;
-    html += "<tr>" + numberCell(texture.unit) + cell(escaped(texture.target)) +
-            numberCell(texture.name) +
-            cell(number(texture.width) + "&times;" + number(texture.height) + "&times;" +
-                 number(texture.depth)) +
-            cell(escaped(texture.format)) + cell(escaped(enabled)) + "</tr>\n";
-  }
   return html + "</table>\n";
 }
 

@@ -25,6 +25,7 @@ struct Arguments {
   DrawArguments draw;
   RunArguments run;
   CaptureArguments capture;
+  ReportArguments report;
   ProfilesArguments profiles;
   CacheArguments cache;
 };
@@ -207,6 +208,27 @@ void addCapture(CLI::App &app, CaptureArguments &capture) {
                   "  arbiter capture --index-only -o game.capture");
 }
 
+void addReport(CLI::App &app, ReportArguments &report) {
+  CLI::App *command = app.add_subcommand(
+      "report", "Write one HTML page about a set of programs: what fits, what not, and why");
+  command->add_option("-o,--output", report.output, "the page to write; - is standard output")
+      ->capture_default_str();
+  command->add_option("--profile", report.profile,
+                      std::string(kProfileHelp) + "; by default the capture's, or as for check");
+  command->add_option("--json", report.json, "write the same as JSON too; - is standard output");
+  command
+      ->add_option("FILE", report.operands,
+                   "program texts, folders of them, or the folder of one capture")
+      ->required();
+  command->footer("The page needs nothing beside it and asks nothing of a network. Its address "
+                  "keeps how the table is sorted and filtered: page.html#sort=cycles&filter=water\n"
+                  "Exit code: 0 written, whatever the programs are; 1 usage, no program, or a file "
+                  "that cannot be read or written; 4 internal error.\n"
+                  "Examples:\n"
+                  "  arbiter report shaders -o shaders.html\n"
+                  "  arbiter report game.capture --profile nv30 -o game.html --json game.json");
+}
+
 void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
   CLI::App *command =
       app.add_subcommand("profiles", "List the hardware profiles, or print one with its sources");
@@ -287,6 +309,8 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return cache(arguments.cache);
   if (app.got_subcommand("profiles"))
     return profiles(arguments.profiles);
+  if (app.got_subcommand("report"))
+    return report(arguments.report);
   if (app.got_subcommand("capture"))
     return captureCommand(app, arguments.capture, std::move(command));
   return runCommand(app, arguments.run, std::move(command));
@@ -319,6 +343,7 @@ int interpret(int argc, char **argv) {
   addDraw(app, arguments.draw);
   addRun(app, arguments.run);
   addCapture(app, arguments.capture);
+  addReport(app, arguments.report);
   addProfiles(app, arguments.profiles);
   addCache(app, arguments.cache);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");

@@ -71,6 +71,15 @@ struct CaptureArguments {
 /// Runs the command and makes an index of the programs that it loaded.
 [[nodiscard]] int capture(const CaptureArguments &arguments);
 
+struct ReportArguments {
+  std::string profile;                ///< empty: the capture's, or the user's
+  std::string output = "report.html"; ///< "-": standard output
+  std::string json;                   ///< empty: none
+  std::vector<std::string> operands;  ///< files, folders, or one capture
+};
+/// Writes one HTML page about a set of programs.
+[[nodiscard]] int report(const ReportArguments &arguments);
+
 struct DrawArguments {
   LayerArguments layer;
   std::string file;

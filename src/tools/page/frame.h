@@ -22,8 +22,9 @@ struct Column {
 /// The filter, then the table's beginning, up to its first row. A row begins with a cell that links
 /// to its section; `<tr data-s=STATUS>` makes its status one that the filter offers. A cell sorts
 /// by its data-v where it has one, else by its text; an empty one comes last. The script reads
-/// `#sort=KEY` (`#sort=-KEY`: the other way), `filter=WORDS` and `status=STATUS`, joined by `&`, in
-/// the page's address, and keeps them there. Without a script everything is there, unsorted.
+/// `#sort=KEY` (`#sort=-KEY`: the other way), `filter=WORDS`, `status=STATUS` and `open=all` (the
+/// sections that are shown), joined by `&`, in the page's address, and keeps them there. Without a
+/// script everything is there, unsorted.
 [[nodiscard]] std::string sortableTable(std::span<const Column> columns);
 inline constexpr std::string_view kSortableTableEnd = "</tbody></table></div>\n";
 

@@ -1,6 +1,6 @@
 "use strict";
 // Sorts and filters the table of programs, and opens what a link leads to. The page's address holds
-// the state: #sort=-cycles&filter=water&status=over.
+// the state: #sort=-cycles&filter=water&status=invalid&open=all.
 (() => {
   const table = document.getElementById("programs");
   const body = table.tBodies[0];
@@ -8,7 +8,7 @@
   const form = document.getElementById("find");
   const shown = form.querySelector("output");
   const collator = new Intl.Collator("en", {numeric: true});
-  let sort = "";
+  let sort = "", open = "";
 
   const programs = Array.from(body.rows, row => {
     const link = row.querySelector("a[href^='#']");
@@ -65,6 +65,12 @@
     shown.textContent = count === programs.length ? "" : `${count} of ${programs.length} shown`;
   }
 
+  function applyOpen() {
+    for (const program of programs)
+      if (program.section && !program.section.hidden)
+        program.section.open = open === "all";
+  }
+
   function remember() {
     const state = new URLSearchParams();
     if (sort)
@@ -72,6 +78,8 @@
     for (const name of ["filter", "status"])
       if (form.elements[name].value)
         state.set(name, form.elements[name].value);
+    if (open)
+      state.set("open", open);
     history.replaceState(null, "", "#" + state);
   }
 
@@ -83,8 +91,11 @@
       sort = state.get("sort") ?? "";
       form.elements.filter.value = state.get("filter") ?? "";
       form.elements.status.value = state.get("status") ?? "";
+      open = state.get("open") ?? "";
       applySort();
       applyFilter();
+      if (open)
+        applyOpen();
       return;
     }
     const target = hash && document.getElementById(hash);
@@ -113,9 +124,9 @@
   form.addEventListener("submit", event => event.preventDefault());
   for (const button of document.querySelectorAll("button[data-open]"))
     button.addEventListener("click", () => {
-      for (const program of programs)
-        if (program.section && !program.section.hidden)
-          program.section.open = button.dataset.open === "true";
+      open = button.dataset.open;
+      applyOpen();
+      remember();
     });
   window.addEventListener("hashchange", followAddress);
   for (const element of document.querySelectorAll("[data-script]"))

@@ -1,0 +1,58 @@
+#include <cstdio>
+
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/report/json.h"
+#include "tools/report/page.h"
+#include "util/flags.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+/// The profile that was named; else the one that was in force when the programs were captured, so
+/// that the report says what the application was told; else the user's.
+std::string profileName(const ReportArguments &arguments) {
+  if (!arguments.profile.empty())
+    return arguments.profile;
+  if (arguments.operands.size() == 1 && isCapture(arguments.operands[0]))
+    return readCapture(arguments.operands[0]).profile;
+  return settings().profile;
+}
+
+bool write(const std::string &name, const std::string &text) {
+  const std::string fault = writeOutput(name, text);
+  if (!fault.empty())
+    complain(fault);
+  return fault.empty();
+}
+
+} // namespace
+
+int report(const ReportArguments &arguments) {
+  if (arguments.output == "-" && arguments.json == "-") {
+    complain("the page and the JSON cannot both go to standard output");
+    return kExitUsage;
+  }
+  const auto profile = fp::hw::loadProfile(profileName(arguments));
+  if (!profile) {
+    complain(profile.error().message);
+    return kExitUsage;
+  }
+  const ProgramSet set = readPrograms(arguments.operands, profile.value());
+  for (const std::string &fault : set.faults)
+    complain(fault);
+  if (set.programs.empty())
+    return kExitUsage;
+  bool good = write(arguments.output, reportPage(set));
+  if (!arguments.json.empty())
+    good = write(arguments.json, reportJson(set)) && good;
+  if (good)
+    std::fprintf(stderr,
+                 "arbiter: programs: %zu, fit: %zu, do not fit: %zu, invalid: %zu; see %s\n",
+                 set.programs.size(), set.count(Verdict::Fits), set.count(Verdict::Over),
+                 set.count(Verdict::Invalid), arguments.output.c_str());
+  return good && set.faults.empty() ? kExitOk : kExitUsage;
+}
+
+} // namespace arbiter::tools

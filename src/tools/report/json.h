@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "tools/report/program_set.h"
+
+namespace arbiter::tools {
+
+/// The page's twin for programs: ARBITER_REPORT_SCHEMA of GL/arbiter.h, described in arbiter(1).
+[[nodiscard]] std::string reportJson(const ProgramSet &set);
+
+} // namespace arbiter::tools

@@ -1,0 +1,119 @@
+#include "tools/report/program_set.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tools/check/find_files.h"
+#include "tools/check/terminal.h"
+#include "tools/language.h"
+#include "tools/resources.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Wanted {
+  std::string path, name;
+  std::string language = "auto";
+};
+
+std::vector<Wanted> wantedOfCapture(const std::string &folder, const CaptureIndex &capture) {
+  std::vector<Wanted> wanted;
+  for (const CapturedProgram &program : capture.programs)
+    wanted.push_back({(fs::path(folder) / program.file()).native(), program.file(),
+                      languageRow(program.target->language).name});
+  return wanted;
+}
+
+std::vector<Wanted> wantedOf(const std::vector<std::string> &operands,
+                             std::vector<std::string> &faults) {
+  std::vector<Wanted> wanted;
+  FoundFiles found = findFiles(operands);
+  faults = std::move(found.faults);
+  const bool below = operands.size() == 1 && found.folders;
+  for (std::string &path : found.paths) {
+    std::string name = below ? fs::path(path).lexically_relative(operands[0]).native() : path;
+    wanted.push_back({std::move(path), std::move(name)});
+  }
+  return wanted;
+}
+
+} // namespace
+
+const char *word(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::Fits:
+    return "fits";
+  case Verdict::Over:
+    return "does not fit";
+  case Verdict::Invalid:
+    return "invalid";
+  case Verdict::Unreadable:
+    return "unreadable";
+  }
+  return "";
+}
+
+Verdict verdictOf(const CheckedFile &file) {
+  if (file.status == FileStatus::Unreadable)
+    return Verdict::Unreadable;
+  if (!file.counted())
+    return Verdict::Invalid;
+  const bool overApi =
+      std::any_of(resourceRows().begin(), resourceRows().end(), [&](const ResourceRow &row) {
+        return row.of(file.language) &&
+               file.result.counts.*row.member > file.limits.api.*row.member;
+      });
+  return overApi || !file.result.underNativeLimits ? Verdict::Over : Verdict::Fits;
+}
+
+std::size_t ProgramSet::count(Verdict verdict) const {
+  return std::size_t(std::count_if(programs.begin(), programs.end(), [&](const auto &program) {
+    return program.verdict == verdict;
+  }));
+}
+
+bool isCapture(const std::string &folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
+    const std::string name = at->path().filename().native();
+    if (name.starts_with("process-") && name.ends_with(".json"))
+      return true;
+  }
+  return false;
+}
+
+ProgramSet readPrograms(const std::vector<std::string> &operands, const fp::hw::Profile &profile) {
+  ProgramSet set;
+  set.profile = profile;
+  for (const std::string &operand : operands)
+    set.source += (set.source.empty() ? "" : " ") + operand;
+  set.fromCapture = operands.size() == 1 && isCapture(operands[0]);
+  std::vector<Wanted> wanted;
+  if (set.fromCapture) {
+    set.capture = readCapture(operands[0]);
+    set.faults = set.capture.faults;
+    wanted = wantedOfCapture(operands[0], set.capture);
+  } else {
+    wanted = wantedOf(operands, set.faults);
+  }
+  Progress progress(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    progress.at(i);
+    ReportedProgram &program = set.programs.emplace_back();
+    // Reported, not enforced: what a program takes is what its author wants to see.
+    program.file = checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Report, profile);
+    program.file.name = std::move(wanted[i].name);
+    explain(program.file);
+    program.verdict = verdictOf(program.file);
+    program.captured = set.fromCapture ? int(i) : -1;
+    if (program.verdict == Verdict::Unreadable)
+      set.faults.push_back(program.file.fault);
+  }
+  return set;
+}
+
+} // namespace arbiter::tools

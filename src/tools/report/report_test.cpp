@@ -1,0 +1,256 @@
+// What a report makes of a NativeReport, part by part: reports made by hand, as a model would.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <numeric>
+
+#include "tools/language.h"
+#include "tools/page/html.h"
+#include "tools/report/gauges.h"
+#include "tools/report/histogram.h"
+#include "tools/report/json.h"
+#include "tools/report/line_costs.h"
+#include "tools/report/page.h"
+#include "tools/report/section.h"
+#include "tools/report/source_table.h"
+
+namespace arbiter::tools {
+namespace {
+
+using fp::ResourceCounts;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// Line 5 has two statements, and line 4 one that ends in line 5.
+constexpr const char *kText = "!!ARBfp1.0\r\n"
+                              "TEMP a, b;\r\n"
+                              "TEX a, fragment.texcoord[0], texture[0], 2D;\r\n"
+                              "MUL b, a,\r\n"
+                              "  a; MOV a.x, b.y;\r\n"
+                              "TEX a, b, texture[1], 2D;\r\n"
+                              "MOV result.color, a;\r\n"
+                              "END\r\n";
+
+const fp::hw::Profile &profile() { return *fp::hw::findBuiltin("r300"); }
+
+ReportedProgram programOf(const std::string &name, const std::string &text) {
+  ReportedProgram program;
+  program.file.name = name;
+  program.file.text = text;
+  program.file.language = chooseLanguage("auto", text);
+  program.file.limits = limitsOf(profile(), program.file.language);
+  program.file.result =
+      fp::checkProgram(program.file.language, text, {program.file.limits, fp::LimitPolicy::Report});
+  if (!program.file.result.ok())
+    program.file.status = FileStatus::Invalid;
+  program.verdict = verdictOf(program.file);
+  return program;
+}
+
+/// A set of one program that has every part of a report.
+ProgramSet modelled() {
+  ProgramSet set;
+  set.source = "folder";
+  set.profile = profile();
+  ReportedProgram &program = set.programs.emplace_back(programOf("water.fp", kText));
+  fp::hw::NativeReport &native = program.file.native.emplace();
+  native.model = fp::NativeModel::R300;
+  native.counts = program.file.result.counts;
+  native.counts.aluInstructions = 70;
+  native.counts.texIndirections = 2;
+  program.file.result.nativeCounts = native.counts;
+  program.file.result.underNativeLimits = false;
+  program.file.status = FileStatus::OverNative;
+  program.verdict = verdictOf(program.file);
+  native.reasons = {
+      {&ResourceCounts::aluInstructions, 68, "MUL <costs> much", {1, 2, 4}},
+      {&ResourceCounts::aluInstructions, 2, "the program as a whole", {}},
+      {&ResourceCounts::texIndirections, 1, "TEX reads b", {3}},
+  };
+  native.costs = {
+      {0, 1, 0, false}, {1.5, 0, 0, false}, {0, 0, 0, true}, {0, 1, 1, false}, {0.5, 0, 1, false}};
+  native.nodes = {{{0}, 2, ""}, {{3}, 1, "TEX reads b, which MUL wrote in node 1"}};
+  native.chain = {0, 1, 3};
+  native.cycles = {24.5, {{"ALU", 24.5}, {"texture", 4}}, "ALU", "Without latency"};
+  native.disassembly = "node 0: <r0>\n";
+  return set;
+}
+
+TEST(Html, AnyByteIsShown) {
+  EXPECT_EQ(escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;");
+  EXPECT_EQ(escaped("\xC3\xA9 \xE9 \x01 \x7F\tx"),
+            "\xC3\xA9 <i>\\xE9</i> <i>\\x01</i> <i>\\x7F</i>\tx");
+  EXPECT_EQ(escaped("\xED\xA0\x80"), "<i>\\xED</i><i>\\xA0</i><i>\\x80</i>"); // a surrogate
+  EXPECT_EQ(escapedAttribute("\xE9\""), "\\xE9&quot;");
+}
+
+TEST(Html, LinesAreTheCompilers) {
+  EXPECT_THAT(linesOf("a\r\nb\rc\n\nd"), ElementsAre("a", "b", "c", "", "d"));
+  EXPECT_THAT(linesOf("a\n"), ElementsAre("a"));
+  EXPECT_TRUE(linesOf("").empty());
+  EXPECT_EQ(caretIndent("\tab", 3), "\t ");
+  EXPECT_EQ(caretIndent("\xC3\xA9x", 3), " "); // two bytes, one character
+  EXPECT_EQ(caretIndent("ab", 9), "  ");
+}
+
+TEST(HistogramOf, EveryProgramIsInABinAndTheLimitBetweenTwo) {
+  std::vector<std::uint32_t> amounts(500);
+  for (const std::uint32_t limit : {64u, 96u, 100u, 512u, 1u}) {
+    for (std::size_t i = 0; i < amounts.size(); ++i)
+      amounts[i] = std::uint32_t(i * 7919 % 257);
+    const Histogram histogram = histogramOf(amounts, limit);
+    ASSERT_LE(histogram.bins.size(), 26u);
+    std::size_t programs = 0;
+    bool between = false;
+    for (std::size_t i = 0; i < histogram.bins.size(); ++i) {
+      const Histogram::Bin &bin = histogram.bins[i];
+      EXPECT_EQ(bin.first, i == 0 ? 0 : histogram.bins[i - 1].last + 1);
+      const bool open = histogram.open && i + 1 == histogram.bins.size();
+      EXPECT_EQ(bin.programs, std::count_if(amounts.begin(), amounts.end(), [&](auto amount) {
+                  return amount >= bin.first && (open || amount <= bin.last);
+                }));
+      programs += bin.programs;
+      between |= bin.last == limit;
+    }
+    EXPECT_EQ(programs, amounts.size());
+    EXPECT_TRUE(between) << limit;
+  }
+}
+
+TEST(HistogramOf, AFarLimitIsSaidAndNotDrawn) {
+  const Histogram histogram = histogramOf({3, 5, 9}, 1024);
+  EXPECT_EQ(histogram.bins.back().last, 9u);
+  const std::string svg = drawing(histogram, "ALU & slots");
+  EXPECT_THAT(svg, HasSubstr("limit 1024, beyond the axis"));
+  EXPECT_THAT(svg, Not(HasSubstr("class=limit")));
+  EXPECT_THAT(svg, HasSubstr("ALU &amp; slots"));
+  EXPECT_THAT(drawing(histogramOf({3, 64, 65}, 64), "x"), HasSubstr("class=limit"));
+  EXPECT_EQ(drawing(histogramOf({}, 64), "x"), "");
+}
+
+TEST(Gauge, LengthAndMark) {
+  EXPECT_THAT(gaugeBar(16, 64), HasSubstr("width:25%"));
+  EXPECT_THAT(gaugeBar(16, 64), Not(HasSubstr("<b")));
+  EXPECT_THAT(gaugeBar(128, 64), HasSubstr("width:100%\"></span><b style=\"left:50%\">"));
+  EXPECT_THAT(gaugeBar(0, 0), HasSubstr("width:0%"));
+  EXPECT_THAT(gaugeTable(modelled().programs[0].file), HasSubstr("70 / 64<br>over by 6"));
+}
+
+TEST(LineCosts, FollowTheStatements) {
+  const ProgramSet set = modelled();
+  const CheckedFile &file = set.programs[0].file;
+  const SourceText source(file.text);
+  const std::vector<LineCost> lines = lineCosts(source, *file.result.program, *file.native);
+  ASSERT_EQ(lines.size(), 9u); // the last is empty, behind the last line end
+  EXPECT_EQ(lines[2].textures, 1u);
+  EXPECT_EQ(lines[3].slots, 1.5);
+  EXPECT_EQ(lines[4].gone, 1u);
+  EXPECT_EQ(lines[5].firstNode, 1u);
+  EXPECT_EQ(std::accumulate(lines.begin(), lines.end(), 0.0,
+                            [](double sum, const LineCost &line) { return sum + line.slots; }),
+            2.0);
+  EXPECT_THAT(linesOfInstructions(source, *file.result.program, {4, 1, 2, 99}),
+              ElementsAre(4, 5, 7));
+  EXPECT_TRUE(lineCosts(source, *file.result.program, {}).empty());
+}
+
+TEST(LineCosts, AreSummedInALine) {
+  const CheckedFile file =
+      programOf("x", "!!ARBfp1.0\nTEMP a; MOV a, fragment.color; MOV result.color, a; END").file;
+  fp::hw::NativeReport report;
+  report.costs = {{1, 0, 2, false}, {0.5, 0, 1, false}};
+  const auto lines = lineCosts(SourceText(file.text), *file.result.program, report);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[1].slots, 1.5);
+  EXPECT_EQ(lines[1].instructions, 2u);
+  EXPECT_EQ(lines[1].firstNode, 1u);
+  EXPECT_EQ(lines[1].lastNode, 2u);
+}
+
+TEST(Section, ShowsEveryPart) {
+  const std::string html = programSection(modelled(), 0);
+  EXPECT_THAT(html, HasSubstr("<b>68</b> MUL &lt;costs&gt; much <span class=faint>(lines <a "
+                              "href=\"#p1-4\">4\xE2\x80\x93"
+                              "5</a>, <a href=\"#p1-7\">7</a>)"));
+  EXPECT_THAT(html, HasSubstr("ALU instructions: 70"));
+  EXPECT_THAT(html, HasSubstr("TEX reads b, which MUL wrote in node 1"));
+  EXPECT_THAT(html, HasSubstr("Longest chain of dependent reads (1)"));
+  EXPECT_THAT(html, HasSubstr("<li><code>MUL b, a, a</code> line <a href=\"#p1-4\">4</a>, node 1"));
+  EXPECT_THAT(html, HasSubstr("About 24.5 a pixel in one pipe, bound by <b>ALU</b> (ALU 24.5, "
+                              "texture 4). <span class=faint>Without latency</span>"));
+  EXPECT_THAT(html, HasSubstr("node 0: &lt;r0&gt;"));
+  EXPECT_THAT(html, HasSubstr("<tr id=p1-5 class=gone><td>5</td><td>gone</td>"));
+  EXPECT_THAT(html, HasSubstr("<tr id=p1-6><td>6</td><td>0</td><td>1</td><td>2</td>"));
+}
+
+TEST(Section, LeavesOutWhatAReportLacks) {
+  ProgramSet set = modelled();
+  set.programs[0].file.native.emplace();
+  const std::string html = programSection(set, 0);
+  for (const char *part :
+       {"Why", "Texture nodes", "chain", "Cycles", "Disassembly", "slots", "gone"})
+    EXPECT_THAT(html, Not(HasSubstr(part)));
+  EXPECT_THAT(html, HasSubstr("<tr id=p1-3><td>3</td><td>TEX a,"));
+}
+
+TEST(Section, NumbersThatAreNoInstructionsAreLeftOut) {
+  ProgramSet set = modelled();
+  fp::hw::NativeReport &native = *set.programs[0].file.native;
+  native.reasons[0].instructions = {1000};
+  native.chain = {0, 1000, 3};
+  native.nodes[1].textures = {1000};
+  native.costs.resize(2);
+  EXPECT_THAT(programSection(set, 0), HasSubstr("<b>68</b> MUL &lt;costs&gt; much</li>"));
+}
+
+TEST(SourceTable, DiagnosticsStandBelowTheirLine) {
+  const CheckedFile file = programOf("x", "!!ARBfp1.0\nMOV result.color,\t\xE9<q>;\nEND").file;
+  const std::string html = sourceTable(file, "p7");
+  const std::size_t line = html.find("<tr id=p7-2>"), error = html.find("error: ");
+  ASSERT_NE(error, std::string::npos) << html;
+  EXPECT_LT(line, error);
+  EXPECT_LT(error, html.find("<tr id=p7-3>"));
+  EXPECT_THAT(html, HasSubstr("<i>\\xE9</i>&lt;q&gt;"));
+  // An error of the whole program is behind its last line.
+  EXPECT_THAT(sourceTable(programOf("x", "!!ARBfp1.0\n").file, "p1"), HasSubstr("<tr id=p1-2>"));
+}
+
+TEST(Excesses, NameTheCardAndTheApi) {
+  ProgramSet set = modelled();
+  EXPECT_THAT(excesses(set.programs[0].file), ElementsAre("ALU instructions 70 of 64"));
+  CheckedFile &file = set.programs[0].file;
+  file.result.counts.temporaries = 33;
+  EXPECT_THAT(excesses(file),
+              ElementsAre("ALU instructions 70 of 64", "temporaries (by the API 33 of 32)"));
+  file.result.nativeCounts = {};
+  file.result.underNativeLimits = true;
+  EXPECT_EQ(verdictOf(file), Verdict::Over); // its driver would refuse it
+}
+
+TEST(Page, ASetOfEveryVerdict) {
+  ProgramSet set = modelled();
+  set.source = "a<b";
+  set.programs.push_back(
+      programOf("fits.vp", "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND"));
+  set.programs.push_back(programOf("wrong.fp", "!!ARBfp1.0\nMOV x, y;\nEND"));
+  ReportedProgram &lost = set.programs.emplace_back();
+  lost.file.name = lost.file.fault = "lost.fp: gone";
+  lost.file.status = FileStatus::Unreadable;
+  lost.verdict = verdictOf(lost.file);
+  const std::string html = reportPage(set);
+  EXPECT_THAT(html, HasSubstr("<h1>Programs of a&lt;b</h1>"));
+  EXPECT_THAT(html, HasSubstr("<tr data-s=\"does not fit\"><td><a href=\"#p1\">water.fp</a>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"n over\"><b>70</b></td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=n>24.5</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("<li>ALU instructions: 68 MUL &lt;costs&gt; much (lines <a"));
+  EXPECT_THAT(html, HasSubstr("ALU instructions of ARBfp1.0 programs"));
+  EXPECT_THAT(html, HasSubstr("instructions of ARBvp1.0 programs"));
+  EXPECT_THAT(html, HasSubstr("<tr data-s=\"unreadable\">"));
+  EXPECT_THAT(html, Not(HasSubstr("draws")));
+  const std::string json = reportJson(set);
+  EXPECT_THAT(json, HasSubstr("\"verdict\": \"does-not-fit\""));
+  EXPECT_THAT(json, HasSubstr("\"slots\": 1.5"));
+}
+
+} // namespace
+} // namespace arbiter::tools

@@ -1,0 +1,112 @@
+#include "tools/report/source_table.h"
+
+#include <algorithm>
+
+#include "tools/check/why.h"
+#include "tools/page/html.h"
+#include "tools/report/line_costs.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+using fp::Diagnostic;
+using fp::Severity;
+
+/// "1.5", "gone", "1, 2 gone"; with a bar as long as its part of the dearest line.
+std::string slotsCell(const LineCost &cost, double dearest) {
+  if (cost.instructions == 0)
+    return "<td></td>";
+  if (cost.gone == cost.instructions)
+    return "<td>gone</td>";
+  std::string html = "<td";
+  if (cost.slots > 0)
+    html += " style=\"--c:" + decimal(100 * cost.slots / dearest) + "%\"";
+  html += ">" + decimal(cost.slots);
+  if (cost.gone != 0)
+    html += ", " + number(cost.gone) + " gone";
+  return html + "</td>";
+}
+
+std::string nodeCell(const LineCost &cost) {
+  if (cost.instructions == cost.gone)
+    return "<td></td>";
+  std::string html = number(cost.firstNode + 1);
+  if (cost.lastNode != cost.firstNode)
+    html += "\xE2\x80\x93" + number(cost.lastNode + 1);
+  return cell(html);
+}
+
+std::string costCells(const LineCost &cost, double dearest) {
+  return slotsCell(cost, dearest) + cell(cost.textures ? number(cost.textures) : std::string()) +
+         nodeCell(cost);
+}
+
+const char *severityWord(Severity severity) {
+  switch (severity) {
+  case Severity::Error:
+    return "error";
+  case Severity::Warning:
+    return "warning";
+  case Severity::Note:
+    return "note";
+  }
+  return "";
+}
+
+/// A row below the line that it is about: the carets under the bytes, the message, the hint.
+std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, std::uint32_t column,
+                          int columns) {
+  const std::size_t room = line.size() - std::min<std::size_t>(line.size(), column - 1);
+  const std::size_t wide = std::min<std::size_t>(diagnostic.span.end - diagnostic.span.begin, room);
+  const bool error = diagnostic.severity == Severity::Error;
+  std::string html = std::string("<tr class=\"diagnostic ") + (error ? "bad" : "over") + "\"><td";
+  html += columns > 2 ? " colspan=" + number(std::uint64_t(columns - 1)) : "";
+  html += "></td><td>" + caretIndent(line, column) + "^" +
+          std::string(wide > 1 ? wide - 1 : 0, '~') + "\n" + severityWord(diagnostic.severity) +
+          ": " + escaped(diagnostic.message) + " [" + diagnostic.id + "]";
+  if (!diagnostic.hint.empty())
+    html += "\nhint: " + escaped(diagnostic.hint);
+  return html + "</td></tr>\n";
+}
+
+} // namespace
+
+std::string sourceTable(const CheckedFile &file, const std::string &prefix) {
+  const SourceText source(file.text);
+  std::vector<LineCost> costs;
+  if (file.native)
+    costs = lineCosts(source, *file.result.program, *file.native);
+  double dearest = 0;
+  for (const LineCost &cost : costs)
+    dearest = std::max(dearest, cost.slots);
+
+  std::vector<std::pair<fp::LineColumn, const Diagnostic *>> places;
+  std::vector<std::string_view> lines = linesOf(file.text);
+  for (const Diagnostic &diagnostic : file.result.diagnostics) {
+    places.emplace_back(source.at(diagnostic.span.begin), &diagnostic);
+    lines.resize(std::max<std::size_t>(lines.size(), places.back().first.line));
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const auto &a, const auto &b) { return a.first.line < b.first.line; });
+
+  const bool priced = !costs.empty();
+  std::string html = priced ? "<table class=\"source priced\"><thead><tr><th scope=col>line</th>"
+                              "<th scope=col>slots</th><th scope=col>TEX</th><th scope=col>node"
+                              "</th><th scope=col>source</th></tr></thead><tbody>\n"
+                            : "<table class=source><thead><tr><th scope=col>line</th><th scope=col>"
+                              "source</th></tr></thead><tbody>\n";
+  auto place = places.begin();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const LineCost cost = i < costs.size() ? costs[i] : LineCost{};
+    html += "<tr id=" + prefix + "-" + number(i + 1);
+    html += cost.instructions != 0 && cost.gone == cost.instructions ? " class=gone>" : ">";
+    html += cell(number(i + 1)) + (priced ? costCells(cost, dearest) : "") +
+            cell(escaped(lines[i])) + "</tr>\n";
+    for (; place != places.end() && place->first.line == i + 1; ++place)
+      html += diagnosticRow(*place->second, lines[i], place->first.column, priced ? 5 : 2);
+  }
+  return html + "</tbody></table>\n";
+}
+
+} // namespace arbiter::tools
