@@ -49,7 +49,11 @@ CheckedFile overFile() {
                   {67, 0, 1, false}, {0, 0, 0, true},    {1, 0, 1, false}};
   report.nodes = {{{0}, 1, ""}, {{2}, 69, "TEX reads b, which MUL wrote in node 1"}};
   report.chain = {0, 1, 2};
-  report.cycles = {70, {{"ALU", 70}, {"texture", 2.25}}, "ALU", "no cache misses are counted"};
+  report.cycles = {70,
+                   {{"ALU", 70}, {"texture", 2.25}},
+                   "ALU",
+                   "no cache misses are counted, nor the time that filtering of more than one "
+                   "sample takes, nor memory"};
   file.result.nativeCounts = report.counts;
   file.result.underNativeLimits = false;
   file.native = std::move(report);
@@ -75,7 +79,7 @@ TEST(Text, TheReasonsStandUnderWhatIsOver) {
   temporaries              2      32       2      32  [#.........] [#.........]
   parameters               1      32       1      32  [#.........] [#.........]
   attribs                  1      10       1      10  [#.........] [#.........]
-  native: modelled: 2 texture nodes, 1 dependent read, about 70 cycles a pixel, bound by ALU
+  native: modelled (r300): 2 texture nodes, 1 dependent read, about 70 cycles a pixel, bound by ALU
 )");
 }
 
@@ -91,11 +95,12 @@ TEST(Text, WhyShowsNodesChainCyclesAndCosts) {
     2   1 TEX, 69 ALU pairs: TEX reads b, which MUL wrote in node 1
             6 | TEX a, b, texture[1], 2D
   the longest chain of dependent reads (1 read):
-    *     3 | TEX a, fragment.texcoord[0], texture[0], 2D  node 1
-    |     4 | MUL b, a, {2}
-    *     6 | TEX a, b, texture[1], 2D  node 2
+    node 1  *     3 | TEX a, fragment.texcoord[0], texture[0], 2D
+            |     4 | MUL b, a, {2}
+    node 2  *     6 | TEX a, b, texture[1], 2D
   cycles: about 70 a pixel in one pipe (ALU 70, texture 2.3), bound by ALU
-    no cache misses are counted
+    no cache misses are counted, nor the time that filtering of more than one sample takes, nor
+    memory
   each instruction:
    slots  TEX  node
        0    1     1     3 | TEX a, fragment.texcoord[0], texture[0], 2D
@@ -105,6 +110,15 @@ TEST(Text, WhyShowsNodesChainCyclesAndCosts) {
        -    -     -     8 | MOV b.y, a.x  (nothing is left of it)
        1    0     2     9 | MOV result.color, b.x
 )");
+}
+
+TEST(Text, ACardWithoutNodesHasNoColumnOfThem) {
+  CheckedFile file = overFile();
+  file.native->nodes.clear();
+  const std::string text = fullText(file, r300(), {ascii(), true});
+  EXPECT_NE(text.find("(1 read):\n    *     3 | TEX a"), std::string::npos) << text;
+  EXPECT_NE(text.find("   slots  TEX\n       0    1     3 | TEX a"), std::string::npos) << text;
+  EXPECT_EQ(text.find("node"), std::string::npos);
 }
 
 TEST(Text, MoreIndirectionsThanFitAreDrawn) {
@@ -136,7 +150,7 @@ TEST(Text, AnEmptyReportIsDocumentedNumbers) {
       "  native: documented, not modelled: the card's limits, the counts of the API\n"))
       << text;
   file.native->model = fp::NativeModel::Nv30;
-  EXPECT_TRUE(fullText(file, r300(), {ascii(), true}).ends_with("  native: modelled\n"));
+  EXPECT_TRUE(fullText(file, r300(), {ascii(), true}).ends_with("  native: modelled (nv30)\n"));
 }
 
 TEST(Text, LongListsAreCutUnlessAskedFor) {

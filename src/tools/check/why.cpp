@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/check/json.h"
+
 namespace arbiter::tools {
 
 namespace {
@@ -21,6 +23,26 @@ template <typename... Values> std::string format(const char *pattern, Values... 
   char text[160];
   std::snprintf(text, sizeof text, pattern, values...);
   return text;
+}
+
+/// The text in lines of at most kWidth columns, indented by four.
+std::string wrapped(std::string_view text) {
+  constexpr std::size_t kWidth = 96;
+  std::string lines;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (column == 0 || column + 1 + end > kWidth) {
+      lines += column == 0 ? "    " : "\n    ";
+      column = 4 + end;
+    } else {
+      lines += ' ';
+      column += 1 + end;
+    }
+    lines += text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return column == 0 ? lines : lines + "\n";
 }
 
 } // namespace
@@ -94,7 +116,8 @@ std::string Why::headline() const {
   if (!m_report.cycles.bound.empty())
     add("about " + decimal(m_report.cycles.cycles) + " cycles a pixel, bound by " +
         m_report.cycles.bound);
-  return "  native: modelled" + (text.empty() ? "" : ": " + text) + "\n";
+  return "  native: modelled (" + name(m_report.model) + ")" + (text.empty() ? "" : ": " + text) +
+         "\n";
 }
 
 std::string Why::chain() const {
@@ -105,12 +128,13 @@ std::string Why::chain() const {
                      counted(dependentReads(m_file), "read", "reads") + "):\n";
   for (const std::uint32_t index : m_report.chain) {
     const bool sample = index < code.size() && info(code[index].op).has(fp::ir::Texture);
+    const bool node = sample && !m_report.nodes.empty() && index < m_report.costs.size();
     const char *mark = m_style.blocks ? (sample ? "◆" : "│") : (sample ? "*" : "|");
-    text += std::string("    ") + mark + " " + place(index);
-    if (sample && index < m_report.costs.size())
-      text +=
-          painted("  node " + std::to_string(m_report.costs[index].node + 1), Colour::Dim, m_style);
-    text += "\n";
+    if (!m_report.nodes.empty())
+      text += node ? format("    node %-2u ", m_report.costs[index].node + 1) : "            ";
+    else
+      text += "    ";
+    text += std::string(mark) + " " + place(index) + "\n";
   }
   return text;
 }
@@ -138,20 +162,21 @@ std::string Why::cycles() const {
   std::string text = "  cycles: about " + decimal(estimate.cycles) + " a pixel in one pipe" +
                      (units.empty() ? "" : " (" + units + ")") + ", bound by " + estimate.bound +
                      "\n";
-  if (!estimate.limits.empty())
-    text += "    " + estimate.limits + "\n";
-  return text;
+  return text + wrapped(estimate.limits);
 }
 
 std::string Why::costs() const {
   if (m_report.costs.empty())
     return {};
-  std::string text = "  each instruction:\n   slots  TEX  node\n";
+  const bool nodes = !m_report.nodes.empty();
+  std::string text =
+      std::string("  each instruction:\n   slots  TEX") + (nodes ? "  node\n" : "\n");
   for (std::size_t i = 0; i < m_report.costs.size(); ++i) {
     const fp::hw::InstructionCost &cost = m_report.costs[i];
-    text += cost.gone
-                ? "       -    -     -"
-                : format("%8s%5u%6u", decimal(cost.slots).c_str(), cost.textures, cost.node + 1);
+    text +=
+        cost.gone ? "       -    -" : format("%8s%5u", decimal(cost.slots).c_str(), cost.textures);
+    if (nodes)
+      text += cost.gone ? "     -" : format("%6u", cost.node + 1);
     text += " " + place(std::uint32_t(i)) + (cost.gone ? "  (nothing is left of it)" : "") + "\n";
   }
   return text;
