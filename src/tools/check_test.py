@@ -146,8 +146,7 @@ class Many(Temporary):
         self.assertIn('the fullest of 1 ARBvp1.0 program:\n', result.stdout)
         self.assertIn('''\
 do not fit:
-  file      resource              used   limit  why
-  ./b/B.fp  ALU instructions         -       -  more than 64 ALU instructions
+  ALU instructions         -       -  ./b/B.fp: more than 64 ALU instructions
 ''', result.stdout)
         files = json.loads(check('--json', 'b', 'a.fp', cwd=self.folder).stdout)['files']
         self.assertEqual([file['file'] for file in files],

@@ -11,7 +11,6 @@ namespace arbiter::tools {
 namespace {
 
 constexpr std::string_view kLimitId = "limit-"; ///< of the diagnostics of API limits
-constexpr std::size_t kWidestName = 48;
 
 /// "limit-alu-instructions" is of the row "alu_instructions".
 const ResourceRow *rowOfId(std::string_view id) {
@@ -21,11 +20,6 @@ const ResourceRow *rowOfId(std::string_view id) {
     if (key == row.name)
       return &row;
   return nullptr;
-}
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
 }
 
 } // namespace
@@ -133,12 +127,7 @@ std::string Summary::fullestTable(const Style &style) const {
 }
 
 std::string Summary::misfitTable() const {
-  if (m_misfits.empty())
-    return {};
-  std::size_t widest = 4;
-  for (const Misfit &misfit : m_misfits)
-    widest = std::max(widest, std::min(shown(misfit.file).size(), kWidestName));
-  std::string text = "  " + padded("file", widest) + "  resource              used   limit  why\n";
+  std::string text;
   for (const Misfit &misfit : m_misfits) {
     const char *title = misfit.row == nullptr ? "" : misfit.row->title;
     char numbers[64];
@@ -146,11 +135,9 @@ std::string Summary::misfitTable() const {
       std::snprintf(numbers, sizeof numbers, "  %-18s%8u%8u  ", title, *misfit.used, misfit.limit);
     else
       std::snprintf(numbers, sizeof numbers, "  %-18s%8s%8s  ", title, "-", "-");
-    text += "  " + padded(shown(misfit.file), widest) + numbers + misfit.why;
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += "\n";
+    text += numbers + shown(misfit.file) + (misfit.why.empty() ? "" : ": " + misfit.why) + "\n";
   }
-  return "do not fit:\n" + text;
+  return text.empty() ? text : "do not fit:\n" + text;
 }
 
 std::string Summary::tables(const Style &style) const {

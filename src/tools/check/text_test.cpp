@@ -241,9 +241,8 @@ TEST(Summary, TheFullestAndThoseThatDoNotFit) {
   parameters               1      32  deep.fp
   attribs                  9      10  a/small.fp
 do not fit:
-  file        resource              used   limit  why
-  deep.fp     ALU instructions        70      64  SIN is a polynomial
-  bad\x1b.fp  TEX instructions         -       -  too many
+  ALU instructions        70      64  deep.fp: SIN is a polynomial
+  TEX instructions         -       -  bad\x1b.fp: too many
 )");
   EXPECT_EQ(summary.exitCode(), 2);
   summary.addFault();
