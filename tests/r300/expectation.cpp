@@ -1,0 +1,205 @@
+#include "expectation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fp_compiler/testing/random.h"
+
+namespace arbiter::r300 {
+
+using namespace fp::ir;
+
+namespace {
+constexpr int kTrials = 12;
+constexpr float kUlp = 0x1p-23f;
+/// Beyond this spread of possible results, relative to 1 + |result|, a value says nothing.
+constexpr float kIllConditioned = 0.02f;
+
+struct Tolerance {
+  float operand = 0, relative = 0, absolute = 0;
+};
+
+Tolerance tolerance(Opcode op) {
+  switch (op) {
+  case Opcode::Cos:
+  case Opcode::Sin:
+  case Opcode::Scs: // two parabolas, the second on the first: 0.0011 at worst
+    return {kUlp, 0, 1.5e-3f};
+  case Opcode::Pow:
+  case Opcode::Lit:
+    return {kUlp, 0x1p-15f, 0x1p-20f};
+  case Opcode::Lg2:
+    return {kUlp, kUlp, kUlp};
+  case Opcode::Flr: // a - FRC(a)
+    return {0, kUlp, kUlp};
+  case Opcode::Abs:
+  case Opcode::Cmp:
+  case Opcode::Max:
+  case Opcode::Min:
+  case Opcode::Mov:
+  case Opcode::Swz:
+    return {};
+  default:
+    return {kUlp, 2 * kUlp, 0};
+  }
+}
+
+/// Moves values by their tolerance, up or down.
+class Shaker {
+public:
+  Shaker(const Program &program, const Inputs &inputs, std::uint64_t seed)
+      : m_attributes(inputs.attributes.begin(), inputs.attributes.end()), m_random(seed),
+        m_inputs(inputs) {
+    m_inputs.operands = [this](const Instruction &instruction, Operands &operands) {
+      for (Vec4 &operand : operands)
+        for (float &value : operand)
+          shake(value, tolerance(instruction.op).operand, 0);
+      if (instruction.op == Opcode::Lit)
+        leaveOpen(operands[0][1], operands[0][3]);
+      if (instruction.op == Opcode::Pow)
+        leaveOpen(operands[0][0], operands[1][0]);
+    };
+    m_inputs.result = [this](const Instruction &instruction, Vec4 &value) {
+      const Tolerance allowed = tolerance(instruction.op);
+      for (float &component : value)
+        if (component != 0 || allowed.absolute != 0) // else a zero by rule, not by rounding
+          shake(component, allowed.relative, allowed.absolute);
+    };
+    m_inputs.texture = [this, texture = inputs.texture](const Sample &sample) {
+      Sample moved = sample;
+      for (float &coordinate : moved.coordinate)
+        shake(coordinate, 4 * kUlp, 0);
+      return texture(moved);
+    };
+    m_exact = m_attributes;
+    for (std::size_t i = 0; i < m_exact.size(); ++i)
+      m_position.push_back(program.attributes[i].kind == AttributeKind::Position);
+  }
+
+  /// Valid until the next call. The window position takes a way through the clip position.
+  const Inputs &next() {
+    m_attributes = m_exact;
+    for (std::size_t i = 0; i < m_attributes.size(); ++i)
+      for (float &value : m_attributes[i])
+        if (m_position[i])
+          shake(value, 4 * kUlp, 16 * kUlp);
+    m_inputs.attributes = m_attributes;
+    return m_inputs;
+  }
+
+private:
+  void shake(float &value, float relative, float absolute) {
+    if (relative != 0 || absolute != 0)
+      value += m_random.real(-1.0f, 1.0f) * (relative * std::fabs(value) + absolute);
+  }
+
+  /// A base that is not above zero, to a power below: 0 by our page, an infinity through LG2 and
+  /// EX2, and nothing that the specification defines.
+  static void leaveOpen(float &base, float exponent) {
+    if (base <= 0 && exponent < 0)
+      base = std::numeric_limits<float>::min();
+  }
+
+  std::vector<Vec4> m_attributes, m_exact;
+  std::vector<bool> m_position;
+  fp::testing::Random m_random;
+  Inputs m_inputs;
+};
+
+void widen(Expected &expected, float seen) {
+  if (!std::isfinite(expected.value) || !std::isfinite(seen))
+    expected.comparable = false;
+  else
+    expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
+}
+
+void settle(Expected &expected) {
+  const float scale = 1.0f + std::fabs(expected.value);
+  if (expected.slack > kIllConditioned * scale)
+    expected.comparable = false;
+  // The directions that would show the worst were hardly among the trials.
+  expected.slack = 4.0f * expected.slack + 1e-6f * scale;
+}
+
+/// An output depth is Evaluation::depth alone.
+bool isColor(const Program &program, std::size_t output) {
+  return program.outputs[output].kind == OutputKind::Color;
+}
+
+void compare(Verdict &verdict, const Expected &expected, float seen, const std::string &where) {
+  if (!expected.comparable) {
+    ++verdict.skipped;
+    return;
+  }
+  ++verdict.compared;
+  const float error = std::isfinite(seen) ? std::fabs(seen - expected.value) / expected.slack
+                                          : std::numeric_limits<float>::infinity();
+  if (error <= verdict.error)
+    return;
+  verdict.error = error;
+  verdict.what = where + ": " + std::to_string(seen) + ", expected " +
+                 std::to_string(expected.value) + " +- " + std::to_string(expected.slack);
+}
+} // namespace
+
+Expectation expect(const Program &program, const Inputs &inputs, std::uint64_t seed) {
+  Expectation result;
+  const Evaluation exact = evaluate(program, inputs);
+  result.killed = exact.killed;
+  result.outputs.resize(exact.outputs.size());
+  for (std::size_t o = 0; o < exact.outputs.size(); ++o)
+    for (std::size_t i = 0; i < 4; ++i)
+      result.outputs[o][i].value = exact.outputs[o][i];
+  if (exact.depth)
+    result.depth = Expected{*exact.depth, 0, true};
+  Shaker shaker(program, inputs, seed);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Evaluation seen = evaluate(program, shaker.next());
+    if (seen.killed != exact.killed) {
+      result.comparable = false;
+      return result;
+    }
+    for (std::size_t o = 0; o < seen.outputs.size(); ++o)
+      for (std::size_t i = 0; i < 4; ++i)
+        widen(result.outputs[o][i], seen.outputs[o][i]);
+    if (result.depth && seen.depth)
+      widen(*result.depth, *seen.depth);
+  }
+  for (auto &output : result.outputs)
+    for (Expected &expected : output)
+      settle(expected);
+  if (result.depth)
+    settle(*result.depth);
+  return result;
+}
+
+Verdict judge(const Program &program, const Expectation &expected, const Evaluation &seen) {
+  Verdict verdict;
+  if (!expected.comparable) {
+    verdict.skipped = 1;
+    return verdict;
+  }
+  if (seen.killed != expected.killed) {
+    verdict.error = std::numeric_limits<float>::infinity();
+    verdict.what = expected.killed ? "drawn, expected killed" : "killed, expected drawn";
+    return verdict;
+  }
+  if (expected.killed) {
+    verdict.compared = 1;
+    return verdict;
+  }
+  for (std::size_t o = 0; o < expected.outputs.size(); ++o)
+    for (std::size_t i = 0; i < 4 && isColor(program, o); ++i)
+      compare(verdict, expected.outputs[o][i], seen.outputs[o][i],
+              "color[" + std::to_string(program.outputs[o].index) + "]." + "xyzw"[i]);
+  if (expected.depth.has_value() != seen.depth.has_value()) {
+    verdict.error = std::numeric_limits<float>::infinity();
+    verdict.what = expected.depth ? "no depth is written" : "a depth is written";
+  } else if (expected.depth) {
+    compare(verdict, *expected.depth, *seen.depth, "depth");
+  }
+  return verdict;
+}
+
+} // namespace arbiter::r300
