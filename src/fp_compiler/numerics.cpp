@@ -51,7 +51,7 @@ float truncated(float value) {
 
 float colour(float value) {
   const float unit = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
-  return rounded(std::nearbyint(unit * 4095.0f) / 4095.0f);
+  return rounded(std::nearbyint(unit * 4095.0f) * (1.0f / 4095.0f));
 }
 
 } // namespace fp24

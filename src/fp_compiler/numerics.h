@@ -37,7 +37,8 @@ inline constexpr float kLeastNormal = 0x1p-62f;
 /// an infinity stays one.
 [[nodiscard]] float truncated(float value);
 /// An interpolated colour: clamped to [0,1] (NaN is 0), to a multiple of 1/4095, then rounded().
-/// The steps are those of singles: times 4095, to the nearest integer (ties to even), by 4095.
+/// The steps are those of singles: times 4095, to the nearest integer (ties to even), times 1/4095
+/// (no division: hosts may be inexact in it).
 [[nodiscard]] float colour(float value);
 } // namespace fp24
 

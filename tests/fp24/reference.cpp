@@ -86,15 +86,17 @@ float towardZero(double value) {
 }
 
 float colour(float value) {
-  if (!(value > 0))
+  if (!(value > 0x1p-13f)) // less than half of 1/4095
     return 0;
-  const float clamped = value < 1 ? value : 1;
-  // Three steps on singles, then 24 bits: times 4095, to an integer, divided by 4095.
-  const double scaled = exactProduct(clamped, 4095.0f).rounded(24);
+  if (value >= 1)
+    return 1;
+  // Three steps on singles, then 24 bits: times 4095, to an integer, times 1/4095.
+  const double scaled = exactProduct(value, 4095.0f).rounded(24);
   const double below = std::floor(scaled), rest = scaled - below;
   const auto whole = std::uint32_t(below);
   const std::uint32_t level = rest > 0.5 || (rest == 0.5 && whole % 2 == 1) ? whole + 1 : whole;
-  return level == 0 ? 0.0f : nearest(exactQuotient(level, 4095, 0).rounded(24));
+  const auto unit = float(exactQuotient(1, 4095, 0).rounded(24));
+  return level == 0 ? 0.0f : nearest(exactProduct(float(level), unit).rounded(24));
 }
 
 float product(float a, float b) {

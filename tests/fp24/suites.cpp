@@ -107,9 +107,7 @@ Rows formats(const Settings &settings) {
   const auto visit = [&](float value) {
     judge(rounded, value, fp24::rounded(value), nearest(double(value)));
     judge(truncated, value, fp24::truncated(value), towardZero(double(value)));
-    // Outside of [0,1] there is but the clamp; its singles are many and its Exact is slow.
-    if ((value > 0 && value < 1) || settings.stride > 1)
-      judge(colours, value, fp24::colour(value), colour(value));
+    judge(colours, value, fp24::colour(value), colour(value));
   };
   turningPoints(visit);
   each(settings, "all singles", std::uint64_t(1) << 32, settings.stride,
