@@ -25,8 +25,12 @@ public:
 
 private:
   [[nodiscard]] std::uint32_t address(const FlowArgument &argument, std::size_t component) const {
-    return argument.bank == FlowArgument::Bank::Row ? Packed::kRow | argument.source[0]
-                                                    : m_flow.parent[argument.source[component]];
+    if (argument.bank == FlowArgument::Bank::Row)
+      return Packed::kRow | argument.source[0];
+    ItemId root = argument.source[component];
+    while (m_flow.parent[root] != root)
+      root = m_flow.parent[root];
+    return root;
   }
 
   /// The RGB and the alpha address that an RGB argument needs; kFree where none.
@@ -111,6 +115,12 @@ private:
 bool pack(const Flow &flow, const Item *rgb, const Item *alpha, Packed &packed) {
   packed = {};
   return Packer(flow, packed).run(rgb, alpha);
+}
+
+bool packsAlone(const Flow &flow, const Item &item) {
+  Packed packed;
+  return pack(flow, item.kind == Item::Kind::Alpha ? nullptr : &item,
+              item.kind == Item::Kind::Rgb ? nullptr : &item, packed);
 }
 
 } // namespace arbiter::fp::hw::r300

@@ -13,7 +13,10 @@ struct Packed {
 
 /// Puts the arguments of an RGB and an alpha operation (either may be null; an operation of both
 /// halves is both) into three RGB and three alpha addresses. False if they do not fit.
-/// Requires: prune().
 [[nodiscard]] bool pack(const Flow &flow, const Item *rgb, const Item *alpha, Packed &packed);
+
+/// Whether the operation fits when it stands alone: two arguments and a presubtract result, or a
+/// Dp4's alpha half that takes x, y or z, may ask for four addresses.
+[[nodiscard]] bool packsAlone(const Flow &flow, const Item &item);
 
 } // namespace arbiter::fp::hw::r300

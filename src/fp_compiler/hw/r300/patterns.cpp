@@ -1,6 +1,7 @@
 #include <bit>
 
 #include "fp_compiler/hw/r300/emitter.h"
+#include "fp_compiler/hw/r300/pack.h"
 #include "fp_compiler/ir/reads.h"
 
 /// Operations that are more than one component at a time: dot products, comparisons and
@@ -123,6 +124,7 @@ Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const
   const bool alpha = mask == 8;
   Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, how);
   item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
+  item.mask = mask;
   auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
   bool fits = difference(b, c, mask, item, arguments[1]);
   if (fits && alpha) {
@@ -131,7 +133,7 @@ Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const
   } else if (fits) {
     fits = take(a, mask, arguments[0], true) && take(c, mask, arguments[2], true);
   }
-  if (!fits) {
+  if (!fits || !packsAlone(m_flow, item)) {
     How own;
     own.cause = how.cause;
     const Value rest = mad(mask, b, literals(1.0f), negated(c), own);
@@ -230,6 +232,7 @@ template <typename Try> bool eachReading(const Value &a, const Value &b, Try att
 
 Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, const How &how) {
   Item item = like(op, AlphaOp::Dp, how);
+  item.kind = Item::Kind::Both;
   const std::size_t orders = op == RgbOp::Dp3 ? 6 : kPermutations.size();
   const auto attempt = [&](const Refs &x, const Refs &y, std::size_t order, int signs) {
     Refs first = permuted(x, kPermutations[order]), second = permuted(y, kPermutations[order]);
@@ -242,7 +245,7 @@ Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, 
     if (op == RgbOp::Dp4 && (!takeAlpha(first[3], item.alphaArguments[0]) ||
                              !takeAlpha(second[3], item.alphaArguments[1])))
       return false;
-    return true;
+    return op == RgbOp::Dp3 || packsAlone(m_flow, item);
   };
   for (std::size_t order = 0; order < orders; ++order)
     for (int signs = 0; signs < 3; ++signs)
@@ -295,6 +298,12 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
   if (item.rgb == RgbOp::Dp4) {
     takeAlpha(x, 3, item.alphaArguments[0]);
     takeAlpha(y, 3, item.alphaArguments[1]);
+    for (const std::size_t side : {0, 1})
+      if (!packsAlone(m_flow, item)) {
+        const Value whole = copy(all, side == 0 ? x : y, own);
+        (void)take(whole, 7, item.rgbArguments[side], true);
+        takeAlpha(whole, 3, item.alphaArguments[side]);
+      }
   }
   Value result = replicated(item, mask, home);
   if (item.rgb == RgbOp::Dp3)

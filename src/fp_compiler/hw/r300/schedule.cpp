@@ -1,6 +1,7 @@
 #include "fp_compiler/hw/r300/schedule.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace arbiter::fp::hw::r300 {
 
@@ -183,7 +184,9 @@ private:
       slot.rgb = id;
     if (alpha)
       slot.alpha = id;
-    (void)pack(m_flow, rgb ? &item : nullptr, alpha ? &item : nullptr, slot.packed);
+    [[maybe_unused]] const bool fits =
+        pack(m_flow, rgb ? &item : nullptr, alpha ? &item : nullptr, slot.packed);
+    assert(fits);
     take(best);
     if (rgb != alpha)
       partner(slot);
