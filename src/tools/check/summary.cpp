@@ -78,11 +78,17 @@ void Summary::addMisfit(const CheckedFile &file) {
     misfit.limit = file.limits.native.*row.member;
     if (reason != reasons.end()) {
       misfit.why = reason->text;
+      misfit.amount = reason->amount;
       break;
     }
   }
-  if (!misfit.used && !reasons.empty())
+  // The total has no reasons of its own, and what no count shows has no row: the first is as near.
+  const bool total =
+      misfit.row != nullptr && misfit.row->member == &fp::ResourceCounts::instructions;
+  if (misfit.why.empty() && !reasons.empty() && (!misfit.used || total)) {
     misfit.why = reasons[0].text;
+    misfit.amount = reasons[0].amount;
+  }
   m_misfits.push_back(std::move(misfit));
 }
 
@@ -135,7 +141,8 @@ std::string Summary::misfitTable() const {
       std::snprintf(numbers, sizeof numbers, "  %-18s%8u%8u  ", title, *misfit.used, misfit.limit);
     else
       std::snprintf(numbers, sizeof numbers, "  %-18s%8s%8s  ", title, "-", "-");
-    text += numbers + shown(misfit.file) + (misfit.why.empty() ? "" : ": " + misfit.why) + "\n";
+    text += numbers + shown(misfit.file) + (misfit.why.empty() ? "" : ": " + misfit.why);
+    text += misfit.amount == 0 ? "\n" : " (" + std::to_string(misfit.amount) + ")\n";
   }
   return text.empty() ? text : "do not fit:\n" + text;
 }
@@ -176,6 +183,8 @@ void Summary::write(JsonWriter &json) const {
     if (misfit.used)
       json.key("native_used").value(*misfit.used).key("native_limit").value(misfit.limit);
     json.key("why").value(misfit.why);
+    if (misfit.amount != 0)
+      json.key("amount").value(misfit.amount);
     json.endObject();
   }
   json.endArray();

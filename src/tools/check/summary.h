@@ -46,6 +46,7 @@ private:
     std::optional<std::uint32_t> used;
     std::uint32_t limit = 0;
     std::string why;
+    std::uint32_t amount = 0; ///< of `used`, by `why`; 0 if it has none
   };
 
   void addFullest(const CheckedFile &file);

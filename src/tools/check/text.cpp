@@ -1,5 +1,6 @@
 #include "tools/check/text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "tools/check/why.h"
@@ -42,19 +43,31 @@ std::string tableRow(const CheckedFile &file, const ResourceRow &row, const Styl
   return text + "\n";
 }
 
+bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource) {
+  return file.result.nativeCounts.*resource > file.limits.native.*resource;
+}
+
+/// Whether a row's reasons are reasons for what does not fit.
+bool isToBlame(const CheckedFile &file, const ResourceRow &row) {
+  using fp::ResourceCounts;
+  const auto rows = resourceRows();
+  const bool counted = std::any_of(
+      rows.begin(), rows.end(), [&](const ResourceRow &each) { return isOver(file, each.member); });
+  // A program can be over by something that no count shows; then any reason may be it.
+  if (!counted)
+    return file.status == FileStatus::OverNative;
+  const bool part = row.member == &ResourceCounts::aluInstructions ||
+                    row.member == &ResourceCounts::texInstructions;
+  return isOver(file, row.member) || (part && isOver(file, &ResourceCounts::instructions));
+}
+
 std::string table(const CheckedFile &file, const Why &why, const TextOptions &options) {
-  bool anyOver = false;
-  for (const ResourceRow &row : resourceRows())
-    anyOver = anyOver || file.result.nativeCounts.*row.member > file.limits.native.*row.member;
   std::string text = tableHead(options.style);
   for (const ResourceRow &row : resourceRows()) {
     if (!row.of(file.language))
       continue;
     text += tableRow(file, row, options.style);
-    // A program can be over by something that no count shows; then any reason may be it.
-    const bool over = file.result.nativeCounts.*row.member > file.limits.native.*row.member ||
-                      (file.status == FileStatus::OverNative && !anyOver);
-    if (over || options.why)
+    if (options.why || isToBlame(file, row))
       text += why.reasons(row);
   }
   return text;

@@ -140,6 +140,20 @@ TEST(Text, OverByWhatNoCountShowsGivesEveryReason) {
   EXPECT_NE(text.find("SIN is a polynomial"), std::string::npos);
 }
 
+TEST(Text, TheTotalIsOverByItsParts) {
+  CheckedFile file = overFile();
+  file.native->counts = file.result.nativeCounts = file.result.counts;
+  file.native->counts.instructions = file.result.nativeCounts.instructions = 97;
+  const std::string text = fullText(file, r300(), {ascii(), false});
+  EXPECT_NE(text.find("  over the native limit\n  ALU instructions"), std::string::npos) << text;
+  EXPECT_NE(text.find("SIN is a polynomial"), std::string::npos);
+  EXPECT_EQ(text.find("TEX reads b"), std::string::npos);
+  Summary summary;
+  summary.add(file);
+  EXPECT_NE(summary.tables(ascii()).find("97      96  deep.fp: SIN is a polynomial (67)\n"),
+            std::string::npos);
+}
+
 TEST(Text, AnEmptyReportIsDocumentedNumbers) {
   CheckedFile file = overFile();
   file.status = FileStatus::Valid;
@@ -241,7 +255,7 @@ TEST(Summary, TheFullestAndThoseThatDoNotFit) {
   parameters               1      32  deep.fp
   attribs                  9      10  a/small.fp
 do not fit:
-  ALU instructions        70      64  deep.fp: SIN is a polynomial
+  ALU instructions        70      64  deep.fp: SIN is a polynomial (67)
   TEX instructions         -       -  bad\x1b.fp: too many
 )");
   EXPECT_EQ(summary.exitCode(), 2);
