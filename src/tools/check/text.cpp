@@ -11,6 +11,7 @@ namespace arbiter::tools {
 namespace {
 
 constexpr const char *kOverApi = "  over the API limit";
+constexpr const char *kOverBoth = "  over the API limit and the native limit";
 constexpr const char *kOverNative = "  over the native limit";
 
 std::string tableHead(const Style &style) {
@@ -36,9 +37,10 @@ std::string tableRow(const CheckedFile &file, const ResourceRow &row, const Styl
   std::string text = line;
   if (style.gauges)
     text += "  " + gauge(used, limit, style) + " " + gauge(nativeUsed, nativeLimit, style);
+  const bool overNative = nativeUsed > nativeLimit;
   if (used > limit)
-    text += painted(kOverApi, Colour::Bad, style);
-  else if (nativeUsed > nativeLimit)
+    text += painted(overNative ? kOverBoth : kOverApi, Colour::Bad, style);
+  else if (overNative)
     text += painted(kOverNative, Colour::Bad, style);
   return text + "\n";
 }
@@ -114,8 +116,7 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
   if (options.why)
     return text + why.nodes() + why.chain() + why.cycles() + why.costs();
   // The count of indirections is one number for a shape: show the shape.
-  const bool deep = file.native->counts.texIndirections > file.limits.native.texIndirections;
-  return deep ? text + why.nodes() + why.chain() : text;
+  return isOver(file, &fp::ResourceCounts::texIndirections) ? text + why.chain() : text;
 }
 
 } // namespace arbiter::tools

@@ -128,8 +128,16 @@ TEST(Text, MoreIndirectionsThanFitAreDrawn) {
   EXPECT_NE(text.find("[#########>]  over the native limit\n       1  TEX reads b"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("  texture nodes:\n"), std::string::npos);
+  EXPECT_EQ(text.find("  texture nodes:\n"), std::string::npos) << "the reasons are theirs";
   EXPECT_NE(text.find("  the longest chain"), std::string::npos);
+}
+
+TEST(Text, OverBothLimitsSaysBoth) {
+  CheckedFile file = overFile();
+  file.result.counts.aluInstructions = 65;
+  EXPECT_NE(fullText(file, r300(), {ascii(), false})
+                .find("[#########>] [#########>]  over the API limit and the native limit\n"),
+            std::string::npos);
 }
 
 TEST(Text, OverByWhatNoCountShowsGivesEveryReason) {
@@ -170,8 +178,8 @@ TEST(Text, AnEmptyReportIsDocumentedNumbers) {
 TEST(Text, LongListsAreCutUnlessAskedFor) {
   CheckedFile file = overFile();
   file.native->reasons.clear();
-  for (std::uint32_t i = 0; i < 7; ++i)
-    file.native->reasons.push_back({&ResourceCounts::aluInstructions, 10 - i, "a cause", {}});
+  for (std::uint32_t i = 0; i < 11; ++i)
+    file.native->reasons.push_back({&ResourceCounts::aluInstructions, 20 - i, "a cause", {}});
   file.native->reasons[0].instructions = {0, 1, 2, 3, 4, 5};
   const std::string some = fullText(file, r300(), {ascii(), false});
   EXPECT_NE(some.find("              and 3 more (--why)\n"), std::string::npos) << some;

@@ -11,7 +11,7 @@ namespace arbiter::tools {
 namespace {
 
 /// What is shown without --why: enough to see the cause, on a screen.
-constexpr std::size_t kReasons = 4;
+constexpr std::size_t kReasons = 8;
 constexpr std::size_t kInstructions = 3;
 constexpr std::size_t kStatementBytes = 60;
 
