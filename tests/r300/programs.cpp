@@ -13,12 +13,14 @@
 #include "fp_compiler/hw/r300/execute.h"
 #include "fp_compiler/hw/r300/legality.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/random.h"
 #include "fp_compiler/testing/random_ati.h"
+#include "naive.h"
 #include "surroundings.h"
 
 /// Random programs through the R300's compiler: every code is legal, and run on the chip's
-/// interpreter it gives what the program says.
+/// interpreter it gives what the program says; and it takes no more than an operation a slot.
 ///   r300-programs [--count N] [--from SEED] [--kind NAME]
 /// Exit status 1 if any fails; the first of a kind are printed with their listings.
 namespace arbiter::r300 {
@@ -48,6 +50,43 @@ fp::ir::Program longFragment(std::uint64_t seed) {
   return fp::testing::randomProgram(seed, options);
 }
 
+/// Half of the results also go into a sum that is shown, so that little of the program is dead.
+fp::ir::Program live(std::uint64_t seed) {
+  using namespace fp::ir;
+  fp::testing::RandomOptions options;
+  options.maxInstructions = 24;
+  Program program = fp::testing::randomProgram(seed, options);
+  fp::testing::Random random(seed ^ 0x11FE);
+  const auto sum = std::uint16_t(program.temporaries.size());
+  program.temporaries.push_back({"sum"});
+  const auto half = std::uint16_t(program.parameters.size());
+  program.parameters.push_back({.kind = ParameterKind::Constant, .constant = {.5f, .5f, .5f, .5f}});
+  std::vector<Instruction> code;
+  for (const Instruction &instruction : program.code) {
+    Instruction add;
+    add.op = Opcode::Mad;
+    add.dst = {File::Temporary, sum, instruction.dst.mask, false, {}};
+    add.src[0].index = sum;
+    add.src[1].file = File::Parameter;
+    add.src[1].index = half;
+    add.src[2].index = instruction.dst.index;
+    // The last word on each colour is the sum's.
+    if (!info(instruction.op).has(Kills) && instruction.dst.file == File::Output &&
+        program.outputs[instruction.dst.index].kind == OutputKind::Color) {
+      add.dst = instruction.dst;
+      add.src[2] = instruction.src[0];
+      code.push_back(add);
+      continue;
+    }
+    code.push_back(instruction);
+    if (!info(instruction.op).has(Kills) && instruction.dst.file == File::Temporary &&
+        random.chance(50))
+      code.push_back(add);
+  }
+  program.code = std::move(code);
+  return program;
+}
+
 fp::ir::Program wild(std::uint64_t seed) {
   fp::testing::RandomOptions options;
   options.wild = true;
@@ -74,14 +113,13 @@ fp::ir::Program ati(std::uint64_t seed) {
 }
 
 constexpr Kind kKinds[] = {
-    {"fragment", fragment, true},
-    {"long", longFragment, true},
-    {"ati", ati, true},
-    {"wild", wild, false},
+    {"fragment", fragment, true}, {"long", longFragment, true}, {"live", live, true},
+    {"ati", ati, true},           {"wild", wild, false},
 };
 
 struct Totals {
-  int programs = 0, illegal = 0, wrong = 0, fitting = 0;
+  int programs = 0, illegal = 0, wrong = 0, costly = 0, fitting = 0;
+  std::uint64_t pairs = 0, naive = 0;
   long compared = 0, skipped = 0;
   float worst = 0;
 };
@@ -105,6 +143,7 @@ public:
       show(m_totals.illegal++, seed, program, code, text);
       return;
     }
+    cost(seed, program, code, options.scaleRectangles);
     for (std::uint64_t at = 0; m_kind.compared && at < kFragments; ++at)
       if (!compare(seed, at, program, code))
         return;
@@ -114,16 +153,33 @@ public:
     const Totals &t = m_totals;
     const long values = t.compared + t.skipped;
     const double skipped = values ? double(t.skipped) / double(values) : 0;
-    std::printf("%-9s %5d programs, %5d fit; illegal %d, wrong %d; %ld values compared, %.2f %% "
+    std::printf("%-9s %5d programs, %5d fit; illegal %d, wrong %d, costly %d; %.2f of "
+                "naive pairs; %ld values compared, %.2f %% "
                 "ill-conditioned; worst %.2f of its slack\n",
-                m_kind.name, t.programs, t.fitting, t.illegal, t.wrong, t.compared, 100 * skipped,
+                m_kind.name, t.programs, t.fitting, t.illegal, t.wrong, t.costly,
+                t.naive ? double(t.pairs) / double(t.naive) : 0, t.compared, 100 * skipped,
                 double(t.worst));
     if (skipped > kSkippedShare)
       std::printf("%s: too many values say nothing\n", m_kind.name);
-    return t.illegal == 0 && t.wrong == 0 && skipped <= kSkippedShare;
+    return t.illegal == 0 && t.wrong == 0 && t.costly == 0 && skipped <= kSkippedShare;
   }
 
 private:
+  void cost(std::uint64_t seed, const fp::ir::Program &program, const Code &code,
+            bool scaleRectangles) {
+    fp::ir::Program alive = program;
+    (void)fp::opt::removeDeadCode(alive);
+    const NaiveCounts naive = naiveCounts(alive, scaleRectangles);
+    m_totals.pairs += code.pairs.size();
+    m_totals.naive += naive.pairs;
+    if (code.pairs.size() <= naive.pairs && code.textures.size() <= naive.textures &&
+        code.nodes.size() <= naive.nodes)
+      return;
+    show(m_totals.costly++, seed, program, code,
+         "above " + std::to_string(naive.pairs) + " pairs, " + std::to_string(naive.textures) +
+             " TEX or " + std::to_string(naive.nodes) + " nodes, an operation a slot\n");
+  }
+
   bool compare(std::uint64_t seed, std::uint64_t at, const fp::ir::Program &program,
                const Code &code) {
     const Surroundings surroundings(program, seed * kFragments + at);
