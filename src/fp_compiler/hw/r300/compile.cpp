@@ -142,6 +142,7 @@ Code compile(const ir::Program &program, const CompileOptions &options) {
   flow.items.reserve(guess);
   flow.parent.reserve(guess);
   flow.homes.reserve(guess);
+  flow.versions.reserve(guess);
   lower(program, options, flow);
   prune(flow);
   Plan plan = schedule(flow);

@@ -5,6 +5,7 @@
 #include "fp_compiler/ati/lower.h"
 #include "fp_compiler/hw/r300/legality.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
 #include "fp_compiler/testing/random_ati.h"
 
@@ -15,6 +16,107 @@ void expectLegal(const ir::Program &program, const CompileOptions &options, std:
   const Code code = compile(program, options);
   for (const Fault &fault : faults(code, program))
     ADD_FAILURE() << "seed " << seed << ": " << fault.text << "\n" << ir::print(program);
+}
+
+/// Slots of one instruction by itself, as the peer has them.
+int slotsOf(ir::Opcode op) {
+  switch (op) {
+  case ir::Opcode::Flr:
+  case ir::Opcode::Lrp:
+  case ir::Opcode::Sge:
+  case ir::Opcode::Slt:
+  case ir::Opcode::Xpd:
+    return 2;
+  case ir::Opcode::Pow:
+    return 3;
+  case ir::Opcode::Dst:
+    return 5;
+  case ir::Opcode::Cos:
+  case ir::Opcode::Sin:
+    return 7;
+  case ir::Opcode::Lit:
+    return 9;
+  case ir::Opcode::Scs:
+    return 12;
+  default:
+    return 1;
+  }
+}
+
+/// Copies that bring an operand into a form that the unit has, one for each part of it.
+int copiesOf(const ir::Operand &operand, std::uint8_t used) {
+  constexpr int kNative[][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3},
+                                {1, 2, 0}, {2, 0, 1}, {3, 2, 1}, {4, 4, 4}, {5, 5, 5}};
+  const auto native = [&](int components) {
+    for (const auto &select : kNative) {
+      bool fits = true;
+      int signs = 0, count = 0;
+      for (int c = 0; c < 3; ++c)
+        if (components >> c & 1) {
+          fits &= int(operand.swizzle[std::size_t(c)]) == select[c];
+          signs += operand.negate >> c & 1;
+          ++count;
+        }
+      if (fits && (signs == 0 || signs == count))
+        return true;
+    }
+    return false;
+  };
+  const int rgb = used & 7;
+  if (native(rgb))
+    return 0;
+  for (const int two : {3, 5, 6})
+    if (native(rgb & two) && native(rgb & ~two))
+      return 2;
+  return 3;
+}
+
+/// Every instruction by itself, one after the other.
+int naivePairs(const ir::Program &program, const CompileOptions &options) {
+  int pairs = 1; // an empty node's
+  for (const ir::Instruction &instruction : program.code) {
+    const ir::OpInfo &row = ir::info(instruction.op);
+    for (int i = 0; i < row.operandCount(); ++i) {
+      const ir::Operand &operand = instruction.src[std::size_t(i)];
+      const std::uint8_t used = ir::operandMask(instruction, i);
+      pairs += copiesOf(operand, used);
+      const bool plain = operand.file != ir::File::Parameter && operand.negate == 0 &&
+                         operand.swizzle == ir::kIdentity;
+      if ((row.has(ir::Texture) || row.has(ir::Kills)) && !plain)
+        pairs += copiesOf(operand, used) ? 0 : 1;
+    }
+    if (row.has(ir::Kills) || row.has(ir::Texture))
+      ++pairs; // a node's empty slot
+    else
+      pairs += slotsOf(instruction.op);
+    if (!row.has(ir::Texture))
+      continue;
+    pairs += instruction.dst.saturate || instruction.dst.file == ir::File::Output ||
+             instruction.dst.mask != 15;
+    pairs += ir::isShadow(instruction.target) ? 5 : 0;
+    pairs += options.scaleRectangles;
+  }
+  for (const ir::Attribute &attribute : program.attributes)
+    pairs += attribute.kind == ir::AttributeKind::Position ? 3 : 0;
+  if (program.options.fog != ir::FogMode::None)
+    pairs += 4 + 3 * int(program.outputs.size());
+  if (program.options.colorSum)
+    pairs += 2 * int(program.outputs.size());
+  return pairs;
+}
+
+TEST(R300Compile, NeverTakesMoreThanEachInstructionByItself) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    testing::RandomOptions options;
+    options.wild = seed % 2 == 0;
+    options.maxInstructions = seed % 5 == 0 ? 60 : 16;
+    const ir::Program program = testing::randomProgram(seed, options);
+    const CompileOptions compileOptions = {seed % 4 < 2};
+    EXPECT_LE(int(compile(program, compileOptions).pairs.size()),
+              naivePairs(program, compileOptions))
+        << "seed " << seed << "\n"
+        << ir::print(program);
+  }
 }
 
 TEST(R300Compile, RandomProgramsAreLegal) {

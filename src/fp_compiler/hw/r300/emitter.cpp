@@ -1,5 +1,6 @@
 #include "fp_compiler/hw/r300/emitter.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -56,9 +57,12 @@ void Emitter::set(Home home, std::uint8_t mask, const Value &value) {
     }
 }
 
-bool Emitter::readable(const Ref &ref) const {
-  if (ref.kind != Ref::Kind::Item)
-    return true;
+bool Emitter::readable(const Ref &ref) {
+  return ref.kind != Ref::Kind::Item || isCurrent(ref) ||
+         m_flow.versions[m_flow.web(ref.index)][ref.component] == 1;
+}
+
+bool Emitter::isCurrent(const Ref &ref) const {
   const Home home = m_flow.items[ref.index].home[ref.component];
   if (home >= m_current.size())
     return true;
@@ -100,6 +104,7 @@ ItemId Emitter::add(Item item, std::uint8_t mask, bool home) {
   avoidHazard(item);
   const ItemId id = ItemId(m_flow.items.size());
   std::array<Home, 4> homes;
+  std::array<std::uint8_t, 4> versions;
   for (std::size_t c = 0; c < 4; ++c) {
     const bool written = mask >> c & 1;
     if (written && home && !m_ownHome)
@@ -107,6 +112,7 @@ ItemId Emitter::add(Item item, std::uint8_t mask, bool home) {
     else if (written || item.replicated)
       item.home[c] = m_nextHome++;
     homes[c] = written ? item.home[c] : kNoHome;
+    versions[c] = written ? 1 : 0;
   }
   if (home) {
     m_written |= mask;
@@ -115,11 +121,31 @@ ItemId Emitter::add(Item item, std::uint8_t mask, bool home) {
   m_flow.items.push_back(item);
   m_flow.parent.push_back(id);
   m_flow.homes.push_back(homes);
+  m_flow.versions.push_back(versions);
   return id;
+}
+
+/// An old version of a register's component that is alone in its web may go on beside the new one:
+/// it becomes something of its own.
+bool Emitter::rehome(std::span<const Ref> refs, const Ref &ref, bool commit) {
+  const ItemId root = m_flow.web(ref.index);
+  if (m_flow.versions[root][ref.component] != 1)
+    return false;
+  for (const Ref &other : refs) {
+    const ItemId web = m_flow.web(other.index);
+    if (web != root && m_flow.homes[web][ref.component] != kNoHome)
+      return false;
+  }
+  if (commit)
+    m_flow.items[ref.index].home[ref.component] = m_flow.homes[root][ref.component] = m_nextHome++;
+  return true;
 }
 
 /// Whether the items may be one register, and makes them so.
 bool Emitter::join(std::span<const Ref> refs, bool commit) {
+  for (const Ref &ref : refs)
+    if (!isCurrent(ref) && !rehome(refs, ref, commit))
+      return false;
   const ItemId root = m_flow.web(refs[0].index);
   std::array<Home, 4> merged = m_flow.homes[root];
   for (std::size_t i = 1; i < refs.size(); ++i) {
@@ -140,14 +166,29 @@ bool Emitter::join(std::span<const Ref> refs, bool commit) {
       return false;
     merged[ref.component] = home;
   }
-  if (!commit)
-    return true;
-  for (const Ref &ref : refs) {
-    m_flow.parent[m_flow.web(ref.index)] = root;
-    m_flow.items[ref.index].mask |= std::uint8_t(1 << ref.component);
-  }
-  m_flow.homes[root] = merged;
+  if (commit)
+    merge(refs, root, merged);
   return true;
+}
+
+void Emitter::merge(std::span<const Ref> refs, ItemId root, const std::array<Home, 4> &homes) {
+  std::array<std::uint8_t, 4> &versions = m_flow.versions[root];
+  const auto more = [&](std::size_t c, std::uint8_t by) {
+    versions[c] = std::uint8_t(std::min(255, versions[c] + by));
+  };
+  for (const Ref &ref : refs) {
+    const ItemId web = m_flow.web(ref.index);
+    if (web != root) {
+      for (std::size_t c = 0; c < 4; ++c)
+        more(c, m_flow.versions[web][c]);
+      m_flow.parent[web] = root;
+    }
+    std::uint8_t &mask = m_flow.items[ref.index].mask;
+    if (!(mask >> ref.component & 1))
+      more(ref.component, 1);
+    mask |= std::uint8_t(1 << ref.component);
+  }
+  m_flow.homes[root] = homes;
 }
 
 namespace {

@@ -43,8 +43,9 @@ public:
   /// Register \p home as it is now.
   [[nodiscard]] const Value &current(Home home) const { return m_current[home]; }
   void set(Home home, std::uint8_t mask, const Value &value);
-  /// False where the value's register has been written since, so that it cannot be read any more.
-  [[nodiscard]] bool readable(const Ref &ref) const;
+  /// False where the value's register has been written since and must be one with what is there
+  /// now.
+  [[nodiscard]] bool readable(const Ref &ref);
 
   /// An operation of both units, component by component. RGB and alpha are operations apart.
   Value componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask, std::span<const Value> operands,
@@ -74,6 +75,9 @@ private:
   bool takeAlpha(const Ref &ref, FlowArgument &argument);
   void takeAlpha(const Value &value, std::size_t component, FlowArgument &argument);
   bool join(std::span<const Ref> refs, bool commit);
+  void merge(std::span<const Ref> refs, ItemId root, const std::array<Home, 4> &homes);
+  [[nodiscard]] bool isCurrent(const Ref &ref) const;
+  bool rehome(std::span<const Ref> refs, const Ref &ref, bool commit);
 
   bool feasible(std::span<const Value> operands, std::uint8_t components);
   std::uint32_t phases(std::span<const Value> operands, std::uint8_t components,
@@ -90,6 +94,7 @@ private:
   Value lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const Value &c, const How &how);
   bool dotArguments(Item &item, const Refs &a, const Refs &b, bool commit);
   Value dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b, bool home);
+  Value dotResult(const Item &item, std::uint8_t mask, bool home);
   Value replicated(Item item, std::uint8_t mask, bool home);
 
   [[nodiscard]] Item like(RgbOp rgb, AlphaOp alpha, const How &how) const;

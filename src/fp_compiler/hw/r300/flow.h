@@ -91,6 +91,8 @@ struct Flow {
   std::vector<Row> rows;
   std::vector<ItemId> parent;             ///< of each item: the webs' forest
   std::vector<std::array<Home, 4>> homes; ///< of each web's root
+  /// How many items of a web write each component, by its root; many are 255.
+  std::vector<std::array<std::uint8_t, 4>> versions;
 
   [[nodiscard]] ItemId web(ItemId item) {
     while (parent[item] != item) {

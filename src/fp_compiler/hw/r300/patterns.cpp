@@ -224,9 +224,11 @@ void moveSigns(Refs &from, Refs &to) {
     }
 }
 
+/// The ways to read two vectors, those that leave most copies without readers first.
 template <typename Try> bool eachReading(const Value &a, const Value &b, Try attempt) {
-  return attempt(a.through, b.through) || attempt(a.direct, b.through) ||
-         attempt(a.through, b.direct) || attempt(a.direct, b.direct);
+  const bool one = a.direct != a.through, other = b.direct != b.through;
+  return attempt(a.through, b.through) || (one && attempt(a.direct, b.through)) ||
+         (other && attempt(a.through, b.direct)) || (one && other && attempt(a.direct, b.direct));
 }
 } // namespace
 
@@ -247,18 +249,23 @@ Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, 
       return false;
     return op == RgbOp::Dp3 || packsAlone(m_flow, item);
   };
-  for (std::size_t order = 0; order < orders; ++order)
-    for (int signs = 0; signs < 3; ++signs)
-      if (eachReading(a, b,
-                      [&](const Refs &x, const Refs &y) { return attempt(x, y, order, signs); })) {
-        Value result = replicated(item, mask, how.home);
-        // A Dp3 that writes no w leaves the alpha half to others.
-        if (op == RgbOp::Dp3)
-          result.through[3] =
-              result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
-        return result;
-      }
-  return dotByCopy(item, mask, a, b, how.home);
+  const bool fits = eachReading(a, b, [&](const Refs &x, const Refs &y) {
+    for (std::size_t order = 0; order < orders; ++order)
+      for (int signs = 0; signs < 3; ++signs)
+        if (attempt(x, y, order, signs))
+          return true;
+    return false;
+  });
+  return fits ? dotResult(item, mask, how.home) : dotByCopy(item, mask, a, b, how.home);
+}
+
+Value Emitter::dotResult(const Item &item, std::uint8_t mask, bool home) {
+  Value result = replicated(item, mask, home);
+  // A Dp3 that writes no w leaves the alpha half to others.
+  if (item.rgb == RgbOp::Dp3)
+    result.through[3] =
+        result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
+  return result;
 }
 
 /// One side, or both, through a register of its own.
@@ -305,11 +312,7 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
         takeAlpha(whole, 3, item.alphaArguments[side]);
       }
   }
-  Value result = replicated(item, mask, home);
-  if (item.rgb == RgbOp::Dp3)
-    result.through[3] =
-        result.direct[mask & 7 ? std::size_t(std::countr_zero(mask)) : std::size_t(0)];
-  return result;
+  return dotResult(item, mask, home);
 }
 
 Refs Emitter::interpolant(std::uint16_t attribute) {
@@ -385,6 +388,7 @@ Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t
     if (!(mask >> c & 1)) {
       sample.home[c] = m_flow.homes[id][c] = m_nextHome++;
       sample.mask |= std::uint8_t(1 << c);
+      m_flow.versions[id][c] = 1;
     }
   }
   return result;

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cassert>
 
+#include "fp_compiler/hw/r300/move.h"
+
 namespace arbiter::fp::hw::r300 {
 
 namespace {
 class Scheduler {
 public:
-  explicit Scheduler(const Flow &flow) : m_flow(flow), m_states(flow.items.size()) {}
+  explicit Scheduler(Flow &flow)
+      : m_flow(flow), m_states(flow.items.size()), m_movable(movableItems(flow)) {}
 
   Plan run() {
     dependencies();
@@ -178,47 +181,98 @@ private:
       if (key(m_ready[i]) < key(m_ready[best]))
         best = i;
     const ItemId id = m_ready[best];
-    const Item &item = m_flow.items[id];
-    const bool rgb = item.kind != Item::Kind::Alpha, alpha = item.kind != Item::Kind::Rgb;
-    if (rgb)
-      slot.rgb = id;
-    if (alpha)
-      slot.alpha = id;
-    [[maybe_unused]] const bool fits =
-        pack(m_flow, rgb ? &item : nullptr, alpha ? &item : nullptr, slot.packed);
-    assert(fits);
-    take(best);
-    if (rgb != alpha)
-      partner(slot);
+    if (m_flow.items[id].kind == Item::Kind::Both) {
+      slot.rgb = slot.alpha = id;
+      [[maybe_unused]] const bool fits =
+          pack(m_flow, &m_flow.items[id], &m_flow.items[id], slot.packed);
+      assert(fits);
+      take(best);
+    } else {
+      take(best);
+      partner(id, slot);
+    }
     m_plan.slots.push_back(slot);
     takeReleased();
   }
 
-  /// The best operation of the idle half that the addresses left allow.
-  void partner(Plan::Slot &slot) {
-    const bool wantsRgb = slot.rgb == kNoItem;
+  /// Changes the unit of an operation that has not been placed before.
+  void move(ItemId id) {
+    m_flow.items[id] = moved(m_flow.items[id]);
+    const std::uint8_t component = m_flow.items[id].kind == Item::Kind::Alpha ? 3 : 0;
+    forEachEdge(id, [&](const Edge &edge) { readMoved(m_flow.items[edge.to], id, component); });
+  }
+
+  /// Whether those who read it still fit into a pair if \p id changes its unit: three arguments do
+  /// in any case, but a Dp4 has four and a presubtract takes what it needs.
+  [[nodiscard]] bool mayMove(ItemId id) const {
+    if (!m_movable[id])
+      return false;
+    bool fits = true;
+    forEachEdge(id, [&](const Edge &edge) {
+      const Item &reader = m_flow.items[edge.to];
+      if (!fits || (reader.rgb != RgbOp::Dp4 && reader.presubtract == Presubtract::None))
+        return;
+      Item changed = reader;
+      readMoved(changed, id, m_flow.items[id].kind == Item::Kind::Rgb ? 3 : 0);
+      fits = packsAlone(m_flow, changed);
+    });
+    return fits;
+  }
+
+  [[nodiscard]] bool packs(const Item &one, const Item &other, Packed &packed) const {
+    return one.kind == Item::Kind::Rgb ? pack(m_flow, &one, &other, packed)
+                                       : pack(m_flow, &other, &one, packed);
+  }
+
+  /// \p id with the best operation that the other half can do beside it; either may change its unit
+  /// for that.
+  void partner(ItemId id, Plan::Slot &slot) {
+    const Item::Kind kind = m_flow.items[id].kind;
     std::size_t best = m_ready.size();
+    ItemId mover = kNoItem;
     Packed packed;
     for (std::size_t i = 0; i < m_ready.size(); ++i) {
-      const Item &item = m_flow.items[m_ready[i]];
-      if (item.kind != (wantsRgb ? Item::Kind::Rgb : Item::Kind::Alpha) ||
-          (best != m_ready.size() && key(m_ready[i]) > key(m_ready[best])))
+      const ItemId other = m_ready[i];
+      const Item &one = m_flow.items[id], &item = m_flow.items[other];
+      if (item.kind == Item::Kind::Both ||
+          (best != m_ready.size() && key(other) > key(m_ready[best])))
         continue;
-      const bool fits = wantsRgb ? pack(m_flow, &item, &m_flow.items[slot.alpha], packed)
-                                 : pack(m_flow, &m_flow.items[slot.rgb], &item, packed);
-      if (!fits)
+      ItemId moves = kNoItem;
+      if (item.kind != kind) {
+        if (!packs(one, item, packed))
+          continue;
+      } else if (mayMove(other) && packs(one, moved(item), packed)) {
+        moves = other;
+      } else if (mayMove(id) && packs(moved(one), item, packed)) {
+        moves = id;
+      } else {
         continue;
+      }
       best = i;
+      mover = moves;
       slot.packed = packed;
     }
-    if (best == m_ready.size())
+    if (mover != kNoItem)
+      move(mover);
+    place(id, slot);
+    if (best == m_ready.size()) {
+      [[maybe_unused]] const bool fits =
+          pack(m_flow, slot.rgb == id ? &m_flow.items[id] : nullptr,
+               slot.alpha == id ? &m_flow.items[id] : nullptr, slot.packed);
+      assert(fits);
       return;
-    (wantsRgb ? slot.rgb : slot.alpha) = m_ready[best];
+    }
+    place(m_ready[best], slot);
     take(best);
   }
 
-  const Flow &m_flow;
+  void place(ItemId id, Plan::Slot &slot) {
+    (m_flow.items[id].kind == Item::Kind::Rgb ? slot.rgb : slot.alpha) = id;
+  }
+
+  Flow &m_flow;
   std::vector<State> m_states;
+  std::vector<std::uint8_t> m_movable;
   std::vector<Edge> m_edges;
   std::vector<std::uint32_t> m_waitingFor; ///< operations left, by deadline
   std::vector<ItemId> m_ready, m_released;
@@ -227,6 +281,6 @@ private:
 };
 } // namespace
 
-Plan schedule(const Flow &flow) { return Scheduler(flow).run(); }
+Plan schedule(Flow &flow) { return Scheduler(flow).run(); }
 
 } // namespace arbiter::fp::hw::r300

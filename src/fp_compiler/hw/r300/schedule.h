@@ -16,7 +16,8 @@ struct Plan {
 
 /// Fewest nodes first, then fewest pairs: texture accesses stand in the first node that their
 /// coordinates allow; operations go by the node that needs them and by the longest way to go.
+/// Scalars that either unit can compute go where there is room, so that \p flow changes.
 /// Requires: prune().
-[[nodiscard]] Plan schedule(const Flow &flow);
+[[nodiscard]] Plan schedule(Flow &flow);
 
 } // namespace arbiter::fp::hw::r300
