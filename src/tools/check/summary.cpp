@@ -22,6 +22,36 @@ const ResourceRow *rowOfId(std::string_view id) {
   return nullptr;
 }
 
+/// The largest reason for a resource that points at instructions; else the largest. Of no row (over
+/// by what no count shows), and of the total, which has no reasons of its own: of any resource.
+const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const ResourceRow *row) {
+  const bool any = row == nullptr || row->member == &fp::ResourceCounts::instructions;
+  const fp::hw::Reason *found = nullptr;
+  for (const fp::hw::Reason &reason : report.reasons) {
+    if (!any && reason.resource != row->member)
+      continue;
+    if (!reason.instructions.empty())
+      return &reason;
+    if (found == nullptr)
+      found = &reason;
+  }
+  return found;
+}
+
+/// The first row that is over and has a reason; else the first that is over; else none.
+const ResourceRow *overRow(const CheckedFile &file) {
+  const ResourceRow *found = nullptr;
+  for (const ResourceRow &row : resourceRows()) {
+    if (file.result.nativeCounts.*row.member <= file.limits.native.*row.member)
+      continue;
+    if (row.member != &fp::ResourceCounts::instructions && reasonFor(*file.native, &row) != nullptr)
+      return &row;
+    if (found == nullptr)
+      found = &row;
+  }
+  return found;
+}
+
 } // namespace
 
 void Summary::add(const CheckedFile &file) {
@@ -61,33 +91,14 @@ void Summary::addMisfit(const CheckedFile &file) {
     }
     return;
   }
-  // The first row that is over and says why; else the first that is over.
-  Misfit misfit{file.name, nullptr, {}, 0, ""};
-  const auto &reasons = file.native->reasons;
-  for (const ResourceRow &row : resourceRows()) {
-    const std::uint32_t used = file.result.nativeCounts.*row.member;
-    if (used <= file.limits.native.*row.member)
-      continue;
-    const auto reason =
-        std::find_if(reasons.begin(), reasons.end(),
-                     [&](const fp::hw::Reason &each) { return each.resource == row.member; });
-    if (misfit.used && reason == reasons.end())
-      continue;
-    misfit.row = &row;
-    misfit.used = used;
-    misfit.limit = file.limits.native.*row.member;
-    if (reason != reasons.end()) {
-      misfit.why = reason->text;
-      misfit.amount = reason->amount;
-      break;
-    }
+  Misfit misfit{file.name, overRow(file), {}, 0, "", 0};
+  if (misfit.row != nullptr) {
+    misfit.used = file.result.nativeCounts.*misfit.row->member;
+    misfit.limit = file.limits.native.*misfit.row->member;
   }
-  // The total has no reasons of its own, and what no count shows has no row: the first is as near.
-  const bool total =
-      misfit.row != nullptr && misfit.row->member == &fp::ResourceCounts::instructions;
-  if (misfit.why.empty() && !reasons.empty() && (!misfit.used || total)) {
-    misfit.why = reasons[0].text;
-    misfit.amount = reasons[0].amount;
+  if (const fp::hw::Reason *reason = reasonFor(*file.native, misfit.row)) {
+    misfit.why = reason->text;
+    misfit.amount = reason->amount;
   }
   m_misfits.push_back(std::move(misfit));
 }

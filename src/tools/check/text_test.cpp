@@ -271,6 +271,23 @@ do not fit:
   EXPECT_EQ(summary.exitCode(), 1);
 }
 
+TEST(Summary, AReasonThatPointsSomewhereIsThere) {
+  CheckedFile file = overFile();
+  auto &reasons = file.native->reasons;
+  reasons.insert(reasons.begin(), {&ResourceCounts::aluInstructions, 90, "the whole program", {}});
+  const auto misfits = [&] {
+    Summary summary;
+    summary.add(file);
+    const std::string text = summary.tables(ascii());
+    return text.substr(text.find("do not fit:"));
+  };
+  EXPECT_NE(misfits().find("deep.fp: SIN is a polynomial (67)\n"), std::string::npos) << misfits();
+  reasons.resize(1);
+  EXPECT_NE(misfits().find("deep.fp: the whole program (90)\n"), std::string::npos) << misfits();
+  reasons.clear();
+  EXPECT_NE(misfits().find("70      64  deep.fp\n"), std::string::npos) << misfits();
+}
+
 TEST(Compare, CountsAndDifferences) {
   const Side a{overFile(), &r300()};
   Side b{overFile(), fp::hw::findBuiltin("nv30")};
