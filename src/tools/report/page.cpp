@@ -107,24 +107,23 @@ std::string summary(const ProgramSet &set) {
   return html + "</div>\n";
 }
 
-/// Whose counts these are, for each target that a program of the set has.
+/// Whose counts these are, for each language that a program of the set has.
 std::string modelText(const ProgramSet &set) {
-  const auto any = [&](bool vertex) {
-    return std::any_of(set.programs.begin(), set.programs.end(), [&](const auto &program) {
-      return program.file.counted() &&
-             (program.file.language == fp::ir::Language::ArbVertex) == vertex;
-    });
-  };
-  const auto text = [](const fp::Limits &limits) -> std::string {
-    if (limits.nativeModel == fp::NativeModel::Documented)
-      return "the API's, held to documented limits: the chip is not modelled";
-    return std::string("those of a model of the chip (") + name(limits.nativeModel) + ")";
-  };
   std::string html;
-  if (any(false))
-    html += " Native counts of fragment programs are " + text(set.profile.fragment) + ".";
-  if (any(true))
-    html += " Native counts of vertex programs are " + text(set.profile.vertex) + ".";
+  for (const LanguageRow &language : languageRows()) {
+    const auto program =
+        std::find_if(set.programs.begin(), set.programs.end(), [&](const auto &each) {
+          return each.file.native && each.file.language == language.language;
+        });
+    if (program == set.programs.end())
+      continue;
+    html += std::string(" Native counts of ") + (language.header + 2) + " programs are ";
+    if (program->file.native->model == fp::NativeModel::Documented)
+      html += "the API's, held to documented limits: the chip is not modelled.";
+    else
+      html +=
+          std::string("those of a model of the chip (") + name(program->file.native->model) + ").";
+  }
   return html;
 }
 

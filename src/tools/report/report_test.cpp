@@ -71,7 +71,7 @@ ProgramSet modelled() {
       {0, 1, 0, false}, {1.5, 0, 0, false}, {0, 0, 0, true}, {0, 1, 1, false}, {0.5, 0, 1, false}};
   native.nodes = {{{0}, 2, ""}, {{3}, 1, "TEX reads b, which MUL wrote in node 1"}};
   native.chain = {0, 1, 3};
-  native.cycles = {24.5, {{"ALU", 24.5}, {"texture", 4}}, "ALU", "Without latency"};
+  native.cycles = {24.5, {{"ALU", 24.5}, {"texture", 4}}, "ALU", "latency"};
   native.disassembly = "node 0: <r0>\n";
   return set;
 }
@@ -177,10 +177,11 @@ TEST(Section, ShowsEveryPart) {
   EXPECT_THAT(html, HasSubstr("Longest chain of dependent reads (1)"));
   EXPECT_THAT(html, HasSubstr("<li><code>MUL b, a, a</code> line <a href=\"#p1-4\">4</a>, node 1"));
   EXPECT_THAT(html, HasSubstr("About 24.5 a pixel in one pipe, bound by <b>ALU</b> (ALU 24.5, "
-                              "texture 4). <span class=faint>Without latency</span>"));
+                              "texture 4). <span class=faint>What it assumes and "
+                              "leaves out: latency.</span>"));
   EXPECT_THAT(html, HasSubstr("node 0: &lt;r0&gt;"));
   EXPECT_THAT(html, HasSubstr("<tr id=p1-5 class=gone><td>5</td><td>gone</td>"));
-  EXPECT_THAT(html, HasSubstr("<tr id=p1-6><td>6</td><td>0</td><td>1</td><td>2</td>"));
+  EXPECT_THAT(html, HasSubstr("<tr id=p1-6><td>6</td><td></td><td>1</td><td>2</td>"));
 }
 
 TEST(Section, LeavesOutWhatAReportLacks) {

@@ -121,7 +121,7 @@ std::string Section::nodes() const {
   if (native()->nodes.empty())
     return {};
   std::string html = "<h4>Texture nodes</h4>\n<table><thead><tr><th scope=col class=n>node</th>"
-                     "<th scope=col class=n>TEX</th><th scope=col class=n>ALU pairs</th>"
+                     "<th scope=col class=n>TEX</th><th scope=col class=n>ALU</th>"
                      "<th scope=col>begins because</th></tr></thead><tbody>\n";
   for (std::size_t i = 0; i < native()->nodes.size(); ++i) {
     const fp::hw::NodeReport &node = native()->nodes[i];
@@ -163,7 +163,8 @@ std::string Section::cycles() const {
             decimal(estimate.units[i].cycles);
   html += estimate.units.empty() ? "." : ").";
   if (!estimate.limits.empty())
-    html += " <span class=faint>" + escaped(estimate.limits) + "</span>";
+    html += " <span class=faint>What it assumes and leaves out: " + escaped(estimate.limits) +
+            ".</span>";
   return html + "</p>\n";
 }
 

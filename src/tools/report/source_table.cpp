@@ -13,7 +13,7 @@ namespace {
 using fp::Diagnostic;
 using fp::Severity;
 
-/// "1.5", "gone", "1, 2 gone"; with a bar as long as its part of the dearest line.
+/// "1.5", "gone", "1 (2 gone)"; with a bar as long as its part of the dearest line.
 std::string slotsCell(const LineCost &cost, double dearest) {
   if (cost.instructions == 0)
     return "<td></td>";
@@ -22,9 +22,11 @@ std::string slotsCell(const LineCost &cost, double dearest) {
   std::string html = "<td";
   if (cost.slots > 0)
     html += " style=\"--c:" + decimal(100 * cost.slots / dearest) + "%\"";
-  html += ">" + decimal(cost.slots);
+  html += ">";
+  if (cost.slots > 0 || cost.textures == 0) // a sample takes no slot, and need not say so
+    html += decimal(cost.slots);
   if (cost.gone != 0)
-    html += ", " + number(cost.gone) + " gone";
+    html += " (" + number(cost.gone) + " gone)";
   return html + "</td>";
 }
 
@@ -37,9 +39,31 @@ std::string nodeCell(const LineCost &cost) {
   return cell(html);
 }
 
-std::string costCells(const LineCost &cost, double dearest) {
-  return slotsCell(cost, dearest) + cell(cost.textures ? number(cost.textures) : std::string()) +
-         nodeCell(cost);
+/// The columns between the line's number and its text.
+struct Columns {
+  bool costs = false, nodes = false;
+  double dearest = 0; ///< the slots of the dearest line
+
+  [[nodiscard]] std::string head() const;
+  [[nodiscard]] std::string cells(const LineCost &cost) const;
+  [[nodiscard]] int count() const { return 1 + (costs ? 2 : 0) + (nodes ? 1 : 0); }
+};
+
+std::string Columns::head() const {
+  std::string html = costs ? "<table class=\"source priced\">" : "<table class=source>";
+  html += "<thead><tr><th scope=col>line</th>";
+  html += costs ? "<th scope=col>slots</th><th scope=col>TEX</th>" : "";
+  html += nodes ? "<th scope=col>node</th>" : "";
+  return html + "<th scope=col>source</th></tr></thead><tbody>\n";
+}
+
+std::string Columns::cells(const LineCost &cost) const {
+  std::string html;
+  if (costs)
+    html += slotsCell(cost, dearest) + cell(cost.textures ? number(cost.textures) : std::string());
+  if (nodes)
+    html += nodeCell(cost);
+  return html;
 }
 
 const char *severityWord(Severity severity) {
@@ -56,12 +80,12 @@ const char *severityWord(Severity severity) {
 
 /// A row below the line that it is about: the carets under the bytes, the message, the hint.
 std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, std::uint32_t column,
-                          int columns) {
+                          const Columns &columns) {
   const std::size_t room = line.size() - std::min<std::size_t>(line.size(), column - 1);
   const std::size_t wide = std::min<std::size_t>(diagnostic.span.end - diagnostic.span.begin, room);
   const bool error = diagnostic.severity == Severity::Error;
   std::string html = std::string("<tr class=\"diagnostic ") + (error ? "bad" : "over") + "\"><td";
-  html += columns > 2 ? " colspan=" + number(std::uint64_t(columns - 1)) : "";
+  html += columns.costs ? " colspan=" + number(std::uint64_t(columns.count())) : "";
   html += "></td><td>" + caretIndent(line, column) + "^" +
           std::string(wide > 1 ? wide - 1 : 0, '~') + "\n" + severityWord(diagnostic.severity) +
           ": " + escaped(diagnostic.message) + " [" + diagnostic.id + "]";
@@ -77,9 +101,11 @@ std::string sourceTable(const CheckedFile &file, const std::string &prefix) {
   std::vector<LineCost> costs;
   if (file.native)
     costs = lineCosts(source, *file.result.program, *file.native);
-  double dearest = 0;
+  Columns columns;
+  columns.costs = !costs.empty();
+  columns.nodes = columns.costs && !file.native->nodes.empty();
   for (const LineCost &cost : costs)
-    dearest = std::max(dearest, cost.slots);
+    columns.dearest = std::max(columns.dearest, cost.slots);
 
   std::vector<std::pair<fp::LineColumn, const Diagnostic *>> places;
   std::vector<std::string_view> lines = linesOf(file.text);
@@ -90,21 +116,15 @@ std::string sourceTable(const CheckedFile &file, const std::string &prefix) {
   std::stable_sort(places.begin(), places.end(),
                    [](const auto &a, const auto &b) { return a.first.line < b.first.line; });
 
-  const bool priced = !costs.empty();
-  std::string html = priced ? "<table class=\"source priced\"><thead><tr><th scope=col>line</th>"
-                              "<th scope=col>slots</th><th scope=col>TEX</th><th scope=col>node"
-                              "</th><th scope=col>source</th></tr></thead><tbody>\n"
-                            : "<table class=source><thead><tr><th scope=col>line</th><th scope=col>"
-                              "source</th></tr></thead><tbody>\n";
+  std::string html = columns.head();
   auto place = places.begin();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineCost cost = i < costs.size() ? costs[i] : LineCost{};
     html += "<tr id=" + prefix + "-" + number(i + 1);
     html += cost.instructions != 0 && cost.gone == cost.instructions ? " class=gone>" : ">";
-    html += cell(number(i + 1)) + (priced ? costCells(cost, dearest) : "") +
-            cell(escaped(lines[i])) + "</tr>\n";
+    html += cell(number(i + 1)) + columns.cells(cost) + cell(escaped(lines[i])) + "</tr>\n";
     for (; place != places.end() && place->first.line == i + 1; ++place)
-      html += diagnosticRow(*place->second, lines[i], place->first.column, priced ? 5 : 2);
+      html += diagnosticRow(*place->second, lines[i], place->first.column, columns);
   }
   return html + "</tbody></table>\n";
 }
