@@ -5,6 +5,7 @@ JSON twin.
 usage: report_test.py ARBITER SOURCE_ROOT LIGHTING [unittest arguments]
 LIGHTING is the demonstration of that name, or - where there is none to capture.
 """
+import concurrent.futures
 import http.server
 import json
 import os
@@ -243,6 +244,11 @@ class Browser(Folder):
     def dom(self, address):
         return Page(self.chromium(address, '--dump-dom'))
 
+    def each(self, function, arguments):
+        """The results of calls that run beside each other."""
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            return list(pool.map(function, arguments))
+
     def test_the_address_sorts_and_filters(self):
         self.report(self.put_set())
         page = self.dom(f'{self.page.as_uri()}#sort=-alu&status=fits&filter=.fp')
@@ -284,11 +290,11 @@ class Browser(Folder):
         self.assertFalse(colours[True] & colours[False])
 
     def test_the_policy_holds_off_scripts_and_the_network(self):
-        asked = []
+        asked = set()
 
         class Server(http.server.BaseHTTPRequestHandler):
             def do_GET(self):
-                asked.append(self.path)
+                asked.add(self.path)
                 self.send_error(404)
 
             def log_message(self, *_):
@@ -297,33 +303,33 @@ class Browser(Folder):
         with http.server.ThreadingHTTPServer(('127.0.0.1', 0), Server) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()
             place = f'http://127.0.0.1:{server.server_port}'
-            injected = (f'<script>document.title = "owned"</script><img src="{place}/img" '
-                        f'onerror="document.title = \'owned\'"><style>body {{ background: '
-                        f'url({place}/style) }}</style><iframe src="{place}/frame"></iframe></body>')
             self.report(self.put_set())
-            copies = {}
-            for name, old in (('held', b''), ('free', b'http-equiv')):
-                text = self.page.read_bytes().replace(b'</body>', injected.encode())
-                copies[name] = self.put(name + '.html', text.replace(old, b'name') if old else text)
-            held = self.dom(copies['held'].as_uri())
-            self.assertEqual(asked, [])
-            self.assertTrue(held.find('title')[0]['text'].startswith('Programs of'))
-            free = self.dom(copies['free'].as_uri())  # that the trial is one
-            self.assertIn('/img', asked)
-            self.assertEqual(free.find('title')[0]['text'], 'owned')
+            copies = []
+            for name, policy in (('held', b'http-equiv'), ('free', b'name')):
+                injected = (f'<script>document.title = "owned"</script><img src="{place}/{name}" '
+                            f'onerror="document.title = \'owned\'"><style>body {{ background: '
+                            f'url({place}/{name}) }}</style><iframe src="{place}/{name}"></iframe></body>')
+                text = self.page.read_bytes().replace(b'http-equiv', policy)
+                copies.append(self.put(name + '.html', text.replace(b'</body>', injected.encode())).as_uri())
+            held, free = (page.find('title')[0]['text'] for page in self.each(self.dom, copies))
+            self.assertEqual(asked, {'/free'})  # which shows that the trial is one
+            self.assertTrue(held.startswith('Programs of'))
+            self.assertEqual(free, 'owned')
             server.shutdown()
 
     def test_a_picture_in_light_and_in_dark(self):
         self.report(self.put_set())
-        colours = []
-        for scheme in (1, 0):  # Blink's numbers: light, dark
+
+        def picture_of(scheme):
             picture = self.scratch / f'{scheme}.png'
             self.chromium(self.page.as_uri(), f'--screenshot={picture}', '--window-size=800,600',
                           f'--blink-settings=preferredColorScheme={scheme}')
             colour, size = corner(picture)
             self.assertEqual(size, (800, 600))
             self.assertGreater(picture.stat().st_size, 20000, 'nothing is drawn')
-            colours.append(colour)
+            return colour
+
+        colours = self.each(picture_of, (1, 0))  # Blink's numbers: light, dark
         self.assertEqual(colours, [(0xFF, 0xFF, 0xFF), (0x16, 0x19, 0x1C)])
 
 

@@ -42,7 +42,7 @@ std::string bar(const Histogram &histogram, std::size_t i, std::uint32_t highest
   const double x = kLeft + step * double(i);
   const double height = std::max(2.0, kPlotHeight * bin.programs / highest);
   const double y = kTop + kPlotHeight - height;
-  const bool over = bin.first > histogram.limit;
+  const bool over = bin.last > histogram.limit; // the limit is between two bins
   return "<rect" + attribute("x", x + 1) + attribute("y", y) + attribute("width", step - 2) +
          attribute("height", height) + (over ? " class=beyond" : "") + "><title>" +
          label(histogram, bin) + ": " + counted(bin.programs, "program") + "</title></rect>" +
@@ -66,18 +66,16 @@ std::string axis(const Histogram &histogram) {
 
 /// The line of the limit, between the bins that it parts; or a word about where it is.
 std::string limitLine(const Histogram &histogram) {
-  if (histogram.limit == 0)
-    return {};
   const std::string word = "limit " + number(histogram.limit);
-  for (std::size_t i = 0; i < histogram.bins.size(); ++i) {
-    if (histogram.bins[i].last != histogram.limit)
-      continue;
-    const double x = kLeft + kPlotWidth * double(i + 1) / double(histogram.bins.size());
-    const bool right = x > kLeft + kPlotWidth * .8;
-    return "<path class=limit d=\"M" + decimal(x) + " 6V" + decimal(kTop + kPlotHeight) + "\"/>" +
-           textAt(right ? x - 5 : x + 5, 15, right ? "end" : "start", word);
-  }
-  return textAt(kWidth - kRight, 15, "end", word + ", beyond the axis \xE2\x86\x92");
+  std::size_t before = 0; // bins within the limit
+  while (before < histogram.bins.size() && histogram.bins[before].last <= histogram.limit)
+    ++before;
+  if (histogram.limit > histogram.bins.back().last)
+    return textAt(kWidth - kRight, 15, "end", word + ", beyond the axis \xE2\x86\x92");
+  const double x = kLeft + kPlotWidth * double(before) / double(histogram.bins.size());
+  const bool right = x > kLeft + kPlotWidth * .8;
+  return "<path class=limit d=\"M" + decimal(x) + " 6V" + decimal(kTop + kPlotHeight) + "\"/>" +
+         textAt(right ? x - 5 : x + 5, 15, right ? "end" : "start", word);
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace arbiter::tools {
 namespace {
 
 /// The reasons of one count that are worth a line among those of other programs.
-constexpr std::size_t kMostReasons = 3;
+constexpr std::size_t kMostReasons = 6;
 
 constexpr Column kColumns[] = {
     {"name", "program"},
@@ -139,24 +139,39 @@ std::string captureText(const ProgramSet &set) {
   return html;
 }
 
-/// The largest parts of the counts that are over.
+/// The largest parts of one count.
+std::string largestReasons(const ProgramSet &set, std::size_t index, const ResourceRow &resource) {
+  std::string html;
+  std::size_t shown = 0, more = 0;
+  for (const fp::hw::Reason &reason : set.programs[index].file.native->reasons) {
+    if (reason.resource != resource.member)
+      continue;
+    if (shown == kMostReasons) {
+      ++more;
+      continue;
+    }
+    ++shown;
+    const std::string where = lineLinks(set, index, reason.instructions);
+    html += std::string("<li>") + resource.title + ": " + number(reason.amount) + " " +
+            escaped(reason.text) + (where.empty() ? "" : " (" + where + ")") + "</li>\n";
+  }
+  if (more != 0)
+    html += "<li>and " + counted(more, "smaller reason") + ", <a href=\"#" + anchor(index) +
+            "\">in its section</a></li>\n";
+  return html;
+}
+
+/// The reasons of the counts that are over; where none is, of those that leave no room.
 std::string misfitReasons(const ProgramSet &set, std::size_t index) {
   const CheckedFile &file = set.programs[index].file;
-  std::string html;
+  std::string over, full;
   for (const ResourceRow &resource : resourceRows()) {
-    if (!resource.of(file.language) ||
-        file.result.nativeCounts.*resource.member <= file.limits.native.*resource.member)
-      continue;
-    std::size_t shown = 0;
-    for (const fp::hw::Reason &reason : file.native->reasons) {
-      if (reason.resource != resource.member || shown == kMostReasons)
-        continue;
-      ++shown;
-      const std::string where = lineLinks(set, index, reason.instructions);
-      html += std::string("<li>") + resource.title + ": " + number(reason.amount) + " " +
-              escaped(reason.text) + (where.empty() ? "" : " (" + where + ")") + "</li>\n";
-    }
+    const std::uint32_t used = file.result.nativeCounts.*resource.member;
+    const std::uint32_t limit = file.limits.native.*resource.member;
+    if (resource.of(file.language) && used >= limit)
+      (used > limit ? over : full) += largestReasons(set, index, resource);
   }
+  const std::string &html = over.empty() ? full : over;
   return html.empty() ? html : "<ul>" + html + "</ul>";
 }
 

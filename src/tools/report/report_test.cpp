@@ -128,6 +128,12 @@ TEST(HistogramOf, AFarLimitIsSaidAndNotDrawn) {
   EXPECT_EQ(drawing(histogramOf({}, 64), "x"), "");
 }
 
+TEST(HistogramOf, WithoutRoomEveryProgramIsOver) {
+  const std::string svg = drawing(histogramOf({5}, 0), "x");
+  EXPECT_THAT(svg, HasSubstr("class=beyond"));
+  EXPECT_THAT(svg, HasSubstr("limit 0"));
+}
+
 TEST(Gauge, LengthAndMark) {
   EXPECT_THAT(gaugeBar(16, 64), HasSubstr("width:25%"));
   EXPECT_THAT(gaugeBar(16, 64), Not(HasSubstr("<b")));
@@ -224,8 +230,25 @@ TEST(Excesses, NameTheCardAndTheApi) {
   EXPECT_THAT(excesses(file),
               ElementsAre("ALU instructions 70 of 64", "temporaries (by the API 33 of 32)"));
   file.result.nativeCounts = {};
+  file.result.counts = {};
+  EXPECT_THAT(excesses(file),
+              ElementsAre("no count is over its limit, but the card cannot hold it"));
+  file.result.counts.temporaries = 33;
   file.result.underNativeLimits = true;
   EXPECT_EQ(verdictOf(file), Verdict::Over); // its driver would refuse it
+}
+
+TEST(Page, TheLargestReasonsOfWhatDoesNotFit) {
+  ProgramSet set = modelled();
+  for (std::uint32_t i = 0; i < 10; ++i)
+    set.programs[0].file.native->reasons.push_back(
+        {&ResourceCounts::aluInstructions, 1, "small " + std::to_string(i), {}});
+  std::string html = reportPage(set);
+  html = html.substr(0, html.find("<h2>Program by program"));
+  EXPECT_THAT(html, HasSubstr("<li>ALU instructions: 1 small 3</li>"));
+  EXPECT_THAT(html, Not(HasSubstr("small 4")));
+  EXPECT_THAT(html, HasSubstr("and 6 smaller reasons, <a href=\"#p1\">in its section</a>"));
+  EXPECT_THAT(html, Not(HasSubstr("TEX indirections: ")));
 }
 
 TEST(Page, ASetOfEveryVerdict) {

@@ -238,6 +238,8 @@ std::vector<std::string> excesses(const CheckedFile &file) {
       text += " (by the API " + number(apiUsed) + " of " + number(apiLimit) + ")";
     texts.push_back(std::move(text));
   }
+  if (texts.empty() && !file.result.underNativeLimits)
+    texts.emplace_back("no count is over its limit, but the card cannot hold it");
   return texts;
 }
 
