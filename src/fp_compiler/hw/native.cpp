@@ -1,5 +1,9 @@
 #include "fp_compiler/hw/native.h"
 
+#include "fp_compiler/hw/cycles.h"
+#include "fp_compiler/hw/i915/i915.h"
+#include "fp_compiler/hw/nv30/nv30.h"
+
 namespace arbiter::fp::hw {
 
 namespace {
@@ -13,19 +17,77 @@ bool within(const ResourceCounts &counts, const ResourceCounts &limits) {
          counts.attribs <= limits.attribs && counts.addressRegisters <= limits.addressRegisters;
 }
 
+/// Models are of ARB fragment programs; the other languages' limits are the API's.
+NativeModel modelOf(const ir::Program &program, const Limits &limits) {
+  return program.language == ir::Language::ArbFragment ? limits.nativeModel
+                                                       : NativeModel::Documented;
+}
+
+NativeCounts countOf(const SlotProgram &code, const ResourceCounts &api, const Limits &limits,
+                     std::uint32_t interpolators) {
+  const ResourceCounts counts = countSlots(code, api.texIndirections);
+  return {counts, within(counts, limits.native) && code.interpolators <= interpolators};
+}
+
+NativeReport reportOf(NativeModel model, const NativeCounts &native) {
+  NativeReport report;
+  report.model = model;
+  report.counts = native.counts;
+  report.fits = native.fits;
+  return report;
+}
+
+constexpr std::uint32_t kAnyInterpolators = 0xFFFFFFFF; ///< the attributes' own limit decides
+
+NativeReport explainNv30(const ir::Program &program, const ResourceCounts &api,
+                         const Limits &limits) {
+  const SlotProgram code = nv30::translate(program);
+  NativeReport report = reportOf(limits.nativeModel, countOf(code, api, limits, kAnyInterpolators));
+  reportSlots(report, program, code, {"", nv30::expansionOf});
+  report.cycles = estimateNv30(code, limits.nativeModel);
+  return report;
+}
+
+NativeReport explainI915(const ir::Program &program, const ResourceCounts &api,
+                         const Limits &limits) {
+  const SlotProgram code = i915::translate(program);
+  NativeReport report =
+      reportOf(NativeModel::I915, countOf(code, api, limits, i915::kTextureCoordinates));
+  reportSlots(report, program, code, {"phase", i915::expansionOf});
+  report.cycles = estimateI915(code);
+  return report;
+}
+
 } // namespace
 
-NativeCounts countNative(const ir::Program &, const ResourceCounts &api, const Limits &limits) {
+NativeCounts countNative(const ir::Program &program, const ResourceCounts &api,
+                         const Limits &limits) {
+  switch (modelOf(program, limits)) {
+  case NativeModel::Nv30:
+  case NativeModel::Nv35:
+    return countOf(nv30::translate(program), api, limits, kAnyInterpolators);
+  case NativeModel::I915:
+    return countOf(i915::translate(program), api, limits, i915::kTextureCoordinates);
+  case NativeModel::R300:
+  case NativeModel::Documented:
+    break;
+  }
   return {api, within(api, limits.native)};
 }
 
 NativeReport explainNative(const ir::Program &program, const ResourceCounts &api,
                            const Limits &limits) {
-  NativeReport report;
-  const NativeCounts native = countNative(program, api, limits);
-  report.counts = native.counts;
-  report.fits = native.fits;
-  return report;
+  switch (modelOf(program, limits)) {
+  case NativeModel::Nv30:
+  case NativeModel::Nv35:
+    return explainNv30(program, api, limits);
+  case NativeModel::I915:
+    return explainI915(program, api, limits);
+  case NativeModel::R300:
+  case NativeModel::Documented:
+    break;
+  }
+  return reportOf(NativeModel::Documented, countNative(program, api, limits));
 }
 
 } // namespace arbiter::fp::hw
