@@ -66,7 +66,7 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
     emitted = emit(*result.program, arguments);
     return kExitOk;
   }
-  emitted = fp::hw::explainNative(*result.program, result.counts, options.limits).disassembly;
+  emitted = fp::hw::explainNative(*result.program, result.counts, options.limits, text).disassembly;
   if (!emitted.empty())
     return kExitOk;
   complain(arguments.file + ": the profile " + profile.name + " has no model that runs " +

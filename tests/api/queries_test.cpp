@@ -66,6 +66,30 @@ TEST_F(Queries, CountsAreComputed) {
   EXPECT_EQ(programiv(GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB), 1);
 }
 
+// What the chip's model makes of a text is not what the text says: a SIN is a polynomial with
+// constants of its own, and a read that waits for nobody needs no node of its own.
+TEST_F(Queries, NativeCountsAreTheChips) {
+  BARE_HOST_DIFFERS("counts the text");
+  makeProgram("!!ARBfp1.0\n"
+              "TEMP a, b;\n"
+              "TEX a, fragment.texcoord[0], texture[0], 2D;\n"
+              "SIN b, a.x;\n"
+              "TEX a, fragment.texcoord[1], texture[1], 2D;\n"
+              "MAD result.color, a, b, fragment.color;\n"
+              "END");
+  EXPECT_EQ(programiv(GL_PROGRAM_ALU_INSTRUCTIONS_ARB), 2);
+  EXPECT_GT(programiv(GL_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB), 4);
+  EXPECT_EQ(programiv(GL_PROGRAM_PARAMETERS_ARB), 0);
+  EXPECT_GT(programiv(GL_PROGRAM_NATIVE_PARAMETERS_ARB), 0);
+  EXPECT_EQ(programiv(GL_PROGRAM_TEX_INDIRECTIONS_ARB), 2);
+  EXPECT_EQ(programiv(GL_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB), 1);
+  EXPECT_EQ(programiv(GL_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB), 2);
+  EXPECT_EQ(programiv(GL_PROGRAM_NATIVE_ATTRIBS_ARB), 3);
+  EXPECT_EQ(programiv(GL_PROGRAM_NATIVE_INSTRUCTIONS_ARB),
+            programiv(GL_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB) + 2);
+  EXPECT_EQ(programiv(GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB), 1);
+}
+
 TEST_F(Queries, LimitsAreTheProfiles) {
   BARE_HOST_DIFFERS("has its own");
   EXPECT_EQ(programiv(GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB), 64);

@@ -3,6 +3,9 @@
 #include "fp_compiler/hw/cycles.h"
 #include "fp_compiler/hw/i915/i915.h"
 #include "fp_compiler/hw/nv30/nv30.h"
+#include "fp_compiler/hw/r300/compile.h"
+#include "fp_compiler/hw/r300/disassemble.h"
+#include "fp_compiler/hw/r300/report.h"
 
 namespace arbiter::fp::hw {
 
@@ -34,6 +37,31 @@ NativeReport reportOf(NativeModel model, const NativeCounts &native) {
   report.model = model;
   report.counts = native.counts;
   report.fits = native.fits;
+  return report;
+}
+
+r300::Code compileR300(const ir::Program &program, const Limits &limits) {
+  return r300::compile(program, {.scaleRectangles = limits.scaleRectangles != 0});
+}
+
+NativeCounts countOf(const r300::Code &code, const Limits &limits) {
+  const ResourceCounts counts = r300::counts(code);
+  return {counts, within(counts, limits.native) && code.interpolators <= r300::kInterpolators};
+}
+
+NativeReport explainR300(const ir::Program &program, const Limits &limits, std::string_view text) {
+  const r300::Code code = compileR300(program, limits);
+  NativeReport report = reportOf(NativeModel::R300, countOf(code, limits));
+  r300::report(report, program, code);
+  report.cycles = estimateR300(code);
+  const ResourceCounts &sizes = limits.native;
+  report.disassembly = r300::disassemble(code, program, text,
+                                         {.pairs = sizes.aluInstructions,
+                                          .textures = sizes.texInstructions,
+                                          .nodes = sizes.texIndirections,
+                                          .temporaries = sizes.temporaries,
+                                          .constants = sizes.parameters,
+                                          .interpolators = r300::kInterpolators});
   return report;
 }
 
@@ -69,6 +97,7 @@ NativeCounts countNative(const ir::Program &program, const ResourceCounts &api,
   case NativeModel::I915:
     return countOf(i915::translate(program), api, limits, i915::kTextureCoordinates);
   case NativeModel::R300:
+    return countOf(compileR300(program, limits), limits);
   case NativeModel::Documented:
     break;
   }
@@ -76,7 +105,7 @@ NativeCounts countNative(const ir::Program &program, const ResourceCounts &api,
 }
 
 NativeReport explainNative(const ir::Program &program, const ResourceCounts &api,
-                           const Limits &limits) {
+                           const Limits &limits, std::string_view text) {
   switch (modelOf(program, limits)) {
   case NativeModel::Nv30:
   case NativeModel::Nv35:
@@ -84,6 +113,7 @@ NativeReport explainNative(const ir::Program &program, const ResourceCounts &api
   case NativeModel::I915:
     return explainI915(program, api, limits);
   case NativeModel::R300:
+    return explainR300(program, limits, text);
   case NativeModel::Documented:
     break;
   }

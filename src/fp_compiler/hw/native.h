@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fp_compiler/ir/ir.h"
@@ -73,7 +74,9 @@ struct NativeReport {
   std::string disassembly; ///< in the hardware's terms; empty: no model
 };
 
+/// `text` is the program's source, whose lines the disassembly names; without it, the numbers of
+/// the instructions.
 [[nodiscard]] NativeReport explainNative(const ir::Program &program, const ResourceCounts &api,
-                                         const Limits &limits);
+                                         const Limits &limits, std::string_view text = {});
 
 } // namespace arbiter::fp::hw

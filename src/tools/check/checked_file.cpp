@@ -42,7 +42,8 @@ CheckedFile checkFile(const std::string &path, const std::string &language, fp::
 
 void explain(CheckedFile &file) {
   if (file.counted() && !file.native)
-    file.native = fp::hw::explainNative(*file.result.program, file.result.counts, file.limits);
+    file.native =
+        fp::hw::explainNative(*file.result.program, file.result.counts, file.limits, file.text);
 }
 
 } // namespace arbiter::tools
