@@ -67,22 +67,27 @@ NativeReport explainR300(const ir::Program &program, const Limits &limits, std::
 
 constexpr std::uint32_t kAnyInterpolators = 0xFFFFFFFF; ///< the attributes' own limit decides
 
+constexpr SlotWords kNv30Words = {"", nv30::expansionOf};
+constexpr SlotWords kI915Words = {"phase", i915::expansionOf};
+
 NativeReport explainNv30(const ir::Program &program, const ResourceCounts &api,
-                         const Limits &limits) {
+                         const Limits &limits, std::string_view text) {
   const SlotProgram code = nv30::translate(program);
   NativeReport report = reportOf(limits.nativeModel, countOf(code, api, limits, kAnyInterpolators));
-  reportSlots(report, program, code, {"", nv30::expansionOf});
+  reportSlots(report, program, code, kNv30Words);
   report.cycles = estimateNv30(code, limits.nativeModel);
+  report.disassembly = listSlots(program, code, kNv30Words, text);
   return report;
 }
 
 NativeReport explainI915(const ir::Program &program, const ResourceCounts &api,
-                         const Limits &limits) {
+                         const Limits &limits, std::string_view text) {
   const SlotProgram code = i915::translate(program);
   NativeReport report =
       reportOf(NativeModel::I915, countOf(code, api, limits, i915::kTextureCoordinates));
-  reportSlots(report, program, code, {"phase", i915::expansionOf});
+  reportSlots(report, program, code, kI915Words);
   report.cycles = estimateI915(code);
+  report.disassembly = listSlots(program, code, kI915Words, text);
   return report;
 }
 
@@ -109,9 +114,9 @@ NativeReport explainNative(const ir::Program &program, const ResourceCounts &api
   switch (modelOf(program, limits)) {
   case NativeModel::Nv30:
   case NativeModel::Nv35:
-    return explainNv30(program, api, limits);
+    return explainNv30(program, api, limits, text);
   case NativeModel::I915:
-    return explainI915(program, api, limits);
+    return explainI915(program, api, limits, text);
   case NativeModel::R300:
     return explainR300(program, limits, text);
   case NativeModel::Documented:

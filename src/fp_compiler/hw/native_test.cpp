@@ -320,6 +320,40 @@ TEST(Models, CountsAreThoseOfTheReportOnRandomPrograms) {
   }
 }
 
+TEST(Models, AListingNamesTheLines) {
+  const std::string text =
+      "!!ARBfp1.0\nTEMP r;\nTEX r, fragment.texcoord[0].yxzw, texture[0], 2D;\n"
+      "LRP result.color, r, fragment.color, r;\nEND";
+  const CheckResult result = checked("i915", text);
+  const auto listing = [&](std::string_view profile, std::string_view source) {
+    return explainNative(*result.program, result.counts, findBuiltin(profile)->fragment, source)
+        .disassembly;
+  };
+  EXPECT_EQ(listing("i915", text), "phase 1\n"
+                                   "    1 alu  ; line 3: TEX, its coordinate moved\n"
+                                   "phase 2\n"
+                                   "    2 tex  ; line 3: TEX\n"
+                                   "    3 alu  ; line 4: LRP\n"
+                                   "    4 alu  ; line 4: LRP\n");
+  EXPECT_EQ(listing("nv30", ""), "    1 tex  ; instruction 1: TEX\n"
+                                 "    2 alu (2 passes)  ; instruction 2: LRP\n");
+  EXPECT_NE(listing("r300", text).find("line 4"), std::string::npos);
+  EXPECT_EQ(listing("host", text), "");
+}
+
+// Time must not grow with the square of the text: a program of 1 MB is bad input until proved good.
+TEST(Models, LongProgramsAreCountedInTime) {
+  std::string body = "MOV r, a;\n";
+  for (int i = 0; i < 4000; ++i)
+    body += i % 7 == 0 ? "TEX r, r, texture[0], 2D;\n" : "MAD r, r, k, s; SIN s, r.x;\n";
+  const std::string text = whole(body + "MOV o, r;");
+  for (const std::string_view name : {"r300", "nv30", "i915"}) {
+    const CheckResult result = checked(name, text);
+    EXPECT_FALSE(result.underNativeLimits) << name;
+    EXPECT_GT(result.nativeCounts.instructions, 6000u) << name;
+  }
+}
+
 TEST(Models, AreOfArbFragmentProgramsAlone) {
   const Profile &profile = *findBuiltin("nv30");
   const std::string vertex = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";

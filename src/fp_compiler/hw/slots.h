@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fp_compiler/hw/native.h"
@@ -71,5 +72,10 @@ struct SlotWords {
 /// Reasons, costs, nodes and the chain of dependent reads. Counts and cycles are the caller's.
 void reportSlots(NativeReport &report, const ir::Program &program, const SlotProgram &code,
                  const SlotWords &words);
+
+/// A line for each slot, with the instruction that it comes from: by its line in `text`, or by its
+/// number, from 1, without.
+[[nodiscard]] std::string listSlots(const ir::Program &program, const SlotProgram &code,
+                                    const SlotWords &words, std::string_view text);
 
 } // namespace arbiter::fp::hw
