@@ -16,12 +16,14 @@
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/random.h"
 #include "fp_compiler/testing/random_ati.h"
+#include "mutate.h"
 #include "naive.h"
 #include "surroundings.h"
 
 /// Random programs through the R300's compiler: every code is legal, and run on the chip's
 /// interpreter it gives what the program says; and it takes no more than an operation a slot.
-///   r300-programs [--count N] [--from SEED] [--kind NAME]
+///   r300-programs [--count N] [--from SEED] [--kind NAME] [--mutants 1]
+/// With --mutants each code gets one mistake, and most must be noticed.
 /// Exit status 1 if any fails; the first of a kind are printed with their listings.
 namespace arbiter::r300 {
 namespace {
@@ -117,6 +119,10 @@ constexpr Kind kKinds[] = {
     {"ati", ati, true},           {"wild", wild, false},
 };
 
+/// Less than this share of mistakes noticed, and the comparison is blind. Those that are not are
+/// mostly no mistakes: values that a clamp, a minimum or a comparison hides.
+constexpr double kNoticedShare = 0.65;
+
 struct Totals {
   int programs = 0, illegal = 0, wrong = 0, costly = 0, fitting = 0;
   std::uint64_t pairs = 0, naive = 0;
@@ -147,6 +153,32 @@ public:
     for (std::uint64_t at = 0; m_kind.compared && at < kFragments; ++at)
       if (!compare(seed, at, program, code))
         return;
+  }
+
+  /// One mistake in its code: is it noticed?
+  void mutant(std::uint64_t seed) {
+    const fp::ir::Program program = m_kind.make(seed);
+    Code code = fp::hw::r300::compile(program, {});
+    fp::testing::Random random(seed ^ 0x4D07);
+    if (mutate(code, random).empty())
+      return;
+    ++m_mutants;
+    bool noticed = !fp::hw::r300::faults(code, program).empty();
+    for (std::uint64_t at = 0; !noticed && at < 2 * kFragments; ++at) {
+      const Surroundings surroundings(program, seed * kFragments + at);
+      const Expectation expected = expect(program, surroundings.inputs(), seed);
+      noticed =
+          judge(program, expected, fp::hw::r300::execute(code, program, surroundings.inputs()))
+              .error > 1;
+    }
+    m_noticed += noticed;
+  }
+
+  [[nodiscard]] bool reportMutants() const {
+    const double share = m_mutants ? double(m_noticed) / double(m_mutants) : 0;
+    std::printf("%-9s %d of %d mistakes noticed, %.1f %%\n", m_kind.name, m_noticed, m_mutants,
+                100 * share);
+    return share >= kNoticedShare;
   }
 
   [[nodiscard]] bool report() const {
@@ -210,6 +242,7 @@ private:
 
   const Kind &m_kind;
   Totals m_totals;
+  int m_mutants = 0, m_noticed = 0;
 };
 } // namespace
 } // namespace arbiter::r300
@@ -217,6 +250,7 @@ private:
 int main(int argc, char **argv) {
   std::uint64_t count = 500, from = 0;
   const char *only = nullptr;
+  bool mutants = false;
   for (int i = 1; i + 1 < argc; i += 2) {
     if (!std::strcmp(argv[i], "--count"))
       count = std::strtoull(argv[i + 1], nullptr, 10);
@@ -224,18 +258,24 @@ int main(int argc, char **argv) {
       from = std::strtoull(argv[i + 1], nullptr, 10);
     else if (!std::strcmp(argv[i], "--kind"))
       only = argv[i + 1];
+    else if (!std::strcmp(argv[i], "--mutants"))
+      mutants = argv[i + 1][0] == '1';
     else
-      return std::fprintf(stderr, "usage: %s [--count N] [--from SEED] [--kind NAME]\n", argv[0]),
+      return std::fprintf(stderr,
+                          "usage: %s [--count N] [--from SEED] [--kind NAME] [--mutants 1]\n",
+                          argv[0]),
              2;
   }
   bool good = true;
   for (const auto &kind : arbiter::r300::kKinds) {
     if (only && std::strcmp(only, kind.name) != 0)
       continue;
+    if (mutants && !kind.compared)
+      continue;
     arbiter::r300::Run run(kind);
     for (std::uint64_t seed = from; seed < from + count; ++seed)
-      run.program(seed);
-    good &= run.report();
+      mutants ? run.mutant(seed) : run.program(seed);
+    good &= mutants ? run.reportMutants() : run.report();
   }
   return good ? 0 : 1;
 }
