@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/hw/r300/allocate.h"
+#include "fp_compiler/hw/r300/fold.h"
 #include "fp_compiler/hw/r300/lower.h"
 #include "fp_compiler/hw/r300/prune.h"
 
@@ -87,7 +88,9 @@ private:
     half.modifier = item.modifier;
     half.origin = item.origin;
     half.cause = item.cause;
-    half.presubtract = item.presubtract;
+    // An operation of both halves that has one is a Dp3: it is the RGB half's.
+    if (item.kind != Item::Kind::Both || components == 7)
+      half.presubtract = item.presubtract;
   }
 
   template <typename Argument, typename Select>
@@ -145,6 +148,7 @@ Code compile(const ir::Program &program, const CompileOptions &options) {
   flow.versions.reserve(guess);
   lower(program, options, flow);
   prune(flow);
+  fold(flow);
   Plan plan = schedule(flow);
   return Assembly(program, flow, std::move(plan)).run();
 }

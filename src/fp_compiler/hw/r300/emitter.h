@@ -85,6 +85,8 @@ private:
   void rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
                 bool home, Value &result);
   void alphaPart(const Item &like, std::span<const Value> operands, bool home, Value &result);
+  bool literalLike(const Refs &refs, std::uint8_t components, const FlowArgument &like,
+                   FlowArgument &argument);
   bool difference(const Value &x, const Value &y, std::uint8_t components, Item &item,
                   FlowArgument &argument);
   bool differenceOf(const Refs &x, const Refs &y, std::uint8_t components, Item &item,

@@ -21,6 +21,29 @@ bool plainSource(const FlowArgument &argument) {
 }
 } // namespace
 
+/// Numbers in constant memory where \p like finds its own; also those that are there without a
+/// source.
+bool Emitter::literalLike(const Refs &refs, std::uint8_t components, const FlowArgument &like,
+                          FlowArgument &argument) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((components >> c & 1) && refs[c].kind != Ref::Kind::Literal)
+      return false;
+  // A scalar had better stay one that either unit can compute.
+  const bool alpha = components == 8;
+  if (std::has_single_bit(components) && like.bank == FlowArgument::Bank::Item)
+    return false;
+  Refs values = refs;
+  values[0] = alpha ? refs[3] : refs[0];
+  const Rows::Place place = m_rows.at(values, alpha ? std::uint8_t(1) : components,
+                                      alpha ? std::uint8_t(RgbSelect::Www) : like.select, m_origin);
+  argument = {};
+  argument.bank = FlowArgument::Bank::Row;
+  argument.select = like.select;
+  argument.negate = place.negate;
+  argument.source[0] = place.row;
+  return true;
+}
+
 /// x - y as one argument of \p item: by presubtract, or because one of them is zero.
 /// \p components: of RGB, or 8 for the alpha half.
 bool Emitter::differenceOf(const Refs &x, const Refs &y, std::uint8_t components, Item &item,
@@ -50,8 +73,15 @@ bool Emitter::differenceOf(const Refs &x, const Refs &y, std::uint8_t components
     item.presubtract = Presubtract::OneMinusS0;
     negate = minusOne;
   } else {
-    if (!takeOne(y, first) || !takeOne(x, second) || !usable(first) || !usable(second) ||
-        first.select != second.select)
+    // Numbers go where the other one's select finds them.
+    const std::size_t at = std::size_t(std::countr_zero(components));
+    const bool number = x[at].kind == Ref::Kind::Literal;
+    if (number ? !takeOne(y, first) || !usable(first) : !takeOne(x, second) || !usable(second))
+      return false;
+    if (number ? !literalLike(x, components, first, second)
+               : !literalLike(y, components, second, first) && !takeOne(y, first))
+      return false;
+    if (!usable(first) || !usable(second) || first.select != second.select)
       return false;
     // Source 0 is y, source 1 is x.
     item.presubtract =

@@ -132,6 +132,38 @@ Rows::Place Rows::rgb(const Refs &literals, std::uint8_t components, std::uint16
   return result;
 }
 
+Rows::Place Rows::at(const Refs &literals, std::uint8_t components, std::uint8_t select,
+                     std::uint16_t origin) {
+  const auto holds = [&](const Row &row, bool negate, bool orFree) {
+    if (!row.known || (orFree && row.constant.kind != Constant::Kind::Value))
+      return false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(components >> c & 1))
+        continue;
+      const std::uint8_t tap = kTaps[select][c];
+      const float value = row.constant.value[tap];
+      if (row.filled >> tap & 1 ? !same(negate ? -value : value, literals[c].value) : !orFree)
+        return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < m_rows.size(); ++i)
+    for (const bool negate : {false, true})
+      if (holds(m_rows[i], negate, false))
+        return {std::uint16_t(i), select, negate};
+  std::size_t chosen = 0;
+  while (chosen < m_rows.size() && !holds(m_rows[chosen], false, true))
+    ++chosen;
+  if (chosen == m_rows.size())
+    (void)add({Constant::Kind::Value, 0, {}, origin}, 0, true);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (components >> c & 1) {
+      m_rows[chosen].constant.value[kTaps[select][c]] = literals[c].value;
+      m_rows[chosen].filled |= std::uint8_t(1 << kTaps[select][c]);
+    }
+  return {std::uint16_t(chosen), select, false};
+}
+
 Rows::Place Rows::alpha(const Ref &literal, std::uint16_t origin) {
   Place result;
   const auto within = [&](std::size_t i) {

@@ -26,6 +26,10 @@ public:
   /// Likewise for an alpha argument; the select is an AlphaSelect.
   Place alpha(const Ref &literal, std::uint16_t origin);
 
+  /// Literals where \p select, an RgbSelect of colours or Www, takes them for \p components.
+  Place at(const Refs &literals, std::uint8_t components, std::uint8_t select,
+           std::uint16_t origin);
+
 private:
   bool find(const Row &row, const Refs &literals, std::uint8_t components, Place &place) const;
   bool place(Row &row, const Refs &literals, std::uint8_t components, Place &place) const;

@@ -102,7 +102,16 @@ const Row kRows[] = {
     {"0, 1/2 and 1", "MAD o, v0, 0.5, 1.0;", 1, 1, 1, 1, 0},
     {"a power of two", "MUL o, v0, 4.0;", 1, 1, 1, 1, 0},
     {"any other number", "MUL o, v0, 3.0;", 1, 1, 1, 1, 1},
-    {"one number twice", "MUL r, v0, 3.0; ADD o, r, {3.0, 3.0, 3.0, 3.0};", 2, 2, 1, 1, 1},
+    {"one number twice", "MUL r, v0, 3.0; MAX o, r, {3.0, 3.0, 3.0, 3.0};", 2, 2, 1, 1, 1},
+    {"SLT of 1/2", "SLT o.xyz, v0, 0.5;", 2, 1, 1, 1, 1},
+    // What one other operation reads becomes a part of it.
+    {"a product in a sum", "MUL r, v0, v1; ADD o, r, v2;", 2, 1, 1, 1, 0},
+    {"a product in a difference", "MUL r, v0, v1; SUB o, v2, r;", 2, 1, 1, 1, 0},
+    {"a sum in a product", "ADD r, v0, v1; MUL o, r, v2;", 2, 1, 1, 1, 0},
+    {"1-x", "SUB r, 1.0, v0; MUL o, r, v1;", 2, 1, 1, 1, 0},
+    {"a sum in a DP3", "SUB r, v0, v1; DP3 o, r, v2;", 2, 1, 1, 1, 0},
+    {"a copy that clamps", "MUL r, v0, v1; MOV_SAT o, r;", 2, 1, 1, 1, 0},
+    {"a sum that two read", "ADD r, v0, v1; MUL s, r, v2; MAX o, r, s;", 3, 3, 1, 1, 0},
     // Results.
     {"depth", "MOV o, v0; MOV result.depth.z, v1.z;", 2, 2, 1, 1, 0},
     {"depth beside RGB", "MOV o.xyz, v0; MOV result.depth.z, v1.z;", 1, 1, 1, 1, 0},
