@@ -51,7 +51,8 @@
 /// TXB      w is added to the level of detail before its clamp; rectangles ignore it.
 ///
 /// Left to the host: LRP with an infinite operand, or with one so large that c + a*(b-c) loses b
-/// (hosts compute it so); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
+/// (hosts compute it so); x - x of an infinity or a NaN (they make 0 of it, as GLSL owes nobody a
+/// NaN); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
 ///
 /// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is
 /// f*rgb + (1-f)*fog.rgb, as LRP, with f = SAT of 2^(-dc/ln 2), 2^(-(dc)^2/ln 2), or
