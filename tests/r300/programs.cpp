@@ -1,13 +1,10 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
+#include <vector>
 
 #include "expectation.h"
-#include "fp_compiler/ati/lower.h"
-#include "fp_compiler/fixed_function.h"
 #include "fp_compiler/hw/r300/compile.h"
 #include "fp_compiler/hw/r300/disassemble.h"
 #include "fp_compiler/hw/r300/execute.h"
@@ -15,7 +12,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/random.h"
-#include "fp_compiler/testing/random_ati.h"
+#include "kinds.h"
 #include "mutate.h"
 #include "naive.h"
 #include "surroundings.h"
@@ -23,6 +20,7 @@
 /// Random programs through the R300's compiler: every code is legal, and run on the chip's
 /// interpreter it gives what the program says; and it takes no more than an operation a slot.
 ///   r300-programs [--count N] [--from SEED] [--kind NAME] [--mutants 1]
+///   r300-programs --texts FOLDER [--texts FOLDER...]
 /// With --mutants each code gets one mistake, and most must be noticed.
 /// Exit status 1 if any fails; the first of a kind are printed with their listings.
 namespace arbiter::r300 {
@@ -34,90 +32,6 @@ constexpr std::uint64_t kFragments = 4;
 constexpr int kShown = 3;
 /// More than this share of values that say nothing would make the comparison one in name only.
 constexpr double kSkippedShare = 0.08;
-
-/// A way to make programs.
-struct Kind {
-  const char *name;
-  fp::ir::Program (*make)(std::uint64_t seed);
-  bool compared; ///< false: the values are undefined, only the rules are looked at
-};
-
-fp::ir::Program fragment(std::uint64_t seed) { return fp::testing::randomProgram(seed); }
-
-fp::ir::Program longFragment(std::uint64_t seed) {
-  fp::testing::RandomOptions options;
-  options.minInstructions = 30;
-  options.maxInstructions = 70;
-  options.kills = false;
-  return fp::testing::randomProgram(seed, options);
-}
-
-/// Half of the results also go into a sum that is shown, so that little of the program is dead.
-fp::ir::Program live(std::uint64_t seed) {
-  using namespace fp::ir;
-  fp::testing::RandomOptions options;
-  options.maxInstructions = 24;
-  Program program = fp::testing::randomProgram(seed, options);
-  fp::testing::Random random(seed ^ 0x11FE);
-  const auto sum = std::uint16_t(program.temporaries.size());
-  program.temporaries.push_back({"sum"});
-  const auto half = std::uint16_t(program.parameters.size());
-  program.parameters.push_back({.kind = ParameterKind::Constant, .constant = {.5f, .5f, .5f, .5f}});
-  std::vector<Instruction> code;
-  for (const Instruction &instruction : program.code) {
-    Instruction add;
-    add.op = Opcode::Mad;
-    add.dst = {File::Temporary, sum, instruction.dst.mask, false, {}};
-    add.src[0].index = sum;
-    add.src[1].file = File::Parameter;
-    add.src[1].index = half;
-    add.src[2].index = instruction.dst.index;
-    // The last word on each colour is the sum's.
-    if (!info(instruction.op).has(Kills) && instruction.dst.file == File::Output &&
-        program.outputs[instruction.dst.index].kind == OutputKind::Color) {
-      add.dst = instruction.dst;
-      add.src[2] = instruction.src[0];
-      code.push_back(add);
-      continue;
-    }
-    code.push_back(instruction);
-    if (!info(instruction.op).has(Kills) && instruction.dst.file == File::Temporary &&
-        random.chance(50))
-      code.push_back(add);
-  }
-  program.code = std::move(code);
-  return program;
-}
-
-fp::ir::Program wild(std::uint64_t seed) {
-  fp::testing::RandomOptions options;
-  options.wild = true;
-  options.maxInstructions = 40;
-  return fp::testing::randomProgram(seed, options);
-}
-
-/// Under fixed-function state of its own.
-fp::ir::Program ati(std::uint64_t seed) {
-  fp::testing::RandomAtiOptions options;
-  options.defined = options.tameDivisors = true;
-  options.separateDots = true;
-  fp::testing::Random random(seed ^ 0xA71);
-  fp::FixedFunction state;
-  for (fp::ir::TexTarget &target : state.targets)
-    target = fp::testing::kUnitTargets[std::size_t(random.below(8))];
-  state.disabledUnits = std::uint8_t(random.chance(30) ? random.below(64) : 0);
-  state.fog = random.chance(30) ? fp::ir::FogMode(1 + random.below(3)) : fp::ir::FogMode::None;
-  state.colorSum = random.chance(30);
-  fp::ati::LowerOptions lowering;
-  lowering.registerRange = random.chance(50) ? 8 : 0;
-  return fp::withFixedFunction(
-      fp::ati::lower(fp::testing::randomAtiShader(seed, options), lowering), state);
-}
-
-constexpr Kind kKinds[] = {
-    {"fragment", fragment, true}, {"long", longFragment, true}, {"live", live, true},
-    {"ati", ati, true},           {"wild", wild, false},
-};
 
 /// Less than this share of mistakes noticed, and the comparison is blind. Those that are not are
 /// mostly no mistakes: values that a clamp, a minimum or a comparison hides.
@@ -248,9 +162,10 @@ private:
 } // namespace arbiter::r300
 
 int main(int argc, char **argv) {
+  using namespace arbiter::r300;
   std::uint64_t count = 500, from = 0;
   const char *only = nullptr;
-  bool mutants = false;
+  bool mutants = false, good = true;
   for (int i = 1; i + 1 < argc; i += 2) {
     if (!std::strcmp(argv[i], "--count"))
       count = std::strtoull(argv[i + 1], nullptr, 10);
@@ -258,21 +173,29 @@ int main(int argc, char **argv) {
       from = std::strtoull(argv[i + 1], nullptr, 10);
     else if (!std::strcmp(argv[i], "--kind"))
       only = argv[i + 1];
+    else if (!std::strcmp(argv[i], "--texts"))
+      good &= addTexts(argv[i + 1]);
     else if (!std::strcmp(argv[i], "--mutants"))
       mutants = argv[i + 1][0] == '1';
     else
       return std::fprintf(stderr,
-                          "usage: %s [--count N] [--from SEED] [--kind NAME] [--mutants 1]\n",
+                          "usage: %s [--count N] [--from SEED] [--kind NAME] [--mutants 1] "
+                          "[--texts FOLDER]\n",
                           argv[0]),
              2;
   }
-  bool good = true;
-  for (const auto &kind : arbiter::r300::kKinds) {
+  if (textCount() > 0) {
+    Run run(textKind());
+    for (std::uint64_t i = 0; i < textCount(); ++i)
+      run.program(i);
+    return good && run.report() ? 0 : 1;
+  }
+  for (const Kind &kind : generatedKinds()) {
     if (only && std::strcmp(only, kind.name) != 0)
       continue;
     if (mutants && !kind.compared)
       continue;
-    arbiter::r300::Run run(kind);
+    Run run(kind);
     for (std::uint64_t seed = from; seed < from + count; ++seed)
       mutants ? run.mutant(seed) : run.program(seed);
     good &= mutants ? run.reportMutants() : run.report();
