@@ -276,6 +276,70 @@ class Json(Temporary):
                       check(self.folder / 'a.atifs').stdout)
 
 
+class Life(Temporary):
+    """The two demonstrations on the modelled Radeon 9700: what they cost, and why."""
+
+    def test_the_packed_program_says_why_each_node(self):
+        path = PROGRAMS / 'life_packed.fp'
+        result = check('--why', path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('  native: modelled (r300): 2 texture nodes, 1 dependent read, about ',
+                      result.stdout)
+        [file] = json.loads(check('--json', path).stdout)['files']
+        native, used = file['native'], {name: row['native_used']
+                                        for name, row in file['counts'].items()}
+        self.assertLessEqual(used['tex_indirections'], 4)
+        self.assertEqual(used['instructions'], used['alu_instructions'] + used['tex_instructions'])
+        self.assertEqual([len(node['textures']) for node in native['nodes']], [3, 1])
+        self.assertEqual([node['reason'] for node in native['nodes']],
+                         ['', 'TEX reads cell, which MAD wrote in node 1'])
+        self.assertEqual(sum(node['pairs'] for node in native['nodes']), used['alu_instructions'])
+        self.assertEqual([place['opcode'] for place in native['chain']],
+                         ['TEX', 'MOV', 'MAD', 'TEX'])
+        for resource in ('alu_instructions', 'tex_instructions', 'tex_indirections'):
+            self.assertEqual(sum(reason['amount'] for reason in native['reasons']
+                                 if reason['resource'] == resource), used[resource], resource)
+        drawn = re.search(r'(?s)depend.* reads \(1 read\):\n(.*?)  cycles: ', result.stdout).group(1)
+        lines = path.read_text().splitlines()
+        for line, place in zip(drawn.splitlines(), native['chain'], strict=True):
+            self.assertIn(f'{place["line"]} | ' + lines[place['line'] - 1].split(';')[0], line)
+        self.assertEqual([line.split()[0:2] for line in drawn.splitlines() if 'node' in line],
+                         [['node', '1'], ['node', '2']])
+
+    def test_packing_pays(self):
+        document = json.loads(check('--compare', '--json', PROGRAMS / 'life_naive.fp',
+                                    PROGRAMS / 'life_packed.fp').stdout)['compare']
+        self.assertLess(document['resources']['alu_instructions']['native_used']['delta'], -20)
+        self.assertLess(document['cycles']['delta'], -20)
+        self.assertEqual(document['dependent_reads']['b'], 1)
+
+    def test_a_program_that_does_not_fit_draws_its_chain(self):
+        lines = ['!!ARBfp1.0', 'TEMP a;', 'TEX a, fragment.texcoord[0], texture[0], 2D;']
+        lines += ['MUL a, a, a;', 'TEX a, a, texture[1], 2D;'] * 4
+        path = self.path('deep.fp', '\n'.join(lines + ['MOV result.color, a;', 'END', '']))
+        result = check('--profile', 'r300-catalyst-2004', path)
+        self.assertEqual(result.returncode, 3, result.stdout)
+        self.assertRegex(result.stdout, r'(?m)^  TEX indirections +5 +31 +5 +4  .*native limit$')
+        self.assertIn('       1  TEX reads a, which MUL wrote in node 4\n'
+                      '           11 | TEX a, a, texture[1], 2D\n', result.stdout)
+        self.assertIn('dependent reads (4 reads):\n    node 1  *     3 | TEX a, fragment',
+                      result.stdout)
+        self.assertTrue(result.stdout.endswith('    node 5  *    11 | TEX a, a, texture[1], 2D\n'))
+        self.assertIn(f'       4  {path}: TEX reads a, which MUL wrote in node 1 (1)\n',
+                      check('--profile', 'r300-catalyst-2004', self.folder).stdout)
+
+    def test_the_cards_own_program(self):
+        result = subprocess.run([ARBITER, 'compile', '--emit', 'native',
+                                 PROGRAMS / 'life_packed.fp'], capture_output=True, text=True,
+                                env=environment(), timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('R300', result.stdout.splitlines()[0])
+        self.assertEqual(re.findall(r'(?m)^node (\d)$', result.stdout), ['1', '2'], 'as reasons say')
+        self.assertEqual(len(re.findall(r'(?m)^ +\d+ rgb ', result.stdout)),
+                         json.loads(check('--json', PROGRAMS / 'life_packed.fp').stdout)
+                         ['files'][0]['counts']['alu_instructions']['native_used'])
+
+
 class Compare(Temporary):
     def test_two_files(self):
         result = check('--compare', self.path('a.fp', alu(10)), self.path('b.fp', alu(7)))
