@@ -90,8 +90,9 @@ public:
     constants();
     collect();
     std::size_t row = 0;
+    // From 1, as the reasons of a report count them.
     for (std::size_t i = 0; i < m_code.nodes.size(); ++i) {
-      m_text += "\nnode " + number(i) + "\n";
+      m_text += "\nnode " + number(i + 1) + "\n";
       for (std::size_t end = m_nodeEnds[i]; row < end; ++row)
         line(m_rows[row]);
     }

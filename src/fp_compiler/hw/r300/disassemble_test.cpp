@@ -39,12 +39,12 @@ interpolants
 constants
   c0 = program.local[0]
 
-node 0
+node 1
       tex   r1 = r0, texture[0], 2D                                            ; line 3: TEX
     0 rgb   s0=r1 s1=c0                 r1.xyz =  mad s0.xyz, 1, s1.xyz        ; line 4: ADD
       alpha s0=r1 s1=c0                 r1.w =    mad s0.w, 1, s1.w            ; line 4: ADD
 
-node 1
+node 2
       kil   r0                                                                 ; line 5: KIL
       tex   r2 = r1, texture[1], 2D                                            ; line 6: TEX
     1 rgb   s0=r2 s1=r1                 r2.xyz =  dp4_sat s0.xyz, -s1.xyz      ; line 7: DP4

@@ -61,7 +61,7 @@ std::string resultFault(const ir::Instruction &instruction) {
   if (instruction.dst.saturate)
     return "is saturated";
   if (instruction.dst.file == ir::File::Output)
-    return "is a result";
+    return "goes to an output, which no sample can write";
   return "is under a write mask";
 }
 
