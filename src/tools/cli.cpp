@@ -28,6 +28,7 @@ struct Arguments {
   ReportArguments report;
   ProfilesArguments profiles;
   CacheArguments cache;
+  LspArguments lsp;
 };
 
 constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
@@ -244,6 +245,16 @@ void addCache(CLI::App &app, CacheArguments &cache) {
                   "Examples:\n  arbiter cache\n  arbiter cache --clear");
 }
 
+void addLsp(CLI::App &app, LspArguments &lsp) {
+  CLI::App *command = app.add_subcommand(
+      "lsp", "A language server for editors, on standard input and output (LSP 3.17)");
+  lsp.profile = settings().profile;
+  command->add_option("--profile", lsp.profile, kProfileHelp)->capture_default_str();
+  command->footer("An editor starts it; docs/editors.md says how. The profile can be changed while "
+                  "it runs, by the setting arbiter.profile.\n"
+                  "Exit code: 0 after shutdown and exit; 1 otherwise.");
+}
+
 /// What stands behind the first "--" of `run` and `capture` is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   if (words.empty() || (words[0] != "run" && words[0] != "capture"))
@@ -305,6 +316,8 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return compile(arguments.compile);
   if (app.got_subcommand("draw"))
     return draw(arguments.draw, argv);
+  if (app.got_subcommand("lsp"))
+    return serve(arguments.lsp);
   if (app.got_subcommand("cache"))
     return cache(arguments.cache);
   if (app.got_subcommand("profiles"))
@@ -346,6 +359,7 @@ int interpret(int argc, char **argv) {
   addReport(app, arguments.report);
   addProfiles(app, arguments.profiles);
   addCache(app, arguments.cache);
+  addLsp(app, arguments.lsp);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
 
   const std::vector<std::string> all(argv, argv + argc);

@@ -101,6 +101,12 @@ struct CacheArguments {
 };
 [[nodiscard]] int cache(const CacheArguments &arguments);
 
+struct LspArguments {
+  std::string profile;
+};
+/// A language server on standard input and output (lsp/server.h).
+[[nodiscard]] int serve(const LspArguments &arguments);
+
 struct ProfilesArguments {
   std::string name; ///< empty: list all
 };

@@ -1,0 +1,93 @@
+#pragma once
+#include <initializer_list>
+
+#include "tools/lsp/answers.h"
+#include "tools/lsp/reading.h"
+#include "tools/lsp/reference_text.h"
+
+namespace arbiter::tools::lsp {
+
+/// CompletionItemKind of the protocol.
+enum ItemKind {
+  kFunction = 3,
+  kVariable = 6,
+  kModule = 9,
+  kProperty = 10,
+  kValue = 12,
+  kKeyword = 14,
+  kEnumMember = 20,
+  kConstant = 21,
+};
+
+/// Which kinds of variables may stand in a place.
+using Kinds = std::initializer_list<fp::SymbolKind>;
+
+/// What may stand at a place, by the tokens before it: a text that is being written is never whole.
+class Completion {
+public:
+  Completion(const View &view, std::uint32_t offset)
+      : m_view(view), m_reading(view.document, view.analysis),
+        m_language(view.analysis.language), m_replaced{offset, offset} {
+    m_next = m_reading.before(offset);
+    const auto at = m_reading.at(offset);
+    // A word that is being written is replaced as a whole, and does not count as standing here.
+    if (at && m_reading.span(*at).begin < offset && isWord(m_reading.kind(*at))) {
+      m_replaced = m_reading.span(*at);
+      m_next = *at;
+    }
+  }
+
+  Json run();
+
+private:
+  static bool isWord(fp::TokenKind kind) {
+    return kind == fp::TokenKind::Identifier || kind == fp::TokenKind::Dimension ||
+           kind == fp::TokenKind::Integer;
+  }
+
+  // completion.cpp: what all languages share
+  void add(std::string_view word, ItemKind kind, std::string detail,
+           std::string documentation = {});
+  void add(std::span<const fp::reference::Entry> entries, ItemKind kind);
+  void addHeaders();
+
+  void behindDot();
+  void addSegment(std::vector<std::string_view> path, const fp::reference::Segment &segment);
+
+  /// Which operand of which instruction the cursor is in.
+  struct Operand {
+    bool known = false;
+    fp::ir::Opcode op = fp::ir::Opcode::Mov;
+    int number = -1; ///< -1: the destination
+    /// The place is a scalar operand.
+    [[nodiscard]] bool scalar() const {
+      return number >= 0 && number < info(op).operandCount() && info(op).shapes[number] == 'S';
+    }
+  };
+
+  Operand operand() const;
+  bool insideBrackets() const;
+  void addComponents(const Operand &here);
+
+  // completion_arb.cpp: statements of the ARB languages
+  void inStatement();
+  void addStatements();
+  void addKeywords(std::initializer_list<fp::Keyword> keywords);
+  void addNames(Kinds kinds);
+  void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);
+  void inInstruction();
+
+  // completion_ati.cpp
+  void inAtiStatement();
+  void addAtiSources(std::string_view word);
+  void addAtiSuffixes(bool nested);
+
+  const View &m_view;
+  Reading m_reading;
+  fp::ir::Language m_language;
+  fp::Span m_replaced;    ///< what an item's text takes the place of
+  std::size_t m_next = 0; ///< the number of tokens that stand before it
+  Json m_items = Json::array();
+};
+
+} // namespace arbiter::tools::lsp

@@ -1,0 +1,127 @@
+#include "tools/lsp/completion.h"
+
+#include <algorithm>
+
+namespace arbiter::tools::lsp {
+
+using fp::Keyword;
+using fp::SymbolKind;
+using fp::TokenKind;
+using fp::reference::Entry;
+
+namespace {
+constexpr Kinds kSources = {SymbolKind::Temporary, SymbolKind::Attribute, SymbolKind::Parameter,
+                            SymbolKind::ParameterArray};
+constexpr Kinds kDestinations = {SymbolKind::Temporary, SymbolKind::Output};
+constexpr Kinds kAddresses = {SymbolKind::Address};
+constexpr Kinds kVariables = {SymbolKind::Temporary, SymbolKind::Attribute,
+                              SymbolKind::Parameter, SymbolKind::ParameterArray,
+                              SymbolKind::Output,    SymbolKind::Address};
+} // namespace
+
+void Completion::inStatement() {
+  const bool first = m_next == 0 || m_reading.kind(m_next - 1) == TokenKind::Semicolon;
+  const std::size_t begin = first ? m_next : m_reading.statementBegin(m_next - 1);
+  if (first)
+    return addStatements();
+  switch (m_reading.word(begin).keyword) {
+  case Keyword::Opcode:
+    return inInstruction();
+  case Keyword::Option:
+    if (m_next == begin + 1)
+      add(fp::reference::options(m_language), kEnumMember);
+    return;
+  case Keyword::Attrib:
+    return afterEquals({Keyword::Attributes}, {});
+  case Keyword::Output:
+    return afterEquals({Keyword::Result}, {});
+  case Keyword::Param:
+    return afterEquals({Keyword::Program, Keyword::State}, {});
+  case Keyword::Alias:
+    return afterEquals({}, kVariables);
+  case Keyword::None:
+    // A word that begins no statement: what is being written may be one.
+    return m_next <= begin + 1 ? addStatements() : void();
+  default:
+    return;
+  }
+}
+
+void Completion::addStatements() {
+  for (int i = 0; i < fp::ir::kOpcodeCount; ++i) {
+    const auto op = fp::ir::Opcode(i);
+    if (info(op).has(fp::arbLanguage(m_language).foreign))
+      continue;
+    add(info(op).mnemonic, kFunction, signatureOf(op, m_language), documentationOf(op));
+    if (fp::arbLanguage(m_language).saturates && !info(op).has(fp::ir::Kills))
+      add(std::string(info(op).mnemonic) + "_SAT", kFunction,
+          "the result clamped to [0, 1]: " + signatureOf(op, m_language), documentationOf(op));
+  }
+  for (const Entry &entry : fp::reference::keywords(m_language))
+    if (fp::beginsStatement(fp::classify(entry.word, fp::arbLanguage(m_language)).keyword))
+      add(entry.word, kKeyword, std::string(entry.doc), documentationOf(entry));
+}
+
+void Completion::addKeywords(std::initializer_list<Keyword> keywords) {
+  for (const Entry &entry : fp::reference::keywords(m_language)) {
+    const Keyword keyword = fp::classify(entry.word, fp::arbLanguage(m_language)).keyword;
+    if (std::find(keywords.begin(), keywords.end(), keyword) != keywords.end())
+      add(entry.word, kModule, std::string(entry.doc), documentationOf(entry));
+  }
+}
+
+void Completion::addNames(Kinds kinds) {
+  for (const fp::Name &name : m_view.analysis.inspection.names.names()) {
+    // Before its declaration a name is nothing yet.
+    if (name.declared.end == 0 || name.declared.end > m_replaced.begin ||
+        std::find(kinds.begin(), kinds.end(), name.kind) == kinds.end())
+      continue;
+    const auto token = m_reading.at(name.declared.begin);
+    const bool constant =
+        name.kind == SymbolKind::Parameter || name.kind == SymbolKind::ParameterArray;
+    add(name.text, constant ? kConstant : kVariable,
+        token ? std::string(m_view.document.text(m_reading.statement(*token)).substr(0, 80))
+              : std::string());
+  }
+}
+
+void Completion::afterEquals(std::initializer_list<Keyword> keywords, Kinds kinds) {
+  const TokenKind before = m_reading.kind(m_next - 1);
+  if (before != TokenKind::Equals && before != TokenKind::OpenBrace && before != TokenKind::Comma)
+    return;
+  addKeywords(keywords);
+  addNames(kinds);
+}
+
+void Completion::inInstruction() {
+  if (insideBrackets() && m_reading.kind(m_next - 1) == TokenKind::OpenBracket)
+    return addNames(kAddresses);
+  const TokenKind before = m_reading.kind(m_next - 1);
+  const Operand here = operand();
+  const fp::ir::OpInfo &op = info(here.op);
+  const bool opens = m_next - 1 == m_reading.statementBegin(m_next - 1) ||
+                     before == TokenKind::Comma || before == TokenKind::Minus ||
+                     before == TokenKind::Plus;
+  if (!opens)
+    return;
+  if (here.number < 0) {
+    if (here.op == fp::ir::Opcode::Arl)
+      return addNames(kAddresses);
+    addNames(kDestinations);
+    return addKeywords({Keyword::Result});
+  }
+  if (here.number < op.operandCount()) {
+    addNames(kSources);
+    return addKeywords({Keyword::Attributes, Keyword::Program, Keyword::State});
+  }
+  if (here.op == fp::ir::Opcode::Swz)
+    for (const char *selector : {"x", "y", "z", "w", "0", "1"})
+      add(selector, kValue, "selector, with or without a sign before it");
+  else if (op.has(fp::ir::Texture) && here.number == op.operandCount())
+    for (std::uint32_t unit = 0; unit < m_view.analysis.limits.textureImageUnits; ++unit)
+      add("texture[" + std::to_string(unit) + "]", kModule, "texture image unit");
+  else if (op.has(fp::ir::Texture) && here.number == op.operandCount() + 1)
+    add(fp::reference::targets(), kEnumMember);
+}
+
+} // namespace arbiter::tools::lsp

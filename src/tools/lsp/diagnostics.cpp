@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "tools/lsp/answers.h"
+#include "tools/resources.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+
+/// Reasons beyond these would bury the text.
+constexpr std::size_t kMaxReasons = 24;
+constexpr std::size_t kMaxPlaces = 16;
+
+enum Severity { kError = 1, kWarning = 2, kInformation = 3 };
+
+Severity severityOf(fp::Severity severity) {
+  switch (severity) {
+  case fp::Severity::Error:
+    return kError;
+  case fp::Severity::Warning:
+    return kWarning;
+  case fp::Severity::Note:
+    break;
+  }
+  return kInformation;
+}
+
+/// An editor marks nothing at an empty range: it becomes the character before it, or behind it.
+fp::Span visible(const Document &document, fp::Span span) {
+  const std::string &text = document.text();
+  const auto size = std::uint32_t(text.size());
+  span.begin = std::min(span.begin, size);
+  span.end = std::clamp(span.end, span.begin, size);
+  if (span.begin != span.end)
+    return span;
+  if (span.begin < size && text[span.begin] != '\n' && text[span.begin] != '\r')
+    return {span.begin, span.begin + 1};
+  const std::size_t last = text.find_last_not_of(" \t\r\n", span.begin == 0 ? 0 : span.begin - 1);
+  if (last == std::string::npos)
+    return span;
+  return {std::uint32_t(last), std::uint32_t(last) + 1};
+}
+
+Json made(const View &view, fp::Span span, Severity severity, std::string code,
+          std::string message) {
+  return {{"range", view.range(visible(view.document, span))},
+          {"severity", int(severity)},
+          {"code", std::move(code)},
+          {"source", "arbiter"},
+          {"message", std::move(message)}};
+}
+
+Json related(const View &view, fp::Span span, std::string message) {
+  return {{"location", {{"uri", view.document.uri()}, {"range", view.range(span)}}},
+          {"message", std::move(message)}};
+}
+
+Json ofCompiler(const View &view, const fp::Diagnostic &diagnostic) {
+  std::string message = diagnostic.message;
+  if (!diagnostic.hint.empty())
+    message += "\nhint: " + diagnostic.hint;
+  Json json = made(view, diagnostic.span, severityOf(diagnostic.severity), diagnostic.id,
+                   std::move(message));
+  const fp::Name *name = view.analysis.inspection.names.find(view.document.text(diagnostic.span));
+  if (name && name->declared.end != 0 && !(name->declared == diagnostic.span))
+    json["relatedInformation"] =
+        Json::array({related(view, name->declared, std::string(name->text) + " is declared here")});
+  return json;
+}
+
+/// The header's line: what is of the program as a whole stands there.
+fp::Span header(const View &view) { return view.document.map().line(0); }
+
+/// Why a resource is over its limit, at the first of the instructions that make it so; the others
+/// are related.
+Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string &over) {
+  const auto &code = view.analysis.inspection.check.program->code;
+  const auto spanOf = [&](std::uint32_t at) {
+    return at < code.size() ? code[at].span : header(view);
+  };
+  const fp::Span first =
+      reason.instructions.empty() ? header(view) : spanOf(reason.instructions[0]);
+  Json json = made(view, first, kWarning, "over-native",
+                   reason.text + " (" + std::to_string(reason.amount) + " of it)\n" + over);
+  Json places = Json::array();
+  for (std::size_t i = 1; i < std::min(reason.instructions.size(), kMaxPlaces); ++i)
+    places.push_back(related(view, spanOf(reason.instructions[i]), reason.text));
+  if (!places.empty())
+    json["relatedInformation"] = std::move(places);
+  return json;
+}
+
+void addNative(const View &view, Json &all) {
+  const fp::hw::NativeReport &native = view.analysis.native;
+  const fp::ResourceCounts &limits = view.analysis.limits.native;
+  std::size_t reasons = 0;
+  for (const ResourceRow &row : resourceRows()) {
+    const std::uint32_t used = native.counts.*row.member;
+    if (!row.of(view.analysis.language) || used <= limits.*row.member)
+      continue;
+    const std::string over = "over the native limit of " + view.profile.name + ": " +
+                             std::to_string(used) + " of " + std::to_string(limits.*row.member) +
+                             " " + row.title;
+    all.push_back(made(view, header(view), kWarning, "over-native", over));
+    for (const fp::hw::Reason &reason : native.reasons)
+      if (reason.resource == row.member && reasons++ < kMaxReasons)
+        all.push_back(ofReason(view, reason, over));
+  }
+}
+
+} // namespace
+
+Json diagnostics(const View &view) {
+  Json all = Json::array();
+  const fp::CheckResult &check = view.analysis.inspection.check;
+  for (const fp::Diagnostic &diagnostic : check.diagnostics)
+    all.push_back(ofCompiler(view, diagnostic));
+  if (check.ok() && view.analysis.language != fp::ir::Language::AtiFragment &&
+      !view.analysis.native.fits)
+    addNative(view, all);
+  return all;
+}
+
+} // namespace arbiter::tools::lsp

@@ -1,0 +1,105 @@
+#include "tools/lsp/document.h"
+
+#include "fp_compiler/front/lexer.h"
+#include "tools/language.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+
+using fp::ir::Language;
+
+struct EndingRow {
+  std::string_view ending;
+  Language language;
+};
+constexpr EndingRow kEndings[] = {
+    {".vp", Language::ArbVertex},     {".arbvp", Language::ArbVertex},
+    {".vert", Language::ArbVertex},   {".atifs", Language::AtiFragment},
+    {".fp", Language::ArbFragment},   {".arbfp", Language::ArbFragment},
+    {".frag", Language::ArbFragment},
+};
+
+std::vector<fp::Token> tokensOf(std::string_view text, Language language) {
+  std::vector<fp::Token> tokens;
+  if (text.size() > fp::kMaxTextBytes)
+    return tokens;
+  const auto words =
+      language == Language::AtiFragment ? fp::Words::Suffixes : fp::Words::Identifiers;
+  const std::string_view header = languageRow(language).header;
+  const std::uint32_t begin = text.starts_with(header) ? std::uint32_t(header.size())
+                              : text.starts_with("!")
+                                  ? std::uint32_t(std::min(text.find_first_of("\r\n"), text.size()))
+                                  : 0;
+  fp::Lexer lexer(text, begin, words);
+  for (fp::Token token = lexer.next(); token.kind != fp::TokenKind::EndOfText; token = lexer.next())
+    tokens.push_back(token);
+  return tokens;
+}
+
+} // namespace
+
+Document::Document(std::string uri, std::string languageId, std::string text, Encoding encoding)
+    : m_uri(std::move(uri)), m_languageId(std::move(languageId)), m_encoding(encoding) {
+  setText(std::move(text));
+}
+
+void Document::setText(std::string text) {
+  m_analysis.reset(); // it views the text
+  m_text = std::move(text);
+  m_map = TextMap(m_text, m_encoding);
+  changed = true;
+}
+
+bool Document::change(const Json &change) {
+  const std::string *piece = stringAt(change, {"text"});
+  if (!piece)
+    return false;
+  const Json *range = member(change, {"range"});
+  if (!range) {
+    setText(*piece);
+    return true;
+  }
+  const Json *start = member(*range, {"start"});
+  const Json *end = member(*range, {"end"});
+  const auto from = start ? m_map.offset(*start) : std::nullopt;
+  const auto to = end ? m_map.offset(*end) : std::nullopt;
+  if (!from || !to || *to < *from)
+    return false;
+  std::string text = m_text;
+  text.replace(*from, *to - *from, *piece);
+  setText(std::move(text));
+  return true;
+}
+
+/// As the header says; without one, as the editor or the file's name says.
+Language Document::language() const {
+  if (const auto named = fp::languageOfText(m_text))
+    return *named;
+  for (const LanguageRow &row : languageRows())
+    if (m_languageId == row.name)
+      return row.language;
+  for (const EndingRow &row : kEndings)
+    if (std::string_view(m_uri).ends_with(row.ending))
+      return row.language;
+  return Language::ArbFragment;
+}
+
+const Analysis &Document::analysis(const fp::hw::Profile &profile) {
+  if (m_analysis)
+    return *m_analysis;
+  m_analysis = std::make_unique<Analysis>();
+  Analysis &made = *m_analysis;
+  made.language = language();
+  made.limits = limitsOf(profile, made.language);
+  made.tokens = tokensOf(m_text, made.language);
+  fp::CompileOptions options;
+  options.limits = made.limits;
+  made.inspection = fp::inspectProgram(made.language, m_text, options);
+  const fp::CheckResult &check = made.inspection.check;
+  if (check.ok() && made.language != Language::AtiFragment)
+    made.native = fp::hw::explainNative(*check.program, check.counts, made.limits);
+  return made;
+}
+
+} // namespace arbiter::tools::lsp

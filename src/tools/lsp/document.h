@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fp_compiler/front/token.h"
+#include "fp_compiler/hw/native.h"
+#include "fp_compiler/hw/profile.h"
+#include "fp_compiler/inspect.h"
+#include "tools/lsp/text_map.h"
+
+namespace arbiter::tools::lsp {
+
+/// All that is known of one version of a text. Views the text.
+struct Analysis {
+  fp::ir::Language language = fp::ir::Language::ArbFragment;
+  fp::Limits limits;
+  std::vector<fp::Token> tokens; ///< without EndOfText; there also where the parse failed
+  fp::Inspection inspection;
+  /// Of a program that loads; empty for ATI's, which every card of theirs takes.
+  fp::hw::NativeReport native;
+};
+
+/// A text that an editor has open.
+class Document {
+public:
+  Document(std::string uri, std::string languageId, std::string text, Encoding encoding);
+  Document(const Document &) = delete;
+  Document &operator=(const Document &) = delete;
+
+  /// One element of contentChanges: a range and its new text, or the whole text anew.
+  /// \returns false if it is neither; the text is then as it was.
+  bool change(const Json &change);
+  /// The limits or the model of another profile hold.
+  void forget() { m_analysis.reset(); }
+
+  [[nodiscard]] const std::string &uri() const { return m_uri; }
+  [[nodiscard]] const std::string &text() const { return m_text; }
+  [[nodiscard]] std::string_view text(fp::Span span) const {
+    return std::string_view(m_text).substr(span.begin, span.end - span.begin);
+  }
+  [[nodiscard]] const TextMap &map() const { return m_map; }
+  /// Made when it is first asked for after a change or forget(), by the profile of that moment.
+  [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile);
+
+  std::int64_t version = 0;
+  bool changed = true; ///< since its diagnostics were published
+
+private:
+  [[nodiscard]] fp::ir::Language language() const;
+  void setText(std::string text);
+
+  std::string m_uri;
+  std::string m_languageId;
+  Encoding m_encoding;
+  std::string m_text;
+  TextMap m_map;
+  std::unique_ptr<Analysis> m_analysis;
+};
+
+} // namespace arbiter::tools::lsp

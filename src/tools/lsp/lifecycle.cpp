@@ -1,0 +1,83 @@
+#include <GL/arbiter.h>
+#include <algorithm>
+
+#include "tools/lsp/server.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+
+Json capabilities(Encoding encoding) {
+  constexpr int kIncremental = 2;
+  return {
+      {"positionEncoding", encoding == Encoding::Utf8 ? "utf-8" : "utf-16"},
+      {"textDocumentSync", {{"openClose", true}, {"change", kIncremental}}},
+      {"hoverProvider", true},
+      {"completionProvider", {{"triggerCharacters", Json::array({".", "["})}}},
+      {"definitionProvider", true},
+      {"referencesProvider", true},
+      {"documentHighlightProvider", true},
+      {"renameProvider", {{"prepareProvider", true}}},
+      {"documentSymbolProvider", true},
+      {"inlayHintProvider", true},
+      {"semanticTokensProvider", {{"legend", semanticLegend()}, {"full", true}}},
+  };
+}
+
+} // namespace
+
+Server::Reply Server::initialize(const Json &params) {
+  const Json *offered = member(params, {"capabilities", "general", "positionEncodings"});
+  if (offered && offered->is_array() &&
+      std::find(offered->begin(), offered->end(), Json("utf-8")) != offered->end())
+    m_encoding = Encoding::Utf8;
+  m_refreshesHints = trueAt(params, {"capabilities", "workspace", "inlayHint", "refreshSupport"});
+  if (const Json *settings = member(params, {"initializationOptions"}))
+    useProfile(*settings);
+  m_state = State::Running;
+  return Json{{"capabilities", capabilities(m_encoding)},
+              {"serverInfo",
+               {{"name", "arbiter"},
+                {"version", std::to_string(ARBITER_VERSION_MAJOR) + "." +
+                                std::to_string(ARBITER_VERSION_MINOR) + "." +
+                                std::to_string(ARBITER_VERSION_PATCH)}}}};
+}
+
+Server::Reply Server::shutdown(const Json &) {
+  m_state = State::ShutDown;
+  m_wasShutDown = true;
+  return Json();
+}
+
+/// Takes {"profile": name or path}, by itself or as the member "arbiter". False if nothing changed.
+bool Server::useProfile(const Json &settings) {
+  const std::string *name = stringAt(settings, {"arbiter", "profile"});
+  if (!name)
+    name = stringAt(settings, {"profile"});
+  if (!name || name->empty())
+    return false;
+  auto profile = fp::hw::loadProfile(*name);
+  if (!profile) {
+    constexpr int kError = 1;
+    sendNotification("window/showMessage",
+                     {{"type", kError}, {"message", "arbiter: " + profile.error().message}});
+    return false;
+  }
+  for (auto &[uri, document] : m_documents)
+    document.forget();
+  m_profile = std::move(profile).value();
+  return true;
+}
+
+void Server::configurationChanged(const Json &params) {
+  const Json *settings = member(params, {"settings"});
+  if (!settings || !useProfile(*settings))
+    return;
+  for (auto &[uri, document] : m_documents)
+    document.changed = true;
+  m_changedSince = std::chrono::steady_clock::now();
+  if (m_refreshesHints)
+    send({{"jsonrpc", "2.0"}, {"id", m_nextId++}, {"method", "workspace/inlayHint/refresh"}});
+}
+
+} // namespace arbiter::tools::lsp

@@ -1,0 +1,650 @@
+#!/usr/bin/env python3
+"""Tests of `arbiter lsp`: a client that speaks JSON-RPC over pipes, as an editor does.
+
+usage: lsp_test.py ARBITER [UNITTEST ARGUMENTS...]
+"""
+import statistics
+import sys
+import time
+import unittest
+
+from lsp_client import Client, Closed, place
+
+ARBITER = ''
+URI = 'file:///tmp/a.fp'
+
+PROGRAM = """!!ARBfp1.0
+# a comment with \U0001d11e and \u00e4 before what follows
+TEMP r0, colour;
+PARAM tint = { 0.5, 1, 0.25, 1 };
+PARAM rows[] = { state.matrix.texture[1] };
+ATTRIB uv = fragment.texcoord[0];
+OUTPUT out = result.color;
+ALIAS second = colour;
+TEX colour, uv, texture[0], 2D;
+MUL_SAT r0.xyz, second, tint;
+DP4 r0.w, colour, rows[2];
+MOV out, r0;
+END
+"""
+
+ATI = """!!ATIfs1.0
+StartConstants;
+CONSTANT c1 = program.env[3];
+EndConstants;
+StartOutputPass;
+SampleMap r1, t0.str;
+MAD r0.rgb.2x, r1, c1, color0.r;
+EndPass;
+"""
+
+VERTEX = """!!ARBvp1.0
+OPTION ARB_position_invariant;
+ADDRESS A0;
+PARAM bones[] = { program.env[0..7] };
+ARL A0.x, vertex.attrib[1].x;
+MOV result.color, bones[A0.x + 1];
+END
+"""
+
+
+def labels(items):
+    return [item['label'] for item in items]
+
+
+class Session(unittest.TestCase):
+    capabilities = {}
+    options = None
+
+    def setUp(self):
+        self.client = Client([ARBITER, 'lsp', '--profile', 'r300'])
+        self.addCleanup(self.client.drop)
+        self.initialized = self.client.initialize(self.capabilities, self.options)
+
+    def at(self, text, mark, after=0, uri=URI):
+        return {'textDocument': {'uri': uri}, 'position': place(text, mark, after)}
+
+    def hover(self, text, mark, after=0, uri=URI):
+        result = self.client.request('textDocument/hover', self.at(text, mark, after, uri))
+        return result['contents']['value'] if result else ''
+
+    def complete(self, text, uri=URI):
+        """The labels that are offered at the mark | of a text."""
+        cut = text.index('|')
+        whole = text[:cut] + text[cut + 1:]
+        self.client.open(uri, whole)
+        position = place(text, '|')
+        return labels(self.client.request('textDocument/completion', {
+            'textDocument': {'uri': uri}, 'position': position}))
+
+    def words(self, text, locations):
+        """The texts at ranges."""
+        lines = text.split('\n')
+        found = []
+        for location in locations:
+            spot = location.get('range', location)
+            line = lines[spot['start']['line']].encode('utf-16-le')
+            found.append(line[2 * spot['start']['character']:2 * spot['end']['character']]
+                         .decode('utf-16-le'))
+        return found
+
+
+class Lifecycle(unittest.TestCase):
+    def start(self):
+        client = Client([ARBITER, 'lsp'])
+        self.addCleanup(client.drop)
+        return client
+
+    def test_shutdown_and_exit(self):
+        client = self.start()
+        result = client.initialize()
+        self.assertEqual(result['serverInfo']['name'], 'arbiter')
+        self.assertEqual(result['capabilities']['positionEncoding'], 'utf-16')
+        self.assertEqual(client.leave(), 0)
+
+    def test_exit_without_shutdown(self):
+        client = self.start()
+        client.initialize()
+        client.notify('exit')
+        self.assertEqual(client.ended(), 1)
+
+    def test_end_of_input(self):
+        client = self.start()
+        client.initialize()
+        self.assertEqual(client.ended(), 1)
+
+    def test_requests_before_and_after(self):
+        client = self.start()
+        self.assertEqual(client.failure('textDocument/hover')['code'], -32002)
+        client.notify('textDocument/didOpen', {'textDocument': {'uri': URI, 'text': 'x'}})
+        client.initialize()
+        self.assertEqual(client.failure('initialize')['code'], -32600)
+        self.assertEqual(client.failure('workspace/nonsense')['code'], -32601)
+        client.notify('nonsense/notification')
+        client.notify('$/setTrace', {'value': 'off'})
+        # The text that was opened too early is not there.
+        self.assertEqual(client.failure('textDocument/hover', {
+            'textDocument': {'uri': URI}, 'position': {'line': 0, 'character': 0}})['code'], -32602)
+        client.request('shutdown')
+        self.assertEqual(client.failure('textDocument/hover')['code'], -32600)
+        client.notify('exit')
+        self.assertEqual(client.ended(), 0)
+
+    def test_broken_messages(self):
+        client = self.start()
+        client.initialize()
+        for body, code in ((b'{', -32700), (b'\xff\xfe', -32700), (b'', -32700),
+                           (b'[]', -32600), (b'17', -32600), (b'{"jsonrpc":"2.0"}', -32600),
+                           (b'{"jsonrpc":"2.0","method":"x","id":[[1]]}', -32600),
+                           (b'[' * 100000, -32700),
+                           (b'{"jsonrpc":"2.0","method":3,"id":4}', -32600)):
+            client.send_body(body)
+            self.assertEqual(client.receive()['error']['code'], code, body[:60])
+        for header in (b'Content-Length: x\r\n\r\n', b'Nonsense\r\n\r\n',
+                       b'Content-Length: -4\r\n\r\n', b'\r\n\r\n', b'y' * 9000):
+            client.send_bytes(header)
+            self.assertEqual(client.receive()['error']['code'], -32700, header[:40])
+        # A response to nothing, and parameters of any shape.
+        client.send({'id': 99, 'result': None})
+        for method in ('textDocument/hover', 'textDocument/completion', 'textDocument/rename',
+                       'textDocument/inlayHint', 'textDocument/documentSymbol'):
+            for params in ([], 3, None, {'textDocument': 7}, {'textDocument': {'uri': []}}):
+                client.failure(method, params)
+        for params in ([], {'textDocument': {}}, {'textDocument': {'uri': 1, 'text': 2}}):
+            client.notify('textDocument/didOpen', params)
+            client.notify('textDocument/didChange', params)
+            client.notify('workspace/didChangeConfiguration', params)
+        self.assertEqual(client.leave(), 0)
+
+    def test_one_byte_at_a_time(self):
+        client = self.start()
+        body = client.encode({'id': 'a', 'method': 'initialize', 'params': {'capabilities': {}}})
+        for byte in b'content-length: %d\r\nContent-Type: x\r\n\r\n%s' % (len(body), body):
+            client.send_bytes(bytes([byte]))
+        self.assertEqual(client.receive()['id'], 'a')
+
+    def test_cancelled_requests(self):
+        client = self.start()
+        client.initialize()
+        client.open(URI, PROGRAM)
+        spot = {'textDocument': {'uri': URI}, 'position': place(PROGRAM, 'MOV')}
+        messages = [{'id': 100 + i, 'method': 'textDocument/hover', 'params': spot}
+                    for i in range(20)]
+        messages.insert(10, {'method': '$/cancelRequest', 'params': {'id': 109}})
+        messages.append({'method': '$/cancelRequest', 'params': {'id': 119}})
+        messages.append({'method': '$/cancelRequest', 'params': {'id': 5000}})
+        # All at once, so that they wait together.
+        client.send_bytes(b''.join(b'Content-Length: %d\r\n\r\n%s' % (len(m), m)
+                                   for m in map(client.encode, messages)))
+        answers = [client.receive() for _ in range(20)]
+        self.assertEqual([a['id'] for a in answers], list(range(100, 120)))
+        cancelled = [a['id'] for a in answers if a.get('error', {}).get('code') == -32800]
+        self.assertIn(119, cancelled)
+        self.assertLessEqual(set(cancelled), {109, 119})
+
+    def test_unknown_profile(self):
+        client = Client([ARBITER, 'lsp', '--profile', 'nonsense'])
+        self.addCleanup(client.drop)
+        self.assertRaises(Closed, client.receive)
+        self.assertEqual(client.ended(), 1)
+
+
+class Diagnostics(Session):
+    def test_a_good_program_has_none(self):
+        self.assertEqual(self.client.open(URI, PROGRAM), [])
+
+    def test_each_has_range_code_and_hint(self):
+        found = self.client.open(URI, PROGRAM.replace('MUL_SAT r0.xyz', 'MULL r0.xyz')
+                                 .replace('MOV out, r0', 'MOV out, color'))
+        self.assertEqual([d['code'] for d in found], ['unknown-instruction', 'undeclared-name'])
+        self.assertEqual(found[0]['severity'], 1)
+        self.assertEqual(found[0]['range'], {'start': {'line': 9, 'character': 0},
+                                             'end': {'line': 9, 'character': 4}})
+        self.assertIn("did you mean 'MUL'?", found[0]['message'])
+        self.assertIn("hint: did you mean 'colour'?", found[1]['message'])
+
+    def test_a_second_declaration_points_at_the_first(self):
+        found = self.client.open(URI, '!!ARBfp1.0\nTEMP a;\nPARAM a = {1};\nEND\n')
+        self.assertEqual(found[0]['code'], 'redeclared-name')
+        related = found[0]['relatedInformation'][0]['location']
+        self.assertEqual(related['range']['start'], {'line': 1, 'character': 5})
+
+    def test_edits(self):
+        self.client.open(URI, PROGRAM)
+        mark = place(PROGRAM, 'MOV out')
+        # One notification of two edits, the second in the text that the first one left.
+        self.client.change(
+            URI, 2,
+            {'range': {'start': mark, 'end': mark}, 'text': 'MOV out, nothing;\n'},
+            {'range': {'start': mark, 'end': {**mark, 'character': 3}}, 'text': 'ABS'})
+        found = self.client.diagnostics(URI)
+        self.assertEqual(found['version'], 2)
+        self.assertEqual([d['code'] for d in found['diagnostics']], ['undeclared-name'])
+        self.assertEqual(found['diagnostics'][0]['range']['start'],
+                         {'line': mark['line'], 'character': 9})
+        self.client.change(URI, 3, {'text': PROGRAM})
+        self.assertEqual(self.client.diagnostics(URI)['diagnostics'], [])
+
+    def test_positions_count_utf16(self):
+        text = '!!ARBfp1.0 # \U0001d11e\U0001d11e\u00e4\r\nTEMP a; # \U0001d11e\r\n' \
+               'MOV result.color, a; # \U0001d11e\r\nEND # \u20ac\n'
+        self.assertEqual(self.client.open(URI, text), [])
+        # Replaces the clef in line 2 (two units), and the a behind it stays where it is.
+        self.client.change(URI, 2, {'range': {'start': {'line': 2, 'character': 18},
+                                              'end': {'line': 2, 'character': 25}},
+                                    'text': 'b; #x'})
+        found = self.client.diagnostics(URI)['diagnostics']
+        self.assertEqual(found[0]['range'], {'start': {'line': 2, 'character': 18},
+                                             'end': {'line': 2, 'character': 19}})
+        one = '!!ARBfp1.0\nTEMP a; # \U0001d11e\n MOV result.color, b; END'
+        self.client.change(URI, 3, {'text': one})
+        self.client.diagnostics(URI)
+        self.client.change(URI, 4, {'range': {'start': {'line': 1, 'character': 10},
+                                              'end': {'line': 1, 'character': 12}}, 'text': ''},
+                           {'range': {'start': {'line': 1, 'character': 8},
+                                      'end': {'line': 2, 'character': 1}}, 'text': ''})
+        found = self.client.diagnostics(URI)['diagnostics']
+        self.assertEqual(found[0]['range']['start'], {'line': 1, 'character': 26})
+
+    def test_edits_beyond_the_text(self):
+        self.client.open(URI, '!!ARBfp1.0\nEND')
+        self.client.change(URI, 2, {'range': {'start': {'line': 1, 'character': 900},
+                                              'end': {'line': 70, 'character': 3}},
+                                    'text': '\nx'})
+        self.assertEqual(self.client.diagnostics(URI)['diagnostics'][0]['code'], 'text-after-end')
+
+    def test_random_edits_leave_the_same_text(self):
+        """After each of many edits the server finds what it finds in the text opened anew."""
+        text, other = PROGRAM, 'file:///tmp/other.fp'
+        self.client.open(URI, text)
+        seed = 12345
+        for version in range(2, 80):
+            seed = (seed * 1103515245 + 12345) & 0x7fffffff
+            start = seed % (len(text) + 1)
+            end = min(len(text), start + seed // 1000 % 5)
+            piece = ['', 'a', '\n', ';', '\U0001d11e', '\r\n', '# \u00e4', 'MOV r0, r0;'][
+                seed // 7 % 8]
+            first, last = (text[:start], text[:end])
+            spot = [{'line': t.count('\n') + t.count('\r') - t.count('\r\n'),
+                     'character': len(t.replace('\r', '\n').rpartition('\n')[2]
+                                      .encode('utf-16-le')) // 2} for t in (first, last)]
+            if '\r\n' in text[max(start - 1, 0):start + 1] + text[max(end - 1, 0):end + 1]:
+                continue  # between CR and LF there is no position
+            text = text[:start] + piece + text[end:]
+            self.client.change(URI, version, {'range': {'start': spot[0], 'end': spot[1]},
+                                              'text': piece})
+            edited = self.client.diagnostics(URI)['diagnostics']
+            fresh = self.client.open(other, text)
+            for found in edited + fresh:
+                found.pop('relatedInformation', None)
+            self.assertEqual(edited, fresh, repr(text))
+
+    def test_over_the_native_limits(self):
+        # Dependent samples: five indirections, where the card has four.
+        chain = ''.join(f'TEX a, {"fragment.texcoord[0]" if i == 0 else "a"}, texture[0], 2D;\n'
+                        'MUL a, a, a;\n' for i in range(5))
+        found = self.client.open(URI, f'!!ARBfp1.0\nTEMP a;\n{chain}MOV result.color, a;\nEND\n')
+        self.assertTrue(found)
+        self.assertTrue(any('indirections' in d['message'] for d in found), found)
+
+    def test_over_the_native_limits_alone(self):
+        # The announced limits of this card's driver are above what the chip has.
+        self.client.notify('workspace/didChangeConfiguration',
+                           {'settings': {'arbiter': {'profile': 'r300-catalyst-2004'}}})
+        chain = ''.join(f'TEX a, {"fragment.texcoord[0]" if i == 0 else "a"}, texture[0], 2D;\n'
+                        'MUL a, a, a;\n' for i in range(5))
+        found = self.client.open(URI, f'!!ARBfp1.0\nTEMP a;\n{chain}MOV result.color, a;\nEND\n')
+        over = [d for d in found if d['code'] == 'over-native']
+        self.assertTrue(over, found)
+        self.assertEqual({d['severity'] for d in over}, {2})
+        self.assertIn('5 of 4 TEX indirections', over[0]['message'])
+        self.assertEqual(over[0]['range']['start']['line'], 0)
+
+    def test_the_profile_can_change(self):
+        long_one = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
+        self.assertTrue(self.client.open(URI, long_one))
+        self.client.notify('workspace/didChangeConfiguration',
+                           {'settings': {'arbiter': {'profile': 'nv30'}}})
+        self.assertEqual(self.client.diagnostics(URI)['diagnostics'], [])
+        self.client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'r3'}})
+        message = self.client.wait(lambda m: m.get('method') == 'window/showMessage')
+        self.assertIn('r3', message['params']['message'])
+
+    def test_texts_that_are_not_whole(self):
+        found = self.client.open(URI, 'TEMP a;\nMOV a, b;\n')
+        self.assertEqual([d['code'] for d in found],
+                         ['header-missing', 'undeclared-name', 'end-missing'])
+        for text in ('', '!', '!!ARBfp1.0', '!!ARBfp1.', '\n\n', '#', '!!ARBfp1.0\nMOV'):
+            self.assertTrue(self.client.open(URI, text), repr(text))
+            for end in range(len(text) + 1):
+                self.client.request('textDocument/completion', {
+                    'textDocument': {'uri': URI}, 'position': {'line': 0, 'character': end}})
+                self.client.request('textDocument/hover', {
+                    'textDocument': {'uri': URI}, 'position': {'line': 0, 'character': end}})
+
+    def test_a_text_over_the_limit(self):
+        found = self.client.open(URI, '!!ARBfp1.0\n' + '#' * (1 << 20))
+        self.assertEqual([d['code'] for d in found], ['text-too-long'])
+        self.client.request('textDocument/documentSymbol', {'textDocument': {'uri': URI}})
+
+    def test_several_texts(self):
+        other = 'file:///tmp/b.vp'
+        self.assertEqual(self.client.open(URI, PROGRAM), [])
+        self.assertEqual(self.client.open(other, VERTEX), [])
+        self.assertEqual(self.client.open('file:///tmp/c.atifs', ATI), [])
+        self.client.notify('textDocument/didClose', {'textDocument': {'uri': URI}})
+        self.assertEqual(self.client.diagnostics(URI)['diagnostics'], [])
+        self.assertIn('address register', self.hover(VERTEX, 'A0;', 1, other))
+        self.client.failure('textDocument/hover', self.at(PROGRAM, 'MOV'))
+
+    def test_the_language_without_a_header(self):
+        self.assertEqual([d['code'] for d in self.client.open('file:///tmp/x.vp', 'ADDRESS a;\n')],
+                         ['header-missing', 'end-missing'])
+        self.assertIn('MOV',
+                      self.complete('StartOutputPass;\n|', uri='file:///tmp/x.atifs'))
+
+
+class Utf8(Session):
+    capabilities = {'general': {'positionEncodings': ['utf-16', 'utf-8']}}
+
+    def test_positions_count_bytes(self):
+        self.assertEqual(self.initialized['capabilities']['positionEncoding'], 'utf-8')
+        self.client.open(URI, '!!ARBfp1.0\n# \U0001d11e\nEND')
+        self.client.change(URI, 2, {'range': {'start': {'line': 1, 'character': 2},
+                                              'end': {'line': 1, 'character': 6}}, 'text': '\nx'})
+        found = self.client.diagnostics(URI)['diagnostics']
+        self.assertEqual(found[0]['range']['start'], {'line': 2, 'character': 0})
+
+
+class Profile(Session):
+    options = {'profile': 'nv30'}
+
+    def test_of_the_initialization(self):
+        text = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
+        self.assertEqual(self.client.open(URI, text), [])
+
+
+class Hover(Session):
+    def test_opcodes(self):
+        self.client.open(URI, PROGRAM)
+        text = self.hover(PROGRAM, 'MUL_SAT', 2)
+        for piece in ('MUL[_SAT] result, a, b', 'product', 'result = a*b',
+                      'ARB_fragment_program 3.11.5.19'):
+            self.assertIn(piece, text)
+        self.assertIn('TEX[_SAT] result, a, texture[n], target', self.hover(PROGRAM, 'TEX '))
+
+    def test_bindings(self):
+        self.client.open(URI, PROGRAM)
+        for mark, after in (('fragment.texcoord', 3), ('fragment.texcoord', 12)):
+            text = self.hover(PROGRAM, mark, after)
+            self.assertIn('fragment.texcoord[n]', text)
+            self.assertIn('3.11.3.1', text)
+        self.assertIn('draw buffer', self.hover(PROGRAM, 'result.color', 9))
+        self.client.open('file:///b.vp', VERTEX)
+        self.assertIn('glProgramEnvParameter',
+                      self.hover(VERTEX, 'program.env', 9, 'file:///b.vp'))
+        self.assertIn('fixed function', self.hover(VERTEX, 'ARB_position', 4, 'file:///b.vp'))
+
+    def test_names(self):
+        self.client.open(URI, PROGRAM)
+        text = self.hover(PROGRAM, 'second, tint', 9)
+        self.assertIn('parameter', text)
+        self.assertIn('PARAM tint = { 0.5, 1, 0.25, 1 };', text)
+        self.assertIn('read in line 10', text)
+        text = self.hover(PROGRAM, 'uv, texture')
+        self.assertIn('texture coordinate set n', text)
+
+    def test_of_ati(self):
+        self.client.open(URI, ATI)
+        for mark, after, piece in (('MAD', 1, 'a*b + c'), ('.str', 1, '(s, t, r)'),
+                                   ('SampleMap', 2, 'fills a register'), ('.2x', 2, 'twice'),
+                                   ('color0', 1, 'primary colour'), ('c1,', 0, 'program.env[3]'),
+                                   ('t0', 0, 'texture coordinate set')):
+            self.assertIn(piece, self.hover(ATI, mark, after), mark)
+
+    def test_of_nothing(self):
+        self.client.open(URI, PROGRAM)
+        self.assertEqual(self.hover(PROGRAM, '# a comment', 5), '')
+
+
+class Completion(Session):
+    def test_statements(self):
+        found = self.complete('!!ARBfp1.0\nTEMP a;\n|')
+        for word in ('MOV', 'TEX', 'TEX_SAT', 'TEMP', 'PARAM', 'END'):
+            self.assertIn(word, found)
+        for word in ('ARL', 'ADDRESS', 'KIL_SAT', 'a', 'fragment'):
+            self.assertNotIn(word, found)
+        found = self.complete('!!ARBvp1.0\nTEMP a;\nM|', uri='file:///b.vp')
+        for word in ('MOV', 'ARL', 'ADDRESS'):
+            self.assertIn(word, found)
+        for word in ('TEX', 'MOV_SAT', 'SIN'):
+            self.assertNotIn(word, found)
+
+    def test_the_word_that_is_written_is_replaced(self):
+        text = '!!ARBfp1.0\nMO'
+        self.client.open(URI, text)
+        items = self.client.request('textDocument/completion', {
+            'textDocument': {'uri': URI}, 'position': {'line': 1, 'character': 2}})
+        move = next(item for item in items if item['label'] == 'MOV')
+        self.assertEqual(move['textEdit'], {'newText': 'MOV', 'range': {
+            'start': {'line': 1, 'character': 0}, 'end': {'line': 1, 'character': 2}}})
+        self.assertIn('MOV[_SAT] result, a', move['detail'])
+
+    def test_operands(self):
+        head = '!!ARBfp1.0\nTEMP t;\nPARAM p = {1};\nATTRIB a = fragment.color;\n' \
+               'OUTPUT o = result.color;\n'
+        found = self.complete(head + 'MOV |')
+        self.assertEqual(set(found), {'t', 'o', 'result'})
+        found = self.complete(head + 'MAD t, |\nMOV t, t;\nEND\n')
+        self.assertEqual(set(found), {'t', 'p', 'a', 'fragment', 'program', 'state'})
+        self.assertEqual(set(self.complete(head + 'KIL -|')),
+                         {'t', 'p', 'a', 'fragment', 'program', 'state'})
+        # What is declared later is nothing yet.
+        self.assertNotIn('late', self.complete(head + 'MOV t, |;\nTEMP late;\nEND\n'))
+
+    def test_textures(self):
+        head = '!!ARBfp1.0\nTEMP t;\n'
+        self.assertIn('texture[15]', self.complete(head + 'TEX t, t, |'))
+        self.assertEqual(self.complete(head + 'TEX t, t, texture[0], |')[:5],
+                         ['1D', '2D', '3D', 'CUBE', 'RECT'])
+        self.assertIn('2D', self.complete(head + 'TEX t, t, texture[0], 2|'))
+
+    def test_bindings_step_by_step(self):
+        for text, wanted in (
+                ('ATTRIB a = |', {'fragment'}), ('OUTPUT o = |', {'result'}),
+                ('PARAM p = |', {'program', 'state'}), ('PARAM p[] = { |', {'program', 'state'}),
+                ('ATTRIB a = fragment.|', {'color', 'texcoord[n]?', 'fogcoord', 'position'}),
+                ('ATTRIB a = fragment.c|', {'color', 'texcoord[n]?', 'fogcoord', 'position'}),
+                ('PARAM p = state.light[3].|', {'ambient', 'diffuse', 'specular', 'position',
+                                                'attenuation', 'spot', 'half'}),
+                ('PARAM p = state.light[3].spot.|', {'direction'}),
+                ('PARAM p = state.matrix.mvp.inverse.|', {'row[n]'}),
+                ('PARAM p = program.|', {'env[n]', 'local[n]'})):
+            self.assertEqual(set(self.complete('!!ARBfp1.0\n' + text)), wanted, text)
+        self.assertNotIn('texgen[n]?', self.complete('!!ARBfp1.0\nPARAM p = state.|'))
+        self.assertIn('texgen[n]?', self.complete('!!ARBvp1.0\nPARAM p = state.|'))
+
+    def test_components(self):
+        head = '!!ARBfp1.0\nTEMP t;\n'
+        self.assertIn('xyz', self.complete(head + 'MOV t.|'))
+        self.assertIn('wzyx', self.complete(head + 'MOV t, t.|'))
+        self.assertNotIn('wzyx', self.complete(head + 'RCP t, t.|'))
+        found = self.complete(head + 'MOV t, fragment.color.|')
+        self.assertIn('secondary', found)
+        self.assertIn('x', found)
+        vertex = '!!ARBvp1.0\nADDRESS A0;\nPARAM c[] = { program.env[0..3] };\n'
+        self.assertEqual(self.complete(vertex + 'MOV result.position, c[|'), ['A0'])
+        self.assertEqual(self.complete(vertex + 'ARL |'), ['A0'])
+        self.assertNotIn('r', self.complete(vertex + 'MOV result.position, c[0].|'))
+
+    def test_options_and_headers(self):
+        self.assertIn('ARB_fog_exp2', self.complete('!!ARBfp1.0\nOPTION |'))
+        self.assertEqual(self.complete('!!ARBvp1.0\nOPTION |'), ['ARB_position_invariant'])
+        self.assertIn('!!ARBvp1.0', self.complete('|'))
+        self.assertEqual(self.complete('!!AR|'), ['!!ARBfp1.0', '!!ARBvp1.0', '!!ATIfs1.0'])
+
+    def test_not_in_comments(self):
+        self.assertEqual(self.complete('!!ARBfp1.0\nTEMP a; # MOV |'), [])
+
+    def test_of_ati(self):
+        head = '!!ATIfs1.0\nStartOutputPass;\n'
+        self.assertIn('DOT2ADD', self.complete(head + '|'))
+        self.assertEqual(self.complete(head + 'SampleMap r1, t0.|'),
+                         ['str', 'stq', 'str_dr', 'stq_dq'])
+        self.assertIn('t5', self.complete(head + 'SampleMap r1, |'))
+        self.assertIn('sat', self.complete(head + 'MOV r0.|'))
+        self.assertIn('comp', self.complete(head + 'MOV r0, r1.|'))
+        self.assertIn('color1', self.complete(head + 'MOV r0, |'))
+
+
+class Navigation(Session):
+    def setUp(self):
+        super().setUp()
+        self.client.open(URI, PROGRAM)
+
+    def test_definition(self):
+        found = self.client.request('textDocument/definition', self.at(PROGRAM, 'second, tint'))
+        self.assertEqual(found['range']['start'], place(PROGRAM, 'second = colour'))
+        self.assertEqual(found['uri'], URI)
+        self.assertIsNone(self.client.request('textDocument/definition',
+                                              self.at(PROGRAM, 'texture[0]')))
+
+    def test_references(self):
+        spot = {**self.at(PROGRAM, 'TEX colour', 5), 'context': {'includeDeclaration': True}}
+        found = self.client.request('textDocument/references', spot)
+        self.assertEqual(self.words(PROGRAM, found), ['colour'] * 4)
+        self.assertEqual([f['range']['start']['line'] for f in found], [2, 7, 8, 10])
+        spot['context'] = {'includeDeclaration': False}
+        self.assertEqual(len(self.client.request('textDocument/references', spot)), 3)
+        marks = self.client.request('textDocument/documentHighlight', self.at(PROGRAM, 'MOV out', 5))
+        self.assertEqual([m['kind'] for m in marks], [3, 3])
+
+    def rename(self, mark, name, after=0):
+        return {**self.at(PROGRAM, mark, after), 'newName': name}
+
+    def test_rename(self):
+        prepared = self.client.request('textDocument/prepareRename',
+                                       self.at(PROGRAM, 'DP4 r0', 5))
+        self.assertEqual(prepared['placeholder'], 'r0')
+        edit = self.client.request('textDocument/rename', self.rename('DP4 r0', 'sum$1', 5))
+        lines = PROGRAM.split('\n')
+        for change in reversed(edit['changes'][URI]):
+            spot = change['range']
+            line = lines[spot['start']['line']]
+            lines[spot['start']['line']] = (line[:spot['start']['character']] + change['newText']
+                                            + line[spot['end']['character']:])
+        self.assertEqual(len(edit['changes'][URI]), 4)
+        renamed = '\n'.join(lines)
+        self.assertEqual(renamed.count('sum$1'), 4)
+        self.assertEqual(self.client.open(URI, renamed), [])
+
+    def test_rename_is_refused(self):
+        for name, piece in (('MOV', 'reserved'), ('ADD_SAT', 'reserved'), ('fragment', 'reserved'),
+                            ('texture', 'reserved'), ('colour', 'line 3'), ('second', 'line 8'),
+                            ('1x', 'no name'), ('', 'no name'), ('a b', 'no name'),
+                            ('\u00e4', 'no name'), ('x' * 2000, 'no name')):
+            error = self.client.failure('textDocument/rename', self.rename('DP4 r0', name, 5))
+            self.assertIn(piece, error['message'], name)
+        for mark in ('TEX colour', 'fragment.texcoord', 'END'):
+            error = self.client.failure('textDocument/prepareRename', self.at(PROGRAM, mark))
+            self.assertIn('no name', error['message'])
+        # A word of vertex programs is a name like any other here.
+        self.client.request('textDocument/rename', self.rename('DP4 r0', 'ADDRESS', 5))
+        self.client.open('file:///c.atifs', ATI)
+        error = self.client.failure('textDocument/rename', {
+            **self.at(ATI, 'MAD r0', 4, 'file:///c.atifs'), 'newName': 'x'})
+        self.assertIn('fixed names', error['message'])
+
+    def test_symbols(self):
+        found = self.client.request('textDocument/documentSymbol', {'textDocument': {'uri': URI}})
+        self.assertEqual([s['name'] for s in found],
+                         ['r0', 'colour', 'tint', 'rows', 'uv', 'out', 'second'])
+        self.assertEqual(found[2]['detail'], 'PARAM tint = { 0.5, 1, 0.25, 1 };')
+        self.assertEqual(self.words(PROGRAM, [s['selectionRange'] for s in found]),
+                         [s['name'] for s in found])
+        self.client.open('file:///c.atifs', ATI)
+        found = self.client.request('textDocument/documentSymbol',
+                                    {'textDocument': {'uri': 'file:///c.atifs'}})
+        self.assertEqual([s['name'] for s in found], ['c1', 'output pass'])
+
+    def test_semantic_tokens(self):
+        legend = self.initialized['capabilities']['semanticTokensProvider']['legend']['tokenTypes']
+        data = self.client.request('textDocument/semanticTokens/full',
+                                   {'textDocument': {'uri': URI}})['data']
+        self.assertEqual(len(data) % 5, 0)
+        line = character = 0
+        seen = {}
+        lines = PROGRAM.split('\n')
+        for at in range(0, len(data), 5):
+            down, right, length, kind, _ = data[at:at + 5]
+            character = right if down else character + right
+            line += down
+            seen[lines[line][character:character + length]] = legend[kind]
+        self.assertEqual(seen['MUL_SAT'], 'function')
+        self.assertEqual(seen['TEMP'], 'keyword')
+        self.assertEqual(seen['tint'], 'parameter')
+        self.assertEqual(seen['r0'], 'variable')
+        self.assertEqual(seen['2D'], 'enumMember')
+        self.assertEqual(seen['0.25'], 'number')
+
+
+class Inlay(Session):
+    WHOLE = {'start': {'line': 0, 'character': 0}, 'end': {'line': 9999, 'character': 0}}
+
+    def hints(self, spot=None):
+        return self.client.request('textDocument/inlayHint', {
+            'textDocument': {'uri': URI}, 'range': spot or self.WHOLE})
+
+    def test_totals_at_the_header(self):
+        self.client.open(URI, PROGRAM)
+        found = self.hints()
+        self.assertEqual(found[0]['position'], {'line': 0, 'character': 10})
+        self.assertTrue(found[0]['label'].startswith('r300: '), found[0])
+        self.assertIn('1/32 TEX instructions', found[0]['label'])
+        self.assertIn('1/4 TEX indirections', found[0]['label'])
+
+    def test_lines(self):
+        """Where the profile has a model, each line of an instruction says what it takes."""
+        self.client.open(URI, PROGRAM)
+        lines = {hint['position']['line'] for hint in self.hints()[1:]}
+        self.assertIn(lines, (set(), {8, 9, 10, 11}))
+        part = {'start': {'line': 9, 'character': 0}, 'end': {'line': 10, 'character': 0}}
+        self.assertLessEqual({hint['position']['line'] for hint in self.hints(part)}, {9, 10})
+
+    def test_none_for_a_text_that_does_not_load(self):
+        self.client.open(URI, PROGRAM.replace('END', ''))
+        self.assertEqual(self.hints(), [])
+
+
+class Latency(Session):
+    def test_of_edits_in_96_instructions(self):
+        """From the last byte of didChange to the whole publishDiagnostics."""
+        body = ''.join(f'TEX a, uv, texture[{i % 4}], 2D;\n' for i in range(32))
+        body += ''.join('MAD b.xyz, a, c[1].wzyx, -b;\n' for i in range(63))
+        text = ('!!ARBfp1.0\nTEMP a, b;\nATTRIB uv = fragment.texcoord[0];\n'
+                'PARAM c[2] = { program.local[0..1] };\n' + body + 'MOV result.color, b;\nEND\n')
+        self.assertEqual([d for d in self.client.open(URI, text) if d['severity'] == 1], [])
+        lines = text.split('\n')
+        spent = []
+        for version in range(2, 102):
+            line = 4 + (version * 37) % 95
+            # A letter that breaks the line, then the line as it was.
+            broken = version % 2 == 0
+            target = line if broken else last
+            spot = {'start': {'line': target, 'character': 0},
+                    'end': {'line': target, 'character': 0 if broken else 1}}
+            last = line
+            begin = time.perf_counter()
+            self.client.change(URI, version, {'range': spot, 'text': 'X' if broken else ''})
+            found = self.client.diagnostics(URI)
+            spent.append((time.perf_counter() - begin) * 1000)
+            errors = [d for d in found['diagnostics'] if d['severity'] == 1]
+            self.assertEqual(len(errors), 1 if broken else 0, (lines[target], errors))
+        print(f'diagnostics after an edit of 96 instructions, 100 edits: median '
+              f'{statistics.median(spent):.2f} ms, worst {max(spent):.2f} ms', file=sys.stderr)
+        self.assertLess(statistics.median(spent), 50)
+
+
+if __name__ == '__main__':
+    ARBITER = sys.argv.pop(1)
+    unittest.main()

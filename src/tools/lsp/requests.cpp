@@ -1,0 +1,146 @@
+#include "tools/lsp/server.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+
+constexpr int kInvalidParams = -32602;
+constexpr int kRequestFailed = -32803;
+
+RpcError noDocument() { return {kInvalidParams, "no open document of this URI"}; }
+RpcError noPosition() { return {kInvalidParams, "no position"}; }
+
+} // namespace
+
+Document *Server::find(const Json &params) {
+  const std::string *uri = stringAt(params, {"textDocument", "uri"});
+  const auto found = uri ? m_documents.find(*uri) : m_documents.end();
+  return found == m_documents.end() ? nullptr : &found->second;
+}
+
+void Server::opened(const Json &params) {
+  const std::string *uri = stringAt(params, {"textDocument", "uri"});
+  const std::string *text = stringAt(params, {"textDocument", "text"});
+  const std::string *language = stringAt(params, {"textDocument", "languageId"});
+  if (!uri || !text)
+    return;
+  m_documents.erase(*uri);
+  const auto [entry, isNew] =
+      m_documents.try_emplace(*uri, *uri, language ? *language : std::string(), *text, m_encoding);
+  entry->second.version = integerAt(params, {"textDocument", "version"}).value_or(0);
+  m_changedSince = std::chrono::steady_clock::now();
+}
+
+void Server::changed(const Json &params) {
+  Document *document = find(params);
+  const Json *changes = member(params, {"contentChanges"});
+  if (!document || !changes || !changes->is_array())
+    return;
+  for (const Json &change : *changes) {
+    if (document->change(change))
+      continue;
+    // The two texts are no longer the same: whatever is said from here on may be wrong.
+    constexpr int kError = 1;
+    sendNotification("window/logMessage",
+                     {{"type", kError}, {"message", "arbiter: a change that cannot be read"}});
+    break;
+  }
+  document->version = integerAt(params, {"textDocument", "version"}).value_or(document->version);
+  document->changed = true;
+  if (!m_changedSince)
+    m_changedSince = std::chrono::steady_clock::now();
+}
+
+void Server::closed(const Json &params) {
+  const Document *document = find(params);
+  if (!document)
+    return;
+  const std::string uri = document->uri();
+  m_documents.erase(uri);
+  sendNotification("textDocument/publishDiagnostics",
+                   {{"uri", uri}, {"diagnostics", Json::array()}});
+}
+
+void Server::publish(Document &document) {
+  document.changed = false;
+  sendNotification("textDocument/publishDiagnostics",
+                   {{"uri", document.uri()},
+                    {"version", document.version},
+                    {"diagnostics", diagnostics(viewOf(document))}});
+}
+
+template <typename Ask> Server::Reply Server::atPosition(const Json &params, Ask ask) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  const Json *position = member(params, {"position"});
+  const auto offset = position ? document->map().offset(*position) : std::nullopt;
+  if (!offset)
+    return noPosition();
+  return ask(viewOf(*document), *offset);
+}
+
+Server::Reply Server::hoverAt(const Json &params) { return atPosition(params, hover); }
+
+Server::Reply Server::completionAt(const Json &params) { return atPosition(params, completion); }
+
+Server::Reply Server::definitionAt(const Json &params) { return atPosition(params, definition); }
+
+Server::Reply Server::highlightsAt(const Json &params) { return atPosition(params, highlights); }
+
+Server::Reply Server::referencesAt(const Json &params) {
+  const bool withDeclaration = trueAt(params, {"context", "includeDeclaration"});
+  return atPosition(params, [&](const View &view, std::uint32_t offset) {
+    return references(view, offset, withDeclaration);
+  });
+}
+
+Server::Reply Server::prepareRenameAt(const Json &params) {
+  return atPosition(params, [](const View &view, std::uint32_t offset) -> Reply {
+    auto result = prepareRename(view, offset);
+    if (!result)
+      return RpcError{kRequestFailed, result.error().message};
+    return std::move(result).value();
+  });
+}
+
+Server::Reply Server::renameAt(const Json &params) {
+  const std::string *newName = stringAt(params, {"newName"});
+  if (!newName)
+    return RpcError{kInvalidParams, "no newName"};
+  return atPosition(params, [&](const View &view, std::uint32_t offset) -> Reply {
+    auto result = rename(view, offset, *newName);
+    if (!result)
+      return RpcError{kRequestFailed, result.error().message};
+    return std::move(result).value();
+  });
+}
+
+Server::Reply Server::symbolsOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  return documentSymbols(viewOf(*document));
+}
+
+Server::Reply Server::inlayHintsOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  const Json *start = member(params, {"range", "start"});
+  const Json *end = member(params, {"range", "end"});
+  const auto from = start ? document->map().offset(*start) : std::nullopt;
+  const auto to = end ? document->map().offset(*end) : std::nullopt;
+  if (!from || !to)
+    return noPosition();
+  return inlayHints(viewOf(*document), {*from, *to});
+}
+
+Server::Reply Server::semanticTokensOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  return semanticTokens(viewOf(*document));
+}
+
+} // namespace arbiter::tools::lsp

@@ -1,0 +1,96 @@
+#pragma once
+#include <chrono>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "tools/lsp/answers.h"
+#include "tools/lsp/transport.h"
+
+namespace arbiter::tools::lsp {
+
+/// An error of JSON-RPC.
+struct RpcError {
+  int code = 0;
+  std::string message;
+};
+
+/// A language server of one client (Language Server Protocol 3.17), on one thread. What is asked is
+/// answered in the order it came, but for requests that are cancelled while they wait; diagnostics
+/// go out when nothing waits, so that a burst of edits costs one check.
+class Server {
+public:
+  Server(Transport &transport, fp::hw::Profile profile);
+
+  /// Serves until `exit` or the end of the input. \returns the exit code: 0 after `shutdown`,
+  /// else 1.
+  [[nodiscard]] int run();
+
+private:
+  using Reply = Result<Json, RpcError>;
+  using Request = Reply (Server::*)(const Json &params);
+  using Notification = void (Server::*)(const Json &params);
+
+  // server.cpp: messages
+  bool receive();
+  void parse(const std::string &body);
+  void handle(const Json &message);
+  Reply answer(const std::string &method, const Json &params);
+  void notify(const std::string &method, const Json &params);
+  void reply(const Json &id, const Reply &reply);
+  void send(const Json &message);
+  void sendNotification(const char *method, Json params);
+  void publishChanged();
+
+  // lifecycle.cpp
+  Reply initialize(const Json &params);
+  Reply shutdown(const Json &params);
+  void configurationChanged(const Json &params);
+  bool useProfile(const Json &settings);
+
+  // requests.cpp: texts, and what is asked of them
+  void opened(const Json &params);
+  void changed(const Json &params);
+  void closed(const Json &params);
+  void publish(Document &document);
+  Document *find(const Json &params);
+  [[nodiscard]] View viewOf(Document &document) {
+    return {document, document.analysis(m_profile), m_profile};
+  }
+  /// Calls `ask` with the view and the offset that the parameters name.
+  template <typename Ask> Reply atPosition(const Json &params, Ask ask);
+  Reply hoverAt(const Json &params);
+  Reply completionAt(const Json &params);
+  Reply definitionAt(const Json &params);
+  Reply referencesAt(const Json &params);
+  Reply highlightsAt(const Json &params);
+  Reply prepareRenameAt(const Json &params);
+  Reply renameAt(const Json &params);
+  Reply symbolsOf(const Json &params);
+  Reply inlayHintsOf(const Json &params);
+  Reply semanticTokensOf(const Json &params);
+
+  struct RequestRow;
+  struct NotificationRow;
+  static const RequestRow kRequests[];
+  static const NotificationRow kNotifications[];
+
+  enum class State : std::uint8_t { New, Running, ShutDown, Exited };
+
+  Transport &m_transport;
+  fp::hw::Profile m_profile;
+  Encoding m_encoding = Encoding::Utf16;
+  bool m_refreshesHints = false; ///< the client knows workspace/inlayHint/refresh
+  State m_state = State::New;
+  bool m_wasShutDown = false;
+  bool m_gone = false; ///< nobody reads what is written
+  std::int64_t m_nextId = 1;
+  std::deque<Json> m_waiting;
+  std::set<Json> m_cancelled; ///< ids of requests that wait
+  std::map<std::string, Document> m_documents;
+  std::optional<std::chrono::steady_clock::time_point> m_changedSince;
+};
+
+} // namespace arbiter::tools::lsp

@@ -1,0 +1,182 @@
+// Document symbols and semantic tokens.
+#include <algorithm>
+#include <iterator>
+
+#include "fp_compiler/front/ati/words.h"
+#include "fp_compiler/front/reference.h"
+#include "tools/lsp/answers.h"
+#include "tools/lsp/reading.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+
+using fp::SymbolKind;
+using fp::TokenKind;
+
+/// SymbolKind of the protocol.
+int kindOf(SymbolKind kind) {
+  enum { kNamespace = 3, kProperty = 7, kVariable = 13, kConstant = 14, kArray = 18 };
+  switch (kind) {
+  case SymbolKind::Attribute:
+  case SymbolKind::Output:
+    return kProperty;
+  case SymbolKind::Parameter:
+    return kConstant;
+  case SymbolKind::ParameterArray:
+    return kArray;
+  case SymbolKind::Temporary:
+  case SymbolKind::Address:
+  case SymbolKind::Unknown:
+    break;
+  }
+  return kVariable;
+}
+
+/// A statement on one line, cut short.
+std::string oneLine(std::string_view text) {
+  constexpr std::size_t kMost = 96;
+  std::string line;
+  for (const char c : text.substr(0, kMost)) {
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!space)
+      line += c;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
+  }
+  // A character cut in half is no text.
+  while (text.size() > kMost && !line.empty() && (std::uint8_t(line.back()) & 0x80) != 0)
+    line.pop_back();
+  return text.size() > kMost ? line + "..." : line;
+}
+
+Json declaration(const View &view, const Reading &reading, const fp::Name &name) {
+  const auto token = reading.at(name.declared.begin);
+  const fp::Span statement = token ? reading.statement(*token) : name.declared;
+  const std::string_view text = view.document.text(statement);
+  // Of a list of registers each has its own name for its range, so that they do not overlap.
+  const bool list = text.starts_with("TEMP") || text.starts_with("ADDRESS");
+  return {{"name", std::string(name.text)},
+          {"detail", oneLine(text)},
+          {"kind", kindOf(name.kind)},
+          {"range", view.range(list ? name.declared : statement)},
+          {"selectionRange", view.range(name.declared)}};
+}
+
+void addBlocks(const View &view, const Reading &reading, Json &all) {
+  constexpr int kNamespace = 3;
+  for (std::size_t i = 0; i < reading.size(); ++i) {
+    const std::string_view word = reading.text(i);
+    if (word != "StartPrelimPass" && word != "StartOutputPass")
+      continue;
+    std::size_t last = i;
+    while (last + 1 < reading.size() && reading.text(last) != "EndPass" &&
+           (last == i || !reading.text(last + 1).starts_with("Start")))
+      ++last;
+    all.push_back({{"name", word == "StartPrelimPass" ? "preliminary pass" : "output pass"},
+                   {"kind", kNamespace},
+                   {"range", view.range({reading.span(i).begin, reading.span(last).end})},
+                   {"selectionRange", view.range(reading.span(i))}});
+  }
+}
+
+constexpr const char *kTypes[] = {"keyword",  "function",   "variable", "parameter",
+                                  "property", "enumMember", "number"};
+enum Type { kKeyword, kFunction, kVariable, kParameter, kProperty, kEnumMember, kNumber, kNone };
+constexpr const char *kModifiers[] = {"declaration", "readonly"};
+enum Modifier { kDeclaration = 1, kReadonly = 2 };
+
+/// The token's type, by its place and its word.
+Type typeOf(const Reading &reading, std::size_t token, bool ati) {
+  switch (reading.kind(token)) {
+  case TokenKind::Integer:
+  case TokenKind::Float:
+    return kNumber;
+  case TokenKind::Dimension:
+    return kEnumMember;
+  case TokenKind::Identifier:
+    break;
+  default:
+    return kNone;
+  }
+  if (token > 0 && reading.kind(token - 1) == TokenKind::Dot)
+    return kProperty;
+  const std::string_view word = reading.text(token);
+  if (ati) {
+    if (fp::ati::opOf(word))
+      return kFunction;
+    return fp::ati::beginsStatement(word)                                   ? kKeyword
+           : word.find_first_not_of("0123456789") == std::string_view::npos ? kNumber
+                                                                            : kProperty;
+  }
+  const fp::Keyword keyword = reading.word(token).keyword;
+  if (keyword == fp::Keyword::Opcode)
+    return kFunction;
+  if (keyword == fp::Keyword::None) {
+    const auto targets = fp::reference::targets();
+    const bool target = std::any_of(targets.begin(), targets.end(),
+                                    [&](const auto &entry) { return entry.word == word; });
+    const bool option = token > 0 && reading.word(token - 1).keyword == fp::Keyword::Option;
+    return target || option ? kEnumMember : kNone;
+  }
+  return fp::beginsStatement(keyword) ? kKeyword : kProperty;
+}
+
+} // namespace
+
+Json documentSymbols(const View &view) {
+  const Reading reading(view.document, view.analysis);
+  Json all = Json::array();
+  for (const fp::Name &name : view.analysis.inspection.names.names())
+    if (name.declared.end != 0)
+      all.push_back(declaration(view, reading, name));
+  if (view.analysis.language == fp::ir::Language::AtiFragment)
+    addBlocks(view, reading, all);
+  return all;
+}
+
+Json semanticLegend() {
+  return {{"tokenTypes", Json(kTypes)}, {"tokenModifiers", Json(kModifiers)}};
+}
+
+Json semanticTokens(const View &view) {
+  const Reading reading(view.document, view.analysis);
+  const bool ati = view.analysis.language == fp::ir::Language::AtiFragment;
+  const fp::NameTable &names = view.analysis.inspection.names;
+  const TextMap &map = view.document.map();
+  Json data = Json::array();
+  std::uint32_t line = 0;
+  std::int64_t character = 0;
+  std::size_t nextUse = 0;
+  for (std::size_t i = 0; i < reading.size(); ++i) {
+    const fp::Span span = reading.span(i);
+    while (nextUse < names.uses().size() && names.uses()[nextUse].span.begin < span.begin)
+      ++nextUse;
+    int modifiers = 0;
+    Type type = kNone;
+    if (nextUse < names.uses().size() && names.uses()[nextUse].span == span) {
+      const fp::NameUse &use = names.uses()[nextUse];
+      const SymbolKind kind = names.names()[use.name].kind;
+      const bool constant = kind == SymbolKind::Parameter || kind == SymbolKind::ParameterArray;
+      type = constant ? kParameter : kVariable;
+      modifiers = (use.access == fp::Access::Declare ? kDeclaration : 0) |
+                  (constant || kind == SymbolKind::Attribute ? kReadonly : 0);
+    } else {
+      type = typeOf(reading, i, ati);
+    }
+    if (type == kNone)
+      continue;
+    const Json position = map.position(span.begin);
+    const std::uint32_t at = map.lineOf(span.begin);
+    const std::int64_t column = position["character"].get<std::int64_t>();
+    for (const std::int64_t value :
+         {std::int64_t(at - line), at == line ? column - character : column,
+          std::int64_t(span.end - span.begin), std::int64_t(type), std::int64_t(modifiers)})
+      data.push_back(value);
+    line = at;
+    character = column;
+  }
+  return {{"data", std::move(data)}};
+}
+
+} // namespace arbiter::tools::lsp
