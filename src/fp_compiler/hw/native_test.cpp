@@ -166,6 +166,56 @@ TEST(Models, FogIsInstructions) {
   }
 }
 
+TEST(R300, PositionAndFogTakeTextureCoordinates) {
+  std::string body = "ADD r, a, b;\n";
+  for (int i = 2; i < 8; ++i)
+    body += "ADD r, r, fragment.texcoord[" + std::to_string(i) + "];\n";
+  EXPECT_TRUE(explained("r300", body + "ADD o, r, fragment.color;").fits);
+  for (const char *ninth : {"fragment.position", "fragment.fogcoord"}) {
+    const NativeReport report = explained("r300", body + "ADD o, r, " + ninth + ";");
+    EXPECT_FALSE(report.fits) << ninth;
+    EXPECT_EQ(report.counts.attribs, 9u) << "no count says so";
+    EXPECT_NE(find(report, "position and fog take a texture coordinate's interpolator each: 9 of 8 "
+                           "are needed"),
+              nullptr)
+        << all(report);
+  }
+}
+
+TEST(R300, RectanglesAreScaledIfTheProfileSaysSo) {
+  const std::string text = whole("TEX r, a, texture[0], RECT; MOV o, r;");
+  Limits limits = findBuiltin("r300")->fragment;
+  const auto counts = [&](std::uint32_t scale) {
+    limits.scaleRectangles = scale;
+    return checkFragmentProgram(text, {limits, LimitPolicy::Report}).nativeCounts;
+  };
+  EXPECT_EQ(counts(1).texIndirections, 2u);
+  EXPECT_EQ(counts(1).parameters, 1u);
+  EXPECT_EQ(counts(0).texIndirections, 1u);
+  EXPECT_EQ(counts(0).parameters, 0u);
+}
+
+TEST(R300, TheSameCodeFitsTheR420) {
+  std::string body = "MOV r, a;\n";
+  for (int i = 0; i < 70; ++i)
+    body += "MAD r, r, k, r.yzxw;\n";
+  const NativeReport small = explained("r300", body + "MOV o, r;");
+  const NativeReport large = explained("r420", body + "MOV o, r;");
+  EXPECT_EQ(small.counts, large.counts);
+  EXPECT_GT(small.counts.aluInstructions, 64u);
+  EXPECT_FALSE(small.fits);
+  EXPECT_TRUE(large.fits);
+}
+
+// A shared slot is a half of each operation; the whole numbers of the reasons add up all the same.
+TEST(R300, PartsOfSharedSlots) {
+  const NativeReport report = explained("r300", "MUL r.xyz, a, k;\nRCP r.w, b.x;\nMOV o, r;");
+  EXPECT_EQ(report.costs[1].slots, 0.5);
+  const Reason *single = find(report, "instructions of one slot");
+  ASSERT_NE(single, nullptr) << all(report);
+  EXPECT_EQ(single->amount, report.counts.aluInstructions) << all(report);
+}
+
 TEST(I915, PhasesAndWhy) {
   const NativeReport report =
       explained("i915", "TEX r, a, texture[0], 2D;\nMUL r, r, k;\nTEX s, r, texture[1], 2D;\n"
@@ -174,7 +224,7 @@ TEST(I915, PhasesAndWhy) {
   ASSERT_EQ(report.nodes.size(), 4u);
   EXPECT_EQ(report.nodes[0].reason, "");
   EXPECT_EQ(report.nodes[1].reason, "TEX reads r, which MUL wrote in phase 1");
-  EXPECT_EQ(report.nodes[2].reason, "TEX reads a move of its coordinate in phase 2");
+  EXPECT_EQ(report.nodes[2].reason, "TEX reads its coordinate, moved in phase 2");
   EXPECT_EQ(report.nodes[3].reason, "TEX samples into a result register");
   EXPECT_EQ(report.nodes[1].textures, std::vector<std::uint32_t>{2});
   EXPECT_EQ(report.nodes[1].pairs, 1u); // the move of b.yxzw

@@ -74,7 +74,7 @@ std::string startText(const ir::Program &program, const PhaseStart &start, std::
   if (start.writer == kWholeProgram)
     return mnemonic + " samples into a result register";
   if (start.writer == start.sample)
-    return mnemonic + " reads a move of its coordinate in " + words.phase + " " +
+    return mnemonic + " reads its coordinate, moved in " + words.phase + " " +
            std::to_string(phase);
   return dependencyText(program, start.sample, start.writer, words.phase, phase);
 }

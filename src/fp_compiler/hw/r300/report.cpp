@@ -13,53 +13,90 @@ namespace {
 constexpr auto kAlu = &ResourceCounts::aluInstructions;
 constexpr auto kParameters = &ResourceCounts::parameters;
 
-/// Whose a slot is: an operation's origin and cause. A pair is its RGB half's, or its alpha half's
-/// where the RGB half is idle; so that the parts of a count add up to it.
-struct Owner {
-  std::uint16_t origin = kNone;
-  Cause cause = Cause::Instruction;
-};
-
-Owner ownerOf(const Pair &pair) {
-  if (pair.rgb.op != RgbOp::None)
-    return {pair.rgb.origin, pair.rgb.cause};
-  return {pair.alpha.origin, pair.alpha.cause};
-}
-
 std::uint32_t placeOf(std::uint16_t origin) { return origin == kNone ? kNoInstruction : origin; }
 
-/// Operations that are an instruction's own, by instruction.
-struct Operations {
-  std::uint32_t rgb = 0, alpha = 0, slots = 0;
+/// Calls visit(origin, cause, in the RGB half, halves of a slot that it takes) for each operation
+/// of a pair: a shared slot is one half each. An empty slot is whole, and nobody's.
+template <typename Visit> void forOperations(const Pair &pair, Visit visit) {
+  const bool rgb = pair.rgb.op != RgbOp::None, alpha = pair.alpha.op != AlphaOp::None;
+  if (rgb)
+    visit(pair.rgb.origin, pair.rgb.cause, true, alpha ? 1u : 2u);
+  if (alpha)
+    visit(pair.alpha.origin, pair.alpha.cause, false, rgb ? 1u : 2u);
+  if (!rgb && !alpha)
+    visit(pair.rgb.origin, pair.rgb.cause, true, 2u);
+}
+
+/// What is an instruction's own, by instruction, and what it looks like.
+std::vector<Extent> extentsOf(const ir::Program &program, const Code &code) {
+  struct Operations {
+    std::uint32_t rgb = 0, alpha = 0, slots = 0, lastSlot = 0;
+  };
+  std::vector<Operations> operations(program.code.size());
+  for (std::uint32_t i = 0; i < code.pairs.size(); ++i) {
+    forOperations(code.pairs[i], [&](std::uint16_t origin, Cause cause, bool rgb, std::uint32_t) {
+      if (origin == kNone || cause != Cause::Instruction)
+        return;
+      Operations &own = operations[origin];
+      ++(rgb ? own.rgb : own.alpha);
+      own.slots += own.lastSlot == i + 1 ? 0 : 1;
+      own.lastSlot = i + 1;
+    });
+  }
+  std::vector<Extent> extents(program.code.size(), Extent::OneSlot);
+  for (std::size_t i = 0; i < operations.size(); ++i)
+    if (operations[i].slots > 1)
+      extents[i] = operations[i].rgb <= 1 && operations[i].alpha <= 1 ? Extent::HalvesApart
+                                                                      : Extent::Expansion;
+  return extents;
+}
+
+/// A reason with its amount in halves of a slot.
+struct Share {
+  std::string text;
+  std::uint32_t halves = 0;
+  std::vector<std::uint32_t> places;
 };
 
-std::vector<Operations> operationsOf(const ir::Program &program, const Code &code) {
-  std::vector<Operations> operations(program.code.size());
-  const auto count = [&](bool there, std::uint16_t origin, Cause cause,
-                         std::uint32_t Operations::*half) {
-    if (there && origin != kNone && cause == Cause::Instruction)
-      ++(operations[origin].*half);
-  };
-  for (const Pair &pair : code.pairs) {
-    count(pair.rgb.op != RgbOp::None, pair.rgb.origin, pair.rgb.cause, &Operations::rgb);
-    count(pair.alpha.op != AlphaOp::None, pair.alpha.origin, pair.alpha.cause, &Operations::alpha);
-    const Owner owner = ownerOf(pair);
-    count(true, owner.origin, owner.cause, &Operations::slots);
-  }
-  return operations;
+/// Whole slots that add up to those of the code: of the reasons with a half too much one in two is
+/// rounded up, first those that are nothing else.
+std::vector<std::uint32_t> wholeSlots(const std::vector<Share> &shares, std::uint32_t total) {
+  std::vector<std::uint32_t> slots;
+  std::uint32_t given = 0;
+  for (const Share &share : shares)
+    given += slots.emplace_back(share.halves / 2);
+  for (const bool alone : {true, false})
+    for (std::size_t i = 0; i < shares.size() && given < total; ++i)
+      if (shares[i].halves % 2 == 1 && (shares[i].halves == 1) == alone) {
+        ++slots[i];
+        ++given;
+      }
+  return slots;
 }
 
 void addAlu(Reasons &reasons, const ir::Program &program, const Code &code) {
-  const std::vector<Operations> operations = operationsOf(program, code);
+  const std::vector<Extent> extents = extentsOf(program, code);
+  std::vector<Share> shares;
   for (const Pair &pair : code.pairs) {
-    const Owner owner = ownerOf(pair);
-    Extent extent = Extent::OneSlot;
-    if (owner.origin != kNone && operations[owner.origin].slots > 1) {
-      const Operations &own = operations[owner.origin];
-      extent = own.rgb <= 1 && own.alpha <= 1 ? Extent::HalvesApart : Extent::Expansion;
-    }
-    reasons.add(kAlu, 1, aluText(program, owner.origin, owner.cause, extent),
-                placeOf(owner.origin));
+    forOperations(pair, [&](std::uint16_t origin, Cause cause, bool, std::uint32_t halves) {
+      std::string text =
+          aluText(program, origin, cause, origin == kNone ? Extent::OneSlot : extents[origin]);
+      auto share = std::find_if(shares.begin(), shares.end(),
+                                [&](const Share &other) { return other.text == text; });
+      if (share == shares.end())
+        share = shares.insert(shares.end(), {std::move(text), 0, {}});
+      share->halves += halves;
+      if (origin != kNone)
+        share->places.push_back(origin);
+    });
+  }
+  const std::vector<std::uint32_t> slots = wholeSlots(shares, std::uint32_t(code.pairs.size()));
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (slots[i] == 0)
+      continue; // half a slot that another reason has been given
+    reasons.add(kAlu, slots[i], shares[i].text, kNoInstruction);
+    for (const std::uint32_t place : shares[i].places)
+      reasons.add(kAlu, 0, shares[i].text, place);
   }
 }
 
@@ -129,13 +166,10 @@ void costs(NativeReport &report, const ir::Program &program, const Code &code) {
     seen[origin] = true;
   };
   for (std::uint32_t i = 0; i < code.pairs.size(); ++i) {
-    const Pair &pair = code.pairs[i];
     const std::uint32_t node = nodeOf(code, i, &Node::firstPair, &Node::pairs);
-    const bool rgb = pair.rgb.op != RgbOp::None, alpha = pair.alpha.op != AlphaOp::None;
-    if (rgb)
-      charge(pair.rgb.origin, node, alpha ? 0.5 : 1, false);
-    if (alpha)
-      charge(pair.alpha.origin, node, rgb ? 0.5 : 1, false);
+    forOperations(code.pairs[i], [&](std::uint16_t origin, Cause, bool, std::uint32_t halves) {
+      charge(origin, node, halves / 2.0, false);
+    });
   }
   for (std::uint32_t i = 0; i < code.textures.size(); ++i)
     charge(code.textures[i].origin, nodeOf(code, i, &Node::firstTexture, &Node::textures), 0, true);
@@ -146,6 +180,7 @@ void costs(NativeReport &report, const ir::Program &program, const Code &code) {
 /// Who writes a register last before a node, and in which node.
 struct Written {
   std::uint16_t origin = kNone;
+  Cause cause = Cause::Instruction;
   std::uint32_t node = 0;
   bool found = false;
 };
@@ -156,14 +191,14 @@ Written lastWrite(const Code &code, std::uint32_t before, std::uint16_t temporar
     for (std::uint32_t i = node.pairs; i-- > 0;) {
       const Pair &pair = code.pairs[node.firstPair + i];
       if (pair.rgb.op != RgbOp::None && pair.rgb.temporary == temporary && pair.rgb.mask != 0)
-        return {pair.rgb.origin, n, true};
+        return {pair.rgb.origin, pair.rgb.cause, n, true};
       if (pair.alpha.op != AlphaOp::None && pair.alpha.temporary == temporary &&
           pair.alpha.mask != 0)
-        return {pair.alpha.origin, n, true};
+        return {pair.alpha.origin, pair.alpha.cause, n, true};
     }
     for (std::uint32_t i = node.textures; i-- > 0;)
       if (code.textures[node.firstTexture + i].destination == temporary)
-        return {code.textures[node.firstTexture + i].origin, n, true};
+        return {code.textures[node.firstTexture + i].origin, Cause::Instruction, n, true};
   }
   return {};
 }
@@ -186,8 +221,9 @@ std::string nodeReason(const ir::Program &program, const Code &code, std::uint32
   if (sample == kNone)
     return "its samples read what the nodes before it made";
   if (sample == latest.origin)
-    return std::string(info(program.code[sample].op).mnemonic) +
-           " reads a move of its coordinate in node " + std::to_string(latest.node + 1);
+    return std::string(info(program.code[sample].op).mnemonic) + " reads its coordinate, " +
+           (latest.cause == Cause::Rectangle ? "scaled" : "moved") + " in node " +
+           std::to_string(latest.node + 1);
   return dependencyText(program, sample, latest.origin, "node", latest.node + 1);
 }
 
