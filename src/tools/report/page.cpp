@@ -156,7 +156,7 @@ std::string largestReasons(const ProgramSet &set, std::size_t index, const Resou
             escaped(reason.text) + (where.empty() ? "" : " (" + where + ")") + "</li>\n";
   }
   if (more != 0)
-    html += "<li>and " + counted(more, "smaller reason") + ", <a href=\"#" + anchor(index) +
+    html += "<li>and " + counted(more, "more reason") + ", <a href=\"#" + anchor(index) +
             "\">in its section</a></li>\n";
   return html;
 }
@@ -171,7 +171,7 @@ std::string misfitReasons(const ProgramSet &set, std::size_t index) {
     if (resource.of(file.language) && used >= limit)
       (used > limit ? over : full) += largestReasons(set, index, resource);
   }
-  const std::string &html = over.empty() ? full : over;
+  const std::string &html = over.empty() && !set.programs[index].refused ? full : over;
   return html.empty() ? html : "<ul>" + html + "</ul>";
 }
 
@@ -183,7 +183,7 @@ std::string misfits(const ProgramSet &set) {
     if (set.programs[i].verdict != Verdict::Over)
       continue;
     std::string what;
-    for (const std::string &excess : excesses(set.programs[i].file))
+    for (const std::string &excess : excesses(set.programs[i]))
       what += (what.empty() ? "" : "; ") + excess;
     html += "<li><a href=\"#" + anchor(i) + "\">" + escaped(set.programs[i].file.name) +
             "</a>: <span class=over>" + what + "</span>" + misfitReasons(set, i) + "</li>\n";

@@ -6,7 +6,6 @@
 #include "tools/check/find_files.h"
 #include "tools/check/terminal.h"
 #include "tools/language.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -56,17 +55,25 @@ const char *word(Verdict verdict) {
   return "";
 }
 
-Verdict verdictOf(const CheckedFile &file) {
-  if (file.status == FileStatus::Unreadable)
+Verdict verdictOf(const ReportedProgram &program) {
+  if (program.file.status == FileStatus::Unreadable)
     return Verdict::Unreadable;
-  if (!file.counted())
+  if (!program.file.counted())
     return Verdict::Invalid;
-  const bool overApi =
-      std::any_of(resourceRows().begin(), resourceRows().end(), [&](const ResourceRow &row) {
-        return row.of(file.language) &&
-               file.result.counts.*row.member > file.limits.api.*row.member;
-      });
-  return overApi || !file.result.underNativeLimits ? Verdict::Over : Verdict::Fits;
+  return program.refused || !program.file.result.underNativeLimits ? Verdict::Over : Verdict::Fits;
+}
+
+void admitRefused(ReportedProgram &program) {
+  CheckedFile &file = program.file;
+  if (file.status != FileStatus::Invalid)
+    return;
+  fp::CheckResult result =
+      fp::checkProgram(file.language, file.text, {file.limits, fp::LimitPolicy::Report});
+  if (!result.ok())
+    return; // the first result's errors are complete
+  program.refused = true;
+  file.status = result.underNativeLimits ? FileStatus::Valid : FileStatus::OverNative;
+  file.result = std::move(result);
 }
 
 std::size_t ProgramSet::count(Verdict verdict) const {
@@ -104,11 +111,11 @@ ProgramSet readPrograms(const std::vector<std::string> &operands, const fp::hw::
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     progress.at(i);
     ReportedProgram &program = set.programs.emplace_back();
-    // Reported, not enforced: what a program takes is what its author wants to see.
-    program.file = checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Report, profile);
+    program.file = checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Enforce, profile);
+    admitRefused(program);
     program.file.name = std::move(wanted[i].name);
     explain(program.file);
-    program.verdict = verdictOf(program.file);
+    program.verdict = verdictOf(program);
     program.captured = set.fromCapture ? int(i) : -1;
     if (program.verdict == Verdict::Unreadable)
       set.faults.push_back(program.file.fault);

@@ -9,20 +9,23 @@
 /// The programs that a report is about, checked and explained.
 namespace arbiter::tools {
 
-/// What a report says of a program. One over the API limits, which the card's driver would refuse,
-/// does not fit either: its counts are shown all the same.
+/// What a report says of a program. One that the card's driver would refuse for the API limits
+/// alone does not fit either: its counts are shown all the same.
 enum class Verdict : std::uint8_t { Fits, Over, Invalid, Unreadable };
 inline constexpr std::size_t kVerdictCount = 4;
 
 /// "fits", "does not fit", "invalid", "unreadable".
 [[nodiscard]] const char *word(Verdict verdict);
-[[nodiscard]] Verdict verdictOf(const CheckedFile &file);
 
 struct ReportedProgram {
-  CheckedFile file; ///< its name as shown: below the folder; `native` is there if it has counts
+  CheckedFile file;     ///< its name as shown: below the folder; `native` is there if it has counts
+  bool refused = false; ///< over API limits that the profile enforces; checked without them
   Verdict verdict = Verdict::Fits;
   int captured = -1; ///< index into ProgramSet::capture's programs, or -1
 };
+
+/// Its verdict, by `file` and `refused`.
+[[nodiscard]] Verdict verdictOf(const ReportedProgram &program);
 
 struct ProgramSet {
   std::string source; ///< what the command line named
@@ -34,6 +37,10 @@ struct ProgramSet {
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };
+
+/// Checks a text that is not valid again without the API limits, to count what is wrong in nothing
+/// else.
+void admitRefused(ReportedProgram &program);
 
 /// The folder holds records of `arbiter capture`.
 [[nodiscard]] bool isCapture(const std::string &folder);

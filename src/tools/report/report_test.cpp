@@ -39,11 +39,12 @@ ReportedProgram programOf(const std::string &name, const std::string &text) {
   program.file.text = text;
   program.file.language = chooseLanguage("auto", text);
   program.file.limits = limitsOf(profile(), program.file.language);
-  program.file.result =
-      fp::checkProgram(program.file.language, text, {program.file.limits, fp::LimitPolicy::Report});
+  program.file.result = fp::checkProgram(program.file.language, text,
+                                         {program.file.limits, fp::LimitPolicy::Enforce});
   if (!program.file.result.ok())
     program.file.status = FileStatus::Invalid;
-  program.verdict = verdictOf(program.file);
+  admitRefused(program);
+  program.verdict = verdictOf(program);
   return program;
 }
 
@@ -61,7 +62,7 @@ ProgramSet modelled() {
   program.file.result.nativeCounts = native.counts;
   program.file.result.underNativeLimits = false;
   program.file.status = FileStatus::OverNative;
-  program.verdict = verdictOf(program.file);
+  program.verdict = verdictOf(program);
   native.reasons = {
       {&ResourceCounts::aluInstructions, 68, "MUL <costs> much", {1, 2, 4}},
       {&ResourceCounts::aluInstructions, 2, "the program as a whole", {}},
@@ -223,19 +224,34 @@ TEST(SourceTable, DiagnosticsStandBelowTheirLine) {
 }
 
 TEST(Excesses, NameTheCardAndTheApi) {
-  ProgramSet set = modelled();
-  EXPECT_THAT(excesses(set.programs[0].file), ElementsAre("ALU instructions 70 of 64"));
-  CheckedFile &file = set.programs[0].file;
-  file.result.counts.temporaries = 33;
-  EXPECT_THAT(excesses(file),
+  ReportedProgram program = modelled().programs[0];
+  EXPECT_THAT(excesses(program), ElementsAre("ALU instructions 70 of 64"));
+  program.file.result.counts.temporaries = 33; // a warning, where the driver loads it
+  EXPECT_THAT(excesses(program), ElementsAre("ALU instructions 70 of 64"));
+  program.refused = true;
+  EXPECT_THAT(excesses(program),
               ElementsAre("ALU instructions 70 of 64", "temporaries (by the API 33 of 32)"));
-  file.result.nativeCounts = {};
-  file.result.counts = {};
-  EXPECT_THAT(excesses(file),
+  program.refused = false;
+  program.file.result.nativeCounts = {};
+  EXPECT_THAT(excesses(program),
               ElementsAre("no count is over its limit, but the card cannot hold it"));
-  file.result.counts.temporaries = 33;
-  file.result.underNativeLimits = true;
-  EXPECT_EQ(verdictOf(file), Verdict::Over); // its driver would refuse it
+}
+
+TEST(Verdict, OfWhatTheDriverRefuses) {
+  std::string text = "!!ARBfp1.0\nTEMP a;\nMOV a, fragment.color;\n";
+  for (int i = 0; i < 100; ++i)
+    text += "MOV a, a;\n";
+  const ReportedProgram program = programOf("x", text + "MOV result.color, a;\nEND");
+  EXPECT_TRUE(program.refused);
+  EXPECT_EQ(program.verdict, Verdict::Over); // though little is left for the card
+  EXPECT_THAT(excesses(program), testing::Contains(HasSubstr("ALU instructions")));
+  text = "!!ARBfp1.0\nOPTION ARB_fog_linear;\nTEMP a;\nMOV a, fragment.color;\n";
+  for (int i = 0; i < 60; ++i)
+    text += "MOV a, a;\n";
+  EXPECT_THAT(excesses(programOf("x", text + "ADD a, a, a;\nMOV result.color, a;\nEND")),
+              ElementsAre(HasSubstr("refused: more than 62 ALU instructions (64 less 2")));
+  EXPECT_FALSE(programOf("x", text + "MOV result.color, q;\nEND").refused);
+  EXPECT_EQ(programOf("x", text + "MOV result.color, q;\nEND").verdict, Verdict::Invalid);
 }
 
 TEST(Page, TheLargestReasonsOfWhatDoesNotFit) {
@@ -247,7 +263,7 @@ TEST(Page, TheLargestReasonsOfWhatDoesNotFit) {
   html = html.substr(0, html.find("<h2>Program by program"));
   EXPECT_THAT(html, HasSubstr("<li>ALU instructions: 1 small 3</li>"));
   EXPECT_THAT(html, Not(HasSubstr("small 4")));
-  EXPECT_THAT(html, HasSubstr("and 6 smaller reasons, <a href=\"#p1\">in its section</a>"));
+  EXPECT_THAT(html, HasSubstr("and 6 more reasons, <a href=\"#p1\">in its section</a>"));
   EXPECT_THAT(html, Not(HasSubstr("TEX indirections: ")));
 }
 
@@ -260,7 +276,7 @@ TEST(Page, ASetOfEveryVerdict) {
   ReportedProgram &lost = set.programs.emplace_back();
   lost.file.name = lost.file.fault = "lost.fp: gone";
   lost.file.status = FileStatus::Unreadable;
-  lost.verdict = verdictOf(lost.file);
+  lost.verdict = verdictOf(lost);
   const std::string html = reportPage(set);
   EXPECT_THAT(html, HasSubstr("<h1>Programs of a&lt;b</h1>"));
   EXPECT_THAT(html, HasSubstr("<tr data-s=\"does not fit\"><td><a href=\"#p1\">water.fp</a>"));

@@ -76,7 +76,7 @@ std::string Section::links(const std::vector<std::uint32_t> &instructions) const
 std::string Section::summary() const {
   std::string html =
       "<summary><h3>" + escaped(m_file.name) + "</h3> " + verdictMark(m_program.verdict);
-  for (const std::string &excess : excesses(m_file))
+  for (const std::string &excess : excesses(m_program))
     html += "; " + excess;
   return html + "</summary>\n";
 }
@@ -220,25 +220,32 @@ std::string lineLinks(const ProgramSet &set, std::size_t index,
   return Section(set, index).links(instructions);
 }
 
-std::vector<std::string> excesses(const CheckedFile &file) {
+std::vector<std::string> excesses(const ReportedProgram &program) {
+  const CheckedFile &file = program.file;
   std::vector<std::string> texts;
-  if (!file.counted())
+  if (program.verdict != Verdict::Over)
     return texts;
   for (const ResourceRow &row : resourceRows()) {
     const std::uint32_t used = file.result.nativeCounts.*row.member;
     const std::uint32_t limit = file.limits.native.*row.member;
     const std::uint32_t apiUsed = file.result.counts.*row.member;
     const std::uint32_t apiLimit = file.limits.api.*row.member;
-    if (!row.of(file.language) || (used <= limit && apiUsed <= apiLimit))
+    const bool overApi = program.refused && apiUsed > apiLimit;
+    if (!row.of(file.language) || (used <= limit && !overApi))
       continue;
     std::string text = row.title;
     if (used > limit)
       text += " " + number(used) + " of " + number(limit);
-    if (apiUsed > apiLimit)
+    if (overApi)
       text += " (by the API " + number(apiUsed) + " of " + number(apiLimit) + ")";
     texts.push_back(std::move(text));
   }
-  if (texts.empty() && !file.result.underNativeLimits)
+  if (!texts.empty())
+    return texts;
+  // What an option takes off a limit is in no count, but in what the check said of it.
+  if (program.refused && !file.result.diagnostics.empty())
+    texts.push_back("refused: " + escaped(file.result.diagnostics[0].message));
+  else
     texts.emplace_back("no count is over its limit, but the card cannot hold it");
   return texts;
 }

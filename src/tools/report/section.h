@@ -17,8 +17,8 @@ namespace arbiter::tools {
                                     const std::vector<std::uint32_t> &instructions);
 
 /// "ALU instructions 70 of 64 (by the API 68 of 64)" for each limit that it is over; empty if it
-/// fits.
-[[nodiscard]] std::vector<std::string> excesses(const CheckedFile &file);
+/// fits. The API's are named where they refuse it. HTML.
+[[nodiscard]] std::vector<std::string> excesses(const ReportedProgram &program);
 
 /// A folded section with all that is known of the program: gauges, reasons, nodes, chain, cycles,
 /// source with costs and diagnostics, disassembly, and of a capture what it was drawn with. Any
