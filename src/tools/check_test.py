@@ -383,6 +383,10 @@ class Compare(Temporary):
             result = check('--compare', *words)
             self.assertEqual(result.returncode, 1, words)
             self.assertIn('two files, or one file and --profile twice', result.stderr)
+        for option in ('--why', '--brief'):
+            result = check('--compare', option, path, path)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(f'{option} excludes --compare', result.stderr)
         result = check('--profile', 'r300', '--profile', 'nv30', path)
         self.assertEqual(result.returncode, 1)
         self.assertIn('--profile twice is for --compare', result.stderr)

@@ -56,11 +56,15 @@ void addCheck(CLI::App &app, CheckArguments &check) {
       ->capture_default_str();
   addLanguage(*command, check.language);
   command->add_flag("--json", check.json, "one JSON document for all files");
-  command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
-  command->add_flag("--why", check.why,
-                    "every reason, texture node, dependent read and cost, for every file");
-  command->add_flag("--compare", check.compare,
-                    "two files side by side, or one under two profiles (--profile twice)");
+  CLI::Option *brief =
+      command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
+  CLI::Option *why = command->add_flag(
+      "--why", check.why, "every reason, texture node, dependent read and cost, for every file");
+  command
+      ->add_flag("--compare", check.compare,
+                 "two files side by side, or one under two profiles (--profile twice)")
+      ->excludes(brief)
+      ->excludes(why);
   command
       ->add_option("--gauges", check.gauges,
                    "auto: blocks on a UTF-8 terminal; always: into a file too, and a table for "
