@@ -72,18 +72,17 @@ Json ofCompiler(const View &view, const fp::Diagnostic &diagnostic) {
 fp::Span header(const View &view) { return view.document.map().line(0); }
 
 /// Why a resource is over its limit, at the first of the instructions that make it so; the others
-/// are related.
+/// are related. What many instructions share is said of the program.
 Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string &over) {
   const auto &code = view.analysis.inspection.check.program->code;
   const auto spanOf = [&](std::uint32_t at) {
     return at < code.size() ? code[at].span : header(view);
   };
-  const fp::Span first =
-      reason.instructions.empty() ? header(view) : spanOf(reason.instructions[0]);
-  Json json = made(view, first, kWarning, "over-native",
-                   reason.text + " (" + std::to_string(reason.amount) + " of it)\n" + over);
+  const bool whole = reason.instructions.empty() || reason.instructions.size() > kMaxPlaces;
+  Json json = made(view, whole ? header(view) : spanOf(reason.instructions[0]), kWarning,
+                   "over-native", reason.text + ": " + std::to_string(reason.amount) + over);
   Json places = Json::array();
-  for (std::size_t i = 1; i < std::min(reason.instructions.size(), kMaxPlaces); ++i)
+  for (std::size_t i = whole ? 0 : 1; i < std::min(reason.instructions.size(), kMaxPlaces); ++i)
     places.push_back(related(view, spanOf(reason.instructions[i]), reason.text));
   if (!places.empty())
     json["relatedInformation"] = std::move(places);
@@ -92,16 +91,18 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
 
 void addNative(const View &view, Json &all) {
   const fp::hw::NativeReport &native = view.analysis.native;
-  const fp::ResourceCounts &limits = view.analysis.limits.native;
   std::size_t reasons = 0;
   for (const ResourceRow &row : resourceRows()) {
     const std::uint32_t used = native.counts.*row.member;
-    if (!row.of(view.analysis.language) || used <= limits.*row.member)
+    const std::uint32_t limit = view.analysis.limits.native.*row.member;
+    if (!row.of(view.analysis.language) || used <= limit)
       continue;
-    const std::string over = "over the native limit of " + view.profile.name + ": " +
-                             std::to_string(used) + " of " + std::to_string(limits.*row.member) +
-                             " " + row.title;
-    all.push_back(made(view, header(view), kWarning, "over-native", over));
+    all.push_back(made(view, header(view), kWarning, "over-native",
+                       "over the native limit of " + view.profile.name + ": " +
+                           std::to_string(used) + " of " + std::to_string(limit) + " " +
+                           row.title));
+    const std::string over = " of the " + std::to_string(used) + " " + row.title + ", where " +
+                             view.profile.name + " has " + std::to_string(limit);
     for (const fp::hw::Reason &reason : native.reasons)
       if (reason.resource == row.member && reasons++ < kMaxReasons)
         all.push_back(ofReason(view, reason, over));

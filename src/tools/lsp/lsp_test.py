@@ -299,6 +299,10 @@ class Diagnostics(Session):
         self.assertEqual({d['severity'] for d in over}, {2})
         self.assertIn('5 of 4 TEX indirections', over[0]['message'])
         self.assertEqual(over[0]['range']['start']['line'], 0)
+        # The last node begins at the fifth sample, and the reason names what it waits for.
+        last = over[-1]
+        self.assertEqual(last['range']['start'], {'line': 10, 'character': 0})
+        self.assertRegex(last['message'], 'TEX reads a, which MUL wrote in node 4')
 
     def test_the_profile_can_change(self):
         long_one = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
@@ -371,7 +375,10 @@ class Hover(Session):
         for piece in ('MUL[_SAT] result, a, b', 'product', 'result = a*b',
                       'ARB_fragment_program 3.11.5.19'):
             self.assertIn(piece, text)
-        self.assertIn('TEX[_SAT] result, a, texture[n], target', self.hover(PROGRAM, 'TEX '))
+        self.assertRegex(text, 'alone on r300: 1 slot\n')
+        text = self.hover(PROGRAM, 'TEX ')
+        self.assertIn('TEX[_SAT] result, a, texture[n], target', text)
+        self.assertRegex(text, 'alone on r300: 1 TEX\n')
 
     def test_bindings(self):
         self.client.open(URI, PROGRAM)
@@ -604,12 +611,20 @@ class Inlay(Session):
         self.assertIn('1/4 TEX indirections', found[0]['label'])
 
     def test_lines(self):
-        """Where the profile has a model, each line of an instruction says what it takes."""
         self.client.open(URI, PROGRAM)
-        lines = {hint['position']['line'] for hint in self.hints()[1:]}
-        self.assertIn(lines, (set(), {8, 9, 10, 11}))
+        found = {hint['position']['line']: hint['label'] for hint in self.hints()[1:]}
+        self.assertEqual(list(found), [8, 9, 10, 11])
+        self.assertEqual(found[8], '1 TEX')
+        self.assertIn('slot', found[10])
+        # A card of which only the limits are known has totals alone.
+        self.client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'host'}})
+        self.client.diagnostics(URI)
+        self.assertEqual(len(self.hints()), 1)
+
+    def test_of_a_range(self):
+        self.client.open(URI, PROGRAM)
         part = {'start': {'line': 9, 'character': 0}, 'end': {'line': 10, 'character': 0}}
-        self.assertLessEqual({hint['position']['line'] for hint in self.hints(part)}, {9, 10})
+        self.assertEqual([hint['position']['line'] for hint in self.hints(part)], [9, 10])
 
     def test_none_for_a_text_that_does_not_load(self):
         self.client.open(URI, PROGRAM.replace('END', ''))

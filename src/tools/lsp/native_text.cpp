@@ -11,14 +11,16 @@ namespace {
 
 /// A program of one instruction, whose operands are attributes of their own.
 std::string programOf(const fp::ir::OpInfo &op, bool vertex) {
-  std::string text = vertex ? "!!ARBvp1.0\nADDRESS A0;\n" : "!!ARBfp1.0\n";
+  // A sample goes to a temporary: the way from there to a result is a slot of its own.
+  const bool sample = op.has(fp::ir::Texture);
+  std::string text = vertex ? "!!ARBvp1.0\nADDRESS A0;\n" : "!!ARBfp1.0\nTEMP t;\n";
   text += op.mnemonic;
   if (op.has(fp::ir::Kills))
     text += " ";
   else if (std::string_view(op.mnemonic) == "ARL")
     text += " A0.x, ";
   else
-    text += vertex ? " result.texcoord, " : " result.color, ";
+    text += vertex ? " result.texcoord, " : sample ? " t, " : " result.color, ";
   for (int i = 0; i < op.operandCount(); ++i) {
     text += i > 0 ? ", " : "";
     text += (vertex ? "vertex.texcoord[" : "fragment.texcoord[") + std::to_string(i) + "]";
@@ -26,8 +28,8 @@ std::string programOf(const fp::ir::OpInfo &op, bool vertex) {
   }
   if (std::string_view(op.mnemonic) == "SWZ")
     text += ", y, -x, 0, 1";
-  if (op.has(fp::ir::Texture))
-    text += ", texture[0], 2D";
+  if (sample)
+    text += ", texture[0], 2D;\nMOV result.color, t";
   return text + ";\nEND\n";
 }
 
