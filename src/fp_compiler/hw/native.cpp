@@ -1,6 +1,7 @@
 #include "fp_compiler/hw/native.h"
 
 #include "fp_compiler/hw/cycles.h"
+#include "fp_compiler/hw/dataflow.h"
 #include "fp_compiler/hw/i915/i915.h"
 #include "fp_compiler/hw/nv30/nv30.h"
 #include "fp_compiler/hw/r300/compile.h"
@@ -122,7 +123,9 @@ NativeReport explainNative(const ir::Program &program, const ResourceCounts &api
   case NativeModel::Documented:
     break;
   }
-  return reportOf(NativeModel::Documented, countNative(program, api, limits));
+  NativeReport report = reportOf(NativeModel::Documented, countNative(program, api, limits));
+  report.chain = longestChain(program, dataflowOf(program)); // whatever the card
+  return report;
 }
 
 } // namespace arbiter::fp::hw

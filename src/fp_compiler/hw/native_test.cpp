@@ -370,6 +370,15 @@ TEST(Models, CountsAreThoseOfTheReportOnRandomPrograms) {
   }
 }
 
+TEST(Models, TheChainNeedsNone) {
+  const NativeReport report =
+      explained("host", "TEX r, a, texture[0], 2D; MUL r, r, k; TEX o, r, texture[1], 2D;");
+  EXPECT_EQ(report.model, NativeModel::Documented);
+  EXPECT_EQ(report.chain, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_TRUE(report.costs.empty());
+  EXPECT_TRUE(report.cycles.bound.empty());
+}
+
 TEST(Models, AListingNamesTheLines) {
   const std::string text =
       "!!ARBfp1.0\nTEMP r;\nTEX r, fragment.texcoord[0].yxzw, texture[0], 2D;\n"
