@@ -4,6 +4,7 @@
 
 #include "fp_compiler/ati/lower.h"
 #include "fp_compiler/hw/r300/legality.h"
+#include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
@@ -135,6 +136,21 @@ TEST(R300Compile, AtiShadersAreLegal) {
     program.options.fog = ir::FogMode(seed / 2 % 4);
     expectLegal(program, {}, seed);
   }
+}
+
+// Nothing may take the square of a program's length: 20,000 statements are a quarter of a second.
+TEST(R300Compile, LongProgramsAreCompiledWhole) {
+  constexpr int kStatements = 20000;
+  ir::Builder builder;
+  const ir::Source coordinate = builder.attribute(ir::AttributeKind::TexCoord, 0);
+  const ir::Target sum = builder.temporary();
+  builder.op(ir::Opcode::Mov, sum, {coordinate});
+  for (int i = 0; i < kStatements; ++i)
+    builder.op(ir::Opcode::Max, sum, {sum.read(), coordinate.swz("yzxw")});
+  builder.op(ir::Opcode::Mov, builder.color(), {sum.read()});
+  const Code code = compile(builder.program(), {});
+  EXPECT_EQ(code.pairs.size(), std::size_t(kStatements));
+  EXPECT_EQ(code.nodes.size(), 1u);
 }
 
 TEST(R300Compile, AnEmptyProgramIsOneNodeWithOneIdlePair) {

@@ -26,7 +26,7 @@ std::uint16_t Rows::add(const Constant &constant, std::uint8_t filled, bool know
 std::uint16_t Rows::parameter(std::uint16_t index, std::uint16_t origin) {
   if (m_ofParameter[index] != kNone)
     return m_ofParameter[index];
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     if (m_rows[i].constant.kind == Constant::Kind::Parameter && !m_rows[i].known &&
         same(m_program.parameters[m_rows[i].constant.index], m_program.parameters[index]))
       return m_ofParameter[index] = std::uint16_t(i);
@@ -34,7 +34,7 @@ std::uint16_t Rows::parameter(std::uint16_t index, std::uint16_t origin) {
 }
 
 std::uint16_t Rows::own(Constant::Kind kind, std::uint16_t index, std::uint16_t origin) {
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     if (m_rows[i].constant.kind == kind && m_rows[i].constant.index == index)
       return std::uint16_t(i);
   return add({kind, index, {}, origin}, 0xF, false);
@@ -100,7 +100,7 @@ bool Rows::place(Row &row, const Refs &literals, std::uint8_t components, Place 
 
 Rows::Place Rows::rgb(const Refs &literals, std::uint8_t components, std::uint16_t origin) {
   Place result;
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     if (find(m_rows[i], literals, components, result)) {
       result.row = std::uint16_t(i);
       return result;
@@ -122,7 +122,7 @@ Rows::Place Rows::rgb(const Refs &literals, std::uint8_t components, std::uint16
       return result;
     }
   }
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     if (place(m_rows[i], literals, components, result)) {
       result.row = std::uint16_t(i);
       return result;
@@ -147,15 +147,15 @@ Rows::Place Rows::at(const Refs &literals, std::uint8_t components, std::uint8_t
     }
     return true;
   };
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     for (const bool negate : {false, true})
       if (holds(m_rows[i], negate, false))
         return {std::uint16_t(i), select, negate};
   std::size_t chosen = 0;
-  while (chosen < m_rows.size() && !holds(m_rows[chosen], false, true))
+  while (chosen < searched() && !holds(m_rows[chosen], false, true))
     ++chosen;
-  if (chosen == m_rows.size())
-    (void)add({Constant::Kind::Value, 0, {}, origin}, 0, true);
+  if (chosen == searched())
+    chosen = add({Constant::Kind::Value, 0, {}, origin}, 0, true);
   for (std::size_t c = 0; c < 3; ++c)
     if (components >> c & 1) {
       m_rows[chosen].constant.value[kTaps[select][c]] = literals[c].value;
@@ -178,13 +178,13 @@ Rows::Place Rows::alpha(const Ref &literal, std::uint16_t origin) {
           }
     return false;
   };
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     if (within(i))
       return result;
   if (literal.index != kNone && m_ofParameter[literal.index] == kNone &&
       within(known(std::uint16_t(literal.index), origin)))
     return result;
-  for (std::size_t i = 0; i < m_rows.size(); ++i)
+  for (std::size_t i = 0; i < searched(); ++i)
     for (const std::uint8_t c : {3, 0, 1, 2})
       if (m_rows[i].constant.kind == Constant::Kind::Value && !(m_rows[i].filled >> c & 1)) {
         m_rows[i].constant.value[c] = literal.value;

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "fp_compiler/hw/r300/flow.h"
 
 /// Constant memory while it is being collected: equal rows are one, and numbers are found in any
@@ -31,6 +33,8 @@ public:
            std::uint16_t origin);
 
 private:
+  /// Beyond these nothing is looked for: a program with so many is far from fitting.
+  [[nodiscard]] std::size_t searched() const { return std::min<std::size_t>(m_rows.size(), 256); }
   bool find(const Row &row, const Refs &literals, std::uint8_t components, Place &place) const;
   bool place(Row &row, const Refs &literals, std::uint8_t components, Place &place) const;
   std::uint16_t add(const Constant &constant, std::uint8_t filled, bool known);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
 #include "fp_compiler/hw/r300/move.h"
 
@@ -22,6 +23,9 @@ public:
   }
 
 private:
+  static constexpr std::size_t kWindow = 64;
+  static constexpr std::uint64_t kIdMask = 0xFFFFFFF;
+
   struct Edge {
     ItemId from, to;
     bool reads; ///< false: `to` overwrites what `from` reads, so that both may be TEX of a node
@@ -120,32 +124,46 @@ private:
       ++m_waitingFor[state.deadline];
     }
     m_waitingFor.resize(m_last + 1);
-    for (ItemId id = 0; id < m_flow.items.size(); ++id)
-      if (m_flow.items[id].live && m_flow.items[id].isAlu() && m_states[id].waiting == 0)
-        m_ready.push_back(id);
+    for (ItemId id = 0; id < m_flow.items.size(); ++id) {
+      const Item &item = m_flow.items[id];
+      if (item.live && item.isAlu() && m_states[id].waiting == 0)
+        queue(id);
+      else if (item.live && isTexture(id))
+        m_textures.push_back(id);
+    }
+    std::stable_sort(m_textures.begin(), m_textures.end(),
+                     [this](ItemId a, ItemId b) { return m_states[a].level < m_states[b].level; });
   }
 
   void release(ItemId id) {
     forEachEdge(id, [&](const Edge &edge) {
       if (--m_states[edge.to].waiting == 0 && !isTexture(edge.to))
-        m_released.push_back(edge.to);
+        queue(edge.to);
     });
   }
-  void takeReleased() {
-    m_ready.insert(m_ready.end(), m_released.begin(), m_released.end());
-    m_released.clear();
+
+  void queue(ItemId id) {
+    m_queue.push_back(key(id));
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<>());
+  }
+  /// What may be chosen next; a bound keeps long programs from taking the square of their length.
+  void refill() {
+    for (; !m_queue.empty() && m_ready.size() < kWindow; m_queue.pop_back()) {
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<>());
+      m_ready.push_back(ItemId(m_queue.back() & kIdMask));
+    }
   }
 
   void fill(std::uint32_t index) {
     Node node;
     node.firstTexture = std::uint32_t(m_plan.textures.size());
     node.firstPair = std::uint32_t(m_plan.slots.size());
-    for (ItemId id = 0; id < m_flow.items.size(); ++id)
-      if (m_flow.items[id].live && isTexture(id) && m_states[id].level == index) {
-        m_plan.textures.push_back(id);
-        release(id);
-      }
-    takeReleased();
+    for (; m_nextTexture < m_textures.size() && m_states[m_textures[m_nextTexture]].level == index;
+         ++m_nextTexture) {
+      m_plan.textures.push_back(m_textures[m_nextTexture]);
+      release(m_textures[m_nextTexture]);
+    }
+    refill();
     while (m_waitingFor[index] > 0)
       slot();
     // The last operations of a program may all be overdue; a node without any takes what there is.
@@ -159,7 +177,8 @@ private:
   /// Lower goes first: by deadline, by the longest way, by the program's order.
   [[nodiscard]] std::uint64_t key(ItemId id) const {
     const State &state = m_states[id];
-    return std::uint64_t(state.deadline) << 48 | std::uint64_t(0xFFFFF - state.height) << 28 | id;
+    return std::uint64_t(std::min(state.deadline, 0xFFFFu)) << 48 |
+           std::uint64_t(0xFFFFF - std::min(state.height, 0xFFFFFu)) << 28 | (id & kIdMask);
   }
 
   void take(std::size_t at) {
@@ -192,7 +211,7 @@ private:
       partner(id, slot);
     }
     m_plan.slots.push_back(slot);
-    takeReleased();
+    refill();
   }
 
   /// Changes the unit of an operation that has not been placed before.
@@ -275,7 +294,10 @@ private:
   std::vector<std::uint8_t> m_movable;
   std::vector<Edge> m_edges;
   std::vector<std::uint32_t> m_waitingFor; ///< operations left, by deadline
-  std::vector<ItemId> m_ready, m_released;
+  std::vector<ItemId> m_ready;             ///< the best of what waits for nothing
+  std::vector<std::uint64_t> m_queue;      ///< the rest: a heap of keys, lowest first
+  std::vector<ItemId> m_textures;          ///< by level
+  std::size_t m_nextTexture = 0;
   std::uint32_t m_last = 0;
   Plan m_plan;
 };
