@@ -32,6 +32,14 @@ bool Emitter::literalLike(const Refs &refs, std::uint8_t components, const FlowA
   const bool alpha = components == 8;
   if (std::has_single_bit(components) && like.bank == FlowArgument::Bank::Item)
     return false;
+  // A select that repeats a component has room for one number there.
+  for (std::size_t c = 1; c < 3 && !alpha; ++c)
+    for (std::size_t d = 0; d < c; ++d)
+      if ((components >> c & 1) && (components >> d & 1) &&
+          kTaps[like.select][c] == kTaps[like.select][d] &&
+          std::bit_cast<std::uint32_t>(refs[c].value) !=
+              std::bit_cast<std::uint32_t>(refs[d].value))
+        return false;
   Refs values = refs;
   values[0] = alpha ? refs[3] : refs[0];
   const Rows::Place place = m_rows.at(values, alpha ? std::uint8_t(1) : components,
