@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace arbiter::fp::hw::r300 {
@@ -361,7 +362,9 @@ void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<cons
   item.alpha = AlphaOp::None;
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (!take(operands[i], components, item.rgbArguments[i], true)) {
-      // Two arguments together may ask for joins that each could have had alone.
+      // Two arguments together may ask for joins that each could have had alone. One component
+      // always can be read.
+      assert(!std::has_single_bit(components));
       for (std::uint8_t bit = 1; bit < 8; bit = std::uint8_t(bit << 1))
         if (components & bit)
           rgbPhase(like, bit, operands, home, result);

@@ -99,6 +99,9 @@ private:
   Value dotResult(const Item &item, std::uint8_t mask, bool home);
   Value replicated(Item item, std::uint8_t mask, bool home);
 
+  bool spread(const Ref &scalar, std::uint8_t components, Refs &result);
+  Refs plainCoordinate(std::uint8_t components, const Value &value);
+
   [[nodiscard]] Item like(RgbOp rgb, AlphaOp alpha, const How &how) const;
   ItemId add(Item item, std::uint8_t mask, bool home);
   void avoidHazard(const Item &item);

@@ -4,8 +4,7 @@
 
 namespace arbiter::fp::hw::r300 {
 
-namespace {
-AlphaOp other(RgbOp op) {
+AlphaOp otherUnit(RgbOp op) {
   switch (op) {
   case RgbOp::Mad:
     return AlphaOp::Mad;
@@ -28,7 +27,7 @@ AlphaOp other(RgbOp op) {
   return AlphaOp::None;
 }
 
-RgbOp other(AlphaOp op) {
+RgbOp otherUnit(AlphaOp op) {
   switch (op) {
   case AlphaOp::Mad:
     return RgbOp::Mad;
@@ -53,6 +52,7 @@ RgbOp other(AlphaOp op) {
   return RgbOp::None;
 }
 
+namespace {
 constexpr std::uint8_t kConstants = std::uint8_t(RgbSelect::Zero) - std::uint8_t(AlphaSelect::Zero);
 
 /// Marks what \p reader reads together with something else.
@@ -90,9 +90,9 @@ std::vector<std::uint8_t> movableItems(const Flow &flow) {
       continue;
     std::uint8_t &count = writers[flow.parent[id]];
     count = count < 2 ? std::uint8_t(count + 1) : count;
-    const bool scalar = item.kind == Item::Kind::Rgb
-                            ? other(item.rgb) != AlphaOp::None
-                            : item.kind == Item::Kind::Alpha && other(item.alpha) != RgbOp::None;
+    const bool scalar = item.kind == Item::Kind::Rgb ? otherUnit(item.rgb) != AlphaOp::None
+                                                     : item.kind == Item::Kind::Alpha &&
+                                                           otherUnit(item.alpha) != RgbOp::None;
     movable[id] = scalar && std::has_single_bit(item.mask) && item.outputMask == 0 && !item.depth &&
                   item.presubtract == Presubtract::None;
   }
@@ -121,7 +121,7 @@ Item moved(const Item &item) {
         to.source[0] = from.source[component];
     }
     result.kind = Item::Kind::Alpha;
-    result.alpha = other(item.rgb);
+    result.alpha = otherUnit(item.rgb);
     result.rgb = RgbOp::None;
     result.mask = 8;
     return result;
@@ -137,7 +137,7 @@ Item moved(const Item &item) {
       to.source.fill(from.source[0]);
   }
   result.kind = Item::Kind::Rgb;
-  result.rgb = other(item.alpha);
+  result.rgb = otherUnit(item.alpha);
   result.alpha = AlphaOp::None;
   result.mask = 1;
   return result;

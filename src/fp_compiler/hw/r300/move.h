@@ -5,6 +5,10 @@
 /// it read nothing but it: the RGB one in x, the alpha one in w.
 namespace arbiter::fp::hw::r300 {
 
+/// The same operation of the other unit; None where it has none.
+[[nodiscard]] AlphaOp otherUnit(RgbOp op);
+[[nodiscard]] RgbOp otherUnit(AlphaOp op);
+
 /// For each item whether it may change the unit. Requires: prune().
 [[nodiscard]] std::vector<std::uint8_t> movableItems(const Flow &flow);
 

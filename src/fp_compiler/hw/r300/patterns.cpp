@@ -2,10 +2,9 @@
 
 #include "fp_compiler/hw/r300/emitter.h"
 #include "fp_compiler/hw/r300/pack.h"
-#include "fp_compiler/ir/reads.h"
 
 /// Operations that are more than one component at a time: dot products, comparisons and
-/// interpolations on presubtracted sources, texture accesses.
+/// interpolations on presubtracted sources.
 namespace arbiter::fp::hw::r300 {
 
 namespace {
@@ -351,85 +350,6 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
       }
   }
   return dotResult(item, mask, home);
-}
-
-Refs Emitter::interpolant(std::uint16_t attribute) {
-  Item item;
-  item.kind = Item::Kind::Interpolant;
-  item.attribute = attribute;
-  const ItemId id = add(item, 0xF, false);
-  Refs refs;
-  for (std::uint8_t c = 0; c < 4; ++c)
-    refs[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
-  return refs;
-}
-
-Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t coordinates,
-                      const Value &coordinate, std::uint8_t mask, bool home) {
-  Refs plain = {};
-  std::uint8_t bad = 0;
-  for (std::size_t c = 0; c < 4; ++c) {
-    if (!(coordinates >> c & 1))
-      continue;
-    const auto fits = [c](const Ref &ref) {
-      return ref.kind == Ref::Kind::Item && !ref.negate && !ref.absolute && ref.component == c;
-    };
-    if (fits(coordinate.through[c]))
-      plain[c] = coordinate.through[c];
-    else if (fits(coordinate.direct[c]))
-      plain[c] = coordinate.direct[c];
-    else
-      bad |= std::uint8_t(1 << c);
-  }
-  const auto joined = [&] {
-    std::array<Ref, 4> all;
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < 4; ++c)
-      if (coordinates >> c & 1)
-        all[count++] = plain[c];
-    return join({all.data(), count}, true);
-  };
-  How own;
-  own.cause = Cause::TextureOperand;
-  const auto copied = [&](std::uint8_t components) {
-    const Value fresh = copy(components, coordinate, own);
-    for (std::size_t c = 0; c < 4; ++c)
-      if (components >> c & 1)
-        plain[c] = fresh.direct[c];
-  };
-  if (bad)
-    copied(bad);
-  if (!joined()) {
-    copied(coordinates);
-    (void)joined();
-  }
-  Item item = like(RgbOp::None, AlphaOp::None, {});
-  item.kind = Item::Kind::Texture;
-  item.texture = op;
-  item.unit = instruction.unit;
-  item.target = instruction.target;
-  for (std::size_t c = 0; c < 3; ++c)
-    if (coordinates >> c & 1)
-      item.rgbArguments[0].source[c] = plain[c].index;
-  if (coordinates & 8)
-    item.alphaArguments[0].source[0] = plain[3].index;
-  Refs result = {};
-  if (op == TexOp::Kill) {
-    (void)add(item, 0, false);
-    return result;
-  }
-  const ItemId id = add(item, mask, home);
-  // The whole register is written, wanted or not.
-  for (std::uint8_t c = 0; c < 4; ++c) {
-    result[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
-    Item &sample = m_flow.items[id];
-    if (!(mask >> c & 1)) {
-      sample.home[c] = m_flow.homes[id][c] = m_nextHome++;
-      sample.mask |= std::uint8_t(1 << c);
-      m_flow.versions[id][c] = 1;
-    }
-  }
-  return result;
 }
 
 } // namespace arbiter::fp::hw::r300
