@@ -156,7 +156,7 @@ int check(const CheckArguments &arguments) {
   }
   const int code =
       arguments.compare ? compareTwo(arguments, profiles) : checkAll(arguments, profiles[0]);
-  if (std::fflush(stdout) != 0) {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     complain("standard output cannot be written");
     return kExitUsage;
   }

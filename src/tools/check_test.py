@@ -183,6 +183,25 @@ arbiter: none.fp: No such file or directory
         self.assertEqual([file['status'] for file in document['files']], ['unreadable', 'valid'])
         self.assertEqual(document['summary']['unreadable'], 1)
 
+    def test_the_folder_of_a_capture(self):
+        for name, text in (('0123.fp', GOOD), ('0123.fp.glsl', '#version 120\n'),
+                           ('0123.fp.shader_test', '[require]\n\n[fragment program]\n' + GOOD),
+                           ('45.vp', VERTEX), ('67.atifs', ATI), ('index.json', '{}'),
+                           ('index.html', '<html>')):
+            self.path('game.capture/' + name, text)
+        files = json.loads(check('--json', self.folder / 'game.capture').stdout)['files']
+        self.assertEqual([pathlib.Path(file['file']).name for file in files],
+                         ['0123.fp', '45.vp', '67.atifs'])
+
+    def test_a_full_disk_is_no_success(self):
+        self.path('good.fp', GOOD)
+        with open('/dev/full', 'w') as full:
+            for words in (('--json', *[self.folder] * 200), (self.folder,)):
+                result = subprocess.run([ARBITER, 'check', *words], stdout=full, text=True,
+                                        stderr=subprocess.PIPE, env=environment(), timeout=60)
+                self.assertEqual(result.returncode, 1)
+                self.assertEqual(result.stderr, 'arbiter: standard output cannot be written\n')
+
     def test_names_that_are_not_text(self):
         odd = os.fsencode(self.folder) + b'/\xff\x1b[2J.fp'
         with open(odd, 'w') as file:
