@@ -95,7 +95,8 @@ private:
         continue;
       Item folded = item;
       if ((copied(folded, std::size_t(i), inner) || product(folded, std::size_t(i), inner) ||
-           presubtracted(folded, std::size_t(i), inner)) &&
+           presubtracted(folded, std::size_t(i), inner) ||
+           expanded(folded, std::size_t(i), inner)) &&
           packsAlone(m_flow, folded)) {
         m_flow.items[id] = folded;
         m_flow.items[inner].live = false;
@@ -245,6 +246,62 @@ private:
     return true;
   }
 
+  /// Whether all that the item reads through \p argument is 2 in constant memory.
+  bool isTwo(const Item &item, const FlowArgument &argument) const {
+    if (argument.bank != Bank::Row || !m_flow.rows[argument.source[0]].known)
+      return false;
+    const ir::Vec4 &row = m_flow.rows[argument.source[0]].constant.value;
+    if (item.kind == Item::Kind::Alpha)
+      return row[argument.select] == 2.0f;
+    const std::uint8_t components = rgbComponents(item);
+    for (std::size_t c = 0; c < 3; ++c)
+      if ((components >> c & 1) && row[kTaps[argument.select][c]] != 2.0f)
+        return false;
+    return true;
+  }
+
+  /// x*2 - 1: how the numbers of a texture get their sign back. A zero may change its own.
+  bool expanded(Item &item, std::size_t index, ItemId id) const {
+    const Item &inner = m_flow.items[id];
+    const auto &list = arguments(inner);
+    if (!isMad(inner) || inner.modifier != Modifier::One ||
+        inner.presubtract != Presubtract::None || item.presubtract != Presubtract::None ||
+        !isConstant(inner, list[2], kOne))
+      return false;
+    const std::size_t two = isTwo(inner, list[0]) ? 0 : 1;
+    if (!isTwo(inner, list[two]))
+      return false;
+    FlowArgument &outer = arguments(item)[index];
+    FlowArgument x;
+    if (!composed(item, outer, list[1 - two], x))
+      return false;
+    x.negate ^= list[two].negate;
+    if (!isPlain(item, x) || x.negate == list[2].negate)
+      return false;
+    item.presubtract = Presubtract::OneMinusTwoS0;
+    item.presubtracted[0] = x;
+    takeResult(outer, x.select, list[2].negate);
+    return true;
+  }
+
+  /// A presubtract takes colours in their places or one component, and no magnitudes.
+  static bool isPlain(const Item &item, const FlowArgument &source) {
+    if (source.bank == Bank::None || source.absolute)
+      return false;
+    return item.kind == Item::Kind::Alpha ? source.select == std::uint8_t(AlphaSelect::W)
+                                          : source.select <= std::uint8_t(RgbSelect::Zzz);
+  }
+
+  /// The argument becomes the presubtract result, with the sign under its own.
+  static void takeResult(FlowArgument &argument, std::uint8_t select, bool negate) {
+    FlowArgument result;
+    result.presubtracted = true;
+    result.select = select;
+    result.absolute = argument.absolute;
+    result.negate = argument.negate ^ (negate && !argument.absolute);
+    argument = result;
+  }
+
   /// a + b or a - b before the arguments are selected.
   bool presubtracted(Item &item, std::size_t index, ItemId id) const {
     const Item &inner = m_flow.items[id];
@@ -262,20 +319,14 @@ private:
     x.negate ^= arguments(inner)[1 - factor].negate;
     if (isConstant(item, x, kOne))
       std::swap(x, y);
-    const std::uint8_t plain = item.kind == Item::Kind::Alpha ? std::uint8_t(AlphaSelect::W)
-                                                              : std::uint8_t(RgbSelect::Zzz);
-    const auto usable = [&](const FlowArgument &source) {
-      return source.bank != Bank::None && !source.absolute && source.select <= plain &&
-             (item.kind != Item::Kind::Alpha || source.select == plain);
-    };
     bool negate = false;
     if (isConstant(item, y, kOne)) {
-      if (!usable(x) || x.negate == y.negate)
+      if (!isPlain(item, x) || x.negate == y.negate)
         return false;
       item.presubtract = Presubtract::OneMinusS0;
       negate = y.negate;
     } else {
-      if (!usable(x) || !usable(y) || x.select != y.select)
+      if (!isPlain(item, x) || !isPlain(item, y) || x.select != y.select)
         return false;
       item.presubtract = x.negate == y.negate ? Presubtract::S1PlusS0 : Presubtract::S1MinusS0;
       // Source 1 is the one without a sign.
@@ -285,12 +336,7 @@ private:
       item.presubtracted[1] = y;
     }
     item.presubtracted[0] = x;
-    FlowArgument result;
-    result.presubtracted = true;
-    result.select = x.select;
-    result.absolute = outer.absolute;
-    result.negate = outer.negate ^ (negate && !outer.absolute);
-    outer = result;
+    takeResult(outer, x.select, negate);
     return true;
   }
 
