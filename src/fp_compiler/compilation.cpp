@@ -21,10 +21,10 @@ namespace arbiter::fp {
 FP_FIELDS(Span, begin, end)
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
-          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
-          model, rectangles)
+          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs, model,
+          rectangles)
 FP_FIELDS(CompileOptions, limits, policy)
-FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes)
+FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, bitEncoding)
 FP_FIELDS(GlslSampler, uniform, unit, target)
 FP_FIELDS(GlslUniform, parameter)
 FP_FIELDS(GlslAttribute, name, index)
@@ -71,13 +71,13 @@ Compilation compile(const CompilationInput &input, std::string_view text) {
   Compilation result;
   result.check = checkProgram(input.language, text, input.options);
   if (result.check.ok() && input.language != ir::Language::AtiFragment)
-    result.glsl = emitGlsl(*result.check.program, input.host);
+    result.glsl = emitGlsl(*result.check.program, input.host, input.numerics);
   return result;
 }
 
 std::string cacheKey(const CompilationInput &input, std::string_view text) {
   ArchiveWriter archive;
-  archive(input.language, input.options, input.host, text);
+  archive(input.language, input.options, input.host, input.numerics, text);
   return archive.take();
 }
 

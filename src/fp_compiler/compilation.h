@@ -21,6 +21,7 @@ struct CompilationInput {
   ir::Language language = ir::Language::ArbFragment;
   CompileOptions options;
   GlslHost host;
+  Numerics numerics = Numerics::Host; ///< of the emitted GLSL
 };
 
 /// checkProgram() and, if that went well and the language allows, emitGlsl().

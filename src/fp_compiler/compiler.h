@@ -69,8 +69,8 @@ struct GlslAttribute {
   std::uint8_t index = 0; ///< of vertex.attrib[]: 1 and up, as attribute 0 is gl_Vertex
 };
 
-/// A GLSL 1.20 shader of one stage. It can be linked alone, when the other stage is fixed function,
-/// or with the other stage's; the two share no names.
+/// A GLSL 1.20 shader of one stage. It can be linked alone, when the other stage is
+/// fixed function, or with the other stage's; the two share no names.
 struct GlslShader {
   std::string text;
   /// Element i of `uniform vec4 arb_vparam[N]` in a vertex shader, `arb_param[N]` in a fragment
@@ -91,11 +91,19 @@ struct GlslHost {
   /// for planes of clip space, as Mesa does. It costs the host an output a vertex, planes or not;
   /// a text that is drawn with every plane disabled can do without.
   bool clipPlanes = true;
+  /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
+  /// Numerics::Fp24 is written in.
+  bool bitEncoding = true;
 };
+
+/// The mode that a host can be given: Fp24 is Legacy where it lacks what that needs.
+[[nodiscard]] Numerics numericsOn(const GlslHost &host, Numerics asked);
 
 /// Optimises a copy of the program and writes it as GLSL. Requires a program that ir::validate()
 /// accepts; cannot fail on one.
-[[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {});
+/// \param numerics the mode that is asked for; numericsOn() and ir::numericsOf() are applied
+[[nodiscard]] GlslShader emitGlsl(const ir::Program &program, const GlslHost &host = {},
+                                  Numerics numerics = Numerics::Host);
 
 /// The pass pipeline of opt/ over the program, until nothing moves. The result means the same in
 /// that mode; in another one it may not.

@@ -1,12 +1,18 @@
 #include "fp_compiler/back/glsl/glsl.h"
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/ir/semantics.h"
 
 namespace arbiter::fp {
 
-GlslShader emitGlsl(const ir::Program &program, const GlslHost &host) {
+Numerics numericsOn(const GlslHost &host, Numerics asked) {
+  return asked == Numerics::Fp24 && !host.bitEncoding ? Numerics::Legacy : asked;
+}
+
+GlslShader emitGlsl(const ir::Program &program, const GlslHost &host, Numerics numerics) {
+  const Numerics followed = ir::numericsOf(program.language, numericsOn(host, numerics));
   ir::Program optimised = program;
-  optimise(optimised);
-  return glsl::emit(optimised, host);
+  optimise(optimised, followed);
+  return glsl::emit(optimised, host, followed);
 }
 
 } // namespace arbiter::fp

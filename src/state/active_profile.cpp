@@ -18,4 +18,10 @@ const fp::hw::Profile &activeProfile() {
   return *s_profile;
 }
 
+fp::Numerics activeNumerics() {
+  return fp::numericsNamed(settings().numerics).value_or(activeProfile().numerics);
+}
+
+std::string_view nameOf(fp::Numerics numerics) { return fp::kNumericsNames[std::size_t(numerics)]; }
+
 } // namespace arbiter::state

@@ -7,4 +7,9 @@ namespace arbiter::state {
 /// none that loads. Lives as long as the process.
 [[nodiscard]] const fp::hw::Profile &activeProfile();
 
+/// The mode of arithmetic that is asked for: ARBITER_NUMERICS, or else the profile's. A context has
+/// what its host can be given of it (Context::numerics).
+[[nodiscard]] fp::Numerics activeNumerics();
+[[nodiscard]] std::string_view nameOf(fp::Numerics numerics);
+
 } // namespace arbiter::state

@@ -22,8 +22,8 @@ fp::FixedFunction seenBy(std::uint32_t units, const fp::FixedFunction &state) {
 
 } // namespace
 
-AtiForms::AtiForms(fp::ir::Program program, fp::GlslHost host)
-    : m_program(std::move(program)), m_host(host) {
+AtiForms::AtiForms(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics)
+    : m_program(std::move(program)), m_host(host), m_numerics(numerics) {
   for (const fp::ir::Instruction &instruction : m_program.code)
     if (fp::ir::info(instruction.op).has(fp::ir::Texture))
       m_units |= 1u << instruction.unit;
@@ -41,7 +41,7 @@ std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &wh
   form->target = whole.target;
   form->hash = whole.hash;
   fp::ir::Program program = fp::withFixedFunction(m_program, seen);
-  form->glsl = fp::emitGlsl(program, m_host);
+  form->glsl = fp::emitGlsl(program, m_host, m_numerics);
   form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
   if (whole.replaced())
     form->replacement = form->text; // it is emitted from the replacement

@@ -18,7 +18,7 @@ struct CompiledProgram;
 class AtiForms {
 public:
   /// `program` is checked, of language AtiFragment.
-  AtiForms(fp::ir::Program program, fp::GlslHost host);
+  AtiForms(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics);
 
   /// The image units that it samples, one bit each.
   [[nodiscard]] std::uint32_t units() const { return m_units; }
@@ -35,6 +35,7 @@ private:
 
   fp::ir::Program m_program;
   fp::GlslHost m_host;
+  fp::Numerics m_numerics;
   std::uint32_t m_units = 0;
   mutable std::mutex m_mutex;
   mutable std::vector<Form> m_forms;

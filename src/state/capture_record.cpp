@@ -6,6 +6,7 @@
 #include <ctime>
 #include <unistd.h>
 
+#include "state/active_profile.h"
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/json.h"
@@ -190,6 +191,7 @@ std::string CaptureRecord::json(bool complete) const {
   json.key("process").value(std::int64_t(m_process));
   json.key("command").value(program_invocation_short_name);
   json.key("profile").value(settings().profile);
+  json.key("numerics").value(nameOf(activeNumerics()));
   json.key("complete").value(complete);
   json.key("contexts").value(m_contexts).key("frames").value(m_frames);
   json.key("not_listed").value(m_notListed);

@@ -36,7 +36,7 @@ std::shared_ptr<const CompiledProgram> ClippedForm::of(const CompiledProgram &wh
     return m_form;
   auto form = std::make_shared<CompiledProgram>(whole);
   form->clipped = nullptr; // it would keep itself
-  form->glsl = fp::emitGlsl(*whole.program, m_host);
+  form->glsl = fp::emitGlsl(*whole.program, m_host, m_numerics);
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
   return m_form = std::move(form);

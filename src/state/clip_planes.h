@@ -20,7 +20,7 @@ struct CompiledProgram;
 /// for; contexts of a share group use the same one.
 class ClippedForm {
 public:
-  explicit ClippedForm(fp::GlslHost host) : m_host(host) {}
+  ClippedForm(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
 
   /// The form of `whole`, which this is the one of. Any thread may call it.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole) const;
@@ -29,6 +29,7 @@ public:
 
 private:
   fp::GlslHost m_host;
+  fp::Numerics m_numerics;
   mutable std::mutex m_mutex;
   mutable std::shared_ptr<const CompiledProgram> m_form;
 };

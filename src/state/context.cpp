@@ -1,6 +1,7 @@
 #include "state/context.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 #include "fp_compiler/ati/limits.h"
@@ -51,6 +52,19 @@ void offer(Context &context, Target target, fp::Limits limits) {
   row.limits = limits;
 }
 
+/// What this host can be given of the mode that is asked for; said once where it is less.
+fp::Numerics numericsOf(const Context &context) {
+  const fp::Numerics asked = activeNumerics();
+  const fp::Numerics given = fp::numericsOn(glslHost(context.caps), asked);
+  static std::atomic<bool> s_said = false;
+  if (given != asked && !s_said.exchange(true))
+    logWarn("state",
+            "numerics %s needs GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding, which the "
+            "host lacks; going on with %s",
+            std::string(nameOf(asked)).c_str(), std::string(nameOf(given)).c_str());
+  return given;
+}
+
 } // namespace
 
 Context::Context(Provider contextProvider, const host::HostTable *table,
@@ -88,6 +102,7 @@ void initialise(Context &context) {
   if (const char *obstacle = context.caps.obstacle())
     logWarn("state", "context %u: no ARB programs here: %s", context.serial, obstacle);
   context.passThrough = false;
+  context.numerics = numericsOf(context);
   context.offered = context.caps.obstacle() == nullptr;
   for (const Target target : {Target::Fragment, Target::Vertex})
     offer(context, target, limitsOf(target, *context.host, context.caps));

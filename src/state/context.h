@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "fp_compiler/numerics.h"
 #include "host/null_host.h"
 #include "state/ati_recorder.h"
 #include "state/attrib_stack.h"
@@ -88,6 +89,7 @@ public:
 
   std::shared_ptr<ShareGroup> group;
   HostCaps caps;
+  fp::Numerics numerics = fp::Numerics::Host; ///< that programs are compiled for; fixed for life
 
   // --- Errors (2.5): our slot; the host's is asked when it is empty ---
   GLenum pendingError = GL_NO_ERROR;

@@ -75,7 +75,8 @@ std::shared_ptr<const CompiledProgram> compileShader(const Context &context,
   compiled->underNativeLimits = true;
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
-  compiled->ati = std::make_shared<const AtiForms>(std::move(program), glslHost(context.caps));
+  compiled->ati = std::make_shared<const AtiForms>(std::move(program), glslHost(context.caps),
+                                                   context.numerics);
   return compiled;
 }
 

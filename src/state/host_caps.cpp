@@ -93,6 +93,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   caps.textureRectangle = gl >= 31 || caps.has("GL_ARB_texture_rectangle");
   caps.fragCoordConventions = gl >= 32 || caps.has("GL_ARB_fragment_coord_conventions");
   caps.drawBuffers = gl >= 20 || caps.has("GL_ARB_draw_buffers");
+  caps.bitEncoding = caps.has("GL_EXT_gpu_shader4") && caps.has("GL_ARB_shader_bit_encoding");
   caps.samplerObjects = gl >= 33 || caps.has("GL_ARB_sampler_objects");
   caps.framebufferObjects =
       gl >= 30 || caps.has("GL_ARB_framebuffer_object") || caps.has("GL_EXT_framebuffer_blit");

@@ -25,6 +25,7 @@ struct HostCaps {
   bool textureRectangle = false;
   bool fragCoordConventions = false;
   bool drawBuffers = false;
+  bool bitEncoding = false; ///< GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding
   bool samplerObjects = false;
   bool pipelines = false;
   bool framebufferObjects = false;

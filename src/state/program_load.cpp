@@ -48,13 +48,15 @@ fp::GlslHost glslHost(const HostCaps &caps) {
   host.textureRectangle = caps.textureRectangle;
   host.fragCoordConventions = caps.fragCoordConventions;
   host.drawBuffers = caps.drawBuffers;
+  host.bitEncoding = caps.bitEncoding;
   host.clipPlanes = false; // the clipped form of a program is made when it is needed
   return host;
 }
 
 fp::Compilation compileText(const Context &context, const ProgramTarget &row,
                             std::string_view text) {
-  return compileCached({row.info().language, compileOptions(row), glslHost(context.caps)}, text);
+  return compileCached(
+      {row.info().language, compileOptions(row), glslHost(context.caps), context.numerics}, text);
 }
 
 std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Target target,
@@ -78,15 +80,18 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   compiled->nativeCounts = answers.nativeCounts;
   compiled->underNativeLimits = answers.underNativeLimits;
   if (infoOf(target).language == fp::ir::Language::AtiFragment)
-    compiled->ati = std::make_shared<const AtiForms>(*source.program, glslHost(context.caps));
+    compiled->ati =
+        std::make_shared<const AtiForms>(*source.program, glslHost(context.caps), context.numerics);
   else {
     compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
-    compiled->glsl = replaced ? fp::emitGlsl(*source.program, glslHost(context.caps)) : own.glsl;
+    compiled->glsl = replaced
+                         ? fp::emitGlsl(*source.program, glslHost(context.caps), context.numerics)
+                         : own.glsl;
   }
   if (target == Target::Vertex) {
     fp::GlslHost clipping = glslHost(context.caps);
     clipping.clipPlanes = true;
-    compiled->clipped = std::make_shared<const ClippedForm>(clipping);
+    compiled->clipped = std::make_shared<const ClippedForm>(clipping, context.numerics);
   }
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));

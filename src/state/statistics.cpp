@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "state/active_profile.h"
 #include "state/context.h"
 #include "state/program_cache.h"
 #include "util/file.h"
@@ -68,6 +69,7 @@ struct ContextRow {
   Provider provider = Provider::Glx;
   bool offered = false;
   const char *obstacle = nullptr;
+  fp::Numerics numerics = fp::Numerics::Host;
   const Context *live = nullptr;
 };
 
@@ -227,7 +229,11 @@ void noteContextCreated(Context &context) {
   static bool s_registered = false;
   if (!s_registered)
     s_registered = std::atexit(writeStatistics) == 0;
-  r.contexts.push_back({context.serial, context.provider, false, nullptr, &context});
+  ContextRow row;
+  row.serial = context.serial;
+  row.provider = context.provider;
+  row.live = &context;
+  r.contexts.push_back(row);
 }
 
 void noteContextDestroyed(const Context &context) {
@@ -242,6 +248,7 @@ void noteContextDestroyed(const Context &context) {
     row.live = nullptr;
     row.offered = context.offered;
     row.obstacle = context.caps.obstacle();
+    row.numerics = context.numerics;
   }
 }
 
@@ -287,6 +294,7 @@ std::string statisticsJson() {
   json.key("schema").value(kStatisticsSchema);
   json.key("process").value(std::int64_t(getpid()));
   json.key("profile").value(settings().profile);
+  json.key("numerics").value(nameOf(activeNumerics()));
   json.key("identity").value(settings().identityOfProfile ? "profile" : "host");
   json.key("contexts").beginArray();
   for (const ContextRow &row : r.contexts) {
@@ -299,6 +307,7 @@ std::string statisticsJson() {
     const char *const obstacle = row.live ? row.live->caps.obstacle() : row.obstacle;
     if (obstacle)
       json.key("obstacle").value(obstacle);
+    json.key("numerics").value(nameOf(row.live ? row.live->numerics : row.numerics));
     json.key("destroyed").value(row.live == nullptr);
     json.endObject();
   }

@@ -100,6 +100,9 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
       ->capture_default_str();
   addLanguage(*command, compile.language);
   command->add_flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
+  command->add_option("--numerics", compile.numerics, "glsl, and the passes: for this arithmetic")
+      ->check(CLI::IsMember({"host", "legacy", "fp24"}))
+      ->capture_default_str();
   command->add_option("-o,--output", compile.output, "file to write; - is standard output")
       ->capture_default_str();
   command->add_option("FILE", compile.file, "a program text; - is standard input")->required();
@@ -119,6 +122,11 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
       .add_option("--identity", layer.identity,
                   "whom GL says it is: the host, or the profile's card and driver")
       ->check(CLI::IsMember({"host", "profile"}));
+  command
+      .add_option("--numerics", layer.numerics,
+                  "how programs compute: as the host; legacy: 0 times infinity is 0; fp24: 24-bit "
+                  "floats")
+      ->check(CLI::IsMember({"host", "legacy", "fp24"}));
   command
       .add_option("--extensions-max-year", layer.extensionsMaxYear,
                   "announce no extension of a later year")

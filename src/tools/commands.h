@@ -33,6 +33,7 @@ struct CompileArguments {
   std::string profile;
   std::string emit = "glsl";     ///< "tokens", "ir", "assembly", "glsl" or "native"
   std::string language = "auto"; ///< by the header; or a name of languageRows()
+  std::string numerics = "host"; ///< glsl, and the passes; a name of fp::kNumericsNames
   bool optimise = false;         ///< ir: after the passes
   std::string output = "-";
   std::string file;
@@ -45,6 +46,7 @@ struct LayerArguments {
   std::string profile; ///< empty: as the environment has it
   std::string limits;
   std::string identity;
+  std::string numerics;
   std::string extensionsMaxYear;
   std::string extensionsMaxLength;
   std::string stats;

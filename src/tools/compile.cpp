@@ -5,6 +5,7 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/semantics.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/language.h"
@@ -38,10 +39,11 @@ std::string tokenListing(std::string_view text) {
 }
 
 std::string emit(fp::ir::Program &program, const CompileArguments &arguments) {
+  const fp::Numerics numerics = fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host);
   if (arguments.emit == "glsl")
-    return fp::emitGlsl(program).text;
+    return fp::emitGlsl(program, {}, numerics).text;
   if (arguments.optimise)
-    fp::optimise(program);
+    fp::optimise(program, fp::ir::numericsOf(program.language, numerics));
   return arguments.emit == "assembly" ? fp::emitAssembly(program) : fp::ir::print(program);
 }
 

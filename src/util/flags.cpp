@@ -142,6 +142,14 @@ void readIdentity(Reader &reader, Settings &result) {
     reader.warn(Env::Identity, "expected host or profile, not " + quoted(value));
 }
 
+void readNumerics(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Numerics);
+  if (value == "host" || value == "legacy" || value == "fp24")
+    result.numerics = value;
+  else if (!value.empty())
+    reader.warn(Env::Numerics, "expected host, legacy or fp24, not " + quoted(value));
+}
+
 /// A whole decimal number in a range; `fallback` where there is none, with a warning if it is bad.
 std::uint32_t readNumber(Reader &reader, Env variable, std::uint32_t least, std::uint32_t most,
                          std::uint32_t fallback) {
@@ -218,6 +226,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readHostVendor(reader, result);
   readCache(reader, result);
   readIdentity(reader, result);
+  readNumerics(reader, result);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
   result.capturePath = reader.read(Env::Capture);

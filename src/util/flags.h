@@ -41,7 +41,8 @@ struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
   bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
   bool identityOfProfile = false;
-  bool cache = true; ///< of programs, on disk
+  std::string numerics; ///< "host", "legacy", "fp24" (fp_compiler/numerics.h); empty: the profile's
+  bool cache = true;    ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
   std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length

@@ -116,6 +116,19 @@ TEST(Settings, TheIdentityIsTheHostsOrTheProfiles) {
   EXPECT_EQ(bad.warnings[0], "ARBITER_IDENTITY: expected host or profile, not \"r300\"; ignored");
 }
 
+TEST(Settings, NumericsAreOneOfThreeOrTheProfiles) {
+  EXPECT_EQ(parse({}).settings.numerics, "");
+  for (const char *const mode : {"host", "legacy", "fp24"}) {
+    EXPECT_EQ(parse({{"ARBITER_NUMERICS", mode}}).settings.numerics, mode);
+    EXPECT_TRUE(parse({{"ARBITER_NUMERICS", mode}}).warnings.empty());
+  }
+  const Parsed bad = parse({{"ARBITER_NUMERICS", "fp32"}});
+  EXPECT_EQ(bad.settings.numerics, "");
+  ASSERT_EQ(bad.warnings.size(), 1u);
+  EXPECT_EQ(bad.warnings[0],
+            "ARBITER_NUMERICS: expected host, legacy or fp24, not \"fp32\"; ignored");
+}
+
 TEST(Settings, NumbersAreWholeAndInRange) {
   const Parsed good =
       parse({{"ARBITER_EXTENSIONS_MAX_YEAR", "2003"}, {"ARBITER_EXTENSIONS_MAX_LENGTH", "4095"}});

@@ -51,9 +51,18 @@ private:
 
 class GlslBackend : public Backend {
 public:
+  explicit GlslBackend(fp::Numerics numerics) : m_numerics(numerics) {}
+  GlslBackend(const GlslBackend &) = delete;
+  GlslBackend &operator=(const GlslBackend &) = delete;
+  ~GlslBackend() override {
+    glUseProgram(0);
+    if (m_program)
+      glDeleteProgram(m_program);
+  }
   std::string use(const Stage &fragment, const Stage *vertex) override {
-    const fp::GlslShader fragmentShader = fp::emitGlsl(fragment.program);
-    const fp::GlslShader vertexShader = vertex ? fp::emitGlsl(vertex->program) : fp::GlslShader{};
+    const fp::GlslShader fragmentShader = fp::emitGlsl(fragment.program, {}, m_numerics);
+    const fp::GlslShader vertexShader =
+        vertex ? fp::emitGlsl(vertex->program, {}, m_numerics) : fp::GlslShader{};
     const std::string texts = vertexShader.text + fragmentShader.text;
     if (m_program)
       glDeleteProgram(m_program);
@@ -109,12 +118,15 @@ private:
                    values.data());
   }
 
+  fp::Numerics m_numerics;
   GLuint m_program = 0;
 };
 } // namespace
 
 std::unique_ptr<Backend> arbBackend() { return std::make_unique<ArbBackend>(false); }
 std::unique_ptr<Backend> assemblyBackend() { return std::make_unique<ArbBackend>(true); }
-std::unique_ptr<Backend> glslBackend() { return std::make_unique<GlslBackend>(); }
+std::unique_ptr<Backend> glslBackend(fp::Numerics numerics) {
+  return std::make_unique<GlslBackend>(numerics);
+}
 
 } // namespace arbiter::differential

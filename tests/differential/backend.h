@@ -30,7 +30,7 @@ public:
 [[nodiscard]] std::unique_ptr<Backend> atiApiBackend();
 /// The same with emitAssembly()'s text in the place of the application's.
 [[nodiscard]] std::unique_ptr<Backend> assemblyBackend();
-/// emitGlsl()'s text, compiled by the host.
-[[nodiscard]] std::unique_ptr<Backend> glslBackend();
+/// emitGlsl()'s text, compiled by the host. The object's end leaves no program in use.
+[[nodiscard]] std::unique_ptr<Backend> glslBackend(fp::Numerics numerics = fp::Numerics::Host);
 
 } // namespace arbiter::differential

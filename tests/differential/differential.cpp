@@ -12,10 +12,11 @@
 
 namespace {
 using namespace arbiter::differential;
+namespace fp = arbiter::fp;
 
 constexpr const char *kHelp =
     "usage: differential [--mode MODE] [--language arb|vertex|ati] [--suite S] [--count N]\n"
-    "                    [--seed S] [--json FILE] [--failures DIR]\n"
+    "                    [--numerics N] [--wild 0|1] [--seed S] [--json FILE] [--failures DIR]\n"
     "\n"
     "Draws N (500) generated programs, 16 x 16 fragments or vertices each into float buffers, and\n"
     "compares every pixel with the reference interpreter, within tolerances stated per opcode.\n"
@@ -30,29 +31,37 @@ constexpr const char *kHelp =
     "               within what the specification defines, to measure the host's own by\n"
     "  --suite random|edges|mutants   edges: each opcode on pairs of special values instead;\n"
     "               mutants: the interpreter is wrong on purpose, and three of five must show\n"
+    "  --numerics host|legacy|fp24   the arithmetic; where the layer is to follow it,\n"
+    "               ARBITER_NUMERICS must say the same. fp24 is not for vertex programs\n"
+    "  --wild 1     arb: programs with infinities, and operands outside of functions' domains\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
+
+/// The calls of an extension, whose implementation has the mode from ARBITER_NUMERICS.
+template <std::unique_ptr<Backend> (*kCreate)()> std::unique_ptr<Backend> calls(fp::Numerics) {
+  return kCreate();
+}
 
 /// One way to draw the programs of a language, and what may be drawn so.
 struct WayRow {
   const char *language;
   const char *mode;
-  std::unique_ptr<Backend> (*create)();
+  std::unique_ptr<Backend> (*create)(fp::Numerics);
   Subject (*subject)(std::uint64_t seed); ///< of runSuite()
   Report (*random)(Backend &, const SuiteOptions &);
   Report (*edges)(Backend &, const SuiteOptions &); ///< null: there are none
 };
 constexpr WayRow kWays[] = {
     {"arb", "glsl", glslBackend, arbSubject, runSuite, runEdges},
-    {"arb", "arb", arbBackend, arbSubject, runSuite, runEdges},
-    {"arb", "assembly", assemblyBackend, arbSubject, runSuite, runEdges},
+    {"arb", "arb", calls<arbBackend>, arbSubject, runSuite, runEdges},
+    {"arb", "assembly", calls<assemblyBackend>, arbSubject, runSuite, runEdges},
     {"vertex", "glsl", glslBackend, nullptr, runVertexSuite, runVertexEdges},
-    {"vertex", "arb", arbBackend, nullptr, runVertexSuite, runVertexEdges},
-    {"vertex", "assembly", assemblyBackend, nullptr, runVertexSuite, runVertexEdges},
+    {"vertex", "arb", calls<arbBackend>, nullptr, runVertexSuite, runVertexEdges},
+    {"vertex", "assembly", calls<assemblyBackend>, nullptr, runVertexSuite, runVertexEdges},
     {"ati", "glsl", glslBackend, atiSubject, runSuite, nullptr},
-    {"ati", "arb", atiTextBackend, atiSubjectOfHost, runSuite, nullptr},
-    {"ati", "api", atiApiBackend, atiSubjectOfHost, runSuite, nullptr},
-    {"ati", "peer", atiApiBackend, atiSubjectOfPeer, runSuite, nullptr},
+    {"ati", "arb", calls<atiTextBackend>, atiSubjectOfHost, runSuite, nullptr},
+    {"ati", "api", calls<atiApiBackend>, atiSubjectOfHost, runSuite, nullptr},
+    {"ati", "peer", calls<atiApiBackend>, atiSubjectOfPeer, runSuite, nullptr},
 };
 
 const WayRow *findWay(const std::string &language, const std::string &mode) {
@@ -68,8 +77,21 @@ struct Arguments {
   std::string language = "arb";
   const WayRow *way = nullptr;
   bool edges = false;
+  bool wild = false;
   SuiteOptions suite;
 };
+
+/// Empty, or why the mode cannot be compared so.
+std::string numericsFault(const Arguments &arguments) {
+  const fp::Numerics numerics = arguments.suite.numerics;
+  if (arguments.language == "vertex" && numerics == fp::Numerics::Fp24)
+    return "vertex programs have no fp24";
+  const char *const set = std::getenv("ARBITER_NUMERICS");
+  const auto layers = fp::numericsNamed(set ? set : "").value_or(fp::Numerics::Host);
+  if (arguments.mode != "glsl" && layers != numerics)
+    return "ARBITER_NUMERICS does not say what --numerics says";
+  return "";
+}
 
 bool isSuite(const char *name) {
   return !std::strcmp(name, "random") || !std::strcmp(name, "edges") ||
@@ -93,7 +115,11 @@ bool parse(int argc, char **argv, Arguments &arguments) {
     else if (name == "--suite" && isSuite(value)) {
       arguments.edges = !std::strcmp(value, "edges");
       arguments.suite.mutate = !std::strcmp(value, "mutants");
-    } else if (name == "--json")
+    } else if (name == "--numerics" && fp::numericsNamed(value))
+      arguments.suite.numerics = *fp::numericsNamed(value);
+    else if (name == "--wild")
+      arguments.wild = !std::strcmp(value, "1");
+    else if (name == "--json")
       arguments.json = value;
     else if (name == "--failures")
       arguments.suite.failures = value;
@@ -104,12 +130,16 @@ bool parse(int argc, char **argv, Arguments &arguments) {
   if (!arguments.way)
     return false;
   arguments.suite.subject = arguments.way->subject;
+  if (arguments.wild && arguments.suite.subject == arbSubject)
+    arguments.suite.subject = wildSubject;
   return arguments.way->edges || !arguments.edges;
 }
 
-void writeJson(const std::string &path, const std::string &mode, const Report &report) {
+void writeJson(const std::string &path, const std::string &mode, fp::Numerics numerics,
+               const Report &report) {
   arbiter::JsonWriter json;
   json.beginObject().key("schema").value(1).key("mode").value(mode);
+  json.key("numerics").value(fp::kNumericsNames[std::size_t(numerics)]);
   json.key("renderer").value(report.renderer).key("programs").value(report.programs);
   json.key("values").value(report.compared).key("ill_conditioned").value(report.skipped);
   json.key("worst_error").value(double(report.worst)).key("failures").beginArray();
@@ -135,13 +165,17 @@ int main(int argc, char **argv) {
     std::fputs(kHelp, stderr);
     return 2;
   }
+  if (const std::string fault = numericsFault(arguments); !fault.empty()) {
+    std::fprintf(stderr, "differential: %s\n", fault.c_str());
+    return 2;
+  }
   std::string why;
   const auto host = GlHost::create(why);
   if (!host) {
     std::fprintf(stderr, "differential: no GL context: %s\n", why.c_str());
     return 77;
   }
-  const auto backend = arguments.way->create();
+  const auto backend = arguments.way->create(arguments.suite.numerics);
   const auto run = arguments.edges ? arguments.way->edges : arguments.way->random;
   const Report report = run(*backend, arguments.suite);
   std::printf("%-5s %-40.40s programs %4d  values %9llu  ill-conditioned %7llu  worst %.3f  "
@@ -159,6 +193,6 @@ int main(int argc, char **argv) {
     std::printf("  seed %llu: %s\n", static_cast<unsigned long long>(failure.seed),
                 failure.reason.c_str());
   if (!arguments.json.empty())
-    writeJson(arguments.json, arguments.mode, report);
+    writeJson(arguments.json, arguments.mode, arguments.suite.numerics, report);
   return report.failures.empty() ? 0 : 1;
 }

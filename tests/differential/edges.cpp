@@ -61,7 +61,7 @@ std::string programText(Opcode op, bool saturate) {
 /// False where semantics.h leaves the result to the host, where it hangs on whether a host rounds
 /// between product and sum (1e30 * 1e30 - infinity), and where a function's tolerance means
 /// nothing.
-bool isDefined(Opcode op, bool saturate, const Vec4 &texel) {
+bool isDefined(Opcode op, bool saturate, const Vec4 &texel, fp::Numerics numerics) {
   const auto any = [&](bool (*test)(float)) {
     return test(texel[0]) || test(texel[1]) || test(texel[2]) || test(texel[3]);
   };
@@ -71,13 +71,16 @@ bool isDefined(Opcode op, bool saturate, const Vec4 &texel) {
   case Opcode::Scs:
     return !(std::fabs(texel[0]) > 4.0f && std::isfinite(texel[0]));
   case Opcode::Lrp:
-    return !any([](float value) { return std::fabs(value) > 1e4f; });
+    if (numerics == fp::Numerics::Host)
+      return !any([](float value) { return std::fabs(value) > 1e4f; });
+    [[fallthrough]];
   case Opcode::Dp3:
   case Opcode::Dp4:
   case Opcode::Dph:
   case Opcode::Mad:
   case Opcode::Xpd:
-    return !any([](float value) { return std::fabs(value) > 1e4f && std::isfinite(value); });
+    return numerics == fp::Numerics::Fp24 ||
+           !any([](float value) { return std::fabs(value) > 1e4f && std::isfinite(value); });
   case Opcode::Abs:
     return !saturate || !any([](float value) { return std::isnan(value); });
   default:
@@ -85,12 +88,12 @@ bool isDefined(Opcode op, bool saturate, const Vec4 &texel) {
   }
 }
 
-bool agree(Opcode op, float seen, float expected) {
+bool agree(Opcode op, float seen, float expected, fp::Numerics numerics) {
   if (std::isnan(expected) || std::isnan(seen))
     return std::isnan(expected) && std::isnan(seen);
   if (std::isinf(expected) || std::isinf(seen))
     return seen == expected;
-  const Tolerance allowed = tolerance(op);
+  const Tolerance allowed = tolerance(op, numerics);
   return std::fabs(seen - expected) <=
          (allowed.relative + 8 * allowed.operand) * std::fabs(expected) + allowed.absolute + 1e-37f;
 }
@@ -156,12 +159,14 @@ private:
   std::string compare(Opcode op, bool saturate, const Program &program, const Pixels &pixels, int x,
                       int y) {
     const Vec4 texel = texelAt(x, y);
-    if (!isDefined(op, saturate, texel)) {
+    const fp::Numerics numerics = m_options.numerics;
+    if (!isDefined(op, saturate, texel, numerics)) {
       m_report.skipped += 4;
       return "";
     }
     Inputs inputs;
     inputs.texture = [&](const Sample &) { return texel; };
+    inputs.numerics = numerics;
     const Evaluation expected = evaluate(program, inputs);
     const float *rgba = &pixels.rgba[std::size_t(y * kSide + x) * 4];
     const Vec4 seen = {rgba[0], rgba[1], rgba[2], rgba[3]};
@@ -171,7 +176,7 @@ private:
                  ? ""
                  : "texel " + numbers(texel) + (expected.killed ? " drawn" : " killed");
     for (std::size_t i = 0; i < 4; ++i)
-      if (!agree(op, seen[i], expected.outputs[0][i]))
+      if (!agree(op, seen[i], expected.outputs[0][i], numerics))
         return "texel " + numbers(texel) + " gave " + numbers(seen) + ", expected " +
                numbers(expected.outputs[0]);
     return "";

@@ -21,6 +21,7 @@ Inputs inputsOf(const PixelInputs &pixel) {
   inputs.secondary = pixel.secondary;
   inputs.parameter = parameterValue;
   inputs.texture = sampleTexture;
+  inputs.numerics = pixel.numerics;
   return inputs;
 }
 
@@ -35,24 +36,28 @@ public:
 
   Inputs inputs(const PixelInputs &pixel) {
     Inputs result = inputsOf(pixel);
-    result.operands = [this](const Instruction &instruction, Operands &operands) {
-      const Tolerance allowed = tolerance(instruction.op);
+    const fp::Numerics numerics = pixel.numerics;
+    result.operands = [this, numerics](const Instruction &instruction, Operands &operands) {
+      const Tolerance allowed = tolerance(instruction.op, numerics);
       if (allowed.operand != 0)
         for (Vec4 &operand : operands)
           for (float &value : operand)
             shake(value, allowed.operand, 0);
     };
-    result.result = [this](const Instruction &instruction, Vec4 &value) {
-      const Tolerance allowed = tolerance(instruction.op);
+    result.result = [this, numerics](const Instruction &instruction, Vec4 &value) {
+      const Tolerance allowed = tolerance(instruction.op, numerics);
       if (allowed.relative != 0 || allowed.absolute != 0)
         for (float &component : value)
-          if (component != 0) // a zero by rule, not by rounding
+          if (component != 0) { // a zero by rule, not by rounding
             shake(component, allowed.relative, allowed.absolute);
+            component = held(component, numerics);
+          }
     };
-    result.texture = [this](const Sample &sample) {
+    result.texture = [this, numerics](const Sample &sample) {
       Sample moved = sample;
+      const float edge = tolerance(Opcode::Tex, numerics).operand;
       for (std::size_t i = 0; i < 3; ++i)
-        shake(moved.coordinate[i], tolerance(Opcode::Tex).operand, tolerance(Opcode::Tex).operand);
+        shake(moved.coordinate[i], edge, edge);
       return sampleTexture(moved);
     };
     return result;
@@ -73,14 +78,22 @@ void widen(Expected &expected, float seen) {
     expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
 }
 
-void settle(Expected &expected) {
+/// Of the last step to a pixel. What the R300 computes is stored as it is, except behind a fog of
+/// the host's own exp2().
+float pixelTolerance(const Program &program, fp::Numerics numerics) {
+  if (numericsOf(program.language, numerics) != fp::Numerics::Fp24)
+    return kPixelTolerance;
+  return program.options.fog == FogMode::None ? 0.0f : 0x1p-14f;
+}
+
+void settle(Expected &expected, float last) {
   if (!std::isfinite(expected.value))
     return;
   const float scale = 1.0f + std::fabs(expected.value);
   if (expected.slack > kIllConditioned * scale)
     expected.comparable = false;
   // The directions that would show the worst were hardly among the trials.
-  expected.slack = 4.0f * expected.slack + kPixelTolerance * scale;
+  expected.slack = 4.0f * expected.slack + last * scale;
 }
 
 template <typename F>
@@ -117,11 +130,12 @@ ExpectedPixel expect(const Program &program, const PixelInputs &inputs, std::uin
     if (result.depth && seen.depth)
       widen(*result.depth, std::clamp(*seen.depth, 0.0f, 1.0f));
   }
+  const float last = pixelTolerance(program, inputs.numerics);
   for (auto &color : result.colors)
     for (Expected &expected : color)
-      settle(expected);
+      settle(expected, last);
   if (result.depth)
-    settle(*result.depth);
+    settle(*result.depth, last);
   return result;
 }
 

@@ -29,6 +29,7 @@ struct PixelInputs {
   std::vector<Vec4> attributes;
   float fogCoordinate = 0;
   Vec4 secondary = {};
+  fp::Numerics numerics = fp::Numerics::Host;
 };
 
 /// Runs the interpreter on exact arithmetic, then \p trials times with every operand and result

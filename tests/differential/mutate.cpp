@@ -1,6 +1,7 @@
 #include "mutate.h"
 
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/testing/random.h"
 
 namespace arbiter::differential {
@@ -43,9 +44,9 @@ Opcode neighbour(Opcode op) {
 }
 } // namespace
 
-Program mutant(const Program &program, std::uint64_t seed) {
+Program mutant(const Program &program, std::uint64_t seed, fp::Numerics numerics) {
   Program result = program;
-  fp::optimise(result);
+  fp::optimise(result, numericsOf(result.language, numerics));
   fp::testing::Random random(seed);
   Instruction &instruction = result.code[std::size_t(random.below(int(result.code.size())))];
   const Opcode other = neighbour(instruction.op);

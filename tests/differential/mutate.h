@@ -9,6 +9,7 @@ namespace arbiter::differential {
 /// is wrong about the original, which the suite must notice. Optimised first, so that the
 /// instruction matters; still, some mutants compute the same (a sign under ABS, a branch never
 /// taken).
-[[nodiscard]] fp::ir::Program mutant(const fp::ir::Program &program, std::uint64_t seed);
+[[nodiscard]] fp::ir::Program mutant(const fp::ir::Program &program, std::uint64_t seed,
+                                     fp::Numerics numerics);
 
 } // namespace arbiter::differential

@@ -21,6 +21,10 @@ struct Subject {
 /// An ARB fragment program.
 [[nodiscard]] Subject arbSubject(std::uint64_t seed);
 
+/// The same with operands outside of functions' domains, which make infinities and NaNs. Nothing is
+/// sampled but at attributes: where a texture is read at an infinity is the host's affair.
+[[nodiscard]] Subject wildSubject(std::uint64_t seed);
+
 /// An ATI fragment shader in its text form, for draws with the scene's textures, and under a fog
 /// and a colour sum that the seed chooses. Registers clamp to [-8, 8] for half of the seeds.
 [[nodiscard]] Subject atiSubject(std::uint64_t seed);

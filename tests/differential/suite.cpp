@@ -79,7 +79,9 @@ private:
       text += "OPTION ARB_fragment_coord_pixel_center_integer;\n";
     text += "MOV result.color, " + bindingText(attribute) + ";\nEND\n";
     const fp::CheckResult checked = check(text);
-    std::string problem = m_backend.use({text, *checked.program});
+    // As the interpreter is to read it: what a mode makes of it is under test.
+    const auto raw = m_options.numerics == fp::Numerics::Host ? nullptr : glslBackend();
+    std::string problem = (raw ? *raw : m_backend).use({text, *checked.program});
     if (problem.empty())
       problem = draw();
     std::vector<float> &values = m_measured[key] = m_target.read(0).rgba;
@@ -132,7 +134,8 @@ private:
       writeFailure(m_options.failures, seed, text, problem, {}, {});
       return fail(seed, problem.substr(0, problem.find('\n')));
     }
-    compare(seed, text, m_options.mutate ? mutant(program, seed) : program, attributes, pipeline);
+    compare(seed, text, m_options.mutate ? mutant(program, seed, m_options.numerics) : program,
+            attributes, pipeline);
   }
 
   void compare(std::uint64_t seed, const std::string &text, const Program &program,
@@ -153,6 +156,7 @@ private:
         inputs.attributes.push_back(rgba(*values));
       inputs.fogCoordinate = pipeline.fogCoordinate[pixel * 4];
       inputs.secondary = rgba(pipeline.secondary);
+      inputs.numerics = m_options.numerics;
       const ExpectedPixel expected = expect(program, inputs, seed * 1000 + pixel, kFewTrials);
       for (std::size_t i = 0; i < 4; ++i)
         picture[pixel * 4 + i] = expected.killed ? kUntouched : expected.colors[0][i].value;
@@ -176,7 +180,8 @@ private:
       return;
     }
     fail(seed, worst.what);
-    writeFailure(m_options.failures, seed, text, worst.what + "\n" + fp::emitGlsl(program).text,
+    writeFailure(m_options.failures, seed, text,
+                 worst.what + "\n" + fp::emitGlsl(program, {}, m_options.numerics).text,
                  seen[0].rgba, picture);
   }
 

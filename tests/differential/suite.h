@@ -11,6 +11,7 @@ namespace arbiter::differential {
 
 struct SuiteOptions {
   Subject (*subject)(std::uint64_t seed) = arbSubject;
+  fp::Numerics numerics = fp::Numerics::Host; ///< that the interpreter follows, and the backend
   int count = 500;
   std::uint64_t firstSeed = 1;
   bool mutate = false;  ///< expect what a mutant of the program computes: most must fail

@@ -19,9 +19,39 @@ constexpr Tolerance kPower = {kHalfUlp, 0x1p-15f, 0x1p-20f};
 constexpr Tolerance kTrigonometric = {0x1p-22f, 0, 0x1p-18f};
 /// Texel coordinates go through the host's fixed point.
 constexpr Tolerance kTexture = {0x1p-16f, 0, 0};
+
+/// POW is three steps in 24 bits: what the logarithm's last bit makes of a power of 2^16.
+constexpr Tolerance kPower24 = {0, 0x1p-12f, 0};
+
+Tolerance tolerance24(Opcode op) {
+  switch (op) {
+  case Opcode::Rcp:
+  case Opcode::Rsq:
+    return kReciprocal;
+  case Opcode::Ex2:
+    return {0, kExponential.relative, 0};
+  case Opcode::Lg2:
+    return {0, kLogarithm.relative, kLogarithm.absolute};
+  case Opcode::Lit:
+  case Opcode::Pow:
+    return kPower24;
+  case Opcode::Cos:
+  case Opcode::Sin:
+  case Opcode::Scs:
+    return {0, 0, 0x1p-17f};
+  case Opcode::Tex:
+  case Opcode::Txp:
+  case Opcode::Txb:
+    return kTexture;
+  default:
+    return kExact;
+  }
+}
 } // namespace
 
-Tolerance tolerance(Opcode op) {
+Tolerance tolerance(Opcode op, fp::Numerics numerics) {
+  if (numerics == fp::Numerics::Fp24)
+    return tolerance24(op);
   switch (op) {
   case Opcode::Add:
   case Opcode::Dp3:

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "fp_compiler/ir/ir.h"
+#include "fp_compiler/numerics.h"
 
 namespace arbiter::differential {
 
@@ -14,7 +15,9 @@ struct Tolerance {
   float absolute = 0;
 };
 
-[[nodiscard]] Tolerance tolerance(fp::ir::Opcode op);
+/// In Fp24 every single operation but the functions is exact to the last bit; a function's result
+/// may be rounded to the other neighbour.
+[[nodiscard]] Tolerance tolerance(fp::ir::Opcode op, fp::Numerics numerics);
 
 /// Of the last step to a pixel: interpolation, the fog blend, the store.
 inline constexpr float kPixelTolerance = 1e-6f;

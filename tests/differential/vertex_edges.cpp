@@ -80,14 +80,14 @@ bool isDefined(Opcode op, const Vec4 &value) {
 }
 
 bool agree(Opcode op, float seen, float expected) {
-  const Tolerance allowed = tolerance(op);
+  const Tolerance allowed = tolerance(op, fp::Numerics::Legacy); // as Host's
   return std::fabs(seen - expected) <=
          (allowed.relative + 8 * allowed.operand) * std::fabs(expected) + allowed.absolute + 1e-37f;
 }
 
 class VertexEdges {
 public:
-  explicit VertexEdges(Backend &backend) : m_backend(backend) {}
+  VertexEdges(Backend &backend, fp::Numerics numerics) : m_backend(backend), m_numerics(numerics) {}
 
   Report run() {
     m_report.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
@@ -152,6 +152,7 @@ private:
     Inputs inputs;
     inputs.attributes = attributes;
     inputs.parameter = parameterValue;
+    inputs.numerics = m_numerics;
     const Evaluation evaluation = evaluate(program, inputs);
     const Vec4 seen = drawn.color(0, x, y);
     for (std::size_t o = 0; o < program.outputs.size(); ++o) {
@@ -182,11 +183,14 @@ private:
   }
 
   Backend &m_backend;
+  fp::Numerics m_numerics;
   FloatTarget m_target;
   Report m_report;
 };
 } // namespace
 
-Report runVertexEdges(Backend &backend, const SuiteOptions &) { return VertexEdges(backend).run(); }
+Report runVertexEdges(Backend &backend, const SuiteOptions &options) {
+  return VertexEdges(backend, options.numerics).run();
+}
 
 } // namespace arbiter::differential

@@ -46,10 +46,11 @@ private:
     std::string problem = reader.draw(m_backend, text, program, m_target);
     if (!problem.empty())
       return fail(seed, text, problem);
-    const Program expected = m_options.mutate ? mutant(program, seed) : program;
+    const Program expected = m_options.mutate ? mutant(program, seed, m_options.numerics) : program;
     const Verdict worst = compare(seed, reader, reader.shown(expected));
     if (worst.error > 1)
-      return fail(seed, text, worst.what + "\n" + fp::emitGlsl(program).text);
+      return fail(seed, text,
+                  worst.what + "\n" + fp::emitGlsl(program, {}, m_options.numerics).text);
     m_report.worst = std::max(m_report.worst, worst.error);
   }
 
@@ -59,6 +60,7 @@ private:
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         PixelInputs inputs;
+        inputs.numerics = m_options.numerics;
         for (const Attribute &attribute : program.attributes)
           inputs.attributes.push_back(vertexValue(attribute, x, y));
         const auto judged = [&](int trials) {

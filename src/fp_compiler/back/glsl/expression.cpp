@@ -15,6 +15,7 @@ struct Writer {
   const Instruction &instruction;
   const Components &components;
   const Proofs &proofs;
+  const Numerics numerics;
 
   std::string vec(int operand, const Components &at) const {
     return vector(registers, instruction.src[std::size_t(operand)], at);
@@ -35,8 +36,8 @@ struct Writer {
   std::string replicate(const std::string &scalar) const {
     return compose(std::vector<std::string>(components.size(), scalar));
   }
-  std::string scalarCall(const char *function) const {
-    return replicate(std::string(function) + "(" + at(0, 0) + ")");
+  std::string function(const char *name) const {
+    return replicate(rounded(std::string(name) + "(" + at(0, 0) + ")"));
   }
   /// For the result components whose texts are given.
   std::string pick(const std::array<std::string, 4> &results) const {
@@ -53,11 +54,48 @@ struct Writer {
     return typeName(components.size()) + "(" + call2(function) + ")";
   }
 
+  bool rounds() const { return numerics == Numerics::Fp24; }
+  /// A single operation's result as the mode's registers hold it.
+  std::string rounded(const std::string &text) const {
+    return rounds() ? "arb_round(" + text + ")" : text;
+  }
+  /// The mode's product; binds as tightly as a multiplication.
+  std::string product(const std::string &a, const std::string &b, Guard guard) const {
+    return rounded(guard == Guard::Both    ? "arb_mul(" + a + ", " + b + ")"
+                   : guard == Guard::Left  ? "arb_mulz(" + a + ", " + b + ")"
+                   : guard == Guard::Right ? "arb_mulz(" + b + ", " + a + ")"
+                                           : a + " * " + b);
+  }
+  std::string product() const { return product(vec(0), vec(1), proofs.first); }
+  /// True where the host's own dot(), mix() and cross() will do.
+  bool plain() const {
+    return !rounds() && proofs.first == Guard::None && proofs.second == Guard::None;
+  }
+
+  std::string dot(const Components &at) const;
+  std::string dph() const;
+  std::string lrp() const;
   std::string cmp() const;
   std::string power(const std::string &base, const std::string &exponent) const;
   std::string lit() const;
   std::string cross() const;
 };
+
+/// Products first, then sums from x to w.
+std::string Writer::dot(const Components &at) const {
+  if (plain())
+    return "dot(" + vec(0, at) + ", " + vec(1, at) + ")";
+  return "arb_sum(" + product(vec(0, at), vec(1, at), proofs.first) + ")";
+}
+
+std::string Writer::dph() const { return rounded(dot({0, 1, 2}) + " + " + at(1, 3)); }
+
+std::string Writer::lrp() const {
+  if (plain())
+    return "mix(" + vec(2) + ", " + vec(1) + ", " + vec(0) + ")";
+  const std::string rest = rounds() ? rounded("1.0 - " + vec(0)) : "(1.0 - " + vec(0) + ")";
+  return rounded(product() + " + " + product(rest, vec(2), proofs.second));
+}
 
 /// A ternary each, not mix(): mix() multiplies the branch that is not taken.
 std::string Writer::cmp() const {
@@ -75,8 +113,14 @@ std::string Writer::cmp() const {
 }
 
 /// GLSL leaves pow() undefined for a base below zero, and for a base of zero with an exponent that
-/// is not above zero; hosts give NaN, infinity or zero.
+/// is not above zero; hosts give NaN, infinity or zero. One to the power of an infinity, of which
+/// they make NaN, is a product with zero: log2(1).
 std::string Writer::power(const std::string &base, const std::string &exponent) const {
+  if (rounds())
+    return "arb_pow(" + base + ", " + exponent + ")";
+  if (numerics != Numerics::Host && !proofs.exponentFinite && instruction.op == Opcode::Pow)
+    return "(" + exponent + " == 0.0 || " + base + " == 1.0 ? 1.0 : (" + base + " > 0.0 ? pow(" +
+           base + ", " + exponent + ") : 0.0))";
   if (proofs.exponentPositive)
     return "pow(" + (proofs.baseNotNegative ? base : "max(" + base + ", 0.0)") + ", " + exponent +
            ")";
@@ -85,7 +129,8 @@ std::string Writer::power(const std::string &base, const std::string &exponent) 
 }
 
 std::string Writer::lit() const {
-  const std::string exponent = "clamp(" + at(0, 3) + ", -127.99999, 127.99999)";
+  const std::string limit = rounds() ? "127.9990234375" : "127.99999";
+  const std::string exponent = "clamp(" + at(0, 3) + ", -" + limit + ", " + limit + ")";
   return pick({"1.0", "max(" + at(0, 0) + ", 0.0)",
                "(" + at(0, 0) + " > 0.0 ? " + power(at(0, 1), exponent) + " : 0.0)", "1.0"});
 }
@@ -93,49 +138,53 @@ std::string Writer::lit() const {
 std::string Writer::cross() const {
   if (components.front() == 3)
     return "0.0"; // reads nothing, so its registers may have no name
-  const std::string product = "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")";
+  const Components yzx = {1, 2, 0}, zxy = {2, 0, 1};
+  const std::string result =
+      plain() ? "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")"
+              : rounded("(" + product(vec(0, yzx), vec(1, zxy), proofs.first) + " - " +
+                        product(vec(0, zxy), vec(1, yzx), proofs.second) + ")");
   if (components.back() == 3)
-    return "vec4(" + product + ", 0.0)" + suffix(components);
-  return components.size() == 3 ? product : product + suffix(components);
+    return "vec4(" + result + ", 0.0)" + suffix(components);
+  return components.size() == 3 ? result : result + suffix(components);
 }
 } // namespace
 
 std::string expression(const Registers &registers, const Instruction &instruction,
-                       const Components &components, const Proofs &proofs) {
-  const Writer w{registers, instruction, components, proofs};
+                       const Components &components, const Proofs &proofs, Numerics numerics) {
+  const Writer w{registers, instruction, components, proofs, numerics};
   const Components xyz = {0, 1, 2};
   const Components all = {0, 1, 2, 3};
   switch (instruction.op) {
   case Opcode::Abs:
     return w.call("abs");
   case Opcode::Add:
-    return w.infix("+");
+    return w.rounded(w.infix("+"));
   case Opcode::Cmp:
     return w.cmp();
   case Opcode::Cos:
-    return w.scalarCall("cos");
+    return w.function("cos");
   case Opcode::Dp3:
-    return w.replicate("dot(" + w.vec(0, xyz) + ", " + w.vec(1, xyz) + ")");
+    return w.replicate(w.dot(xyz));
   case Opcode::Dp4:
-    return w.replicate("dot(" + w.vec(0, all) + ", " + w.vec(1, all) + ")");
+    return w.replicate(w.dot(all));
   case Opcode::Dph:
-    return w.replicate("dot(" + w.vec(0, xyz) + ", " + w.vec(1, xyz) + ") + " + w.at(1, 3));
+    return w.replicate(w.dph());
   case Opcode::Dst:
-    return w.pick({"1.0", w.at(0, 1) + " * " + w.at(1, 1), w.at(0, 2), w.at(1, 3)});
+    return w.pick({"1.0", w.product(w.at(0, 1), w.at(1, 1), proofs.first), w.at(0, 2), w.at(1, 3)});
   case Opcode::Ex2:
-    return w.scalarCall("exp2");
+    return w.function("exp2");
   case Opcode::Flr:
     return w.call("floor");
   case Opcode::Frc:
-    return w.call("fract");
+    return w.rounded(w.call("fract"));
   case Opcode::Lg2:
-    return w.scalarCall("log2");
+    return w.function("log2");
   case Opcode::Lit:
     return w.lit();
   case Opcode::Lrp:
-    return "mix(" + w.vec(2) + ", " + w.vec(1) + ", " + w.vec(0) + ")";
+    return w.lrp();
   case Opcode::Mad:
-    return w.infix("*") + " + " + w.vec(2);
+    return w.rounded(w.product() + " + " + w.vec(2));
   case Opcode::Max:
     return w.call2("max");
   case Opcode::Min:
@@ -144,23 +193,24 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Swz:
     return w.vec(0);
   case Opcode::Mul:
-    return w.infix("*");
+    return w.product();
   case Opcode::Pow:
     return w.replicate(w.power(w.at(0, 0), w.at(1, 0)));
   case Opcode::Rcp:
-    return w.replicate("1.0 / " + w.at(0, 0));
+    return w.replicate(w.rounded("1.0 / " + w.at(0, 0)));
   case Opcode::Rsq:
-    return w.replicate("inversesqrt(abs(" + w.at(0, 0) + "))");
+    return w.replicate(w.rounded("inversesqrt(abs(" + w.at(0, 0) + "))"));
   case Opcode::Scs:
-    return w.pick({"cos(" + w.at(0, 0) + ")", "sin(" + w.at(0, 0) + ")", "0.0", "0.0"});
+    return w.pick(
+        {w.rounded("cos(" + w.at(0, 0) + ")"), w.rounded("sin(" + w.at(0, 0) + ")"), "0.0", "0.0"});
   case Opcode::Sge:
     return w.compare(">=", "greaterThanEqual");
   case Opcode::Sin:
-    return w.scalarCall("sin");
+    return w.function("sin");
   case Opcode::Slt:
     return w.compare("<", "lessThan");
   case Opcode::Sub:
-    return w.infix("-");
+    return w.rounded(w.infix("-"));
   case Opcode::Xpd:
     return w.cross();
   case Opcode::Arl:
@@ -173,7 +223,7 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
-    return sample(registers, instruction) + suffix(components);
+    return w.rounded(sample(registers, instruction) + suffix(components));
   case Opcode::Kil:
     break; // has no result
   }

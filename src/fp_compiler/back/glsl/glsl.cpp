@@ -13,8 +13,13 @@ using ir::Instruction;
 using ir::Opcode;
 
 namespace {
-std::string preamble(const ir::Options &options, const Registers &registers, const GlslHost &host) {
+std::string preamble(const ir::Options &options, const Registers &registers, const GlslHost &host,
+                     Numerics numerics) {
   std::string text = "#version 120\n";
+  // Not GLSL 1.30, under which hosts drop DEPTH_TEXTURE_MODE.
+  if (numerics == Numerics::Fp24)
+    text += "#extension GL_EXT_gpu_shader4 : require\n"
+            "#extension GL_ARB_shader_bit_encoding : require\n";
   if (registers.readsRectangle() && host.textureRectangle)
     text += "#extension GL_ARB_texture_rectangle : enable\n";
   const bool conventions = options.originUpperLeft || options.pixelCenterInteger;
@@ -32,15 +37,19 @@ std::string preamble(const ir::Options &options, const Registers &registers, con
 
 /// The fog options of 3.11.4.5.1: the blend of section 3.10 on the clamped colour. FOG's
 /// enable and mode do not matter.
-std::string fogFactor(ir::FogMode mode) {
+std::string fogFactor(ir::FogMode mode, Numerics numerics) {
+  const bool host = numerics == Numerics::Host;
   switch (mode) {
   case ir::FogMode::None:
     return "";
   case ir::FogMode::Exp: // e^-dc = 2^(-dc / ln 2)
-    return "exp2(gl_Fog.density * gl_FogFragCoord * -1.442695041)";
+    return host ? "exp2(gl_Fog.density * gl_FogFragCoord * -1.442695041)"
+                : "exp2(arb_mul(gl_Fog.density * -1.442695041, gl_FogFragCoord))";
   case ir::FogMode::Exp2:
-    return "exp2(gl_Fog.density * gl_FogFragCoord * gl_Fog.density * gl_FogFragCoord * "
-           "-1.442695041)";
+    return host ? "exp2(gl_Fog.density * gl_FogFragCoord * gl_Fog.density * gl_FogFragCoord * "
+                  "-1.442695041)"
+                : "exp2(arb_mul(gl_Fog.density, gl_FogFragCoord) * "
+                  "arb_mul(gl_Fog.density, gl_FogFragCoord) * -1.442695041)";
   case ir::FogMode::Linear:
     // (e - c) / (e - s) as one multiplication and one addition, without a division a fragment;
     // hosts compute their own fog so, and where the form differs so does the last bit of the
@@ -48,6 +57,25 @@ std::string fogFactor(ir::FogMode mode) {
     return "gl_Fog.end * gl_Fog.scale - gl_FogFragCoord * gl_Fog.scale";
   }
   return "";
+}
+
+/// The same in the R300's steps (ir/semantics.h), of locals that come before it.
+std::string fogFactor24(ir::FogMode mode) {
+  const char *const factor =
+      mode == ir::FogMode::Linear
+          ? "arb_round(arb_fogscaled + arb_truncate(gl_Fog.end * gl_Fog.scale))"
+      : mode == ir::FogMode::Exp ? "arb_round(exp2(-arb_fogscaled))"
+                                 : "arb_round(exp2(-arb_round(arb_fogscaled * arb_fogscaled)))";
+  return factor;
+}
+
+std::string fogLocals24(ir::FogMode mode) {
+  const char *const row = mode == ir::FogMode::Linear ? "-gl_Fog.scale"
+                          : mode == ir::FogMode::Exp  ? "gl_Fog.density * 1.442695041"
+                                                      : "gl_Fog.density * 1.201122409";
+  return std::string("  float arb_fogscaled = arb_round(arb_mul(arb_round(gl_FogFragCoord), "
+                     "arb_truncate(") +
+         row + ")));\n  vec3 arb_fogcolor = arb_truncate(gl_Fog.color.rgb);\n";
 }
 
 /// Calls \p stage with the name of each colour that the program writes.
@@ -61,21 +89,34 @@ std::string forEachColor(const ir::Program &program, const Registers &registers,
 }
 
 /// Section 3.9, for programs whose language leaves it to fixed function.
-std::string colorSum(const ir::Program &program, const Registers &registers) {
+std::string colorSum(const ir::Program &program, const Registers &registers, Numerics numerics) {
   if (!program.options.colorSum)
     return "";
-  return forEachColor(program, registers, [](const std::string &color) {
-    return "  " + color + ".rgb = clamp(" + color + ".rgb, 0.0, 1.0) + gl_SecondaryColor.rgb;\n";
+  const bool rounds = numerics == Numerics::Fp24;
+  return forEachColor(program, registers, [rounds](const std::string &color) {
+    const std::string clamped = "clamp(" + color + ".rgb, 0.0, 1.0)";
+    return "  " + color + ".rgb = " +
+           (rounds ? "arb_round(" + clamped + " + arb_colour(gl_SecondaryColor.rgb))"
+                   : clamped + " + gl_SecondaryColor.rgb") +
+           ";\n";
   });
 }
 
-std::string fog(const ir::Program &program, const Registers &registers) {
-  if (program.options.fog == ir::FogMode::None)
+std::string fog(const ir::Program &program, const Registers &registers, Numerics numerics) {
+  const ir::FogMode mode = program.options.fog;
+  if (mode == ir::FogMode::None)
     return "";
-  return "  float arb_fog = clamp(" + fogFactor(program.options.fog) + ", 0.0, 1.0);\n" +
-         forEachColor(program, registers, [](const std::string &color) {
+  const bool rounds = numerics == Numerics::Fp24;
+  std::string text = rounds ? fogLocals24(mode) : "";
+  text += "  float arb_fog = clamp(" + (rounds ? fogFactor24(mode) : fogFactor(mode, numerics)) +
+          ", 0.0, 1.0);\n";
+  return text + forEachColor(program, registers, [rounds](const std::string &color) {
+           const std::string blend =
+               rounds ? "arb_round(arb_round(arb_fog * " + color + ".rgb) + " +
+                            "arb_round(arb_mulz(vec3(arb_round(1.0 - arb_fog)), arb_fogcolor)))"
+                      : "mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog)";
            return "  " + color + " = clamp(" + color + ", 0.0, 1.0);\n  " + color +
-                  ".rgb = mix(gl_Fog.color.rgb, " + color + ".rgb, arb_fog);\n";
+                  ".rgb = " + blend + ";\n";
          });
 }
 
@@ -97,8 +138,9 @@ std::string clipVertex(const ir::Program &program, const GlslHost &host) {
 
 class Body {
 public:
-  Body(const ir::Program &program, const Registers &registers)
-      : m_program(program), m_registers(registers), m_ranges(program) {}
+  Body(const ir::Program &program, const Registers &registers, Numerics numerics)
+      : m_program(program), m_registers(registers), m_numerics(numerics),
+        m_ranges(program, numerics) {}
 
   std::string text() {
     std::string result;
@@ -115,7 +157,7 @@ private:
       return "  if (" + killCondition(m_registers, instruction.src[0]) + ") discard;\n";
     if (instruction.dst.file == ir::File::Address)
       return "  a" + std::to_string(instruction.dst.index) + " = " +
-             expression(m_registers, instruction, {0}, {}) + ";\n";
+             expression(m_registers, instruction, {0}, {}, m_numerics) + ";\n";
     OutputText target;
     std::uint8_t mask = instruction.dst.mask;
     if (instruction.dst.file == ir::File::Temporary) {
@@ -127,10 +169,10 @@ private:
     const Components components = positions(mask);
     if (components.empty())
       return "";
-    std::string value =
-        instruction.src[0].relative
-            ? Arrays::element(instruction.src[0]) + suffix(components)
-            : expression(m_registers, instruction, components, m_ranges.proofs(instruction));
+    std::string value = instruction.src[0].relative
+                            ? Arrays::element(instruction.src[0]) + suffix(components)
+                            : expression(m_registers, instruction, components,
+                                         m_ranges.proofs(instruction), m_numerics);
     if (instruction.dst.saturate)
       value = "clamp(" + value + ", 0.0, 1.0)";
     return "  " + target.name + (target.scalar ? "" : suffix(components)) + " = " + value + ";\n";
@@ -138,20 +180,22 @@ private:
 
   const ir::Program &m_program;
   const Registers &m_registers;
+  Numerics m_numerics;
   Ranges m_ranges;
 };
 } // namespace
 
-GlslShader emit(const ir::Program &given, const GlslHost &host) {
+GlslShader emit(const ir::Program &given, const GlslHost &host, Numerics numerics) {
   ir::Program program = given;
   hoistRelative(program);
-  const Registers registers(program);
+  const Registers registers(program, numerics);
   GlslShader shader;
-  shader.text = preamble(program.options, registers, host) + registers.declarations() +
-                helpers(program) + "void main() {\n" + registers.locals() +
-                invariantPosition(program) + Body(program, registers).text() +
-                colorSum(program, registers) + fog(program, registers) + clipVertex(program, host) +
-                "}\n";
+  const std::string code = registers.locals() + invariantPosition(program) +
+                           Body(program, registers, numerics).text() +
+                           colorSum(program, registers, numerics) +
+                           fog(program, registers, numerics) + clipVertex(program, host);
+  shader.text = preamble(program.options, registers, host, numerics) + registers.declarations() +
+                helpers(program, numerics, code) + "void main() {\n" + code + "}\n";
   shader.uniforms = registers.uniforms();
   shader.samplers = registers.samplers();
   shader.attributes = registers.attributes();

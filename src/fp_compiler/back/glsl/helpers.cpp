@@ -1,6 +1,7 @@
 #include "fp_compiler/back/glsl/helpers.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace arbiter::fp::glsl {
 
@@ -35,15 +36,102 @@ std::string logarithm() {
          "  return vec4(e, m, l, 1.0);\n}\n";
 }
 
-bool uses(const ir::Program &program, Opcode op) {
-  return std::any_of(program.code.begin(), program.code.end(),
-                     [op](const ir::Instruction &instruction) { return instruction.op == op; });
+/// A function of one or two float arguments for vectors as well, component by component.
+std::string forVectors(const std::string &name, int arguments) {
+  std::string text;
+  for (const std::string width : {"2", "3", "4"}) {
+    const std::string type = "vec" + width;
+    text += type + " " + name + "(" + type + " a" + (arguments == 2 ? ", " + type + " b" : "") +
+            ") { return " + type + "(";
+    for (std::size_t i = 0; i < std::size_t(width[0] - '0'); ++i) {
+      const std::string component = std::string(".") + "xyzw"[i];
+      text += (i ? ", " : "") + name + "(a" + component +
+              (arguments == 2 ? ", b" + component : "") + ")";
+    }
+    text += "); }\n";
+  }
+  return text;
 }
+
+/// Whether the sign of a zero can be told: by a division. Elsewhere it makes no difference whether
+/// -0 times a finite number is -0 or 0, and the shorter form will do; hosts that multiply so
+/// themselves know it.
+bool tellsZeros(const ir::Program &program) {
+  return std::any_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
+    return instruction.op == Opcode::Rcp || instruction.op == Opcode::Txp;
+  });
+}
+
+std::string product(const char *arguments, const char *zero, const char *value, bool tellsZeros) {
+  const std::string test = std::string("(") + zero + ")";
+  return std::string("float ") + arguments +
+         (tellsZeros ? std::string(" { float p = ") + value + "; return p != p && " + test +
+                           " ? 0.0 : p; }\n"
+                     : " { return " + test + " ? 0.0 : " + value + "; }\n");
+}
+
+/// The bits of fp_compiler/numerics.h. 0x5F7FFFC0 is the least size that rounds to 2^64 and so to
+/// infinity, where a NaN stays; 0x20800000 is 2^-62.
+constexpr const char *kRound =
+    "float arb_round(float x) {\n"
+    "  int bits = floatBitsToInt(x), size = bits & 0x7FFFFFFF;\n"
+    "  int near = (size + 63 + (size >> 7 & 1)) & -128;\n"
+    "  near = size >= 0x5F7FFFC0 ? (size > 0x7F800000 ? size : 0x7F800000)\n"
+    "                            : near < 0x20800000 ? 0 : near;\n"
+    "  return intBitsToFloat(bits ^ size | near);\n}\n";
+constexpr const char *kTruncate =
+    "float arb_truncate(float x) {\n"
+    "  int bits = floatBitsToInt(x), size = bits & 0x7FFFFFFF;\n"
+    "  int less = size >= 0x5F800000 ? (size >= 0x7F800000 ? size : 0x5F7FFF80)\n"
+    "                                : size < 0x20800000 ? 0 : size & -128;\n"
+    "  return intBitsToFloat(bits ^ size | less);\n}\n";
+/// To the nearest multiple, ties to even.
+constexpr const char *kColour =
+    "float arb_colour(float x) {\n"
+    "  float unit = (x > 0.0 ? min(x, 1.0) : 0.0) * 4095.0, low = floor(unit), over = unit - low;\n"
+    "  bool up = over > 0.5 || over == 0.5 && (int(low) & 1) == 1;\n"
+    "  return arb_round((up ? low + 1.0 : low) / 4095.0);\n}\n";
+constexpr const char *kPower =
+    "float arb_pow(float a, float b) {\n"
+    "  float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));\n"
+    "  return b == 0.0 ? 1.0 : a > 0.0 ? power : 0.0;\n}\n";
+
+std::string sums(Numerics numerics) {
+  const bool rounds = numerics == Numerics::Fp24;
+  const auto sum = [&](const char *text) {
+    return rounds ? "arb_round(" + std::string(text) + ")" : std::string(text);
+  };
+  return "float arb_sum(vec3 p) { return " +
+         (rounds ? sum("arb_round(p.x + p.y) + p.z") : "p.x + p.y + p.z") +
+         "; }\nfloat arb_sum(vec4 p) { return " + sum("arb_sum(p.xyz) + p.w") + "; }\n";
+}
+
+struct Helper {
+  std::string name, text;
+};
 } // namespace
 
-std::string helpers(const ir::Program &program) {
-  return (uses(program, Opcode::Arl) ? kAddress : "") +
-         (uses(program, Opcode::Log) ? logarithm() : std::string());
+std::string helpers(const ir::Program &program, Numerics numerics, const std::string &code) {
+  const bool exact = tellsZeros(program);
+  // A function calls those that stand before it.
+  const Helper all[] = {
+      {"arb_address", kAddress},
+      {"arb_log", logarithm()},
+      {"arb_round", kRound + forVectors("arb_round", 1)},
+      {"arb_truncate", kTruncate + forVectors("arb_truncate", 1)},
+      {"arb_colour", kColour + forVectors("arb_colour", 1)},
+      {"arb_mul", product("arb_mul(float a, float b)", "a == 0.0 || b == 0.0", "a * b", exact) +
+                      forVectors("arb_mul", 2)},
+      {"arb_mulz", product("arb_mulz(float z, float x)", "z == 0.0", "z * x", exact) +
+                       forVectors("arb_mulz", 2)},
+      {"arb_sum", sums(numerics)},
+      {"arb_pow", kPower},
+  };
+  std::string text;
+  for (auto helper = std::rbegin(all); helper != std::rend(all); ++helper)
+    if ((text + code).find(helper->name + "(") != std::string::npos)
+      text = helper->text + text;
+  return text;
 }
 
 } // namespace arbiter::fp::glsl

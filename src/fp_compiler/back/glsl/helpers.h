@@ -2,11 +2,19 @@
 #include <string>
 
 #include "fp_compiler/ir/ir.h"
+#include "fp_compiler/numerics.h"
 
 namespace arbiter::fp::glsl {
 
-/// The functions that the expressions of a program's opcodes call: arb_address() for ARL,
-/// arb_log() for LOG.
-[[nodiscard]] std::string helpers(const ir::Program &program);
+/// The functions that \p code calls: arb_address() for ARL, arb_log() for LOG, and those of the
+/// modes of arithmetic:
+///   arb_mul(a, b)   a product of which either factor may be a zero beside an infinity or NaN
+///   arb_mulz(z, x)  one of which only z may
+///   arb_sum(v)      the components' sum, from x to w
+///   arb_round(x)    fp24::rounded(), arb_truncate(x) fp24::truncated(), arb_colour(x)
+///                   fp24::colour(), arb_pow(a, b) POW's three steps
+/// \param numerics that the program follows
+[[nodiscard]] std::string helpers(const ir::Program &program, Numerics numerics,
+                                  const std::string &code);
 
 } // namespace arbiter::fp::glsl

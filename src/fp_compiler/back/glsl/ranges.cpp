@@ -1,9 +1,7 @@
 #include "fp_compiler/back/glsl/ranges.h"
 
-#include <algorithm>
-
 #include "fp_compiler/ir/reads.h"
-#include "fp_compiler/opt/values.h"
+#include "fp_compiler/ir/semantics.h"
 
 namespace arbiter::fp::glsl {
 
@@ -13,102 +11,134 @@ using ir::Operand;
 using ir::Select;
 
 namespace {
-Range ofNumber(float value) {
-  if (value >= 0.0f && value <= 1.0f)
-    return Range::Unit;
-  return value >= 0.0f ? Range::NotNegative : Range::Any;
+/// Which factors have to be looked at: a zero matters where the other one may be no finite number.
+Guard guardOf(const Known &a, const Known &b) {
+  const bool left = a.mayBeZero() && !b.finite();
+  const bool right = b.mayBeZero() && !a.finite();
+  return Guard((left ? int(Guard::Left) : 0) | (right ? int(Guard::Right) : 0));
 }
+
+void widen(Guard &guard, Guard other) { guard = Guard(int(guard) | int(other)); }
 } // namespace
 
-Ranges::Ranges(const ir::Program &program)
-    : m_program(program), m_temporaries(program.temporaries.size(),
-                                        {Range::Unit, Range::Unit, Range::Unit, Range::Unit}) {}
+Ranges::Ranges(const ir::Program &program, Numerics numerics)
+    : m_program(program), m_numerics(numerics),
+      m_temporaries(program.temporaries.size(),
+                    Known4{knownNumber(0), knownNumber(0), knownNumber(0), knownNumber(0)}) {}
 
-Range Ranges::operand(const Operand &source, int position) const {
-  const Select select = source.swizzle[std::size_t(position)];
-  const bool negated = source.negate >> position & 1;
-  if (select == Select::Zero)
-    return Range::Unit;
-  if (select == Select::One)
-    return negated ? Range::Any : Range::Unit;
+Known Ranges::read(const Operand &source, std::size_t component) const {
   if (source.relative)
-    return Range::Any;
-  if (source.file == ir::File::Parameter) {
+    return {};
+  switch (source.file) {
+  case ir::File::Temporary:
+    return m_temporaries[source.index][component];
+  case ir::File::Attribute:
+    return knownAttribute(m_program.attributes[source.index], m_program.language, int(component),
+                          m_numerics);
+  case ir::File::Parameter: {
     const ir::Parameter &parameter = m_program.parameters[source.index];
     if (parameter.kind != ir::ParameterKind::Constant)
-      return Range::Any;
-    const float value = parameter.constant[std::size_t(select)];
-    return ofNumber(negated ? -value : value);
+      return {};
+    return knownNumber(ir::loaded(parameter.constant[component], m_numerics));
   }
-  if (negated || source.file != ir::File::Temporary)
-    return Range::Any;
-  return m_temporaries[source.index][std::size_t(select)];
-}
-
-Proofs Ranges::proofs(const Operand &base, int basePosition, const Operand &exponent,
-                      int exponentPosition) const {
-  Proofs result;
-  result.baseNotNegative = operand(base, basePosition) != Range::Any;
-  if (const auto value = opt::constantAt(m_program, exponent, exponentPosition, Numerics::Host)) {
-    result.exponentNotZero = *value != 0.0f;
-    result.exponentPositive = *value > 0.0f;
+  case ir::File::Output:
+  case ir::File::Address:
+    break;
   }
-  return result;
-}
-
-Proofs Ranges::proofs(const Instruction &instruction) const {
-  const auto &src = instruction.src;
-  if (instruction.op == Opcode::Pow)
-    return proofs(src[0], 0, src[1], 0);
-  if (instruction.op == Opcode::Lit)
-    return proofs(src[0], 1, src[0], 3);
   return {};
 }
 
-Range Ranges::result(const Instruction &instruction, int position) const {
-  const auto range = [&](int source) {
-    return operand(instruction.src[std::size_t(source)], position);
-  };
+Known Ranges::operand(const Operand &source, int position) const {
+  const Select select = source.swizzle[std::size_t(position)];
+  const Known value = select == Select::Zero  ? knownNumber(0.0f)
+                      : select == Select::One ? knownNumber(1.0f)
+                                              : read(source, std::size_t(select));
+  return source.negate >> position & 1 ? negated(value) : value;
+}
+
+Known4 Ranges::operand(const Operand &source) const {
+  return {operand(source, 0), operand(source, 1), operand(source, 2), operand(source, 3)};
+}
+
+std::array<Known4, 3> Ranges::operands(const Instruction &instruction) const {
+  std::array<Known4, 3> result;
+  for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
+    result[std::size_t(i)] = operand(instruction.src[std::size_t(i)]);
+  return result;
+}
+
+void Ranges::proveBase(Proofs &proofs, const Operand &base, int basePosition,
+                       const Operand &exponent, int exponentPosition) const {
+  proofs.baseNotNegative = operand(base, basePosition).notNegative();
+  const Known power = operand(exponent, exponentPosition);
+  proofs.exponentFinite = power.finite();
+  proofs.exponentNotZero = power.number && !power.mayBeZero();
+  proofs.exponentPositive = power.finite() && power.lo > 0.0f;
+}
+
+void Ranges::proveProducts(Proofs &proofs, const Instruction &instruction) const {
+  const auto [a, b, c] = operands(instruction);
+  const auto product = [&](std::size_t i) { widen(proofs.first, guardOf(a[i], b[i])); };
   switch (instruction.op) {
-  case Opcode::Mov:
-  case Opcode::Swz:
-  case Opcode::Abs:
-    return range(0);
-  case Opcode::Sge:
-  case Opcode::Slt:
-    return Range::Unit;
-  case Opcode::Max: // gives the number if one operand is NaN
-    return std::max(range(0), range(1)) == Range::Unit && range(0) == range(1)
-               ? Range::Unit
-               : std::min(std::max(range(0), range(1)), Range::NotNegative);
-  case Opcode::Min:
-  case Opcode::Cmp: {
-    const int first = instruction.op == Opcode::Cmp ? 1 : 0;
-    return std::min(range(first), range(first + 1));
-  }
-  case Opcode::Mul: // infinity times zero is NaN, so only finite operands tell
-    return std::min(range(0), range(1)) == Range::Unit ? Range::Unit : Range::Any;
-  case Opcode::Add:
-    return std::min(range(0), range(1)) == Range::Any ? Range::Any : Range::NotNegative;
+  case Opcode::Mul:
   case Opcode::Mad:
-    return std::min(range(0), range(1)) == Range::Unit && range(2) != Range::Any
-               ? Range::NotNegative
-               : Range::Any;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (instruction.dst.mask >> i & 1)
+        product(i);
+    break;
+  case Opcode::Dp3:
+  case Opcode::Dph:
+  case Opcode::Dp4:
+    for (std::size_t i = 0; i < (instruction.op == Opcode::Dp4 ? 4u : 3u); ++i)
+      product(i);
+    break;
+  case Opcode::Dst:
+    product(1);
+    break;
+  case Opcode::Lrp:
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!(instruction.dst.mask >> i & 1))
+        continue;
+      product(i);
+      Instruction rest;
+      rest.op = Opcode::Sub;
+      const Known4 one = {knownNumber(1), knownNumber(1), knownNumber(1), knownNumber(1)};
+      widen(proofs.second, guardOf(knownResult(rest, {one, a, {}}, m_numerics)[i], c[i]));
+    }
+    break;
+  case Opcode::Xpd:
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      widen(proofs.first, guardOf(a[j], b[k]));
+      widen(proofs.second, guardOf(a[k], b[j]));
+    }
+    break;
   default:
-    return Range::Any;
+    break;
   }
+}
+
+Proofs Ranges::proofs(const Instruction &instruction) const {
+  Proofs proofs;
+  const auto &src = instruction.src;
+  if (instruction.op == Opcode::Pow)
+    proveBase(proofs, src[0], 0, src[1], 0);
+  if (instruction.op == Opcode::Lit)
+    proveBase(proofs, src[0], 1, src[0], 3);
+  if (m_numerics != Numerics::Host)
+    proveProducts(proofs, instruction);
+  return proofs;
 }
 
 void Ranges::step(const Instruction &instruction) {
   const std::uint8_t mask = ir::writeMask(instruction);
   if (mask == 0 || instruction.dst.file != ir::File::Temporary)
     return;
-  // Operands are read before any component is written.
-  std::array<Range, 4> after = m_temporaries[instruction.dst.index];
-  for (int i = 0; i < 4; ++i)
+  const Known4 result = knownResult(instruction, operands(instruction), m_numerics);
+  for (std::size_t i = 0; i < 4; ++i)
     if (mask >> i & 1)
-      after[std::size_t(i)] = instruction.dst.saturate ? Range::Unit : result(instruction, i);
-  m_temporaries[instruction.dst.index] = after;
+      m_temporaries[instruction.dst.index][i] =
+          instruction.dst.saturate ? saturated(result[i]) : result[i];
 }
 
 } // namespace arbiter::fp::glsl

@@ -44,8 +44,9 @@ const char *samplerType(ir::TexTarget target) {
 
 } // namespace
 
-Registers::Registers(const ir::Program &program)
-    : m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
+Registers::Registers(const ir::Program &program, Numerics numerics)
+    : m_numerics(numerics),
+      m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
       m_arrays(program, m_uniformArray, m_uniforms), m_temporaries(program.temporaries.size()),
       m_attributes(program.attributes.size()), m_parameters(program.parameters.size()),
       m_locals(m_arrays.locals()) {
@@ -106,28 +107,44 @@ void Registers::nameAttribute(const ir::Program &program, std::size_t index) {
   m_readsPosition |= attribute.kind == ir::AttributeKind::Position;
   if (attribute.kind == ir::AttributeKind::Generic && attribute.index != 0)
     m_generics.push_back({genericName(attribute.index), attribute.index});
+  const bool color = attribute.kind == ir::AttributeKind::ColorPrimary ||
+                     attribute.kind == ir::AttributeKind::ColorSecondary;
+  makeLocal(m_attributes[index], "i" + std::to_string(index), color ? "arb_colour" : "arb_round");
+}
+
+/// Under Fp24 only: what the name stands for, through \p function.
+void Registers::makeLocal(RegisterText &name, const std::string &local, const char *function) {
+  if (m_numerics != Numerics::Fp24)
+    return;
+  const auto &parts = name.components;
+  const std::string whole = name.variable.empty() ? "vec4(" + parts[0] + ", " + parts[1] + ", " +
+                                                        parts[2] + ", " + parts[3] + ")"
+                                                  : name.variable;
+  m_locals += "  vec4 " + local + " = " + function + "(" + whole + ");\n";
+  name = variable(local);
 }
 
 void Registers::nameParameter(std::size_t index, const ir::Parameter &parameter) {
   RegisterText &name = m_parameters[index];
   if (parameter.kind == ir::ParameterKind::Constant) {
     for (std::size_t i = 0; i < 4; ++i)
-      name.components[i] = number(parameter.constant[i]);
+      name.components[i] =
+          number(m_numerics == Numerics::Fp24 ? fp24::truncated(parameter.constant[i])
+                                              : parameter.constant[i]);
     return;
   }
-  if (parameter.kind == ir::ParameterKind::State) {
-    if (const auto state = stateText(parameter.state)) {
-      if (state->isVariable) {
-        name = variable(state->text);
-        return;
-      }
-      const std::string local = "s" + std::to_string(index);
-      m_locals += "  vec4 " + local + " = " + state->text + ";\n";
-      name = variable(local);
-      return;
-    }
+  const std::string local = "s" + std::to_string(index);
+  const auto state = parameter.kind == ir::ParameterKind::State ? stateText(parameter.state)
+                                                                : std::optional<StateText>();
+  if (!state) {
+    nameUniform(name, parameter);
+  } else if (state->isVariable || m_numerics == Numerics::Fp24) {
+    name = variable(state->text);
+  } else {
+    m_locals += "  vec4 " + local + " = " + state->text + ";\n";
+    name = variable(local);
   }
-  nameUniform(name, parameter);
+  makeLocal(name, local, "arb_truncate");
 }
 
 void Registers::nameUniform(RegisterText &name, const ir::Parameter &parameter) {

@@ -14,7 +14,9 @@ namespace arbiter::fp::glsl {
 /// instruction reads are given no name and no declaration. Requires hoistRelative().
 class Registers {
 public:
-  explicit Registers(const ir::Program &program);
+  /// \param numerics that the program follows: under Fp24 everything from outside is read into a
+  /// local of its own, rounded
+  explicit Registers(const ir::Program &program, Numerics numerics = Numerics::Host);
 
   /// Requires: the operand is not relative.
   [[nodiscard]] const RegisterText &source(ir::File file, std::uint16_t index) const;
@@ -42,6 +44,9 @@ private:
   void nameOutputs(const ir::Program &program);
   void nameSampler(const ir::Instruction &instruction);
 
+  void makeLocal(RegisterText &name, const std::string &local, const char *function);
+
+  Numerics m_numerics;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;
   Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share theirs
