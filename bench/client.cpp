@@ -16,6 +16,7 @@ std::vector<bench::Row> allRows() {
   std::vector<bench::Row> rows = bench::callRows();
   rows.insert(rows.end(), bench::drawRows().begin(), bench::drawRows().end());
   rows.insert(rows.end(), bench::loadRows().begin(), bench::loadRows().end());
+  rows.insert(rows.end(), bench::fillRows().begin(), bench::fillRows().end());
   return rows;
 }
 

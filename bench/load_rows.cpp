@@ -20,7 +20,8 @@ std::string demoText(unsigned seed) {
   return text;
 }
 
-/// A valid program within a Radeon 9700's limits: samples first, then arithmetic on all of them.
+} // namespace
+
 std::string generateText(unsigned seed) {
   static constexpr const char *kBinary[] = {"ADD", "SUB", "MUL", "MIN", "MAX", "DP3", "DP4", "SGE"};
   static constexpr const char *kMasks[] = {"", ".xyz", ".xy", ".w"};
@@ -60,6 +61,8 @@ std::string generateText(unsigned seed) {
   text += "ADD r0, r0, r1;\nADD r0, r0, r2;\nADD r0, r0, r3;\nADD r0, r0, r4;\n";
   return text + "ADD result.color, r0, r5;\nEND\n";
 }
+
+namespace {
 
 /// From the program's name to its first pixels; negative if GL rejects it.
 double loadAndDraw(const std::string &text) {

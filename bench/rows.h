@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,5 +15,10 @@ struct Row {
 [[nodiscard]] const std::vector<Row> &callRows();
 [[nodiscard]] const std::vector<Row> &drawRows();
 [[nodiscard]] const std::vector<Row> &loadRows();
+/// Of the modes of arithmetic: large quads.
+[[nodiscard]] const std::vector<Row> &fillRows();
+
+/// A valid program within a Radeon 9700's limits: samples first, then arithmetic on all of them.
+[[nodiscard]] std::string generateText(unsigned seed);
 
 } // namespace bench

@@ -1,0 +1,126 @@
+#include "rows.h"
+
+#include <chrono>
+#include <epoxy/gl.h>
+#include <string>
+
+namespace bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void load(std::string_view text) {
+  static GLuint program = 0;
+  if (!program)
+    glGenProgramsARB(1, &program);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
+  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
+                     text.data());
+  for (GLuint i = 0; i < 4; ++i)
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, i, 0.5f, 0.25f, 0.75f, 1.0f);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+}
+
+/// Five small textures, as many as generated programs sample.
+void bindTextures() {
+  static bool s_done = false;
+  if (s_done)
+    return;
+  s_done = true;
+  for (int unit = 4; unit >= 0; --unit) {
+    GLuint name = 0;
+    unsigned char texels[16 * 16 * 4];
+    for (std::size_t i = 0; i < sizeof texels; ++i)
+      texels[i] = static_cast<unsigned char>(i * 37 + std::size_t(unit) * 11);
+    glGenTextures(1, &name);
+    glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  }
+}
+
+void drawQuad() {
+  static constexpr float kCorners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  glBegin(GL_QUADS);
+  for (const auto &[u, v] : kCorners) {
+    glColor4f(u, v, 1 - u, 1);
+    glMultiTexCoord2f(GL_TEXTURE0, u, v);
+    glMultiTexCoord2f(GL_TEXTURE1, v, u);
+    glVertex2f(2 * u - 1, 2 * v - 1);
+  }
+  glEnd();
+}
+
+/// Nanoseconds of a frame of the whole surface, after one that is not counted.
+double frame(std::string_view text, int count) {
+  bindTextures();
+  load(text);
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  drawQuad();
+  glFinish();
+  const auto begin = Clock::now();
+  for (int i = 0; i < count; ++i)
+    drawQuad();
+  glFinish();
+  const std::chrono::duration<double, std::nano> time = Clock::now() - begin;
+  return time.count() / count;
+}
+
+/// Sixteen multiplying instructions on two registers.
+std::string multiplying(const char *first, const char *second, const char *saturated) {
+  const std::string sat = saturated;
+  std::string text =
+      std::string("!!ARBfp1.0\nTEMP a, b, c;\n") + first + "\n" + second + "\nMOV c, a;\n";
+  for (int i = 0; i < 4; ++i)
+    text += "MUL" + sat + " c, c, b;\nMAD" + sat + " c, a, b.wzyx, c;\nDP3" + sat +
+            " c.xy, c, a;\nLRP" + sat + " c, a, c, b;\n";
+  return text + "MOV result.color, c;\nEND\n";
+}
+
+/// Colours, constants, and what _SAT keeps in [0,1].
+std::vector<double> finite(int count, unsigned) {
+  static const std::string s_text =
+      multiplying("MUL_SAT a, fragment.color, {0.5, 0.25, 0.75, 1.0};",
+                  "ADD_SAT b, fragment.color.yzxw, {0.25, 0.5, 0.0, 0.125};", "_SAT");
+  return {frame(s_text, count)};
+}
+
+/// Texture coordinates and parameters, of which nothing is known.
+std::vector<double> any(int count, unsigned) {
+  static const std::string s_text =
+      multiplying("MOV a, fragment.texcoord[0];", "MUL b, program.local[0], program.local[1];", "");
+  return {frame(s_text, count)};
+}
+
+/// The era's usual program: samples times a colour and parameters.
+std::vector<double> textured(int count, unsigned) {
+  return {frame("!!ARBfp1.0\nTEMP a, b;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n"
+                "TEX b, fragment.texcoord[1], texture[1], 2D;\nMUL a, a, fragment.color;\n"
+                "MAD a, b, program.local[0], a;\nLRP a, fragment.color.w, a, b;\n"
+                "MUL result.color, a, 2.0;\nEND\n",
+                count)};
+}
+
+/// Forty programs from a seed, the sum of their frames.
+std::vector<double> generated(int count, unsigned) {
+  double sum = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed)
+    sum += frame(generateText(seed), count);
+  return {sum};
+}
+
+} // namespace
+
+const std::vector<Row> &fillRows() {
+  static const std::vector<Row> rows = {
+      {"fill/operands proved finite", finite},
+      {"fill/operands of any value", any},
+      {"fill/textures, colour, parameters", textured},
+      {"fill/40 generated programs", generated},
+  };
+  return rows;
+}
+
+} // namespace bench
