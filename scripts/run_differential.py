@@ -5,7 +5,8 @@ glsl: the compiler's GLSL given to the host; host: the host's own ARB path, in a
 printed: that path with the compiler's own text of each program; layer: the same calls with the
 layer in front, whose statistics must show that it compiled them. vertex-...: likewise of vertex
 programs. ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the
-layer in front through ATI_text_fragment_shader and through ATI_fragment_shader.
+layer in front through ATI_text_fragment_shader and through ATI_fragment_shader. legacy-..., fp24-...:
+the same under those modes of arithmetic; wild: programs that multiply infinities by zeros.
 """
 
 import argparse
@@ -52,6 +53,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--count", type=int, default=500, help="fragment programs")
     parser.add_argument("--vertex-count", type=int, default=300, help="vertex programs")
+    parser.add_argument("--mode-count", type=int, default=60,
+                        help="programs of each kind in each mode of arithmetic")
     parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
@@ -72,6 +75,18 @@ def main():
             ("ati-glsl", args.count, [*ati, "glsl"], {}),
             ("ati-text", args.count, [*ati, "arb"], in_front),
             ("ati-api", args.count, [*ati, "api"], in_front)]
+    count = args.mode_count
+    for mode in ("legacy", "fp24"):
+        of_mode = ["--numerics", mode, "--mode"]
+        in_mode = {**in_front, "ARBITER_NUMERICS": mode}
+        ways += [(mode + "-glsl", count, [*of_mode, "glsl"], {}),
+                 (mode + "-wild", count, [*of_mode, "glsl", "--wild", "1"], {}),
+                 (mode + "-layer", count, [*of_mode, "arb"], in_mode),
+                 (mode + "-ati", count, ["--language", "ati", *of_mode, "glsl"], {}),
+                 (mode + "-ati-text", count, ["--language", "ati", *of_mode, "arb"], in_mode)]
+    ways += [("legacy-vertex", count, ["--numerics", "legacy", *vertex, "glsl"], {}),
+             ("legacy-v-layer", count, ["--numerics", "legacy", *vertex, "arb"],
+              {**in_front, "ARBITER_NUMERICS": "legacy"})]
     passed = failed = 0
     for name, count, options, extra in ways:
         result = run(name, args, count, options, extra)

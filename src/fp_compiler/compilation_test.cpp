@@ -124,6 +124,25 @@ TEST(CacheKey, DiffersWhereverTheResultMay) {
   other = input();
   other.host.clipPlanes = !other.host.clipPlanes;
   EXPECT_NE(key, cacheKey(other, text));
+  other = input();
+  other.host.bitEncoding = false;
+  EXPECT_NE(key, cacheKey(other, text));
+  other = input();
+  other.numerics = Numerics::Legacy;
+  const std::string legacy = cacheKey(other, text);
+  EXPECT_NE(key, legacy);
+  other.numerics = Numerics::Fp24;
+  EXPECT_NE(key, cacheKey(other, text));
+  EXPECT_NE(legacy, cacheKey(other, text));
+}
+
+TEST(Compilation, IsOfItsMode) {
+  CompilationInput legacy = input();
+  legacy.numerics = Numerics::Legacy;
+  const std::string text =
+      "!!ARBfp1.0\nMUL result.color, fragment.texcoord[0], program.env[0];\nEND";
+  EXPECT_NE(compile(legacy, text).glsl.text.find("arb_mul("), std::string::npos);
+  EXPECT_EQ(compile(input(), text).glsl.text.find("arb_mul("), std::string::npos);
 }
 
 } // namespace

@@ -1,8 +1,9 @@
 // The stages of every program in a folder, compared with the files beside it: its IR as checked
-// (.ir), as optimised (.opt.ir), and its GLSL (.glsl). With --validate, every GLSL golden goes
-// through glslangValidator instead.
+// (.ir), as optimised (.opt.ir), and its GLSL (.glsl). With --modes its GLSL in the modes of
+// arithmetic (.legacy.glsl, .fp24.glsl) instead; with --validate every GLSL golden goes through
+// glslangValidator.
 //
-// usage: golden-stages [--regenerate | --validate] FOLDER...
+// usage: golden-stages [--modes] [--regenerate | --validate] FOLDER...
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -37,13 +38,19 @@ std::vector<fs::path> filesOf(const fs::path &folder, const char *extension) {
 
 class Goldens {
 public:
-  explicit Goldens(bool regenerate) : m_regenerate(regenerate) {}
+  Goldens(bool regenerate, bool modes) : m_regenerate(regenerate), m_modes(modes) {}
 
   void program(const fs::path &path) {
     ++m_programs;
     const CheckResult checked = testing_support::check(readFile(path));
     if (!checked.ok())
       return fail(path, "does not load");
+    if (m_modes) {
+      for (const Numerics mode : {Numerics::Legacy, Numerics::Fp24})
+        compare(path, "." + std::string(kNumericsNames[std::size_t(mode)]) + ".glsl",
+                emitGlsl(*checked.program, {}, mode).text);
+      return;
+    }
     ir::Program optimised = *checked.program;
     optimise(optimised);
     for (const std::string &problem : ir::validate(optimised))
@@ -70,7 +77,7 @@ private:
     std::cout << path.string() << ": " << what << "\n";
   }
 
-  void compare(const fs::path &path, const char *extension, const std::string &actual) {
+  void compare(const fs::path &path, const std::string &extension, const std::string &actual) {
     const fs::path golden = fs::path(path).replace_extension(extension);
     if (m_regenerate)
       std::ofstream(golden, std::ios::binary) << actual;
@@ -83,7 +90,7 @@ private:
     fail(golden, fs::exists(golden) ? "differs from line " + std::to_string(line) : "is missing");
   }
 
-  bool m_regenerate;
+  bool m_regenerate, m_modes;
   int m_programs = 0, m_failures = 0;
 };
 
@@ -96,13 +103,19 @@ int validateGlsl(const std::vector<fs::path> &folders) {
   int files = 0, failures = 0;
   for (const fs::path &folder : folders)
     for (const fs::path &path : filesOf(folder, ".glsl")) {
-      if (readFile(path).find("fragment_coord_conventions") != std::string::npos) {
-        std::cout << path.filename().string() << ": skipped, the validator does not know "
-                  << "GL_ARB_fragment_coord_conventions\n";
+      const std::string text = readFile(path);
+      bool known = true;
+      for (const char *extension : {"GL_ARB_fragment_coord_conventions", "GL_EXT_gpu_shader4"})
+        if (text.find(extension) != std::string::npos) {
+          std::cout << path.filename().string() << ": skipped, the validator does not know "
+                    << extension << "\n";
+          known = false;
+        }
+      if (!known)
         continue;
-      }
       ++files;
-      const bool vertex = fs::exists(fs::path(path).replace_extension(".vp"));
+      const std::string name = path.filename().string();
+      const bool vertex = fs::exists(path.parent_path() / (name.substr(0, name.find('.')) + ".vp"));
       const std::string command = std::string("glslangValidator -S ") + (vertex ? "vert" : "frag") +
                                   " '" + path.string() + "'";
       failures += std::system(command.c_str()) != 0;
@@ -114,7 +127,7 @@ int validateGlsl(const std::vector<fs::path> &folders) {
 } // namespace
 
 int main(int argc, char **argv) {
-  bool regenerate = false, validate = false;
+  bool regenerate = false, validate = false, modes = false;
   std::vector<fs::path> folders;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -122,9 +135,11 @@ int main(int argc, char **argv) {
       regenerate = true;
     } else if (argument == "--validate") {
       validate = true;
+    } else if (argument == "--modes") {
+      modes = true;
     } else if (argument.starts_with("-") || !fs::is_directory(argument)) {
-      std::cerr << "usage: golden-stages [--regenerate | --validate] FOLDER...; not " << argument
-                << "\n";
+      std::cerr << "usage: golden-stages [--modes] [--regenerate | --validate] FOLDER...; not "
+                << argument << "\n";
       return 1;
     } else {
       folders.emplace_back(argument);
@@ -132,7 +147,7 @@ int main(int argc, char **argv) {
   }
   if (validate)
     return validateGlsl(folders);
-  Goldens goldens(regenerate);
+  Goldens goldens(regenerate, modes);
   for (const fs::path &folder : folders)
     for (const char *extension : {".fp", ".vp"})
       for (const fs::path &path : filesOf(folder, extension))

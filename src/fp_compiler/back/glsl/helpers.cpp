@@ -90,7 +90,7 @@ constexpr const char *kColour =
     "float arb_colour(float x) {\n"
     "  float unit = (x > 0.0 ? min(x, 1.0) : 0.0) * 4095.0, low = floor(unit), over = unit - low;\n"
     "  bool up = over > 0.5 || over == 0.5 && (int(low) & 1) == 1;\n"
-    "  return arb_round((up ? low + 1.0 : low) / 4095.0);\n}\n";
+    "  return arb_round((up ? low + 1.0 : low) * 0.00024420026);\n}\n";
 constexpr const char *kPower =
     "float arb_pow(float a, float b) {\n"
     "  float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));\n"

@@ -19,6 +19,8 @@ public:
   [[nodiscard]] Proofs proofs(const ir::Instruction &instruction) const;
   /// Goes past the instruction.
   void step(const ir::Instruction &instruction);
+  /// What is known of a temporary now.
+  [[nodiscard]] const Known4 &temporary(std::uint16_t index) const { return m_temporaries[index]; }
 
 private:
   [[nodiscard]] Known operand(const ir::Operand &source, int position) const;
