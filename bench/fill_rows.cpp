@@ -11,8 +11,9 @@ using Clock = std::chrono::steady_clock;
 
 void load(std::string_view text) {
   static GLuint program = 0;
-  if (!program)
-    glGenProgramsARB(1, &program);
+  if (program)
+    glDeleteProgramsARB(1, &program);
+  glGenProgramsARB(1, &program);
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
   glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
                      text.data());

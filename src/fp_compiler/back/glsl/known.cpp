@@ -105,7 +105,8 @@ public:
     const Known result = sum(product(a, b), product(rest, c));
     const float slack = 1e-6f * std::max(std::fabs(result.lo), std::fabs(result.hi));
     const bool allFinite = a.finite() && b.finite() && c.finite();
-    return {result.lo - slack, result.hi + slack,
+    return {std::isinf(result.lo) ? result.lo : result.lo - slack,
+            std::isinf(result.hi) ? result.hi : result.hi + slack,
             result.number && (allFinite || m_numerics != Numerics::Host)};
   }
 
