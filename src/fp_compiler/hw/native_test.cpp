@@ -400,8 +400,8 @@ TEST(Models, AListingNamesTheLines) {
   EXPECT_EQ(listing("host", text), "");
 }
 
-// Time must not grow with the square of the text: a program of 1 MB is bad input until proved good.
-TEST(Models, LongProgramsAreCountedInTime) {
+// Far beyond every limit, which only a policy of reporting lets through.
+TEST(Models, LongProgramsAreCountedWhole) {
   std::string body = "MOV r, a;\n";
   for (int i = 0; i < 4000; ++i)
     body += i % 7 == 0 ? "TEX r, r, texture[0], 2D;\n" : "MAD r, r, k, s; SIN s, r.x;\n";
