@@ -28,7 +28,7 @@ namespace {
 
 using fp::hw::r300::Code;
 
-constexpr std::uint64_t kFragments = 4;
+constexpr std::uint64_t kFragments = 2;
 constexpr int kShown = 3;
 /// More than this share of values that say nothing would make the comparison one in name only.
 constexpr double kSkippedShare = 0.08;
@@ -78,7 +78,7 @@ public:
       return;
     ++m_mutants;
     bool noticed = !fp::hw::r300::faults(code, program).empty();
-    for (std::uint64_t at = 0; !noticed && at < 2 * kFragments; ++at) {
+    for (std::uint64_t at = 0; !noticed && at < 4 * kFragments; ++at) {
       const Surroundings surroundings(program, seed * kFragments + at);
       const Expectation expected = expect(program, surroundings.inputs(), seed);
       noticed =
