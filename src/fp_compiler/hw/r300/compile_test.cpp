@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fp_compiler/ati/lower.h"
+#include "fp_compiler/hw/r300/execute.h"
 #include "fp_compiler/hw/r300/legality.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/print.h"
@@ -136,6 +139,31 @@ TEST(R300Compile, AtiShadersAreLegal) {
     program.options.fog = ir::FogMode(seed / 2 % 4);
     expectLegal(program, {}, seed);
   }
+}
+
+TEST(R300Compile, SinesStayWithinTheirError) {
+  ir::Builder builder;
+  const ir::Source angle = builder.attribute(ir::AttributeKind::TexCoord, 0).swz("x");
+  const ir::Target both = builder.temporary();
+  builder.op(ir::Opcode::Scs, both.mask("xy"), {angle});
+  builder.op(ir::Opcode::Mov, builder.color().mask("xy"), {both.read()});
+  builder.op(ir::Opcode::Sin, builder.color().mask("z"), {angle});
+  builder.op(ir::Opcode::Cos, builder.color().mask("w"), {angle});
+  const ir::Program &program = builder.program();
+  const Code code = compile(program, {});
+  double worst = 0;
+  for (int i = -4000; i <= 4000; ++i) {
+    const float x = float(i) * 0.00390625f;
+    const std::array<ir::Vec4, 1> attributes = {ir::Vec4{x, 0, 0, 1}};
+    ir::Inputs inputs;
+    inputs.attributes = attributes;
+    const ir::Vec4 result = execute(code, program, inputs).outputs[0];
+    for (const double error : {result[0] - std::cos(double(x)), result[1] - std::sin(double(x)),
+                               result[2] - std::sin(double(x)), result[3] - std::cos(double(x))})
+      worst = std::max(worst, std::fabs(error));
+  }
+  EXPECT_LT(worst, 0x1p-9);
+  EXPECT_GT(worst, 0x1p-12) << "it is a parabola, and the document says so";
 }
 
 // Nothing may take the square of a program's length: 20,000 statements are a quarter of a second.
