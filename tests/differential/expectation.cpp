@@ -46,6 +46,10 @@ public:
     };
     result.result = [this, numerics](const Instruction &instruction, Vec4 &value) {
       const Tolerance allowed = tolerance(instruction.op, numerics);
+      // GLSL owes nobody a NaN: hosts take x - x for 0 whatever x is.
+      for (float &component : value)
+        if (std::isnan(component) && m_random.chance(50))
+          component = 0;
       if (allowed.relative != 0 || allowed.absolute != 0)
         for (float &component : value)
           if (component != 0) { // a zero by rule, not by rounding

@@ -20,6 +20,9 @@ constexpr Tolerance kTrigonometric = {0x1p-22f, 0, 0x1p-18f};
 /// Texel coordinates go through the host's fixed point.
 constexpr Tolerance kTexture = {0x1p-16f, 0, 0};
 
+/// A function whose single is off by ever so little rounds to the neighbour where the exact one is
+/// near the middle of two: one unit of 24 bits, which a relative 2^-16 reaches from any mantissa.
+constexpr float kUnit24 = 0x1p-16f;
 /// POW is three steps in 24 bits: what the logarithm's last bit makes of a power of 2^16.
 constexpr Tolerance kPower24 = {0, 0x1p-12f, 0};
 
@@ -27,18 +30,17 @@ Tolerance tolerance24(Opcode op) {
   switch (op) {
   case Opcode::Rcp:
   case Opcode::Rsq:
-    return kReciprocal;
   case Opcode::Ex2:
-    return {0, kExponential.relative, 0};
+    return {0, kUnit24, 0};
   case Opcode::Lg2:
-    return {0, kLogarithm.relative, kLogarithm.absolute};
+    return {0, kUnit24, kLogarithm.absolute};
   case Opcode::Lit:
   case Opcode::Pow:
     return kPower24;
   case Opcode::Cos:
   case Opcode::Sin:
   case Opcode::Scs:
-    return {0, 0, 0x1p-17f};
+    return {0, kUnit24, 0x1p-17f};
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
