@@ -25,7 +25,10 @@ check_graph() {
     python3 "$root/tests/include_graph/include_graph.py" --self-test
 }
 
-check_generated() { python3 "$root/docs/generate.py" --check --build "$build"; }
+check_generated() {
+  python3 "$root/docs/generate.py" --check --build "$build" &&
+    python3 "$root/editors/generate.py" --check
+}
 
 # Only what the tree compiles: clang-tidy needs each file's flags.
 check_tidy() {

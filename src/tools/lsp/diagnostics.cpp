@@ -25,6 +25,18 @@ Severity severityOf(fp::Severity severity) {
   return kInformation;
 }
 
+/// A byte within a character, which a lexer of bytes may point at, is no place for an editor.
+fp::Span wholeCharacters(std::string_view text, fp::Span span) {
+  const auto within = [&](std::uint32_t at) {
+    return at < text.size() && (std::uint8_t(text[at]) & 0xC0) == 0x80;
+  };
+  while (span.begin > 0 && within(span.begin))
+    --span.begin;
+  while (within(span.end))
+    ++span.end;
+  return span;
+}
+
 /// An editor marks nothing at an empty range: it becomes the character before it, or behind it.
 fp::Span visible(const Document &document, fp::Span span) {
   const std::string &text = document.text();
@@ -32,13 +44,13 @@ fp::Span visible(const Document &document, fp::Span span) {
   span.begin = std::min(span.begin, size);
   span.end = std::clamp(span.end, span.begin, size);
   if (span.begin != span.end)
-    return span;
+    return wholeCharacters(text, span);
   if (span.begin < size && text[span.begin] != '\n' && text[span.begin] != '\r')
-    return {span.begin, span.begin + 1};
+    return wholeCharacters(text, {span.begin, span.begin + 1});
   const std::size_t last = text.find_last_not_of(" \t\r\n", span.begin == 0 ? 0 : span.begin - 1);
   if (last == std::string::npos)
     return span;
-  return {std::uint32_t(last), std::uint32_t(last) + 1};
+  return wholeCharacters(text, {std::uint32_t(last), std::uint32_t(last) + 1});
 }
 
 Json made(const View &view, fp::Span span, Severity severity, std::string code,

@@ -3,6 +3,7 @@
 
 usage: lsp_test.py ARBITER [UNITTEST ARGUMENTS...]
 """
+import random
 import statistics
 import sys
 import time
@@ -245,6 +246,11 @@ class Diagnostics(Session):
                                       'end': {'line': 2, 'character': 1}}, 'text': ''})
         found = self.client.diagnostics(URI)['diagnostics']
         self.assertEqual(found[0]['range']['start'], {'line': 1, 'character': 26})
+
+    def test_a_character_is_marked_as_a_whole(self):
+        found = self.client.open(URI, '!!ARBfp1.0\nTEMP a;\nMOV a, \U0001d11e;\nEND')
+        self.assertEqual(found[0]['range'], {'start': {'line': 2, 'character': 7},
+                                             'end': {'line': 2, 'character': 9}})
 
     def test_edits_beyond_the_text(self):
         self.client.open(URI, '!!ARBfp1.0\nEND')
@@ -629,6 +635,37 @@ class Inlay(Session):
     def test_none_for_a_text_that_does_not_load(self):
         self.client.open(URI, PROGRAM.replace('END', ''))
         self.assertEqual(self.hints(), [])
+
+
+class Hostile(Session):
+    PIECES = ['', ';', '.', '[', ']', '{', '}', '=', ',', 'MOV ', 'TEX ', 'state.', 'fragment.',
+              'c[', 'A0.x', '\n', '\r', '\r\n', '# ', '!!', '!!ATIfs1.0\n', '!!ARBvp1.0\n',
+              '\U0001d11e', '\u00e4', 'SWZ a, b, ', 'OPTION ', 'ALIAS x = ', 'PARAM p[] = { ',
+              'SampleMap r1, t0.', '\0', '0', '1.5', '2D', '.2x', '-', 'END']
+    METHODS = ['hover', 'completion', 'definition', 'references', 'documentHighlight',
+               'prepareRename', 'rename', 'documentSymbol', 'semanticTokens/full', 'inlayHint']
+
+    def test_texts_in_pieces(self):
+        """Whatever stands in a text, each request is answered and the server goes on."""
+        chance = random.Random(7)
+        for at in range(150):
+            text = chance.choice([PROGRAM, VERTEX, ATI])
+            for _ in range(chance.randrange(1, 6)):
+                start = chance.randrange(len(text) + 1)
+                end = min(len(text), start + chance.choice([0, 1, 3, 40]))
+                text = text[:start] + chance.choice(self.PIECES) + text[end:]
+            text = text[:chance.randrange(len(text) + 1)] if at % 3 == 0 else text
+            self.client.open(URI, text)
+            for _ in range(4):
+                spot = {'line': chance.randrange(14), 'character': chance.randrange(30)}
+                asked = [self.client.ask('textDocument/' + method, {
+                    'textDocument': {'uri': URI}, 'position': spot, 'newName': 'x',
+                    'range': {'start': spot, 'end': {'line': 99, 'character': 0}}})
+                    for method in self.METHODS]
+                for identity in asked:
+                    code = self.client.response(identity).get('error', {}).get('code', -32803)
+                    self.assertEqual(code, -32803, text)
+        self.assertEqual(self.client.leave(), 0)
 
 
 class Latency(Session):
