@@ -32,15 +32,31 @@ std::optional<double> delta(const Numbers &numbers) {
   return *numbers[1] - *numbers[0];
 }
 
-/// What only a model has: nodes, dependent reads, cycles.
-template <typename Value> Numbers modelled(const Side &a, const Side &b, Value value) {
-  const auto of = [&](const Side &side) -> std::optional<double> {
-    if (side.file.native->nodes.empty() && side.file.native->cycles.bound.empty())
-      return std::nullopt;
-    return value(side.file);
-  };
-  return {of(a), of(b)};
+/// What a model says beyond the counts; nothing where it has no such notion.
+struct ModelRow {
+  const char *key;
+  const char *title;
+  std::optional<double> (*of)(const CheckedFile &);
+};
+
+std::optional<double> when(bool has, double number) {
+  return has ? std::optional(number) : std::nullopt;
 }
+
+constexpr ModelRow kModelRows[] = {
+    {"nodes", "texture nodes",
+     [](const CheckedFile &file) {
+       return when(!file.native->nodes.empty(), double(file.native->nodes.size()));
+     }},
+    {"dependent_reads", "dependent reads",
+     [](const CheckedFile &file) {
+       return when(!file.native->costs.empty(), dependentReads(file));
+     }},
+    {"cycles", "cycles",
+     [](const CheckedFile &file) {
+       return when(!file.native->cycles.bound.empty(), file.native->cycles.cycles);
+     }},
+};
 
 std::vector<Line> linesOf(const Side &a, const Side &b) {
   std::vector<Line> lines;
@@ -60,16 +76,8 @@ std::vector<Line> linesOf(const Side &a, const Side &b) {
       line.nativeLimits[i] = file.limits.native.*row.member;
     }
   }
-  lines.push_back({"nodes", "texture nodes", {}, modelled(a, b, [](const CheckedFile &file) {
-                     return double(file.native->nodes.size());
-                   })});
-  lines.push_back(
-      {"dependent_reads", "dependent reads", {}, modelled(a, b, [](const CheckedFile &file) {
-         return double(dependentReads(file));
-       })});
-  lines.push_back({"cycles", "cycles", {}, modelled(a, b, [](const CheckedFile &file) {
-                     return file.native->cycles.cycles;
-                   })});
+  for (const ModelRow &row : kModelRows)
+    lines.push_back({row.key, row.title, {}, {row.of(a.file), row.of(b.file)}});
   return lines;
 }
 

@@ -307,6 +307,15 @@ TEST(Compare, CountsAndDifferences) {
   EXPECT_NE(text.find("  texture nodes     " + std::string(46, ' ') + "2            -\n"),
             std::string::npos)
       << text;
+  // A model without nodes has dependent reads and cycles all the same.
+  b.file.native = a.file.native;
+  b.file.native->nodes.clear();
+  const std::string other = Comparison(a, b).text(ascii());
+  EXPECT_NE(other.find("  texture nodes     " + std::string(46, ' ') + "2            -\n"),
+            std::string::npos)
+      << other;
+  EXPECT_NE(other.find("1            1       0\n"), std::string::npos) << other;
+  EXPECT_NE(other.find("70           70       0\n"), std::string::npos) << other;
 }
 
 } // namespace
