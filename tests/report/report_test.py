@@ -172,6 +172,8 @@ class Captured(Folder):
         self.assertIn('loaded 1 time, 3 draws', section['text'])
         self.assertIn('program.local[0]', section['text'])
         self.assertIn('draws', page.find('thead')[0]['text'])
+        row, = [row for row in page.find('tr') if 'data-s' in row]
+        self.assertRegex(row['text'], '^' + program['capture']['hash'][:12] + r'\.fp.*3$')
         self.assertEqual(self.report('--profile', 'i915', folder)[1]['profile']['name'], 'i915')
 
 

@@ -75,12 +75,21 @@ std::string countCells(const CheckedFile &file) {
   return html + "<td class=n>" + decimal(file.native->cycles.cycles) + "</td>";
 }
 
+/// The name in the table; of a captured program as much of its hash as tells it from others.
+std::string shortName(const ProgramSet &set, std::size_t index) {
+  const ReportedProgram &program = set.programs[index];
+  if (program.captured < 0)
+    return program.file.name;
+  const CapturedProgram &captured = set.capture.programs[std::size_t(program.captured)];
+  return captured.hash.substr(0, 12) + captured.target->extension;
+}
+
 std::string row(const ProgramSet &set, std::size_t index) {
   const ReportedProgram &program = set.programs[index];
   const CheckedFile &file = program.file;
   const bool read = program.verdict != Verdict::Unreadable;
   std::string html = std::string("<tr data-s=\"") + word(program.verdict) + "\"><td><a href=\"#" +
-                     anchor(index) + "\">" + escaped(file.name) + "</a></td>" +
+                     anchor(index) + "\">" + escaped(shortName(set, index)) + "</a></td>" +
                      cell(read ? languageRow(file.language).header + 2 : "") +
                      cell(verdictMark(program.verdict));
   html += file.counted() ? countCells(file) : emptyCells(8);
