@@ -50,7 +50,8 @@ void Emitter::begin(std::uint16_t origin, Home home) {
   m_pieces.clear();
 }
 
-void Emitter::set(Home home, std::uint8_t mask, const Value &value) {
+void Emitter::set(Home home, std::uint8_t mask, const Value &value, bool once) {
+  m_current[home].once = once;
   for (std::size_t c = 0; c < 4; ++c)
     if (mask >> c & 1) {
       m_current[home].direct[c] = value.direct[c];
@@ -232,6 +233,29 @@ std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t comp
   return count;
 }
 
+/// phases(), but rather reading through copies where that takes no more.
+std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t components,
+                             std::array<std::uint8_t, 3> &parts) {
+  const std::uint32_t count = phases(operands, components, parts);
+  std::array<Value, 3> behind;
+  bool once = false, differ = false;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    once |= operands[i].once;
+    differ |= operands[i].direct != operands[i].through;
+  }
+  if (!differ || count == 3 || std::popcount(components) < 2)
+    return count;
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    behind[i] = valueOf(operands[i].through);
+  std::array<std::uint8_t, 3> others;
+  const std::uint32_t through =
+      phases(std::span<const Value>(behind).first(operands.size()), components, others);
+  if (through > count + (once ? 1u : 0u))
+    return count;
+  parts = others;
+  return through;
+}
+
 void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
                        bool home, Value &result) {
   Item item = like;
@@ -268,7 +292,7 @@ Value Emitter::componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask,
   Value result;
   const Item item = like(rgb, alpha, how);
   std::array<std::uint8_t, 3> parts;
-  const std::uint32_t count = phases(operands, mask & 7, parts);
+  const std::uint32_t count = split(operands, mask & 7, parts);
   for (std::uint32_t i = 0; i < count; ++i) {
     Item part = item;
     if (i > 0 && part.cause == Cause::Instruction)

@@ -11,8 +11,10 @@ namespace arbiter::fp::hw::r300 {
 /// Either may be read; the second leaves the copies without readers.
 struct Value {
   Refs direct = {}, through = {};
+  /// One operation alone reads it: what splits that one is as cheap as the copy.
+  bool once = false;
 };
-[[nodiscard]] inline Value valueOf(const Refs &refs) { return {refs, refs}; }
+[[nodiscard]] inline Value valueOf(const Refs &refs) { return {refs, refs, false}; }
 [[nodiscard]] Ref literal(float value);
 [[nodiscard]] Value literals(float value);
 [[nodiscard]] Ref negated(Ref ref);
@@ -42,7 +44,8 @@ public:
 
   /// Register \p home as it is now.
   [[nodiscard]] const Value &current(Home home) const { return m_current[home]; }
-  void set(Home home, std::uint8_t mask, const Value &value);
+  /// \p once: see Value; of the components as a whole.
+  void set(Home home, std::uint8_t mask, const Value &value, bool once = false);
   /// False where the value's register has been written since and must be one with what is there
   /// now.
   [[nodiscard]] bool readable(const Ref &ref);
@@ -82,6 +85,8 @@ private:
   bool feasible(std::span<const Value> operands, std::uint8_t components);
   std::uint32_t phases(std::span<const Value> operands, std::uint8_t components,
                        std::array<std::uint8_t, 3> &parts);
+  std::uint32_t split(std::span<const Value> operands, std::uint8_t components,
+                      std::array<std::uint8_t, 3> &parts);
   void rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
                 bool home, Value &result);
   void alphaPart(const Item &like, std::span<const Value> operands, bool home, Value &result);

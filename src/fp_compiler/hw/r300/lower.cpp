@@ -1,5 +1,7 @@
 #include "fp_compiler/hw/r300/lower.h"
 
+#include <algorithm>
+
 #include "fp_compiler/hw/r300/arithmetic.h"
 #include "fp_compiler/hw/r300/results.h"
 #include "fp_compiler/ir/reads.h"
@@ -13,7 +15,8 @@ public:
       : m_program(program), m_options(options),
         m_emit(program, program.temporaries.size() + program.outputs.size(), flow),
         m_operands(program, m_emit), m_arithmetic(m_emit),
-        m_results(program, flow, m_emit, m_operands), m_masks(program.code.size(), 0) {}
+        m_results(program, flow, m_emit, m_operands), m_masks(program.code.size(), 0),
+        m_once(program.code.size(), 0) {}
 
   void run() {
     liveMasks();
@@ -34,8 +37,9 @@ private:
            m_program.outputs[dst.index].kind == ir::OutputKind::Depth;
   }
 
-  /// The components of each instruction's result that somebody reads.
+  /// The components of each instruction's result that somebody reads, and whether one alone does.
   void liveMasks() {
+    std::vector<std::uint8_t> readers(m_program.temporaries.size() + m_program.outputs.size(), 0);
     std::vector<std::uint8_t> live(m_program.temporaries.size() + m_program.outputs.size(), 0);
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
       live[m_program.temporaries.size() + i] = ir::resultMask(m_program.outputs[i].kind);
@@ -49,10 +53,16 @@ private:
         if (instruction.dst.mask == 0)
           continue;
         home &= std::uint8_t(~instruction.dst.mask);
+        std::uint8_t &count = readers[homeOf(instruction.dst)];
+        m_once[at] = count == 1;
+        count = home == 0 ? std::uint8_t(0) : count;
       }
       for (int i = 0; i < row.operandCount(); ++i)
-        if (instruction.src[std::size_t(i)].file == ir::File::Temporary)
-          live[instruction.src[std::size_t(i)].index] |= ir::registerMask(instruction, i);
+        if (instruction.src[std::size_t(i)].file == ir::File::Temporary) {
+          const std::size_t home = instruction.src[std::size_t(i)].index;
+          live[home] |= ir::registerMask(instruction, i);
+          readers[home] = std::uint8_t(std::min(readers[home] + 1, 2));
+        }
     }
   }
   void instruction(std::size_t at) {
@@ -79,7 +89,7 @@ private:
     const Value result = row.has(ir::Texture)
                              ? sampled(instruction, mask, operands[0], how)
                              : m_arithmetic.computed(instruction.op, mask, operands, how);
-    m_emit.set(home, mask, result);
+    m_emit.set(home, mask, result, m_once[at]);
   }
 
   /// The alpha half writes depth: what is computed for z is computed in w.
@@ -152,7 +162,7 @@ private:
   Operands m_operands;
   Arithmetic m_arithmetic;
   Results m_results;
-  std::vector<std::uint8_t> m_masks;
+  std::vector<std::uint8_t> m_masks, m_once;
 };
 } // namespace
 

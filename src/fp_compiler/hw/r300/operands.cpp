@@ -66,6 +66,7 @@ Value Operands::whole(const ir::Operand &operand) {
 Value Operands::read(const ir::Operand &operand) {
   const Value source = whole(operand);
   Value value;
+  value.once = source.once;
   for (std::size_t c = 0; c < 4; ++c) {
     const ir::Select select = operand.swizzle[c];
     if (select >= ir::Select::Zero) {

@@ -317,7 +317,7 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
   const std::uint8_t all = item.rgb == RgbOp::Dp3 ? 7 : 15;
   const auto order = [&](const Value &value, std::size_t i) {
     return Value{permuted(value.direct, kPermutations[i]),
-                 permuted(value.through, kPermutations[i])};
+                 permuted(value.through, kPermutations[i]), value.once};
   };
   std::size_t best = 0;
   std::uint32_t least = ~0u;

@@ -94,6 +94,7 @@ const Row kRows[] = {
     {"only the components used", "ADD o.yz, v0.xzyw, v1;", 1, 1, 1, 1, 0},
     {"SWZ -x,y,z,w", "SWZ o, v0, -x, y, z, w;", 3, 2, 1, 1, 0},
     {"SWZ x,y,0,1", "SWZ o, v0, x, y, 0, 1;", 3, 2, 1, 1, 0},
+    {"signs that one reads", "SWZ r, v0, -x, y, z, w; ADD o, r, v1;", kUnknown, 2, kUnknown, 1, 0},
     {"DP3 of one permutation", "DP3 o, v0.yxzw, v1.yxzw;", kUnknown, 1, 1, 1, 0},
     {"DP3 of a swizzle", "DP3 o, v0.yxzw, v1;", kUnknown, 3, kUnknown, 1, 0},
     {"signs on both sides of DP3", "SWZ r, v0, -x, y, z, w; SWZ s, v1, -x, y, z, w; DP3 o, r, s;",
