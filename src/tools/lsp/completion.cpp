@@ -29,15 +29,15 @@ Json Completion::run() {
   return m_items;
 }
 
-void Completion::add(std::string_view word, ItemKind kind, std::string detail,
-                     std::string documentation) {
+void Completion::add(std::string_view word, ItemKind kind, const std::string &detail,
+                     const std::string &documentation) {
   Json item = {{"label", std::string(word)},
                {"kind", int(kind)},
                {"textEdit", {{"range", m_view.range(m_replaced)}, {"newText", std::string(word)}}}};
   if (!detail.empty())
-    item["detail"] = std::move(detail);
+    item["detail"] = detail;
   if (!documentation.empty())
-    item["documentation"] = {{"kind", "markdown"}, {"value", std::move(documentation)}};
+    item["documentation"] = {{"kind", "markdown"}, {"value", documentation}};
   m_items.push_back(std::move(item));
 }
 

@@ -46,8 +46,8 @@ private:
   }
 
   // completion.cpp: what all languages share
-  void add(std::string_view word, ItemKind kind, std::string detail,
-           std::string documentation = {});
+  void add(std::string_view word, ItemKind kind, const std::string &detail,
+           const std::string &documentation = {});
   void add(std::span<const fp::reference::Entry> entries, ItemKind kind);
   void addHeaders();
 

@@ -111,6 +111,7 @@ std::vector<std::size_t> Reading::chain(std::size_t token) const {
 
 std::vector<std::string_view> Reading::words(const std::vector<std::size_t> &chain) const {
   std::vector<std::string_view> found;
+  found.reserve(chain.size());
   for (const std::size_t token : chain)
     found.push_back(text(token));
   return found;
