@@ -25,6 +25,17 @@ Inputs inputsOf(const PixelInputs &pixel) {
   return inputs;
 }
 
+/// State that the host computes of what it was given: a last bit off, it truncates to another
+/// 24-bit float.
+bool isComputed(const Parameter &parameter) {
+  if (parameter.kind != ParameterKind::State)
+    return false;
+  const StateRef &state = parameter.state;
+  return state.item == StateItem::LightSpotDirection || state.item == StateItem::LightHalf ||
+         state.item == StateItem::FogParams || state.modifier == MatrixModifier::Inverse ||
+         state.modifier == MatrixModifier::InvTrans;
+}
+
 /// Moves values by their tolerance, up or down.
 class Shaker {
 public:
@@ -37,6 +48,13 @@ public:
   Inputs inputs(const PixelInputs &pixel) {
     Inputs result = inputsOf(pixel);
     const fp::Numerics numerics = pixel.numerics;
+    result.parameter = [this](const Parameter &parameter) {
+      Vec4 value = parameterValue(parameter);
+      if (isComputed(parameter))
+        for (float &component : value)
+          shake(component, 0x1p-23f, 0);
+      return value;
+    };
     result.operands = [this, numerics](const Instruction &instruction, Operands &operands) {
       const Tolerance allowed = tolerance(instruction.op, numerics);
       if (allowed.operand != 0)
