@@ -11,14 +11,15 @@ namespace {
 std::size_t g_allocations = 0;
 } // namespace
 
-void *operator new(std::size_t size) {
+// Not inlined: where one of a pair is, the compiler takes the two for strangers.
+[[gnu::noinline]] void *operator new(std::size_t size) {
   ++g_allocations;
   if (void *memory = std::malloc(size))
     return memory;
   throw std::bad_alloc();
 }
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void *memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
 
 namespace arbiter::state {
 namespace {

@@ -102,7 +102,7 @@ void findParameters(Context &context, GLuint hostProgram, VariantStage &stage) {
   stage.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
   stage.locations.resize(uniforms.size());
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
-    char name[32];
+    char name[40]; // the longer name, and any number
     std::snprintf(name, sizeof name, "%s[%zu]", array, i);
     stage.locations[i] = context.host->GetUniformLocation(hostProgram, name);
     stage.readsState |= uniforms[i].parameter.kind == fp::ir::ParameterKind::State;
