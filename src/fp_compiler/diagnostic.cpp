@@ -10,18 +10,6 @@ namespace {
 constexpr std::uint32_t kShownBefore = 60;
 constexpr std::uint32_t kShownAfter = 60;
 
-const char *nameOf(Severity severity) {
-  switch (severity) {
-  case Severity::Error:
-    return "error";
-  case Severity::Warning:
-    return "warning";
-  case Severity::Note:
-    return "note";
-  }
-  return "";
-}
-
 bool endsLine(char c) { return c == '\n' || c == '\r'; }
 
 /// One column a byte, whatever the bytes are.
@@ -63,7 +51,7 @@ private:
 std::string headline(std::string_view file, const LineColumn &at, const Diagnostic &diagnostic) {
   std::string line(file);
   line += ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
-  line += nameOf(diagnostic.severity);
+  line += severityName(diagnostic.severity);
   line += ": " + diagnostic.message + " [" + diagnostic.id + "]";
   return line;
 }
@@ -90,6 +78,18 @@ std::string excerpt(std::string_view text, const Diagnostic &diagnostic) {
 }
 
 } // namespace
+
+const char *severityName(Severity severity) {
+  switch (severity) {
+  case Severity::Error:
+    return "error";
+  case Severity::Warning:
+    return "warning";
+  case Severity::Note:
+    return "note";
+  }
+  return "";
+}
 
 LineColumn locate(std::string_view text, std::uint32_t offset) {
   return LineCursor(text).at(offset);

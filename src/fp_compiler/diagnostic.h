@@ -8,6 +8,8 @@
 namespace arbiter::fp {
 
 enum class Severity : std::uint8_t { Error, Warning, Note };
+/// "error", "warning", "note"
+[[nodiscard]] const char *severityName(Severity severity);
 
 /// One finding about a program string. `span.begin` of the first error is GL_PROGRAM_ERROR_POSITION
 /// (the text's length for an error of the whole program, 3.11.2).

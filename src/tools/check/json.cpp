@@ -11,18 +11,6 @@ namespace arbiter::tools {
 
 namespace {
 
-const char *severityName(fp::Severity severity) {
-  switch (severity) {
-  case fp::Severity::Error:
-    return "error";
-  case fp::Severity::Warning:
-    return "warning";
-  case fp::Severity::Note:
-    return "note";
-  }
-  return "";
-}
-
 std::string hexOf(std::string_view bytes) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
@@ -44,7 +32,7 @@ void writeSpan(JsonWriter &json, const SourceText &source, fp::Span span) {
 
 void writeDiagnostic(JsonWriter &json, const SourceText &source, const fp::Diagnostic &diagnostic) {
   json.beginObject();
-  json.key("severity").value(severityName(diagnostic.severity));
+  json.key("severity").value(fp::severityName(diagnostic.severity));
   json.key("id").value(diagnostic.id);
   json.key("message").value(diagnostic.message);
   json.key("hint").value(diagnostic.hint);

@@ -66,18 +66,6 @@ std::string Columns::cells(const LineCost &cost) const {
   return html;
 }
 
-const char *severityWord(Severity severity) {
-  switch (severity) {
-  case Severity::Error:
-    return "error";
-  case Severity::Warning:
-    return "warning";
-  case Severity::Note:
-    return "note";
-  }
-  return "";
-}
-
 /// A row below the line that it is about: the carets under the bytes, the message, the hint.
 std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, std::uint32_t column,
                           const Columns &columns) {
@@ -87,7 +75,7 @@ std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, s
   std::string html = std::string("<tr class=\"diagnostic ") + (error ? "bad" : "over") + "\"><td";
   html += columns.costs ? " colspan=" + number(std::uint64_t(columns.count())) : "";
   html += "></td><td>" + caretIndent(line, column) + "^" +
-          std::string(wide > 1 ? wide - 1 : 0, '~') + "\n" + severityWord(diagnostic.severity) +
+          std::string(wide > 1 ? wide - 1 : 0, '~') + "\n" + severityName(diagnostic.severity) +
           ": " + escaped(diagnostic.message) + " [" + diagnostic.id + "]";
   if (!diagnostic.hint.empty())
     html += "\nhint: " + escaped(diagnostic.hint);

@@ -110,47 +110,9 @@ inline constexpr std::uint8_t kTaps[11][3] = {{0, 1, 2}, {0, 0, 0}, {1, 1, 1}, {
 
 [[nodiscard]] inline bool isDot(RgbOp op) { return op == RgbOp::Dp3 || op == RgbOp::Dp4; }
 
-[[nodiscard]] inline int argumentsOf(RgbOp op) {
-  switch (op) {
-  case RgbOp::None:
-  case RgbOp::ReplAlpha:
-    return 0;
-  case RgbOp::Frc:
-    return 1;
-  case RgbOp::Dp3:
-  case RgbOp::Dp4:
-  case RgbOp::Min:
-  case RgbOp::Max:
-    return 2;
-  case RgbOp::Mad:
-  case RgbOp::Cnd:
-  case RgbOp::Cmp:
-    return 3;
-  }
-  return 0;
-}
-
+[[nodiscard]] inline int argumentsOf(RgbOp op) { return int(argumentCount(op)); }
 [[nodiscard]] inline int argumentsOf(AlphaOp op, RgbOp beside) {
-  switch (op) {
-  case AlphaOp::None:
-    return 0;
-  case AlphaOp::Dp:
-    return beside == RgbOp::Dp4 ? 2 : 0;
-  case AlphaOp::Frc:
-  case AlphaOp::Ex2:
-  case AlphaOp::Lg2:
-  case AlphaOp::Rcp:
-  case AlphaOp::Rsq:
-    return 1;
-  case AlphaOp::Min:
-  case AlphaOp::Max:
-    return 2;
-  case AlphaOp::Mad:
-  case AlphaOp::Cnd:
-  case AlphaOp::Cmp:
-    return 3;
-  }
-  return 0;
+  return int(argumentCount(op, beside));
 }
 
 /// Components of the result that an RGB argument is read for.

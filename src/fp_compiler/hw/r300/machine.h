@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +48,51 @@ enum class AlphaOp : std::uint8_t {
   Rcp,
   Rsq, ///< 1/sqrt(|A|)
 };
+
+/// How many arguments the operation takes, A first.
+[[nodiscard]] constexpr std::size_t argumentCount(RgbOp op) {
+  switch (op) {
+  case RgbOp::None:
+  case RgbOp::ReplAlpha:
+    return 0;
+  case RgbOp::Frc:
+    return 1;
+  case RgbOp::Dp3:
+  case RgbOp::Dp4:
+  case RgbOp::Min:
+  case RgbOp::Max:
+    return 2;
+  case RgbOp::Mad:
+  case RgbOp::Cnd:
+  case RgbOp::Cmp:
+    return 3;
+  }
+  return 0;
+}
+
+/// Dp takes A and B where the RGB half is Dp4, as the fourth component; none beside Dp3.
+[[nodiscard]] constexpr std::size_t argumentCount(AlphaOp op, RgbOp beside) {
+  switch (op) {
+  case AlphaOp::None:
+    return 0;
+  case AlphaOp::Dp:
+    return beside == RgbOp::Dp4 ? 2 : 0;
+  case AlphaOp::Frc:
+  case AlphaOp::Ex2:
+  case AlphaOp::Lg2:
+  case AlphaOp::Rcp:
+  case AlphaOp::Rsq:
+    return 1;
+  case AlphaOp::Min:
+  case AlphaOp::Max:
+    return 2;
+  case AlphaOp::Mad:
+  case AlphaOp::Cnd:
+  case AlphaOp::Cmp:
+    return 3;
+  }
+  return 0;
+}
 
 /// What an RGB argument takes of its source: the colour of RGB source n, where W is the alpha of
 /// *alpha* source n (Wzy: both); or a constant, which needs no source.

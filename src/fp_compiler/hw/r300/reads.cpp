@@ -59,49 +59,6 @@ Tap tapOf(AlphaSelect select) {
   return {};
 }
 
-std::size_t argumentCount(RgbOp op) {
-  switch (op) {
-  case RgbOp::None:
-  case RgbOp::ReplAlpha:
-    return 0;
-  case RgbOp::Frc:
-    return 1;
-  case RgbOp::Dp3:
-  case RgbOp::Dp4:
-  case RgbOp::Min:
-  case RgbOp::Max:
-    return 2;
-  case RgbOp::Mad:
-  case RgbOp::Cnd:
-  case RgbOp::Cmp:
-    return 3;
-  }
-  return 0;
-}
-
-std::size_t argumentCount(AlphaOp op, RgbOp beside) {
-  switch (op) {
-  case AlphaOp::None:
-    return 0;
-  case AlphaOp::Dp:
-    return beside == RgbOp::Dp4 ? 2 : 0;
-  case AlphaOp::Frc:
-  case AlphaOp::Ex2:
-  case AlphaOp::Lg2:
-  case AlphaOp::Rcp:
-  case AlphaOp::Rsq:
-    return 1;
-  case AlphaOp::Min:
-  case AlphaOp::Max:
-    return 2;
-  case AlphaOp::Mad:
-  case AlphaOp::Cnd:
-  case AlphaOp::Cmp:
-    return 3;
-  }
-  return 0;
-}
-
 std::uint8_t componentsRead(const Half<RgbOp, RgbArgument> &half) {
   if (half.op == RgbOp::Dp3 || half.op == RgbOp::Dp4)
     return kXyz;

@@ -17,11 +17,6 @@ struct Tap {
 [[nodiscard]] Tap tapOf(RgbSelect select, std::size_t component);
 [[nodiscard]] Tap tapOf(AlphaSelect select);
 
-/// How many arguments the operation takes, A first.
-[[nodiscard]] std::size_t argumentCount(RgbOp op);
-/// Dp takes A and B where the RGB half is Dp4, as the fourth component; none beside Dp3.
-[[nodiscard]] std::size_t argumentCount(AlphaOp op, RgbOp beside);
-
 /// Components of each RGB argument that matter: those written, all three of a dot product.
 [[nodiscard]] std::uint8_t componentsRead(const Half<RgbOp, RgbArgument> &half);
 
