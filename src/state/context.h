@@ -22,6 +22,7 @@
 #include "state/list_compiler.h"
 #include "state/program_object.h"
 #include "state/sampler_override.h"
+#include "state/software/context_state.h"
 #include "state/target.h"
 #include "state/variant.h"
 #include "swrast/feedback.h"
@@ -130,6 +131,9 @@ public:
   int listDepth = 0; ///< nested calls of lists that hold our commands
 
   CaptureInForce inForce; ///< while there is a capture
+
+  /// The rasterizer's part; null where it is not used.
+  std::unique_ptr<software::ContextState> software;
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

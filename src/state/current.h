@@ -30,6 +30,15 @@ struct ContextHot {
   /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the
   /// entries that state owns go to the host as well, without a call into state.
   bool passThrough = false;
+  /// The rasterizer of our own is used here (Context::software is not null).
+  bool softwarePossible = false;
+  /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up to
+  /// date first (state/software/residency.h).
+  bool hostIsBehind = false;
+  /// A primitive is kept back from the host: its vertices go to the recorder.
+  bool recordsVertices = false;
+  /// Groups of the host's state that may have changed since the rasterizer asked (software/stale.h).
+  std::uint32_t stale = ~0u;
   /// The counter of the path that draws take at present (host GLSL, host untouched).
   std::uint64_t *drawCounter = nullptr;
 };

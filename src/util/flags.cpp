@@ -142,6 +142,16 @@ void readIdentity(Reader &reader, Settings &result) {
     reader.warn(Env::Identity, "expected host or profile, not " + quoted(value));
 }
 
+void readBackend(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Backend);
+  if (value == "host")
+    result.backend = Backend::Host;
+  else if (value == "swrast")
+    result.backend = Backend::Swrast;
+  else if (!value.empty() && value != "auto")
+    reader.warn(Env::Backend, "expected auto, host or swrast, not " + quoted(value));
+}
+
 void readNumerics(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Numerics);
   if (value == "host" || value == "legacy" || value == "fp24")
@@ -227,6 +237,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readCache(reader, result);
   readIdentity(reader, result);
   readNumerics(reader, result);
+  readBackend(reader, result);
+  result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
   result.capturePath = reader.read(Env::Capture);

@@ -36,12 +36,17 @@ struct DebugFlagInfo {
 [[nodiscard]] std::span<const DebugFlagInfo> debugFlagTable();
 [[nodiscard]] const EnvInfo &info(Env variable);
 
+/// ARBITER_BACKEND.
+enum class Backend : std::uint8_t { Auto, Host, Swrast };
+
 /// The environment, parsed. Defaults are those of a process with no ARBITER_ variable.
 struct Settings {
   std::string profile = "r300"; ///< name or path, unresolved: see fp_compiler/hw/profile.h
   bool enforceLimits = true;    ///< false: ARBITER_LIMITS=report
   bool identityOfProfile = false;
   std::string numerics; ///< "host", "legacy", "fp24" (fp_compiler/numerics.h); empty: the profile's
+  Backend backend = Backend::Auto;
+  std::uint32_t threads = 0; ///< of the rasterizer; 0: one a processor
   bool cache = true;    ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year

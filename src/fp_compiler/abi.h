@@ -1,0 +1,314 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+/// What machine code of ours is called with: plain data, shared by the compiler's JIT back end,
+/// which makes the functions, and the rasterizer, which calls them. No LLVM, no GL, no containers.
+///
+/// Keys are plain bytes without padding that matters: make them with `Key key{}` so that unused
+/// parts are zero, compare and hash them as bytes. What a key says is compiled into the code; what
+/// changes without a new function is in a Data struct.
+namespace arbiter::abi {
+
+/// How a texel or pixel lies in memory, in the order of the bytes. What the numbers mean beyond
+/// that is its Swizzle.
+enum class Layout : std::uint8_t {
+  None,
+  U8x1, ///< 8-bit unsigned normalised
+  U8x2,
+  U8x4,
+  U16x1, ///< 16-bit unsigned normalised
+  U16x2,
+  U16x4,
+  F16x1, ///< half floats; stored to textures only, never drawn to
+  F16x2,
+  F16x4,
+  F32x1,
+  F32x2,
+  F32x4,
+  Depth16,         ///< 16-bit unsigned normalised depth
+  Depth24Stencil8, ///< 32 bits: depth in bits 8 to 31, stencil in bits 0 to 7
+  Depth32F,        ///< a float in [0,1]
+};
+[[nodiscard]] constexpr int bytesOf(Layout layout) {
+  constexpr int kBytes[] = {0, 1, 2, 4, 2, 4, 8, 2, 4, 8, 4, 8, 16, 2, 4, 4};
+  return kBytes[int(layout)];
+}
+
+/// Where a component of a texel's RGBA comes from: a stored component, or a constant.
+enum class From : std::uint8_t { C0, C1, C2, C3, Zero, One };
+/// R, G, B, A in terms of stored components: BGRA8 is U8x4 with {C2, C1, C0, C3}, LUMINANCE8 is
+/// U8x1 with {C0, C0, C0, One}, RGB8 is U8x4 with {C0, C1, C2, One}. A colour buffer's tells where
+/// each component is written; one that is constant is not written (its byte, if any, is 0xFF or 1).
+using Swizzle = std::array<From, 4>;
+inline constexpr Swizzle kRgba = {From::C0, From::C1, From::C2, From::C3};
+
+struct Format {
+  Layout layout = Layout::None;
+  Swizzle swizzle = kRgba;
+  bool operator==(const Format &) const = default;
+};
+
+inline constexpr int kMaxUnits = 16;       ///< texture image units that a program may sample
+inline constexpr int kMaxColorTargets = 4; ///< of draw buffers
+inline constexpr int kMaxLevels = 15;      ///< 16384 texels
+inline constexpr int kMaxInputs = 12;      ///< fragment attributes, of four components each
+
+// --- Textures
+// -------------------------------------------------------------------------------------
+
+enum class Dimension : std::uint8_t { Tex1D, Tex2D, Tex3D, Cube, Rect };
+enum class Wrap : std::uint8_t {
+  Repeat,
+  MirroredRepeat,
+  Clamp, ///< GL_CLAMP: coordinates to [0,1], a linear filter reaches the border colour
+  ClampToEdge,
+  ClampToBorder,
+  MirrorClamp, ///< ATI_texture_mirror_once, EXT_texture_mirror_clamp
+  MirrorClampToEdge,
+  MirrorClampToBorder,
+};
+enum class Filter : std::uint8_t { Nearest, Linear };
+enum class MipFilter : std::uint8_t { None, Nearest, Linear };
+/// Depth, alpha and stencil comparisons, and TEXTURE_COMPARE_FUNC; in GL's order.
+enum class Compare : std::uint8_t {
+  Never,
+  Less,
+  Equal,
+  LessEqual,
+  Greater,
+  NotEqual,
+  GreaterEqual,
+  Always
+};
+
+/// One texture unit as a program samples it. An incomplete texture is Layout::None, and reads as
+/// (0, 0, 0, 1) (3.11.6).
+struct SamplerKey {
+  Dimension dimension = Dimension::Tex2D;
+  Format format;
+  std::array<Wrap, 3> wrap = {}; ///< s, t, r
+  Filter magnify = Filter::Nearest;
+  Filter minify = Filter::Nearest;
+  MipFilter mip = MipFilter::None;
+  std::uint8_t shadow = 0; ///< 1: compare the third coordinate (2nd of 1D too: z) with `compare`
+  Compare compare = Compare::LessEqual;
+  std::uint8_t powerOfTwo = 0; ///< 1: every size is a power of two (Repeat is a mask)
+  std::uint8_t hasBias = 0;    ///< 1: lodBias, minLod or maxLod differ from GL's initial values
+  bool operator==(const SamplerKey &) const = default;
+};
+
+/// One image: a level of a texture, or of one face of a cube map. `base` is texel (0, 0, 0); rows
+/// and slices follow in strides of bytes, which are negative where an image is kept upside down.
+/// 64 bytes before the first and behind the last row may be read.
+struct TextureLevel {
+  const std::uint8_t *base = nullptr;
+  std::int64_t rowStride = 0;
+  std::int64_t sliceStride = 0;
+  std::int32_t width = 0, height = 0, depth = 0; ///< in texels, without a border; 1 where unused
+  std::int32_t reserved = 0;
+};
+
+struct TextureView {
+  /// levels[level] counted from BASE_LEVEL; of a cube map levels[6 * level + face].
+  const TextureLevel *levels = nullptr;
+  std::int32_t levelCount = 0; ///< 1 without mipmaps
+  float lodBias = 0;           ///< texture's and unit's, summed
+  float minLod = -1000, maxLod = 1000;
+  float borderColor[4] = {}; ///< as RGBA after the format (a LUMINANCE border is L, L, L, 1)
+};
+
+// --- Fragments
+// ------------------------------------------------------------------------------------
+
+enum class StencilOp : std::uint8_t {
+  Keep,
+  Zero,
+  Replace,
+  Increment,
+  Decrement,
+  Invert,
+  IncrementWrap,
+  DecrementWrap
+};
+enum class BlendFactor : std::uint8_t {
+  Zero,
+  One,
+  SourceColor,
+  OneMinusSourceColor,
+  DestColor,
+  OneMinusDestColor,
+  SourceAlpha,
+  OneMinusSourceAlpha,
+  DestAlpha,
+  OneMinusDestAlpha,
+  ConstantColor,
+  OneMinusConstantColor,
+  ConstantAlpha,
+  OneMinusConstantAlpha,
+  SourceAlphaSaturate,
+};
+enum class BlendEquation : std::uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
+/// In GL's order, from GL_CLEAR.
+enum class LogicOp : std::uint8_t {
+  Clear,
+  And,
+  AndReverse,
+  Copy,
+  AndInverted,
+  Noop,
+  Xor,
+  Or,
+  Nor,
+  Equiv,
+  Invert,
+  OrReverse,
+  CopyInverted,
+  OrInverted,
+  Nand,
+  Set,
+};
+
+struct BlendKey {
+  std::uint8_t enabled = 0;
+  BlendFactor sourceColor = BlendFactor::One, destColor = BlendFactor::Zero;
+  BlendFactor sourceAlpha = BlendFactor::One, destAlpha = BlendFactor::Zero;
+  BlendEquation color = BlendEquation::Add, alpha = BlendEquation::Add;
+  bool operator==(const BlendKey &) const = default;
+};
+
+/// One colour buffer. Layout::None: what the program writes there goes nowhere. Drawn to are
+/// U8x1, U8x2, U8x4, U16x4 and the F32 layouts.
+struct ColorTargetKey {
+  Format format;
+  std::uint8_t writeMask = 0xF; ///< bit 0 red .. bit 3 alpha
+  BlendKey blend;
+  bool operator==(const ColorTargetKey &) const = default;
+};
+
+struct StencilFaceKey {
+  Compare compare = Compare::Always;
+  StencilOp fail = StencilOp::Keep, depthFail = StencilOp::Keep, depthPass = StencilOp::Keep;
+  bool operator==(const StencilFaceKey &) const = default;
+};
+
+struct DepthStencilKey {
+  Layout layout = Layout::None; ///< None: neither test passes judgement, nothing is written
+  std::uint8_t depthTest = 0;
+  std::uint8_t depthWrite = 0; ///< only with depthTest, as in GL
+  Compare depthCompare = Compare::Less;
+  std::uint8_t stencilTest = 0;
+  StencilFaceKey front, back; ///< equal unless two-sided
+  bool operator==(const DepthStencilKey &) const = default;
+};
+
+/// How an input varies over a primitive.
+enum class Interpolation : std::uint8_t { Flat, Linear, Perspective };
+
+/// Which pixels lie in the lanes of a vector.
+enum class Lanes : std::uint8_t {
+  Row,  ///< `lanes` pixels of one row; items are spans. Derivatives only where a coordinate is an
+        ///< affine function of an input (Code never asks for more: the compiler refuses)
+  Quad, ///< 2x2 quads: 4x4 pixels of 16 lanes, 4x2 of 8, 2x2 of 4; items are blocks
+};
+
+/// Everything that a fragment function is compiled for, beside the program.
+struct FragmentKey {
+  Lanes lanes = Lanes::Row;
+  std::uint8_t numerics = 0; ///< fp::Numerics: Host or Legacy (there is no Fp24 code)
+  Compare alphaTest = Compare::Always;
+  std::uint8_t logicOpEnabled = 0;
+  LogicOp logicOp = LogicOp::Copy;
+  std::uint8_t clampColors = 1; ///< fragment colours are clamped to [0,1] (fixed-point targets)
+  std::array<Interpolation, kMaxInputs> inputs = {}; ///< of CompiledFragment::inputs, in order
+  DepthStencilKey depthStencil;
+  std::array<ColorTargetKey, kMaxColorTargets> targets = {};
+  std::array<SamplerKey, kMaxUnits> samplers = {}; ///< by unit; only those that the program samples
+  bool operator==(const FragmentKey &) const = default;
+};
+
+/// A colour or depth buffer: `base` is pixel (0, 0) of the window, which may lie before or behind
+/// the memory that there is; the clip rectangle keeps to what is there.
+struct Target {
+  std::uint8_t *base = nullptr;
+  std::int64_t rowStride = 0; ///< bytes from a row to the one above it; negative if upside down
+};
+
+/// What a draw's fragments share. `parameters` has a row for every element of the program's
+/// parameters, constants included.
+struct FragmentData {
+  const float (*parameters)[4] = nullptr;
+  std::array<const TextureView *, kMaxUnits> textures = {};
+  std::array<Target, kMaxColorTargets> targets = {};
+  Target depthStencil;
+  float alphaReference = 0;
+  float blendColor[4] = {};
+  std::uint8_t stencilReference[2] = {}; ///< front, back
+  std::uint8_t stencilCompareMask[2] = {0xFF, 0xFF};
+  std::uint8_t stencilWriteMask[2] = {0xFF, 0xFF};
+  float fogColor[4] = {};
+  float fogDensity = 1, fogStart = 0, fogEnd = 1, fogScale = 1; ///< scale: 1/(end-start)
+  float windowHeight = 0; ///< for fragment.position with the origin at the upper left
+  float depthMinimum = 0, depthMaximum = 1; ///< what fragment depth is clamped to
+};
+
+/// An attribute's component over the plane: value at the centre of pixel (x, y) is
+/// c + dx * (x - originX) + dy * (y - originY).
+struct Plane {
+  float c = 0, dx = 0, dy = 0;
+};
+
+/// A triangle, or a line or point made of such, ready to be shaded. Perspective inputs hold
+/// attribute/w; they are divided by the plane of 1/w.
+struct Primitive {
+  std::int32_t originX = 0, originY = 0; ///< a pixel that the planes are exact at
+  std::uint32_t backFacing = 0;          ///< stencil side
+  std::uint32_t reserved = 0;
+  Plane z;        ///< window depth, polygon offset included
+  Plane inverseW; ///< 1 / clip w
+  Plane inputs[kMaxInputs][4];
+};
+
+/// Lanes::Row: pixels (x, y) to (x + count - 1, y).
+struct Span {
+  std::int16_t x = 0, y = 0;
+  std::uint16_t count = 0, reserved = 0;
+};
+/// Lanes::Quad: a block of the variant's size whose lower left pixel is (x, y), both even multiples
+/// of the block's size; bit row * width + column of `mask` is set where a pixel is covered.
+struct Block {
+  std::int16_t x = 0, y = 0;
+  std::uint16_t mask = 0, reserved = 0;
+};
+
+/// Shades pixels of one primitive. `items` are `count` Spans or Blocks, by the key's lanes. Safe to
+/// call on several threads for pixels that do not meet. Reads 64 bytes beyond rows of textures at
+/// most, writes no byte outside the given pixels.
+using ShadeFunction = void (*)(const FragmentData *data, const Primitive *primitive,
+                               const void *items, std::uint32_t count);
+
+// --- Vertices
+// -------------------------------------------------------------------------------------
+
+/// `inputs[4 * i + c]` points at component c of the program's attribute i, one float a vertex;
+/// `outputs[4 * i + c]` likewise for its outputs. Arrays hold a multiple of 16 floats, aligned to
+/// 64 bytes, and the function may write all of the last vector.
+struct VertexData {
+  const float (*parameters)[4] = nullptr;
+  const float *const *inputs = nullptr;
+  float *const *outputs = nullptr;
+};
+using VertexFunction = void (*)(const VertexData *data, std::uint32_t count);
+
+/// Bytes as a hash and as a comparison.
+template <typename Key> [[nodiscard]] std::size_t hashOf(const Key &key) {
+  const auto *const bytes = reinterpret_cast<const unsigned char *>(&key);
+  std::size_t hash = 1469598103934665603ull;
+  for (std::size_t i = 0; i < sizeof(Key); ++i)
+    hash = (hash ^ bytes[i]) * 1099511628211ull;
+  return hash;
+}
+
+} // namespace arbiter::abi

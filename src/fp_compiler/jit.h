@@ -1,0 +1,102 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fp_compiler/abi.h"
+#include "fp_compiler/ir/ir.h"
+#include "util/cache_store.h"
+
+/// The JIT back end from outside: programs as machine code of this processor. It lives in a library
+/// of its own (libarbiter_jit.so), because LLVM is mapped only where it is used; this header is all
+/// that the layer and the tools see of it.
+namespace arbiter::fp::jit {
+
+/// A fragment attribute that a function wants interpolated, in the order of FragmentKey::inputs and
+/// of Primitive::inputs. `components` has a bit for each that is read: the planes of others need
+/// not be filled. fragment.position is no input.
+struct FragmentInput {
+  ir::Attribute attribute;
+  std::uint8_t components = 0xF;
+};
+
+/// What must be known of a program before a key can be made: what it reads, samples and writes
+/// after the passes.
+struct FragmentShape {
+  std::vector<FragmentInput> inputs; ///< the fog coordinate included, where an option wants it
+  struct Sampler {
+    std::uint8_t unit = 0;
+    ir::TexTarget target = ir::TexTarget::Tex2D;
+  };
+  std::vector<Sampler> samplers;
+  std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
+  bool writesDepth = false;
+  bool kills = false;
+  /// A sample whose level of detail hangs on more than an affine coordinate, so that a sampler with
+  /// mipmaps, or with different magnification and minification, needs Lanes::Quad. Bit a unit.
+  std::uint32_t needsQuads = 0;
+};
+
+/// A program ready to be compiled for any key: checked, optimised for the mode.
+class FragmentProgram {
+public:
+  virtual ~FragmentProgram() = default;
+  [[nodiscard]] virtual const FragmentShape &shape() const = 0;
+  /// The program after the passes; its parameters are what FragmentData::parameters has rows for.
+  [[nodiscard]] virtual const ir::Program &program() const = 0;
+};
+
+struct VertexShape {
+  std::vector<ir::Attribute> inputs; ///< VertexData::inputs, in order
+  std::vector<ir::Output> outputs;   ///< VertexData::outputs, in order
+};
+class VertexProgram {
+public:
+  virtual ~VertexProgram() = default;
+  [[nodiscard]] virtual const VertexShape &shape() const = 0;
+  [[nodiscard]] virtual const ir::Program &program() const = 0;
+};
+
+/// Machine code; the function lives as long as this.
+template <typename Function> struct Code {
+  virtual ~Code() = default;
+  Function function = nullptr;
+  std::size_t bytes = 0; ///< of machine code
+};
+using FragmentCode = Code<abi::ShadeFunction>;
+using VertexCode = Code<abi::VertexFunction>;
+
+struct EngineOptions {
+  std::string cpu;                   ///< "" this one; else "avx512", "avx2", "sse4", for tests
+  const CacheStore *cache = nullptr; ///< of object code; outlives the engine
+};
+
+/// Safe to call from several threads at once. Nothing throws; what cannot be compiled is null, with
+/// a reason.
+class Engine {
+public:
+  virtual ~Engine() = default;
+  [[nodiscard]] virtual int lanes() const = 0;      ///< 4, 8 or 16
+  [[nodiscard]] virtual int blockWidth() const = 0; ///< of Lanes::Quad: 2, 4, 4
+  [[nodiscard]] virtual int blockHeight() const = 0;
+  [[nodiscard]] virtual std::string target() const = 0; ///< "skylake-avx512, 16 lanes"
+  /// Fog and colour sum are the program's options. Fp24 is not offered: null.
+  [[nodiscard]] virtual std::unique_ptr<FragmentProgram> prepareFragment(const ir::Program &program,
+                                                                         Numerics numerics) = 0;
+  [[nodiscard]] virtual std::unique_ptr<VertexProgram> prepareVertex(const ir::Program &program,
+                                                                     Numerics numerics) = 0;
+  [[nodiscard]] virtual std::unique_ptr<FragmentCode>
+  compile(const FragmentProgram &program, const abi::FragmentKey &key, std::string &reason) = 0;
+  [[nodiscard]] virtual std::unique_ptr<VertexCode> compile(const VertexProgram &program,
+                                                            std::string &reason) = 0;
+};
+
+/// What the library exports, as `arbiter_jit_engine`.
+using MakeEngine = Engine *(*)(const EngineOptions *options);
+inline constexpr const char *kMakeEngineSymbol = "arbiter_jit_engine";
+
+/// Opens the library beside this one (or the one that ARBITER_JIT_LIBRARY names) at the first call
+/// and makes an engine. Null, with a reason, if it is not there or does not load.
+[[nodiscard]] std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason);
+
+} // namespace arbiter::fp::jit

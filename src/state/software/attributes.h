@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "fp_compiler/ir/ir.h"
+
+/// Vertex attributes by one number each, whatever way they come in.
+namespace arbiter::state::software {
+
+enum Slot : std::uint8_t {
+  kPosition = 0,
+  kNormal = 1,
+  kColor = 2,
+  kSecondary = 3,
+  kFogCoord = 4,
+  kEdgeFlag = 5, ///< x is 0 or 1
+  kTexCoord0 = 8,
+  kGeneric0 = 16, ///< generic 0 is the position: this slot is never filled
+  kSlots = 32,
+};
+
+/// The slot of a vertex program's or of fixed function's attribute.
+[[nodiscard]] constexpr int slotOf(const fp::ir::Attribute &attribute) {
+  using Kind = fp::ir::AttributeKind;
+  switch (attribute.kind) {
+  case Kind::ColorPrimary:
+    return kColor;
+  case Kind::ColorSecondary:
+    return kSecondary;
+  case Kind::TexCoord:
+    return kTexCoord0 + attribute.index;
+  case Kind::FogCoord:
+    return kFogCoord;
+  case Kind::Position:
+    return kPosition;
+  case Kind::Normal:
+    return kNormal;
+  case Kind::Generic:
+    return attribute.index == 0 ? int(kPosition) : kGeneric0 + attribute.index;
+  }
+  return kPosition;
+}
+
+/// The current value of each slot.
+using CurrentValues = std::array<std::array<float, 4>, kSlots>;
+
+/// Where the vertices of a draw come from: for each slot an array, or the current value (null).
+struct VertexSource {
+  struct Array {
+    const void *base = nullptr; ///< of vertex 0; client memory, a mapped buffer's, or recorded
+    std::uint32_t stride = 0;   ///< bytes, never 0
+    std::uint32_t type = 0;     ///< GL_FLOAT, GL_UNSIGNED_BYTE ..
+    std::uint8_t components = 4;
+    bool normalized = false;
+    bool bgra = false;
+  };
+  std::array<Array, kSlots> arrays;
+  std::uint32_t count = 0; ///< vertices that may be read; 0: as many as the indices name
+};
+
+} // namespace arbiter::state::software

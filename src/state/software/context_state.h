@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "state/software/immediate.h"
+#include "state/software/mirror.h"
+
+/// What a context keeps for the rasterizer of our own; null in Context::software where it is not
+/// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
+namespace arbiter::state::software {
+
+/// Why the host drew; rows of reasons.def.
+enum class Fallback : std::uint8_t {
+#define ARBITER_FALLBACK(Enumerator, key, doc) Enumerator,
+#include "state/software/reasons.def"
+#undef ARBITER_FALLBACK
+};
+inline constexpr int kFallbackCount = [] {
+  int count = 0;
+#define ARBITER_FALLBACK(...) ++count;
+#include "state/software/reasons.def"
+#undef ARBITER_FALLBACK
+  return count;
+}();
+[[nodiscard]] const char *fallbackName(Fallback reason);
+
+/// What residency.cpp keeps: the window's buffers.
+struct ContextImages {
+  virtual ~ContextImages() = default;
+};
+/// What draw.cpp keeps: the functions in force.
+struct ContextDraws {
+  virtual ~ContextDraws() = default;
+};
+struct ContextState {
+  ContextState();
+  ~ContextState();
+  ContextState(const ContextState &) = delete;
+  ContextState &operator=(const ContextState &) = delete;
+
+  Mirror mirror;
+  ImmediateRecorder recorder;
+  std::unique_ptr<ContextImages> images;
+  std::unique_ptr<ContextDraws> draws;
+  bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  std::uint64_t drawn = 0;
+  std::array<std::uint64_t, kFallbackCount> fallbacks{};
+  void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
+};
+
+/// Makes Context::software where it is to be: called once the host's limits are known.
+void initialise(Context &context);
+
+} // namespace arbiter::state::software

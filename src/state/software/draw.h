@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+
+#include <GL/gl.h>
+
+#include "state/software/attributes.h"
+
+/// The way of a draw that may be ours: does it qualify, what function shades it, which images it
+/// goes to; else the host draws, after it was brought up to date.
+namespace arbiter::state {
+class Context;
+}
+
+namespace arbiter::state::software {
+
+/// `count` vertices from `first`, or by `indices` (of type GL_UNSIGNED_BYTE, _SHORT, _INT; an
+/// offset into the element buffer where one is bound) with `baseVertex` added.
+struct DrawCommand {
+  GLenum mode = GL_TRIANGLES;
+  GLint first = 0;
+  GLsizei count = 0;
+  GLenum indexType = 0; ///< 0: no indices
+  const void *indices = nullptr;
+  GLint baseVertex = 0;
+};
+
+/// True: drawn. False: the host's; hostDraws() has been called, and the caller goes on.
+[[nodiscard]] bool drawArrays(Context &context, const DrawCommand &command);
+/// At Begin: true if the primitive is kept back from the host; then end() draws it, or has the host
+/// draw it after all. False: hostDraws() has been called.
+[[nodiscard]] bool begin(Context &context, GLenum mode);
+void end(Context &context);
+
+} // namespace arbiter::state::software

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+
+/// What of the host's state may have changed since the mirror last asked for it. Entry points that
+/// change state set bits in ContextHot::stale and go on to the host; a draw asks for the groups
+/// whose bits are set, and for no others. The rows of entry_points.toml name these bits.
+namespace arbiter::state::software::stale {
+inline constexpr std::uint32_t kTextureBindings = 1u << 0; ///< which texture, unit, sampler object
+inline constexpr std::uint32_t kTextureParameters =
+    1u << 1; ///< filters, wraps, levels, LOD bias of units
+inline constexpr std::uint32_t kFramebuffer =
+    1u << 2; ///< bindings, attachments, draw and read buffers
+inline constexpr std::uint32_t kViewport = 1u << 3; ///< viewport, depth range, scissor
+inline constexpr std::uint32_t kRaster =
+    1u << 4; ///< cull, front face, modes, offset, shade model, points, lines, stipples, provoking
+inline constexpr std::uint32_t kPixelOps =
+    1u << 5; ///< alpha, blend, depth, stencil, logic, masks, clamp, dither, multisample
+inline constexpr std::uint32_t kTransform = 1u << 6; ///< matrices, normalise, rescale, clip planes
+inline constexpr std::uint32_t kLighting =
+    1u << 7; ///< lights, materials, light model, colour material
+inline constexpr std::uint32_t kTexGen = 1u << 8;   ///< texgen, point sprite
+inline constexpr std::uint32_t kArrays = 1u << 9;   ///< pointers, enables, buffer bindings, VAO
+inline constexpr std::uint32_t kCurrent = 1u << 10; ///< current vertex attributes
+inline constexpr std::uint32_t kFog = 1u << 11;     ///< parameters of fog
+inline constexpr std::uint32_t kQueries =
+    1u << 12; ///< occlusion queries, feedback, conditional rendering
+inline constexpr std::uint32_t kPixelStore = 1u << 13; ///< pack, unpack, transfer, pixel buffers
+inline constexpr std::uint32_t kProgramState =
+    1u << 14; ///< any state that a program's parameters name
+inline constexpr std::uint32_t kAll = ~0u;
+} // namespace arbiter::state::software::stale
