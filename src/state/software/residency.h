@@ -104,6 +104,34 @@ void hostDoesAnything(Context &context, const char *why);
 // --- Frames and contexts
 // ----------------------------------------------------------------------------
 
+/// What the context draws to where no framebuffer object is bound, as the window system tells it.
+/// The interposer says it before the context becomes current.
+struct Drawable {
+  enum class Kind : std::uint8_t {
+    None,    ///< surfaceless, or unknown: never ours
+    Window,  ///< seen by others: a window, a pixmap
+    Pbuffer, ///< seen by GL alone
+    Memory,  ///< the application's own memory (OSMesa)
+  };
+  Kind kind = Kind::None;
+  const void *display = nullptr, *draw = nullptr; ///< handles for `size`
+  bool sameRead = true;                           ///< the read drawable is the same
+  /// Asks the window system; null where width and height are fixed. False: nobody knows.
+  bool (*size)(const Drawable &drawable, int &width, int &height) = nullptr;
+  int width = 0, height = 0;
+  void *memory = nullptr; ///< of Kind::Memory: its lowest address, and what it holds
+  GLenum memoryFormat = 0, memoryType = 0;
+};
+void setDrawable(Context &context, const Drawable &drawable);
+/// Viewport was called: the window may have another size since, and is asked at the next draw.
+void drawableMayHaveChanged(Context &context);
+
+/// True while this context is the only one of its group that is current on any thread: only then
+/// are draws ours. Else what is pending is given to the host at the next Flush, Finish or leave().
+[[nodiscard]] bool aloneInGroup(const Context &context);
+/// Before the host's Flush or Finish: what others can see of our pixels by then is brought there
+/// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
+void flush(Context &context);
 /// Before SwapBuffers and its kin: the window's pixels go to the host by the shortest way.
 /// Afterwards the back buffer is undefined, or kept, as GLX says.
 void present(Context &context);
