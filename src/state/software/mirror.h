@@ -1,15 +1,20 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include <GL/gl.h>
 
 #include "fp_compiler/abi.h"
 #include "state/software/attributes.h"
+#include "state/software/stale_clock.h"
 #include "swrast/rasterize.h"
 
 /// The host's state as far as a draw of ours depends on it. The host is always right about state,
 /// and is asked for a group only after a command that may have changed it (stale.h).
+///
+/// None of the functions below is called while a display list is compiled, or between Begin and
+/// End. They raise no error, and leave the host's state as it was.
 namespace arbiter::state {
 class Context;
 }
@@ -19,28 +24,106 @@ namespace arbiter::state::software {
 struct SamplerState {
   GLuint texture = 0;  ///< bound to the target that the program samples
   abi::SamplerKey key; ///< without format, completeness and size
-  float lodBias = 0, minLod = -1000, maxLod = 1000;
+  float lodBias = 0, minLod = -1000, maxLod = 1000; ///< lodBias: texture's and unit's, summed
   GLint baseLevel = 0, maxLevel = 1000;
-  float borderColor[4] = {};
-  bool known = true; ///< false: a mode that we lack
+  float borderColor[4] = {};       ///< as the application gave it
+  GLenum depthMode = GL_LUMINANCE; ///< DEPTH_TEXTURE_MODE
+  /// The texture compares: the key's `shadow` is for the caller to set, where the program's target
+  /// is a SHADOW one too (else the comparison is not made, ARB_fragment_program_shadow).
+  bool compares = false;
+  const char *obstacle = nullptr; ///< a mode that we lack; null: none
+  std::uint64_t seen = 0;         ///< StaleClock
+};
+
+/// An array as the application gave it: in `buffer` at offset `base`, or (0) in client memory.
+struct ArrayBinding {
+  VertexSource::Array array; ///< `base` null and `buffer` 0: not enabled
+  GLuint buffer = 0;
+  bool enabled = false;
+};
+struct ArrayBindings {
+  std::array<ArrayBinding, kSlots> slots;
+  GLuint elementBuffer = 0;
+  std::uint32_t enabled = 0; ///< one bit a slot
+  bool restart = false;      ///< indices may restart a primitive, which we lack
+  /// Slots whose arrays are none that we read (integers, doubles, a divisor).
+  std::uint32_t foreign = 0;
+};
+
+/// State of fixed-function vertices, beside what its program reads as parameters (fixed_vertex.h).
+struct VertexState {
+  bool lighting = false, twoSided = false, localViewer = false, separateSpecular = false;
+  bool colorMaterial = false, normalize = false, rescale = false;
+  std::uint8_t colorMaterialFace = 0;  ///< bit 0 front, 1 back
+  std::uint8_t colorMaterialParts = 0; ///< bit 0 emission, 1 ambient, 2 diffuse, 3 specular
+  std::uint8_t lights = 0;             ///< enabled, one bit each
+  std::uint8_t positional = 0;         ///< lights whose position has w != 0
+  std::uint8_t spots = 0;              ///< lights with a cutoff other than 180
+  std::uint8_t attenuated = 0;         ///< positional lights with attenuation other than 1
+  std::uint8_t textureMatrix = 0;      ///< units whose matrix is not the identity
+  /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
+  std::array<std::array<std::uint8_t, 4>, 8> texGen{};
+  bool fogFromDepth = true; ///< FOG_COORDINATE_SOURCE is FRAGMENT_DEPTH
+  bool fog = false;         ///< FOG is enabled
+  bool colorSum = false;    ///< COLOR_SUM is enabled
+  bool pointAttenuation = false;
+  std::uint8_t clipPlanes = 0; ///< enabled, one bit each
+  std::uint32_t version = 0;   ///< changes with the above
 };
 
 struct Mirror {
   swrast::RasterState raster; ///< without clip, which depends on the target
-  swrast::Rect scissor;       ///< the target's size where the test is disabled
+  swrast::Rect scissor;       ///< where the test is disabled: all that there can be
   bool scissorEnabled = false;
   abi::FragmentKey pixelOps;   ///< tests, blending, masks; without formats, inputs and samplers
   abi::FragmentData constants; ///< references, blend colour, fog
+  /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors is what fixed-point targets want, and
+  /// float targets want 0.
+  bool clampFixedOnly = true;
+  /// As pixelOps has them, the stencil write and depth write masks are state of their own:
+  /// constants.stencilWriteMask, pixelOps.depthStencil.depthWrite (with depthTest).
   std::array<std::array<SamplerState, 5>, abi::kMaxUnits> samplers; ///< by unit and abi::Dimension
   CurrentValues current{};
-  VertexSource arrays;            ///< enabled client and buffer arrays
-  const char *obstacle = nullptr; ///< what of the state keeps draws with the host; a reason
+  std::uint32_t currentKnown = 0; ///< slots of `current` that hold the host's values
+  ArrayBindings arrays;
+  VertexState vertex;
+  /// What of the state keeps draws with the host: a key of reasons.def, and the state's name.
+  const char *obstacle = nullptr;
+  const char *obstacleDetail = nullptr;
+  bool smoothPoints = false, smoothLines = false, smoothPolygons = false;
+  bool twoSidedColor = false;        ///< VERTEX_PROGRAM_TWO_SIDE, for vertex programs
+  bool pointSizeFromProgram = false; ///< VERTEX_PROGRAM_POINT_SIZE
+  std::uint8_t spriteCoords = 0;     ///< units with COORD_REPLACE, where POINT_SPRITE is enabled
 
-  // Fixed-function vertices; see fixed_vertex.h.
-  bool twoSidedColor = false;
+  StaleClock clock;
+  std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0, queriesSeen = 0;
+  std::uint8_t polygonStipple[128] = {};
 };
 
-/// Asks the host for the groups that are stale and that a draw needs. Raises no error.
+/// Asks the host for the groups that are stale and that every draw needs: raster, pixelOps,
+/// constants, obstacle.
 void refresh(Context &context, Mirror &mirror);
+
+struct SamplerUse {
+  std::uint8_t unit = 0;
+  abi::Dimension dimension = abi::Dimension::Tex2D;
+};
+/// Brings mirror.samplers[unit][dimension] up to date, for all that the program samples. After
+/// refresh().
+void refreshSamplers(Context &context, Mirror &mirror, std::span<const SamplerUse> uses);
+
+/// mirror.current of the slots of a mask. Calls take() itself: also before Begin.
+void refreshCurrent(Context &context, Mirror &mirror, std::uint32_t slots);
+/// The layer set current values of the host itself, and knows them.
+void noteCurrent(Mirror &mirror, const CurrentValues &values, std::uint32_t slots);
+
+/// mirror.arrays. After refresh().
+void refreshArrays(Context &context, Mirror &mirror);
+
+/// mirror.vertex: only where fixed function transforms. After refresh().
+void refreshVertexState(Context &context, Mirror &mirror);
+
+/// Why primitives of that kind cannot be ours, beside mirror.obstacle: smooth ones; null: they can.
+[[nodiscard]] const char *obstacleOf(const Mirror &mirror, swrast::Topology topology);
 
 } // namespace arbiter::state::software

@@ -1,0 +1,92 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "fp_compiler/ir/ir.h"
+#include "state/software/attributes.h"
+
+/// Vertices as machine code reads them: one array of floats for each component, with defaults
+/// (0, 0, 0, 1) filled in and fixed-point numbers converted (OpenGL 1.4, table 2.6).
+namespace arbiter::state::software {
+
+/// Indices as 32 bits, less `minimum`, so that the vertex range [minimum, maximum] is what must be
+/// fetched.
+struct IndexRange {
+  const std::uint32_t *indices = nullptr;
+  std::uint32_t count = 0;
+  std::uint32_t minimum = 0, maximum = 0; ///< baseVertex added
+};
+
+/// Memory of a context for the vertices of one draw; grows and is kept.
+class VertexFetcher {
+public:
+  VertexFetcher();
+  ~VertexFetcher();
+  VertexFetcher(const VertexFetcher &) = delete;
+  VertexFetcher &operator=(const VertexFetcher &) = delete;
+
+  /// False if there is no memory, or an index plus `baseVertex` is below zero. `type` is that of
+  /// DrawElements; `indices` need not be aligned.
+  [[nodiscard]] bool decodeIndices(GLenum type, const void *indices, std::uint32_t count,
+                                   std::int32_t baseVertex, IndexRange &out);
+
+  /// Fetches vertices [first, first + count) of the slots of a mask: from their arrays, or the
+  /// current value for each. False if there is no memory, a type is unknown, or a vertex is not
+  /// there. Float arrays of the current value are kept from draw to draw.
+  [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current,
+                           std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  /// Component c of a fetched slot: `count` floats, padded to a multiple of 16 that may be read;
+  /// aligned to 64 bytes.
+  [[nodiscard]] const float *component(int slot, int c) const {
+    return m_components[std::size_t(slot)][std::size_t(c)];
+  }
+  /// VertexData::inputs of a program that reads `attributes`; all of their slots were fetched.
+  /// Valid until the next call.
+  [[nodiscard]] const float *const *inputs(std::span<const fp::ir::Attribute> attributes);
+  /// VertexData::outputs: four arrays for each of `count` outputs, of as many floats as fetch()
+  /// made. Null if there is no memory. Valid until the next call.
+  [[nodiscard]] float *const *outputs(std::size_t count);
+  /// The edge flags of unfilled polygons as bytes, after a fetch with kEdgeFlag.
+  [[nodiscard]] const std::uint8_t *edgeFlags();
+
+private:
+  struct Block {
+    float *data = nullptr;
+    std::size_t floats = 0;
+    Block() = default;
+    Block(Block &&other) noexcept;
+    Block &operator=(Block &&other) noexcept;
+    ~Block();
+    [[nodiscard]] bool reserve(std::size_t wanted);
+  };
+  /// An array that holds one value throughout.
+  struct Constant {
+    Block block;
+    float value = 0;
+    std::uint32_t filled = 0;
+  };
+  [[nodiscard]] const float *constant(Constant &constant, float value);
+  [[nodiscard]] bool fetchArray(const VertexSource::Array &array, int slot, std::uint32_t first);
+  [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
+
+  std::uint32_t m_count = 0, m_padded = 0;
+  std::array<std::array<const float *, 4>, kSlots> m_components{};
+  std::array<std::array<Block, 4>, kSlots> m_blocks;
+  std::array<std::array<Constant, 4>, kSlots> m_current;
+  Constant m_zero, m_one;
+  std::vector<const float *> m_inputs;
+  std::vector<Block> m_outputBlocks;
+  std::vector<float *> m_outputs;
+  std::vector<std::uint8_t> m_edgeFlags;
+  std::vector<std::uint32_t> m_indices;
+};
+
+/// The slots that a program's attributes need.
+[[nodiscard]] std::uint32_t slotsOf(std::span<const fp::ir::Attribute> attributes);
+
+} // namespace arbiter::state::software
