@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <epoxy/gl.h>
+#include <iostream>
 
 namespace demos {
 namespace {
@@ -76,6 +78,8 @@ int drawFrames(Demo &demo, Surface &surface, const Options &options) {
 double frameMilliseconds(Demo &demo, Surface &surface, int frame) {
   const auto begin = Clock::now();
   demo.draw(surface, frame);
+  if (surface.window())
+    surface.present();
   glFinish();
   const std::chrono::duration<double, std::milli> time = Clock::now() - begin;
   return time.count();
@@ -101,17 +105,20 @@ int benchFrames(Demo &demo, Surface &surface, const Options &options) {
   return reportGlErrors(frames) ? kExitFailed : kExitOk;
 }
 
-/// Prints {"renderer"} when it is ready, then milliseconds for each line of input.
+/// Prints {"renderer"} when it is ready, then milliseconds a frame for each line of input, over as
+/// many frames as the line says, or one. In a window each frame is shown, and that is measured too.
 int paceFrames(Demo &demo, Surface &surface) {
   int frame = 0;
   while (frame < kWarmUp)
     frameMilliseconds(demo, surface, frame++);
   std::printf("{\"renderer\": \"%s\"}\n", glString(GL_RENDERER).c_str());
   std::fflush(stdout);
-  for (int c = std::getchar(); c != EOF; c = std::getchar()) {
-    if (c != '\n')
-      continue;
-    std::printf("%.4f\n", frameMilliseconds(demo, surface, frame++));
+  for (std::string order; std::getline(std::cin, order);) {
+    const int count = std::max(1, std::atoi(order.c_str()));
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+      sum += frameMilliseconds(demo, surface, frame++);
+    std::printf("%.5f\n", sum / count);
     std::fflush(stdout);
   }
   return reportGlErrors(frame) ? kExitFailed : kExitOk;

@@ -70,7 +70,8 @@ bool parseOptions(Demo &demo, int argc, char **argv, Options &options, int &exit
                "compare every frame with a plain C++ computation of it");
   app.add_flag("--bench", options.bench, "print the median time of a frame as JSON");
   app.add_flag("--paced", options.paced,
-               "measure as --bench does, one frame for each line of input, so that two processes "
+               "measure as --bench does, for each line of input the number of frames it says, so "
+               "that two processes "
                "can take turns");
   app.add_flag("--info", options.info, "print the renderer and the programs' counts as JSON");
   const std::vector<std::string> forms = demo.forms();

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""How much faster the rasterizer is than the bare host, measured side by side in one run.
+
+Each row launches the same client twice, bare and with the layer in front (ARBITER_BACKEND=auto
+unless said otherwise), which take turns batch by batch; a frame is one draw, the feedback copy where
+there is one, and a finish. `times faster` is the median over the turns of bare / layered, with the
+interval that holds the true median 95 times in 100, and the acceptance bound beside it.
+
+  workloads    the seven programs, headless; and their geometric mean
+  window       the same, shown in a GLX window each frame, on an Xvfb of their own
+  sizes        cost a pixel from 256x256 to 4096x4096, of the layer
+  threads      two threads of the rasterizer against one
+  scene        100,000 triangles with depth, blending and per-pixel lighting
+  first-draw   from a program's text to its first finished frame, 100 generated programs
+  memory       peak resident size beyond the bare host's, by the application's images
+  small        draws of a few pixels each, which gain nothing: no more than 1.05x the bare host
+
+examples:
+  bench/feedback.py build-bench
+  bench/feedback.py build-bench --part workloads --size 2048 --threads 1 --turns 31
+"""
+
+import argparse
+import collections
+import json
+import pathlib
+import sys
+import tempfile
+
+import paced
+from feedback_rows import first_draw_rows, memory_rows, scene_rows, size_rows, small_rows, \
+    thread_rows, window_rows, workload_rows
+from machine import describe, lanes
+
+PARTS = {"workloads": workload_rows, "window": window_rows, "sizes": size_rows,
+         "threads": thread_rows, "scene": scene_rows, "first-draw": first_draw_rows,
+         "memory": memory_rows, "small": small_rows}
+
+
+def parse(argv):
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path, help="the build folder")
+    parser.add_argument("--layer", type=pathlib.Path,
+                        help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
+    parser.add_argument("--part", action="append", choices=PARTS, help="may be repeated")
+    parser.add_argument("--workload", action="append", metavar="TEXT",
+                        help="only workloads whose name has TEXT; may be repeated")
+    parser.add_argument("--size", type=int, default=1024, help="edge of the pictures")
+    parser.add_argument("--threads", type=int, default=0, help="of the rasterizer; 0: its default")
+    parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
+    parser.add_argument("--turns", type=int, default=21, help="of each side of a row")
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
+    parser.add_argument("--self-test", action="store_true", help="small and few: do the rows run?")
+    args = parser.parse_args(argv)
+    args.build = args.build.resolve()
+    args.layer = (args.layer or args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
+    if not args.layer.exists():
+        parser.error(f"the layer is not built: {args.layer}")
+    if args.self_test:
+        args.size, args.turns = 64, 3
+        paced.SETTLE_S = 0.1
+    return args
+
+
+def text_of(row):
+    """bound_is `least` or `most`, of `figure`."""
+    bound = ""
+    if row.get("bound") is not None:
+        bound = f"{'>=' if row['bound_is'] == 'least' else '<='} {row['bound']:g}"
+    spread = f"{row['low']:.2f} .. {row['high']:.2f}" if "low" in row else ""
+    sides = [f"{row[side]:.3f}" if side in row else "" for side in ("bare", "layered")]
+    return (f"{row['name']:<44} {sides[0]:>9} {sides[1]:>9} {row['unit']:<6}{row['figure']:>8.2f} {spread:>17} {bound:>8}  "
+            f"{row['verdict']}{'  ' + row['note'] if row.get('note') else ''}")
+
+
+def judge(row):
+    """met, missed, or unclear where the interval has the bound in it; nothing without a bound."""
+    if row.get("bound") is None:
+        return ""
+    low, high = row.get("low", row["figure"]), row.get("high", row["figure"])
+    if row["bound_is"] == "most":
+        row_good, may_be = row["figure"] <= row["bound"], low <= row["bound"]
+    else:
+        row_good, may_be = row["figure"] >= row["bound"], high >= row["bound"]
+    return "met" if row_good else "unclear" if may_be else "MISSED"
+
+
+def main(argv=None):
+    args = parse(sys.argv[1:] if argv is None else argv)
+    machine = describe()
+    print(f"{machine['model']}, {machine['processors']} processors, {lanes(machine)}; "
+          f"{args.size}x{args.size}, ARBITER_BACKEND={args.backend}, "
+          f"{args.threads or 'as many as processors'} threads", flush=True)
+    rows = []
+    with tempfile.TemporaryDirectory(prefix="arbiter-feedback-") as scratch:
+        args.scratch = pathlib.Path(scratch)
+        for part in args.part or PARTS:
+            print(f"\n{part:<44} {'bare':>9} {'layered':>9} {'':<6}{'figure':>8} "
+                  f"{'95 of 100':>17} {'bound':>8}", flush=True)
+            for row in PARTS[part](args, rows):
+                row.update(part=part, verdict=judge(row))
+                rows.append(row)
+                print(text_of(row), flush=True)
+    verdicts = collections.Counter(row["verdict"] for row in rows if row["verdict"])
+    print("\nbounds: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items()))
+    if args.json:
+        args.json.parent.mkdir(parents=True, exist_ok=True)
+        args.json.write_text(json.dumps(
+            {"schema": 1, "machine": machine, "size": args.size, "backend": args.backend,
+             "threads": args.threads, "turns": args.turns, "rows": rows}, indent=1) + "\n")
+    return 0 if args.self_test or not verdicts["MISSED"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,32 @@
+"""What machine figures are of: a table without it says nothing."""
+
+import os
+import pathlib
+import platform
+
+
+def describe():
+    """Processor, how many of them this process may use, vector extensions, caches."""
+    fields, flags = {}, set()
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        key, _, value = line.partition(":")
+        fields.setdefault(key.strip(), value.strip())
+    flags = set(fields.get("flags", fields.get("Features", "")).split())
+    known = ("sse4_1", "avx", "avx2", "avx512f", "avx512bw", "avx512vl", "avx512vbmi", "asimd",
+             "amx_tile")
+    caches = {}
+    for index in sorted(pathlib.Path("/sys/devices/system/cpu/cpu0/cache").glob("index*")):
+        level, kind, size = ((index / name).read_text().strip() for name in ("level", "type", "size"))
+        caches[f"L{level} {kind.lower()}"] = size
+    return {"model": fields.get("model name", platform.machine()), "machine": platform.machine(),
+            "processors": len(os.sched_getaffinity(0)), "vectors": [f for f in known if f in flags],
+            "caches": caches, "load": os.getloadavg()[0]}
+
+
+def lanes(machine):
+    """In words: 32-bit lanes of the widest vectors."""
+    for flag, text in (("avx512f", "16 lanes (AVX-512)"), ("avx2", "8 lanes (AVX2)"),
+                       ("sse4_1", "4 lanes (SSE4.1)"), ("asimd", "4 lanes (NEON)")):
+        if flag in machine["vectors"]:
+            return text
+    return "no vectors that are known here"

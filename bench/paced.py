@@ -1,0 +1,109 @@
+"""Processes that take turns: clients that draw a number of frames for each line of input.
+
+Two of them stand side by side and are asked in turn, so that a busy machine is busy for both. A
+turn is as many frames as take about TURN_MS, calibrated for each side, so that the fast side is not
+measured over a clock's tick.
+"""
+
+import json
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import time
+
+TURN_MS = 40.0
+SETTLE_S = 6.0  # the longest that a side may take to reach its pace: machine code is compiled meanwhile
+
+
+def environment(layer=None, extra=None):
+    """Without anything of ours or of the host's drivers; with the layer in front if there is one."""
+    foreign = ("ARBITER_", "MESA_", "GALLIUM_", "LIBGL_", "__GLX_", "__EGL_", "LD_PRELOAD")
+    env = {k: v for k, v in os.environ.items() if not k.startswith(foreign)}
+    env.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
+    if layer:
+        env["LD_PRELOAD"] = str(layer)
+    env.update(extra or {})
+    return env
+
+
+class Client:
+    """A process that says one line of JSON when it is ready, and one for each order."""
+
+    def __init__(self, command, env):
+        self.command = [str(word) for word in command]
+        self.process = subprocess.Popen(self.command, env=env, text=True, stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE)
+        self.hello = self.answer("start")
+        self.frames = 1
+
+    def answer(self, order):
+        line = self.process.stdout.readline()
+        if not line:
+            code = self.process.wait()
+            if code == 77:
+                print("skipped: the host has no context with ARB_fragment_program")
+                raise SystemExit(77)
+            raise SystemExit(f"{' '.join(self.command)}: ended with status {code} at: {order}")
+        return json.loads(line)
+
+    def ask(self, order):
+        self.process.stdin.write(f"{order}\n")
+        self.process.stdin.flush()
+        return self.answer(order)
+
+    def settle(self):
+        """Frames until two batches in a row take the same time; then as many a turn as fill it."""
+        begin, before = time.monotonic(), math.inf
+        while True:
+            now = self.ask(self.frames)
+            self.frames = min(4000, max(1, round(TURN_MS / max(now, 0.001))))
+            waited = time.monotonic() - begin
+            # The host draws until machine code is ready: at first a pace says nothing.
+            if waited > SETTLE_S or (waited > SETTLE_S / 12 and abs(now - before) < 0.1 * now):
+                return
+            before = now
+
+    def turn(self):
+        """Milliseconds a frame."""
+        return self.ask(self.frames)
+
+    def peak_bytes(self):
+        for line in pathlib.Path(f"/proc/{self.process.pid}/status").read_text().splitlines():
+            if line.startswith("VmHWM:"):
+                return int(line.split()[1]) * 1024
+        raise SystemExit("no VmHWM of a client")
+
+    def close(self):
+        self.process.stdin.close()
+        code = self.process.wait()
+        if code:
+            raise SystemExit(f"{' '.join(self.command)}: ended with status {code}")
+
+
+def take_turns(clients, turns):
+    """[times of one round]: a time of each client; who begins moves on every round."""
+    rounds = []
+    for turn in range(turns):
+        times = [0.0] * len(clients)
+        for place in range(len(clients)):
+            which = (place + turn) % len(clients)
+            times[which] = clients[which].turn()
+        rounds.append(times)
+    return rounds
+
+
+def interval(values):
+    """(least, median, greatest): the interval that holds the true median 95 times in 100, by rank."""
+    ordered = sorted(values)
+    n = len(ordered)
+    half = 0.98 * math.sqrt(n)  # 1.96 deviations of a binomial of n and 1/2
+    low = max(0, math.floor((n - 1) / 2 - half))
+    high = min(n - 1, math.ceil((n - 1) / 2 + half))
+    return ordered[low], statistics.median(ordered), ordered[high]
+
+
+def ratios(rounds):
+    """Of each round the first client's time by the second's: how many times faster the second is."""
+    return [times[0] / times[1] for times in rounds]
