@@ -1,48 +1,110 @@
 #pragma once
 #include <atomic>
+#include <cstdint>
 #include <memory>
+#include <mutex>
+#include <unordered_map>
 
 #include "fp_compiler/abi.h"
 #include "fp_compiler/jit.h"
 
 /// The process's machine code: the engine, made when first wanted, and the functions by program and
-/// key. Functions are compiled on a thread of their own; until one is ready the host draws.
-namespace arbiter::state {
-struct CompiledProgram;
-}
-
+/// key. What is missing is compiled on a thread of its own, and until it is ready the host draws.
 namespace arbiter::state::software {
 
-/// The engine, or null where the library does not load (said once in the log).
+/// The engine, made at the first call (it loads LLVM); null where the library does not load, which
+/// is said once in the log.
 [[nodiscard]] fp::jit::Engine *engine();
 
-/// One program as the JIT sees it; made at its first draw, kept with the CompiledProgram.
-struct FragmentFunctions;
-struct VertexFunctions;
+/// How far a thing that is compiled aside has come.
+enum class Progress : std::uint8_t { Making, Ready, Failed };
 
-/// A function that is being made. ready() is one load.
-template <typename Function> struct Pending {
+/// One function, or the place where it will be.
+template <typename Function> struct FunctionSlot {
+  /// Null until it is ready: one load is all that a draw pays.
   std::atomic<Function> function{nullptr};
-  std::atomic<bool> failed{false};
+  std::atomic<Progress> progress{Progress::Making};
+  std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// The program prepared, or null while that is being done, or where it cannot be (`failed`).
-/// \param wait compile on this thread and return the result (ARBITER_BACKEND=swrast)
-[[nodiscard]] const fp::jit::FragmentProgram *
-prepared(const std::shared_ptr<const CompiledProgram> &program, fp::Numerics numerics, bool wait,
-         bool &failed);
-[[nodiscard]] abi::ShadeFunction function(const std::shared_ptr<const CompiledProgram> &program,
-                                          fp::Numerics numerics, const abi::FragmentKey &key,
-                                          bool wait, bool &failed);
+/// Whether a caller can wait: ARBITER_BACKEND=swrast compiles on the drawing thread.
+enum class When : std::uint8_t { Later, Now };
 
-/// A vertex program: an application's, or fixed function's, written as IR and named by its key.
-[[nodiscard]] const fp::jit::VertexProgram *
-prepareVertex(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
-              bool wait, bool &failed);
-[[nodiscard]] abi::VertexFunction vertexFunction(const fp::jit::VertexProgram &program, bool wait,
-                                                 bool &failed);
+/// The functions of one fragment program in one mode. Contexts share it; it lives as long as someone
+/// holds it, functions as long as it.
+class FragmentFunctions : public std::enable_shared_from_this<FragmentFunctions> {
+public:
+  using Slot = FunctionSlot<abi::ShadeFunction>;
+  FragmentFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
+      : m_source(std::move(source)), m_numerics(numerics) {}
 
-/// Ends the compiling thread: before the library is left, and in a child after fork.
-void stopCompiling();
+  /// The program as the back end sees it; null while it is prepared, and where it cannot be.
+  [[nodiscard]] const fp::jit::FragmentProgram *prepared() const {
+    return m_prepared.load(std::memory_order_acquire);
+  }
+  [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
+  /// The place of the function for `key`; asks for it if nobody has. Requires prepared(). Takes a
+  /// lock: keep the answer.
+  [[nodiscard]] Slot &slot(const abi::FragmentKey &key, When when);
+
+private:
+  friend std::shared_ptr<FragmentFunctions>
+  fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &, fp::Numerics, When);
+  void prepare();
+  void compile(const abi::FragmentKey &key, Slot &slot);
+
+  struct Hash {
+    std::size_t operator()(const abi::FragmentKey &key) const { return abi::hashOf(key); }
+  };
+  const std::shared_ptr<const fp::ir::Program> m_source;
+  const fp::Numerics m_numerics;
+  std::unique_ptr<fp::jit::FragmentProgram> m_owned;
+  std::atomic<const fp::jit::FragmentProgram *> m_prepared{nullptr};
+  std::atomic<Progress> m_progress{Progress::Making};
+  std::mutex m_mutex;
+  std::unordered_map<abi::FragmentKey, std::unique_ptr<Slot>, Hash> m_slots;
+};
+
+/// The same of a vertex program, which has one function.
+class VertexFunctions : public std::enable_shared_from_this<VertexFunctions> {
+public:
+  VertexFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
+      : m_source(std::move(source)), m_numerics(numerics) {}
+  /// Null until the function is ready, and where it cannot be made.
+  [[nodiscard]] const fp::jit::VertexProgram *prepared() const {
+    return m_prepared.load(std::memory_order_acquire);
+  }
+  [[nodiscard]] abi::VertexFunction function() const { return m_code ? m_code->function : nullptr; }
+  [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
+
+private:
+  friend std::shared_ptr<VertexFunctions>
+  vertexFunctions(const std::shared_ptr<const fp::ir::Program> &, fp::Numerics, When);
+  void make();
+
+  const std::shared_ptr<const fp::ir::Program> m_source;
+  const fp::Numerics m_numerics;
+  std::unique_ptr<fp::jit::VertexProgram> m_owned;
+  std::unique_ptr<fp::jit::VertexCode> m_code;
+  std::atomic<const fp::jit::VertexProgram *> m_prepared{nullptr};
+  std::atomic<Progress> m_progress{Progress::Making};
+};
+
+/// The functions of a program, the same object for the same program and mode. Takes a lock: keep the
+/// answer while the program is in force.
+[[nodiscard]] std::shared_ptr<FragmentFunctions>
+fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                  When when);
+[[nodiscard]] std::shared_ptr<VertexFunctions>
+vertexFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                When when);
+
+/// Compiled and still waiting, for --stats.
+struct CompileStatistics {
+  std::uint64_t functions = 0, failed = 0;
+  std::uint64_t codeBytes = 0;
+  double milliseconds = 0; ///< spent compiling, on whatever thread
+};
+[[nodiscard]] CompileStatistics compileStatistics();
 
 } // namespace arbiter::state::software
