@@ -77,6 +77,13 @@ TextureUse look(Context &context, const fp::GlslSampler &sampler) {
   return use;
 }
 
+/// Draws that took the path of the program in force, on the host or by the rasterizer.
+std::uint64_t drawsOf(const Context &context, std::size_t path) {
+  const std::uint64_t own =
+      Path(path) == Path::HostGlsl ? context.draws[std::size_t(Path::Rasterizer)] : 0;
+  return context.draws[path] + own;
+}
+
 } // namespace
 
 void captureContextMade(Context &context) {
@@ -111,7 +118,7 @@ void captureEnter(Context &context) {
     return;
   CaptureInForce &inForce = context.inForce;
   inForce.path = std::size_t(context.path);
-  inForce.drawsBefore = context.draws[inForce.path];
+  inForce.drawsBefore = drawsOf(context, inForce.path);
   const HostErrorScope scope(context);
   for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
     if (!stage->compiled)
@@ -129,7 +136,7 @@ void captureLeave(Context &context) {
   if (!capturing())
     return;
   CaptureInForce &inForce = context.inForce;
-  const std::uint64_t draws = context.draws[inForce.path] - inForce.drawsBefore;
+  const std::uint64_t draws = drawsOf(context, inForce.path) - inForce.drawsBefore;
   for (std::size_t i = 0; i < kTargetCount; ++i) {
     const std::shared_ptr<const CompiledProgram> program = std::move(inForce.programs[i]);
     if (!program || draws == 0)

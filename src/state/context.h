@@ -44,12 +44,14 @@ inline constexpr std::uint32_t kCompare = 16; ///< stays: a plain texture target
 inline constexpr std::uint32_t kInvalid = 32; ///< stays: draws are errors
 inline constexpr std::uint32_t kShared = 64;  ///< stays: another context may load a program
 inline constexpr std::uint32_t kList = 128;   ///< stays: a display list is being compiled
+inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may draw
 inline constexpr std::uint32_t kWatch = 256;  ///< stays: no frame ends here at which files are seen
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
 enum class Path : std::uint8_t {
   HostGlsl,             ///< our translation, on the host
+  Rasterizer,           ///< by our own rasterizer
   NoProgram,            ///< host untouched: no program target is enabled
   ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
   ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
@@ -60,7 +62,7 @@ enum class Path : std::uint8_t {
   InvalidProgram,       ///< dropped: the bound program object holds no valid program
   HostRefused,          ///< dropped: the host did not compile or link our shader
 };
-inline constexpr int kPathCount = 10;
+inline constexpr int kPathCount = 11;
 [[nodiscard]] const char *pathName(Path path);
 
 /// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is

@@ -20,6 +20,8 @@ const char *pathName(Path path) {
   switch (path) {
   case Path::HostGlsl:
     return "host-glsl";
+  case Path::Rasterizer:
+    return "rasterizer";
   case Path::NoProgram:
     return "no-program";
   case Path::ApplicationGlsl:
@@ -171,6 +173,8 @@ std::uint32_t stickyAttention(const Context &context) {
                     context.row(Target::AtiApi).enabled;
   if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
+  if (context.softwarePossible)
+    bits |= attention::kSoftware;
   if (ours && replacing() && context.frames == 0)
     bits |= attention::kWatch;
   return bits;

@@ -4,9 +4,9 @@
 /// One thread that compiles, so that the drawing thread need not.
 namespace arbiter::state::software {
 
-/// Runs `task` on the compiling thread, which starts at the first call with all signals blocked. In a
-/// child after a fork the thread is started anew, and what was waiting in the parent is lost there.
-/// False, and the task is gone, where no thread can be started or the process is ending.
+/// Runs `task` on the compiling thread, which starts at the first call with all signals blocked. In
+/// a child after a fork the thread is started anew, and what was waiting in the parent is lost
+/// there. False, and the task is gone, where no thread can be started or the process is ending.
 bool compileLater(std::function<void()> task);
 
 } // namespace arbiter::state::software

@@ -1,6 +1,9 @@
 #include "state/software/context_state.h"
 
+#include <cstring>
+
 #include "state/context.h"
+#include "state/software/outcome.h"
 
 namespace arbiter::state::software {
 
@@ -13,6 +16,14 @@ const char *fallbackName(Fallback reason) {
 #undef ARBITER_FALLBACK
   }
   return "";
+}
+
+Fallback fallbackNamed(const char *key, Fallback otherwise) {
+  if (key)
+    for (int i = 0; i < kFallbackCount; ++i)
+      if (std::strcmp(key, fallbackName(Fallback(i))) == 0)
+        return Fallback(i);
+  return otherwise;
 }
 
 ContextState::ContextState() = default;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "state/software/back_off.h"
 #include "state/software/immediate.h"
 #include "state/software/mirror.h"
 
@@ -43,6 +44,7 @@ struct ContextState {
   ImmediateRecorder recorder;
   std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
+  BackOff backOff;
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};

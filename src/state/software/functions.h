@@ -30,8 +30,8 @@ template <typename Function> struct FunctionSlot {
 /// Whether a caller can wait: ARBITER_BACKEND=swrast compiles on the drawing thread.
 enum class When : std::uint8_t { Later, Now };
 
-/// The functions of one fragment program in one mode. Contexts share it; it lives as long as someone
-/// holds it, functions as long as it.
+/// The functions of one fragment program in one mode. Contexts share it; it lives as long as
+/// someone holds it, functions as long as it.
 class FragmentFunctions : public std::enable_shared_from_this<FragmentFunctions> {
 public:
   using Slot = FunctionSlot<abi::ShadeFunction>;
@@ -90,8 +90,8 @@ private:
   std::atomic<Progress> m_progress{Progress::Making};
 };
 
-/// The functions of a program, the same object for the same program and mode. Takes a lock: keep the
-/// answer while the program is in force.
+/// The functions of a program, the same object for the same program and mode. Takes a lock: keep
+/// the answer while the program is in force.
 [[nodiscard]] std::shared_ptr<FragmentFunctions>
 fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
                   When when);

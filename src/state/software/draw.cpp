@@ -1,0 +1,122 @@
+#include "state/software/draw.h"
+
+#include "host/host_table.h"
+#include "state/context.h"
+#include "state/draw.h"
+#include "state/software/array_source.h"
+#include "state/software/pipeline.h"
+#include "state/software/replay.h"
+#include "state/software/residency.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// The host draws: it is brought up to date, and what it draws to is its own from here on.
+void giveToHost(Context &context, Fallback reason) {
+  context.software->fellBack(reason);
+  hostDraws(context, fallbackName(reason));
+}
+
+Pipeline &pipelineOf(Context &context) {
+  ContextState &state = *context.software;
+  if (!state.draws)
+    state.draws = std::make_unique<Pipeline>();
+  return static_cast<Pipeline &>(*state.draws);
+}
+
+/// What keeps any draw of now with the host, as far as that is known without looking at state.
+Outcome judge(Context &context) {
+  if (context.listMode != 0)
+    return Fallback::List;
+  if (context.path != Path::HostGlsl)
+    return Fallback::NoFragmentProgram;
+  if (!aloneInGroup(context))
+    return Fallback::Shared;
+  if (!context.software->backOff.engaged())
+    return Fallback::BackedOff;
+  return {};
+}
+
+Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
+  if (mode > GL_POLYGON)
+    return Fallback::Vertices;
+  if (const Outcome outcome = judge(context); !outcome.ok())
+    return outcome;
+  context.software->mirror.clock.take(context);
+  return pipelineOf(context).choose(context, {mode, count});
+}
+
+Outcome drawFromArrays(Context &context, const DrawCommand &command) {
+  Pipeline &pipeline = pipelineOf(context);
+  Mirror &mirror = context.software->mirror;
+  refreshArrays(context, mirror);
+  refreshCurrent(context, mirror, pipeline.slots());
+  const ArraySource arrays(context, mirror, pipeline.slots() | 1u << kEdgeFlag, command);
+  if (!arrays.valid())
+    return Fallback::Vertices;
+  IndexRange range;
+  if (command.indexType != 0 &&
+      !pipeline.fetcher().decodeIndices(command.indexType, arrays.indices(),
+                                        std::uint32_t(command.count), command.baseVertex, range))
+    return Fallback::Vertices;
+  return pipeline.shade(context, arrays.source(), range, std::uint32_t(command.first),
+                        std::uint32_t(command.count));
+}
+
+} // namespace
+
+bool drawArrays(Context &context, const DrawCommand &command) {
+  // What the host owes an error for, or draws nothing for, is the host's.
+  if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE ||
+      command.count <= 0 || command.first < 0)
+    return false;
+  if (!validate(context))
+    return false;
+  Outcome outcome = prepare(context, command.mode, std::uint32_t(command.count));
+  if (outcome.ok())
+    outcome = drawFromArrays(context, command);
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    return false;
+  }
+  ++context.software->drawn;
+  ++context.draws[std::size_t(Path::Rasterizer)];
+  return true;
+}
+
+bool begin(Context &context, GLenum mode) {
+  if (!context.software || context.listMode == GL_COMPILE)
+    return false;
+  const Outcome outcome = prepare(context, mode, 0);
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    return false;
+  }
+  Mirror &mirror = context.software->mirror;
+  refreshCurrent(context, mirror, pipelineOf(context).slots());
+  context.software->recorder.begin(mode, mirror.current);
+  return true;
+}
+
+void end(Context &context) {
+  ContextState &state = *context.software;
+  const VertexSource source = state.recorder.end();
+  const std::uint32_t count = state.recorder.count();
+  Outcome outcome;
+  if (state.recorder.failed())
+    outcome = Fallback::Memory;
+  else if (count != 0)
+    outcome = pipelineOf(context).shade(context, source, {}, 0, count);
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    replayToHost(context);
+    context.host->End();
+    return;
+  }
+  tellCurrentValues(context);
+  ++state.drawn;
+  ++context.draws[std::size_t(Path::Rasterizer)];
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,230 @@
+#include "state/software/pipeline.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "state/context.h"
+#include "state/software/residency.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::AttributeKind;
+
+/// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
+static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
+
+/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes.
+constexpr std::uint32_t kManyVertices = 256;
+
+bool isFloat(abi::Layout layout) {
+  return layout >= abi::Layout::F16x1 && layout <= abi::Layout::F32x4;
+}
+
+/// The components that a format stores, as a write mask.
+unsigned storedMask(const abi::Format &format) {
+  unsigned mask = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    if (format.swizzle[i] != abi::From::Zero && format.swizzle[i] != abi::From::One)
+      mask |= 1u << i;
+  return mask;
+}
+
+} // namespace
+
+void Pipeline::takeProgram(Context &context, const CompiledProgram &compiled) {
+  if (m_compiled == &compiled && m_source == compiled.program)
+    return;
+  m_compiled = &compiled;
+  m_source = compiled.program;
+  m_functions = fragmentFunctions(m_source, context.numerics, m_when);
+  m_values.reset();
+  m_recent = {};
+}
+
+Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
+  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  m_key = mirror.pixelOps;
+  m_key.numerics = std::uint8_t(context.numerics);
+  abi::DepthStencilKey &depth = m_key.depthStencil;
+  depth.layout =
+      m_targets->depthStencil ? m_targets->depthStencil->format.layout : abi::Layout::None;
+  if (m_targets->depthBits == 0 || depth.layout == abi::Layout::None)
+    depth.depthTest = depth.depthWrite = 0;
+  if (m_targets->stencilBits == 0 || depth.layout == abi::Layout::None)
+    depth.stencilTest = 0;
+  if (!depth.depthTest && !depth.stencilTest)
+    depth = {};
+  int colors = 0;
+  bool anyFloat = false;
+  for (int i = 0; i < abi::kMaxColorTargets; ++i) {
+    abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
+    if (!m_targets->color[i]) {
+      target = {};
+      continue;
+    }
+    target.format = m_targets->color[i]->format;
+    target.writeMask &= std::uint8_t(storedMask(target.format));
+    ++colors;
+    anyFloat |= isFloat(target.format.layout);
+  }
+  // Without the option a program's one colour goes to every draw buffer (ARB_draw_buffers).
+  if (colors > 1 && !m_source->options.drawBuffers)
+    return Fallback::Target;
+  if (mirror.clampFixedOnly && anyFloat)
+    m_key.clampColors = 0;
+  return m_units.bind(context, mirror, shape, m_key);
+}
+
+Outcome Pipeline::choose(Context &context, const Kind &kind) {
+  ContextState &state = *context.software;
+  Mirror &mirror = state.mirror;
+  m_topology = swrast::Topology(kind.mode);
+  m_count = kind.count;
+  m_when = state.forced ? When::Now : When::Later;
+  const CompiledProgram *const fragment = context.variant->fragment.compiled;
+  if (!fragment || !fragment->program)
+    return Fallback::NoFragmentProgram;
+  if (context.numerics == fp::Numerics::Fp24 || !engine())
+    return Fallback::NotCompiled;
+  takeProgram(context, *fragment);
+  const fp::jit::FragmentProgram *const prepared = m_functions->prepared();
+  if (!prepared)
+    return m_functions->progress() == Progress::Making ? Fallback::Compiling
+                                                       : Fallback::NotCompiled;
+  if (!m_values)
+    m_values = std::make_unique<ProgramValues>(prepared->program());
+  refresh(context, mirror);
+  if (mirror.obstacle)
+    return fallbackNamed(mirror.obstacle, Fallback::State);
+  if (const char *const obstacle = obstacleOf(mirror, m_topology))
+    return fallbackNamed(obstacle, Fallback::State);
+  const char *reason = nullptr;
+  m_targets = describeTargets(context, reason);
+  if (!m_targets)
+    return fallbackNamed(reason, Fallback::Target);
+  if (const Outcome outcome =
+          m_vertices.choose(context, mirror, context.variant->vertex.compiled, prepared->shape(),
+                            m_topology == swrast::Topology::Points, m_when);
+      !outcome.ok())
+    return outcome;
+  return makeKey(context, mirror);
+}
+
+abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
+  m_key.lanes = lanes;
+  FragmentFunctions::Slot *slot = nullptr;
+  for (const Recent &recent : m_recent)
+    if (recent.slot && std::memcmp(&recent.key, &m_key, sizeof m_key) == 0)
+      slot = recent.slot;
+  if (!slot) {
+    slot = &m_functions->slot(m_key, m_when);
+    m_recent[m_nextRecent++ % m_recent.size()] = {m_key, slot};
+  }
+  const abi::ShadeFunction function = slot->function.load(std::memory_order_acquire);
+  if (!function)
+    why = slot->progress.load(std::memory_order_acquire) == Progress::Failed ? Fallback::NotCompiled
+                                                                             : Fallback::Compiling;
+  return function;
+}
+
+Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
+                                  swrast::Shading &shading) {
+  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  const bool affine = swrast::isAffine(vertices);
+  shading.inputCount = std::uint32_t(shape.inputs.size());
+  for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
+    const AttributeKind kind = shape.inputs[i].attribute.kind;
+    const bool color = kind == AttributeKind::ColorPrimary || kind == AttributeKind::ColorSecondary;
+    m_key.inputs[i] = color && mirror.raster.flatShade ? abi::Interpolation::Flat
+                      : affine                         ? abi::Interpolation::Linear
+                                                       : abi::Interpolation::Perspective;
+    shading.interpolation[i] = m_key.inputs[i];
+    shading.inputComponents[i] = shape.inputs[i].components;
+  }
+  const std::uint32_t levels = m_units.levelsMatter();
+  const bool quadsOnly = (levels & shape.needsQuads) != 0 || (levels != 0 && !affine);
+  Fallback why = Fallback::NotCompiled;
+  if (!quadsOnly)
+    shading.row = functionFor(abi::Lanes::Row, why);
+  if (quadsOnly || m_count >= kManyVertices)
+    shading.quad = functionFor(abi::Lanes::Quad, why);
+  if (!shading.row && !shading.quad)
+    return why;
+  const fp::jit::Engine &jit = *engine();
+  shading.lanes = jit.lanes();
+  shading.blockWidth = jit.blockWidth();
+  shading.blockHeight = jit.blockHeight();
+  shading.opaque = isOpaque();
+  return {};
+}
+
+bool Pipeline::isOpaque() const {
+  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  if (shape.kills || m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
+      m_key.depthStencil.layout != abi::Layout::None)
+    return false;
+  return std::all_of(m_key.targets.begin(), m_key.targets.end(), [](const auto &target) {
+    return target.format.layout == abi::Layout::None ||
+           (!target.blend.enabled && target.writeMask == storedMask(target.format));
+  });
+}
+
+void Pipeline::fillData(Context &context, const Mirror &mirror) {
+  m_data = mirror.constants;
+  m_values->update(context, mirror.clock, &context.row(m_compiled->target));
+  m_data.parameters = m_values->data();
+  m_units.fill(m_data);
+  const auto targetOf = [](const swrast::Image *image) {
+    return image ? abi::Target{image->pixel(0, 0), image->rowStride} : abi::Target{};
+  };
+  for (std::size_t i = 0; i < m_data.targets.size(); ++i)
+    m_data.targets[i] = targetOf(m_targets->color[i]);
+  if (m_key.depthStencil.layout != abi::Layout::None)
+    m_data.depthStencil = targetOf(m_targets->depthStencil);
+  m_data.windowHeight = float(m_targets->height);
+}
+
+Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
+                        std::uint32_t first, std::uint32_t count) {
+  const Mirror &mirror = context.software->mirror;
+  const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
+                        mirror.raster.back != swrast::PolygonMode::Fill;
+  swrast::Vertices vertices;
+  const bool indexed = indices.indices != nullptr;
+  const std::uint32_t begin = indexed ? indices.minimum : first;
+  const std::uint32_t fetched = indexed ? indices.maximum - indices.minimum + 1 : count;
+  if (const Outcome outcome = m_vertices.run(context, context.software->mirror, source, begin,
+                                             fetched, unfilled, vertices);
+      !outcome.ok())
+    return outcome;
+  swrast::Shading shading;
+  if (const Outcome outcome = chooseFunctions(mirror, vertices, shading); !outcome.ok())
+    return outcome;
+
+  swrast::RasterState raster = mirror.raster;
+  raster.clip = {0, 0, m_targets->width, m_targets->height};
+  if (mirror.scissorEnabled)
+    raster.clip = swrast::intersect(raster.clip, mirror.scissor);
+  if (m_targets->depthBits == 16)
+    raster.depthResolution = 1.0 / 65535.0;
+  const auto &inputs = m_functions->prepared()->shape().inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
+        (mirror.spriteCoords >> inputs[i].attribute.index & 1) != 0)
+      raster.spriteInputs |= 1u << i;
+
+  swrast::Rect overwritten;
+  if (shading.opaque)
+    overwritten = swrast::surelyCovered(raster, m_topology, vertices, indices.indices, 0, count);
+  const abi::DepthStencilKey &depth = m_key.depthStencil;
+  if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
+    return Fallback::Memory;
+  fillData(context, mirror);
+  shading.data = &m_data;
+  swrast::draw(raster, shading, m_topology, vertices, indices.indices, 0, count);
+  return {};
+}
+
+} // namespace arbiter::state::software

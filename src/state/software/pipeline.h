@@ -1,0 +1,68 @@
+#pragma once
+#include <array>
+
+#include "state/software/context_state.h"
+#include "state/software/draw.h"
+#include "state/software/functions.h"
+#include "state/software/outcome.h"
+#include "state/software/program_state.h"
+#include "state/software/units.h"
+#include "state/software/vertex_stage.h"
+#include "swrast/rasterize.h"
+
+namespace arbiter::state::software {
+
+struct DrawTargets;
+struct Mirror;
+
+/// A context's way from the programs in force to pixels. choose() looks at state and has functions
+/// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw
+/// may be given to the host at any step before.
+class Pipeline : public ContextDraws {
+public:
+  /// What of a draw decides about functions.
+  struct Kind {
+    GLenum mode = GL_TRIANGLES;
+    std::uint32_t count = 0; ///< vertices; many small primitives take quads
+  };
+  /// Requires: the context's programs are validated.
+  Outcome choose(Context &context, const Kind &kind);
+  /// Draws vertices [first, first + count) of the source, or those that indices name.
+  Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
+                std::uint32_t first, std::uint32_t count);
+  /// The attributes that the chosen vertex function reads.
+  [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
+  [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
+
+private:
+  void takeProgram(Context &context, const CompiledProgram &compiled);
+  Outcome makeKey(Context &context, Mirror &mirror);
+  Outcome chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
+                          swrast::Shading &shading);
+  [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
+  [[nodiscard]] bool isOpaque() const;
+  void fillData(Context &context, const Mirror &mirror);
+
+  /// A function that was asked for before, so that a draw that repeats takes no lock.
+  struct Recent {
+    abi::FragmentKey key;
+    FragmentFunctions::Slot *slot = nullptr;
+  };
+
+  swrast::Topology m_topology = swrast::Topology::Triangles;
+  std::uint32_t m_count = 0;
+  When m_when = When::Later;
+  const CompiledProgram *m_compiled = nullptr;
+  std::shared_ptr<const fp::ir::Program> m_source; ///< keeps m_functions' program
+  std::shared_ptr<FragmentFunctions> m_functions;
+  std::unique_ptr<ProgramValues> m_values;
+  Units m_units;
+  VertexStage m_vertices;
+  const DrawTargets *m_targets = nullptr;
+  abi::FragmentKey m_key{};
+  abi::FragmentData m_data;
+  std::array<Recent, 8> m_recent{};
+  std::size_t m_nextRecent = 0;
+};
+
+} // namespace arbiter::state::software

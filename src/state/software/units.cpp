@@ -1,0 +1,124 @@
+#include "state/software/units.h"
+
+#include <algorithm>
+
+#include "state/context.h"
+#include "state/software/residency.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::TexTarget;
+
+abi::Dimension dimensionOf(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return abi::Dimension::Tex1D;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    return abi::Dimension::Tex2D;
+  case TexTarget::Tex3D:
+    return abi::Dimension::Tex3D;
+  case TexTarget::Cube:
+    return abi::Dimension::Cube;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return abi::Dimension::Rect;
+  }
+  return abi::Dimension::Tex2D;
+}
+
+bool isShadow(TexTarget target) {
+  return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
+         target == TexTarget::ShadowRect;
+}
+
+bool isDepth(abi::Layout layout) {
+  return layout == abi::Layout::Depth16 || layout == abi::Layout::Depth24Stencil8 ||
+         layout == abi::Layout::Depth32F;
+}
+
+/// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
+/// RGBA.
+abi::Swizzle depthSwizzle(GLenum mode) {
+  using abi::From;
+  switch (mode) {
+  case GL_INTENSITY:
+    return {From::C0, From::C0, From::C0, From::C0};
+  case GL_ALPHA:
+    return {From::Zero, From::Zero, From::Zero, From::C0};
+  case GL_RED:
+    return {From::C0, From::Zero, From::Zero, From::One};
+  default: // GL_LUMINANCE
+    return {From::C0, From::C0, From::C0, From::One};
+  }
+}
+
+/// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
+/// stored once comes from the first of RGBA that shows it; a depth from red.
+void convertBorder(const abi::Format &format, const float from[4], float to[4]) {
+  for (int i = 0; i < 4; ++i) {
+    const abi::From source = format.swizzle[std::size_t(i)];
+    if (source == abi::From::Zero || source == abi::From::One) {
+      to[i] = source == abi::From::One ? 1.0f : 0.0f;
+      continue;
+    }
+    const auto first = std::find(format.swizzle.begin(), format.swizzle.end(), source);
+    to[i] = from[isDepth(format.layout) ? 0 : int(first - format.swizzle.begin())];
+  }
+}
+
+} // namespace
+
+Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
+                    abi::FragmentKey &key) {
+  m_uses.clear();
+  m_bound = 0;
+  m_levelsMatter = 0;
+  for (const auto &sampler : shape.samplers)
+    m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
+  refreshSamplers(context, mirror, m_uses);
+  for (const auto &sampler : shape.samplers) {
+    const abi::Dimension dimension = dimensionOf(sampler.target);
+    const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
+    if (state.obstacle)
+      return Fallback::Texture;
+    const char *reason = nullptr;
+    const TextureImages *const images = acquireTexture(
+        context, state.texture, dimension, state.key.mip != abi::MipFilter::None, reason);
+    if (!images)
+      return fallbackNamed(reason, Fallback::Texture);
+    abi::SamplerKey &code = key.samplers[sampler.unit];
+    code = {};
+    abi::TextureView &view = m_views[sampler.unit];
+    view = {};
+    m_bound |= 1u << sampler.unit;
+    code.dimension = dimension;
+    if (!images->complete)
+      continue; // Layout::None: (0, 0, 0, 1)
+    code = state.key;
+    code.dimension = dimension;
+    code.format = images->format;
+    code.powerOfTwo = images->powerOfTwo;
+    code.shadow = isShadow(sampler.target) && state.compares && isDepth(code.format.layout);
+    if (isDepth(code.format.layout))
+      code.format.swizzle = depthSwizzle(state.depthMode);
+    view = images->view;
+    view.lodBias = state.lodBias;
+    view.minLod = state.minLod;
+    view.maxLod = state.maxLod;
+    convertBorder(code.format, state.borderColor, view.borderColor);
+    if (code.mip != abi::MipFilter::None || code.minify != code.magnify)
+      m_levelsMatter |= 1u << sampler.unit;
+  }
+  return {};
+}
+
+void Units::fill(abi::FragmentData &data) const {
+  for (std::size_t unit = 0; unit < m_views.size(); ++unit)
+    data.textures[unit] = (m_bound >> unit & 1u) != 0 ? &m_views[unit] : nullptr;
+}
+
+} // namespace arbiter::state::software

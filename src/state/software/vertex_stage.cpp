@@ -1,0 +1,182 @@
+#include "state/software/vertex_stage.h"
+
+#include <algorithm>
+
+#include "state/context.h"
+#include "swrast/threads.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::AttributeKind;
+using fp::ir::OutputKind;
+
+/// Vertices that one call of the function transforms: what is written stays in the cache.
+constexpr std::uint32_t kChunk = 1024;
+
+VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, bool points) {
+  VertexNeeds needs;
+  needs.pointSize = points;
+  for (const fp::jit::FragmentInput &input : fragments.inputs) {
+    switch (input.attribute.kind) {
+    case AttributeKind::ColorPrimary:
+      needs.primary = true;
+      break;
+    case AttributeKind::ColorSecondary:
+      needs.secondary = true;
+      break;
+    case AttributeKind::FogCoord:
+      needs.fogCoord = true;
+      break;
+    case AttributeKind::TexCoord:
+      needs.texCoords |= std::uint8_t(1u << input.attribute.index);
+      break;
+    case AttributeKind::Position:
+    case AttributeKind::Normal:
+    case AttributeKind::Generic:
+      break; // no fragment attribute that vertices give
+    }
+  }
+  return needs;
+}
+
+/// The vertex result that a fragment attribute interpolates.
+fp::ir::Output resultOf(const fp::ir::Attribute &attribute, bool back) {
+  switch (attribute.kind) {
+  case AttributeKind::ColorPrimary:
+    return {back ? OutputKind::BackPrimary : OutputKind::FrontPrimary, 0};
+  case AttributeKind::ColorSecondary:
+    return {back ? OutputKind::BackSecondary : OutputKind::FrontSecondary, 0};
+  case AttributeKind::FogCoord:
+    return {OutputKind::FogCoord, 0};
+  default:
+    return {OutputKind::TexCoord, attribute.index};
+  }
+}
+
+bool isColor(const fp::ir::Attribute &attribute) {
+  return attribute.kind == AttributeKind::ColorPrimary ||
+         attribute.kind == AttributeKind::ColorSecondary;
+}
+
+} // namespace
+
+void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
+                       When when) {
+  if (m_program.source == source)
+    return;
+  m_program.source = source;
+  m_program.functions = vertexFunctions(source, context.numerics, when);
+  m_program.values.reset();
+}
+
+Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
+                            const fp::jit::FragmentShape &fragments, bool points, When when) {
+  m_compiled = compiled;
+  m_fragments = &fragments;
+  refreshVertexState(context, mirror);
+  m_clipPlanes = mirror.vertex.clipPlanes;
+  if (!compiled) {
+    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), when);
+    m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
+    m_pointSize = points && mirror.vertex.pointAttenuation;
+  } else {
+    const bool invariant = compiled->program->options.positionInvariant;
+    // Without the option user clip planes do nothing (ARB_vertex_program 2.14.4.5.1).
+    if (!invariant)
+      m_clipPlanes = 0;
+    if (invariant && (m_extendedFrom != compiled->program || m_extendedPlanes != m_clipPlanes)) {
+      m_extended = std::make_shared<const fp::ir::Program>(
+          withFixedPosition(*compiled->program, m_clipPlanes));
+      m_extendedFrom = compiled->program;
+      m_extendedPlanes = m_clipPlanes;
+    }
+    take(context, invariant ? m_extended : compiled->program, when);
+    m_twoSided = mirror.twoSidedColor;
+    m_pointSize = points && mirror.pointSizeFromProgram;
+  }
+  const fp::jit::VertexProgram *const prepared = m_program.functions->prepared();
+  if (!prepared)
+    return m_program.functions->progress() == Progress::Making ? Fallback::Compiling
+                                                               : Fallback::NotCompiled;
+  if (!m_program.values)
+    m_program.values = std::make_unique<ProgramValues>(prepared->program());
+  m_slots = slotsOf(prepared->shape().inputs);
+  return {};
+}
+
+Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
+                         std::uint32_t first, std::uint32_t count, bool edgeFlags,
+                         swrast::Vertices &out) {
+  const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
+  if (!m_fetcher.fetch(source, mirror.current, slots, first, count))
+    return Fallback::Vertices;
+  const fp::jit::VertexProgram &program = *m_program.functions->prepared();
+  const std::size_t outputCount = program.shape().outputs.size();
+  float *const *const outputs = m_fetcher.outputs(outputCount);
+  if (!outputs)
+    return Fallback::Memory;
+  m_program.values->update(context, mirror.clock,
+                           m_compiled ? &context.row(m_compiled->target) : nullptr);
+  abi::VertexData data;
+  data.parameters = m_program.values->data();
+  data.inputs = m_fetcher.inputs(program.shape().inputs);
+  data.outputs = outputs;
+  const abi::VertexFunction function = m_program.functions->function();
+  if (count <= 2 * kChunk) {
+    function(&data, count);
+  } else {
+    // Pointers of a chunk lie on the stack of whoever works on it.
+    const std::size_t inputCount = program.shape().inputs.size();
+    auto work = [&](std::uint32_t chunk) {
+      constexpr std::size_t kMost = 4 * 64;
+      const float *inputs[kMost];
+      float *results[kMost];
+      const std::uint32_t begin = chunk * kChunk;
+      for (std::size_t i = 0; i < 4 * inputCount; ++i)
+        inputs[i] = data.inputs[i] ? data.inputs[i] + begin : nullptr;
+      for (std::size_t i = 0; i < 4 * outputCount; ++i)
+        results[i] = outputs[i] + begin;
+      const abi::VertexData part{data.parameters, inputs, results};
+      function(&part, std::min(kChunk, count - begin));
+    };
+    swrast::parallel((count + kChunk - 1) / kChunk, work);
+  }
+  out = {};
+  out.count = count;
+  connect(out, mirror, outputs);
+  if (edgeFlags)
+    out.edgeFlags = m_fetcher.edgeFlags();
+  return {};
+}
+
+void VertexStage::connect(swrast::Vertices &out, const Mirror &, float *const *outputs) const {
+  const auto &results = m_program.functions->prepared()->shape().outputs;
+  const auto find = [&](const fp::ir::Output &wanted) -> float *const * {
+    const auto found = std::find(results.begin(), results.end(), wanted);
+    return found == results.end() ? nullptr : outputs + 4 * (found - results.begin());
+  };
+  if (float *const *const position = find({OutputKind::Position, 0}))
+    std::copy_n(position, 4, out.position);
+  for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {
+    const fp::ir::Attribute &attribute = m_fragments->inputs[i].attribute;
+    const bool fog = attribute.kind == AttributeKind::FogCoord;
+    const int components = fog ? 1 : 4; // fragment.fogcoord is (f, 0, 0, 1)
+    if (float *const *const front = find(resultOf(attribute, false)))
+      std::copy_n(front, components, out.inputs[i]);
+    if (m_twoSided && isColor(attribute))
+      if (float *const *const back = find(resultOf(attribute, true)))
+        std::copy_n(back, 4, out.backInputs[i]);
+  }
+  if (m_pointSize)
+    if (float *const *const size = find({OutputKind::PointSize, 0}))
+      out.pointSize = size[0];
+  for (std::uint8_t plane = 0; plane < 8; ++plane)
+    if ((m_clipPlanes >> plane & 1u) != 0)
+      if (float *const *const distances =
+              find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
+        out.clipDistance[plane] = distances[plane % 4];
+}
+
+} // namespace arbiter::state::software

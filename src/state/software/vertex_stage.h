@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+
+#include "fp_compiler/jit.h"
+#include "state/software/attributes.h"
+#include "state/software/fixed_vertex.h"
+#include "state/software/functions.h"
+#include "state/software/mirror.h"
+#include "state/software/outcome.h"
+#include "state/software/program_state.h"
+#include "state/software/vertex_fetch.h"
+#include "swrast/rasterize.h"
+
+namespace arbiter::state {
+class Context;
+struct CompiledProgram;
+} // namespace arbiter::state
+
+namespace arbiter::state::software {
+
+/// From the application's vertices to transformed ones: the vertex program in force or fixed
+/// function's, its function, and the arrays that it reads and writes.
+class VertexStage {
+public:
+  /// Chooses the function for what the fragments need. `compiled` is the application's vertex
+  /// program, or null.
+  Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
+                 const fp::jit::FragmentShape &fragments, bool points, When when);
+  /// The slots that the function reads.
+  [[nodiscard]] std::uint32_t slots() const { return m_slots; }
+
+  /// Transforms vertices [first, first + count) of the source. The result is valid until the next
+  /// call; fragment inputs are in the order of the shape that was chosen for.
+  Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
+              std::uint32_t count, bool edgeFlags, swrast::Vertices &out);
+  [[nodiscard]] VertexFetcher &fetcher() { return m_fetcher; }
+
+private:
+  struct Program {
+    std::shared_ptr<const fp::ir::Program> source;
+    std::shared_ptr<VertexFunctions> functions;
+    std::unique_ptr<ProgramValues> values;
+  };
+  void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, When when);
+  void connect(swrast::Vertices &out, const Mirror &mirror, float *const *outputs) const;
+
+  const CompiledProgram *m_compiled = nullptr;
+  const fp::jit::FragmentShape *m_fragments = nullptr;
+  FixedVertexPrograms m_fixed;
+  /// Application programs with what fixed function adds, by clip planes; the last one.
+  std::shared_ptr<const fp::ir::Program> m_extended, m_extendedFrom;
+  std::uint8_t m_extendedPlanes = 0;
+  Program m_program;
+  std::uint32_t m_slots = 0;
+  bool m_twoSided = false;
+  bool m_pointSize = false;
+  std::uint8_t m_clipPlanes = 0;
+  VertexFetcher m_fetcher;
+};
+
+} // namespace arbiter::state::software
