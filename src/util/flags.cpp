@@ -245,6 +245,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   result.replacePath = reader.read(Env::Replace);
   result.statsPath = reader.read(Env::Stats);
   result.hostOsmesa = reader.read(Env::HostOsmesa);
+  result.jitLibrary = reader.read(Env::JitLibrary);
   if (const std::string_view profile = reader.read(Env::Profile); !profile.empty())
     result.profile = profile;
   return result;

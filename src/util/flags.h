@@ -47,7 +47,7 @@ struct Settings {
   std::string numerics; ///< "host", "legacy", "fp24" (fp_compiler/numerics.h); empty: the profile's
   Backend backend = Backend::Auto;
   std::uint32_t threads = 0; ///< of the rasterizer; 0: one a processor
-  bool cache = true;    ///< of programs, on disk
+  bool cache = true;         ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year
   std::uint32_t extensionsMaxLength = 0; ///< bytes of the joined names; 0: of any length
@@ -57,6 +57,7 @@ struct Settings {
   LogLevel logLevel = LogLevel::Warn;
   std::string logPath;     ///< empty: standard error
   std::string hostVendor;  ///< empty: libglvnd's own choice
+  std::string jitLibrary;  ///< empty: the one beside the layer's own library
   std::string hostOsmesa;  ///< empty: the one the front was built for
   std::uint32_t debug = 0; ///< one bit a DebugFlag
 

@@ -1,0 +1,160 @@
+#include "fp_compiler/back/llvm/engine.h"
+
+#include <exception>
+
+#include <llvm/Support/MemoryBuffer.h>
+
+#include "fp_compiler/back/llvm/fragment.h"
+#include "fp_compiler/back/llvm/linked.h"
+#include "fp_compiler/back/llvm/prepare.h"
+#include "fp_compiler/back/llvm/vertex.h"
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/ir/validate.h"
+#include "util/build_id.h"
+
+namespace arbiter::fp::llvm_back {
+
+namespace {
+template <typename Function> struct LinkedCode final : jit::Code<Function> {
+  explicit LinkedCode(std::unique_ptr<Linked> from) : linked(std::move(from)) {
+    this->function = reinterpret_cast<Function>(linked->entry());
+    this->bytes = linked->codeBytes();
+  }
+  std::unique_ptr<Linked> linked;
+};
+
+/// Nothing leaves the library as an exception; the containers of ours and LLVM's may run out of
+/// memory.
+template <typename Result, typename F> Result guarded(std::string &reason, F function) {
+  try {
+    return function();
+  } catch (const std::exception &error) {
+    reason = error.what();
+  } catch (...) {
+    reason = "an unknown exception";
+  }
+  return {};
+}
+
+class LlvmEngine final : public jit::Engine {
+public:
+  LlvmEngine(Cpu cpu, const CacheStore *cache)
+      : m_cpu(std::move(cpu)), m_cache(cache), m_build(buildId()) {}
+
+  [[nodiscard]] int lanes() const override { return m_cpu.lanes(); }
+  [[nodiscard]] int blockWidth() const override { return m_cpu.blockWidth(); }
+  [[nodiscard]] int blockHeight() const override { return m_cpu.blockHeight(); }
+  [[nodiscard]] std::string target() const override {
+    return m_cpu.name + ", " + familyName(m_cpu.family) + ", " + std::to_string(lanes()) + " lanes";
+  }
+
+  std::unique_ptr<jit::FragmentProgram> prepareFragment(const ir::Program &program,
+                                                        Numerics numerics) override {
+    if (program.language == ir::Language::ArbVertex || numerics == Numerics::Fp24)
+      return nullptr;
+    return prepare<PreparedFragment>(program, numerics);
+  }
+
+  std::unique_ptr<jit::VertexProgram> prepareVertex(const ir::Program &program,
+                                                    Numerics numerics) override {
+    if (program.language != ir::Language::ArbVertex)
+      return nullptr;
+    return prepare<PreparedVertex>(program, ir::numericsOf(program.language, numerics));
+  }
+
+  std::unique_ptr<jit::FragmentCode> compile(const jit::FragmentProgram &program,
+                                             const abi::FragmentKey &key,
+                                             std::string &reason) override {
+    const auto body = [&](Code &code, llvm::Function *function, std::string &why) {
+      return writeFragment(code, function, program, key, why);
+    };
+    constexpr int kPointers = 3; // of abi::ShadeFunction
+    return make<abi::ShadeFunction>("fragment", program.program(),
+                                    {reinterpret_cast<const char *>(&key), sizeof key}, kPointers,
+                                    body, reason);
+  }
+
+  std::unique_ptr<jit::VertexCode> compile(const jit::VertexProgram &program,
+                                           std::string &reason) override {
+    const auto &prepared = static_cast<const PreparedVertex &>(program);
+    const auto body = [&](Code &code, llvm::Function *function, std::string &) {
+      writeVertex(code, function, prepared);
+      return true;
+    };
+    constexpr int kPointers = 1; // of abi::VertexFunction
+    const char numerics = char(prepared.numerics());
+    return make<abi::VertexFunction>("vertex", program.program(), {&numerics, 1}, kPointers, body,
+                                     reason);
+  }
+
+private:
+  template <typename Prepared>
+  std::unique_ptr<Prepared> prepare(const ir::Program &program, Numerics numerics) {
+    std::string reason;
+    return guarded<std::unique_ptr<Prepared>>(reason, [&]() -> std::unique_ptr<Prepared> {
+      if (!ir::validate(program).empty())
+        return nullptr;
+      return std::make_unique<Prepared>(program, numerics);
+    });
+  }
+
+  /// All that decides what the object is.
+  std::string cacheKey(const char *kind, const ir::Program &program, std::string_view key) const {
+    std::string text = m_build;
+    for (const std::string_view part :
+         {std::string_view(kind), std::string_view(m_cpu.name), std::string_view(m_cpu.features),
+          std::string_view(familyName(m_cpu.family)), key, std::string_view(ir::print(program))}) {
+      text += std::to_string(part.size()) + ":";
+      text += part;
+    }
+    return text;
+  }
+
+  template <typename Function>
+  std::unique_ptr<jit::Code<Function>> make(const char *kind, const ir::Program &program,
+                                            std::string_view key, int pointers,
+                                            const BodyWriter &body, std::string &reason) {
+    return guarded<std::unique_ptr<jit::Code<Function>>>(
+        reason, [&]() -> std::unique_ptr<jit::Code<Function>> {
+          auto linked = object(kind, program, key, pointers, body, reason);
+          return linked ? std::make_unique<LinkedCode<Function>>(std::move(linked)) : nullptr;
+        });
+  }
+
+  std::unique_ptr<Linked> object(const char *kind, const ir::Program &program, std::string_view key,
+                                 int pointers, const BodyWriter &body, std::string &reason) const {
+    const bool cached = m_cache && m_cache->usable() && !m_build.empty();
+    const std::string name = cached ? cacheKey(kind, program, key) : std::string();
+    if (cached)
+      if (const auto bytes = m_cache->find(name))
+        if (auto linked = link(*bytes, reason))
+          return linked;
+    const llvm::SmallVector<char, 0> bytes = emit(m_cpu, pointers, body, Emit::Object, reason);
+    if (bytes.empty())
+      return nullptr;
+    const std::string_view view(bytes.data(), bytes.size());
+    auto linked = link(view, reason);
+    if (linked && cached)
+      m_cache->store(name, view);
+    return linked;
+  }
+
+  static std::unique_ptr<Linked> link(std::string_view bytes, std::string &reason) {
+    // A string's bytes may lie at any address: ELF's structures may not.
+    const auto copy = llvm::MemoryBuffer::getMemBufferCopy({bytes.data(), bytes.size()}, "object");
+    return Linked::link(copy->getMemBufferRef(), kEntrySymbol, reason);
+  }
+
+  const Cpu m_cpu;
+  const CacheStore *const m_cache;
+  const std::string m_build;
+};
+} // namespace
+
+std::unique_ptr<jit::Engine> makeEngine(const jit::EngineOptions &options) {
+  std::optional<Cpu> cpu = chooseCpu(options.cpu);
+  return cpu ? std::make_unique<LlvmEngine>(std::move(*cpu), options.cache) : nullptr;
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,167 @@
+// Every opcode on every combination of special values, against the interpreter.
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "fp_compiler/back/llvm/test_machine.h"
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/ir/evaluate.h"
+#include "fp_compiler/ir/reads.h"
+#include "fp_compiler/testing/specials.h"
+
+namespace arbiter::fp::llvm_back {
+namespace {
+
+using ir::Opcode;
+using ir::Vec4;
+
+/// The specials, and values where functions of an angle or an exponent turn.
+std::vector<float> values() {
+  std::vector<float> result(testing::kSpecials.begin(), testing::kSpecials.end());
+  for (const float more : {3.14159265f, -1.5f, 0.3f, -0.75f, 10.25f, 127.5f, 128.0f, -126.0f,
+                           -127.5f, 1000.0f, 0x1p31f, 0x1.8p-20f, 0.99999994f})
+    result.push_back(more);
+  return result;
+}
+
+/// How far, relative to its size, a result may be from the interpreter's; 0 is to the bit.
+float relativeTolerance(Opcode op) {
+  switch (op) {
+  case Opcode::Cos:
+  case Opcode::Sin:
+  case Opcode::Scs:
+  case Opcode::Ex2:
+  case Opcode::Exp:
+  case Opcode::Lg2:
+  case Opcode::Log:
+  case Opcode::Pow:
+  case Opcode::Lit:
+  case Opcode::Rsq:
+    return 0x1p-22f;
+  default:
+    return 0;
+  }
+}
+
+/// False where a result is one of the operands, 0 or 1, or a sign apart from them.
+bool rounds(Opcode op) {
+  switch (op) {
+  case Opcode::Abs:
+  case Opcode::Cmp:
+  case Opcode::Flr:
+  case Opcode::Max:
+  case Opcode::Min:
+  case Opcode::Mov:
+  case Opcode::Sge:
+  case Opcode::Slt:
+  case Opcode::Swz:
+    return false;
+  default:
+    return true;
+  }
+}
+
+/// Beyond this sines and cosines are only held to [-1, 1].
+constexpr float kLargestAngle = 0x1p22f;
+
+bool isAngle(Opcode op) { return op == Opcode::Cos || op == Opcode::Sin || op == Opcode::Scs; }
+
+bool agree(Opcode op, float expected, float actual) {
+  expected = ir::flushed(expected);
+  actual = ir::flushed(actual);
+  if (testing::sameBits(expected, actual))
+    return true;
+  if (!rounds(op) || !std::isfinite(expected) || std::isnan(actual))
+    return false;
+  // The processor finds a result too small before it is rounded to a denormal, the interpreter
+  // after: they differ by the least normal number. One that nearly overflows may do so.
+  constexpr float kLeast = 0x1p-126f, kLargest = 0x1.fffffep127f;
+  const float tolerance = relativeTolerance(op);
+  const float bounded = std::isinf(actual) ? std::copysign(kLargest, actual) : actual;
+  if (std::isinf(actual) && tolerance == 0)
+    return false;
+  return std::fabs(expected - bounded) <= tolerance * std::fabs(expected) + kLeast;
+}
+
+class OpcodeTest : public ::testing::TestWithParam<std::tuple<int, Numerics>> {};
+
+/// All values in all operands; the components of an operand are taken from further on in the list,
+/// so that a vector's components differ.
+TEST_P(OpcodeTest, AgreesWithTheInterpreter) {
+  const Opcode op = Opcode(std::get<0>(GetParam()));
+  const Numerics numerics = std::get<1>(GetParam());
+  const ir::OpInfo &row = ir::info(op);
+  if (row.has(ir::Texture) || row.has(ir::Kills) || op == Opcode::Arl)
+    GTEST_SKIP() << "not arithmetic: program_test.cpp has it";
+  ir::Builder b(ir::Language::ArbVertex);
+  const ir::Target result = b.result(ir::OutputKind::FrontPrimary);
+  const std::array<ir::Source, 3> source = {b.attribute(ir::AttributeKind::Generic, 1),
+                                            b.attribute(ir::AttributeKind::Generic, 2),
+                                            b.attribute(ir::AttributeKind::Generic, 3)};
+  const auto operand = [&](int i) {
+    const ir::Source &whole = source[std::size_t(i)];
+    return row.shapes[i] == 'S' ? whole.swz("x") : whole;
+  };
+  if (row.operandCount() == 1)
+    b.op(op, result, {operand(0)});
+  else if (row.operandCount() == 2)
+    b.op(op, result, {operand(0), operand(1)});
+  else
+    b.op(op, result, {operand(0), operand(1), operand(2)});
+  const ir::Program &program = b.program();
+
+  const std::vector<float> all = values();
+  const std::size_t n = all.size();
+  std::vector<TestMachine::Attributes> lanes;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < (row.operandCount() > 1 ? n : 1); ++j)
+      for (std::size_t k = 0; k < (row.operandCount() > 2 ? n : 1); ++k) {
+        const auto vector = [&](std::size_t at, std::size_t step) {
+          return Vec4{all[at], all[(at + step) % n], all[(at + 2 * step) % n],
+                      all[(at + 3 * step) % n]};
+        };
+        TestMachine::Attributes lane = {vector(i, 1), vector(j, 5), vector(k, 7)};
+        lane.resize(program.attributes.size());
+        lanes.push_back(lane);
+      }
+  for (const std::string &cpu : testedCpus()) {
+    const TestMachine machine(program, numerics, cpu);
+    ASSERT_EQ(machine.reason(), "") << cpu;
+    const auto results = machine.run(lanes, {});
+    int wrong = 0;
+    for (std::size_t i = 0; i < lanes.size() && wrong < 4; ++i) {
+      ir::Inputs inputs;
+      inputs.attributes = lanes[i];
+      inputs.numerics = numerics;
+      const Vec4 expected = ir::evaluate(program, inputs).outputs[0];
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float actual = results[i].outputs[0][c];
+        if (isAngle(op) && std::fabs(lanes[i][0][0]) > kLargestAngle &&
+            std::isfinite(lanes[i][0][0])) {
+          EXPECT_TRUE(std::fabs(actual) <= 1.0f) << row.name << " of " << lanes[i][0][0];
+          continue;
+        }
+        if (!agree(op, expected[c], actual)) {
+          ++wrong;
+          ADD_FAILURE() << row.name << " on " << (cpu.empty() ? "this processor" : cpu)
+                        << ", component " << c << ": " << actual << ", not " << expected[c]
+                        << " of a=" << ::testing::PrintToString(lanes[i][0]) << " b="
+                        << ::testing::PrintToString(lanes[i].size() > 1 ? lanes[i][1] : Vec4{})
+                        << " c="
+                        << ::testing::PrintToString(lanes[i].size() > 2 ? lanes[i][2] : Vec4{});
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OpcodeTest,
+                         ::testing::Combine(::testing::Range(0, ir::kOpcodeCount),
+                                            ::testing::Values(Numerics::Host, Numerics::Legacy)),
+                         [](const auto &param) {
+                           return std::string(ir::info(Opcode(std::get<0>(param.param))).name) +
+                                  (std::get<1>(param.param) == Numerics::Host ? "Host" : "Legacy");
+                         });
+
+} // namespace
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fp_compiler/back/llvm/cpu.h"
+#include "fp_compiler/back/llvm/linked.h"
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp::llvm_back {
+
+/// The processors that this machine can stand for: itself first, then each lesser family by name.
+[[nodiscard]] std::vector<std::string> testedCpus();
+
+/// A program of any language as code that runs on arrays: attributes in, outputs out, and a mask of
+/// what KIL discarded. A texture answers the coordinates (TXP's divided) and TXB's bias, zero where
+/// the target takes none, so that what reaches a sample is seen.
+class TestMachine {
+public:
+  /// What one lane is run on: a vec4 for each attribute.
+  using Attributes = std::vector<ir::Vec4>;
+  struct Result {
+    std::vector<ir::Vec4> outputs; ///< zero where nothing is written
+    bool killed = false;
+  };
+
+  /// The program is compiled as it is, without the passes. Check reason() before use.
+  TestMachine(const ir::Program &program, Numerics numerics, const std::string &cpu);
+  [[nodiscard]] const std::string &reason() const { return m_reason; }
+
+  /// \param parameters one row for each of Program::parameters
+  [[nodiscard]] std::vector<Result> run(const std::vector<Attributes> &lanes,
+                                        const std::vector<ir::Vec4> &parameters) const;
+
+private:
+  const ir::Program &m_program;
+  std::string m_reason;
+  std::unique_ptr<Linked> m_code;
+};
+
+} // namespace arbiter::fp::llvm_back

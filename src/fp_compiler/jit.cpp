@@ -1,0 +1,76 @@
+#include "fp_compiler/jit.h"
+
+#include <cstdlib>
+#include <dlfcn.h>
+
+#include "util/flags.h"
+
+namespace arbiter::fp::jit {
+
+namespace {
+constexpr const char *kLibrary = "libarbiter_jit.so";
+
+/// The folder, with its slash, of the library or program that this is linked into.
+std::string folderOfThis() {
+  Dl_info here;
+  if (dladdr(reinterpret_cast<const void *>(&folderOfThis), &here) == 0 || !here.dli_fname)
+    return {};
+  char *const resolved = ::realpath(here.dli_fname, nullptr);
+  const std::string path = resolved ? resolved : here.dli_fname;
+  std::free(resolved);
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+struct Opened {
+  MakeEngine make = nullptr;
+  std::string reason;
+};
+
+Opened openFrom(const std::string &path) {
+  // Its names stay its own, LLVM's come from the library that Mesa has mapped too.
+  void *const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    const char *const error = dlerror();
+    return {nullptr, error ? error : path + " does not load"};
+  }
+  const auto make = reinterpret_cast<MakeEngine>(dlsym(library, kMakeEngineSymbol));
+  if (!make)
+    return {nullptr, path + " has no " + kMakeEngineSymbol};
+  return {make, {}};
+}
+
+Opened open() {
+  if (const std::string &given = settings().jitLibrary; !given.empty())
+    return openFrom(given);
+  const std::string folder = folderOfThis();
+  if (folder.empty())
+    return {nullptr, std::string("it is not known where ") + kLibrary + " lies"};
+  // Installed it lies beside this; in the build tree in the folder of its sources.
+  Opened first;
+  for (const char *const sub : {"", "../fp_compiler/back/llvm/"}) {
+    Opened opened = openFrom(folder + sub + kLibrary);
+    if (opened.make)
+      return opened;
+    if (first.reason.empty())
+      first = std::move(opened);
+  }
+  return first;
+}
+} // namespace
+
+std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason) {
+  // Never closed: code of it may run until the process ends.
+  static const Opened *const s_opened = new Opened(open());
+  if (!s_opened->make) {
+    reason = s_opened->reason;
+    return nullptr;
+  }
+  std::unique_ptr<Engine> engine(s_opened->make(&options));
+  if (!engine)
+    reason = options.cpu.empty() ? "the processor is of no family that there is code for"
+                                 : "the processor does not run code for " + options.cpu;
+  return engine;
+}
+
+} // namespace arbiter::fp::jit
