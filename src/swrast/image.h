@@ -22,8 +22,10 @@ public:
   /// Memory that all storages hold now, pool included.
   [[nodiscard]] static std::size_t totalBytes();
 
-private:
+protected:
   Storage(std::uint8_t *data, std::size_t bytes) : m_data(data), m_bytes(bytes) {}
+
+private:
   std::uint8_t *m_data;
   std::size_t m_bytes;
 };

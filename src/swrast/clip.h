@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+
+#include "swrast/setup.h"
+
+/// Clipping against the view volume, the guard band and user planes.
+namespace arbiter::swrast {
+
+struct ClipVertex {
+  double position[4];
+  double weight[3]; ///< of the primitive's vertices
+  double user[8];   ///< clip distances
+  WindowVertex window;
+};
+
+/// A convex polygon of what is left of a triangle; at most a vertex more for each plane.
+struct ClippedPolygon {
+  std::array<ClipVertex, 20> vertex;
+  int count = 0;
+};
+void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
+                  ClippedPolygon &polygon);
+
+/// False if nothing of the line is left.
+[[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
+                            const std::uint32_t index[2], ClipVertex end[2]);
+
+} // namespace arbiter::swrast

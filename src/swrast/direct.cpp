@@ -1,0 +1,59 @@
+#include "swrast/direct.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "swrast/emit.h"
+#include "swrast/threads.h"
+
+namespace arbiter::swrast {
+namespace {
+
+/// Fewer pixels than this are done before another thread has woken up.
+constexpr std::int64_t kParallelPixels = 4096;
+/// More bands than threads, so that a thread that is held up costs a part of its share.
+constexpr int kBandsPerThread = 4;
+/// A multiple of every block's height.
+constexpr int kBandUnit = 4;
+
+} // namespace
+
+std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
+                           std::size_t count) {
+  int bottom = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
+  std::int64_t area = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    bottom = std::min(bottom, shapes[i].bottom);
+    top = std::max(top, shapes[i].top);
+    area += std::int64_t(shapes[i].right - shapes[i].left) * (shapes[i].top - shapes[i].bottom);
+  }
+  if (bottom >= top)
+    return 0;
+  bottom &= ~(kBandUnit - 1);
+  const int wanted = area < kParallelPixels ? 1 : threadCount() * kBandsPerThread;
+  int height = top - bottom;
+  if (threadCount() > 1)
+    height = ((top - bottom + wanted - 1) / wanted + kBandUnit - 1) & ~(kBandUnit - 1);
+  std::atomic<std::uint64_t> pixels{0};
+  auto band = [&](std::uint32_t i) {
+    const int from = bottom + int(i) * height, to = std::min(top, from + height);
+    std::size_t start = 0;
+    // What lies below an opaque rectangle over the whole band is not seen.
+    if (shading.opaque && !state.polygonStipple)
+      for (std::size_t s = count; s-- > 1 && start == 0;)
+        if (shapes[s].edgeCount == 0 && shapes[s].bottom <= from && shapes[s].top >= to &&
+            std::all_of(shapes, shapes + s, [&](const Shape &below) {
+              return below.left >= shapes[s].left && below.right <= shapes[s].right;
+            }))
+          start = s;
+    Emitter emitter(state, shading);
+    for (std::size_t s = start; s < count; ++s)
+      emitter.shade(shapes[s], shapes[s].left, from, shapes[s].right, to);
+    pixels.fetch_add(emitter.pixels(), std::memory_order_relaxed);
+  };
+  parallel(std::uint32_t((top - bottom + height - 1) / height), band);
+  return pixels.load(std::memory_order_relaxed);
+}
+
+} // namespace arbiter::swrast

@@ -1,0 +1,77 @@
+#include "swrast/image.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "swrast/threads.h"
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr int kMaxSize = 16384;
+/// Below this, waking a thread costs more than the copy.
+constexpr std::int64_t kParallelBytes = 512 << 10;
+constexpr std::int64_t kCopyBytes = 128 << 10;
+
+void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
+  if (std::int64_t(bytes) < kParallelBytes) {
+    std::memcpy(to, from, bytes);
+    return;
+  }
+  auto part = [=](std::uint32_t i) {
+    const std::size_t at = std::size_t(i) * kCopyBytes;
+    std::memcpy(to + at, from + at, std::min(std::size_t(kCopyBytes), bytes - at));
+  };
+  parallel(std::uint32_t((bytes + kCopyBytes - 1) / kCopyBytes), part);
+}
+
+} // namespace
+
+Image makeImage(const abi::Format &format, int width, int height, int depth, bool topRowFirst) {
+  Image image;
+  const auto valid = [](int size) { return size >= 1 && size <= kMaxSize; };
+  if (format.layout == abi::Layout::None || !valid(width) || !valid(height) || !valid(depth))
+    return image;
+  const std::int64_t row =
+      (std::int64_t(width) * abi::bytesOf(format.layout) + 63) & ~std::int64_t(63);
+  const std::int64_t slice = row * height;
+  // 2^28 rows of 2^18 bytes cannot overflow, but no machine has them.
+  std::shared_ptr<Storage> storage = Storage::make(std::size_t(slice) * std::size_t(depth));
+  if (!storage)
+    return image;
+  image.format = format;
+  image.width = width;
+  image.height = height;
+  image.depth = depth;
+  image.rowStride = topRowFirst ? -row : row;
+  image.sliceStride = slice;
+  image.offset = topRowFirst ? row * (height - 1) : 0;
+  image.storage = std::move(storage);
+  return image;
+}
+
+bool makeWritable(Image &image, bool keepContents) {
+  if (image.empty())
+    return false;
+  if (!image.shared())
+    return true;
+  std::shared_ptr<Storage> storage = Storage::make(image.storage->bytes());
+  if (!storage)
+    return false;
+  if (keepContents)
+    copyBytes(storage->data(), image.storage->data(), image.storage->bytes());
+  image.storage = std::move(storage);
+  return true;
+}
+
+Rect intersect(const Rect &a, const Rect &b) {
+  const std::int64_t left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
+  const std::int64_t right = std::min(std::int64_t(a.x) + a.width, std::int64_t(b.x) + b.width);
+  const std::int64_t top = std::min(std::int64_t(a.y) + a.height, std::int64_t(b.y) + b.height);
+  if (a.empty() || b.empty() || right <= left || top <= bottom)
+    return {};
+  return {std::int32_t(left), std::int32_t(bottom), std::int32_t(right - left),
+          std::int32_t(top - bottom)};
+}
+
+} // namespace arbiter::swrast

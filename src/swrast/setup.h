@@ -1,0 +1,117 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "swrast/rasterize.h"
+
+/// What the stages of the rasterizer hand on to each other. Window coordinates, y up; snapped ones
+/// are whole numbers of 1/256 pixel, with the centre of pixel (0, 0) at the origin.
+namespace arbiter::swrast {
+
+inline constexpr int kSubpixelBits = 8;
+inline constexpr int kSubpixels = 1 << kSubpixelBits;
+/// Window coordinates that need no clipping in x and y: products of their snapped differences and
+/// of pixels fit 64 bits with ease, and those within a tile 32.
+inline constexpr float kGuardMinimum = -16384, kGuardMaximum = 32768;
+
+/// Why a vertex cannot be taken as it is.
+enum Outcode : std::uint32_t {
+  kOutLeft = 1,
+  kOutRight = 2,
+  kOutBottom = 4,
+  kOutTop = 8,
+  kOutNear = 16,
+  kOutFar = 32,
+  kOutW = 64,       ///< w is not positive
+  kOutGuard = 128,  ///< beyond the guard band
+  kOutUser = 256,   ///< beyond the first user plane; the others follow
+  kOutNan = 1 << 16 ///< a coordinate is not a number: the primitive is dropped
+};
+/// All vertices of a primitive beyond the same one of these: it is not seen.
+inline constexpr std::uint32_t kOutsideMask = 0xFF3F;
+/// Any vertex beyond one of these: the primitive must be clipped.
+inline constexpr std::uint32_t kClipMask = 0xFFF0;
+
+struct WindowVertex {
+  float x = 0, y = 0, z = 0, inverseW = 0;
+  std::int32_t fixedX = 0, fixedY = 0;
+  std::uint32_t outcode = 0;
+};
+
+/// Clip space to window, once a draw.
+struct Viewport {
+  float scale[3], translate[3];
+  /// |x| and |y| up to this times w are within the guard band.
+  double guard[2];
+  bool depthClamp;
+  unsigned userPlanes; ///< clip distances that are there
+};
+[[nodiscard]] Viewport makeViewport(const RasterState &state, const Vertices &vertices);
+/// `clip` is x, y, z, w. The outcode is left alone.
+void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex);
+[[nodiscard]] WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices,
+                                        std::uint32_t index);
+
+/// Inside where a * x + b * y + c >= 0, for pixels (x, y); the fill rule is in c.
+struct Edge {
+  std::int32_t a = 0, b = 0;
+  std::int64_t c = 0;
+};
+
+/// A convex region of pixels and what it is shaded with.
+struct Shape {
+  std::int32_t left = 0, bottom = 0, right = 0, top = 0; ///< pixels, half open, clipped
+  std::int32_t edgeCount = 0;                            ///< 0: the rectangle, whole
+  bool stippled = false;                                 ///< by the polygon stipple
+  Edge edges[4];
+  abi::Primitive primitive;
+};
+
+/// A triangle of the draw before its planes are made: window positions, and how its corners follow
+/// from vertices of the draw.
+struct Triangle {
+  WindowVertex corner[3];
+  std::uint32_t vertex[3] = {};
+  std::uint32_t provoking = 0;
+  bool backFacing = false;
+  /// Clipped: corner k is weight[k] of the three vertices.
+  bool clipped = false;
+  double weight[3][3] = {};
+};
+
+/// Twice the area in snapped units; positive if counterclockwise.
+[[nodiscard]] std::int64_t areaOf(const WindowVertex corner[3]);
+/// The edge from `from` to `to` of a counterclockwise polygon.
+[[nodiscard]] Edge edgeBetween(const WindowVertex &from, const WindowVertex &to);
+/// Bounds and edges; false if no pixel of the clip rectangle can be inside. `area` is not 0.
+[[nodiscard]] bool shapeOf(const RasterState &state, const Triangle &triangle, std::int64_t area,
+                           Shape &shape);
+/// The planes, from a shape with bounds. `offset` is added to depth.
+void makePlanes(const Shading &shading, const Vertices &vertices, const Triangle &triangle,
+                const RasterState &state, bool offset, Shape &shape);
+
+/// The first pixel whose centre is at or behind a snapped coordinate.
+[[nodiscard]] constexpr std::int32_t pixelFrom(std::int32_t fixed) {
+  return (fixed + kSubpixels - 1) >> kSubpixelBits;
+}
+
+/// A rectangle that a draw consists of: corners in cyclic order.
+struct Rectangle {
+  std::uint32_t vertex[4] = {};
+  std::uint32_t others[2] = {}; ///< two triangles: the second triangle's copies of shared corners
+  int otherCount = 0;
+  std::uint32_t otherOf[2] = {}; ///< which of the corners they are copies of
+  WindowVertex corner[4];
+  bool backFacing = false;
+  Rect pixels; ///< clipped
+};
+/// False if the draw is no axis-aligned rectangle that is drawn filled, or is culled.
+[[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
+                                 const Vertices &vertices, const std::uint32_t *indices,
+                                 std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
+/// One shape for all of it; false if an input is not affine over it.
+[[nodiscard]] bool shapeOfRectangle(const RasterState &state, const Shading &shading,
+                                    Topology topology, const Vertices &vertices,
+                                    const Rectangle &rectangle, Shape &shape);
+
+} // namespace arbiter::swrast

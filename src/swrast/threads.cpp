@@ -1,0 +1,218 @@
+#include "swrast/threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <pthread.h>
+#include <sched.h>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "util/flags.h"
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr int kMaxThreads = 64;
+/// How long a worker looks for the next job, and a caller for the last worker, before it sleeps:
+/// as long as it takes to wake up again.
+constexpr std::chrono::microseconds kSpin{40};
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+/// Spins until `ready` or the time is over; returns what `ready` says.
+template <typename Ready> bool spinFor(Ready ready) {
+  for (int i = 0; i < 64; ++i) {
+    if (ready())
+      return true;
+    pause();
+  }
+  const auto end = std::chrono::steady_clock::now() + kSpin;
+  do {
+    for (int i = 0; i < 16; ++i) {
+      if (ready())
+        return true;
+      pause();
+    }
+  } while (std::chrono::steady_clock::now() < end);
+  return ready();
+}
+
+int processors() {
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0)
+    return std::clamp(CPU_COUNT(&set), 1, kMaxThreads);
+  return std::clamp(int(std::thread::hardware_concurrency()), 1, kMaxThreads);
+}
+
+using Work = void (*)(void *, std::uint32_t);
+
+/// A job is known by its number. `m_ticket` holds the number and the next index to be taken, so
+/// that who comes late to a job that is over cannot take an index of the one after it.
+class Pool {
+public:
+  ~Pool() { stop(); }
+
+  bool run(std::uint32_t count, Work work, void *argument, int threads) {
+    if (m_busy.exchange(true, std::memory_order_acquire))
+      return false;
+    start(threads - 1);
+    m_count.store(count, std::memory_order_relaxed);
+    m_work.store(work, std::memory_order_relaxed);
+    m_argument.store(argument, std::memory_order_relaxed);
+    m_done.store(0, std::memory_order_relaxed);
+    m_helpers.store(threads - 1, std::memory_order_relaxed);
+    const std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
+    m_ticket.store(std::uint64_t(job) << 32, std::memory_order_release);
+    m_job.store(job, std::memory_order_release);
+    m_job.notify_all();
+    take(job);
+    const auto done = [this, count] { return m_done.load(std::memory_order_acquire) == count; };
+    while (!spinFor(done)) {
+      const std::uint32_t now = m_done.load(std::memory_order_acquire);
+      if (now != count)
+        m_done.wait(now, std::memory_order_acquire);
+    }
+    m_busy.store(false, std::memory_order_release);
+    return true;
+  }
+
+  /// Ends the workers, at the process's exit or before the library is unmapped.
+  void stop() {
+    while (m_busy.exchange(true, std::memory_order_acquire))
+      std::this_thread::yield();
+    m_stop.store(true, std::memory_order_relaxed);
+    m_job.fetch_add(1, std::memory_order_release);
+    m_job.notify_all();
+    for (std::thread &worker : m_workers)
+      worker.join();
+    m_workers.clear();
+    m_stop.store(false, std::memory_order_relaxed);
+    m_busy.store(false, std::memory_order_release);
+  }
+
+private:
+  void start(int workers) {
+    const int missing = workers - int(m_workers.size());
+    if (missing <= 0 || m_refused)
+      return;
+    sigset_t all, old;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &old);
+    try {
+      for (int i = 0; i < missing; ++i) {
+        const std::uint32_t seen = m_job.load(std::memory_order_relaxed);
+        m_workers.emplace_back([this, seen, index = int(m_workers.size())] { loop(seen, index); });
+        (void)pthread_setname_np(m_workers.back().native_handle(), "arbiter-raster");
+      }
+    } catch (const std::exception &) {
+      m_refused = true; // as many as there are will do
+    }
+    pthread_sigmask(SIG_SETMASK, &old, nullptr);
+  }
+
+  void loop(std::uint32_t seen, int index) {
+    for (;;) {
+      const auto changed = [&] { return m_job.load(std::memory_order_acquire) != seen; };
+      if (!spinFor(changed))
+        m_job.wait(seen, std::memory_order_acquire);
+      seen = m_job.load(std::memory_order_acquire);
+      if (m_stop.load(std::memory_order_relaxed))
+        return;
+      if (index < m_helpers.load(std::memory_order_relaxed))
+        take(seen);
+    }
+  }
+
+  void take(std::uint32_t job) {
+    for (;;) {
+      std::uint64_t ticket = m_ticket.load(std::memory_order_acquire);
+      const std::uint32_t count = m_count.load(std::memory_order_relaxed);
+      const Work work = m_work.load(std::memory_order_relaxed);
+      void *const argument = m_argument.load(std::memory_order_relaxed);
+      if (std::uint32_t(ticket >> 32) != job || std::uint32_t(ticket) >= count)
+        return;
+      // Success says that the job was not over, so that what was read above is its own.
+      if (!m_ticket.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
+        continue;
+      work(argument, std::uint32_t(ticket));
+      if (m_done.fetch_add(1, std::memory_order_acq_rel) + 1 == count)
+        m_done.notify_one();
+    }
+  }
+
+  std::atomic<bool> m_busy{false}, m_stop{false};
+  std::atomic<std::uint32_t> m_job{0};
+  alignas(64) std::atomic<std::uint64_t> m_ticket{0};
+  std::atomic<std::uint32_t> m_count{0};
+  std::atomic<Work> m_work{nullptr};
+  std::atomic<void *> m_argument{nullptr};
+  std::atomic<int> m_helpers{0}; ///< workers that may take part: there may be more
+  alignas(64) std::atomic<std::uint32_t> m_done{0};
+  bool m_refused = false;
+  std::vector<std::thread> m_workers; ///< of who holds m_busy
+};
+
+std::atomic<int> g_threads{0};
+std::atomic<Pool *> g_pool{nullptr};
+
+/// The child of a fork has none of the workers, and nothing of the old pool's state can be relied
+/// on: it is left behind.
+void afterFork() { g_pool.store(new (std::nothrow) Pool, std::memory_order_release); }
+
+Pool *pool() {
+  if (Pool *const existing = g_pool.load(std::memory_order_acquire))
+    return existing;
+  static std::once_flag once;
+  std::call_once(once, [] {
+    g_pool.store(new (std::nothrow) Pool, std::memory_order_release);
+    (void)pthread_atfork(nullptr, nullptr, afterFork);
+  });
+  return g_pool.load(std::memory_order_acquire);
+}
+
+/// Threads end before the library's code does. The pool itself stays, for who draws at exit.
+struct AtExit {
+  ~AtExit() {
+    g_threads.store(1, std::memory_order_relaxed);
+    if (Pool *const existing = g_pool.load(std::memory_order_acquire))
+      existing->stop();
+  }
+} g_atExit;
+
+} // namespace
+
+void parallel(std::uint32_t count, void (*work)(void *argument, std::uint32_t i), void *argument) {
+  const int threads = count > 1 ? threadCount() : 1;
+  if (threads > 1) {
+    Pool *const workers = pool();
+    if (workers && workers->run(count, work, argument, threads))
+      return;
+  }
+  for (std::uint32_t i = 0; i < count; ++i)
+    work(argument, i);
+}
+
+int threadCount() {
+  if (const int threads = g_threads.load(std::memory_order_relaxed))
+    return threads;
+  const std::uint32_t asked = settings().threads;
+  const int threads = asked ? int(std::min(asked, std::uint32_t(kMaxThreads))) : processors();
+  g_threads.store(threads, std::memory_order_relaxed);
+  return threads;
+}
+
+void setThreadCount(int count) {
+  g_threads.store(std::clamp(count, 0, kMaxThreads), std::memory_order_relaxed);
+}
+
+} // namespace arbiter::swrast

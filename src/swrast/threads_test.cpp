@@ -1,0 +1,108 @@
+#include "swrast/threads.h"
+
+#include <atomic>
+#include <csignal>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace arbiter::swrast {
+namespace {
+
+class Threads : public testing::TestWithParam<int> {
+protected:
+  void SetUp() override { setThreadCount(GetParam()); }
+  void TearDown() override { setThreadCount(0); }
+};
+
+/// Every index once, whatever the number of threads.
+void expectAllOnce(std::uint32_t count) {
+  std::vector<std::atomic<int>> calls(count);
+  auto work = [&](std::uint32_t i) { calls[i].fetch_add(1, std::memory_order_relaxed); };
+  parallel(count, work);
+  for (std::uint32_t i = 0; i < count; ++i)
+    ASSERT_EQ(calls[i].load(), 1) << "index " << i << " of " << count;
+}
+
+TEST_P(Threads, CallsEveryIndexOnce) {
+  EXPECT_EQ(threadCount(), GetParam());
+  for (int round = 0; round < 2000; ++round)
+    expectAllOnce(std::uint32_t(round % 37));
+  expectAllOnce(100000);
+}
+
+TEST_P(Threads, WhatWasWrittenIsSeenAfterwards) {
+  std::vector<int> values(64);
+  for (int round = 0; round < 500; ++round) {
+    auto work = [&](std::uint32_t i) { values[i] += int(i); };
+    parallel(64, work);
+    for (int i = 0; i < 64; ++i)
+      ASSERT_EQ(values[std::size_t(i)], i * (round + 1));
+  }
+}
+
+TEST_P(Threads, JobsOfManyCallersAndNestedOnesEnd) {
+  std::atomic<int> total{0};
+  std::vector<std::thread> callers;
+  for (int t = 0; t < 3; ++t)
+    callers.emplace_back([&] {
+      for (int round = 0; round < 200; ++round) {
+        auto inner = [&](std::uint32_t) { total.fetch_add(1); };
+        auto outer = [&](std::uint32_t) { parallel(4, inner); };
+        parallel(5, outer);
+      }
+    });
+  for (std::thread &caller : callers)
+    caller.join();
+  EXPECT_EQ(total.load(), 3 * 200 * 5 * 4);
+}
+
+TEST_P(Threads, WorkAfterFork) {
+  expectAllOnce(100);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::atomic<int> calls{0};
+    auto work = [&](std::uint32_t) { calls.fetch_add(1); };
+    for (int round = 0; round < 50; ++round)
+      parallel(20, work);
+    _exit(calls.load() == 1000 ? 0 : 1);
+  }
+  ASSERT_GT(child, 0);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  expectAllOnce(100);
+}
+
+TEST_P(Threads, WorkersTakeNoSignals) {
+  std::atomic<int> blocked{0};
+  const std::thread::id caller = std::this_thread::get_id();
+  auto work = [&](std::uint32_t) {
+    sigset_t mask;
+    pthread_sigmask(SIG_SETMASK, nullptr, &mask);
+    if (std::this_thread::get_id() == caller || sigismember(&mask, SIGALRM) == 1)
+      blocked.fetch_add(1);
+    usleep(100);
+  };
+  parallel(40, work);
+  EXPECT_EQ(blocked.load(), 40);
+}
+
+TEST_P(Threads, IdleWorkersSleep) {
+  expectAllOnce(1000);
+  usleep(20000);
+  timespec before{}, after{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &before);
+  usleep(200000);
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &after);
+  const double used =
+      double(after.tv_sec - before.tv_sec) + 1e-9 * double(after.tv_nsec - before.tv_nsec);
+  EXPECT_LT(used, 0.02) << "seconds of processor time in 0.2 s of nothing to do";
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, Threads, testing::Values(1, 2, 4));
+
+} // namespace
+} // namespace arbiter::swrast
