@@ -136,6 +136,7 @@ public:
 
   /// The rasterizer's part; null where it is not used.
   std::unique_ptr<software::ContextState> software;
+  bool softwareRefused = false; ///< it was decided: not looked at again
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

@@ -16,6 +16,7 @@
 #include "state/active_profile.h"
 #include "state/context.h"
 #include "state/program_cache.h"
+#include "state/software/report.h"
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/hash.h"
@@ -50,6 +51,7 @@ struct Totals {
   std::array<swrast::FeedbackTracker::Totals, swrast::kCopyKindCount> copies{};
   std::uint64_t frames = 0;
   std::uint64_t readBuffers = 0;
+  software::Figures software;
 
   void add(const Context &context) {
     for (int i = 0; i < kPathCount; ++i)
@@ -61,6 +63,7 @@ struct Totals {
     }
     frames += context.frames;
     readBuffers += context.readBufferCalls;
+    software.add(context);
   }
 };
 
@@ -180,6 +183,7 @@ void writeDraws(JsonWriter &json, const Totals &totals) {
                                 totals.draws[std::size_t(Path::HostRefused)];
   json.key("draws").beginObject();
   json.key("host_glsl").value(totals.draws[std::size_t(Path::HostGlsl)]);
+  json.key("rasterizer").value(totals.draws[std::size_t(Path::Rasterizer)]);
   json.key("host_assembly").value(totals.draws[std::size_t(Path::HostAssembly)]);
   json.key("host_untouched").value(untouched);
   json.key("recorded").value(totals.draws[std::size_t(Path::Recorded)]);
@@ -325,6 +329,8 @@ std::string statisticsJson() {
   json.endObject();
   writeDraws(json, totals);
   writeFeedback(json, totals);
+  json.key("software");
+  software::write(json, totals.software);
   json.key("frames").value(totals.frames);
   json.endObject();
   return json.take();

@@ -1,9 +1,14 @@
 #include "state/software/context_state.h"
 
 #include <cstring>
+#include <string_view>
 
+#include "host/host_table.h"
 #include "state/context.h"
 #include "state/software/outcome.h"
+#include "state/software/residency.h"
+#include "state/software/stale.h"
+#include "util/flags.h"
 
 namespace arbiter::state::software {
 
@@ -24,6 +29,34 @@ Fallback fallbackNamed(const char *key, Fallback otherwise) {
       if (std::strcmp(key, fallbackName(Fallback(i))) == 0)
         return Fallback(i);
   return otherwise;
+}
+
+namespace {
+
+/// A host that draws on the processor: there the rasterizer is the faster one.
+bool isSoftwareRenderer(const Context &context) {
+  const GLubyte *const renderer = context.host->GetString(GL_RENDERER);
+  const std::string_view name = renderer ? reinterpret_cast<const char *>(renderer) : "";
+  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
+         name.find("Software Rasterizer") != name.npos;
+}
+
+} // namespace
+
+void engage(Context &context) {
+  const Backend backend = settings().backend;
+  if (context.software || context.softwareRefused)
+    return;
+  context.softwareRefused = true;
+  if (backend == Backend::Host || !context.offered || context.numerics == fp::Numerics::Fp24 ||
+      (backend == Backend::Auto && !isSoftwareRenderer(context)))
+    return;
+  context.software = std::make_unique<ContextState>();
+  context.software->forced = backend == Backend::Swrast;
+  context.software->backOff.setForced(context.software->forced);
+  context.stale = stale::kAll;
+  context.softwarePossible = true;
+  enter(context);
 }
 
 ContextState::ContextState() = default;

@@ -51,7 +51,8 @@ struct ContextState {
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
 };
 
-/// Makes Context::software where it is to be: called once the host's limits are known.
-void initialise(Context &context);
+/// Makes Context::software where it is to be: when a fragment program of ours first comes into
+/// force. Until then the rasterizer costs nothing.
+void engage(Context &context);
 
 } // namespace arbiter::state::software
