@@ -32,6 +32,8 @@
 #define ARBITER_ENV_PROFILE "ARBITER_PROFILE"
 #define ARBITER_ENV_LIMITS "ARBITER_LIMITS"
 #define ARBITER_ENV_NUMERICS "ARBITER_NUMERICS"
+#define ARBITER_ENV_BACKEND "ARBITER_BACKEND"
+#define ARBITER_ENV_THREADS "ARBITER_THREADS"
 #define ARBITER_ENV_IDENTITY "ARBITER_IDENTITY"
 #define ARBITER_ENV_EXTENSIONS_MAX_YEAR "ARBITER_EXTENSIONS_MAX_YEAR"
 #define ARBITER_ENV_EXTENSIONS_MAX_LENGTH "ARBITER_EXTENSIONS_MAX_LENGTH"
@@ -52,5 +54,17 @@
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
 #define ARBITER_REPORT_SCHEMA 1
+
+/* GL_ARBITER_feedback is in the extension string of contexts whose programs are Arbiter's. There is
+ * nothing new to learn: glReadBuffer and glCopyTexSubImage2D are what they always were, and where
+ * the rasterizer draws, a copy of a whole colour buffer shares its pixels instead of moving them.
+ * Two values of glGetIntegerv, of the context, tell how often; they never go beyond 2^31 - 1. */
+#ifndef GL_ARBITER_feedback
+#define GL_ARBITER_feedback 1
+/* Copies to textures so far. */
+#define GL_FEEDBACK_COPIES_ARBITER 0x41524200
+/* Those of them that moved no pixel; of the share group. */
+#define GL_FEEDBACK_COPIES_AVOIDED_ARBITER 0x41524201
+#endif
 
 #endif /* GL_ARBITER_H */

@@ -1,12 +1,16 @@
 // Get, GetString and GetStringi: the few values that are ours, or that our host objects would show.
+#include <algorithm>
+#include <climits>
 #include <type_traits>
 
+#include "GL/arbiter.h"
 #include "fp_compiler/ati/shader.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/program_api.h"
+#include "state/software/residency.h"
 #include "util/log.h"
 
 namespace arbiter::state {
@@ -96,6 +100,14 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     value = pname == GL_MAJOR_VERSION ? identity.major : identity.minor;
     return true;
   }
+  case GL_FEEDBACK_COPIES_ARBITER:
+    value = GLint(std::min<std::uint64_t>(context.feedback.copies(), INT_MAX));
+    return context.offered;
+  case GL_FEEDBACK_COPIES_AVOIDED_ARBITER:
+    value = context.software ? GLint(std::min<std::uint64_t>(
+                                   software::residencyStatistics(context).copiesShared, INT_MAX))
+                             : 0;
+    return context.offered;
   case GL_CURRENT_PROGRAM: // ours is current only where the application has none
     if (!context.hostProgramIsOurs)
       return false;

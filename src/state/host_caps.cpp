@@ -172,7 +172,8 @@ FilteredExtensions filterExtensions(const HostCaps &caps, bool offered) {
       "GL_NV_vertex_program4",
   };
   static constexpr const char *kOurs[] = {"GL_ARB_fragment_program", "GL_ARB_vertex_program",
-                                          "GL_ATI_fragment_shader", "GL_ATI_text_fragment_shader"};
+                                          "GL_ATI_fragment_shader", "GL_ATI_text_fragment_shader",
+                                          "GL_ARBITER_feedback"};
   FilteredExtensions out;
   for (const std::string &name : caps.extensions) {
     const bool hidden = offered && std::any_of(std::begin(kHidden), std::end(kHidden),
