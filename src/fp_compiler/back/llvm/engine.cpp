@@ -101,10 +101,12 @@ private:
 
   /// All that decides what the object is.
   std::string cacheKey(const char *kind, const ir::Program &program, std::string_view key) const {
+    const std::string code = ir::print(program);
     std::string text = m_build;
-    for (const std::string_view part :
-         {std::string_view(kind), std::string_view(m_cpu.name), std::string_view(m_cpu.features),
-          std::string_view(familyName(m_cpu.family)), key, std::string_view(ir::print(program))}) {
+    for (const std::string_view part : {std::string_view(kind), std::string_view(m_cpu.name),
+                                        std::string_view(m_cpu.features),
+                                        std::string_view(familyName(m_cpu.family)), key,
+                                        std::string_view(code)}) {
       text += std::to_string(part.size()) + ":";
       text += part;
     }

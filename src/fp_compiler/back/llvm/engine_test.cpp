@@ -1,0 +1,185 @@
+// The engine as the layer has it: the library opened at run time, the cache, threads, lifetimes.
+
+#include <cfenv>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <thread>
+
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/jit.h"
+
+namespace arbiter::fp::jit {
+namespace {
+
+using ir::Opcode;
+
+/// texcoord[0] of attribute 1 times a row plus `offset`.
+ir::Program scaled(float offset) {
+  ir::Builder b(ir::Language::ArbVertex);
+  b.op(Opcode::Mad, b.result(ir::OutputKind::TexCoord),
+       {b.attribute(ir::AttributeKind::Generic, 1), b.local(0), b.constant(offset)});
+  return b.take();
+}
+
+std::unique_ptr<Engine> engineFor(const EngineOptions &options) {
+  std::string reason;
+  auto engine = makeEngine(options, reason);
+  EXPECT_NE(engine, nullptr) << reason;
+  return engine;
+}
+
+std::unique_ptr<VertexCode> compiled(Engine &engine, const ir::Program &program) {
+  const auto prepared = engine.prepareVertex(program, Numerics::Host);
+  EXPECT_NE(prepared, nullptr);
+  std::string reason;
+  auto code = prepared ? engine.compile(*prepared, reason) : nullptr;
+  EXPECT_NE(code, nullptr) << reason;
+  return code;
+}
+
+/// Runs code of scaled() on `count` vertices with x, y, z, w = i, 1, 2, 3 times 2.
+std::vector<float> run(const VertexCode &code, std::uint32_t count) {
+  constexpr std::size_t kRoom = 64;
+  alignas(64) static thread_local float in[4][kRoom], out[4][kRoom];
+  for (std::size_t i = 0; i < kRoom; ++i) {
+    in[0][i] = float(i);
+    for (std::size_t c = 1; c < 4; ++c)
+      in[c][i] = float(c);
+    for (auto &array : out)
+      array[i] = -1;
+  }
+  const float parameters[2][4] = {{2, 2, 2, 2}, {}};
+  const float *const inputs[] = {in[0], in[1], in[2], in[3]};
+  float *const outputs[] = {out[0], out[1], out[2], out[3]};
+  abi::VertexData data;
+  data.parameters = parameters;
+  data.inputs = inputs;
+  data.outputs = outputs;
+  code.function(&data, count);
+  return {out[0], out[0] + kRoom};
+}
+
+TEST(Engine, SaysWhatItIs) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  EXPECT_TRUE(engine->lanes() == 4 || engine->lanes() == 8 || engine->lanes() == 16);
+  EXPECT_EQ(engine->blockWidth() * engine->blockHeight(), engine->lanes());
+  EXPECT_NE(engine->target().find("lanes"), std::string::npos);
+  std::string reason;
+  EXPECT_EQ(makeEngine({"a processor of no name", nullptr}, reason), nullptr);
+  EXPECT_NE(reason, "");
+}
+
+TEST(Engine, RunsVertices) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  const auto code = compiled(*engine, scaled(10));
+  ASSERT_NE(code, nullptr);
+  EXPECT_GT(code->bytes, 0u);
+  const std::uint32_t lanes = std::uint32_t(engine->lanes());
+  for (const std::uint32_t count : {0u, 1u, 5u, lanes, lanes + 1, 48u}) {
+    const std::vector<float> x = run(*code, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+      EXPECT_EQ(x[i], 2.0f * float(i) + 10) << i << " of " << count;
+    // The last vector may be written in full, but nothing behind it.
+    EXPECT_EQ(x[(count + lanes - 1) / lanes * lanes], -1.0f) << count;
+  }
+}
+
+TEST(Engine, RefusesWhatItHasNoCodeFor) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  const ir::Program vertex = scaled(1);
+  EXPECT_EQ(engine->prepareFragment(vertex, Numerics::Host), nullptr);
+  ir::Builder b;
+  b.op(Opcode::Mov, b.color(), {b.attribute(ir::AttributeKind::ColorPrimary)});
+  EXPECT_EQ(engine->prepareVertex(b.program(), Numerics::Host), nullptr);
+  EXPECT_EQ(engine->prepareFragment(b.program(), Numerics::Fp24), nullptr);
+  ir::Program broken = b.program();
+  broken.code[0].src[0].index = 99;
+  EXPECT_EQ(engine->prepareFragment(broken, Numerics::Host), nullptr);
+}
+
+TEST(Engine, CodeOutlivesTheEngine) {
+  auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  const auto code = compiled(*engine, scaled(3));
+  engine.reset();
+  ASSERT_NE(code, nullptr);
+  EXPECT_EQ(run(*code, 2)[1], 5.0f);
+}
+
+TEST(Engine, ComputesInItsOwnModeAndLeavesTheCallers) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  const auto code = compiled(*engine, scaled(0x1p-24f));
+  ASSERT_NE(code, nullptr);
+  std::fesetround(FE_UPWARD);
+  const std::vector<float> x = run(*code, 2);
+  const int mode = std::fegetround();
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(mode, FE_UPWARD);
+  EXPECT_EQ(x[1], 2.0f); // 2 + 2^-24 to nearest; upward it would be 2 + 2^-22
+}
+
+TEST(Engine, CompilesOnSeveralThreads) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  std::vector<std::thread> threads;
+  std::array<int, 4> right = {};
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 8; ++i) {
+        const float offset = float(16 * t + i);
+        const auto code = compiled(*engine, scaled(offset));
+        right[std::size_t(t)] += code && run(*code, 3)[2] == 4 + offset;
+      }
+    });
+  for (std::thread &thread : threads)
+    thread.join();
+  EXPECT_EQ(right, (std::array<int, 4>{8, 8, 8, 8}));
+}
+
+class EngineCache : public ::testing::Test {
+protected:
+  void SetUp() override {
+    std::string name = ::testing::TempDir() + "arbiter-jit-XXXXXX";
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    m_folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(m_folder); }
+
+  std::string m_folder;
+};
+
+TEST_F(EngineCache, GivesBackWhatWasMade) {
+  const CacheStore store(m_folder + "/objects", 1 << 24);
+  ASSERT_TRUE(store.usable());
+  for (int round = 0; round < 2; ++round) {
+    const auto engine = engineFor({"", &store});
+    ASSERT_NE(engine, nullptr);
+    const auto one = compiled(*engine, scaled(1)), two = compiled(*engine, scaled(2));
+    ASSERT_TRUE(one && two);
+    EXPECT_EQ(run(*one, 2)[1], 3.0f);
+    EXPECT_EQ(run(*two, 2)[1], 4.0f);
+    // The second round found what the first has left, and added nothing.
+    EXPECT_EQ(cacheUsage(m_folder + "/objects").files, 2u);
+  }
+}
+
+TEST_F(EngineCache, KeepsProcessorsApart) {
+  const CacheStore store(m_folder + "/objects", 1 << 24);
+  std::string reason;
+  std::uint64_t files = 0;
+  for (const char *const cpu : {"", "avx512", "avx2", "sse4", "neon"})
+    if (const auto engine = makeEngine({cpu, &store}, reason)) {
+      const auto code = compiled(*engine, scaled(1));
+      ASSERT_NE(code, nullptr);
+      EXPECT_EQ(run(*code, 2)[1], 3.0f) << cpu;
+      EXPECT_EQ(cacheUsage(m_folder + "/objects").files, ++files) << cpu;
+    }
+  EXPECT_GE(files, 2u);
+}
+
+} // namespace
+} // namespace arbiter::fp::jit
