@@ -88,7 +88,8 @@ struct Texel {
 // --- pixel.cpp: what happens to a fragment after the program
 // ------------------------------------------
 
-/// A stored pixel's components as floats, and back, shared by textures and targets.
+/// A stored pixel's components as floats, shared by textures and targets.
+/// \param raw pixels as they lie in memory, an integer each: <lanes x i8>, i16, i32, i64 or i128
 [[nodiscard]] Vec decode(Code &code, const abi::Format &format, Value *raw, unsigned needed);
 
 } // namespace arbiter::fp::llvm_back

@@ -1,0 +1,81 @@
+#pragma once
+#include "fp_compiler/back/llvm/code.h"
+
+/// The parts that sample() is made of: where texels lie (wrap), how they are read (fetch), what
+/// their bits mean (decode), and how several become one (filter).
+namespace arbiter::fp::llvm_back {
+
+/// A load of what stays the same as long as the function runs, so that LLVM moves it out of loops
+/// in spite of the stores to colour buffers.
+[[nodiscard]] Value *constantField(Code &code, llvm::Type *type, Value *pointer,
+                                   std::size_t offset);
+
+/// i1: whether any lane, or every lane, of a mask is set.
+[[nodiscard]] Value *anyLane(Code &code, Value *mask);
+[[nodiscard]] Value *allLanes(Code &code, Value *mask);
+
+/// One image as code sees it: scalars, the same for all lanes. Strides are in texels: an image's
+/// are whole texels, and an i32 then reaches all of it.
+struct ImageCode {
+  Value *base = nullptr;
+  std::array<Value *, 3> size = {};   ///< i32: width, height, depth
+  std::array<Value *, 2> stride = {}; ///< i32: of a row, of a slice
+  abi::Format format;
+};
+/// \param image i32: which of TextureView::levels
+[[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
+                                  int dimensions);
+
+/// A dimension's texels: the one of a nearest filter, or the two neighbours of a linear one.
+struct AxisTexels {
+  std::array<Value *, 2> index = {};   ///< i32, in [0, size) whatever the coordinate was
+  std::array<Value *, 2> outside = {}; ///< lanes where it is the border instead; null: none
+  Value *fraction = nullptr;           ///< weight of the second, in [0,1)
+  /// The second lies behind the first in all lanes, or has no weight.
+  bool neighbours = false;
+};
+/// 3.8.7 and 3.8.8 of OpenGL 1.4.
+/// \param normalized the coordinate spans the image in [0,1]; else it is in texels (rectangles)
+struct AxisKey {
+  abi::Wrap wrap = abi::Wrap::Repeat;
+  bool normalized = true;
+  bool powerOfTwo = false;
+};
+[[nodiscard]] AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate,
+                                      Value *size);
+[[nodiscard]] AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate,
+                                      Value *size);
+
+/// The 32-bit words of a texel: words[i] holds its bytes 4*i to 4*i+3, in memory's order. Bytes
+/// beyond a smaller texel are undefined.
+using Words = std::array<Value *, 4>;
+/// Bit i: word i is needed for `needed` components of the swizzle.
+[[nodiscard]] unsigned wordsNeeded(const abi::Format &format, unsigned needed);
+/// decode() of words.
+[[nodiscard]] Vec decodeWords(Code &code, const abi::Format &format, const Words &words,
+                              unsigned needed);
+
+/// One texel a lane. \param index i32, of the texel in the image
+[[nodiscard]] Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
+                                unsigned words);
+/// The texels (x0, y0), (x1, y0), (x0, y1), (x1, y1) of a format of 32 bits or less; without y the
+/// last two are null.
+[[nodiscard]] std::array<Value *, 4> fetchFootprint(Code &code, abi::Lanes lanes,
+                                                    const ImageCode &image, const AxisTexels &x,
+                                                    Value *row0, Value *row1);
+
+/// What a filter reads: an image and where in it.
+struct Lookup {
+  const abi::SamplerKey &key;
+  abi::Lanes lanes;
+  Value *view;
+  ImageCode image;
+  int dimensions = 2;
+  Vec coordinate = {};        ///< of the image; a cube map's are those of its face
+  Value *reference = nullptr; ///< what a shadow comparison compares with
+  unsigned needed = 0xF;
+};
+[[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
+[[nodiscard]] Vec filterLinear(Code &code, const Lookup &lookup);
+
+} // namespace arbiter::fp::llvm_back
