@@ -23,6 +23,7 @@
 #include "state/program_object.h"
 #include "state/sampler_override.h"
 #include "state/software/context_state.h"
+#include "state/software/residency.h"
 #include "state/target.h"
 #include "state/variant.h"
 #include "swrast/feedback.h"
@@ -137,6 +138,7 @@ public:
   /// The rasterizer's part; null where it is not used.
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
+  software::Drawable drawable; ///< as of the last make-current
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

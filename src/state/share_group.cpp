@@ -1,13 +1,16 @@
 #include "state/share_group.h"
+#include "state/software/residency_images.h"
 
 #include <utility>
 
 namespace arbiter::state {
 
-ShareGroup::ShareGroup() {
+ShareGroup::ShareGroup() : m_softwareImages(std::make_unique<software::SharedImages>()) {
   for (std::size_t i = 0; i < m_defaults.size(); ++i)
     m_defaults[i] = std::make_shared<ProgramObject>(0, Target(i));
 }
+
+ShareGroup::~ShareGroup() = default;
 
 std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
   const std::lock_guard lock(m_mutex);

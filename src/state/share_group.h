@@ -14,6 +14,10 @@
 
 namespace arbiter::state {
 
+namespace software {
+struct SharedImages;
+}
+
 /// What contexts that share display lists have in common (AFP 3953-3974): the name space of program
 /// objects, display lists that hold our commands, and host objects that a dead context left behind.
 ///
@@ -22,6 +26,9 @@ namespace arbiter::state {
 class ShareGroup {
 public:
   ShareGroup();
+  ~ShareGroup();
+  ShareGroup(const ShareGroup &) = delete;
+  ShareGroup &operator=(const ShareGroup &) = delete;
 
   // --- Program objects: one name space for all targets (AFP 1364-1367) ---
 
@@ -91,7 +98,11 @@ public:
   /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
   std::atomic<std::uint64_t> replacementsSeen{0};
 
+  /// The rasterizer's shadows of textures and renderbuffers (software/residency.h).
+  [[nodiscard]] software::SharedImages &softwareImages() const { return *m_softwareImages; }
+
 private:
+  std::unique_ptr<software::SharedImages> m_softwareImages;
   std::mutex m_mutex;
   std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
   std::array<std::shared_ptr<ProgramObject>, kTargetCount> m_defaults;

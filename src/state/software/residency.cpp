@@ -1,37 +1,120 @@
-// Who has the newest pixels. What is not written yet is the host's: nothing is ever pending.
+// When pixels must be moved: synchronisation, frames, contexts.
 #include "state/software/residency.h"
 
-#include "state/context.h"
+#include <cstring>
+
+#include "state/share_group.h"
+#include "state/software/residency_host.h"
+#include "util/log.h"
 
 namespace arbiter::state::software {
 
-const DrawTargets *describeTargets(Context &, const char *&reason) {
-  reason = "target";
-  return nullptr;
+namespace {
+
+void uploadList(Context &context, WindowImages &window, std::vector<PixelImage *> &list) {
+  for (PixelImage *const image : list) {
+    image->listed = false;
+    if (image->newest != Newest::Shadow)
+      continue;
+    upload(context, window, *image);
+    setNewest(context, *image, Newest::Both);
+  }
+  list.clear();
 }
-bool acquireTargets(Context &, const swrast::Rect &, bool, bool) { return false; }
-const TextureImages *acquireTexture(Context &, GLuint, abi::Dimension, bool, const char *&reason) {
-  reason = "texture";
-  return nullptr;
+
+void uploadAll(Context &context, WindowImages &window) {
+  uploadList(context, window, sharedOf(context).pending);
+  uploadList(context, window, window.pending);
+  context.hostIsBehind = false;
 }
-bool copyToTexture(Context &, const CopyToTexture &) { return false; }
-bool clear(Context &, GLbitfield) { return false; }
-bool readPixels(Context &, GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) { return false; }
-bool getTexImage(Context &, GLenum, GLint, GLenum, GLenum, void *) { return false; }
-void texSubImage(Context &, GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum,
-                 GLenum, const void *) {}
-void textureRedefined(Context &, GLenum) {}
-void texturesDeleted(Context &, GLsizei, const GLuint *) {}
-void synchronise(Context &, const char *) {}
-void hostDraws(Context &, const char *) {}
-void hostDoesAnything(Context &, const char *) {}
-void present(Context &) {}
-void leave(Context &) {}
-void enter(Context &) {}
-void setDrawable(Context &, const Drawable &) {}
-void drawableMayHaveChanged(Context &) {}
-bool aloneInGroup(const Context &) { return false; }
-void flush(Context &) {}
-ResidencyStatistics residencyStatistics(const Context &) { return {}; }
+
+/// Under the lock; false where there is nothing of ours.
+bool hasImages(Context &context) { return windowOf(context) && sharedOf(context).valid != 0; }
+
+void dropFramebuffer(Context &context, WindowImages &window) {
+  const Framebuffers &f = framebuffersOf(context, window);
+  const auto drop = [&](PixelImage *image) {
+    if (image)
+      dropShadow(context, *image);
+  };
+  for (PixelImage *image : f.color)
+    drop(image);
+  drop(f.depthStencil);
+  if (f.drawName == 0) {
+    // The front and the back buffer are not told apart where the host draws to both.
+    drop(&window.color);
+    drop(&window.depthStencil);
+  }
+}
+
+void dropAll(Context &context, WindowImages &window) {
+  SharedImages &shared = sharedOf(context);
+  for (const auto &[name, texture] : shared.textures)
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image) {
+        dropShadow(context, *image);
+        image->described = false;
+      }
+  for (const auto &[name, image] : shared.renderbuffers) {
+    dropShadow(context, *image);
+    image->described = false;
+  }
+  dropShadow(context, window.color);
+  dropShadow(context, window.depthStencil);
+  ++shared.generation;
+  context.stale = ~0u;
+}
+
+} // namespace
+
+void synchronise(Context &context, const char *why) {
+  if (!context.hostIsBehind)
+    return;
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return;
+  logDebug("residency", "the host is brought up to date: %s", why);
+  const std::lock_guard lock(sharedOf(context).mutex);
+  uploadAll(context, *window);
+}
+
+void hostDraws(Context &context, const char *why) {
+  synchronise(context, why);
+  SharedImages *const shared = context.software ? &sharedOf(context) : nullptr;
+  if (!shared)
+    return;
+  const std::lock_guard lock(shared->mutex);
+  if (hasImages(context))
+    dropFramebuffer(context, *windowOf(context));
+}
+
+void hostDoesAnything(Context &context, const char *why) {
+  synchronise(context, why);
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return;
+  const std::lock_guard lock(sharedOf(context).mutex);
+  dropAll(context, *window);
+}
+
+void setDrawable(Context &context, const Drawable &drawable) {
+  // Kept with the context, which may not know yet that it is ours.
+  context.drawable = drawable;
+}
+
+void drawableMayHaveChanged(Context &context) {
+  if (context.software && context.software->images)
+    windowOf(context)->sizeKnown = false;
+}
+
+bool aloneInGroup(const Context &context) {
+  return context.group->softwareImages().current.load(std::memory_order_relaxed) <= 1;
+}
+
+ResidencyStatistics residencyStatistics(const Context &context) {
+  ResidencyStatistics statistics = context.group->softwareImages().statistics;
+  statistics.shadowBytes = swrast::Storage::totalBytes();
+  return statistics;
+}
 
 } // namespace arbiter::state::software

@@ -87,6 +87,7 @@ void texSubImage(Context &context, GLenum target, GLint level, GLint x, GLint y,
 /// A level is (re)defined, storage is given, mipmaps are generated: the texture bound to `target`
 /// (0: any, all of them) is the host's from here on. Pending pixels of it go to the host first.
 void textureRedefined(Context &context, GLenum target);
+/// Before the host deletes them.
 void texturesDeleted(Context &context, GLsizei n, const GLuint *names);
 
 // --- Synchronisation
@@ -120,7 +121,9 @@ struct Drawable {
   bool (*size)(const Drawable &drawable, int &width, int &height) = nullptr;
   int width = 0, height = 0;
   void *memory = nullptr; ///< of Kind::Memory: its lowest address, and what it holds
-  GLenum memoryFormat = 0, memoryType = 0;
+  GLenum memoryFormat = 0, memoryType = 0; ///< GL_RGBA .., GL_UNSIGNED_BYTE ..
+  /// How rows lie in `memory` now; null: as many pixels as are wide, bottom row first.
+  void (*memoryLayout)(const Drawable &drawable, int &rowLength, bool &topRowFirst) = nullptr;
 };
 void setDrawable(Context &context, const Drawable &drawable);
 /// Viewport was called: the window may have another size since, and is asked at the next draw.
@@ -129,9 +132,9 @@ void drawableMayHaveChanged(Context &context);
 /// True while this context is the only one of its group that is current on any thread: only then
 /// are draws ours. Else what is pending is given to the host at the next Flush, Finish or leave().
 [[nodiscard]] bool aloneInGroup(const Context &context);
-/// Before the host's Flush or Finish: what others can see of our pixels by then is brought there
+/// The host's Flush or Finish, and around it what others can see of our pixels by then
 /// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
-void flush(Context &context);
+void flush(Context &context, bool finish);
 /// Before SwapBuffers and its kin: the window's pixels go to the host by the shortest way.
 /// Afterwards the back buffer is undefined, or kept, as GLX says.
 void present(Context &context);

@@ -1,0 +1,245 @@
+// What the draw and read framebuffers are made of, as the host says.
+#include <algorithm>
+
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+GLint get(const host::HostTable &host, GLenum pname) {
+  GLint value = 0;
+  host.GetIntegerv(pname, &value);
+  return value;
+}
+
+/// The image that is attached there, or null: nothing, or none that can be ours (`foreign`).
+PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bool &foreign) {
+  const host::HostTable &host = *context.host;
+  const auto ask = [&](GLenum pname) {
+    GLint value = 0;
+    host.GetFramebufferAttachmentParameteriv(framebuffer, attachment, pname, &value);
+    return value;
+  };
+  const GLint type = ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+  if (type == GL_NONE)
+    return nullptr;
+  const auto name = GLuint(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  PixelImage *image = nullptr;
+  if (type == GL_RENDERBUFFER) {
+    image = &renderbufferOf(context, name);
+  } else if (type == GL_TEXTURE) {
+    const GLint level = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
+    const auto face = GLenum(ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE));
+    Texture &texture = textureOf(sharedOf(context), name);
+    const GLenum target = face != 0 ? face : findTarget(context, texture);
+    // A slice of a 3D texture is no image of its own here.
+    if (target != GL_TEXTURE_3D)
+      image = levelOf(context, texture, target, level);
+  }
+  if (image && image->base != 0)
+    return image;
+  foreign = true;
+  return nullptr;
+}
+
+/// Buffer i of the draw buffers as an image; null with `foreign` set where it is none of ours.
+PixelImage *windowBuffer(WindowImages &window, GLenum buffer, bool &foreign) {
+  const bool back = buffer == GL_BACK || buffer == GL_BACK_LEFT;
+  const bool front = buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_LEFT;
+  if (window.color.base != 0 && (window.doubleBuffered ? back : front || back))
+    return &window.color;
+  foreign = true;
+  return nullptr;
+}
+
+/// The window's buffers: sizes from the window system, formats from the host, to which framebuffer
+/// 0 is bound as `framebuffer`.
+void describeWindow(Context &context, WindowImages &window) {
+  const host::HostTable &host = *context.host;
+  Drawable &drawable = window.drawable;
+  PixelImage &color = window.color;
+  int width = drawable.width, height = drawable.height;
+  if (drawable.size && !drawable.size(drawable, width, height))
+    width = height = 0;
+  window.sizeKnown = true;
+  if (color.described && color.width == width && color.height == height)
+    return;
+  for (PixelImage *image : {&window.color, &window.depthStencil}) {
+    // The host throws the pixels of a window away whose size changed, and so do we.
+    dropShadow(context, *image);
+    image->described = true;
+    image->base = 0;
+    image->width = width;
+    image->height = height;
+    image->shadow = {};
+    image->shadow.width = width;
+    image->shadow.height = height;
+  }
+  if (width <= 0 || height <= 0 || drawable.kind == Drawable::Kind::None || !drawable.sameRead)
+    return;
+  GLboolean doubleBuffered = GL_FALSE;
+  host.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
+  window.doubleBuffered = doubleBuffered != GL_FALSE;
+  color.place = {Place::Kind::Window, 0, GLenum(window.doubleBuffered ? GL_BACK : GL_FRONT), 0};
+  if (get(host, GL_SAMPLE_BUFFERS) != 0 || get(host, GL_STEREO) != 0)
+    return;
+  HostFormat format;
+  format.red = get(host, GL_RED_BITS);
+  format.green = get(host, GL_GREEN_BITS);
+  format.blue = get(host, GL_BLUE_BITS);
+  format.alpha = get(host, GL_ALPHA_BITS);
+  GLint floats = 0;
+  if (context.caps.has("GL_ARB_color_buffer_float"))
+    floats = get(host, GL_RGBA_FLOAT_MODE_ARB);
+  format.type = floats != 0 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
+  if (!formatOf(format, color.base, color.format) || color.format.layout != abi::Layout::U8x4 ||
+      (drawable.kind == Drawable::Kind::Memory && drawable.memoryType != GL_UNSIGNED_BYTE)) {
+    color.base = 0;
+    return;
+  }
+  // In the order that presenting wants.
+  if (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA)
+    std::swap(color.format.swizzle[0], color.format.swizzle[2]);
+  color.shadow.format = color.format;
+
+  PixelImage &depth = window.depthStencil;
+  depth.place = {Place::Kind::Window, 0, GL_DEPTH, 0};
+  HostFormat depthFormat;
+  depthFormat.depth = get(host, GL_DEPTH_BITS);
+  depthFormat.stencil = get(host, GL_STENCIL_BITS);
+  depthFormat.type = GL_UNSIGNED_NORMALIZED;
+  if (depthFormat.depth == 0 && depthFormat.stencil == 0)
+    return;
+  if (!formatOf(depthFormat, depth.base, depth.format))
+    depth.base = 0;
+  depth.shadow.format = depth.format;
+  window.depthBits = depthFormat.depth;
+  window.stencilBits = depthFormat.stencil;
+}
+
+void describeDrawWindow(Context &context, WindowImages &window, Framebuffers &f) {
+  const host::HostTable &host = *context.host;
+  bool foreign = window.color.base == 0;
+  f.width = window.color.width;
+  f.height = window.color.height;
+  const GLint buffer = get(host, GL_DRAW_BUFFER);
+  if (!foreign && buffer != GL_NONE)
+    f.color[0] = windowBuffer(window, GLenum(buffer), foreign);
+  const GLint count = std::min(context.caps.maxDrawBuffers, GLint(8));
+  for (GLint i = 1; i < count; ++i)
+    foreign = foreign || get(host, GLenum(GL_DRAW_BUFFER0 + i)) != GL_NONE;
+  f.depthBits = window.depthBits;
+  f.stencilBits = window.stencilBits;
+  if (f.depthBits != 0 || f.stencilBits != 0) {
+    f.depthStencil = window.depthStencil.base != 0 ? &window.depthStencil : nullptr;
+    foreign = foreign || !f.depthStencil;
+  }
+  if (foreign)
+    f.reason = "target";
+}
+
+void describeDrawObject(Context &context, Framebuffers &f) {
+  const host::HostTable &host = *context.host;
+  f.reason = "target";
+  if (host.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return;
+  bool foreign = false;
+  const GLint count = std::min(context.caps.maxDrawBuffers, GLint(8));
+  f.width = f.height = 1 << 30;
+  const auto limit = [&](const PixelImage *image) {
+    if (!image)
+      return;
+    f.width = std::min(f.width, image->width);
+    f.height = std::min(f.height, image->height);
+  };
+  for (GLint i = 0; i < count; ++i) {
+    const auto buffer = GLenum(get(host, GLenum(GL_DRAW_BUFFER0 + i)));
+    if (buffer == GL_NONE)
+      continue;
+    if (std::size_t(i) >= f.color.size())
+      return;
+    f.color[std::size_t(i)] = attached(context, GL_DRAW_FRAMEBUFFER, buffer, foreign);
+    limit(f.color[std::size_t(i)]);
+  }
+  PixelImage *const depth = attached(context, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign);
+  PixelImage *const stencil =
+      attached(context, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign);
+  // A stencil buffer beside a depth buffer, or alone, is a format that the rasterizer lacks.
+  if (foreign || (stencil && stencil != depth))
+    return;
+  f.depthStencil = depth;
+  limit(depth);
+  if (depth) {
+    f.depthBits = depth->format.layout == abi::Layout::Depth16    ? 16
+                  : depth->format.layout == abi::Layout::Depth32F ? 32
+                                                                  : 24;
+    f.stencilBits = depth->base == GL_DEPTH_STENCIL ? 8 : 0;
+  }
+  const auto isDepth = [](const PixelImage *image) {
+    return image->base == GL_DEPTH_COMPONENT || image->base == GL_DEPTH_STENCIL;
+  };
+  for (std::size_t i = 0; i < f.color.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (f.color[i] && f.color[i] == f.color[j])
+        return;
+  for (const PixelImage *image : f.color)
+    if (image && isDepth(image))
+      return;
+  if ((depth && !isDepth(depth)) || f.width == 1 << 30)
+    return;
+  f.reason = nullptr;
+}
+
+void describeRead(Context &context, WindowImages &window, Framebuffers &f) {
+  const host::HostTable &host = *context.host;
+  const auto buffer = GLenum(get(host, GL_READ_BUFFER));
+  bool foreign = false;
+  f.readIsWindow = f.readName == 0;
+  if (f.readIsWindow) {
+    f.read = buffer == GL_NONE ? nullptr : windowBuffer(window, buffer, foreign);
+    f.readDepth = window.depthStencil.base != 0 ? &window.depthStencil : nullptr;
+    return;
+  }
+  if (host.CheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return;
+  if (buffer != GL_NONE)
+    f.read = attached(context, GL_READ_FRAMEBUFFER, buffer, foreign);
+  f.readDepth = attached(context, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign);
+}
+
+} // namespace
+
+const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
+  Framebuffers &f = window.framebuffers;
+  SharedImages &shared = sharedOf(context);
+  const bool sizeWanted = !window.sizeKnown && (f.drawName == 0 || f.readName == 0);
+  if ((context.stale & stale::kFramebuffer) == 0 && f.generation == shared.generation &&
+      !sizeWanted) [[likely]]
+    return f;
+  context.stale &= ~stale::kFramebuffer;
+  HostErrorScope errors(context);
+  const host::HostTable &host = *context.host;
+  f = {};
+  f.drawName = GLuint(get(host, GL_DRAW_FRAMEBUFFER_BINDING));
+  f.readName = GLuint(get(host, GL_READ_FRAMEBUFFER_BINDING));
+  if (f.drawName == 0 || f.readName == 0) {
+    // Bits and double buffering are told of the draw framebuffer that is bound.
+    if (!window.sizeKnown || !window.color.described) {
+      if (f.drawName != 0)
+        host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, 0);
+      describeWindow(context, window);
+      if (f.drawName != 0)
+        host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, f.drawName);
+    }
+  }
+  if (f.drawName == 0)
+    describeDrawWindow(context, window, f);
+  else
+    describeDrawObject(context, f);
+  describeRead(context, window, f);
+  f.generation = shared.generation;
+  return f;
+}
+
+} // namespace arbiter::state::software

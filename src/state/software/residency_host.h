@@ -1,0 +1,70 @@
+#pragma once
+#include <iterator>
+
+#include "host/host_table.h"
+#include "state/context.h"
+#include "state/errors.h"
+#include "state/software/residency_images.h"
+#include "util/log.h"
+
+/// Host state that moving pixels needs otherwise than the application left it, put back at the end.
+/// For the files of residency*.cpp only.
+namespace arbiter::state::software {
+
+/// A texture bound to its target on whichever unit is active.
+class TextureBinding {
+public:
+  TextureBinding(const host::HostTable &host, GLenum target, GLuint name);
+  ~TextureBinding();
+  TextureBinding(const TextureBinding &) = delete;
+  TextureBinding &operator=(const TextureBinding &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLenum m_target;
+  GLint m_previous = 0;
+  bool m_changed = false;
+};
+
+/// Plain pixel store and transfer in one direction: rows of `rowLength` pixels, no buffer.
+class PlainPixels {
+public:
+  enum class Way : std::uint8_t { Pack, Unpack };
+  /// \param topRowFirst reads only, where PACK_INVERT_MESA is there
+  PlainPixels(Context &context, WindowImages &window, Way way, GLint rowLength, GLint imageHeight,
+              bool topRowFirst = false);
+  ~PlainPixels();
+  PlainPixels(const PlainPixels &) = delete;
+  PlainPixels &operator=(const PlainPixels &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  PixelModes::Store m_was, m_is;
+  Way m_way;
+  bool m_transfers = false;
+  GLfloat m_scale[5] = {}, m_bias[5] = {};
+  GLint m_mapColor = 0, m_index[3] = {};
+  GLint m_clamp = 0;
+  bool m_clamped = false;
+};
+
+/// Framebuffers of ours bound, or the window's, with its own buffers chosen.
+class FramebufferBinding {
+public:
+  FramebufferBinding(Context &context, GLuint draw, GLuint read);
+  ~FramebufferBinding();
+  FramebufferBinding(const FramebufferBinding &) = delete;
+  FramebufferBinding &operator=(const FramebufferBinding &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLint m_draw = 0, m_read = 0;
+  GLboolean m_scissor = GL_FALSE;
+};
+
+/// Names that no application makes: Gen would give one that an application which makes up its own
+/// names (2.1, allowed before 3.1) takes too. So high that the host goes on giving small ones.
+inline constexpr GLuint kOurTexture = 0xFFFFFF40u;
+inline constexpr GLuint kOurFramebuffer = 0xFFFFFF40u; ///< read from; the next one is drawn to
+
+} // namespace arbiter::state::software

@@ -1,0 +1,276 @@
+// The tables of images, and what the host says that each is.
+#include "state/software/residency_images.h"
+
+#include <algorithm>
+
+#include "host/host_table.h"
+#include "state/context.h"
+#include "state/errors.h"
+#include "state/feedback.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// What the host says of a texture's level, bound to its target.
+void describeLevel(const host::HostTable &host, PixelImage &image) {
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    host.GetTexLevelParameteriv(image.place.target, image.place.level, pname, &value);
+    return value;
+  };
+  image.described = true;
+  image.width = get(GL_TEXTURE_WIDTH);
+  image.height = get(GL_TEXTURE_HEIGHT);
+  image.depth = get(GL_TEXTURE_DEPTH);
+  image.base = 0;
+  image.shadow = {};
+  if (image.width <= 0 || image.height <= 0 || image.depth <= 0)
+    return;
+  HostFormat format;
+  format.internalFormat = image.internalFormat = get(GL_TEXTURE_INTERNAL_FORMAT);
+  format.red = get(GL_TEXTURE_RED_SIZE);
+  format.green = get(GL_TEXTURE_GREEN_SIZE);
+  format.blue = get(GL_TEXTURE_BLUE_SIZE);
+  format.alpha = get(GL_TEXTURE_ALPHA_SIZE);
+  format.luminance = get(GL_TEXTURE_LUMINANCE_SIZE);
+  format.intensity = get(GL_TEXTURE_INTENSITY_SIZE);
+  format.depth = get(GL_TEXTURE_DEPTH_SIZE);
+  format.stencil = get(GL_TEXTURE_STENCIL_SIZE);
+  format.compressed = get(GL_TEXTURE_COMPRESSED) != 0;
+  format.type = get(format.depth != 0       ? GL_TEXTURE_DEPTH_TYPE
+                    : format.luminance != 0 ? GL_TEXTURE_LUMINANCE_TYPE
+                    : format.intensity != 0 ? GL_TEXTURE_INTENSITY_TYPE
+                    : format.red != 0       ? GL_TEXTURE_RED_TYPE
+                                            : GL_TEXTURE_ALPHA_TYPE);
+  // Borders have texels that the sizes count and that sampling treats apart.
+  if (get(GL_TEXTURE_BORDER) != 0 || !formatOf(format, image.base, image.format)) {
+    image.base = 0;
+    return;
+  }
+  image.shadow.format = image.format;
+  image.shadow.width = image.width;
+  image.shadow.height = image.height;
+  image.shadow.depth = image.depth;
+}
+
+int faceOf(GLenum imageTarget) {
+  return imageTarget >= GL_TEXTURE_CUBE_MAP_POSITIVE_X &&
+                 imageTarget <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z
+             ? int(imageTarget - GL_TEXTURE_CUBE_MAP_POSITIVE_X)
+             : 0;
+}
+
+} // namespace
+
+SharedImages &sharedOf(Context &context) { return context.group->softwareImages(); }
+
+WindowImages *windowOf(Context &context) {
+  if (!context.software)
+    return nullptr;
+  if (!context.software->images)
+    context.software->images = std::make_unique<WindowImages>();
+  return static_cast<WindowImages *>(context.software->images.get());
+}
+
+Texture &textureOf(SharedImages &shared, GLuint name) {
+  std::unique_ptr<Texture> &texture = shared.textures[name];
+  if (!texture) {
+    texture = std::make_unique<Texture>();
+    texture->name = name;
+  }
+  return *texture;
+}
+
+GLenum textureTargetOf(GLenum imageTarget) {
+  switch (imageTarget) {
+  case GL_TEXTURE_1D:
+  case GL_TEXTURE_2D:
+  case GL_TEXTURE_3D:
+  case GL_TEXTURE_RECTANGLE:
+  case GL_TEXTURE_CUBE_MAP:
+    return imageTarget;
+  default:
+    return imageTarget >= GL_TEXTURE_CUBE_MAP_POSITIVE_X &&
+                   imageTarget <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z
+               ? GL_TEXTURE_CUBE_MAP
+               : 0;
+  }
+}
+
+GLenum findTarget(Context &context, Texture &texture) {
+  if (texture.target != 0 || texture.name == 0)
+    return texture.target;
+  const host::HostTable &host = *context.host;
+  HostErrorScope errors(context);
+  // A name belongs to the target that it was first bound to, and to bind it to another is an error
+  // that changes nothing.
+  for (const GLenum target :
+       {GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D, GL_TEXTURE_1D}) {
+    const TextureBinding binding(host, target, texture.name);
+    GLint bound = 0;
+    host.GetIntegerv(bindingOf(target == GL_TEXTURE_CUBE_MAP
+                                   ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X)
+                                   : GLenum(target)),
+                     &bound);
+    if (GLuint(bound) == texture.name) {
+      texture.target = target;
+      break;
+    }
+  }
+  return texture.target;
+}
+
+PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget, GLint level) {
+  const GLenum target = textureTargetOf(imageTarget);
+  if (target == 0 || level < 0 || level >= abi::kMaxLevels || texture.name == 0)
+    return nullptr; // texture 0 is a texture per target: rare, and its name tells them not apart
+  if (texture.target == 0)
+    texture.target = target;
+  if (texture.target != target)
+    return nullptr;
+  const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+  const auto index = std::size_t(faces * level + faceOf(imageTarget));
+  if (index >= texture.images.size())
+    texture.images.resize(index + 1);
+  std::unique_ptr<PixelImage> &image = texture.images[index];
+  if (!image) {
+    image = std::make_unique<PixelImage>();
+    image->place = {Place::Kind::Texture, texture.name, imageTarget, level};
+    image->texture = &texture;
+  }
+  if (!image->described) {
+    HostErrorScope errors(context);
+    const TextureBinding binding(*context.host, target, texture.name);
+    describeLevel(*context.host, *image);
+  }
+  return image.get();
+}
+
+PixelImage &renderbufferOf(Context &context, GLuint name) {
+  std::unique_ptr<PixelImage> &image = sharedOf(context).renderbuffers[name];
+  if (!image) {
+    image = std::make_unique<PixelImage>();
+    image->place = {Place::Kind::Renderbuffer, name, GL_RENDERBUFFER, 0};
+  }
+  if (image->described)
+    return *image;
+  const host::HostTable &host = *context.host;
+  HostErrorScope errors(context);
+  GLint previous = 0;
+  host.GetIntegerv(GL_RENDERBUFFER_BINDING, &previous);
+  host.BindRenderbuffer(GL_RENDERBUFFER, name);
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    host.GetRenderbufferParameteriv(GL_RENDERBUFFER, pname, &value);
+    return value;
+  };
+  image->described = true;
+  image->width = get(GL_RENDERBUFFER_WIDTH);
+  image->height = get(GL_RENDERBUFFER_HEIGHT);
+  HostFormat format;
+  format.internalFormat = image->internalFormat = get(GL_RENDERBUFFER_INTERNAL_FORMAT);
+  format.red = get(GL_RENDERBUFFER_RED_SIZE);
+  format.green = get(GL_RENDERBUFFER_GREEN_SIZE);
+  format.blue = get(GL_RENDERBUFFER_BLUE_SIZE);
+  format.alpha = get(GL_RENDERBUFFER_ALPHA_SIZE);
+  format.depth = get(GL_RENDERBUFFER_DEPTH_SIZE);
+  format.stencil = get(GL_RENDERBUFFER_STENCIL_SIZE);
+  const GLint samples = get(GL_RENDERBUFFER_SAMPLES);
+  host.BindRenderbuffer(GL_RENDERBUFFER, GLuint(previous));
+  // The type can be asked of an attachment only; sizes of 8 are always integers, and the others are
+  // told apart by the name of the format.
+  switch (format.internalFormat) {
+  case GL_RGBA32F:
+  case GL_RGB32F:
+  case GL_RG32F:
+  case GL_R32F:
+  case GL_RGBA16F:
+  case GL_RGB16F:
+  case GL_RG16F:
+  case GL_R16F:
+  case GL_DEPTH_COMPONENT32F:
+  case GL_DEPTH32F_STENCIL8:
+    format.type = GL_FLOAT;
+    break;
+  case GL_RGBA:
+  case GL_RGBA8:
+  case GL_RGB:
+  case GL_RGB8:
+  case GL_RG8:
+  case GL_R8:
+  case GL_RG:
+  case GL_RED:
+  case GL_RGBA16:
+  case GL_RGB16:
+  case GL_RG16:
+  case GL_R16:
+  case GL_DEPTH_COMPONENT:
+  case GL_DEPTH_COMPONENT16:
+  case GL_DEPTH_COMPONENT24:
+  case GL_DEPTH_COMPONENT32:
+  case GL_DEPTH_STENCIL:
+  case GL_DEPTH24_STENCIL8:
+    format.type = GL_UNSIGNED_NORMALIZED;
+    break;
+  default:
+    format.type = 0; // integers and signed ones
+  }
+  image->base = 0;
+  image->shadow = {};
+  if (samples != 0 || image->width <= 0 || image->height <= 0 ||
+      !formatOf(format, image->base, image->format)) {
+    image->base = 0;
+    return *image;
+  }
+  image->shadow.format = image->format;
+  image->shadow.width = image->width;
+  image->shadow.height = image->height;
+  return *image;
+}
+
+void setNewest(Context &context, PixelImage &image, Newest newest) {
+  SharedImages &shared = sharedOf(context);
+  if ((image.newest == Newest::Host) != (newest == Newest::Host))
+    shared.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
+  image.newest = newest;
+  image.shown = false;
+  if (newest != Newest::Shadow)
+    return;
+  context.hostIsBehind = true;
+  if (image.listed)
+    return;
+  image.listed = true;
+  if (image.place.kind == Place::Kind::Window)
+    windowOf(context)->pending.push_back(&image);
+  else
+    shared.pending.push_back(&image);
+}
+
+void dropShadow(Context &context, PixelImage &image) {
+  setNewest(context, image, Newest::Host);
+  image.drawnHere = 0;
+  image.shadow.storage.reset();
+  image.shadow.format = image.format;
+}
+
+bool makeOwn(PixelImage &image, bool keep) {
+  swrast::Image &shadow = image.shadow;
+  const bool fits = !shadow.empty() && writable(shadow.format, image.format);
+  if (fits && (keep || !shadow.shared()))
+    return swrast::makeWritable(shadow, keep);
+  swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth,
+                                         image.place.kind == Place::Kind::Window);
+  if (made.empty())
+    return false;
+  if (keep && !shadow.empty())
+    for (int z = 0; z < image.depth; ++z)
+      swrast::copyPixels(made, 0, 0, z, shadow, {0, 0, image.width, image.height}, z);
+  shadow = std::move(made);
+  return true;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,181 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "state/software/context_state.h"
+#include "state/software/residency.h"
+#include "swrast/image.h"
+
+/// The images that residency keeps: what each is, where its newest pixels are, and the tables that
+/// find them. For the files of residency*.cpp only.
+namespace arbiter::state::software {
+
+enum class Newest : std::uint8_t {
+  Host,  ///< there is no shadow that counts
+  Both,  ///< equal
+  Shadow ///< pending: the host is behind
+};
+
+/// How an image is named when its pixels are moved.
+struct Place {
+  enum class Kind : std::uint8_t { Texture, Renderbuffer, Window } kind = Kind::Texture;
+  GLuint name = 0;
+  GLenum target = 0; ///< image target of a texture; of a window GL_BACK, GL_FRONT or GL_DEPTH
+  GLint level = 0;
+};
+
+struct Texture;
+
+/// One image: a face's level of a texture, a renderbuffer, a buffer of the window.
+struct PixelImage {
+  Place place;
+  Texture *texture = nullptr; ///< that it is a level of
+  bool described = false;     ///< the host was asked what it is; what follows holds
+  GLint internalFormat = 0;   ///< as the host tells it
+  GLenum base = 0;    ///< GL_RGBA, GL_LUMINANCE .., GL_DEPTH_COMPONENT; 0: not one that we have
+  abi::Format format; ///< that a shadow of it has at first
+  int width = 0, height = 0, depth = 1;
+  /// Sizes and format are set even while there are no pixels. The format may differ from `format`
+  /// after a copy: it then gives the same RGBA at the same precision.
+  swrast::Image shadow;
+  Newest newest = Newest::Host;
+  bool listed = false;         ///< in a list of pending images
+  bool shown = false;          ///< of the window: others see these pixels already
+  std::uint32_t drawnHere = 0; ///< draws of ours since the host last wrote to it
+};
+
+/// A texture object; faces and levels as far as they were asked for.
+struct Texture {
+  GLuint name = 0;
+  GLenum target = 0; ///< 0: not known yet
+  bool immutable = false, immutableKnown = false;
+  std::vector<std::unique_ptr<PixelImage>> images; ///< faces * level + face; null: never asked for
+  TextureImages view;
+  std::array<abi::TextureLevel, 6 * abi::kMaxLevels> levels;
+};
+
+/// What the contexts of a group share; in the ShareGroup.
+struct SharedImages {
+  std::mutex mutex;
+  std::unordered_map<GLuint, std::unique_ptr<Texture>> textures;
+  std::unordered_map<GLuint, std::unique_ptr<PixelImage>> renderbuffers;
+  std::vector<PixelImage *> pending; ///< textures and renderbuffers
+  /// Moves on when an image may be another than a framebuffer's description says.
+  std::uint64_t generation = 1;
+  /// Images whose shadow counts, windows' included: while there are none, nothing is to be done.
+  std::size_t valid = 0;
+  bool drawn = false;          ///< by us, ever
+  std::atomic<int> current{0}; ///< contexts that are current on some thread
+  ResidencyStatistics statistics;
+};
+
+/// The draw and read framebuffers, as the host tells.
+struct Framebuffers {
+  std::uint64_t generation = 0; ///< of SharedImages when it was asked; 0: never
+  GLuint drawName = 0, readName = 0;
+  const char *reason = nullptr; ///< why the draw framebuffer is not ours
+  std::array<PixelImage *, abi::kMaxColorTargets> color{};
+  PixelImage *depthStencil = nullptr;
+  int depthBits = 0, stencilBits = 0;
+  int width = 0, height = 0;
+  PixelImage *read = nullptr; ///< the read buffer; null: none, or not ours
+  PixelImage *readDepth = nullptr;
+  bool readIsWindow = false;
+};
+
+/// Pixel store and transfer, asked for while stale::kPixelStore is set.
+struct PixelModes {
+  struct Store {
+    GLint swapBytes = 0, lsbFirst = 0, rowLength = 0, imageHeight = 0, skipRows = 0, skipPixels = 0,
+          skipImages = 0, alignment = 4, invert = 0, buffer = 0;
+    bool operator==(const Store &) const = default;
+  };
+  Store pack, unpack;
+  bool transfers = false; ///< scales, biases or maps colours
+  bool transfersDepth = false;
+};
+
+/// A context's own part.
+struct WindowImages final : ContextImages {
+  Drawable drawable;
+  bool sizeKnown = false, current = false;
+  bool doubleBuffered = false;
+  PixelImage color, depthStencil;
+  int depthBits = 0, stencilBits = 0;
+  std::vector<PixelImage *> pending; ///< of the two
+  Framebuffers framebuffers;
+  DrawTargets targets;
+  PixelModes modes;
+  GLuint uploadTexture = 0; ///< ours, for what cannot be written to otherwise
+  GLint uploadWidth = 0, uploadHeight = 0;
+  GLint uploadFormat = 0;
+};
+
+[[nodiscard]] SharedImages &sharedOf(Context &context);
+/// Null where the rasterizer is not used.
+[[nodiscard]] WindowImages *windowOf(Context &context);
+
+// --- residency_images.cpp ---
+[[nodiscard]] Texture &textureOf(SharedImages &shared, GLuint name);
+/// The level's image, its description asked for; null for a target or level that there is not.
+[[nodiscard]] PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget,
+                                  GLint level);
+[[nodiscard]] PixelImage &renderbufferOf(Context &context, GLuint name);
+/// The texture's own target of one of an image: GL_TEXTURE_CUBE_MAP for its faces.
+[[nodiscard]] GLenum textureTargetOf(GLenum imageTarget);
+/// Finds out a texture's target where only its name is known. 0: none that we know.
+[[nodiscard]] GLenum findTarget(Context &context, Texture &texture);
+void setNewest(Context &context, PixelImage &image, Newest newest);
+/// The shadow's memory is given back: the host has all.
+void dropShadow(Context &context, PixelImage &image);
+/// A shadow with memory of its own that may be written. \param keep its contents are needed
+[[nodiscard]] bool makeOwn(PixelImage &image, bool keep);
+
+// --- residency_formats.cpp ---
+/// What `internalFormat` with these component sizes is to us. False: not one that we have.
+struct HostFormat {
+  GLint internalFormat = 0;
+  GLint red = 0, green = 0, blue = 0, alpha = 0, luminance = 0, intensity = 0, depth = 0,
+        stencil = 0;
+  GLint type = 0; ///< of the first component: GL_UNSIGNED_NORMALIZED, GL_FLOAT
+  bool compressed = false;
+};
+[[nodiscard]] bool formatOf(const HostFormat &host, GLenum &base, abi::Format &format);
+/// How the host is told of pixels in this format: exact, without a change of any component that an
+/// image of `base` has. False: it must be converted first.
+struct GlFormat {
+  GLenum format = 0, type = 0;
+};
+[[nodiscard]] bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl);
+/// `from` as an image of `base`, if only the order of components must change (same precision).
+[[nodiscard]] bool viewAs(const abi::Format &from, GLenum base, const abi::Format &wanted,
+                          abi::Format &view);
+/// True if all that `base` stores can be written to the format.
+[[nodiscard]] bool writable(const abi::Format &format, const abi::Format &canonical);
+
+// --- residency_framebuffer.cpp ---
+[[nodiscard]] const Framebuffers &framebuffersOf(Context &context, WindowImages &window);
+
+// --- residency_read.cpp ---
+/// All of an 8-bit image, in rows of `stride` bytes of the application's.
+void writeApplicationRows(const swrast::Image &image, GLenum format, std::uint8_t *to,
+                          std::ptrdiff_t stride, bool topRowFirst);
+
+// --- residency_host.cpp ---
+[[nodiscard]] const PixelModes &pixelModes(Context &context, WindowImages &window);
+
+// --- residency_transfer.cpp ---
+/// The shadow gets what the host has. False: no memory, or the host refused.
+[[nodiscard]] bool download(Context &context, WindowImages &window, PixelImage &image);
+/// The host gets what the shadow has.
+void upload(Context &context, WindowImages &window, PixelImage &image);
+
+} // namespace arbiter::state::software

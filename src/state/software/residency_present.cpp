@@ -1,0 +1,112 @@
+// Frames, and contexts that come and go.
+#include <cstring>
+
+#include "state/share_group.h"
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// One image of the window given to the host, if it is newer.
+void give(Context &context, WindowImages &window, PixelImage &image) {
+  if (image.newest != Newest::Shadow)
+    return;
+  upload(context, window, image);
+  setNewest(context, image, Newest::Both);
+}
+
+void updateBehind(Context &context, const WindowImages &window) {
+  bool behind = false;
+  for (const PixelImage *image : sharedOf(context).pending)
+    behind = behind || image->newest == Newest::Shadow;
+  for (const PixelImage *image : window.pending)
+    behind = behind || image->newest == Newest::Shadow;
+  context.hostIsBehind = behind;
+}
+
+/// The window's pixels to the application's memory, which it reads after Finish.
+void copyToMemory(WindowImages &window) {
+  Drawable &drawable = window.drawable;
+  PixelImage &image = window.color;
+  if (image.newest != Newest::Shadow || image.shown || !drawable.memory)
+    return;
+  GLint rowLength = image.width;
+  bool topRowFirst = false;
+  if (drawable.memoryLayout)
+    drawable.memoryLayout(drawable, rowLength, topRowFirst);
+  const int bytes = drawable.memoryFormat == GL_RGB || drawable.memoryFormat == GL_BGR ? 3 : 4;
+  writeApplicationRows(image.shadow, drawable.memoryFormat,
+                       static_cast<std::uint8_t *>(drawable.memory),
+                       std::ptrdiff_t(rowLength) * bytes, topRowFirst);
+  image.shown = true;
+}
+
+} // namespace
+
+void present(Context &context) {
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return;
+  const std::lock_guard lock(sharedOf(context).mutex);
+  // Nobody sees a pbuffer, and swapping it does nothing to it.
+  if (window->drawable.kind == Drawable::Kind::Window) {
+    give(context, *window, window->color);
+    window->sizeKnown = false;
+    updateBehind(context, *window);
+  }
+}
+
+void leave(Context &context) {
+  WindowImages *const window = windowOf(context);
+  if (!window || !window->current)
+    return;
+  synchronise(context, "the context leaves its thread");
+  if (window->drawable.kind == Drawable::Kind::Memory)
+    context.host->Flush();
+  const std::lock_guard lock(sharedOf(context).mutex);
+  dropShadow(context, window->color);
+  dropShadow(context, window->depthStencil);
+  window->current = false;
+  sharedOf(context).current.fetch_sub(1);
+}
+
+void enter(Context &context) {
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return;
+  SharedImages &shared = sharedOf(context);
+  const std::lock_guard lock(shared.mutex);
+  if (!window->current) {
+    window->current = true;
+    shared.current.fetch_add(1);
+  }
+  // Another context may have drawn to this window, and textures of the group may be newer than
+  // the host's.
+  dropShadow(context, window->color);
+  dropShadow(context, window->depthStencil);
+  window->color.described = window->depthStencil.described = false;
+  window->sizeKnown = false;
+  window->drawable = context.drawable;
+  context.stale = ~0u;
+  updateBehind(context, *window);
+}
+
+void flush(Context &context, bool finish) {
+  WindowImages *const window = windowOf(context);
+  if (window) {
+    const bool visible = window->drawable.kind == Drawable::Kind::Window &&
+                         !window->doubleBuffered && window->color.newest == Newest::Shadow;
+    if (visible || context.group->contexts.load(std::memory_order_relaxed) > 1)
+      synchronise(context, "flush");
+  }
+  if (finish)
+    context.host->Finish();
+  else
+    context.host->Flush();
+  // After the host, which writes its own, older pixels there.
+  if (window && window->drawable.kind == Drawable::Kind::Memory)
+    copyToMemory(*window);
+}
+
+} // namespace arbiter::state::software

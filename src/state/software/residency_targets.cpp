@@ -1,0 +1,91 @@
+// The draw framebuffer as images to draw to.
+#include <algorithm>
+
+#include "state/share_group.h"
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+bool covers(const swrast::Rect &rect, const PixelImage &image) {
+  return rect.x <= 0 && rect.y <= 0 && rect.x + rect.width >= image.width &&
+         rect.y + rect.height >= image.height;
+}
+
+/// The image's own format again, where a copy left another that gives the same values.
+bool restoreFormat(PixelImage &image) {
+  if (image.shadow.empty() || writable(image.shadow.format, image.format))
+    return true;
+  swrast::Image own = swrast::makeImage(image.format, image.width, image.height, image.depth);
+  if (own.empty())
+    return false;
+  for (int z = 0; z < image.depth; ++z)
+    swrast::copyPixels(own, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
+  image.shadow = std::move(own);
+  return true;
+}
+
+/// The shadow becomes the newest, ready to be written to.
+bool acquire(Context &context, WindowImages &window, PixelImage &image, bool keep) {
+  if (keep && image.newest == Newest::Host && !download(context, window, image))
+    return false;
+  if (!makeOwn(image, keep))
+    return false;
+  setNewest(context, image, Newest::Shadow);
+  sharedOf(context).drawn = true;
+  ++image.drawnHere;
+  return true;
+}
+
+} // namespace
+
+const DrawTargets *describeTargets(Context &context, const char *&reason) {
+  WindowImages *const window = windowOf(context);
+  reason = "target";
+  if (!window)
+    return nullptr;
+  const std::lock_guard lock(sharedOf(context).mutex);
+  const Framebuffers &f = framebuffersOf(context, *window);
+  if (f.reason) {
+    reason = f.reason;
+    return nullptr;
+  }
+  DrawTargets &targets = window->targets;
+  targets = {};
+  targets.width = f.width;
+  targets.height = f.height;
+  for (std::size_t i = 0; i < f.color.size(); ++i) {
+    if (!f.color[i])
+      continue;
+    if (!restoreFormat(*f.color[i])) {
+      reason = "memory";
+      return nullptr;
+    }
+    targets.color[i] = &f.color[i]->shadow;
+  }
+  targets.depthStencil = f.depthStencil ? &f.depthStencil->shadow : nullptr;
+  targets.depthBits = f.depthBits;
+  targets.stencilBits = f.stencilBits;
+  targets.isWindow = f.drawName == 0;
+  targets.doubleBuffered = targets.isWindow && window->doubleBuffered;
+  return &targets;
+}
+
+bool acquireTargets(Context &context, const swrast::Rect &overwritten, bool depthUsed,
+                    bool stencilUsed) {
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return false;
+  const std::lock_guard lock(sharedOf(context).mutex);
+  const Framebuffers &f = framebuffersOf(context, *window);
+  if (f.reason)
+    return false;
+  for (PixelImage *image : f.color)
+    if (image && !acquire(context, *window, *image, !covers(overwritten, *image)))
+      return false;
+  return !f.depthStencil || !(depthUsed || stencilUsed) ||
+         acquire(context, *window, *f.depthStencil, true);
+}
+
+} // namespace arbiter::state::software

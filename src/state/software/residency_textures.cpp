@@ -1,0 +1,228 @@
+// Textures as a program samples them, and what ends a shadow of one.
+#include <algorithm>
+#include <bit>
+
+#include "state/feedback.h"
+#include "state/program_api.h"
+#include "state/share_group.h"
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+GLenum targetOf(abi::Dimension dimension) {
+  switch (dimension) {
+  case abi::Dimension::Tex1D:
+    return GL_TEXTURE_1D;
+  case abi::Dimension::Tex2D:
+    return GL_TEXTURE_2D;
+  case abi::Dimension::Tex3D:
+    return GL_TEXTURE_3D;
+  case abi::Dimension::Cube:
+    return GL_TEXTURE_CUBE_MAP;
+  case abi::Dimension::Rect:
+    return GL_TEXTURE_RECTANGLE;
+  }
+  return 0;
+}
+
+/// BASE_LEVEL and MAX_LEVEL, as the mirror knows them of a unit that the texture is bound to.
+struct LevelRange {
+  GLint base = 0, max = 1000;
+};
+LevelRange rangeOf(const Context &context, GLuint name, abi::Dimension dimension) {
+  for (const auto &unit : context.software->mirror.samplers) {
+    const SamplerState &sampler = unit[std::size_t(dimension)];
+    if (sampler.texture == name && sampler.seen != 0)
+      return {sampler.baseLevel, sampler.maxLevel};
+  }
+  return {};
+}
+
+abi::TextureLevel viewOf(const swrast::Image &image) {
+  return {.base = image.pixel(0, 0),
+          .rowStride = image.rowStride,
+          .sliceStride = image.sliceStride,
+          .width = image.width,
+          .height = image.height,
+          .depth = image.depth};
+}
+
+/// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
+/// `complete` tells whether GL would sample them at all (3.8.10).
+class Completeness {
+public:
+  Completeness(Context &context, WindowImages &window, Texture &texture)
+      : m_context(context), m_window(window), m_texture(texture) {}
+
+  bool gather(GLenum target, LevelRange range, bool mipmapped, const char *&reason) {
+    TextureImages &view = m_texture.view;
+    view = {};
+    const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+    const GLenum first = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+    PixelImage *const base = levelOf(m_context, m_texture, first, range.base);
+    if (range.base > range.max || !base || base->width <= 0)
+      return true; // incomplete
+    if (base->base == 0) {
+      reason = "texture";
+      return false;
+    }
+    int levels = 1;
+    if (mipmapped) {
+      const auto largest = unsigned(std::max({base->width, base->height, base->depth}));
+      levels = std::min(int(std::bit_width(largest)), range.max - range.base + 1);
+    }
+    levels = std::min(levels, abi::kMaxLevels - range.base);
+    for (int level = 0; level < levels; ++level)
+      for (int face = 0; face < faces; ++face) {
+        PixelImage *const image =
+            levelOf(m_context, m_texture, first + GLenum(face), range.base + level);
+        if (!image || !fits(*image, *base, level, faces == 6))
+          return true; // incomplete
+      }
+    if (!valid(first, faces, range.base, levels, *base, reason))
+      return false;
+    for (int level = 0; level < levels; ++level)
+      for (int face = 0; face < faces; ++face)
+        m_texture.levels[std::size_t(faces * level + face)] =
+            viewOf(levelOf(m_context, m_texture, first + GLenum(face), range.base + level)->shadow);
+    view.format = base->shadow.format;
+    view.complete = true;
+    view.powerOfTwo = std::has_single_bit(unsigned(base->width)) &&
+                      std::has_single_bit(unsigned(base->height)) &&
+                      std::has_single_bit(unsigned(base->depth));
+    view.view.levels = m_texture.levels.data();
+    view.view.levelCount = levels;
+    return true;
+  }
+
+private:
+  static bool fits(const PixelImage &image, const PixelImage &base, int level, bool cube) {
+    const auto size = [level](int of) { return std::max(1, of >> level); };
+    return image.internalFormat == base.internalFormat && image.width == size(base.width) &&
+           image.height == size(base.height) && image.depth == size(base.depth) &&
+           (!cube || image.width == image.height);
+  }
+
+  /// Downloads what the host has newer, and makes one format of all.
+  bool valid(GLenum first, int faces, int baseLevel, int levels, const PixelImage &base,
+             const char *&reason) {
+    bool oneFormat = true;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int level = 0; level < levels; ++level)
+        for (int face = 0; face < faces; ++face) {
+          PixelImage &image =
+              *levelOf(m_context, m_texture, first + GLenum(face), baseLevel + level);
+          if (pass == 0 && image.newest == Newest::Host && !download(m_context, m_window, image)) {
+            reason = "memory";
+            return false;
+          }
+          if (pass == 1 && !oneFormat && !own(image)) {
+            reason = "memory";
+            return false;
+          }
+          oneFormat = oneFormat && (pass == 1 || image.shadow.format == base.shadow.format);
+        }
+    }
+    return true;
+  }
+
+  static bool own(PixelImage &image) {
+    if (image.shadow.format == image.format)
+      return true;
+    swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth);
+    if (made.empty())
+      return false;
+    for (int z = 0; z < image.depth; ++z)
+      swrast::copyPixels(made, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
+    image.shadow = std::move(made);
+    return true;
+  }
+
+  Context &m_context;
+  WindowImages &m_window;
+  Texture &m_texture;
+};
+
+} // namespace
+
+const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimension dimension,
+                                    bool mipmapped, const char *&reason) {
+  WindowImages *const window = windowOf(context);
+  reason = "texture";
+  const GLenum target = targetOf(dimension);
+  if (!window || name == 0)
+    return nullptr;
+  SharedImages &shared = sharedOf(context);
+  const std::lock_guard lock(shared.mutex);
+  Texture &texture = textureOf(shared, name);
+  if (!Completeness(context, *window, texture)
+           .gather(target, rangeOf(context, name, dimension), mipmapped, reason))
+    return nullptr;
+  texture.view.dimension = dimension;
+  return &texture.view;
+}
+
+namespace {
+
+/// The host has all of the texture, and its levels may be others from now on.
+void redefine(Context &context, Texture &texture) {
+  for (const std::unique_ptr<PixelImage> &image : texture.images)
+    if (image) {
+      dropShadow(context, *image);
+      image->described = false;
+    }
+}
+
+} // namespace
+
+void textureRedefined(Context &context, GLenum target) {
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return;
+  SharedImages &shared = sharedOf(context);
+  const std::lock_guard lock(shared.mutex);
+  if (shared.textures.empty())
+    return;
+  GLuint name = 0;
+  if (target != 0) {
+    const GLenum binding =
+        bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
+    if (binding == 0)
+      return; // a proxy, an array: none of ours
+    GLint bound = 0;
+    context.host->GetIntegerv(binding, &bound);
+    name = GLuint(bound);
+  }
+  for (const auto &[key, texture] : shared.textures) {
+    if (target != 0 && key != name)
+      continue;
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image && image->newest == Newest::Shadow) {
+        upload(context, *window, *image);
+        setNewest(context, *image, Newest::Both);
+      }
+    redefine(context, *texture);
+  }
+  ++shared.generation;
+}
+
+void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
+  if (!windowOf(context) || !names)
+    return;
+  SharedImages &shared = sharedOf(context);
+  const std::lock_guard lock(shared.mutex);
+  for (GLsizei i = 0; i < n; ++i) {
+    const auto found = shared.textures.find(names[i]);
+    if (found == shared.textures.end())
+      continue;
+    redefine(context, *found->second);
+    std::erase_if(shared.pending,
+                  [&](const PixelImage *image) { return image->texture == found->second.get(); });
+    shared.textures.erase(found);
+    ++shared.generation;
+  }
+}
+
+} // namespace arbiter::state::software

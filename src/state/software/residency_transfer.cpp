@@ -1,0 +1,244 @@
+// Pixels between the host and the shadows.
+#include <algorithm>
+
+#include "state/software/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using swrast::Image;
+
+bool isDepth(const PixelImage &image) {
+  return image.base == GL_DEPTH_COMPONENT || image.base == GL_DEPTH_STENCIL;
+}
+
+/// Rows in memory, from the lowest address on, and how many pixels lie from one to the next.
+struct Rows {
+  std::uint8_t *data = nullptr;
+  GLint rowLength = 0;
+  bool topRowFirst = false;
+};
+Rows rowsOf(const Image &image) {
+  Rows rows;
+  rows.topRowFirst = image.rowStride < 0 && image.height > 1;
+  rows.data = image.pixel(0, rows.topRowFirst ? image.height - 1 : 0);
+  const std::int64_t stride = image.rowStride < 0 ? -image.rowStride : image.rowStride;
+  rows.rowLength = GLint(stride / abi::bytesOf(image.format.layout));
+  return rows;
+}
+GLint imageHeightOf(const Image &image) {
+  return image.depth > 1 ? GLint(image.sliceStride / image.rowStride) : 0;
+}
+
+std::uint64_t bytesOf(const PixelImage &image) {
+  return std::uint64_t(image.width) * std::uint64_t(image.height) * std::uint64_t(image.depth) *
+         std::uint64_t(abi::bytesOf(image.format.layout));
+}
+
+/// What the host reads from: the image as the only attachment of a framebuffer of ours, or the
+/// window's buffer.
+class Attachment {
+public:
+  Attachment(Context &context, GLenum framebuffer, const PixelImage &image)
+      : m_host(*context.host), m_framebuffer(framebuffer) {
+    if (image.place.kind == Place::Kind::Window) {
+      if (isDepth(image))
+        return;
+      m_window = true;
+      m_host.GetIntegerv(framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_BUFFER : GL_DRAW_BUFFER,
+                         &m_buffer);
+      set(GLint(image.place.target));
+      return;
+    }
+    m_attachment = !isDepth(image)                  ? GL_COLOR_ATTACHMENT0
+                   : image.base == GL_DEPTH_STENCIL ? GL_DEPTH_STENCIL_ATTACHMENT
+                                                    : GL_DEPTH_ATTACHMENT;
+    if (image.place.kind == Place::Kind::Renderbuffer)
+      m_host.FramebufferRenderbuffer(framebuffer, m_attachment, GL_RENDERBUFFER, image.place.name);
+    else
+      m_host.FramebufferTexture2D(framebuffer, m_attachment, image.place.target, image.place.name,
+                                  image.place.level);
+    const GLenum buffer = isDepth(image) ? GL_NONE : GL_COLOR_ATTACHMENT0;
+    framebuffer == GL_READ_FRAMEBUFFER ? m_host.ReadBuffer(buffer) : m_host.DrawBuffer(buffer);
+  }
+  ~Attachment() {
+    if (m_window)
+      set(m_buffer);
+    else if (m_attachment != 0)
+      m_host.FramebufferRenderbuffer(m_framebuffer, m_attachment, GL_RENDERBUFFER, 0);
+  }
+  Attachment(const Attachment &) = delete;
+  Attachment &operator=(const Attachment &) = delete;
+
+private:
+  void set(GLint buffer) {
+    if (m_framebuffer == GL_READ_FRAMEBUFFER)
+      m_host.ReadBuffer(GLenum(buffer));
+    else
+      m_host.DrawBuffer(GLenum(buffer));
+  }
+  const host::HostTable &m_host;
+  GLenum m_framebuffer;
+  GLenum m_attachment = 0;
+  GLint m_buffer = 0;
+  bool m_window = false;
+};
+
+void readTexture(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
+                 const GlFormat &gl) {
+  const Rows rows = rowsOf(to);
+  const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
+                               image.place.name);
+  const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength,
+                           imageHeightOf(to));
+  context.host->GetTexImage(image.place.target, image.place.level, gl.format, gl.type, rows.data);
+}
+
+void readBuffer(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
+                const GlFormat &gl) {
+  const Rows rows = rowsOf(to);
+  const bool isWindow = image.place.kind == Place::Kind::Window;
+  GLint draw = 0;
+  context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+  const FramebufferBinding framebuffers(context, GLuint(draw), isWindow ? 0 : kOurFramebuffer);
+  const Attachment attachment(context, GL_READ_FRAMEBUFFER, image);
+  const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength, 0,
+                           rows.topRowFirst);
+  context.host->ReadPixels(0, 0, image.width, image.height, gl.format, gl.type, rows.data);
+}
+
+/// An image as the host can be told of it: the shadow itself, or its copy in another order.
+Image plain(const PixelImage &image, bool topRowFirst, GlFormat &gl) {
+  const Image &shadow = image.shadow;
+  const bool flipped = shadow.rowStride < 0 && shadow.height > 1;
+  if (glFormatOf(shadow.format, image.base, gl) && flipped == topRowFirst)
+    return shadow;
+  abi::Format format = shadow.format;
+  if (!glFormatOf(format, image.base, gl)) {
+    format = image.format;
+    (void)glFormatOf(format, image.base, gl);
+  }
+  Image copy = swrast::makeImage(format, shadow.width, shadow.height, shadow.depth, topRowFirst);
+  if (copy.empty())
+    return copy;
+  for (int z = 0; z < shadow.depth; ++z)
+    swrast::copyPixels(copy, 0, 0, z, shadow, {0, 0, shadow.width, shadow.height}, z);
+  return copy;
+}
+
+void writeTexture(Context &context, WindowImages &window, GLenum target, GLint level,
+                  const Image &from, const GlFormat &gl) {
+  const host::HostTable &host = *context.host;
+  const Rows rows = rowsOf(from);
+  const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, rows.rowLength,
+                           imageHeightOf(from));
+  if (target == GL_TEXTURE_1D)
+    host.TexSubImage1D(target, level, 0, from.width, gl.format, gl.type, rows.data);
+  else if (target == GL_TEXTURE_3D)
+    host.TexSubImage3D(target, level, 0, 0, 0, from.width, from.height, from.depth, gl.format,
+                       gl.type, rows.data);
+  else
+    host.TexSubImage2D(target, level, 0, 0, from.width, from.height, gl.format, gl.type, rows.data);
+}
+
+/// A renderbuffer or a buffer of the window: the host has no command to write it but drawing and
+/// blitting, and a blit between equal formats is a copy. The texture keeps the rows as they lie in
+/// memory; where they lie top row first it is blitted upside down.
+void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
+  const host::HostTable &host = *context.host;
+  const bool isWindow = image.place.kind == Place::Kind::Window;
+  const bool flipped = image.shadow.rowStride < 0 && image.shadow.height > 1;
+  GlFormat gl;
+  const Image from = plain(image, flipped, gl);
+  if (from.empty())
+    return logWarn("residency", "no memory to give the host an image of %d x %d", image.width,
+                   image.height);
+  const GLint internalFormat = isDepth(image)
+                                   ? GLint(gl.format == GL_DEPTH_STENCIL  ? GL_DEPTH24_STENCIL8
+                                           : gl.type == GL_FLOAT          ? GL_DEPTH_COMPONENT32F
+                                           : gl.type == GL_UNSIGNED_SHORT ? GL_DEPTH_COMPONENT16
+                                                                          : GL_DEPTH_COMPONENT24)
+                               : isWindow ? GL_RGBA
+                                          : image.internalFormat;
+  const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
+  if (window.uploadTexture != kOurTexture || window.uploadWidth != image.width ||
+      window.uploadHeight != image.height || window.uploadFormat != internalFormat) {
+    const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, 0, 0);
+    host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    // The order of the components is a hint of how the host is to keep them.
+    host.TexImage2D(GL_TEXTURE_2D, 0, internalFormat, image.width, image.height, 0, gl.format,
+                    gl.format == GL_BGRA ? GL_UNSIGNED_INT_8_8_8_8_REV : gl.type, nullptr);
+    window.uploadTexture = kOurTexture;
+    window.uploadWidth = image.width;
+    window.uploadHeight = image.height;
+    window.uploadFormat = internalFormat;
+  }
+  writeTexture(context, window, GL_TEXTURE_2D, 0, from, gl);
+
+  const FramebufferBinding framebuffers(context, isWindow ? 0 : kOurFramebuffer + 1,
+                                        kOurFramebuffer);
+  PixelImage source;
+  source.place = {Place::Kind::Texture, kOurTexture, GL_TEXTURE_2D, 0};
+  source.base = image.base;
+  const Attachment read(context, GL_READ_FRAMEBUFFER, source);
+  const Attachment draw(context, GL_DRAW_FRAMEBUFFER, image);
+  const GLbitfield mask = !isDepth(image) ? GL_COLOR_BUFFER_BIT
+                          : gl.format == GL_DEPTH_STENCIL
+                              ? GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT
+                              : GL_DEPTH_BUFFER_BIT;
+  host.BlitFramebuffer(0, flipped ? image.height : 0, image.width, flipped ? 0 : image.height, 0, 0,
+                       image.width, image.height, mask, GL_NEAREST);
+}
+
+} // namespace
+
+bool download(Context &context, WindowImages &window, PixelImage &image) {
+  GlFormat gl;
+  if (!glFormatOf(image.format, image.base, gl))
+    return false;
+  HostErrorScope errors(context);
+  const bool topRowFirst =
+      image.place.kind == Place::Kind::Window && context.caps.has("GL_MESA_pack_invert");
+  Image to = swrast::makeImage(image.format, image.width, image.height, image.depth, topRowFirst);
+  if (to.empty())
+    return false;
+  if (image.place.kind == Place::Kind::Texture)
+    readTexture(context, window, image, to, gl);
+  else
+    readBuffer(context, window, image, to, gl);
+  if (errors.failed())
+    return false;
+  image.shadow = std::move(to);
+  setNewest(context, image, Newest::Both);
+  ResidencyStatistics &statistics = sharedOf(context).statistics;
+  ++statistics.downloads;
+  statistics.downloadedBytes += bytesOf(image);
+  return true;
+}
+
+void upload(Context &context, WindowImages &window, PixelImage &image) {
+  HostErrorScope errors(context);
+  if (image.place.kind == Place::Kind::Texture) {
+    GlFormat gl;
+    const Image from = plain(image, false, gl);
+    if (from.empty())
+      return logWarn("residency", "no memory to give the host a texture of %d x %d", image.width,
+                     image.height);
+    const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
+                                 image.place.name);
+    writeTexture(context, window, image.place.target, image.place.level, from, gl);
+  } else {
+    writeBuffer(context, window, image);
+  }
+  if (errors.failed())
+    logWarn("residency", "the host took no pixels of an image of %d x %d", image.width,
+            image.height);
+  ResidencyStatistics &statistics = sharedOf(context).statistics;
+  ++statistics.uploads;
+  statistics.uploadedBytes += bytesOf(image);
+}
+
+} // namespace arbiter::state::software
