@@ -1,11 +1,175 @@
 #include "fp_compiler/back/llvm/fragment.h"
 
+#include "fp_compiler/back/llvm/fragment_hooks.h"
+#include "fp_compiler/back/llvm/fragment_options.h"
+
 namespace arbiter::fp::llvm_back {
 
-bool writeFragment(Code &, llvm::Function *, const jit::FragmentProgram &, const abi::FragmentKey &,
-                   std::string &reason) {
-  reason = "fragment functions are not written yet";
-  return false;
+namespace {
+/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span or block; then the
+/// loop over the item's vectors.
+class Writer {
+public:
+  Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
+         const abi::FragmentKey &key)
+      : m_code(code), m_ir(code.ir), m_function(function), m_program(program), m_key(key),
+        m_interpolator(code, key, m_places, function->getArg(1), function->getArg(0)),
+        m_pixels(code, key, m_places, function->getArg(0)) {}
+
+  void write() {
+    m_places.entry = block("entry");
+    m_places.item = block("item");
+    auto *const next = block("next");
+    auto *const done = block("done");
+    llvm::BasicBlock *const item = m_places.item;
+    m_ir.SetInsertPoint(m_places.entry);
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(m_function->getArg(3), m_ir.getInt32(0)), done, item);
+    m_ir.SetInsertPoint(item);
+    llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    number->addIncoming(m_ir.getInt32(0), m_places.entry);
+    Value *const offset = m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()),
+                                         m_ir.getInt64(sizeof(abi::Span)));
+    static_assert(sizeof(abi::Span) == sizeof(abi::Block));
+    Value *const pointer = m_ir.CreateGEP(m_ir.getInt8Ty(), m_function->getArg(2), offset);
+    const auto half = [&](std::size_t at) { return m_code.field(m_ir.getInt16Ty(), pointer, at); };
+    Value *const x = m_ir.CreateSExt(half(offsetof(abi::Span, x)), m_ir.getInt32Ty());
+    Value *const y = m_ir.CreateSExt(half(offsetof(abi::Span, y)), m_ir.getInt32Ty());
+    Value *const extent = m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty());
+
+    // What belongs to the item goes before this branch.
+    auto *const start = block("start");
+    m_ir.CreateBr(start);
+    m_interpolator.setPixel(x, y);
+    m_pixels.setPixel(x, y);
+    m_ir.SetInsertPoint(start);
+    if (m_key.lanes == abi::Lanes::Row)
+      writeSpan(extent, next);
+    else
+      writeBlock(extent, next);
+
+    m_ir.SetInsertPoint(next);
+    Value *const following = m_ir.CreateAdd(number, m_ir.getInt32(1));
+    number->addIncoming(following, next);
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(following, m_function->getArg(3)), done, item);
+    m_ir.SetInsertPoint(done);
+    m_ir.CreateRetVoid();
+  }
+
+private:
+  llvm::BasicBlock *block(const char *name) {
+    return llvm::BasicBlock::Create(m_code.context(), name, m_function);
+  }
+
+  /// The pixels [begin, end) of the span that the fast loop may do, and the general loop before and
+  /// behind them.
+  void writeSpan(Value *count, llvm::BasicBlock *next) {
+    const AffineFlow flow(m_code, m_program, m_key, m_places, m_interpolator,
+                          m_function->getArg(0), count);
+    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, flow,
+                                     m_function->getArg(0), count);
+    if (!samples.any()) {
+      writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
+      m_ir.CreateBr(next);
+      return;
+    }
+    llvm::BasicBlock *const start = m_ir.GetInsertBlock();
+    auto *const general = block("general");
+    auto *const fast = block("fast");
+    m_ir.CreateBr(general);
+    m_ir.SetInsertPoint(general);
+    llvm::PHINode *const begin = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    llvm::PHINode *const end = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    begin->addIncoming(m_ir.getInt32(0), start);
+    end->addIncoming(samples.begin(), start);
+    writeLoop(SamplePath::General, &samples, begin, end, count);
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(end, count), next, fast);
+    m_ir.SetInsertPoint(fast);
+    writeLoop(SamplePath::Consecutive, &samples, samples.begin(), samples.end(), count);
+    begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
+    end->addIncoming(count, m_ir.GetInsertBlock());
+    m_ir.CreateBr(general);
+  }
+
+  /// Vectors of [begin, end); the last may be incomplete only where the span ends.
+  void writeLoop(SamplePath path, const ConsecutiveSamples *samples, Value *begin, Value *end,
+                 Value *count) {
+    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
+    auto *const body = block("pixels");
+    auto *const after = block("after");
+    m_ir.CreateCondBr(m_ir.CreateICmpSLT(begin, end), body, after);
+    m_ir.SetInsertPoint(body);
+    llvm::PHINode *const column = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    column->addIncoming(begin, before);
+    PixelPlace place;
+    place.lanes = abi::Lanes::Row;
+    place.column = column;
+    place.remaining = m_ir.CreateSub(count, column);
+    place.covered = m_ir.CreateICmpSLT(m_code.iota(), m_code.splat(place.remaining));
+    m_interpolator.setLanes(m_ir.CreateAdd(m_code.splat(column), m_code.iota()), nullptr);
+    writePixels(path, samples, place);
+    Value *const following = m_ir.CreateAdd(column, m_ir.getInt32(unsigned(m_code.lanes)));
+    column->addIncoming(following, m_ir.GetInsertBlock());
+    m_ir.CreateCondBr(m_ir.CreateICmpSLT(following, end), body, after);
+    m_ir.SetInsertPoint(after);
+  }
+
+  void writeBlock(Value *mask, llvm::BasicBlock *next) {
+    PixelPlace place;
+    place.lanes = abi::Lanes::Quad;
+    Value *const bits = m_ir.CreateTrunc(mask, m_ir.getIntNTy(unsigned(m_code.lanes)));
+    place.covered = m_ir.CreateBitCast(bits, m_code.i1);
+    llvm::SmallVector<llvm::Constant *, 16> dx, dy;
+    for (int lane = 0; lane < m_code.lanes; ++lane) {
+      dx.push_back(m_ir.getInt32(unsigned(lane % m_code.cpu.blockWidth())));
+      dy.push_back(m_ir.getInt32(unsigned(lane / m_code.cpu.blockWidth())));
+    }
+    m_interpolator.setLanes(llvm::ConstantVector::get(dx), llvm::ConstantVector::get(dy));
+    writePixels(SamplePath::General, nullptr, place);
+    m_ir.CreateBr(next);
+  }
+
+  /// The program over one vector of pixels, and what follows it.
+  void writePixels(SamplePath path, const ConsecutiveSamples *samples, const PixelPlace &place) {
+    const ir::Program &program = m_program.program();
+    FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+                        samples, path, place);
+    const ProgramResults results =
+        writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
+    FragmentColors fragment;
+    const bool several = program.options.drawBuffers;
+    for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+      const ir::Output output = program.outputs[i];
+      if (output.kind != ir::OutputKind::Color)
+        continue;
+      // Without ARB_draw_buffers the one colour goes to all buffers.
+      for (std::size_t target = 0; target < fragment.colors.size(); ++target)
+        if (several ? target == output.index : output.index == 0)
+          fragment.colors[target] = results.outputs[i];
+    }
+    fragment.alive = hooks.alive();
+    fragment.texels = hooks.takeTexels();
+    applyOptions(m_code, m_places, m_function->getArg(0), program.options,
+                 Numerics(m_key.numerics), hooks, fragment);
+    m_pixels.write(place, fragment);
+  }
+
+  Code &m_code;
+  llvm::IRBuilder<> &m_ir;
+  llvm::Function *m_function;
+  const jit::FragmentProgram &m_program;
+  const abi::FragmentKey &m_key;
+  Places m_places;
+  Interpolator m_interpolator;
+  PixelWriter m_pixels;
+};
+} // namespace
+
+bool writeFragment(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
+                   const abi::FragmentKey &key, std::string &reason) {
+  if (!PixelWriter::supports(key, reason))
+    return false;
+  Writer(code, function, program, key).write();
+  return true;
 }
 
 } // namespace arbiter::fp::llvm_back

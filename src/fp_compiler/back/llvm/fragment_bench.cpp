@@ -1,0 +1,237 @@
+/// The fragment functions of the demos' programs over 1024x1024 pixels, whole rows as spans, on one
+/// and on two threads, beside a plain copy of the image.
+///   fragment_bench [--asm|--ir] [program]   the machine code or the IR instead of figures
+///   ARBITER_JIT_CPU=avx2                    another processor's code
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "fp_compiler/back/llvm/cpu.h"
+#include "fp_compiler/back/llvm/emit.h"
+#include "fp_compiler/back/llvm/engine.h"
+#include "fp_compiler/back/llvm/fragment.h"
+#include "fp_compiler/back/llvm/fragment_scene.h"
+#include "fp_compiler/compiler.h"
+
+using namespace arbiter;
+using namespace arbiter::fp;
+using namespace arbiter::fp::testing;
+
+namespace {
+constexpr int kSize = 1024;
+
+struct Sampled {
+  abi::Filter filter = abi::Filter::Nearest;
+  abi::Wrap wrap = abi::Wrap::ClampToEdge;
+  int width = kSize, height = kSize;
+  abi::Dimension dimension = abi::Dimension::Tex2D;
+  abi::Layout layout = abi::Layout::U8x4;
+};
+struct Workload {
+  const char *program;
+  std::vector<Sampled> samplers;
+  std::vector<std::array<float, 4>> locals;
+  std::vector<QuadInput> inputs; ///< by texture coordinate set
+};
+
+constexpr float kTexel = 1.0f / kSize;
+const Sampled kCells = {abi::Filter::Nearest, abi::Wrap::Repeat};
+const Workload kWorkloads[] = {
+    {"pass_through", {{}}, {}, {{}}},
+    {"brightness_contrast", {{}}, {{0.8f, 1.2f, -0.1f, 0}}, {{}}},
+    {"life_naive", {kCells}, {{kTexel, kTexel, -kTexel, 0}}, {{}}},
+    {"life_pack", {kCells}, {}, {{}, {-kTexel, 0, 1 - kTexel, 1}, {kTexel, 0, 1 + kTexel, 1}}},
+    {"life_packed",
+     {kCells, {abi::Filter::Nearest, abi::Wrap::ClampToEdge, 2, 16}},
+     {},
+     {{}, {0, kTexel, 1, 1 + kTexel}, {0, -kTexel, 1, 1 - kTexel}}},
+    {"twirl",
+     {{abi::Filter::Linear},
+      {abi::Filter::Nearest, abi::Wrap::ClampToEdge, kSize, kSize, abi::Dimension::Tex2D,
+       abi::Layout::U16x4}},
+     {{0.2f, -0.1f, 0, 0}},
+     {{}}},
+    {"lighting",
+     {{}, {}},
+     {{0.4f, 0.6f, 0.3f, 1}, {1.0f, 0.9f, 0.8f, 9.0f}, {0.1f, 0.1f, 0.12f, 20.0f}},
+     {{}}},
+    {"cartoon",
+     {{abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D},
+      {abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D}},
+     {{0.5f, 0.6f, 0.62f, 0}},
+     {{-1, -1, 1, 1}, {-0.2f, -0.1f, 0.3f, 0.4f}}},
+};
+
+/// All that a workload's calls need.
+struct Case {
+  std::unique_ptr<jit::FragmentProgram> program;
+  abi::FragmentKey key{};
+  abi::FragmentData data{};
+  abi::Primitive primitive{};
+  std::vector<std::array<float, 4>> rows;
+  std::vector<std::unique_ptr<SceneTexture>> textures;
+  std::vector<const abi::TextureView *> views;
+  SceneTarget target;
+};
+
+std::string textOf(const std::string &name) {
+  std::ifstream file(std::string(DEMO_PROGRAMS) + "/" + name + ".fp");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A displacement map like the demo's: smooth, its neighbours near each other.
+void makeSmooth(SceneTexture &texture) {
+  auto *const texels = reinterpret_cast<std::uint16_t *>(texture.bytes.data() + 64);
+  for (int y = 0; y < texture.height; ++y)
+    for (int x = 0; x < texture.width; ++x) {
+      const float u = float(x) / float(texture.width), v = float(y) / float(texture.height);
+      std::uint16_t *const texel = texels + 4 * (y * texture.width + x);
+      texel[0] = std::uint16_t(32768 + 20000 * (v - 0.5f) * (1 - u) * u * 4);
+      texel[1] = std::uint16_t(32768 - 20000 * (u - 0.5f) * (1 - v) * v * 4);
+    }
+}
+
+std::unique_ptr<Case> prepare(jit::Engine &engine, const Workload &workload) {
+  auto result = std::make_unique<Case>();
+  CompileOptions options;
+  options.policy = LimitPolicy::Report;
+  options.limits.localParameters = options.limits.envParameters = 32;
+  options.limits.textureCoords = options.limits.textureUnits = 8;
+  options.limits.textureImageUnits = 16;
+  const CheckResult checked = checkFragmentProgram(textOf(workload.program), options);
+  if (!checked.ok()) {
+    std::fprintf(stderr, "%s is not a program\n", workload.program);
+    return nullptr;
+  }
+  result->program = engine.prepareFragment(*checked.program, Numerics::Host);
+  if (!result->program)
+    return nullptr;
+  abi::FragmentKey &key = result->key;
+  key.targets[0].format.layout = abi::Layout::U8x4;
+  for (std::size_t i = 0; i < workload.samplers.size(); ++i) {
+    const Sampled &sampled = workload.samplers[i];
+    abi::SamplerKey &sampler = key.samplers[i];
+    sampler.dimension = sampled.dimension;
+    sampler.format.layout = sampled.layout;
+    sampler.wrap = {sampled.wrap, sampled.wrap, sampled.wrap};
+    sampler.magnify = sampler.minify = sampled.filter;
+    sampler.powerOfTwo = 1;
+    result->textures.push_back(
+        makeTexture(sampler, sampled.width, sampled.height, std::uint32_t(i + 1)));
+    if (sampled.layout == abi::Layout::U16x4)
+      makeSmooth(*result->textures.back());
+    result->data.textures[i] = &result->textures.back()->view;
+  }
+  const std::vector<jit::FragmentInput> &inputs = result->program->shape().inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    key.inputs[i] = abi::Interpolation::Linear;
+    setQuadInput(result->primitive, int(i), workload.inputs[inputs[i].attribute.index], kSize,
+                 kSize);
+  }
+  result->rows = parameterRows(result->program->program(), workload.locals);
+  result->data.parameters = reinterpret_cast<const float(*)[4]>(result->rows.data());
+  result->target = makeTarget(key.targets[0].format, kSize, kSize, 9);
+  result->data.targets[0] = {result->target.pixel(0, 0), result->target.rowStride};
+  return result;
+}
+
+/// Milliseconds of the fastest of some runs.
+template <typename Work> double best(Work work) {
+  double least = 1e9;
+  for (int i = 0; i < 12; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    least = std::min(least, time.count());
+  }
+  return least;
+}
+
+std::vector<abi::Span> rowsOf(int from, int to) {
+  std::vector<abi::Span> spans;
+  for (int y = from; y < to; ++y)
+    spans.push_back({0, std::int16_t(y), kSize, 0});
+  return spans;
+}
+
+void print(const char *name, double one, double two, std::size_t bytes) {
+  constexpr double kGiga = 2.6; // cycles a nanosecond, nominally
+  std::printf("%-22s %8.3f ms %8.3f ms %8.2f cycles/pixel (one thread, 2.6 GHz) %6zu bytes\n", name,
+              one, two, one * 1e6 * kGiga / (kSize * kSize), bytes);
+}
+
+int measure(jit::Engine &engine, const std::string &only) {
+  std::printf("%s\n%-22s %11s %11s\n", engine.target().c_str(), "", "one thread", "two threads");
+  const std::vector<abi::Span> all = rowsOf(0, kSize);
+  const std::vector<abi::Span> halves[2] = {rowsOf(0, kSize / 2), rowsOf(kSize / 2, kSize)};
+  int failures = 0;
+  for (const Workload &workload : kWorkloads) {
+    if (!only.empty() && only != workload.program)
+      continue;
+    std::string reason = "it was refused";
+    const std::unique_ptr<Case> made = prepare(engine, workload);
+    const auto code = made ? engine.compile(*made->program, made->key, reason) : nullptr;
+    if (!code) {
+      std::printf("%-22s %s\n", workload.program, reason.c_str());
+      ++failures;
+      continue;
+    }
+    const auto shade = [&](const std::vector<abi::Span> &spans) {
+      code->function(&made->data, &made->primitive, spans.data(), std::uint32_t(spans.size()));
+    };
+    const double one = best([&] { shade(all); });
+    const double two = best([&] {
+      std::thread other([&] { shade(halves[1]); });
+      shade(halves[0]);
+      other.join();
+    });
+    print(workload.program, one, two, code->bytes);
+  }
+  std::vector<std::uint32_t> from(kSize * kSize, 1), to(kSize * kSize, 2);
+  print("memcpy", best([&] { std::memcpy(to.data(), from.data(), 4 * from.size()); }), 0, 0);
+  return failures;
+}
+
+int show(jit::Engine &engine, const llvm_back::Cpu &cpu, const std::string &name, llvm_back::Emit what) {
+  for (const Workload &workload : kWorkloads) {
+    if (name != workload.program)
+      continue;
+    const std::unique_ptr<Case> made = prepare(engine, workload);
+    if (!made)
+      return 1;
+    std::string reason;
+    const auto text = llvm_back::emit(
+        cpu, 3,
+        [&](llvm_back::Code &code, llvm::Function *function, std::string &why) {
+          return llvm_back::writeFragment(code, function, *made->program, made->key, why);
+        },
+        what, reason);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return text.empty();
+  }
+  return 1;
+}
+} // namespace
+
+int main(int argc, char **argv) {
+  const char *const cpu = std::getenv("ARBITER_JIT_CPU");
+  jit::EngineOptions options;
+  options.cpu = cpu ? cpu : "";
+  const auto engine = llvm_back::makeEngine(options);
+  if (!engine) {
+    std::fprintf(stderr, "no code for this processor\n");
+    return 1;
+  }
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--asm" || first == "--ir")
+    return show(*engine, *llvm_back::chooseCpu(options.cpu), argc > 2 ? argv[2] : "",
+                first == "--asm" ? llvm_back::Emit::Assembly : llvm_back::Emit::Ir);
+  return measure(*engine, first);
+}

@@ -1,0 +1,84 @@
+#include "fp_compiler/back/llvm/fragment_hooks.h"
+
+#include <algorithm>
+
+namespace arbiter::fp::llvm_back {
+
+Vec FragmentHooks::input(ir::Attribute attribute, unsigned needed) {
+  const std::vector<jit::FragmentInput> &inputs = m_program.shape().inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const jit::FragmentInput &in) {
+    return in.attribute == attribute;
+  });
+  return found == inputs.end() ? Vec{} : m_interpolator.input(int(found - inputs.begin()), needed);
+}
+
+Vec FragmentHooks::attribute(int index, unsigned needed) {
+  const ir::Program &program = m_program.program();
+  const ir::Attribute attribute = program.attributes[std::size_t(index)];
+  if (attribute.kind == ir::AttributeKind::Position)
+    return m_interpolator.position(program.options, needed);
+  return input(attribute, needed);
+}
+
+Vec FragmentHooks::parameter(int index, unsigned needed) {
+  return writeIn(m_code, m_places.entry, [&] {
+    Value *const rows =
+        m_code.field(m_code.ir.getPtrTy(), m_data, offsetof(abi::FragmentData, parameters));
+    Vec row = {};
+    for (unsigned c = 0; c < 4; ++c)
+      if (needed >> c & 1)
+        row[c] = m_code.splat(m_code.field(m_code.ir.getFloatTy(), rows,
+                                           sizeof(float) * (4u * unsigned(index) + c)));
+    return row;
+  });
+}
+
+std::size_t FragmentHooks::nextTexture() {
+  const std::vector<ir::Instruction> &instructions = m_program.program().code;
+  while (m_live.written[m_next] == 0 || !ir::info(instructions[m_next].op).has(ir::Texture))
+    ++m_next;
+  return m_next++;
+}
+
+Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operand,
+                           unsigned needed) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const abi::SamplerKey &key = m_key.samplers[instruction.unit];
+  const std::size_t index = nextTexture();
+  SampleAt at;
+  at.coordinate = operand;
+  at.mask = m_place.covered;
+  if (instruction.op == ir::Opcode::Txp)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (operand[c])
+        at.coordinate[c] = ir.CreateFDiv(operand[c], operand[3]);
+  if (instruction.op == ir::Opcode::Txb)
+    at.bias = operand[3];
+  at.coordinate[3] = nullptr;
+  if (m_path == SamplePath::Consecutive) {
+    if (Value *const texels = m_samples->texels(index)) {
+      Value *const column = ir.CreateSExt(m_place.column, ir.getInt64Ty());
+      const auto bytes = unsigned(abi::bytesOf(key.format.layout));
+      at.texels = ir.CreateGEP(ir.getInt8Ty(), texels, ir.CreateMul(column, ir.getInt64(bytes)));
+    }
+  }
+  Value *const view = writeIn(m_code, m_places.entry, [&] {
+    return m_code.field(ir.getPtrTy(), m_data,
+                        offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);
+  });
+  const Texel texel = sample(m_code, key, m_place.lanes, view, at, needed);
+  m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
+  return texel.rgba;
+}
+
+void FragmentHooks::kill(Value *lanes) {
+  Value *const rest = m_code.ir.CreateNot(lanes);
+  m_alive = m_alive ? m_code.ir.CreateAnd(m_alive, rest) : rest;
+}
+
+Vec FragmentHooks::relative(int, Value *, unsigned) {
+  // Of vertex programs alone: a row that is not there is zero.
+  return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
+}
+
+} // namespace arbiter::fp::llvm_back

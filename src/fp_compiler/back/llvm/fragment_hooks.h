@@ -1,0 +1,55 @@
+#pragma once
+#include "fp_compiler/back/llvm/fragment_consecutive.h"
+#include "fp_compiler/back/llvm/live.h"
+#include "fp_compiler/back/llvm/pixel.h"
+#include "fp_compiler/back/llvm/program.h"
+
+/// Where a fragment program's registers come from.
+namespace arbiter::fp::llvm_back {
+
+/// The two ways of a loop: samples of any kind, or those that are known to read consecutive texels
+/// as loads.
+enum class SamplePath : std::uint8_t { General, Consecutive };
+
+class FragmentHooks final : public ProgramHooks {
+public:
+  /// \param samples null where no sample is affine
+  FragmentHooks(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
+                const Places &places, Interpolator &interpolator, Value *data,
+                const ConsecutiveSamples *samples, SamplePath path, const PixelPlace &place)
+      : m_code(code), m_program(program), m_key(key), m_places(places),
+        m_interpolator(interpolator), m_data(data), m_samples(samples), m_path(path),
+        m_place(place), m_live(liveOf(program.program())) {}
+
+  [[nodiscard]] Vec attribute(int index, unsigned needed) override;
+  [[nodiscard]] Vec parameter(int index, unsigned needed) override;
+  [[nodiscard]] Vec texture(const ir::Instruction &instruction, const Vec &operand,
+                            unsigned needed) override;
+  void kill(Value *lanes) override;
+  [[nodiscard]] Vec relative(int array, Value *index, unsigned needed) override;
+
+  /// The input of an attribute that an option wants, or nulls.
+  [[nodiscard]] Vec input(ir::Attribute attribute, unsigned needed);
+  [[nodiscard]] Value *alive() const { return m_alive; }
+  [[nodiscard]] std::vector<PackedTexel> takeTexels() { return std::move(m_texels); }
+
+private:
+  /// The walk hands over instructions that it has narrowed, in order: where this one stands.
+  [[nodiscard]] std::size_t nextTexture();
+
+  Code &m_code;
+  const jit::FragmentProgram &m_program;
+  const abi::FragmentKey &m_key;
+  const Places &m_places;
+  Interpolator &m_interpolator;
+  Value *m_data;
+  const ConsecutiveSamples *m_samples;
+  SamplePath m_path;
+  const PixelPlace &m_place;
+  Value *m_alive = nullptr;
+  Live m_live;
+  std::size_t m_next = 0; ///< the walk has come to this instruction of the code
+  std::vector<PackedTexel> m_texels;
+};
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,49 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fp_compiler/jit.h"
+
+/// What the tests and the micro-benchmark of fragment functions draw: textures, targets and a
+/// screen-sized primitive, kept together with the data that point into them.
+namespace arbiter::fp::testing {
+
+/// A texture of one level with 64 bytes before and behind it.
+struct SceneTexture {
+  abi::SamplerKey key;
+  int width = 1, height = 1;
+  std::vector<std::uint8_t> bytes;
+  abi::TextureLevel level;
+  abi::TextureView view;
+};
+
+/// A buffer with rows of guard bytes around its pixels, which stay as they are.
+struct SceneTarget {
+  abi::Format format;
+  int width = 1, height = 1;
+  std::vector<std::uint8_t> bytes;
+  std::ptrdiff_t first = 0, rowStride = 0;
+  [[nodiscard]] std::uint8_t *pixel(int x, int y) {
+    return bytes.data() + first + y * rowStride + x * abi::bytesOf(format.layout);
+  }
+};
+
+[[nodiscard]] std::unique_ptr<SceneTexture> makeTexture(const abi::SamplerKey &key, int width,
+                                                        int height, std::uint32_t seed);
+[[nodiscard]] SceneTarget makeTarget(const abi::Format &format, int width, int height,
+                                     std::uint32_t seed);
+
+/// A quad over the window: input i of the primitive is (s, t, 0, 1) of a unit square, moved by
+/// \p offset and scaled.
+struct QuadInput {
+  float s0 = 0, t0 = 0, s1 = 1, t1 = 1;
+};
+void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners, int width,
+                  int height);
+
+/// Program::parameters' rows: constants, and program.local[i] from \p locals.
+[[nodiscard]] std::vector<std::array<float, 4>>
+parameterRows(const ir::Program &program, const std::vector<std::array<float, 4>> &locals);
+
+} // namespace arbiter::fp::testing

@@ -1,0 +1,56 @@
+#pragma once
+#include <vector>
+
+#include "fp_compiler/back/llvm/pixel_memory.h"
+#include "fp_compiler/jit.h"
+
+/// What happens to a fragment after its program.
+namespace arbiter::fp::llvm_back {
+
+/// A texel as the program saw it, and as it lay in memory.
+struct PackedTexel {
+  Vec rgba;
+  Value *packed = nullptr; ///< one i32 a lane, U8x4
+  abi::Swizzle swizzle = abi::kRgba;
+};
+
+/// What the program made of the fragments.
+struct FragmentColors {
+  std::array<Vec, abi::kMaxColorTargets> colors = {}; ///< by target; null components are zero
+  Value *alive = nullptr;                             ///< lanes that no KIL discarded; null: all
+  std::vector<PackedTexel> texels;
+};
+
+/// Writes colours to the targets.
+class PixelWriter {
+public:
+  PixelWriter(Code &code, const abi::FragmentKey &key, const Places &places, Value *data)
+      : m_code(code), m_key(key), m_places(places), m_data(data) {}
+
+  /// \return false, with a reason, for states that have no code
+  [[nodiscard]] static bool supports(const abi::FragmentKey &key, std::string &reason);
+  /// In the item's block: its first pixel.
+  void setPixel(Value *x, Value *y);
+  void write(const PixelPlace &place, FragmentColors &fragment);
+
+private:
+  void writeTarget(const PixelPlace &place, const FragmentColors &fragment, int target,
+                   Value *mask);
+  /// The stored bits of texels that were sampled and not touched; null where it was another colour.
+  [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
+                                     const abi::ColorTargetKey &target);
+  /// The component that byte \p k of a pixel holds; -1 for none.
+  [[nodiscard]] static int componentOf(const abi::Format &format, int k);
+
+  Code &m_code;
+  const abi::FragmentKey &m_key;
+  const Places &m_places;
+  Value *m_data;
+  std::vector<PixelMemory> m_targets; ///< by target; those with a layout
+};
+
+/// U8x4 pixels of colours, by the swizzle; bytes that hold no component are 0xFF. Values beyond
+/// [0,1] are clamped, NaN gives 0, and c/255 gives c.
+[[nodiscard]] Value *packUnorm8(Code &code, const abi::Format &format, const Vec &color);
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,112 @@
+#include "fp_compiler/back/llvm/pixel_memory.h"
+
+#include <numeric>
+#include <vector>
+
+namespace arbiter::fp::llvm_back {
+
+PixelMemory::PixelMemory(Code &code, const Places &places, Value *data, std::size_t target,
+                         int pixelBytes, Value *x, Value *y)
+    : m_code(code), m_pixelBytes(pixelBytes) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *base = nullptr;
+  writeIn(code, places.entry, [&] {
+    base = code.field(ir.getPtrTy(), data, target + offsetof(abi::Target, base));
+    m_stride = code.field(ir.getInt64Ty(), data, target + offsetof(abi::Target, rowStride));
+  });
+  m_first = writeIn(code, places.item, [&] {
+    Value *const offset =
+        ir.CreateAdd(ir.CreateMul(ir.CreateSExt(y, ir.getInt64Ty()), m_stride),
+                     ir.CreateMul(ir.CreateSExt(x, ir.getInt64Ty()), ir.getInt64(unsigned(pixelBytes))));
+    return ir.CreateGEP(ir.getInt8Ty(), base, offset);
+  });
+}
+
+Value *PixelMemory::rowPointer(const PixelPlace &place, int row) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  if (place.lanes == abi::Lanes::Quad)
+    return ir.CreateGEP(ir.getInt8Ty(), m_first, ir.CreateMul(m_stride, ir.getInt64(unsigned(row))));
+  Value *const column = ir.CreateSExt(place.column, ir.getInt64Ty());
+  return ir.CreateGEP(ir.getInt8Ty(), m_first,
+                      ir.CreateMul(column, ir.getInt64(unsigned(m_pixelBytes))));
+}
+
+Value *PixelMemory::widened(Value *mask, int parts) {
+  if (parts == 1)
+    return mask;
+  std::vector<int> indices;
+  for (int i = 0; i < m_code.lanes * parts; ++i)
+    indices.push_back(i / parts);
+  return m_code.ir.CreateShuffleVector(mask, indices);
+}
+
+Value *PixelMemory::slice(Value *vector, int begin, int count) {
+  std::vector<int> indices(std::size_t(count), 0);
+  std::iota(indices.begin(), indices.end(), begin);
+  return m_code.ir.CreateShuffleVector(vector, indices);
+}
+
+Value *PixelMemory::joined(Value *a, Value *b) {
+  const auto length = [](Value *v) {
+    return int(llvm::cast<llvm::FixedVectorType>(v->getType())->getNumElements());
+  };
+  std::vector<int> indices(std::size_t(length(a) + length(b)), 0);
+  std::iota(indices.begin(), indices.end(), 0);
+  // Both operands of a shuffle are of one length.
+  std::vector<int> pad(std::size_t(length(a)), -1);
+  std::iota(pad.begin(), pad.begin() + length(b), 0);
+  return m_code.ir.CreateShuffleVector(a, m_code.ir.CreateShuffleVector(b, pad), indices);
+}
+
+Value *PixelMemory::load(const PixelPlace &place, llvm::Type *type, int parts) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const llvm::Align align(type->getScalarSizeInBits() / 8);
+  const bool isRow = place.lanes == abi::Lanes::Row;
+  const int rows = isRow ? 1 : m_code.cpu.blockHeight();
+  const int width = m_code.lanes / rows * parts;
+  auto *const vector = llvm::FixedVectorType::get(type, unsigned(width));
+  Value *const mask = widened(place.covered, parts);
+  Value *all = nullptr;
+  for (int row = 0; row < rows; ++row) {
+    Value *const some = ir.CreateMaskedLoad(vector, rowPointer(place, row), align,
+                                            rows == 1 ? mask : slice(mask, row * width, width),
+                                            llvm::Constant::getNullValue(vector));
+    all = all ? joined(all, some) : some;
+  }
+  return all;
+}
+
+void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value *mask) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const llvm::Align align(value->getType()->getScalarSizeInBits() / 8);
+  if (place.lanes == abi::Lanes::Quad) {
+    const int rows = m_code.cpu.blockHeight();
+    const int width = m_code.lanes / rows * parts;
+    Value *const wide = widened(mask ? mask : place.covered, parts);
+    for (int row = 0; row < rows; ++row)
+      ir.CreateMaskedStore(slice(value, row * width, width), rowPointer(place, row), align,
+                           slice(wide, row * width, width));
+    return;
+  }
+  Value *const pointer = rowPointer(place, 0);
+  if (mask) {
+    ir.CreateMaskedStore(value, pointer, align, widened(mask, parts));
+    return;
+  }
+  // Only a span's last vector may be incomplete.
+  llvm::Function *const function = ir.GetInsertBlock()->getParent();
+  auto *const whole = llvm::BasicBlock::Create(m_code.context(), "whole", function);
+  auto *const tail = llvm::BasicBlock::Create(m_code.context(), "tail", function);
+  auto *const done = llvm::BasicBlock::Create(m_code.context(), "stored", function);
+  ir.CreateCondBr(
+      ir.CreateICmpSGE(place.remaining, ir.getInt32(unsigned(m_code.lanes))), whole, tail);
+  ir.SetInsertPoint(whole);
+  ir.CreateAlignedStore(value, pointer, align);
+  ir.CreateBr(done);
+  ir.SetInsertPoint(tail);
+  ir.CreateMaskedStore(value, pointer, align, widened(place.covered, parts));
+  ir.CreateBr(done);
+  ir.SetInsertPoint(done);
+}
+
+} // namespace arbiter::fp::llvm_back
