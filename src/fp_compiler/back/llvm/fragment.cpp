@@ -63,8 +63,8 @@ private:
   /// The pixels [begin, end) of the span that the fast loop may do, and the general loop before and
   /// behind them.
   void writeSpan(Value *count, llvm::BasicBlock *next) {
-    const AffineFlow flow(m_code, m_program, m_key, m_places, m_interpolator,
-                          m_function->getArg(0), count);
+    const AffineFlow flow(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+                          count);
     const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, flow,
                                      m_function->getArg(0), count);
     if (!samples.any()) {
@@ -133,8 +133,7 @@ private:
     const ir::Program &program = m_program.program();
     FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
                         samples, path, place);
-    const ProgramResults results =
-        writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
+    const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
     FragmentColors fragment;
     const bool several = program.options.drawBuffers;
     for (std::size_t i = 0; i < program.outputs.size(); ++i) {
@@ -148,8 +147,8 @@ private:
     }
     fragment.alive = hooks.alive();
     fragment.texels = hooks.takeTexels();
-    applyOptions(m_code, m_places, m_function->getArg(0), program.options,
-                 Numerics(m_key.numerics), hooks, fragment);
+    applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
+                 hooks, fragment);
     m_pixels.write(place, fragment);
   }
 

@@ -19,12 +19,10 @@ std::optional<Affine> negated(Code &code, std::optional<Affine> value, bool nega
 }
 } // namespace
 
-AffineFlow::AffineFlow(Code &code, const jit::FragmentProgram &program,
-                       const abi::FragmentKey &key, const Places &places,
-                       Interpolator &interpolator, Value *data, Value *count)
-    : m_code(code), m_program(program), m_key(key), m_places(places),
-      m_interpolator(interpolator), m_data(data), m_count(count),
-      m_temporaries(program.program().temporaries.size()) {
+AffineFlow::AffineFlow(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
+                       const Places &places, Interpolator &interpolator, Value *data, Value *count)
+    : m_code(code), m_program(program), m_key(key), m_places(places), m_interpolator(interpolator),
+      m_data(data), m_count(count), m_temporaries(program.program().temporaries.size()) {
   for (Axes &axes : m_temporaries)
     for (std::optional<Affine> &axis : axes)
       axis = uniform(number(0)); // registers are zero until written
@@ -110,8 +108,8 @@ std::optional<Affine> AffineFlow::add(const std::optional<Affine> &a,
   Value *const slope = !a->slope   ? b->slope
                        : !b->slope ? a->slope
                                    : ir.CreateFAdd(a->slope, b->slope);
-  return Affine{ir.CreateFAdd(a->base, b->base), slope,
-                ir.CreateFAdd(a->magnitude, b->magnitude), std::max(a->rounds, b->rounds) + 1};
+  return Affine{ir.CreateFAdd(a->base, b->base), slope, ir.CreateFAdd(a->magnitude, b->magnitude),
+                std::max(a->rounds, b->rounds) + 1};
 }
 
 std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
@@ -122,8 +120,8 @@ std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
   Value *const slope = a->slope   ? ir.CreateFMul(a->slope, b->base)
                        : b->slope ? ir.CreateFMul(b->slope, a->base)
                                   : nullptr;
-  return Affine{ir.CreateFMul(a->base, b->base), slope,
-                ir.CreateFMul(a->magnitude, b->magnitude), a->rounds + b->rounds + 1};
+  return Affine{ir.CreateFMul(a->base, b->base), slope, ir.CreateFMul(a->magnitude, b->magnitude),
+                a->rounds + b->rounds + 1};
 }
 
 std::optional<Affine> AffineFlow::read(const ir::Operand &operand, int component) {
@@ -146,8 +144,8 @@ std::optional<Affine> AffineFlow::read(const ir::Operand &operand, int component
       value = uniform(number(double(parameter.constant[std::size_t(from)])));
     } else {
       value = uniform(writeIn(m_code, m_places.entry, [&] {
-        Value *const rows = m_code.field(ir.getPtrTy(), m_data,
-                                         offsetof(abi::FragmentData, parameters));
+        Value *const rows =
+            m_code.field(ir.getPtrTy(), m_data, offsetof(abi::FragmentData, parameters));
         Value *const scalar = m_code.field(ir.getFloatTy(), rows,
                                            sizeof(float) * (4u * operand.index + unsigned(from)));
         return ir.CreateFPExt(scalar, ir.getDoubleTy());

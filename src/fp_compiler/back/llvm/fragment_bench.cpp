@@ -199,7 +199,8 @@ int measure(jit::Engine &engine, const std::string &only) {
   return failures;
 }
 
-int show(jit::Engine &engine, const llvm_back::Cpu &cpu, const std::string &name, llvm_back::Emit what) {
+int show(jit::Engine &engine, const llvm_back::Cpu &cpu, const std::string &name,
+         llvm_back::Emit what) {
   for (const Workload &workload : kWorkloads) {
     if (name != workload.program)
       continue;

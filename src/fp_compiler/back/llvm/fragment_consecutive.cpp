@@ -29,8 +29,7 @@ bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
 ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &program,
                                        const abi::FragmentKey &key, const Places &places,
                                        const AffineFlow &flow, Value *data, Value *count)
-    : m_code(code), m_program(program), m_key(key), m_places(places), m_data(data),
-      m_count(count) {
+    : m_code(code), m_program(program), m_key(key), m_places(places), m_data(data), m_count(count) {
   llvm::IRBuilder<> &ir = code.ir;
   m_good = ir.getTrue();
   m_begin = ir.getInt32(0);
@@ -62,18 +61,15 @@ Value *ConsecutiveSamples::texels(std::size_t index) const {
 ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Value *size,
                                                   bool normalised, bool linear, bool advances) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const auto number = [&](double value) {
-    return llvm::ConstantFP::get(ir.getDoubleTy(), value);
-  };
+  const auto number = [&](double value) { return llvm::ConstantFP::get(ir.getDoubleTy(), value); };
   const auto scaled = [&](Value *value) { return normalised ? ir.CreateFMul(value, size) : value; };
   Value *const begin = scaled(coordinate.base);
   Value *end = begin;
   if (coordinate.slope)
     end = ir.CreateFAdd(begin, ir.CreateFMul(scaled(coordinate.slope), m_last));
   // Three more roundings: the scale by the size, the wrap, and a linear filter's half texel.
-  Value *const error = ir.CreateFMul(
-      ir.CreateFAdd(scaled(coordinate.magnitude), number(1)),
-      number(double(coordinate.rounds + 3) * 0x1p-24));
+  Value *const error = ir.CreateFMul(ir.CreateFAdd(scaled(coordinate.magnitude), number(1)),
+                                     number(double(coordinate.rounds + 3) * 0x1p-24));
   Axis axis;
   axis.first = ir.CreateUnaryIntrinsic(llvm::Intrinsic::floor, begin);
   Value *const firstFraction = ir.CreateFSub(begin, axis.first);
@@ -82,8 +78,8 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
     lastFraction = ir.CreateFSub(lastFraction, m_last);
   // How far from the texel's edge, or centre, every pixel must stay.
   Value *const low = linear ? ir.CreateFAdd(error, number(0.5 - kLinearReach)) : error;
-  Value *const high = linear ? ir.CreateFSub(number(0.5 + kLinearReach), error)
-                             : ir.CreateFSub(number(1), error);
+  Value *const high =
+      linear ? ir.CreateFSub(number(0.5 + kLinearReach), error) : ir.CreateFSub(number(1), error);
   axis.good = ir.CreateFCmpOLT(error, number(0.25));
   for (Value *const fraction : {firstFraction, lastFraction}) {
     axis.good = both(axis.good, ir.CreateFCmpOGT(fraction, low));

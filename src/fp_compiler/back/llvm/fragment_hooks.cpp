@@ -27,8 +27,8 @@ Vec FragmentHooks::parameter(int index, unsigned needed) {
     Vec row = {};
     for (unsigned c = 0; c < 4; ++c)
       if (needed >> c & 1)
-        row[c] = m_code.splat(m_code.field(m_code.ir.getFloatTy(), rows,
-                                           sizeof(float) * (4u * unsigned(index) + c)));
+        row[c] = m_code.splat(
+            m_code.field(m_code.ir.getFloatTy(), rows, sizeof(float) * (4u * unsigned(index) + c)));
     return row;
   });
 }

@@ -36,8 +36,8 @@ public:
     case ir::FogMode::Linear: {
       Value *const end = uniform(offsetof(abi::FragmentData, fogEnd));
       Value *const start = uniform(offsetof(abi::FragmentData, fogStart));
-      return m_code.saturate(ir.CreateFDiv(ir.CreateFSub(end, coordinate),
-                                           ir.CreateFSub(end, start)));
+      return m_code.saturate(
+          ir.CreateFDiv(ir.CreateFSub(end, coordinate), ir.CreateFSub(end, start)));
     }
     }
     return m_code.saturate(exp2(m_code, ir.CreateFNeg(exponent)));
@@ -95,8 +95,7 @@ void applyOptions(Code &code, const Places &places, Value *data, const ir::Optio
   }
   if (options.fog != ir::FogMode::None) {
     Value *coordinate = hooks.input({ir::AttributeKind::FogCoord, 0}, 1)[0];
-    Value *const factor =
-        writer.factor(options.fog, coordinate ? coordinate : code.splat(0.0f));
+    Value *const factor = writer.factor(options.fog, coordinate ? coordinate : code.splat(0.0f));
     for (Vec &color : fragment.colors)
       writer.fog(color, factor);
   }

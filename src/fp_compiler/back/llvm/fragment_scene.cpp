@@ -56,8 +56,8 @@ void setQuadInput(abi::Primitive &primitive, int input, const QuadInput &corners
   primitive.inputs[input][3] = {1, 0, 0};
 }
 
-std::vector<std::array<float, 4>>
-parameterRows(const ir::Program &program, const std::vector<std::array<float, 4>> &locals) {
+std::vector<std::array<float, 4>> parameterRows(const ir::Program &program,
+                                                const std::vector<std::array<float, 4>> &locals) {
   std::vector<std::array<float, 4>> rows;
   for (const ir::Parameter &parameter : program.parameters) {
     std::array<float, 4> row = {};

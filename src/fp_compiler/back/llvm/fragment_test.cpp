@@ -50,8 +50,7 @@ struct Scene {
     key.targets[0].format.layout = Layout::U8x4;
   }
 
-  void addTexture(int width, int height, Wrap wrap,
-                  abi::Filter filter = abi::Filter::Nearest) {
+  void addTexture(int width, int height, Wrap wrap, abi::Filter filter = abi::Filter::Nearest) {
     abi::SamplerKey sampler{};
     sampler.format.layout = Layout::U8x4;
     sampler.wrap = {wrap, wrap, wrap};
@@ -69,8 +68,8 @@ struct Scene {
     EXPECT_NE(prepared, nullptr);
     for (std::size_t i = 0; i < prepared->shape().inputs.size(); ++i) {
       key.inputs[i] = abi::Interpolation::Linear;
-      testing::setQuadInput(primitive, int(i),
-                            corners[prepared->shape().inputs[i].attribute.index], kWidth, kHeight);
+      testing::setQuadInput(primitive, int(i), corners[prepared->shape().inputs[i].attribute.index],
+                            kWidth, kHeight);
     }
     rows = testing::parameterRows(prepared->program(), locals);
     data.parameters = reinterpret_cast<const float(*)[4]>(rows.data());
@@ -216,7 +215,8 @@ TEST_P(FragmentTest, WrapsShiftedCoordinates) {
 }
 
 TEST_P(FragmentTest, TakesTheGeneralPathWhereTexelsAreNotConsecutive) {
-  const QuadInput inputs[] = {{0.003f, 0.002f, 2.003f, 2.002f}, {1, 1, 0, 0}, {0, 0, 0.5f, 0.5f}, {0, 0, 1.01f, 1}};
+  const QuadInput inputs[] = {
+      {0.003f, 0.002f, 2.003f, 2.002f}, {1, 1, 0, 0}, {0, 0, 0.5f, 0.5f}, {0, 0, 1.01f, 1}};
   for (const QuadInput &input : inputs) {
     Scene scene(GetParam());
     scene.addTexture(kWidth, kHeight, Wrap::Repeat);

@@ -17,8 +17,8 @@ void Interpolator::setLanes(Value *dx, Value *dy) {
   if (!dy)
     return;
   Value *const y = writeIn(m_code, m_places.item, [&] {
-    Value *const origin = m_code.field(m_code.ir.getInt32Ty(), m_primitive,
-                                       offsetof(abi::Primitive, originY));
+    Value *const origin =
+        m_code.field(m_code.ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, originY));
     return m_code.splat(m_code.ir.CreateSub(m_y, origin));
   });
   m_fy = m_code.toFloat(m_code.ir.CreateAdd(y, dy));
@@ -58,13 +58,12 @@ Value *Interpolator::rowConstant(std::size_t planeOffset) {
 
 Value *Interpolator::plane(std::size_t offset) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  Value *const dx = writeIn(m_code, m_places.entry,
-                            [&] { return m_code.splat(slope(offset, false)); });
+  Value *const dx =
+      writeIn(m_code, m_places.entry, [&] { return m_code.splat(slope(offset, false)); });
   Value *row = nullptr;
   if (m_fy) {
     const auto [c, dy] = writeIn(m_code, m_places.entry, [&] {
-      return std::pair{m_code.splat(constant(offset)),
-                       m_code.splat(slope(offset, true))};
+      return std::pair{m_code.splat(constant(offset)), m_code.splat(slope(offset, true))};
     });
     row = ir.CreateFAdd(c, ir.CreateFMul(dy, m_fy));
   } else {
@@ -88,9 +87,7 @@ Vec Interpolator::input(int index, unsigned needed) {
     const std::size_t offset = planeOf(index, c);
     Value *&value = values[std::size_t(c)];
     if (how == abi::Interpolation::Flat)
-      value = writeIn(m_code, m_places.entry, [&] {
-        return m_code.splat(constant(offset));
-      });
+      value = writeIn(m_code, m_places.entry, [&] { return m_code.splat(constant(offset)); });
     else
       value = plane(offset);
     if (how == abi::Interpolation::Perspective)
@@ -116,8 +113,8 @@ Vec Interpolator::position(const ir::Options &options, unsigned needed) {
     y = ir.CreateFAdd(m_code.toFloat(y), m_code.splat(centre));
     if (options.originUpperLeft) {
       Value *const height = writeIn(m_code, m_places.entry, [&] {
-        return m_code.splat(m_code.field(ir.getFloatTy(), m_data,
-                                         offsetof(abi::FragmentData, windowHeight)));
+        return m_code.splat(
+            m_code.field(ir.getFloatTy(), m_data, offsetof(abi::FragmentData, windowHeight)));
       });
       // The lowest row's centre is height - 0.5, or height - 1 where centres are integers.
       Value *const top =

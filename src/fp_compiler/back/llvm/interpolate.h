@@ -52,7 +52,8 @@ public:
   [[nodiscard]] Value *pixelX() const { return m_x; }
   [[nodiscard]] Value *pixelY() const { return m_y; }
   [[nodiscard]] static std::size_t planeOf(int input, int component) {
-    return offsetof(abi::Primitive, inputs) + sizeof(abi::Plane) * std::size_t(4 * input + component);
+    return offsetof(abi::Primitive, inputs) +
+           sizeof(abi::Plane) * std::size_t(4 * input + component);
   }
 
 private:

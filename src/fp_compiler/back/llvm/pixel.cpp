@@ -100,8 +100,8 @@ Value *PixelWriter::passedThrough(const FragmentColors &fragment, const Vec &col
       const int k = from[i % 4];
       indices.push_back(k == 4 ? int(bytes + i) : int(i / 4 * 4) + k);
     }
-    Value *const shuffled = ir.CreateShuffleVector(
-        ir.CreateBitCast(texel.packed, type), llvm::Constant::getAllOnesValue(type), indices);
+    Value *const shuffled = ir.CreateShuffleVector(ir.CreateBitCast(texel.packed, type),
+                                                   llvm::Constant::getAllOnesValue(type), indices);
     return ir.CreateBitCast(shuffled, m_code.i32);
   }
   return nullptr;

@@ -15,9 +15,9 @@ PixelMemory::PixelMemory(Code &code, const Places &places, Value *data, std::siz
     m_stride = code.field(ir.getInt64Ty(), data, target + offsetof(abi::Target, rowStride));
   });
   m_first = writeIn(code, places.item, [&] {
-    Value *const offset =
-        ir.CreateAdd(ir.CreateMul(ir.CreateSExt(y, ir.getInt64Ty()), m_stride),
-                     ir.CreateMul(ir.CreateSExt(x, ir.getInt64Ty()), ir.getInt64(unsigned(pixelBytes))));
+    Value *const offset = ir.CreateAdd(
+        ir.CreateMul(ir.CreateSExt(y, ir.getInt64Ty()), m_stride),
+        ir.CreateMul(ir.CreateSExt(x, ir.getInt64Ty()), ir.getInt64(unsigned(pixelBytes))));
     return ir.CreateGEP(ir.getInt8Ty(), base, offset);
   });
 }
@@ -25,7 +25,8 @@ PixelMemory::PixelMemory(Code &code, const Places &places, Value *data, std::siz
 Value *PixelMemory::rowPointer(const PixelPlace &place, int row) {
   llvm::IRBuilder<> &ir = m_code.ir;
   if (place.lanes == abi::Lanes::Quad)
-    return ir.CreateGEP(ir.getInt8Ty(), m_first, ir.CreateMul(m_stride, ir.getInt64(unsigned(row))));
+    return ir.CreateGEP(ir.getInt8Ty(), m_first,
+                        ir.CreateMul(m_stride, ir.getInt64(unsigned(row))));
   Value *const column = ir.CreateSExt(place.column, ir.getInt64Ty());
   return ir.CreateGEP(ir.getInt8Ty(), m_first,
                       ir.CreateMul(column, ir.getInt64(unsigned(m_pixelBytes))));
@@ -98,8 +99,8 @@ void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value 
   auto *const whole = llvm::BasicBlock::Create(m_code.context(), "whole", function);
   auto *const tail = llvm::BasicBlock::Create(m_code.context(), "tail", function);
   auto *const done = llvm::BasicBlock::Create(m_code.context(), "stored", function);
-  ir.CreateCondBr(
-      ir.CreateICmpSGE(place.remaining, ir.getInt32(unsigned(m_code.lanes))), whole, tail);
+  ir.CreateCondBr(ir.CreateICmpSGE(place.remaining, ir.getInt32(unsigned(m_code.lanes))), whole,
+                  tail);
   ir.SetInsertPoint(whole);
   ir.CreateAlignedStore(value, pointer, align);
   ir.CreateBr(done);
