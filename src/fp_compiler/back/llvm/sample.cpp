@@ -1,5 +1,7 @@
 #include "fp_compiler/back/llvm/sample_parts.h"
 
+#include <optional>
+
 #include <llvm/IR/Intrinsics.h>
 
 namespace arbiter::fp::llvm_back {
@@ -39,6 +41,137 @@ Texel consecutive(Code &code, const abi::Format &format, Value *pointer, unsigne
   if (format.layout == abi::Layout::U8x4)
     texel.packed = raw;
   return texel;
+}
+
+/// A lookup's way: which face, which levels, which filter.
+class Sampling {
+public:
+  Sampling(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
+           const SampleAt &at, unsigned needed)
+      : m_code(code), m_key(key), m_at(at), m_lookup{key, lanes, view, {}} {
+    m_lookup.dimensions = dimensionsOf(key.dimension);
+    m_lookup.coordinate = at.coordinate;
+    m_lookup.needed = needed;
+    m_format = key.format;
+    if (key.dimension == abi::Dimension::Cube) {
+      m_cube.emplace(code, at.coordinate);
+      m_lookup.coordinate = m_cube->coordinate();
+    }
+  }
+  void setShadow(Value *reference, int borderDepth) {
+    m_lookup.reference = reference;
+    m_lookup.borderDepth = borderDepth;
+    m_format.swizzle = {abi::From::C0, abi::From::Zero, abi::From::Zero, abi::From::Zero};
+    m_lookup.needed = 1;
+  }
+
+  Texel texel() {
+    const bool mipmaps = m_key.mip != abi::MipFilter::None;
+    if (!mipmaps && m_key.magnify == m_key.minify)
+      return atLevel(nullptr, m_key.magnify);
+    Value *const lambda = levelOfDetail(m_code, m_key, m_lookup.lanes, m_lookup.view, m_at,
+                                        m_cube ? &*m_cube : nullptr);
+    if (m_key.magnify == m_key.minify)
+      return minified(lambda); // the base level's share is the same either way
+    // 3.8.9: where magnification ends.
+    const bool late = mipmaps && m_key.magnify == abi::Filter::Linear;
+    Value *const magnified = m_code.ir.CreateFCmpOLE(lambda, m_code.splat(late ? 0.5f : 0.0f));
+    return magnifiedOrMinified(magnified, lambda);
+  }
+
+private:
+  Texel magnifiedOrMinified(Value *magnified, Value *lambda) {
+    const auto base = [&] { return atLevel(nullptr, m_key.magnify); };
+    const auto small = [&] { return minified(lambda); };
+    // A row or block is mostly one or the other.
+    return either(m_code, allLanes(m_code, magnified), base, [&] {
+      return either(
+          m_code, anyLane(m_code, magnified),
+          [&] {
+            const Texel big = base(), little = small();
+            Texel both;
+            for (std::size_t i = 0; i < 4; ++i)
+              if (big.rgba[i])
+                both.rgba[i] = m_code.select(magnified, big.rgba[i], little.rgba[i]);
+            return both;
+          },
+          small);
+    });
+  }
+
+  Texel minified(Value *lambda) {
+    if (m_key.mip == abi::MipFilter::None)
+      return atLevel(nullptr, m_key.minify);
+    const LevelChoice levels = chooseLevels(m_code, m_key, m_lookup.view, lambda);
+    Texel first = atLevel(levels.first, m_key.minify);
+    if (!levels.second)
+      return first;
+    first.packed = nullptr;
+    Value *const between = m_code.ir.CreateFCmpOGT(levels.fraction, m_code.splat(0.0f));
+    return either(
+        m_code, anyLane(m_code, between),
+        [&] {
+          const Texel second = atLevel(levels.second, m_key.minify);
+          Texel mixed;
+          for (std::size_t i = 0; i < 4; ++i)
+            if (first.rgba[i])
+              mixed.rgba[i] = lerp(m_code, first.rgba[i], second.rgba[i], levels.fraction);
+          return mixed;
+        },
+        [&] { return first; });
+  }
+
+  /// \param level i32 a lane; null: the base level
+  Texel atLevel(Value *level, abi::Filter filter) {
+    Value *image = level;
+    if (m_cube) {
+      image = m_cube->face();
+      if (level)
+        image = m_code.ir.CreateAdd(image, m_code.ir.CreateMul(level, m_code.splat(6)));
+    }
+    const auto filtered = [&](Value *which) {
+      m_lookup.image = loadImage(m_code, m_format, m_lookup.view, which, m_lookup.dimensions);
+      return filter == abi::Filter::Nearest ? filterNearest(m_code, m_lookup)
+                                            : Texel{filterLinear(m_code, m_lookup)};
+    };
+    if (!image)
+      return filtered(m_code.ir.getInt32(0));
+    return forEachImage(m_code, image, m_at.mask, filtered);
+  }
+
+  Code &m_code;
+  const abi::SamplerKey &m_key;
+  const SampleAt &m_at;
+  abi::Format m_format;
+  std::optional<CubeFace> m_cube;
+  Lookup m_lookup;
+};
+
+/// 3.8.14: the comparison's result stands where the depth would, in a format's components.
+Texel shadowLookup(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
+                   const SampleAt &at, unsigned needed) {
+  int depthAt = -1;
+  bool wanted = false;
+  for (int i = 3; i >= 0; --i)
+    if (key.format.swizzle[std::size_t(i)] == abi::From::C0) {
+      depthAt = i;
+      wanted |= needed >> i & 1;
+    }
+  Texel texel;
+  if (wanted) {
+    Sampling sampling(code, key, lanes, view, at, needed);
+    // Depth of fixed point is compared with a reference in its own range.
+    const bool fixed = key.format.layout != abi::Layout::Depth32F;
+    sampling.setShadow(fixed ? code.saturate(at.coordinate[2]) : at.coordinate[2], depthAt);
+    texel = sampling.texel();
+  }
+  Vec result = {};
+  for (std::size_t i = 0; i < 4; ++i)
+    if (needed >> i & 1)
+      result[i] = key.format.swizzle[i] == abi::From::C0    ? texel.rgba[0]
+                  : key.format.swizzle[i] == abi::From::One ? code.splat(1.0f)
+                                                            : code.splat(0.0f);
+  return {result};
 }
 
 } // namespace
@@ -86,22 +219,12 @@ ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *i
 
 Texel sample(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
              const SampleAt &at, unsigned needed) {
-  Texel texel;
-  if (key.format.layout == abi::Layout::None) {
-    texel.rgba = incomplete(code, needed);
-    return texel;
-  }
+  if (key.format.layout == abi::Layout::None)
+    return {incomplete(code, needed)};
   if (at.texels)
     return consecutive(code, key.format, at.texels, needed);
-  Lookup lookup{key, lanes, view, {}};
-  lookup.dimensions = dimensionsOf(key.dimension);
-  lookup.coordinate = at.coordinate;
-  lookup.needed = needed;
-  lookup.image = loadImage(code, key.format, view, code.ir.getInt32(0), lookup.dimensions);
-  if (key.magnify == abi::Filter::Nearest)
-    return filterNearest(code, lookup);
-  texel.rgba = filterLinear(code, lookup);
-  return texel;
+  return key.shadow ? shadowLookup(code, key, lanes, view, at, needed)
+                    : Sampling(code, key, lanes, view, at, needed).texel();
 }
 
 } // namespace arbiter::fp::llvm_back

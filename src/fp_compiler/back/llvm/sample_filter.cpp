@@ -32,7 +32,7 @@ std::array<AxisTexels, 3> texelsOf(Code &code, const Lookup &lookup, bool linear
 
 /// a + b, where either may be null.
 Value *sum(Code &code, Value *a, Value *b) { return !a ? b : !b ? a : code.ir.CreateAdd(a, b); }
-Value *either(Code &code, Value *a, Value *b) { return !a ? b : !b ? a : code.ir.CreateOr(a, b); }
+Value *anyOf(Code &code, Value *a, Value *b) { return !a ? b : !b ? a : code.ir.CreateOr(a, b); }
 
 /// What index[which] of a dimension adds to a texel's index in the image.
 Value *stepOf(Code &code, const Lookup &lookup, const AxisTexels &axis, int dimension, int which) {
@@ -40,10 +40,6 @@ Value *stepOf(Code &code, const Lookup &lookup, const AxisTexels &axis, int dime
   if (dimension == 0 || !index)
     return index;
   return code.ir.CreateMul(index, code.splat(lookup.image.stride[std::size_t(dimension - 1)]));
-}
-
-Value *lerp(Code &code, Value *a, Value *b, Value *weight) {
-  return code.ir.CreateFAdd(a, code.ir.CreateFMul(weight, code.ir.CreateFSub(b, a)));
 }
 
 // --- 8-bit components, as integers
@@ -174,12 +170,24 @@ bool hasBytes(Layout layout) {
 
 Vec borderColor(Code &code, const Lookup &lookup) {
   Vec color = {};
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t from = lookup.key.shadow ? std::size_t(lookup.borderDepth) : i;
     if (lookup.needed >> i & 1)
       color[i] =
           code.splat(constantField(code, code.ir.getFloatTy(), lookup.view,
-                                   offsetof(abi::TextureView, borderColor) + i * sizeof(float)));
+                                   offsetof(abi::TextureView, borderColor) + from * sizeof(float)));
+  }
   return color;
+}
+
+/// 1 or 0: 3.8.14.
+Value *compared(Code &code, abi::Compare compare, Value *reference, Value *depth) {
+  using Predicate = llvm::CmpInst::Predicate;
+  constexpr Predicate kPredicates[] = {
+      Predicate::FCMP_FALSE, Predicate::FCMP_OLT, Predicate::FCMP_OEQ, Predicate::FCMP_OLE,
+      Predicate::FCMP_OGT,   Predicate::FCMP_UNE, Predicate::FCMP_OGE, Predicate::FCMP_TRUE};
+  Value *const passes = code.ir.CreateFCmp(kPredicates[int(compare)], reference, depth);
+  return code.select(passes, code.splat(1.0f), code.splat(0.0f));
 }
 
 /// The texel at one choice of indices, of the border where a dimension is outside.
@@ -189,25 +197,30 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
   for (int i = 0; i < lookup.dimensions; ++i) {
     const auto at = std::size_t(i);
     index = sum(code, index, stepOf(code, lookup, axes[at], i, which[at]));
-    outside = either(code, outside, axes[at].outside[std::size_t(which[at])]);
+    outside = anyOf(code, outside, axes[at].outside[std::size_t(which[at])]);
   }
   const unsigned used = wordsNeeded(lookup.image.format, lookup.needed);
   const Words words = fetchTexels(code, lookup.lanes, lookup.image, index, used);
   Texel texel;
   texel.rgba = decodeWords(code, lookup.image.format, words, lookup.needed);
-  if (!outside) {
-    if (lookup.image.format.layout == Layout::U8x4)
-      texel.packed = words[0];
-    return texel;
+  if (outside) {
+    const Vec border = borderColor(code, lookup);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (texel.rgba[i])
+        texel.rgba[i] = code.select(outside, border[i], texel.rgba[i]);
+  } else if (lookup.image.format.layout == Layout::U8x4) {
+    texel.packed = words[0];
   }
-  const Vec border = borderColor(code, lookup);
-  for (std::size_t i = 0; i < 4; ++i)
-    if (texel.rgba[i])
-      texel.rgba[i] = code.select(outside, border[i], texel.rgba[i]);
+  if (lookup.key.shadow)
+    texel.rgba[0] = compared(code, lookup.key.compare, lookup.reference, texel.rgba[0]);
   return texel;
 }
 
 } // namespace
+
+Value *lerp(Code &code, Value *a, Value *b, Value *weight) {
+  return code.ir.CreateFAdd(a, code.ir.CreateFMul(weight, code.ir.CreateFSub(b, a)));
+}
 
 Texel filterNearest(Code &code, const Lookup &lookup) {
   return texelAt(code, lookup, texelsOf(code, lookup, false), {});

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "fp_compiler/back/llvm/code.h"
 
 /// The parts that sample() is made of: where texels lie (wrap), how they are read (fetch), what
@@ -64,6 +66,39 @@ using Words = std::array<Value *, 4>;
                                                     const ImageCode &image, const AxisTexels &x,
                                                     Value *row0, Value *row1);
 
+/// A face of a cube map and the way to it: table 3.21.
+class CubeFace {
+public:
+  CubeFace(Code &code, const Vec &direction);
+  [[nodiscard]] Value *face() const { return m_face; } ///< i32: 0 to 5
+  /// s and t on the face.
+  [[nodiscard]] Vec coordinate() const;
+  /// How they change with the direction.
+  [[nodiscard]] Vec derivative(const std::array<Value *, 3> &change) const;
+
+private:
+  /// s and t before the division, and the major axis's magnitude: linear in the direction.
+  [[nodiscard]] Vec turned(const Vec &direction) const;
+  Code &m_code;
+  Value *m_majorX, *m_majorZ, *m_negative; ///< masks
+  Value *m_face;
+  Vec m_turned;
+  Value *m_inverse; ///< of the major axis's magnitude
+};
+
+/// Lambda, with biases and clamps (3.8.8): per lane, in levels. \param cube of a cube map
+[[nodiscard]] Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
+                                   Value *view, const SampleAt &at, const CubeFace *cube);
+
+/// Which levels a minified lookup reads, as levels in [0, levelCount).
+struct LevelChoice {
+  Value *first = nullptr;
+  Value *second = nullptr;   ///< of a linear filter between levels, else null
+  Value *fraction = nullptr; ///< weight of the second
+};
+[[nodiscard]] LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view,
+                                       Value *lambda);
+
 /// What a filter reads: an image and where in it.
 struct Lookup {
   const abi::SamplerKey &key;
@@ -73,9 +108,22 @@ struct Lookup {
   int dimensions = 2;
   Vec coordinate = {};        ///< of the image; a cube map's are those of its face
   Value *reference = nullptr; ///< what a shadow comparison compares with
+  int borderDepth = 0;        ///< of a shadow comparison: the border colour's component to compare
   unsigned needed = 0xF;
 };
+/// a where the weight is 0, b where it is 1.
+[[nodiscard]] Value *lerp(Code &code, Value *a, Value *b, Value *weight);
+/// With a shadow comparison the first component is its result.
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
 [[nodiscard]] Vec filterLinear(Code &code, const Lookup &lookup);
+
+/// Control flow over texels. What one branch has not is not there afterwards.
+using Sampled = std::function<Texel()>;
+[[nodiscard]] Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no);
+/// Takes each image that lanes ask for in turn: mostly there is but one.
+/// \param image i32 a lane, safe in every lane
+/// \param mask lanes that count, or null
+[[nodiscard]] Texel forEachImage(Code &code, Value *image, Value *mask,
+                                 const std::function<Texel(Value *)> &sampled);
 
 } // namespace arbiter::fp::llvm_back

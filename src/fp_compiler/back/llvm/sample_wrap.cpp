@@ -1,3 +1,4 @@
+#include "fp_compiler/back/llvm/math.h"
 #include "fp_compiler/back/llvm/sample_parts.h"
 
 #include <llvm/IR/Intrinsics.h>
@@ -9,10 +10,6 @@ using abi::Wrap;
 
 Value *clamp(Code &code, Value *value, Value *low, Value *high) {
   return code.min(code.max(value, low), high); // max first: a NaN becomes `low`
-}
-
-Value *absolute(Code &code, Value *value) {
-  return code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value);
 }
 
 /// [0,1]: up and down again (MIRRORED_REPEAT). Of a coordinate so large that it has no fraction,

@@ -1,0 +1,114 @@
+#include "fp_compiler/back/llvm/math.h"
+#include "fp_compiler/back/llvm/sample_parts.h"
+
+#include <llvm/IR/Intrinsics.h>
+
+/// 3.8.8: from derivatives to levels.
+namespace arbiter::fp::llvm_back {
+namespace {
+
+/// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
+constexpr float kMaxBias = 16;
+
+/// Each lane's value at a corner of its 2x2 quad.
+Value *atCorner(Code &code, Value *value, int dx, int dy) {
+  const int width = code.cpu.blockWidth();
+  llvm::SmallVector<int, 16> from;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    from.push_back((lane / width / 2 * 2 + dy) * width + lane % width / 2 * 2 + dx);
+  return code.ir.CreateShuffleVector(value, from);
+}
+
+struct Derivatives {
+  std::array<Value *, 3> dx = {}, dy = {};
+};
+/// Null where there are none.
+Derivatives derivativesOf(Code &code, abi::Lanes lanes, const SampleAt &at, int count) {
+  Derivatives result = {at.dx, at.dy};
+  if (lanes == abi::Lanes::Row || at.dx[0])
+    return result;
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    Value *const here = atCorner(code, at.coordinate[i], 0, 0);
+    result.dx[i] = code.ir.CreateFSub(atCorner(code, at.coordinate[i], 1, 0), here);
+    result.dy[i] = code.ir.CreateFSub(atCorner(code, at.coordinate[i], 0, 1), here);
+  }
+  return result;
+}
+
+int dimensionsOf(abi::Dimension dimension) {
+  return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
+}
+
+/// The longest of all derivatives, in texels of the base level: the least of what the
+/// specification allows, and what Mesa's llvmpipe takes.
+Value *scaleFactor(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
+                   const CubeFace *cube) {
+  const int dimensions = dimensionsOf(key.dimension);
+  const ImageCode base = loadImage(code, key.format, view, code.ir.getInt32(0), dimensions);
+  Value *rho = nullptr;
+  for (const auto &change : {d.dx, d.dy}) {
+    const Vec moved = cube ? cube->derivative(change) : Vec{change[0], change[1], change[2]};
+    for (std::size_t i = 0; i < std::size_t(dimensions); ++i) {
+      Value *length = absolute(code, moved[i]);
+      if (key.dimension != abi::Dimension::Rect) {
+        Value *const size = code.ir.CreateSIToFP(base.size[i], code.ir.getFloatTy());
+        length = code.ir.CreateFMul(length, code.splat(size));
+      }
+      rho = rho ? code.max(length, rho) : length;
+    }
+  }
+  return rho;
+}
+
+Value *viewField(Code &code, Value *view, std::size_t offset) {
+  return code.splat(constantField(code, code.ir.getFloatTy(), view, offset));
+}
+
+/// [0, levelCount), also of NaN, as i32. \param level a whole number
+Value *clampedLevel(Code &code, Value *view, Value *level) {
+  Value *const count =
+      constantField(code, code.ir.getInt32Ty(), view, offsetof(abi::TextureView, levelCount));
+  Value *const last = code.ir.CreateSub(count, code.ir.getInt32(1));
+  Value *const high = code.splat(code.ir.CreateSIToFP(last, code.ir.getFloatTy()));
+  return code.toInt(code.min(code.max(level, code.splat(0.0f)), high));
+}
+
+} // namespace
+
+Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
+                     const SampleAt &at, const CubeFace *cube) {
+  const Derivatives d = derivativesOf(code, lanes, at, cube ? 3 : dimensionsOf(key.dimension));
+  Value *lambda = d.dx[0] ? log2(code, scaleFactor(code, key, view, d, cube)) : code.splat(0.0f);
+  Value *bias = key.dimension == abi::Dimension::Rect ? nullptr : at.bias;
+  if (key.hasBias) {
+    Value *const fixed = viewField(code, view, offsetof(abi::TextureView, lodBias));
+    bias = bias ? code.ir.CreateFAdd(bias, fixed) : fixed;
+  }
+  if (bias)
+    lambda = code.ir.CreateFAdd(
+        lambda, code.min(code.max(bias, code.splat(-kMaxBias)), code.splat(kMaxBias)));
+  if (key.hasBias)
+    lambda = code.min(code.max(lambda, viewField(code, view, offsetof(abi::TextureView, minLod))),
+                      viewField(code, view, offsetof(abi::TextureView, maxLod)));
+  return lambda;
+}
+
+LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view, Value *lambda) {
+  LevelChoice choice;
+  if (key.mip == abi::MipFilter::Nearest) {
+    // ceil(lambda + 1/2) - 1
+    Value *const up = code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::ceil,
+                                                   code.ir.CreateFSub(lambda, code.splat(0.5f)));
+    choice.first = clampedLevel(code, view, up);
+    return choice;
+  }
+  Value *const whole = code.floor(lambda);
+  choice.first = clampedLevel(code, view, whole);
+  choice.second = clampedLevel(code, view, code.ir.CreateFAdd(whole, code.splat(1.0f)));
+  // Where both are the same level the weight does not matter, but 0 saves reading it again.
+  choice.fraction = code.select(code.ir.CreateICmpEQ(choice.first, choice.second), code.splat(0.0f),
+                                code.ir.CreateFSub(lambda, whole));
+  return choice;
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,28 @@
+#pragma once
+#include <array>
+
+#include "fp_compiler/abi.h"
+
+/// Texture sampling as OpenGL 1.4 writes it in 3.8.7 to 3.8.14, one lookup at a time, in doubles
+/// and without regard to speed: what generated code is held against.
+namespace arbiter::fp::llvm_back::testing {
+
+using Color = std::array<double, 4>;
+
+struct ReferenceQuery {
+  std::array<double, 3> coordinate = {};
+  /// Of the coordinate, a pixel in x and in y. Unused where `hasDerivatives` is false: then the
+  /// level of detail is 0, biases apart.
+  std::array<double, 3> dx = {}, dy = {};
+  bool hasDerivatives = false;
+  double bias = 0;
+  double lambdaOffset = 0; ///< added last: to learn how much a rounding of lambda matters
+};
+
+[[nodiscard]] Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes);
+/// The scale factor is the largest of all derivatives in texels, which is within what 3.8.8 allows
+/// (between that and their sum).
+[[nodiscard]] Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
+                                    const ReferenceQuery &query);
+
+} // namespace arbiter::fp::llvm_back::testing

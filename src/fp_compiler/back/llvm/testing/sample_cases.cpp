@@ -1,0 +1,179 @@
+#include "fp_compiler/back/llvm/testing/sample_cases.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace arbiter::fp::llvm_back::testing {
+namespace {
+
+using abi::Compare;
+using abi::Dimension;
+using abi::Filter;
+using abi::From;
+using abi::Layout;
+using abi::MipFilter;
+
+/// The properties, each a small number.
+enum Property {
+  Dim,
+  Lay,
+  Swi,
+  WrapS,
+  WrapT,
+  WrapR,
+  Mag,
+  Min,
+  Mip,
+  Shadow,
+  Sizes,
+  Lane,
+  Bias,
+  Needed,
+  kProperties
+};
+constexpr int kValues[kProperties] = {5, 16, 5, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
+using Choice = std::array<int, kProperties>;
+
+constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
+                                      {From::C2, From::C1, From::C0, From::C3},
+                                      {From::C0, From::C0, From::C0, From::One},
+                                      {From::Zero, From::Zero, From::Zero, From::C0},
+                                      {From::C0, From::C0, From::C0, From::C1}};
+constexpr int kSizes[][3] = {{1, 1, 1},   {16, 8, 4}, {64, 64, 8},
+                             {37, 21, 5}, {3, 40, 2}, {1, 32, 1}};
+
+bool isDepth(Layout layout) { return layout >= Layout::Depth16; }
+int componentsOf(Layout layout) {
+  if (isDepth(layout))
+    return 1;
+  switch (layout) {
+  case Layout::U8x2:
+  case Layout::U16x2:
+  case Layout::F16x2:
+  case Layout::F32x2:
+    return 2;
+  case Layout::U8x4:
+  case Layout::U16x4:
+  case Layout::F16x4:
+  case Layout::F32x4:
+    return 4;
+  default:
+    return 1;
+  }
+}
+
+/// Whether GL can ask for it: the rest of the pairs does not occur.
+bool possible(const Choice &c) {
+  const auto layout = Layout(c[Lay]);
+  const auto dimension = Dimension(c[Dim]);
+  for (const From from : kSwizzles[c[Swi]])
+    if (from <= From::C3 && layout != Layout::None && int(from) >= componentsOf(layout))
+      return false;
+  if (c[Shadow] &&
+      (!isDepth(layout) || dimension == Dimension::Tex3D || dimension == Dimension::Cube))
+    return false;
+  if (dimension == Dimension::Rect &&
+      (c[Mip] != 0 || (c[WrapS] != 2 && c[WrapS] != 3 && c[WrapS] != 4) ||
+       (c[WrapT] != 2 && c[WrapT] != 3 && c[WrapT] != 4)))
+    return false;
+  return true;
+}
+
+Case caseOf(const Choice &c) {
+  Case test;
+  abi::SamplerKey &key = test.key;
+  key.dimension = Dimension(c[Dim]);
+  key.format = {Layout(c[Lay]), kSwizzles[c[Swi]]};
+  key.wrap = {abi::Wrap(c[WrapS]), abi::Wrap(c[WrapT]), abi::Wrap(c[WrapR])};
+  key.magnify = Filter(c[Mag]);
+  key.minify = Filter(c[Min]);
+  key.mip = MipFilter(c[Mip]);
+  key.shadow = c[Shadow] > 0;
+  key.compare = c[Shadow] ? Compare(c[Shadow] - 1) : Compare::LessEqual;
+  key.hasBias = c[Bias] & 1;
+  for (std::size_t i = 0; i < 3; ++i)
+    test.size[i] = kSizes[c[Sizes]][i];
+  if (key.dimension == Dimension::Cube)
+    test.size[1] = test.size[0];
+  if (key.dimension == Dimension::Tex1D)
+    test.size[1] = 1;
+  if (key.dimension != Dimension::Tex3D)
+    test.size[2] = 1;
+  key.powerOfTwo = 1;
+  for (const int extent : test.size)
+    key.powerOfTwo &= (extent & (extent - 1)) == 0;
+  test.options.lanes = abi::Lanes(c[Lane]);
+  test.options.derivatives = c[Lane] == int(abi::Lanes::Row);
+  test.options.bias = c[Bias] & 2;
+  constexpr unsigned kNeeded[] = {0xF, 0x5, 0x8};
+  test.options.needed = kNeeded[c[Needed]];
+  return test;
+}
+
+using Pair = std::array<int, 4>; ///< property, value, property, value
+
+int countNew(const Choice &c, const std::set<Pair> &missing) {
+  int found = 0;
+  for (int a = 0; a < kProperties; ++a)
+    for (int b = a + 1; b < kProperties; ++b)
+      found += int(missing.count({a, c[std::size_t(a)], b, c[std::size_t(b)]}));
+  return found;
+}
+
+Choice randomChoice(std::mt19937 &random) {
+  for (;;) {
+    Choice c;
+    for (std::size_t i = 0; i < kProperties; ++i)
+      c[i] = int(random() % unsigned(kValues[i]));
+    if (random() % 3) // most comparisons would fall to `possible`
+      c[Shadow] = 0;
+    if (possible(c))
+      return c;
+  }
+}
+
+} // namespace
+
+std::vector<Case> pairwiseCases(std::mt19937 &random) {
+  std::set<Pair> missing;
+  for (int a = 0; a < kProperties; ++a)
+    for (int b = a + 1; b < kProperties; ++b)
+      for (int i = 0; i < kValues[a]; ++i)
+        for (int j = 0; j < kValues[b]; ++j)
+          missing.insert({a, i, b, j});
+  std::vector<Case> cases;
+  // Pairs that cannot be stay missing: it ends where many tries bring nothing new.
+  for (;;) {
+    Choice best = {};
+    int most = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Choice c = randomChoice(random);
+      const int found = countNew(c, missing);
+      if (found > most) {
+        most = found;
+        best = c;
+      }
+    }
+    if (most == 0)
+      return cases;
+    for (int a = 0; a < kProperties; ++a)
+      for (int b = a + 1; b < kProperties; ++b)
+        missing.erase({a, best[std::size_t(a)], b, best[std::size_t(b)]});
+    cases.push_back(caseOf(best));
+  }
+}
+
+std::string describe(const Case &test) {
+  const abi::SamplerKey &key = test.key;
+  return fmt::format(
+      "dimension {} layout {} swizzle {}{}{}{} wrap {} {} {} magnify {} minify {} mip {} shadow {} "
+      "compare {} powerOfTwo {} hasBias {} size {}x{}x{} lanes {} bias {} needed {:x}",
+      int(key.dimension), int(key.format.layout), int(key.format.swizzle[0]),
+      int(key.format.swizzle[1]), int(key.format.swizzle[2]), int(key.format.swizzle[3]),
+      int(key.wrap[0]), int(key.wrap[1]), int(key.wrap[2]), int(key.magnify), int(key.minify),
+      int(key.mip), key.shadow, int(key.compare), key.powerOfTwo, key.hasBias, test.size[0],
+      test.size[1], test.size[2], int(test.options.lanes), test.options.bias, test.options.needed);
+}
+
+} // namespace arbiter::fp::llvm_back::testing
