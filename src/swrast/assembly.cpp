@@ -22,7 +22,7 @@ std::uint32_t triangleCount(Topology topology, std::uint32_t count) {
 }
 
 TriangleCorners triangleAt(Topology topology, std::uint32_t count, std::uint32_t i,
-                           bool provokingIsFirst) {
+                           bool provokingIsFirst, bool otherDiagonal) {
   switch (topology) {
   case Topology::Triangles: {
     const std::uint32_t a = 3 * i;
@@ -42,7 +42,7 @@ TriangleCorners triangleAt(Topology topology, std::uint32_t count, std::uint32_t
   case Topology::Quads: {
     const std::uint32_t a = i / 2 * 4;
     const std::uint32_t provoking = provokingIsFirst ? a : a + 3;
-    if (provokingIsFirst)
+    if (!otherDiagonal)
       return i & 1 ? TriangleCorners{{a, a + 2, a + 3}, provoking, 6}
                    : TriangleCorners{{a, a + 1, a + 2}, provoking, 3};
     return i & 1 ? TriangleCorners{{a + 1, a + 2, a + 3}, provoking, 3}

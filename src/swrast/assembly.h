@@ -23,9 +23,10 @@ struct LineEnds {
 [[nodiscard]] bool isPolygonal(Topology topology);
 [[nodiscard]] std::uint32_t triangleCount(Topology topology, std::uint32_t count);
 /// Wound as the primitive is. Quads and polygons are cut as hosts cut them, so that what is not
-/// flat looks the same.
+/// flat looks the same: a quad from its first corner to the third, and in draws that are clipped or
+/// not filled (`otherDiagonal`) from the second to the fourth.
 [[nodiscard]] TriangleCorners triangleAt(Topology topology, std::uint32_t count, std::uint32_t i,
-                                         bool provokingIsFirst);
+                                         bool provokingIsFirst, bool otherDiagonal);
 [[nodiscard]] std::uint32_t lineCount(Topology topology, std::uint32_t count);
 [[nodiscard]] LineEnds lineAt(Topology topology, std::uint32_t count, std::uint32_t i,
                               bool provokingIsFirst);

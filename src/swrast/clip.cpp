@@ -20,9 +20,13 @@ double smallestW(const ClipVertex *vertex, int count) {
   return std::max(largest * 0x1p-20, 0x1p-100);
 }
 
+/// In the order of hosts, so that what is cut twice is cut alike.
 int planesOf(const Viewport &viewport, double smallest, Plane planes[16]) {
   int count = 0;
-  planes[count++] = {0, 0, 0, 1, -smallest, -1};
+  planes[count++] = {-1, 0, 0, 1, 0, -1};
+  planes[count++] = {1, 0, 0, 1, 0, -1};
+  planes[count++] = {0, -1, 0, 1, 0, -1};
+  planes[count++] = {0, 1, 0, 1, 0, -1};
   if (!viewport.depthClamp) {
     planes[count++] = {0, 0, 1, 1, 0, -1};
     planes[count++] = {0, 0, -1, 1, 0, -1};
@@ -30,10 +34,7 @@ int planesOf(const Viewport &viewport, double smallest, Plane planes[16]) {
   for (int user = 0; user < 8; ++user)
     if ((viewport.userPlanes >> user) & 1u)
       planes[count++] = {0, 0, 0, 0, 0, user};
-  planes[count++] = {1, 0, 0, viewport.guard[0], 0, -1};
-  planes[count++] = {-1, 0, 0, viewport.guard[0], 0, -1};
-  planes[count++] = {0, 1, 0, viewport.guard[1], 0, -1};
-  planes[count++] = {0, -1, 0, viewport.guard[1], 0, -1};
+  planes[count++] = {0, 0, 0, 1, -smallest, -1};
   return count;
 }
 
@@ -57,6 +58,7 @@ ClipVertex between(const ClipVertex &inside, const ClipVertex &outside, double i
   for (int i = 0; i < 8; ++i)
     result.user[i] = mix(inside.user[i], outside.user[i]);
   result.window.outcode = kOutW; // its window position is still to be made
+  result.side = 0;
   return result;
 }
 
@@ -66,6 +68,7 @@ ClipVertex original(const Viewport &viewport, const Vertices &vertices, std::uin
   for (int i = 0; i < 4; ++i)
     result.position[i] = vertices.position[i][index];
   result.weight[which] = 1;
+  result.side = which;
   for (int i = 0; i < 8; ++i)
     result.user[i] = vertices.clipDistance[i] ? vertices.clipDistance[i][index] : 0;
   result.window = windowVertex(viewport, vertices, index);
@@ -92,7 +95,7 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
   Plane planes[16];
   const int planeCount = planesOf(viewport, smallestW(in->vertex.data(), 3), planes);
   for (int p = 0; p < planeCount; ++p) {
-    double distance[20];
+    double distance[20] = {};
     bool allInside = true;
     for (int i = 0; i < in->count; ++i) {
       distance[i] = distanceOf(planes[p], in->vertex[std::size_t(i)]);
@@ -107,10 +110,12 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
       const bool aInside = distance[i] >= 0, bInside = distance[next] >= 0;
       if (aInside)
         out->vertex[std::size_t(out->count++)] = a;
-      if (aInside != bInside)
-        out->vertex[std::size_t(out->count++)] = aInside
-                                                     ? between(a, b, distance[i], distance[next])
-                                                     : between(b, a, distance[next], distance[i]);
+      if (aInside == bInside)
+        continue;
+      ClipVertex &cut = out->vertex[std::size_t(out->count++)];
+      cut = aInside ? between(a, b, distance[i], distance[next])
+                    : between(b, a, distance[next], distance[i]);
+      cut.side = aInside ? kOnPlane + p : a.side;
     }
     std::swap(in, out);
     if (in->count < 3)

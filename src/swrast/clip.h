@@ -3,7 +3,7 @@
 
 #include "swrast/setup.h"
 
-/// Clipping against the view volume, the guard band and user planes.
+/// Clipping against the view volume and user planes.
 namespace arbiter::swrast {
 
 struct ClipVertex {
@@ -11,7 +11,10 @@ struct ClipVertex {
   double weight[3]; ///< of the primitive's vertices
   double user[8];   ///< clip distances
   WindowVertex window;
+  int side; ///< what it is the first end of: a side of the triangle, or kOnPlane + a plane
 };
+/// The planes of the view volume that run along the viewport's sides come first.
+inline constexpr int kOnPlane = 3, kSidePlanes = 4;
 
 /// A convex polygon of what is left of a triangle; at most a vertex more for each plane.
 struct ClippedPolygon {

@@ -90,7 +90,10 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
   WindowVertex *const corner = rectangle.corner;
   for (int i = 0; i < 4; ++i) {
     corner[i] = windowVertex(viewport, vertices, rectangle.vertex[i]);
-    if (corner[i].outcode & (kClipMask | kOutNan))
+    // Cutting at the sides of the view volume leaves a rectangle of the same inputs.
+    if (corner[i].outcode & ~kOutSides)
+      return false;
+    if (std::fabs(corner[i].x) > kGuard || std::fabs(corner[i].y) > kGuard)
       return false;
     if (corner[i].inverseW != corner[0].inverseW)
       return false;
@@ -112,7 +115,8 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
   const int right = pixelFrom(std::max(corner[0].fixedX, corner[2].fixedX));
   const int bottom = pixelFrom(std::min(corner[0].fixedY, corner[2].fixedY));
   const int top = pixelFrom(std::max(corner[0].fixedY, corner[2].fixedY));
-  rectangle.pixels = intersect({left, bottom, right - left, top - bottom}, state.clip);
+  rectangle.pixels =
+      intersect(intersect({left, bottom, right - left, top - bottom}, state.clip), viewport.pixels);
   return true;
 }
 
@@ -180,7 +184,8 @@ bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology
   shape.top = rectangle.pixels.y + rectangle.pixels.height;
   shape.edgeCount = 0;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(shading, vertices, triangle, state, state.offsetFill, shape);
+  makePlanes(state, shading, vertices, triangle, state.offsetFill, shape.left, shape.bottom,
+             shape.primitive);
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "swrast/emit.h"
 
+#include "swrast/small.h"
+
 namespace arbiter::swrast {
 namespace {
 
@@ -42,10 +44,10 @@ void Emitter::flush() {
   m_count = 0;
 }
 
-bool Emitter::wantsRows(const Shape &shape) const {
+bool Emitter::wantsRows(int width) const {
   if (!m_shading.row || !m_shading.quad)
     return m_shading.row != nullptr;
-  return shape.right - shape.left >= kRowVectors * m_shading.lanes;
+  return width >= kRowVectors * m_shading.lanes;
 }
 
 void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top) {
@@ -58,12 +60,64 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   flush();
   m_primitive = &shape.primitive;
   m_stippled = shape.stippled;
-  m_isRow = wantsRows(shape);
+  m_isRow = wantsRows(shape.right - shape.left);
   if (m_isRow)
     rows(shape, left, bottom, right, top);
   else
     blocks(shape, left, bottom, right, top);
   flush();
+}
+
+void Emitter::shadeSmall(const Vertices &vertices, const Triangle &triangle, const Rect &rect) {
+  const std::int64_t area = areaOf(triangle.corner);
+  Shape shape;
+  if (!setBounds(rect, triangle.corner, 3, shape))
+    return;
+  flush();
+  m_primitive = &m_small;
+  m_stippled = m_state.polygonStipple != nullptr;
+  m_isRow = wantsRows(shape.right - shape.left);
+  const auto planes = [&] {
+    makePlanes(m_state, m_shading, vertices, triangle, m_state.offsetFill, shape.left, shape.bottom,
+               m_small);
+  };
+  if (m_isRow) {
+    planes();
+    (void)shapeOf(rect, triangle.corner, area, shape);
+    rows(shape, shape.left, shape.bottom, shape.right, shape.top);
+    flush();
+    return;
+  }
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  const int firstX = shape.left & ~(width - 1), firstY = shape.bottom & ~(height - 1);
+  const BlockWalker walker(triangle.corner, area > 0, firstX, firstY, width, m_shading.lanes);
+  bool made = false;
+  for (int y = firstY; y < shape.top; y += height)
+    for (int x = firstX; x < shape.right; x += width) {
+      unsigned mask = walker.mask(x - firstX, y - firstY);
+      if (mask == 0)
+        continue;
+      if (x < rect.x || y < rect.y || x + width > rect.x + rect.width ||
+          y + height > rect.y + rect.height)
+        mask &= insideMask(rect, x, y);
+      if (mask == 0)
+        continue;
+      if (!made)
+        planes();
+      made = true;
+      block(x, y, mask);
+    }
+  flush();
+}
+
+unsigned Emitter::insideMask(const Rect &rect, int x, int y) const {
+  unsigned mask = 0;
+  for (int i = 0; i < m_shading.lanes; ++i) {
+    const int px = x + i % m_shading.blockWidth, py = y + i / m_shading.blockWidth;
+    if (px >= rect.x && px < rect.x + rect.width && py >= rect.y && py < rect.y + rect.height)
+      mask |= 1u << i;
+  }
+  return mask;
 }
 
 void Emitter::span(int x, int y, int end) {

@@ -17,6 +17,9 @@ public:
 
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
+  /// What of a triangle of less than kSmallExtent lies in the rectangle. Planes are made only if a
+  /// pixel is covered.
+  void shadeSmall(const Vertices &vertices, const Triangle &triangle, const Rect &rect);
   void flush();
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
 
@@ -28,11 +31,13 @@ private:
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
   void block(int x, int y, unsigned mask);
-  [[nodiscard]] bool wantsRows(const Shape &shape) const;
+  [[nodiscard]] unsigned insideMask(const Rect &rect, int x, int y) const;
+  [[nodiscard]] bool wantsRows(int width) const;
 
   const RasterState &m_state;
   const Shading &m_shading;
   const abi::Primitive *m_primitive = nullptr;
+  abi::Primitive m_small; ///< the small triangle's
   bool m_stippled = false;
   bool m_isRow = false;
   std::uint32_t m_count = 0;

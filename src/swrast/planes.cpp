@@ -27,22 +27,30 @@ Edge edgeBetween(const WindowVertex &from, const WindowVertex &to) {
   return edge;
 }
 
-bool shapeOf(const RasterState &state, const Triangle &triangle, std::int64_t area, Shape &shape) {
-  const WindowVertex *const v = triangle.corner;
-  const auto [minX, maxX] = std::minmax({v[0].fixedX, v[1].fixedX, v[2].fixedX});
-  const auto [minY, maxY] = std::minmax({v[0].fixedY, v[1].fixedY, v[2].fixedY});
-  shape.left = std::max(state.clip.x, pixelFrom(minX));
-  shape.bottom = std::max(state.clip.y, pixelFrom(minY));
+bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Shape &shape) {
+  std::int32_t minX = corner[0].fixedX, maxX = minX, minY = corner[0].fixedY, maxY = minY;
+  for (int i = 1; i < count; ++i) {
+    minX = std::min(minX, corner[i].fixedX);
+    maxX = std::max(maxX, corner[i].fixedX);
+    minY = std::min(minY, corner[i].fixedY);
+    maxY = std::max(maxY, corner[i].fixedY);
+  }
+  shape.left = std::max(clip.x, pixelFrom(minX));
+  shape.bottom = std::max(clip.y, pixelFrom(minY));
   // A right or an upper edge is outside itself, but not a corner that a left edge ends in.
-  shape.right = std::min(state.clip.x + state.clip.width, (maxX >> kSubpixelBits) + 1);
-  shape.top = std::min(state.clip.y + state.clip.height, (maxY >> kSubpixelBits) + 1);
-  if (shape.left >= shape.right || shape.bottom >= shape.top)
+  shape.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
+  shape.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);
+  return shape.left < shape.right && shape.bottom < shape.top;
+}
+
+bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area, Shape &shape) {
+  if (!setBounds(clip, corner, 3, shape))
     return false;
   const int second = area > 0 ? 1 : 2, third = 3 - second;
   shape.edgeCount = 3;
-  shape.edges[0] = edgeBetween(v[0], v[second]);
-  shape.edges[1] = edgeBetween(v[second], v[third]);
-  shape.edges[2] = edgeBetween(v[third], v[0]);
+  shape.edges[0] = edgeBetween(corner[0], corner[second]);
+  shape.edges[1] = edgeBetween(corner[second], corner[third]);
+  shape.edges[2] = edgeBetween(corner[third], corner[0]);
   return true;
 }
 
@@ -89,14 +97,14 @@ constexpr float kMissing[4] = {0, 0, 0, 1};
 
 } // namespace
 
-void makePlanes(const Shading &shading, const Vertices &vertices, const Triangle &triangle,
-                const RasterState &state, bool offset, Shape &shape) {
-  abi::Primitive &primitive = shape.primitive;
-  primitive.originX = shape.left;
-  primitive.originY = shape.bottom;
+void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
+                const Triangle &triangle, bool offset, int originX, int originY,
+                abi::Primitive &primitive) {
+  primitive.originX = originX;
+  primitive.originY = originY;
   primitive.backFacing = triangle.backFacing ? 1 : 0;
   const WindowVertex *const v = triangle.corner;
-  const Gradients g = gradientsOf(v, shape.left, shape.bottom);
+  const Gradients g = gradientsOf(v, originX, originY);
   if (shading.readsDepth || offset) {
     primitive.z = g.plane(v[0].z, v[1].z, v[2].z);
     if (offset) {

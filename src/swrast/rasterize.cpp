@@ -1,47 +1,103 @@
 #include "swrast/rasterize.h"
 
+#include <atomic>
+
+#include "swrast/bins.h"
 #include "swrast/direct.h"
-#include "swrast/triangles.h"
+#include "swrast/threads.h"
 
 namespace arbiter::swrast {
 namespace {
 
+/// Kept by each thread that draws, so that a draw like the last one allocates nothing.
+struct Scratch {
+  std::vector<WindowVertex> window;
+  std::vector<Shape> shapes;
+  Bins bins;
+};
 Scratch &scratch() {
   thread_local Scratch instance;
   return instance;
 }
 
-/// Shapes that are kept before they are shaded.
-constexpr std::size_t kMaxShapes = 256;
+/// Draws of no more triangles are shaded in bands: sorting them would not pay.
+constexpr std::uint32_t kDirectTriangles = 32;
+constexpr std::uint32_t kVertexChunk = 4096;
+
+/// Window positions of the vertices that are used.
+void placeVertices(Draw &draw, std::vector<WindowVertex> &window) {
+  std::uint32_t begin = draw.first, end = draw.first + draw.count;
+  if (draw.indices) {
+    begin = draw.vertices.count;
+    end = 0;
+    for (std::uint32_t i = 0; i < draw.count; ++i) {
+      const std::uint32_t index = draw.indices[i];
+      if (index >= draw.vertices.count)
+        continue;
+      begin = std::min(begin, index);
+      end = std::max(end, index + 1);
+    }
+  }
+  end = std::min(end, draw.vertices.count);
+  if (window.size() < end)
+    window.resize(end);
+  draw.window = window.data();
+  if (begin >= end)
+    return;
+  std::atomic<std::uint32_t> outcodes{0};
+  auto chunk = [&](std::uint32_t number) {
+    const std::uint32_t from = begin + number * kVertexChunk;
+    const std::uint32_t to = std::min(end, from + kVertexChunk);
+    std::uint32_t any = 0;
+    for (std::uint32_t i = from; i < to; ++i) {
+      window[i] = windowVertex(draw.viewport, draw.vertices, i);
+      any |= window[i].outcode;
+    }
+    outcodes.fetch_or(any, std::memory_order_relaxed);
+  };
+  parallel((end - begin + kVertexChunk - 1) / kVertexChunk, chunk);
+  draw.anyClipped = (outcodes.load(std::memory_order_relaxed) & kClipMask) != 0;
+}
+
+DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
+                                std::uint32_t triangles) {
+  shapes.clear();
+  const RasterState &state = draw.state;
+  const Rect clip = intersect(state.clip, draw.viewport.pixels);
+  const auto take = [&](const Triangle &triangle, Shape &shape) {
+    shape.stippled = state.polygonStipple != nullptr;
+    makePlanes(state, draw.shading, draw.vertices, triangle, state.offsetFill, shape.left,
+               shape.bottom, shape.primitive);
+    shapes.push_back(shape);
+  };
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    Triangle triangle;
+    std::uint32_t any = 0;
+    if (!fetchTriangle(
+            draw, triangleAt(draw.topology, draw.count, i, state.provokingIsFirst, draw.anyClipped),
+            triangle, any))
+      continue;
+    if (any & kClipMask) {
+      clipAndTake(draw, triangle, take);
+      continue;
+    }
+    const std::int64_t area = areaOf(triangle.corner);
+    triangle.backFacing = isBackFacing(state, area);
+    Shape shape;
+    if (area != 0 && !isCulled(state, triangle.backFacing) &&
+        shapeOf(clip, triangle.corner, area, shape))
+      take(triangle, shape);
+  }
+  return {shapes.size(), shadeInBands(state, draw.shading, shapes.data(), shapes.size())};
+}
 
 DrawStatistics drawTriangles(const Draw &draw) {
-  DrawStatistics result;
-  std::vector<Shape> &shapes = scratch().shapes;
-  shapes.clear();
-  const auto shadeAll = [&] {
-    result.primitives += shapes.size();
-    result.pixels += shadeInBands(draw.state, draw.shading, shapes.data(), shapes.size());
-    shapes.clear();
-  };
   const std::uint32_t triangles = triangleCount(draw.topology, draw.count);
-  for (std::uint32_t i = 0; i < triangles; ++i) {
-    const TriangleCorners corners =
-        triangleAt(draw.topology, draw.count, i, draw.state.provokingIsFirst);
-    forTriangle(draw, corners, [&](const Triangle &triangle, std::int64_t area) {
-      if (draw.modeOf(triangle.backFacing) != PolygonMode::Fill)
-        return;
-      Shape &shape = shapes.emplace_back();
-      if (!shapeOf(draw.state, triangle, area, shape)) {
-        shapes.pop_back();
-        return;
-      }
-      shape.stippled = draw.state.polygonStipple != nullptr;
-      makePlanes(draw.shading, draw.vertices, triangle, draw.state, draw.state.offsetFill, shape);
-    });
-    if (shapes.size() >= kMaxShapes)
-      shadeAll();
-  }
-  shadeAll();
+  if (triangles <= kDirectTriangles)
+    return drawFewTriangles(draw, scratch().shapes, triangles);
+  DrawStatistics result;
+  for (std::uint32_t i = 0; i < triangles; i += Bins::kMaxTriangles)
+    scratch().bins.shade(draw, i, std::min(Bins::kMaxTriangles, triangles - i), result);
   return result;
 }
 
@@ -50,8 +106,13 @@ DrawStatistics drawTriangles(const Draw &draw) {
 DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
                     const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
                     std::uint32_t count) {
-  if (state.clip.empty() || (!shading.row && !shading.quad))
+  if (state.clip.empty() || (!shading.row && !shading.quad) || count == 0)
     return {};
+  if (!indices) {
+    if (first >= vertices.count)
+      return {};
+    count = std::min(count, vertices.count - first);
+  }
   Rectangle rectangle;
   if (isPolygonal(topology) &&
       findRectangle(state, topology, vertices, indices, first, count, rectangle)) {
@@ -61,9 +122,10 @@ DrawStatistics draw(const RasterState &state, const Shading &shading, Topology t
     if (shapeOfRectangle(state, shading, topology, vertices, rectangle, shape))
       return {1, shadeInBands(state, shading, &shape, 1)};
   }
-  const Draw all = {state,   shading, topology, vertices,
-                    indices, first,   count,    makeViewport(state, vertices)};
-  if (isPolygonal(topology))
+  Draw all = {state,   shading, topology, vertices,
+              indices, first,   count,    makeViewport(state, vertices)};
+  placeVertices(all, scratch().window);
+  if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);
   return {};
 }

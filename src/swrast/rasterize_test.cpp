@@ -67,9 +67,9 @@ TEST(Rasterize, WhatIsNotAffineIsTwoTriangles) {
   EXPECT_EQ(drawAll(canvas, Topology::Quads, vertices).primitives, 2u);
   for (const std::uint32_t count : canvas.counts)
     ASSERT_EQ(count, 1u);
-  // The diagonal runs from the second vertex to the fourth.
-  EXPECT_FLOAT_EQ(canvas.valueAt(0, 40), 40.5f / 64);
-  EXPECT_FLOAT_EQ(canvas.valueAt(60, 60), 1.0f - 60.5f / 64);
+  // The diagonal runs from the first vertex to the third.
+  EXPECT_FLOAT_EQ(canvas.valueAt(0, 40), 40.0f / 64);
+  EXPECT_NEAR(canvas.valueAt(60, 20), 0, 1e-6);
 }
 
 /// A mesh with crooked corners, on and off pixel centres, and its whole border outside the canvas.

@@ -7,11 +7,6 @@
 /// What the stages of one draw look at and keep.
 namespace arbiter::swrast {
 
-/// Kept by each thread that draws, so that a draw like the last one allocates nothing.
-struct Scratch {
-  std::vector<Shape> shapes;
-};
-
 struct Draw {
   const RasterState &state;
   const Shading &shading;
@@ -20,12 +15,14 @@ struct Draw {
   const std::uint32_t *indices;
   std::uint32_t first, count;
   Viewport viewport;
+  const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
+  bool anyClipped = false;              ///< one of them is outside the view volume
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;
   }
-  [[nodiscard]] PolygonMode modeOf(bool backFacing) const {
-    return backFacing ? state.back : state.front;
+  [[nodiscard]] bool isFilled() const {
+    return state.front == PolygonMode::Fill && state.back == PolygonMode::Fill;
   }
 };
 

@@ -10,9 +10,8 @@ namespace arbiter::swrast {
 
 inline constexpr int kSubpixelBits = 8;
 inline constexpr int kSubpixels = 1 << kSubpixelBits;
-/// Window coordinates that need no clipping in x and y: products of their snapped differences and
-/// of pixels fit 64 bits with ease, and those within a tile 32.
-inline constexpr float kGuardMinimum = -16384, kGuardMaximum = 32768;
+/// Rectangles that leave the view volume need no clipping up to here.
+inline constexpr float kGuard = 1 << 20;
 
 /// Why a vertex cannot be taken as it is.
 enum Outcode : std::uint32_t {
@@ -23,14 +22,15 @@ enum Outcode : std::uint32_t {
   kOutNear = 16,
   kOutFar = 32,
   kOutW = 64,       ///< w is not positive
-  kOutGuard = 128,  ///< beyond the guard band
   kOutUser = 256,   ///< beyond the first user plane; the others follow
   kOutNan = 1 << 16 ///< a coordinate is not a number: the primitive is dropped
 };
 /// All vertices of a primitive beyond the same one of these: it is not seen.
 inline constexpr std::uint32_t kOutsideMask = 0xFF3F;
-/// Any vertex beyond one of these: the primitive must be clipped.
-inline constexpr std::uint32_t kClipMask = 0xFFF0;
+/// Any vertex beyond one of these: the primitive must be clipped. There is no guard band: hosts
+/// have none either, and cutting moves what is left of a side by a part of a sub-pixel.
+inline constexpr std::uint32_t kClipMask = 0xFFFF;
+inline constexpr std::uint32_t kOutSides = 15; ///< left, right, bottom, top
 
 struct WindowVertex {
   float x = 0, y = 0, z = 0, inverseW = 0;
@@ -41,8 +41,7 @@ struct WindowVertex {
 /// Clip space to window, once a draw.
 struct Viewport {
   float scale[3], translate[3];
-  /// |x| and |y| up to this times w are within the guard band.
-  double guard[2];
+  Rect pixels; ///< whose centres are inside
   bool depthClamp;
   unsigned userPlanes; ///< clip distances that are there
 };
@@ -83,12 +82,16 @@ struct Triangle {
 [[nodiscard]] std::int64_t areaOf(const WindowVertex corner[3]);
 /// The edge from `from` to `to` of a counterclockwise polygon.
 [[nodiscard]] Edge edgeBetween(const WindowVertex &from, const WindowVertex &to);
+/// Bounds from snapped ones; false if no pixel of the clip rectangle can be inside.
+[[nodiscard]] bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Shape &shape);
 /// Bounds and edges; false if no pixel of the clip rectangle can be inside. `area` is not 0.
-[[nodiscard]] bool shapeOf(const RasterState &state, const Triangle &triangle, std::int64_t area,
+[[nodiscard]] bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area,
                            Shape &shape);
-/// The planes, from a shape with bounds. `offset` is added to depth.
-void makePlanes(const Shading &shading, const Vertices &vertices, const Triangle &triangle,
-                const RasterState &state, bool offset, Shape &shape);
+/// The planes, exact at pixel (originX, originY), which is better near the triangle than far off.
+/// `offset`: of depth.
+void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
+                const Triangle &triangle, bool offset, int originX, int originY,
+                abi::Primitive &primitive);
 
 /// The first pixel whose centre is at or behind a snapped coordinate.
 [[nodiscard]] constexpr std::int32_t pixelFrom(std::int32_t fixed) {

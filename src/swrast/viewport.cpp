@@ -11,13 +11,16 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
   for (int i = 0; i < 2; ++i) {
     result.scale[i] = state.viewport[2 + i] * 0.5f;
     result.translate[i] = state.viewport[i] + result.scale[i];
-    const double center = result.translate[i], scale = std::fabs(double(result.scale[i]));
-    const double room = std::min(double(kGuardMaximum) - center, center - double(kGuardMinimum));
-    result.guard[i] = scale > 0 ? std::max(1.0, room / scale) : 1e6;
   }
   result.scale[2] = (state.depthFar - state.depthNear) * 0.5f;
   result.translate[2] = (state.depthFar + state.depthNear) * 0.5f;
   result.depthClamp = state.depthClamp;
+  const auto place = [](double at) {
+    return std::int32_t(std::ceil(std::clamp(at, -1e6, 1e6) - 0.5));
+  };
+  const int left = place(state.viewport[0]), bottom = place(state.viewport[1]);
+  result.pixels = {left, bottom, place(double(state.viewport[0]) + state.viewport[2]) - left,
+                   place(double(state.viewport[1]) + state.viewport[3]) - bottom};
   for (unsigned i = 0; i < 8; ++i)
     if (vertices.clipDistance[i])
       result.userPlanes |= 1u << i;
@@ -65,12 +68,8 @@ WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, st
     const auto plane = unsigned(__builtin_ctz(planes));
     out |= vertices.clipDistance[plane][index] >= 0 ? 0u : kOutUser << plane;
   }
-  if (!(out & kOutW)) {
+  if (!(out & (kOutW | kOutNan)))
     toWindow(viewport, clip, vertex);
-    const bool within = vertex.x >= kGuardMinimum && vertex.x <= kGuardMaximum &&
-                        vertex.y >= kGuardMinimum && vertex.y <= kGuardMaximum;
-    out |= within ? 0u : kOutGuard;
-  }
   vertex.outcode = out;
   return vertex;
 }

@@ -1,0 +1,182 @@
+#include "swrast/bins.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "swrast/small.h"
+#include "swrast/threads.h"
+
+namespace arbiter::swrast {
+namespace {
+
+/// The edges of a shape over a tile: is any pixel inside, are all?
+struct TileTest {
+  bool any = true, all = true;
+};
+TileTest testTile(const Shape &shape, const Rect &tile) {
+  TileTest result;
+  for (int i = 0; i < shape.edgeCount; ++i) {
+    const Edge &edge = shape.edges[i];
+    const std::int64_t at = std::int64_t(edge.a) * tile.x + std::int64_t(edge.b) * tile.y + edge.c;
+    const std::int64_t alongX = std::int64_t(edge.a) * (tile.width - 1);
+    const std::int64_t alongY = std::int64_t(edge.b) * (tile.height - 1);
+    const std::int64_t zero = 0;
+    result.any = result.any && at + std::max(alongX, zero) + std::max(alongY, zero) >= 0;
+    result.all = result.all && at + std::min(alongX, zero) + std::min(alongY, zero) >= 0;
+  }
+  result.all = result.all && shape.left <= tile.x && shape.right >= tile.x + tile.width &&
+               shape.bottom <= tile.y && shape.top >= tile.y + tile.height;
+  return result;
+}
+
+} // namespace
+
+Rect Bins::tileRect(std::uint32_t tile) const {
+  const int x = m_left + int(tile) % m_tilesX, y = m_bottom + int(tile) / m_tilesX;
+  return intersect(m_clip, {x << kTileShift, y << kTileShift, kTile, kTile});
+}
+
+void Bins::link(Chunk &chunk, int tileX, int tileY, bool covers) {
+  List &list = chunk.tiles[std::size_t(tileY - m_bottom) * std::size_t(m_tilesX) +
+                           std::size_t(tileX - m_left)];
+  const auto number = std::uint32_t(chunk.links.size());
+  chunk.links.push_back({std::uint32_t(chunk.records.size() - 1), kNone});
+  if (list.first == kNone || covers)
+    list.first = number;
+  else
+    chunk.links[list.last].next = number;
+  list.last = number;
+  list.hidesOlder = list.hidesOlder || covers;
+}
+
+void Bins::addShape(const Draw &draw, Chunk &chunk, const Triangle &triangle, Shape &shape) {
+  const RasterState &state = draw.state;
+  shape.stippled = state.polygonStipple != nullptr;
+  makePlanes(state, draw.shading, draw.vertices, triangle, state.offsetFill, shape.left,
+             shape.bottom, shape.primitive);
+  chunk.records.push_back({{std::uint32_t(chunk.shapes.size())}, 0, true, triangle.backFacing});
+  chunk.shapes.push_back(shape);
+  const bool hides = draw.shading.opaque && !shape.stippled;
+  for (int y = shape.bottom >> kTileShift; y <= (shape.top - 1) >> kTileShift; ++y)
+    for (int x = shape.left >> kTileShift; x <= (shape.right - 1) >> kTileShift; ++x) {
+      const Rect tile = intersect(m_clip, {x << kTileShift, y << kTileShift, kTile, kTile});
+      const TileTest test = testTile(shape, tile);
+      if (test.any)
+        link(chunk, x, y, hides && test.all);
+    }
+}
+
+void Bins::add(const Draw &draw, Chunk &chunk, Triangle &triangle, bool clip) {
+  if (clip) {
+    clipAndTake(draw, triangle,
+                [&](const Triangle &part, Shape &shape) { addShape(draw, chunk, part, shape); });
+    return;
+  }
+  const WindowVertex *const v = triangle.corner;
+  const std::int64_t area = areaOf(v);
+  if (area == 0)
+    return;
+  triangle.backFacing = isBackFacing(draw.state, area);
+  if (isCulled(draw.state, triangle.backFacing))
+    return;
+  Shape bounds;
+  if (!setBounds(m_clip, v, 3, bounds))
+    return;
+  const auto extent = [](std::int32_t a, std::int32_t b, std::int32_t c) {
+    return std::max({a, b, c}) - std::min({a, b, c});
+  };
+  if (extent(v[0].fixedX, v[1].fixedX, v[2].fixedX) >= kSmallExtent ||
+      extent(v[0].fixedY, v[1].fixedY, v[2].fixedY) >= kSmallExtent) {
+    if (shapeOf(m_clip, v, area, bounds))
+      addShape(draw, chunk, triangle, bounds);
+    return;
+  }
+  chunk.records.push_back({{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},
+                           triangle.provoking,
+                           false,
+                           triangle.backFacing});
+  for (int y = bounds.bottom >> kTileShift; y <= (bounds.top - 1) >> kTileShift; ++y)
+    for (int x = bounds.left >> kTileShift; x <= (bounds.right - 1) >> kTileShift; ++x)
+      link(chunk, x, y, false);
+}
+
+void Bins::setUp(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end) {
+  chunk.records.clear();
+  chunk.shapes.clear();
+  chunk.links.clear();
+  chunk.tiles.assign(std::size_t(m_tilesX) * std::size_t(m_tilesY), List());
+  for (std::uint32_t i = first; i < end; ++i) {
+    const TriangleCorners corners =
+        triangleAt(draw.topology, draw.count, i, draw.state.provokingIsFirst, draw.anyClipped);
+    Triangle triangle;
+    std::uint32_t any = 0;
+    if (fetchTriangle(draw, corners, triangle, any))
+      add(draw, chunk, triangle, (any & kClipMask) != 0);
+  }
+}
+
+void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels) {
+  const Rect rect = tileRect(tile);
+  std::uint32_t start = m_used;
+  bool empty = true;
+  while (start > 0) {
+    const List &list = m_chunks[--start].tiles[tile];
+    empty = empty && list.first == kNone;
+    if (list.hidesOlder)
+      break;
+  }
+  if (empty)
+    return;
+  Emitter emitter(draw.state, draw.shading);
+  Triangle triangle;
+  for (std::uint32_t c = start; c < m_used; ++c) {
+    const Chunk &chunk = m_chunks[c];
+    for (std::uint32_t at = chunk.tiles[tile].first; at != kNone; at = chunk.links[at].next) {
+      const Record &record = chunk.records[chunk.links[at].record];
+      if (record.isShape) {
+        emitter.shade(chunk.shapes[record.vertex[0]], rect.x, rect.y, rect.x + rect.width,
+                      rect.y + rect.height);
+        continue;
+      }
+      for (int k = 0; k < 3; ++k) {
+        triangle.vertex[k] = record.vertex[k];
+        triangle.corner[k] = draw.window[record.vertex[k]];
+      }
+      triangle.provoking = record.provoking;
+      triangle.backFacing = record.backFacing;
+      emitter.shadeSmall(draw.vertices, triangle, rect);
+    }
+  }
+  pixels += emitter.pixels();
+}
+
+void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
+                 DrawStatistics &statistics) {
+  m_clip = intersect(draw.state.clip, draw.viewport.pixels);
+  if (m_clip.empty())
+    return;
+  m_left = m_clip.x >> kTileShift;
+  m_bottom = m_clip.y >> kTileShift;
+  m_tilesX = ((m_clip.x + m_clip.width - 1) >> kTileShift) - m_left + 1;
+  m_tilesY = ((m_clip.y + m_clip.height - 1) >> kTileShift) - m_bottom + 1;
+  m_used = (count + kChunk - 1) / kChunk;
+  if (m_chunks.size() < m_used)
+    m_chunks.resize(m_used);
+  auto setUpChunk = [&](std::uint32_t i) {
+    setUp(draw, m_chunks[i], first + i * kChunk, first + std::min(count, (i + 1) * kChunk));
+  };
+  parallel(m_used, setUpChunk);
+  std::atomic<std::uint64_t> pixels{0};
+  auto tile = [&](std::uint32_t i) {
+    std::uint64_t own = 0;
+    shadeTile(draw, i, own);
+    if (own)
+      pixels.fetch_add(own, std::memory_order_relaxed);
+  };
+  parallel(std::uint32_t(m_tilesX) * std::uint32_t(m_tilesY), tile);
+  statistics.pixels += pixels.load(std::memory_order_relaxed);
+  for (std::uint32_t i = 0; i < m_used; ++i)
+    statistics.primitives += m_chunks[i].records.size();
+}
+
+} // namespace arbiter::swrast

@@ -1,0 +1,120 @@
+#include "scene.h"
+
+#include <GL/osmesa.h>
+
+#include <GL/gl.h>
+
+#include "swrast/canvas_testing.h"
+
+namespace arbiter::raster_test {
+namespace {
+
+using swrast::PolygonMode;
+using swrast::RasterState;
+using swrast::Topology;
+
+GLenum modeOf(PolygonMode mode) {
+  return mode == PolygonMode::Point ? GL_POINT : mode == PolygonMode::Line ? GL_LINE : GL_FILL;
+}
+
+void setEnabled(GLenum what, bool on) { (on ? glEnable : glDisable)(what); }
+
+void setState(const Scene &scene) {
+  const RasterState &state = scene.state;
+  glViewport(0, 0, scene.width, scene.height);
+  setEnabled(GL_CULL_FACE, state.cullFront || state.cullBack);
+  glCullFace(state.cullFront && state.cullBack ? GL_FRONT_AND_BACK
+             : state.cullFront                 ? GL_FRONT
+                                               : GL_BACK);
+  glFrontFace(state.frontIsClockwise ? GL_CW : GL_CCW);
+  glPolygonMode(GL_FRONT, modeOf(state.front));
+  glPolygonMode(GL_BACK, modeOf(state.back));
+  glLineWidth(state.lineWidth);
+  glPointSize(state.pointSize);
+  setEnabled(GL_LINE_STIPPLE, state.lineStippleFactor != 0);
+  glLineStipple(state.lineStippleFactor ? state.lineStippleFactor : 1, state.lineStipple);
+  setEnabled(GL_POLYGON_STIPPLE, state.polygonStipple != nullptr);
+  if (state.polygonStipple)
+    glPolygonStipple(state.polygonStipple);
+  setEnabled(GL_POINT_SPRITE, state.spriteInputs != 0);
+  setEnabled(GL_DEPTH_CLAMP, state.depthClamp);
+  setEnabled(GL_SCISSOR_TEST, !state.clip.empty());
+  glScissor(state.clip.x, state.clip.y, state.clip.width, state.clip.height);
+}
+
+} // namespace
+
+void Scene::add(double x, double y, double w, double z) {
+  vertices.push_back(
+      {float((x / width * 2 - 1) * w), float((y / height * 2 - 1) * w), float(z * w), float(w)});
+}
+
+Counts drawByHost(const Scene &scene) {
+  static const OSMesaContext context = [] {
+    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
+    return OSMesaCreateContextAttribs(attributes, nullptr);
+  }();
+  std::vector<std::uint8_t> pixels(std::size_t(scene.width) * std::size_t(scene.height) * 4);
+  if (!context ||
+      !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, scene.width, scene.height))
+    return {};
+  constexpr GLenum kModes[] = {GL_POINTS,     GL_LINES,          GL_LINE_LOOP,    GL_LINE_STRIP,
+                               GL_TRIANGLES,  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
+                               GL_QUAD_STRIP, GL_POLYGON};
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glColor4f(1 / 255.0f, 0, 0, 0);
+  setState(scene);
+  glBegin(kModes[int(scene.topology)]);
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    glEdgeFlag(scene.edgeFlags.empty() || scene.edgeFlags[i] ? GL_TRUE : GL_FALSE);
+    glVertex4fv(scene.vertices[i].data());
+  }
+  glEnd();
+  glFinish();
+  Counts result(std::size_t(scene.width) * std::size_t(scene.height));
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = pixels[4 * i];
+  return result;
+}
+
+Counts drawByUs(const Scene &scene, int lanes) {
+  swrast::testing::Canvas canvas(scene.width, scene.height);
+  if (lanes)
+    canvas.useQuads(lanes);
+  const RasterState own = canvas.state;
+  canvas.state = scene.state;
+  std::copy(own.viewport, own.viewport + 4, canvas.state.viewport);
+  canvas.state.clip = scene.state.clip.empty() ? own.clip : intersect(own.clip, scene.state.clip);
+  std::vector<float> positions[4];
+  for (const std::array<float, 4> &vertex : scene.vertices)
+    for (std::size_t c = 0; c < 4; ++c)
+      positions[c].push_back(vertex[c]);
+  swrast::Vertices vertices;
+  vertices.count = std::uint32_t(scene.vertices.size());
+  for (int c = 0; c < 4; ++c)
+    vertices.position[c] = positions[c].data();
+  if (!scene.edgeFlags.empty())
+    vertices.edgeFlags = scene.edgeFlags.data();
+  (void)draw(canvas.state, canvas.shading, scene.topology, vertices, nullptr, 0, vertices.count);
+  return canvas.counts;
+}
+
+Difference compare(const Scene &scene, const Counts &host, const Counts &ours) {
+  Difference result;
+  for (std::size_t i = 0; i < host.size(); ++i) {
+    result.covered += host[i] != 0;
+    if (host[i] == ours[i])
+      continue;
+    if (++result.pixels <= 6)
+      result.text += "(" + std::to_string(i % std::size_t(scene.width)) + ", " +
+                     std::to_string(i / std::size_t(scene.width)) + "): host " +
+                     std::to_string(host[i]) + ", ours " + std::to_string(ours[i]) + "; ";
+  }
+  return result;
+}
+
+} // namespace arbiter::raster_test
