@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <iterator>
 
 #include "host/host_table.h"
@@ -58,6 +59,44 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
+/// What the rasterizer's mirror asks for.
+void querySoftwareCaps(HostCaps &caps, int gl) {
+  const auto since = [&](int version, std::initializer_list<const char *> extensions) {
+    return gl >= version || std::any_of(extensions.begin(), extensions.end(),
+                                        [&](const char *name) { return caps.has(name); });
+  };
+  constexpr int kNever = 1000;
+  caps.pixelBuffers = since(21, {"GL_ARB_pixel_buffer_object", "GL_EXT_pixel_buffer_object"});
+  caps.provokingVertex = since(32, {"GL_ARB_provoking_vertex", "GL_EXT_provoking_vertex"});
+  caps.depthClamp = since(32, {"GL_ARB_depth_clamp", "GL_NV_depth_clamp"});
+  caps.depthBounds = since(kNever, {"GL_EXT_depth_bounds_test"});
+  caps.clampColor = since(30, {"GL_ARB_color_buffer_float"});
+  caps.stencilTwoSide = since(kNever, {"GL_EXT_stencil_two_side"});
+  caps.indexedBuffers = since(30, {"GL_EXT_draw_buffers2"});
+  caps.indexedBlend = since(40, {"GL_ARB_draw_buffers_blend"});
+  caps.srgbFramebuffer = since(30, {"GL_ARB_framebuffer_sRGB", "GL_EXT_framebuffer_sRGB"});
+  caps.clipControl = since(45, {"GL_ARB_clip_control"});
+  caps.occlusionQuery = since(15, {"GL_ARB_occlusion_query"});
+  caps.anySamples = since(33, {"GL_ARB_occlusion_query2"});
+  caps.anySamplesConservative = since(43, {"GL_ARB_ES3_compatibility"});
+  caps.transformFeedback = since(30, {"GL_EXT_transform_feedback"});
+  caps.transformFeedback2 = since(40, {"GL_ARB_transform_feedback2"});
+  caps.textureSwizzle = since(33, {"GL_ARB_texture_swizzle", "GL_EXT_texture_swizzle"});
+  caps.seamlessCube = since(32, {"GL_ARB_seamless_cube_map"});
+  caps.filterMinmax = since(46, {"GL_ARB_texture_filter_minmax"});
+  caps.vertexArrays = since(30, {"GL_ARB_vertex_array_object"});
+  caps.instanced = since(33, {"GL_ARB_instanced_arrays"});
+  caps.integerArrays = since(30, {"GL_EXT_gpu_shader4"});
+  caps.doubleArrays = since(41, {"GL_ARB_vertex_attrib_64bit"});
+  caps.primitiveRestart = since(31, {});
+  caps.restartNv = since(kNever, {"GL_NV_primitive_restart"});
+  caps.fixedIndexRestart = since(43, {"GL_ARB_ES3_compatibility"});
+  caps.attribBinding = since(43, {"GL_ARB_vertex_attrib_binding"});
+  caps.bufferStorage = since(44, {"GL_ARB_buffer_storage"});
+  caps.symmetricSigned = gl >= 42;
+  caps.copyBuffer = since(31, {"GL_ARB_copy_buffer"});
+}
+
 } // namespace
 
 bool HostCaps::has(const char *extension) const {
@@ -101,6 +140,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   caps.anisotropy = gl >= 46 || caps.has("GL_EXT_texture_filter_anisotropic") ||
                     caps.has("GL_ARB_texture_filter_anisotropic");
   caps.shadow = gl >= 14 || caps.has("GL_ARB_shadow");
+  querySoftwareCaps(caps, gl);
   if (!caps.compatibility)
     return caps;
   caps.maxAttribStackDepth = getInteger(host, GL_MAX_ATTRIB_STACK_DEPTH, 16);

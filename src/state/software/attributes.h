@@ -55,6 +55,8 @@ struct VertexSource {
     bool bgra = false;
   };
   std::array<Array, kSlots> arrays;
+  /// Signed normalised numbers are c / (2^(b-1) - 1), as from OpenGL 4.2 on; else (2c+1)/(2^b-1).
+  bool symmetric = false;
   std::uint32_t count = 0; ///< vertices that may be read; 0: as many as the indices name
 };
 

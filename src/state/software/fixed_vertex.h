@@ -34,6 +34,7 @@ struct FixedVertexKey {
   std::uint8_t fogFromDepth = 0;
   std::uint8_t pointAttenuation = 0;
   std::uint8_t lighting = 0, twoSided = 0, localViewer = 0, separateSpecular = 0;
+  std::uint8_t clampColors = 0;
   std::uint8_t colorMaterialFace = 0, colorMaterialParts = 0;
   std::uint8_t normalize = 0, rescale = 0;
   std::uint8_t lights = 0, positional = 0, spots = 0, attenuated = 0;

@@ -64,11 +64,11 @@ struct VertexState {
   /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
   bool fogFromDepth = true; ///< FOG_COORDINATE_SOURCE is FRAGMENT_DEPTH
-  bool fog = false;         ///< FOG is enabled
-  bool colorSum = false;    ///< COLOR_SUM is enabled
+  bool clampColors = true;  ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each
   std::uint32_t version = 0;   ///< changes with the above
+  bool operator==(const VertexState &) const = default;
 };
 
 struct Mirror {
@@ -80,6 +80,9 @@ struct Mirror {
   /// CLAMP_FRAGMENT_COLOR is FIXED_ONLY: pixelOps.clampColors is what fixed-point targets want, and
   /// float targets want 0.
   bool clampFixedOnly = true;
+  /// CLAMP_VERTEX_COLOR, likewise.
+  bool clampVertexColors = true, clampVertexFixedOnly = false;
+  bool blendLacking = false; ///< a blend function or equation that we lack
   /// As pixelOps has them, the stencil write and depth write masks are state of their own:
   /// constants.stencilWriteMask, pixelOps.depthStencil.depthWrite (with depthTest).
   std::array<std::array<SamplerState, 5>, abi::kMaxUnits> samplers; ///< by unit and abi::Dimension

@@ -39,6 +39,9 @@ private:
     std::uint32_t groups; ///< stale bits that it hangs on
     fp::ir::StateRef state;
   };
+  /// True if that is another value.
+  bool set(std::size_t row, const Vec4 &value);
+
   std::vector<Vec4> m_values; ///< one at least
   std::vector<Indexed> m_env, m_local;
   std::vector<State> m_states;

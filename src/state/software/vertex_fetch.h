@@ -71,7 +71,7 @@ private:
     std::uint32_t filled = 0;
   };
   [[nodiscard]] const float *constant(Constant &constant, float value);
-  [[nodiscard]] bool fetchArray(const VertexSource::Array &array, int slot, std::uint32_t first);
+  [[nodiscard]] bool fetchArray(const VertexSource &source, int slot, std::uint32_t first);
   [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
 
   std::uint32_t m_count = 0, m_padded = 0;
@@ -83,7 +83,8 @@ private:
   std::vector<Block> m_outputBlocks;
   std::vector<float *> m_outputs;
   std::vector<std::uint8_t> m_edgeFlags;
-  std::vector<std::uint32_t> m_indices;
+  std::unique_ptr<std::uint32_t[]> m_indices;
+  std::size_t m_indexCapacity = 0;
 };
 
 /// The slots that a program's attributes need.

@@ -1,0 +1,118 @@
+#include "state/software/program_state.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "state/context.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+bool differ(const Vec4 &a, const Vec4 &b) { return std::memcmp(&a, &b, sizeof a) != 0; }
+
+} // namespace
+
+std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
+  using fp::ir::StateItem;
+  // An entry point that nobody sorted into groups may say no more than that programs could see it.
+  constexpr std::uint32_t kAlways = stale::kProgramState;
+  switch (state.item) {
+  case StateItem::MaterialAmbient:
+  case StateItem::MaterialDiffuse:
+  case StateItem::MaterialSpecular:
+  case StateItem::MaterialEmission:
+  case StateItem::LightModelSceneColor:
+  case StateItem::LightProdAmbient:
+  case StateItem::LightProdDiffuse:
+  case StateItem::LightProdSpecular:
+    return kAlways | stale::kLighting | stale::kCurrent; // COLOR_MATERIAL follows the colour
+  case StateItem::MaterialShininess:
+  case StateItem::LightAmbient:
+  case StateItem::LightDiffuse:
+  case StateItem::LightSpecular:
+  case StateItem::LightPosition:
+  case StateItem::LightAttenuation:
+  case StateItem::LightSpotDirection:
+  case StateItem::LightHalf:
+  case StateItem::LightModelAmbient:
+    return kAlways | stale::kLighting;
+  case StateItem::TexEnvColor:
+    return kAlways | stale::kTextureParameters;
+  case StateItem::FogColor:
+  case StateItem::FogParams:
+    return kAlways | stale::kFog;
+  case StateItem::DepthRange:
+    return kAlways | stale::kViewport;
+  case StateItem::MatrixModelview:
+  case StateItem::MatrixProjection:
+  case StateItem::MatrixMvp:
+  case StateItem::MatrixTexture:
+  case StateItem::MatrixPalette:
+  case StateItem::MatrixProgram:
+  case StateItem::ClipPlane:
+    return kAlways | stale::kTransform;
+  case StateItem::TexGenEye:
+  case StateItem::TexGenObject:
+    return kAlways | stale::kTexGen;
+  case StateItem::PointSize:
+  case StateItem::PointAttenuation:
+    return kAlways | stale::kRaster;
+  }
+  return ~0u;
+}
+
+ProgramValues::ProgramValues(const fp::ir::Program &program)
+    : m_values(std::max<std::size_t>(program.parameters.size(), 1)) {
+  for (std::size_t i = 0; i < program.parameters.size(); ++i) {
+    const fp::ir::Parameter &parameter = program.parameters[i];
+    const auto row = std::uint16_t(i);
+    switch (parameter.kind) {
+    case fp::ir::ParameterKind::Constant:
+      m_values[i] = parameter.constant;
+      break;
+    case fp::ir::ParameterKind::Env:
+      m_env.push_back({row, parameter.index});
+      break;
+    case fp::ir::ParameterKind::Local:
+      m_local.push_back({row, parameter.index});
+      break;
+    case fp::ir::ParameterKind::State:
+      m_states.push_back({row, staleGroupsOf(parameter.state), parameter.state});
+      m_groups |= m_states.back().groups;
+      break;
+    }
+  }
+}
+
+bool ProgramValues::set(std::size_t row, const Vec4 &value) {
+  if (!differ(m_values[row], value))
+    return false;
+  m_values[row] = value;
+  return true;
+}
+
+bool ProgramValues::update(Context &context, const StaleClock &clock, const ProgramTarget *target) {
+  bool changed = false;
+  if (target) {
+    for (const Indexed &env : m_env)
+      changed |= set(env.row, env.index < target->env.size() ? target->env[env.index] : Vec4{});
+    const auto &locals = target->bound->locals;
+    for (const Indexed &local : m_local)
+      changed |= set(local.row, local.index < locals.size() ? locals[local.index].load() : Vec4{});
+  }
+  const std::uint32_t groups = clock.changedSince(m_seen) & m_groups;
+  m_seen = clock.now();
+  if (groups == 0) [[likely]]
+    return changed;
+  for (const State &state : m_states) {
+    if ((state.groups & groups) == 0)
+      continue;
+    Vec4 value{};
+    fetchState(context, state.state, value.data());
+    changed |= set(state.row, value);
+  }
+  return changed;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,227 @@
+#include "state/software/vertex_fetch.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#include "state/software/vertex_convert.h"
+#include "swrast/threads.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+constexpr std::align_val_t kAlignment{64};
+/// Vertices of a share of one thread.
+constexpr std::uint32_t kShare = 16384;
+
+/// In shares, on the rasterizer's threads where there is more than one.
+void convertAll(Convert convert, const Conversion &job) {
+  const std::uint32_t shares = (job.count + kShare - 1) / kShare;
+  if (shares <= 1)
+    return convert(job);
+  auto work = [&](std::uint32_t share) {
+    Conversion part = job;
+    const std::uint32_t first = share * kShare;
+    part.base += first * job.stride;
+    part.count = std::min(kShare, job.count - first);
+    for (float *&to : part.to)
+      to = to ? to + first : nullptr;
+    convert(part);
+  };
+  swrast::parallel(shares, work);
+}
+
+} // namespace
+
+VertexFetcher::Block::Block(Block &&other) noexcept
+    : data(std::exchange(other.data, nullptr)), floats(std::exchange(other.floats, 0)) {}
+
+VertexFetcher::Block &VertexFetcher::Block::operator=(Block &&other) noexcept {
+  std::swap(data, other.data);
+  std::swap(floats, other.floats);
+  return *this;
+}
+
+VertexFetcher::Block::~Block() { ::operator delete(data, kAlignment); }
+
+bool VertexFetcher::Block::reserve(std::size_t wanted) {
+  if (floats >= wanted)
+    return true;
+  const std::size_t grown = std::max({wanted, floats + floats / 2, std::size_t(256)});
+  ::operator delete(std::exchange(data, nullptr), kAlignment);
+  floats = 0;
+  data = static_cast<float *>(::operator new(grown * sizeof(float), kAlignment, std::nothrow));
+  if (!data)
+    return false;
+  floats = grown;
+  std::fill_n(data, floats, 0.0f);
+  return true;
+}
+
+VertexFetcher::VertexFetcher() = default;
+VertexFetcher::~VertexFetcher() = default;
+
+const float *VertexFetcher::constant(Constant &constant, float value) {
+  if (constant.block.floats < m_padded) {
+    if (!constant.block.reserve(m_padded))
+      return nullptr;
+    constant.filled = 0;
+  }
+  // Bits, not values: a NaN differs from itself, and -0 does not from 0.
+  if (std::bit_cast<std::uint32_t>(value) != std::bit_cast<std::uint32_t>(constant.value))
+    constant.filled = 0;
+  if (constant.filled < m_padded) {
+    constant.value = value;
+    std::fill(constant.block.data + constant.filled, constant.block.data + m_padded, value);
+    constant.filled = m_padded;
+  }
+  return constant.block.data;
+}
+
+bool VertexFetcher::fetchCurrent(const std::array<float, 4> &value, int slot) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (!(m_components[std::size_t(slot)][c] = constant(m_current[std::size_t(slot)][c], value[c])))
+      return false;
+  return true;
+}
+
+bool VertexFetcher::fetchArray(const VertexSource &source, int slot, std::uint32_t first) {
+  const VertexSource::Array &array = source.arrays[std::size_t(slot)];
+  const Convert convert = conversionOf(array, source.symmetric);
+  if (!convert)
+    return false;
+  Conversion job;
+  job.base = static_cast<const std::uint8_t *>(array.base) + std::size_t(first) * array.stride;
+  job.stride = array.stride;
+  job.count = m_count;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const float *&component = m_components[std::size_t(slot)][c];
+    if (c >= array.components) {
+      component = c == 3 ? constant(m_one, 1.0f) : constant(m_zero, 0.0f);
+    } else {
+      Block &block = m_blocks[std::size_t(slot)][c];
+      component = job.to[c] = block.reserve(m_padded) ? block.data : nullptr;
+    }
+    if (!component)
+      return false;
+  }
+  convertAll(convert, job);
+  return true;
+}
+
+bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &current,
+                          std::uint32_t slots, std::uint32_t first, std::uint32_t count) {
+  if (source.count != 0 && (first > source.count || count > source.count - first))
+    return false;
+  constexpr std::uint32_t kMost = 1u << 28; // indices and sizes stay within 32 bits
+  if (count > kMost)
+    return false;
+  m_count = count;
+  m_padded = (std::max(count, 1u) + 15u) & ~15u;
+  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    const bool fetched = source.arrays[std::size_t(slot)].base
+                             ? fetchArray(source, slot, first)
+                             : fetchCurrent(current[std::size_t(slot)], slot);
+    if (!fetched)
+      return false;
+  }
+  return true;
+}
+
+const float *const *VertexFetcher::inputs(std::span<const fp::ir::Attribute> attributes) {
+  m_inputs.clear();
+  for (const fp::ir::Attribute &attribute : attributes)
+    for (const float *const component : m_components[std::size_t(slotOf(attribute))])
+      m_inputs.push_back(component);
+  return m_inputs.data();
+}
+
+float *const *VertexFetcher::outputs(std::size_t count) {
+  if (m_outputBlocks.size() < 4 * count)
+    m_outputBlocks.resize(4 * count);
+  m_outputs.clear();
+  for (std::size_t i = 0; i < 4 * count; ++i) {
+    if (!m_outputBlocks[i].reserve(m_padded))
+      return nullptr;
+    m_outputs.push_back(m_outputBlocks[i].data);
+  }
+  return m_outputs.data();
+}
+
+const std::uint8_t *VertexFetcher::edgeFlags() {
+  const float *const flags = component(kEdgeFlag, 0);
+  m_edgeFlags.resize(m_count);
+  std::transform(flags, flags + m_count, m_edgeFlags.begin(),
+                 [](float flag) { return std::uint8_t(flag != 0.0f ? 1 : 0); });
+  return m_edgeFlags.data();
+}
+
+namespace {
+
+template <typename T>
+void widen(const void *from, std::uint32_t count, std::uint32_t *to, std::uint32_t &minimum,
+           std::uint32_t &maximum) {
+  std::uint32_t low = ~0u, high = 0;
+  const auto *const bytes = static_cast<const std::uint8_t *>(from);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    T value;
+    std::memcpy(&value, bytes + i * sizeof(T), sizeof(T));
+    to[i] = value;
+    low = std::min(low, to[i]);
+    high = std::max(high, to[i]);
+  }
+  minimum = low;
+  maximum = high;
+}
+
+} // namespace
+
+bool VertexFetcher::decodeIndices(GLenum type, const void *indices, std::uint32_t count,
+                                  std::int32_t baseVertex, IndexRange &out) {
+  out = {};
+  if (count == 0)
+    return true;
+  if (m_indexCapacity < count) {
+    m_indexCapacity = 0;
+    m_indices.reset(new (std::nothrow) std::uint32_t[count]);
+    if (!m_indices)
+      return false;
+    m_indexCapacity = count;
+  }
+  std::uint32_t minimum = 0, maximum = 0;
+  switch (type) {
+  case GL_UNSIGNED_BYTE:
+    widen<std::uint8_t>(indices, count, m_indices.get(), minimum, maximum);
+    break;
+  case GL_UNSIGNED_SHORT:
+    widen<std::uint16_t>(indices, count, m_indices.get(), minimum, maximum);
+    break;
+  case GL_UNSIGNED_INT:
+    widen<std::uint32_t>(indices, count, m_indices.get(), minimum, maximum);
+    break;
+  default:
+    return false;
+  }
+  const std::int64_t low = std::int64_t(minimum) + baseVertex;
+  const std::int64_t high = std::int64_t(maximum) + baseVertex;
+  if (low < 0 || high > std::int64_t(UINT32_MAX))
+    return false;
+  if (minimum != 0)
+    for (std::uint32_t i = 0; i < count; ++i)
+      m_indices[i] -= minimum;
+  out = {m_indices.get(), count, std::uint32_t(low), std::uint32_t(high)};
+  return true;
+}
+
+std::uint32_t slotsOf(std::span<const fp::ir::Attribute> attributes) {
+  std::uint32_t slots = 0;
+  for (const fp::ir::Attribute &attribute : attributes)
+    slots |= 1u << slotOf(attribute);
+  return slots;
+}
+
+} // namespace arbiter::state::software
