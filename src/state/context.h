@@ -138,7 +138,8 @@ public:
   /// The rasterizer's part; null where it is not used.
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
-  software::Drawable drawable; ///< as of the last make-current
+  software::Drawable drawable;  ///< as of the last make-current
+  bool countedCurrent = false; ///< in the group's count of current contexts
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

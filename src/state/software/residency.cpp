@@ -67,6 +67,15 @@ void dropAll(Context &context, WindowImages &window) {
 
 } // namespace
 
+void settle(Context &context, WindowImages &window) {
+  SharedImages &shared = sharedOf(context);
+  if (window.turn == shared.turn) [[likely]]
+    return;
+  uploadAll(context, window);
+  dropAll(context, window);
+  window.turn = shared.turn;
+}
+
 void synchronise(Context &context, const char *why) {
   if (!context.hostIsBehind)
     return;
@@ -98,7 +107,7 @@ void hostDoesAnything(Context &context, const char *why) {
 }
 
 void setDrawable(Context &context, const Drawable &drawable) {
-  // Kept with the context, which may not know yet that it is ours.
+  // Kept with the context, whose rasterizer may be engaged later.
   context.drawable = drawable;
 }
 

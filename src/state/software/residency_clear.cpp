@@ -117,6 +117,7 @@ bool clear(Context &context, GLbitfield mask) {
     return false;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
+  settle(context, *window);
   // The mode of an application that never draws by us costs nothing.
   if (shared.valid == 0 && !shared.drawn)
     return false;

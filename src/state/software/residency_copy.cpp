@@ -123,6 +123,7 @@ bool copyToTexture(Context &context, const CopyToTexture &copy) {
   SharedImages &shared = sharedOf(context);
   {
     const std::lock_guard lock(shared.mutex);
+    settle(context, *window);
     if (shared.valid == 0)
       return false;
     if (copyPixelsOurs(context, *window, copy))

@@ -62,9 +62,11 @@ private:
   GLboolean m_scissor = GL_FALSE;
 };
 
-/// Names that no application makes: Gen would give one that an application which makes up its own
-/// names (2.1, allowed before 3.1) takes too. So high that the host goes on giving small ones.
-inline constexpr GLuint kOurTexture = 0xFFFFFF40u;
-inline constexpr GLuint kOurFramebuffer = 0xFFFFFF40u; ///< read from; the next one is drawn to
+/// Names that no application makes. One that Gen gives might be one that an application takes which
+/// makes up its own names (allowed before 3.1). The host goes on from the highest name that is in
+/// use while there are any left, and else looks for small ones: hence the very last.
+inline constexpr GLuint kOurTexture = 0xFFFFFFFEu;
+inline constexpr GLuint kOurReadFramebuffer = 0xFFFFFFFEu;
+inline constexpr GLuint kOurDrawFramebuffer = 0xFFFFFFFDu;
 
 } // namespace arbiter::state::software

@@ -72,7 +72,10 @@ struct SharedImages {
   std::uint64_t generation = 1;
   /// Images whose shadow counts, windows' included: while there are none, nothing is to be done.
   std::size_t valid = 0;
-  bool drawn = false;          ///< by us, ever
+  bool drawn = false; ///< by us, ever
+  /// Moves on when another context of the group becomes current: shadows of before may be old.
+  std::uint64_t turn = 1;
+  std::uint32_t lastTurn = 0;  ///< serial of the context whose turn it is
   std::atomic<int> current{0}; ///< contexts that are current on some thread
   ResidencyStatistics statistics;
 };
@@ -106,7 +109,8 @@ struct PixelModes {
 /// A context's own part.
 struct WindowImages final : ContextImages {
   Drawable drawable;
-  bool sizeKnown = false, current = false;
+  bool sizeKnown = false;
+  std::uint64_t turn = 0; ///< of SharedImages, when this context last looked
   bool doubleBuffered = false;
   PixelImage color, depthStencil;
   int depthBits = 0, stencilBits = 0;
@@ -122,6 +126,11 @@ struct WindowImages final : ContextImages {
 [[nodiscard]] SharedImages &sharedOf(Context &context);
 /// Null where the rasterizer is not used.
 [[nodiscard]] WindowImages *windowOf(Context &context);
+
+// --- residency.cpp ---
+/// Under the lock, before shadows are used: if another context had its turn since, what it wrote is
+/// unknown, and the host has it.
+void settle(Context &context, WindowImages &window);
 
 // --- residency_images.cpp ---
 [[nodiscard]] Texture &textureOf(SharedImages &shared, GLuint name);

@@ -58,31 +58,38 @@ void present(Context &context) {
 }
 
 void leave(Context &context) {
-  WindowImages *const window = windowOf(context);
-  if (!window || !window->current)
+  SharedImages &shared = sharedOf(context);
+  if (context.countedCurrent) {
+    context.countedCurrent = false;
+    shared.current.fetch_sub(1);
+  }
+  if (!context.software || !context.software->images)
     return;
   synchronise(context, "the context leaves its thread");
-  if (window->drawable.kind == Drawable::Kind::Memory)
+  WindowImages &window = *windowOf(context);
+  // The host wrote to its own copy of the application's memory.
+  if (window.drawable.kind == Drawable::Kind::Memory && window.color.newest != Newest::Host)
     context.host->Flush();
-  const std::lock_guard lock(sharedOf(context).mutex);
-  dropShadow(context, window->color);
-  dropShadow(context, window->depthStencil);
-  window->current = false;
-  sharedOf(context).current.fetch_sub(1);
+  const std::lock_guard lock(shared.mutex);
+  dropShadow(context, window.color);
+  dropShadow(context, window.depthStencil);
 }
 
 void enter(Context &context) {
+  SharedImages &shared = sharedOf(context);
+  const std::lock_guard lock(shared.mutex);
+  if (!context.countedCurrent) {
+    context.countedCurrent = true;
+    shared.current.fetch_add(1);
+  }
+  if (shared.lastTurn != context.serial + 1) {
+    shared.lastTurn = context.serial + 1;
+    ++shared.turn;
+  }
   WindowImages *const window = windowOf(context);
   if (!window)
     return;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  if (!window->current) {
-    window->current = true;
-    shared.current.fetch_add(1);
-  }
-  // Another context may have drawn to this window, and textures of the group may be newer than
-  // the host's.
+  // Another context may have drawn to this window.
   dropShadow(context, window->color);
   dropShadow(context, window->depthStencil);
   window->color.described = window->depthStencil.described = false;

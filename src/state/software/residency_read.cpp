@@ -111,6 +111,7 @@ bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
     return false;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
+  settle(context, *window);
   if (shared.valid == 0)
     return false;
   const PixelImage *const image = framebuffersOf(context, *window).read;
@@ -134,6 +135,7 @@ bool getTexImage(Context &context, GLenum target, GLint level, GLenum format, GL
     return false;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
+  settle(context, *window);
   if (shared.valid == 0)
     return false;
   GLint name = 0;

@@ -46,6 +46,7 @@ const DrawTargets *describeTargets(Context &context, const char *&reason) {
   if (!window)
     return nullptr;
   const std::lock_guard lock(sharedOf(context).mutex);
+  settle(context, *window);
   const Framebuffers &f = framebuffersOf(context, *window);
   if (f.reason) {
     reason = f.reason;

@@ -101,7 +101,7 @@ void readBuffer(Context &context, WindowImages &window, const PixelImage &image,
   const bool isWindow = image.place.kind == Place::Kind::Window;
   GLint draw = 0;
   context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-  const FramebufferBinding framebuffers(context, GLuint(draw), isWindow ? 0 : kOurFramebuffer);
+  const FramebufferBinding framebuffers(context, GLuint(draw), isWindow ? 0 : kOurReadFramebuffer);
   const Attachment attachment(context, GL_READ_FRAMEBUFFER, image);
   const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength, 0,
                            rows.topRowFirst);
@@ -178,8 +178,8 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
   }
   writeTexture(context, window, GL_TEXTURE_2D, 0, from, gl);
 
-  const FramebufferBinding framebuffers(context, isWindow ? 0 : kOurFramebuffer + 1,
-                                        kOurFramebuffer);
+  const FramebufferBinding framebuffers(context, isWindow ? 0 : kOurDrawFramebuffer,
+                                        kOurReadFramebuffer);
   PixelImage source;
   source.place = {Place::Kind::Texture, kOurTexture, GL_TEXTURE_2D, 0};
   source.base = image.base;
