@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <unordered_map>
 
@@ -49,8 +51,38 @@ struct FixedVertexKey {
 [[nodiscard]] fp::ir::Program makeFixedVertexProgram(const FixedVertexKey &key);
 
 /// An application's vertex program with what fixed function adds: the position where it has
-/// ARB_position_invariant, and then clip distances.
-[[nodiscard]] fp::ir::Program withFixedPosition(fp::ir::Program program, std::uint8_t clipPlanes);
+/// ARB_position_invariant, clip distances, colours clamped to [0,1] (VertexState::clampColors).
+[[nodiscard]] fp::ir::Program withFixedPosition(fp::ir::Program program, std::uint8_t clipPlanes,
+                                                bool clampColors);
+
+/// The programs that withFixedPosition() gave, so that an application that changes between programs
+/// finds them again.
+class ExtendedPrograms {
+public:
+  [[nodiscard]] const std::shared_ptr<const fp::ir::Program> &
+  get(const std::shared_ptr<const fp::ir::Program> &program, std::uint8_t clipPlanes,
+      bool clampsColors);
+
+private:
+  struct Key {
+    const fp::ir::Program *program;
+    std::uint8_t clipPlanes;
+    bool clampsColors;
+    bool operator==(const Key &) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key &key) const {
+      return std::hash<const void *>()(key.program) * 31 +
+             (std::size_t(key.clipPlanes) << 1 | std::size_t(key.clampsColors));
+    }
+  };
+  struct Entry {
+    std::shared_ptr<const fp::ir::Program> program, extended;
+  };
+  void sweep();
+  std::unordered_map<Key, Entry, Hash> m_programs;
+  std::size_t m_sweepAt = 64;
+};
 
 /// The programs made, by key. Never removed: there are few.
 class FixedVertexPrograms {

@@ -82,17 +82,7 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
     m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
     m_pointSize = points && mirror.vertex.pointAttenuation;
   } else {
-    const bool invariant = compiled->program->options.positionInvariant;
-    // Without the option user clip planes do nothing (ARB_vertex_program 2.14.4.5.1).
-    if (!invariant)
-      m_clipPlanes = 0;
-    if (invariant && (m_extendedFrom != compiled->program || m_extendedPlanes != m_clipPlanes)) {
-      m_extended = std::make_shared<const fp::ir::Program>(
-          withFixedPosition(*compiled->program, m_clipPlanes));
-      m_extendedFrom = compiled->program;
-      m_extendedPlanes = m_clipPlanes;
-    }
-    take(context, invariant ? m_extended : compiled->program, when);
+    take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), when);
     m_twoSided = mirror.twoSidedColor;
     m_pointSize = points && mirror.pointSizeFromProgram;
   }

@@ -47,9 +47,8 @@ private:
   const CompiledProgram *m_compiled = nullptr;
   const fp::jit::FragmentShape *m_fragments = nullptr;
   FixedVertexPrograms m_fixed;
-  /// Application programs with what fixed function adds, by clip planes; the last one.
-  std::shared_ptr<const fp::ir::Program> m_extended, m_extendedFrom;
-  std::uint8_t m_extendedPlanes = 0;
+  /// Application programs with what fixed function adds.
+  ExtendedPrograms m_extended;
   Program m_program;
   std::uint32_t m_slots = 0;
   bool m_twoSided = false;
