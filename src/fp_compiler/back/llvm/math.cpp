@@ -1,9 +1,9 @@
 #include "fp_compiler/back/llvm/math.h"
 
 #include <limits>
-#include <span>
 
-#include <llvm/IR/IntrinsicsX86.h>
+#include "fp_compiler/back/llvm/math_avx512.h"
+#include "fp_compiler/back/llvm/polynomial.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -33,17 +33,6 @@ constexpr float kCosine[] = {0x1.55554ap-5f, -0x1.6c0c8ap-10f, 0x1.9a0194p-16f};
 constexpr double kHalfPiHigh = 0x1.921fb544p+0;
 constexpr double kHalfPiLow = 0x1.0b4611a626331p-34;
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
-
-/// A constant of the type of \p like.
-Value *constant(Value *like, double value) { return llvm::ConstantFP::get(like->getType(), value); }
-
-template <typename Number>
-Value *polynomial(Code &code, Value *x, std::span<const Number> coefficients) {
-  Value *sum = constant(x, double(coefficients.back()));
-  for (std::size_t i = coefficients.size() - 1; i-- > 0;)
-    sum = multiplyAdd(code, sum, x, constant(x, double(coefficients[i])));
-  return sum;
-}
 
 llvm::Type *doubles(Code &code) {
   return llvm::FixedVectorType::get(code.ir.getDoubleTy(), unsigned(code.lanes));
@@ -76,18 +65,9 @@ Value *assembled(Code &code, Value *whole, Value *f) {
 
 /// In the range that assembled() takes; NaN stays NaN.
 Value *clampedExponent(Code &code, Value *x) {
-  Value *const low = constant(x, -127.0), *const high = constant(x, 128.0);
+  Value *const low = constantLike(x, -127.0), *const high = constantLike(x, 128.0);
   Value *const above = code.ir.CreateSelect(code.ir.CreateFCmpOGT(low, x), low, x);
   return code.ir.CreateSelect(code.ir.CreateFCmpOLT(high, above), high, above);
-}
-
-/// vrangeps does both rules at once.
-Value *range(Code &code, Value *a, Value *b, bool larger) {
-  const auto id = llvm::Intrinsic::x86_avx512_mask_range_ps_512;
-  constexpr unsigned kSignOfResult = 4, kCurrentRounding = 4;
-  return code.ir.CreateIntrinsic(id, {},
-                                 {a, b, code.ir.getInt32(kSignOfResult | (larger ? 1u : 0u)), a,
-                                  code.ir.getInt16(0xFFFF), code.ir.getInt32(kCurrentRounding)});
 }
 
 /// The number that all lanes of a constant have.
@@ -110,7 +90,7 @@ Value *extremum(Code &code, Value *a, Value *b, bool larger) {
     return code.ir.CreateSelect(code.ir.CreateFCmp(beyond, a, b), a, b);
   }
   if (code.cpu.family == Cpu::Family::Avx512)
-    return range(code, a, b, larger);
+    return avx512::extremum(code, a, b, larger);
   // Equal values have equal bits, but for zeros: of those the bits are joined.
   Value *const left = code.ir.CreateBitCast(a, code.i32);
   Value *const right = code.ir.CreateBitCast(b, code.i32);
@@ -137,12 +117,16 @@ Value *minimum(Code &code, Value *a, Value *b) { return extremum(code, a, b, fal
 Value *maximum(Code &code, Value *a, Value *b) { return extremum(code, a, b, true); }
 
 Value *exp2(Code &code, Value *x) {
+  if (code.cpu.family == Cpu::Family::Avx512)
+    return avx512::exp2(code, x);
   Value *const inRange = clampedExponent(code, x);
   Value *const whole = code.floor(inRange);
   return assembled(code, whole, code.ir.CreateFSub(inRange, whole));
 }
 
 Value *log2(Code &code, Value *x) {
+  if (code.cpu.family == Cpu::Family::Avx512)
+    return avx512::log2(code, x);
   const auto [exponent, t] = parts(code, x);
   Value *const finite =
       multiplyAdd(code, t, polynomial<float>(code, t, kLog2), code.toFloat(exponent));
@@ -154,6 +138,8 @@ Value *log2(Code &code, Value *x) {
 }
 
 Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
+  if (code.cpu.family == Cpu::Family::Avx512)
+    return avx512::power(code, base, exponent, oneStaysOne);
   // The product of a logarithm and an exponent may be as large as 128, so that a single's last
   // bits would be lost in it: doubles up to the fraction.
   llvm::Type *const wide = doubles(code);
@@ -164,10 +150,7 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
   Value *const infinite = code.ir.CreateFCmpOEQ(base, code.splat(kInfinity));
   Value *const logarithm =
       code.ir.CreateSelect(infinite, llvm::ConstantFP::get(wide, double(kInfinity)), finite);
-  Value *product = code.ir.CreateFMul(code.ir.CreateFPExt(exponent, wide), logarithm);
-  if (oneStaysOne)
-    product = code.ir.CreateSelect(code.ir.CreateFCmpOEQ(base, code.splat(1.0f)),
-                                   llvm::ConstantFP::get(wide, 0.0), product);
+  Value *const product = code.ir.CreateFMul(code.ir.CreateFPExt(exponent, wide), logarithm);
   Value *const inRange = clampedExponent(code, product);
   Value *const floor = code.floor(inRange);
   Value *const result =
@@ -175,24 +158,24 @@ Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
                 code.ir.CreateFPTrunc(code.ir.CreateFSub(inRange, floor), code.f32));
   Value *const zero = code.splat(0.0f);
   Value *const powered = code.select(code.ir.CreateFCmpOGT(base, zero), result, zero);
-  return code.select(code.ir.CreateFCmpOEQ(exponent, zero), code.splat(1.0f), powered);
+  return code.select(isOne(code, base, exponent, oneStaysOne), code.splat(1.0f), powered);
 }
 
 SineCosine sineCosine(Code &code, Value *angle) {
   Value *const x = code.ir.CreateFPExt(angle, doubles(code));
-  Value *const turns = code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint,
-                                                    code.ir.CreateFMul(x, constant(x, kTwoOverPi)));
-  Value *rest = multiplyAdd(code, turns, constant(x, -kHalfPiHigh), x);
-  rest = multiplyAdd(code, turns, constant(x, -kHalfPiLow), rest);
+  Value *const turns = code.ir.CreateUnaryIntrinsic(
+      llvm::Intrinsic::rint, code.ir.CreateFMul(x, constantLike(x, kTwoOverPi)));
+  Value *rest = multiplyAdd(code, turns, constantLike(x, -kHalfPiHigh), x);
+  rest = multiplyAdd(code, turns, constantLike(x, -kHalfPiLow), rest);
   // Of an angle too large for this the rest is anything: it is held where the polynomials are.
   Value *r = code.ir.CreateFPTrunc(rest, code.f32);
   Value *const low = code.splat(-0.7854f), *const high = code.splat(0.7854f);
   r = code.select(code.ir.CreateFCmpOGT(low, r), low, r);
   r = code.select(code.ir.CreateFCmpOLT(high, r), high, r);
   // The quadrant, of a number that may be beyond 32 bits.
-  Value *const fours = code.floor(code.ir.CreateFMul(turns, constant(x, 0.25)));
+  Value *const fours = code.floor(code.ir.CreateFMul(turns, constantLike(x, 0.25)));
   Value *const quadrant = code.ir.CreateFreeze(code.ir.CreateFPToSI(
-      code.ir.CreateFSub(turns, code.ir.CreateFMul(fours, constant(x, 4.0))), code.i32));
+      code.ir.CreateFSub(turns, code.ir.CreateFMul(fours, constantLike(x, 4.0))), code.i32));
 
   Value *const square = code.ir.CreateFMul(r, r);
   Value *const sine =
@@ -220,19 +203,9 @@ Value *reciprocal(Code &code, Value *x) { return code.ir.CreateFDiv(code.splat(1
 
 Value *reciprocalRoot(Code &code, Value *x) {
   Value *const magnitude = absolute(code, x);
-  if (code.cpu.family != Cpu::Family::Avx512)
-    return reciprocal(code, code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, magnitude));
-  // An estimate of 14 bits and one step of Newton's, which has no answer for 0 and infinity: there
-  // the estimate is exact.
-  Value *const estimate = code.ir.CreateIntrinsic(
-      llvm::Intrinsic::x86_avx512_rsqrt14_ps_512, {},
-      {magnitude, llvm::Constant::getNullValue(code.f32), code.ir.getInt16(0xFFFF)});
-  Value *const error =
-      multiplyAdd(code, code.ir.CreateFNeg(code.ir.CreateFMul(magnitude, estimate)), estimate,
-                  code.splat(1.0f));
-  Value *const better =
-      multiplyAdd(code, code.ir.CreateFMul(estimate, code.splat(0.5f)), error, estimate);
-  return code.select(code.ir.CreateFCmpUNO(error, error), estimate, better);
+  if (code.cpu.family == Cpu::Family::Avx512)
+    return avx512::reciprocalRoot(code, magnitude);
+  return reciprocal(code, code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, magnitude));
 }
 
 } // namespace arbiter::fp::llvm_back
