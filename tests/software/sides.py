@@ -1,0 +1,98 @@
+"""The two sides of a comparison: the bare host, and the layer in front with a back end named."""
+
+import contextlib
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "clients"))
+from x_server import XServer  # noqa: E402
+
+TIMEOUT = 300
+FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PRELOAD")
+
+
+def environment(layer=None, backend=None, extra=None):
+    env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
+    env.update(LIBGL_ALWAYS_SOFTWARE="1",
+               TSAN_OPTIONS="ignore_noninstrumented_modules=1:halt_on_error=1",
+               ASAN_OPTIONS="verify_asan_link_order=0:detect_leaks=0")
+    if layer:
+        env.update(LD_PRELOAD=str(layer), ARBITER_BACKEND=backend, ARBITER_PROFILE="host")
+    env.update(extra or {})
+    return env
+
+
+class Displays:
+    """An X server for each thread that asks: windows of one server hide one another."""
+
+    def __enter__(self):
+        self.own, self.stack = threading.local(), contextlib.ExitStack()
+        self.lock = threading.Lock()
+        return self
+
+    def name(self):
+        if not hasattr(self.own, "name"):
+            server = XServer()
+            self.own.name = server.__enter__()
+            with self.lock:
+                self.stack.push(server)
+        return self.own.name
+
+    def __exit__(self, *error):
+        self.stack.close()
+
+
+class Died(Exception):
+    """A client that ended with a status that is not 0."""
+
+
+def run(command, env, text=None):
+    """The client's records: [(what, bytes)]."""
+    result = subprocess.run([str(word) for word in command], env=env, input=text,
+                            capture_output=True, timeout=TIMEOUT)
+    if result.returncode:
+        tail = result.stderr.decode(errors="replace")[-600:]
+        raise Died(f"status {result.returncode}: {tail}")
+    return records(result.stdout)
+
+
+def records(data):
+    found, at = [], 0
+    while at < len(data):
+        end = data.index(b"\n", at)
+        what, size = data[at:end].decode().rsplit("\t", 1)
+        found.append((what, data[end + 1:end + 1 + int(size)]))
+        at = end + 1 + int(size)
+    return found
+
+
+def distances(a, b):
+    """(how many pixels of four bytes differ by more than 1, the furthest distance)."""
+    if a == b:
+        return 0, 0
+    if len(a) != len(b):
+        return max(len(a), len(b)) // 4, 255
+    apart = [abs(x - y) for x, y in zip(a, b)]
+    worst = max(apart)
+    if worst <= 1:
+        return 0, worst
+    return sum(max(apart[i:i + 4]) > 1 for i in range(0, len(apart), 4)), worst
+
+
+def software_statistics(path):
+    """The part of the layer's statistics that is about the rasterizer; empty without one."""
+    try:
+        return json.loads(pathlib.Path(path).read_text()).get("software") or {}
+    except (OSError, ValueError):
+        return {}
+
+
+def layer_of(build):
+    layer = build / "src/interposer/libGLX_arbiter.so.0"
+    if not layer.exists():
+        sys.exit(f"the layer is not built: {layer}")
+    return layer

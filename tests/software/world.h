@@ -1,0 +1,97 @@
+#pragma once
+#include <array>
+
+#include "surface.h"
+
+/// The objects that a random sequence of commands works on. Which command is number i depends on
+/// the seed and i alone, so that a sequence keeps its meaning when others are left out; what the
+/// commands need to know (sizes, attachments) is kept here as they are carried out.
+namespace software {
+
+inline constexpr int kTextures = 5; ///< the last is a rectangle, and never attached
+inline constexpr int kRectangle = 4;
+inline constexpr int kPrograms = 9;
+inline constexpr int kLists = 3;
+inline constexpr int kWindow = 64; ///< edge of the window and of renderbuffers
+inline constexpr int kPbufferWidth = 48, kPbufferHeight = 40;
+
+struct Texture {
+  GLuint name = 0;
+  std::array<int, 2> width{}, height{}; ///< of levels 0 and 1; 0: not defined
+};
+
+/// What contexts share.
+struct Group {
+  bool made = false;
+  std::array<Texture, kTextures> textures;
+  std::array<GLuint, kPrograms> programs{};
+};
+
+struct Framebuffer {
+  GLuint name = 0, color = 0, depthStencil = 0; ///< the renderbuffers
+  int texture = -1;                             ///< attached in place of `color`; -1: none
+  int level = 0;
+  bool orphan = false; ///< its texture was deleted: not to be used
+};
+
+struct Context {
+  GLXContext handle = nullptr;
+  int group = 0;
+  bool made = false;
+  std::array<Framebuffer, 2> framebuffers;
+  int bound = -1; ///< of `framebuffers`; -1: the window's
+  std::array<bool, kLists> lists{};
+  GLuint firstList = 0, vertexBuffer = 0, indexBuffer = 0, query = 0;
+};
+
+class World {
+public:
+  [[nodiscard]] bool open();
+  [[nodiscard]] Context &context() { return m_contexts[std::size_t(m_current)]; }
+  [[nodiscard]] Group &group() { return m_groups[std::size_t(context().group)]; }
+  [[nodiscard]] Texture &texture(int i) { return group().textures[std::size_t(i)]; }
+  [[nodiscard]] static GLenum targetOf(int texture);
+  /// Makes context `context` current on the window (0) or the pbuffer (1).
+  void switchTo(int context, int drawable);
+  void bindFramebuffer(int which);
+  /// Size of the bound framebuffer; false where nothing may be drawn or read there.
+  [[nodiscard]] bool size(int &width, int &height);
+  /// Viewport and projection: a unit is a pixel of the bound framebuffer.
+  void fit();
+  /// Reading that texture while drawing to the bound framebuffer would be undefined.
+  [[nodiscard]] bool attached(int texture);
+  /// Defines a level from `random`.
+  void define(int texture, int level, int width, int height, GLenum internal, Random &random);
+  void redefine(int texture, Random &random);
+  void attach(int framebuffer, int texture, int level);
+  void deleteTexture(int texture, Random &random);
+  /// Clears all of the bound framebuffer, whatever the masks.
+  void clearAll();
+  /// Shows the window, records what it shows, clears the back buffer.
+  void swap(const std::string &what);
+  /// Reads everything that can be read.
+  void recordAll();
+
+private:
+  void makeContextObjects();
+  void makeGroupObjects();
+
+  Screen m_screen;
+  std::array<GLXDrawable, 2> m_drawables{};
+  std::array<Context, 3> m_contexts;
+  std::array<Group, 2> m_groups;
+  int m_current = 0, m_drawable = 0;
+};
+
+/// One kind of command.
+struct Command {
+  const char *name;
+  int weight;
+  void (*run)(World &world, Random &random, const std::string &what);
+};
+extern const std::vector<Command> kDrawCommands, kPixelCommands, kStateCommands;
+
+/// A draw that may be compiled into a list: it samples nothing that can be attached.
+void drawForList(World &world, Random &random);
+
+} // namespace software
