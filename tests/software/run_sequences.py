@@ -5,7 +5,7 @@
   run_sequences.py --build build --count 500           that many seeds
   run_sequences.py --build build --first 41 --count 1  one of them
   run_sequences.py --build build --backend auto --commands 400
-  run_sequences.py --build build --self-test           is a planted difference found and reduced?
+  run_sequences.py --build build --planted             and is a command seen that one side leaves out?
 
 Draws mix the layer's and the host's; all are exact in any arithmetic, so that no bit may differ. A
 sequence that differs is reduced: commands are left out as long as it still does. Ends with
@@ -38,7 +38,7 @@ class Sequences:
         return [self.client, seed, self.commands, *kept]
 
     def drawn(self, seed):
-        """(draws, those of them that the rasterizer drew); None without statistics."""
+        """How many draws the rasterizer did; None without statistics."""
         path = self.scratch / f"stats-{seed}.json"
         sides.run(self.command(seed, None), {**self.layer, "ARBITER_STATS": str(path),
                                              "DISPLAY": self.displays.name()})
@@ -77,10 +77,26 @@ class Sequences:
         return lines
 
     def names(self, seed, only):
+        """Of the commands `only`, or of all."""
+        kept = [",".join(map(str, only))] if only is not None else []
         lines = subprocess.run([str(word) for word in (self.client, "--names", seed, self.commands,
-                                                       ",".join(map(str, only)))],
+                                                       *kept)],
                                capture_output=True, text=True, check=True).stdout
         return lines.splitlines()
+
+    def planted(self, seed, most=10):
+        """(seen, planted): how many single commands on pixels, left out on one side, are seen."""
+        kinds = ("program quad", "feedback", "fixed quad", "CopyTexSubImage", "TexSubImage")
+        numbers = [int(name.split(" ", 1)[0]) for name in self.names(seed, None)
+                   if name.split(" ", 1)[1] in kinds]
+        numbers = numbers[::max(1, len(numbers) // most)][:most]
+        env = {**self.bare, "DISPLAY": self.displays.name()}
+        whole = sides.run(self.command(seed, None), env)
+        seen = 0
+        for number in numbers:
+            without = [n for n in range(self.commands) if n != number]
+            seen += bool(self.compare(whole, sides.run(self.command(seed, without), env)))
+        return seen, len(numbers)
 
 
 def minimise(differs, count, attempts=300):
@@ -140,6 +156,8 @@ def main():
     parser.add_argument("--commands", type=int, default=150, help="of a sequence")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--reduce", type=int, default=2, help="how many failures are reduced")
+    parser.add_argument("--planted", action="store_true", help="also test the test")
+    parser.add_argument("--drawn", action="store_true", help="fail if the rasterizer drew nothing")
     parser.add_argument("--self-test", action="store_true")
     args = parser.parse_args()
     if args.self_test:
@@ -155,10 +173,14 @@ def main():
             if lines:
                 failed += 1
                 report(sequences, seed, lines, failed <= args.reduce)
-        if args.backend == "swrast":
-            drawn = sequences.drawn(args.first)
-            print(f"drawn by the rasterizer of seed {args.first}: {drawn}")
-    print(f"{args.count - failed} passed, {failed} failed, 0 skipped")
+        if args.planted:
+            seen, planted = sequences.planted(args.first)
+            print(f"{seen} of {planted} commands that one side leaves out are seen")
+            failed += seen < planted / 2
+        drawn = sequences.drawn(args.first)
+        print(f"of seed {args.first} the rasterizer drew {drawn}")
+        failed += args.drawn and not drawn
+    print(f"{max(0, args.count - failed)} passed, {failed} failed, 0 skipped")
     return 1 if failed else 0
 
 

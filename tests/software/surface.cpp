@@ -79,6 +79,11 @@ void Screen::makeCurrent(GLXDrawable drawable, GLXContext context) {
   }
 }
 
+void Screen::destroy(GLXContext context) {
+  glXMakeContextCurrent(m_display, None, None, nullptr);
+  glXDestroyContext(m_display, context);
+}
+
 void Screen::swap(GLXDrawable drawable) { glXSwapBuffers(m_display, drawable); }
 
 std::vector<unsigned char> Screen::grab(int width, int height) {

@@ -20,6 +20,7 @@ public:
   [[nodiscard]] GLXDrawable makePbuffer(int width, int height);
   [[nodiscard]] GLXContext makeContext(GLXContext share = nullptr);
   void makeCurrent(GLXDrawable drawable, GLXContext context);
+  void destroy(GLXContext context);
   void swap(GLXDrawable drawable);
   /// What the window shows, RGBA8 with an alpha of 255, bottom row first.
   [[nodiscard]] std::vector<unsigned char> grab(int width, int height);

@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""Scenes under pairwise combinations of GL's state, on the bare host and under the layer.
+
+  run_states.py --build build                      the quick set: the first rows of the array
+  run_states.py --build build --count 0            every pair of values that can be
+  run_states.py --build build --seed 7 --count 200
+  run_states.py --build build --only 17            that row of the array; says what it sets
+  run_states.py --build build --out FOLDER         keeps the pictures that differ
+
+The rows are a covering array (covering.py) of the states in factors.py. Colours may differ by 1 of
+255, depths by what 16 bits can tell; where judge() says so, a bounded number of pixels may differ by
+more. Ends with "N passed, N failed, N skipped".
+"""
+
+import argparse
+import array
+import concurrent.futures
+import pathlib
+import sys
+import tempfile
+
+import covering
+import sides
+from factors import FACTORS, line, settle
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "real"))
+from picture import Picture, write_png  # noqa: E402
+
+EDGE = 48
+BATCH = 20  # scenes a process
+DEPTH = 1 << 16  # of 2^32: the interpolation of a depth in single precision
+
+
+def run_batch(client, scenes, env):
+    """[records of a scene or a text that says how the client died]."""
+    try:
+        found = sides.run([client], env, "".join(line(s) + "\n" for s in scenes).encode())
+        return [{what.split(" ", 1)[1].split(" ")[0]: (what, data)
+                 for what, data in found[4 * i:4 * i + 4]} for i in range(len(scenes))]
+    except sides.Died as death:
+        if len(scenes) == 1:
+            return [str(death)]
+        return [result for scene in scenes for result in run_batch(client, [scene], env)]
+
+
+def far_colors(a, b, most):
+    """How many pixels have a channel that is further apart than `most`."""
+    if a == b:
+        return 0
+    apart = [abs(x - y) for x, y in zip(a, b)]
+    return sum(max(apart[i:i + 4]) > most for i in range(0, len(apart), 4))
+
+
+def far_depths(a, b):
+    if a == b:
+        return 0
+    return sum(abs(x - y) > DEPTH for x, y in zip(array.array("I", a), array.array("I", b)))
+
+
+def allowance(scene):
+    """(levels that a channel may differ by, the fraction of pixels that may differ by more).
+
+    Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
+    scales the source's level; the host filters 8-bit texels with 8-bit weights, and chooses levels
+    of detail by an approximate logarithm; a test against a threshold may fall either way in the
+    pixels next to where the value crosses it; the ends of wide and stippled lines are free."""
+    levels, part = 1, 0.0
+    if scene["blend"] == "on":
+        levels += 1
+    uses_texture = scene["program"] not in ("color", "constant", "secondary", "position")
+    linear = "linear" in scene["min_filter"] or scene["mag_filter"] == "linear"
+    if uses_texture and linear:
+        levels += 2
+    if uses_texture and ("mip" in scene["min_filter"] or scene["mag_filter"] != scene["min_filter"]):
+        part += 0.03
+    if uses_texture and "nearest" in (scene["min_filter"], scene["mag_filter"]):
+        part += 0.01
+    if scene["alpha_test"] != "off" or scene["program"] == "kill":
+        part += 0.02
+    if scene["compare"] != "off":
+        part += 0.02
+    if scene["primitive"].startswith("line") or "line" in (scene["mode_front"], scene["mode_back"]):
+        part += 0.04
+    if scene["primitive"] == "points" or "point" in (scene["mode_front"], scene["mode_back"]):
+        part += 0.01
+    return levels, part
+
+
+def judge(scene, bare, layer):
+    """Lines of what is wrong."""
+    if isinstance(layer, str):
+        return [] if isinstance(bare, str) else [f"died under the layer: {layer}"]
+    if isinstance(bare, str):
+        return [f"died on the bare host: {bare}"]
+    lines = []
+    if bare["errors"][0] != layer["errors"][0]:
+        lines.append(f"errors: '{bare['errors'][0]}', layer '{layer['errors'][0]}'")
+    levels, part = allowance(scene)
+    pixels = EDGE * EDGE
+    counts = {"color": far_colors(bare["color"][1], layer["color"][1], levels),
+              "depth": far_depths(bare["depth"][1], layer["depth"][1]),
+              "stencil": sum(x != y for x, y in zip(bare["stencil"][1], layer["stencil"][1]))}
+    for what, count in counts.items():
+        if count > part * pixels:
+            worst = max(abs(x - y) for x, y in zip(bare[what][1], layer[what][1]))
+            lines.append(f"{what}: {count} pixels differ (by more than {levels} levels), by up to "
+                         f"{worst}; allowed {int(part * pixels)}")
+    return lines
+
+
+BACKGROUND = {bytes(color) for color in ((64, 128, 191, 128), (200, 40, 90, 180), (30, 220, 130, 60))}
+
+
+def lively(bare):
+    """Whether the scene's own draws left anything: one in which nothing is seen tests little."""
+    if isinstance(bare, str):
+        return False
+    data = bare["color"][1]
+    return any(data[i:i + 4] not in BACKGROUND for i in range(0, len(data), 4))
+
+
+def keep(folder, number, scene, bare, layer):
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f"{number}.txt").write_text("\n".join(f"{k}={v}" for k, v in scene.items()) + "\n")
+    for side, records in (("bare", bare), ("layer", layer)):
+        if isinstance(records, str):
+            continue
+        data = records["color"][1]
+        rows = b"".join(data[y * EDGE * 4:(y + 1) * EDGE * 4] for y in reversed(range(EDGE)))
+        rgb = b"".join(rows[i:i + 3] for i in range(0, len(rows), 4))
+        write_png(folder / f"{number}.{side}.png", Picture(EDGE, EDGE, rgb))
+
+
+def reduce(scene, differs):
+    """The scene with as many factors as can be at their first value while it still differs."""
+    for name in FACTORS:
+        plain = next(iter(FACTORS[name]))
+        if scene[name] != plain:
+            candidate = settle({**scene, name: plain})
+            if differs(candidate):
+                scene = candidate
+    return scene
+
+
+def self_test():
+    count = covering.self_test()
+    scene = {name: next(iter(values)) for name, values in FACTORS.items()}
+    same = {"color": ("", bytes(EDGE * EDGE * 4)), "depth": ("", bytes(EDGE * EDGE * 4)),
+            "stencil": ("", bytes(EDGE * EDGE)), "errors": ("0 errors", b"")}
+    assert judge(scene, same, same) == []
+
+    def changed(what, value):
+        data = same[what][1]
+        return {**same, what: ("", bytes([value]) * (len(data) // 3) + data[len(data) // 3:])}
+
+    assert judge(scene, same, changed("color", 1)) == []
+    assert judge(scene, same, changed("color", 120)) and judge(scene, same, changed("stencil", 1))
+    assert judge(scene, same, changed("depth", 9)) and judge(scene, same, "status -11")
+    assert judge(scene, same, {**same, "errors": ("0 errors 0x0502", b"")})
+    wanted = {"blend": "on", "format": "l8"}
+    start = settle({name: list(values)[-1] for name, values in FACTORS.items()} | wanted
+                   | {"logic_op": "off"})
+    found = reduce(start, lambda s: all(s[k] == v for k, v in wanted.items()))
+    assert [k for k in FACTORS if found[k] != next(iter(FACTORS[k]))] == ["blend", "format"]
+    print(f"{count + 7} passed, 0 failed, 0 skipped")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
+    parser.add_argument("--count", type=int, default=100, help="rows; 0: all")
+    parser.add_argument("--seed", type=int, default=1, help="of the array")
+    parser.add_argument("--only", type=int, action="append", help="a row; may be repeated")
+    parser.add_argument("--drawn", action="store_true", help="fail if the rasterizer drew nothing")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--reduce", type=int, default=3, help="how many failures are reduced")
+    parser.add_argument("--out", type=pathlib.Path)
+    parser.add_argument("--self-test", action="store_true")
+    return parser.parse_args()
+
+
+def main():
+    args = parse()
+    if args.self_test:
+        return self_test()
+    client = args.build.resolve() / "tests/software/software-states"
+    rows, part = covering.rows(FACTORS, settle, args.count, args.seed)
+    numbers = args.only or range(len(rows))
+    chosen = [(n, rows[n]) for n in numbers]
+    batches = [chosen[i:i + BATCH] for i in range(0, len(chosen), BATCH)]
+    failed, alive = 0, 0
+    with tempfile.TemporaryDirectory(prefix="arbiter-states-") as scratch, \
+            sides.Displays() as displays, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        stats = pathlib.Path(scratch) / "stats-%p.json"
+        bare_env = sides.environment()
+        layer_env = sides.environment(sides.layer_of(args.build.resolve()), args.backend,
+                                      {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
+
+        def both(scenes):
+            return [run_batch(client, scenes, {**env, "DISPLAY": displays.name()})
+                    for env in (bare_env, layer_env)]
+
+        def differs(scene):
+            (bare,), (layer,) = both([scene])
+            return bool(judge(scene, bare, layer))
+
+        results = pool.map(lambda batch: both([scene for _, scene in batch]), batches)
+        for batch, (bares, layers) in zip(batches, results):
+            for (number, scene), bare, layer in zip(batch, bares, layers):
+                alive += lively(bare)
+                lines = judge(scene, bare, layer)
+                if args.only:
+                    print("\n".join(f"    {k}={v}" for k, v in scene.items()))
+                if not lines:
+                    continue
+                failed += 1
+                print(f"row {number} of seed {args.seed}:")
+                print("\n".join(f"    {text}" for text in lines), flush=True)
+                if args.out:
+                    keep(args.out, number, scene, bare, layer)
+                if failed <= args.reduce:
+                    small = reduce(scene, differs)
+                    print("    reduced: " + " ".join(
+                        f"{k}={v}" for k, v in small.items() if v != next(iter(FACTORS[k]))),
+                        flush=True)
+        drawn = [sides.software_statistics(path) for path in pathlib.Path(scratch).glob("stats-*")]
+        total = sum(s.get("drawn", 0) for s in drawn)
+    print(f"{len(chosen)} scenes hold {100 * part:.1f} % of all pairs; in {alive} something is seen; "
+          f"the rasterizer drew {total}")
+    failed += args.drawn and not total
+    print(f"{len(chosen) - failed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,172 @@
+#include "safety.h"
+
+#include <array>
+#include <limits>
+
+namespace software {
+
+namespace {
+
+constexpr std::array<GLenum, 5> kWraps = {GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER,
+                                          GL_MIRRORED_REPEAT};
+constexpr std::array<GLenum, 3> kFilters = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
+
+void fetch(const char *instruction, const char *target) {
+  useFragments(std::string(instruction) + " result.color, fragment.texcoord[0], texture[0], " +
+               target + ";\n");
+}
+
+/// A small mipmapped texture of `target` with the texels of one byte each way.
+void makeTexture(GLenum target, int side) {
+  GLuint name = 0;
+  const std::vector<unsigned char> texels(std::size_t(side) * std::size_t(side) * 8 * 4, 90);
+  glGenTextures(1, &name);
+  glBindTexture(target, name);
+  if (target != GL_TEXTURE_RECTANGLE_ARB)
+    glTexParameteri(target, GL_GENERATE_MIPMAP, GL_TRUE);
+  if (target == GL_TEXTURE_1D) {
+    glTexImage1D(target, 0, GL_RGBA8, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  } else if (target == GL_TEXTURE_3D) {
+    glTexImage3D(target, 0, GL_RGBA8, side, side, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  } else if (target == GL_TEXTURE_CUBE_MAP) {
+    for (GLenum face = 0; face < 6; ++face)
+      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA8, side, side, 0, GL_RGBA,
+                   GL_UNSIGNED_BYTE, texels.data());
+  } else {
+    glTexImage2D(target, 0, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  }
+}
+
+/// NaN, infinite and huge coordinates: every target, wrap and filter.
+void oddCoordinates() {
+  struct Kind {
+    GLenum target;
+    const char *name;
+  };
+  static constexpr Kind kKinds[] = {{GL_TEXTURE_1D, "1D"},
+                                    {GL_TEXTURE_2D, "2D"},
+                                    {GL_TEXTURE_3D, "3D"},
+                                    {GL_TEXTURE_CUBE_MAP, "CUBE"},
+                                    {GL_TEXTURE_RECTANGLE_ARB, "RECT"}};
+  static constexpr float kInf = std::numeric_limits<float>::infinity();
+  for (const Kind &kind : kKinds) {
+    const bool rectangle = kind.target == GL_TEXTURE_RECTANGLE_ARB;
+    makeTexture(kind.target, 8);
+    for (const GLenum wrap : kWraps) {
+      if (rectangle && (wrap == GL_REPEAT || wrap == GL_MIRRORED_REPEAT))
+        continue;
+      for (const GLenum filter : kFilters) {
+        if (rectangle && filter == GL_LINEAR_MIPMAP_LINEAR)
+          continue;
+        glTexParameteri(kind.target, GL_TEXTURE_WRAP_S, GLint(wrap));
+        glTexParameteri(kind.target, GL_TEXTURE_WRAP_T, GLint(wrap));
+        glTexParameteri(kind.target, GL_TEXTURE_WRAP_R, GLint(wrap));
+        glTexParameteri(kind.target, GL_TEXTURE_MIN_FILTER, GLint(filter));
+        for (const char *instruction : {"TEX", "TXP", "TXB"}) {
+          fetch(instruction, kind.name);
+          for (const float odd : {kInf, -kInf, kInf - kInf, 3e38f, -3e38f, 1e15f, -4e9f, 2.2e9f})
+            wholeQuad(odd, -odd, 0.5f, odd);
+        }
+      }
+    }
+    note(kind.name);
+  }
+}
+
+/// What one texel may be asked for; then sizes that are no powers of two.
+void sizes() {
+  fetch("TEX", "2D");
+  for (const auto &[width, height] : {std::pair(1, 1), {1, 64}, {3, 5}, {63, 65}, {130, 1}}) {
+    smoothTexture(width, height);
+    for (const GLenum wrap : kWraps) {
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GLint(wrap));
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GLint(wrap));
+      wholeQuad(0.0004f, 0.0004f, 1.0004f, 1.0004f);
+      picture(std::to_string(width) + "x" + std::to_string(height));
+    }
+  }
+}
+
+void large() {
+  fetch("TEX", "2D");
+  smoothTexture(4096, 4096);
+  // One texel a pixel, at the corners and in the middle.
+  for (const float from : {0.0f, 0.5f, 1.0f - kSide / 4096.0f}) {
+    wholeQuad(from, from, from + kSide / 4096.0f, from + kSide / 4096.0f);
+    picture("4096x4096");
+  }
+}
+
+/// A frame buffer that is much larger than the window.
+void largeTarget() {
+  constexpr int kLarge = 4096;
+  GLuint framebuffer = 0;
+  const GLuint color = smoothTexture(kLarge, kLarge);
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glViewport(0, 0, kLarge, kLarge);
+  useFragments("MUL result.color, fragment.color, {0.5, 1, 0.25, 1};\n");
+  glColor4ub(255, 120, 255, 255);
+  wholeQuad();
+  record("picture large target", readRgba(kLarge - kSide, kLarge - kSide, kSide, kSide));
+  note("large target");
+}
+
+void incomplete() {
+  fetch("TEX", "2D");
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name); // has no image
+  wholeQuad();
+  picture("no image");
+  smoothTexture(16, 16, GL_LINEAR_MIPMAP_LINEAR); // has one level of five
+  wholeQuad();
+  picture("one level");
+  smoothTexture(16, 16);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 3);
+  wholeQuad();
+  picture("no base level");
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  wholeQuad();
+  picture("no size");
+  fetch("TEX", "CUBE"); // one face is another size
+  makeTexture(GL_TEXTURE_CUBE_MAP, 8);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_GENERATE_MIPMAP, GL_FALSE);
+  glTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               nullptr);
+  wholeQuad(-1, -1, 1, 1);
+  picture("unequal faces");
+}
+
+/// Undefined what is drawn; it is the process that must live.
+void feedbackOntoItself() {
+  GLuint framebuffer = 0;
+  const GLuint texture = smoothTexture(kSide, kSide);
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  fetch("TEX", "2D");
+  for (int i = 0; i < 4; ++i)
+    wholeQuad(0.1f, 0, 1.1f, 1);
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 5, 0, 0, kSide - 3, kSide - 5);
+  wholeQuad();
+  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 16, 16, 0);
+  wholeQuad();
+  note("feedback");
+}
+
+} // namespace
+
+const std::vector<Hazard> kTextureHazards = {
+    {"odd-coordinates", oddCoordinates},
+    {"sizes", sizes},
+    {"large-texture", large},
+    {"large-target", largeTarget},
+    {"incomplete", incomplete},
+    {"feedback-onto-itself", feedbackOntoItself},
+};
+
+} // namespace software

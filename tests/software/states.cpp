@@ -1,0 +1,100 @@
+// Draws a scene for each line of its input, each in a context of its own, and writes what is left:
+// colours, depths, stencil values and GL's errors, as records. run_states.py compares.
+#include "states.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+
+namespace software {
+
+Scene::Scene(const std::string &line) {
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    m_values[word.substr(0, equals)] = std::strtod(word.c_str() + equals + 1, nullptr);
+  }
+}
+
+double Scene::number(const std::string &name) const {
+  const auto found = m_values.find(name);
+  if (found != m_values.end())
+    return found->second;
+  std::fprintf(stderr, "software-states: the scene has no '%s'\n", name.c_str());
+  std::exit(2);
+}
+
+namespace {
+
+void makeTarget(const Scene &scene) {
+  if (scene.choice("target") == 0)
+    return;
+  GLuint framebuffer = 0, color = 0, depthStencil = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenTextures(1, &color);
+  glBindTexture(GL_TEXTURE_2D, color);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  const GLint internal = scene.choice("target") == 1 ? GL_RGBA8 : GL_RGBA32F;
+  glTexImage2D(GL_TEXTURE_2D, 0, internal, kEdge, kEdge, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+  glGenRenderbuffers(1, &depthStencil);
+  glBindRenderbuffer(GL_RENDERBUFFER, depthStencil);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kEdge, kEdge);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                            depthStencil);
+}
+
+void draw(const Scene &scene) {
+  glDisable(GL_DITHER);
+  makeTarget(scene);
+  glViewport(0, 0, kEdge, kEdge);
+  drawBackground();
+  makeSceneTexture(scene);
+  setProgramState(scene);
+  setRasterState(scene);
+  const GLenum test = scene.token("depth_test");
+  if (test == GL_EQUAL || test == GL_LEQUAL || test == GL_GEQUAL || test == GL_NOTEQUAL) {
+    // Depths that are the same to the last bit, from the same primitives.
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    drawPrimitives(scene, 0);
+  }
+  setPixelState(scene);
+  drawPrimitives(scene, test == GL_EQUAL || test == GL_NOTEQUAL ? 0 : 1);
+}
+
+void writeAll(const std::string &name) {
+  record(name + " color", readRgba(0, 0, kEdge, kEdge));
+  std::vector<unsigned char> bytes(std::size_t(kEdge) * kEdge * 4);
+  glReadPixels(0, 0, kEdge, kEdge, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, bytes.data());
+  record(name + " depth", bytes);
+  bytes.resize(std::size_t(kEdge) * kEdge);
+  glReadPixels(0, 0, kEdge, kEdge, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, bytes.data());
+  record(name + " stencil", bytes);
+  record(name + " errors" + takeErrors(), {});
+  std::fflush(stdout);
+}
+
+} // namespace
+} // namespace software
+
+int main() {
+  using namespace software;
+  software::Screen screen;
+  if (!screen.open())
+    return 1;
+  const GLXDrawable window = screen.makeWindow(kEdge, kEdge);
+  int number = 0;
+  for (std::string line; std::getline(std::cin, line); ++number) {
+    const GLXContext context = screen.makeContext();
+    screen.makeCurrent(window, context);
+    draw(Scene(line));
+    writeAll(std::to_string(number));
+    screen.destroy(context);
+  }
+  return 0;
+}
