@@ -60,8 +60,8 @@ private:
     return llvm::BasicBlock::Create(m_code.context(), name, m_function);
   }
 
-  /// The pixels [begin, end) of the span that the fast loop may do, and the general loop before and
-  /// behind them.
+  /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
+  /// none wraps, and the edges before and behind them. Else all as it comes.
   void writeSpan(Value *count, llvm::BasicBlock *next) {
     const AffineFlow flow(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
                           count);
@@ -72,22 +72,29 @@ private:
       m_ir.CreateBr(next);
       return;
     }
-    llvm::BasicBlock *const start = m_ir.GetInsertBlock();
     auto *const general = block("general");
-    auto *const fast = block("fast");
-    m_ir.CreateBr(general);
+    auto *const some = block("some");
+    m_ir.CreateCondBr(samples.good(), some, general);
     m_ir.SetInsertPoint(general);
+    writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
+    m_ir.CreateBr(next);
+
+    auto *const edge = block("edge");
+    auto *const fast = block("fast");
+    m_ir.SetInsertPoint(some);
+    m_ir.CreateBr(edge);
+    m_ir.SetInsertPoint(edge);
     llvm::PHINode *const begin = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
     llvm::PHINode *const end = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
-    begin->addIncoming(m_ir.getInt32(0), start);
-    end->addIncoming(samples.begin(), start);
-    writeLoop(SamplePath::General, &samples, begin, end, count);
+    begin->addIncoming(m_ir.getInt32(0), some);
+    end->addIncoming(samples.begin(), some);
+    writeLoop(SamplePath::Edge, &samples, begin, end, count);
     m_ir.CreateCondBr(m_ir.CreateICmpEQ(end, count), next, fast);
     m_ir.SetInsertPoint(fast);
     writeLoop(SamplePath::Consecutive, &samples, samples.begin(), samples.end(), count);
     begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
     end->addIncoming(count, m_ir.GetInsertBlock());
-    m_ir.CreateBr(general);
+    m_ir.CreateBr(edge);
   }
 
   /// Vectors of [begin, end); the last may be incomplete only where the span ends.

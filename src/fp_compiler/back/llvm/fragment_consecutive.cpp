@@ -1,5 +1,7 @@
 #include "fp_compiler/back/llvm/fragment_consecutive.h"
 
+#include <vector>
+
 #include <llvm/IR/Intrinsics.h>
 
 namespace arbiter::fp::llvm_back {
@@ -8,6 +10,12 @@ namespace {
 const abi::SamplerKey &samplerOf(const jit::FragmentProgram &program, const abi::FragmentKey &key,
                                  std::size_t index) {
   return key.samplers[program.program().code[index].unit];
+}
+
+/// Texels of whole 32-bit words, colours.
+bool isWords(abi::Layout layout) {
+  return layout != abi::Layout::None && layout < abi::Layout::Depth16 &&
+         abi::bytesOf(layout) % 4 == 0;
 }
 } // namespace
 
@@ -19,7 +27,8 @@ bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
   const AffineFlow::Axes *const axes = flow.coordinate(index);
   // TXP divides, which is not affine. The level of detail must not matter, TXB's neither.
   return axes && instruction.op != ir::Opcode::Txp && !sampler.shadow &&
-         sampler.format.layout == abi::Layout::U8x4 && sampler.magnify == sampler.minify &&
+         isWords(sampler.format.layout) && sampler.magnify == sampler.minify &&
+         (sampler.magnify == abi::Filter::Nearest || sampler.format.layout == abi::Layout::U8x4) &&
          sampler.mip == abi::MipFilter::None &&
          (sampler.dimension == abi::Dimension::Tex2D ||
           sampler.dimension == abi::Dimension::Rect) &&
@@ -40,22 +49,78 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
       if (ir::info(program.program().code[i].op).has(ir::Texture) &&
           isCandidate(program, key, i, flow))
         add(i, *flow.coordinate(i));
-    // Whole vectors: an incomplete one costs the general loop no more.
+    // Whole vectors: an incomplete one costs the edges' loop no more. Behind a row 64 bytes may be
+    // read, which are less than a vector of larger texels.
+    bool large = false;
+    for (const auto &[index, sample] : m_samples)
+      large |= abi::bytesOf(sample.key->format.layout) > 4;
     Value *const lanes = ir.getInt32(unsigned(code.lanes));
     Value *const mask = ir.getInt32(~unsigned(code.lanes - 1));
     m_begin = ir.CreateAnd(ir.CreateAdd(m_begin, ir.getInt32(unsigned(code.lanes - 1))), mask);
     Value *const length = ir.CreateSub(m_end, m_begin);
     Value *const whole = ir.CreateAdd(m_begin, ir.CreateAnd(length, mask));
-    m_end = ir.CreateSelect(ir.CreateICmpEQ(m_end, count), m_end, whole);
+    m_end = large ? whole : ir.CreateSelect(ir.CreateICmpEQ(m_end, count), m_end, whole);
     Value *const use = ir.CreateAnd(m_good, ir.CreateICmpSGE(length, lanes));
     m_begin = ir.CreateSelect(use, m_begin, count);
     m_end = ir.CreateSelect(use, m_end, count);
   });
 }
 
-Value *ConsecutiveSamples::texels(std::size_t index) const {
-  const auto found = m_texels.find(index);
-  return found == m_texels.end() ? nullptr : found->second;
+Value *ConsecutiveSamples::texels(std::size_t index, Value *column) const {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const Sample &sample = m_samples.at(index);
+  const auto bytes = unsigned(abi::bytesOf(sample.key->format.layout));
+  const auto offset = [&](Value *texel) {
+    return ir.CreateMul(ir.CreateSExt(texel, ir.getInt64Ty()), ir.getInt64(bytes));
+  };
+  Value *const first = writeIn(m_code, m_places.item, [&] {
+    return ir.CreateGEP(ir.getInt8Ty(), sample.row, offset(sample.first));
+  });
+  return ir.CreateGEP(ir.getInt8Ty(), first, offset(column));
+}
+
+Value *ConsecutiveSamples::part(const Sample &sample, Value *index, Value *wanted,
+                                Value *others) const {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const int words = abi::bytesOf(sample.key->format.layout) / 4;
+  Value *const inside = ir.CreateICmpULT(ir.CreateAdd(m_code.splat(index), m_code.iota()),
+                                         m_code.splat(sample.width));
+  std::vector<int> spread;
+  for (int i = 0; i < m_code.lanes * words; ++i)
+    spread.push_back(i / words);
+  Value *const mask = ir.CreateShuffleVector(ir.CreateAnd(inside, wanted), spread);
+  Value *const offset =
+      ir.CreateMul(ir.CreateSExt(index, ir.getInt64Ty()), ir.getInt64(unsigned(4 * words)));
+  auto *const type = llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(m_code.lanes * words));
+  return ir.CreateMaskedLoad(type, ir.CreateGEP(ir.getInt8Ty(), sample.row, offset), llvm::Align(1),
+                             mask, others ? others : llvm::Constant::getNullValue(type));
+}
+
+Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &place) const {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const Sample &sample = m_samples.at(index);
+  Value *const from = ir.CreateAdd(sample.first, place.column);
+  Value *const isLeft = ir.CreateICmpSLT(from, ir.getInt32(0));
+  Value *beyond = nullptr;
+  if (sample.key->wrap[0] == abi::Wrap::Repeat) {
+    Value *const other =
+        ir.CreateSelect(isLeft, ir.CreateAdd(from, sample.width), ir.CreateSub(from, sample.width));
+    beyond = part(sample, other, place.covered, nullptr);
+  } else if (sample.key->wrap[0] == abi::Wrap::ClampToEdge) {
+    Value *const edge =
+        ir.CreateSelect(isLeft, ir.getInt32(0), ir.CreateSub(sample.width, ir.getInt32(1)));
+    const int words = abi::bytesOf(sample.key->format.layout) / 4;
+    Value *const offset =
+        ir.CreateMul(ir.CreateSExt(edge, ir.getInt64Ty()), ir.getInt64(unsigned(4 * words)));
+    Value *const texel =
+        ir.CreateAlignedLoad(llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(words)),
+                             ir.CreateGEP(ir.getInt8Ty(), sample.row, offset), llvm::Align(1));
+    std::vector<int> repeat;
+    for (int i = 0; i < m_code.lanes * words; ++i)
+      repeat.push_back(i % words);
+    beyond = ir.CreateShuffleVector(texel, repeat);
+  }
+  return part(sample, from, place.covered, beyond);
 }
 
 ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Value *size,
@@ -142,6 +207,13 @@ void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
   };
   m_begin = larger(m_begin, ir.CreateNeg(first));
   m_end = smaller(m_end, ir.CreateSub(image.width, first));
+  // Beyond the edges: once around at most, any distance, or not at all.
+  if (key.wrap[0] == abi::Wrap::Repeat)
+    m_good = both(m_good, ir.CreateICmpSLE(m_count, image.width));
+  else if (key.wrap[0] != abi::Wrap::ClampToEdge)
+    m_good =
+        both(m_good, ir.CreateAnd(ir.CreateICmpSGE(first, ir.getInt32(0)),
+                                  ir.CreateICmpSLE(m_count, ir.CreateSub(image.width, first))));
 
   // Across: one row, wrapped here.
   if (key.wrap[1] == abi::Wrap::Repeat) {
@@ -154,11 +226,8 @@ void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
   else
     m_good = both(m_good, ir.CreateICmpULT(row, image.height));
 
-  Value *const offset =
-      ir.CreateAdd(ir.CreateMul(ir.CreateSExt(row, ir.getInt64Ty()), image.rowStride),
-                   ir.CreateMul(ir.CreateSExt(first, ir.getInt64Ty()),
-                                ir.getInt64(unsigned(abi::bytesOf(key.format.layout)))));
-  m_texels[index] = ir.CreateGEP(ir.getInt8Ty(), image.base, offset);
+  Value *const offset = ir.CreateMul(ir.CreateSExt(row, ir.getInt64Ty()), image.rowStride);
+  m_samples[index] = {&key, ir.CreateGEP(ir.getInt8Ty(), image.base, offset), first, image.width};
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -55,13 +55,14 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   if (instruction.op == ir::Opcode::Txb)
     at.bias = operand[3];
   at.coordinate[3] = nullptr;
-  if (m_path == SamplePath::Consecutive) {
-    if (Value *const texels = m_samples->texels(index)) {
-      Value *const column = ir.CreateSExt(m_place.column, ir.getInt64Ty());
-      const auto bytes = unsigned(abi::bytesOf(key.format.layout));
-      at.texels = ir.CreateGEP(ir.getInt8Ty(), texels, ir.CreateMul(column, ir.getInt64(bytes)));
-    }
+  if (m_path == SamplePath::Edge && m_samples->has(index)) {
+    Value *const raw = m_samples->wrappedTexels(index, m_place);
+    Value *const packed = key.format.layout == abi::Layout::U8x4 ? raw : nullptr;
+    m_texels.push_back({decode(m_code, key.format, raw, needed), packed, key.format.swizzle});
+    return m_texels.back().rgba;
   }
+  if (m_path == SamplePath::Consecutive && m_samples->has(index))
+    at.texels = m_samples->texels(index, m_place.column);
   Value *const view = writeIn(m_code, m_places.entry, [&] {
     return m_code.field(ir.getPtrTy(), m_data,
                         offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);

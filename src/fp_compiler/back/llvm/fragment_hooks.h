@@ -7,10 +7,6 @@
 /// Where a fragment program's registers come from.
 namespace arbiter::fp::llvm_back {
 
-/// The two ways of a loop: samples of any kind, or those that are known to read consecutive texels
-/// as loads.
-enum class SamplePath : std::uint8_t { General, Consecutive };
-
 class FragmentHooks final : public ProgramHooks {
 public:
   /// \param samples null where no sample is affine
