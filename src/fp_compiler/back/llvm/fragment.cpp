@@ -1,5 +1,6 @@
 #include "fp_compiler/back/llvm/fragment.h"
 
+#include "fp_compiler/back/llvm/fragment_bytes.h"
 #include "fp_compiler/back/llvm/fragment_hooks.h"
 #include "fp_compiler/back/llvm/fragment_options.h"
 
@@ -23,10 +24,16 @@ public:
     auto *const done = block("done");
     llvm::BasicBlock *const item = m_places.item;
     m_ir.SetInsertPoint(m_places.entry);
-    m_ir.CreateCondBr(m_ir.CreateICmpEQ(m_function->getArg(3), m_ir.getInt32(0)), done, item);
+    auto *const first = block("first");
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(m_function->getArg(3), m_ir.getInt32(0)), done, first);
+    m_ir.SetInsertPoint(first);
+    if (const auto bytes = byteProgramOf(m_code.cpu, m_program, m_key))
+      makeTables(*bytes);
+    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
+    m_ir.CreateBr(item);
     m_ir.SetInsertPoint(item);
     llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
-    number->addIncoming(m_ir.getInt32(0), m_places.entry);
+    number->addIncoming(m_ir.getInt32(0), before);
     Value *const offset = m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()),
                                          m_ir.getInt64(sizeof(abi::Span)));
     static_assert(sizeof(abi::Span) == sizeof(abi::Block));
@@ -91,10 +98,39 @@ private:
     writeLoop(SamplePath::Edge, &samples, begin, end, count);
     m_ir.CreateCondBr(m_ir.CreateICmpEQ(end, count), next, fast);
     m_ir.SetInsertPoint(fast);
-    writeLoop(SamplePath::Consecutive, &samples, samples.begin(), samples.end(), count);
-    begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
-    end->addIncoming(count, m_ir.GetInsertBlock());
-    m_ir.CreateBr(edge);
+    const auto writeFast = [&](SamplePath path) {
+      writeLoop(path, &samples, samples.begin(), samples.end(), count);
+      begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
+      end->addIncoming(count, m_ir.GetInsertBlock());
+      m_ir.CreateBr(edge);
+    };
+    if (m_tables && samples.has(m_bytes.sample)) {
+      auto *const bytes = block("bytes");
+      auto *const program = block("program");
+      m_ir.CreateCondBr(m_tables->ready(), bytes, program);
+      m_ir.SetInsertPoint(bytes);
+      m_tables->load();
+      writeFast(SamplePath::Given);
+      m_ir.SetInsertPoint(program);
+    }
+    writeFast(SamplePath::Consecutive);
+  }
+
+  void makeTables(const ByteProgram &bytes) {
+    m_bytes = bytes;
+    m_tables.emplace(m_code, bytes, m_function->getArg(2), m_function->getArg(3), m_places,
+                     [&](Value *texels) {
+                       const FragmentColors fragment =
+                           colorsOf(SamplePath::Given, nullptr, PixelPlace{}, texels);
+                       return m_pixels.pixelsOf(fragment, m_bytes.target);
+                     });
+  }
+
+  /// Pixels by the tables.
+  void writeBytes(const ConsecutiveSamples &samples, const PixelPlace &place) {
+    Value *const texels = m_ir.CreateAlignedLoad(
+        m_code.i32, samples.texels(m_bytes.sample, place.column), llvm::Align(1));
+    m_pixels.storePixels(place, m_tables->pixels(texels), m_bytes.target, nullptr);
   }
 
   /// Vectors of [begin, end); the last may be incomplete only where the span ends.
@@ -135,11 +171,21 @@ private:
     m_ir.CreateBr(next);
   }
 
-  /// The program over one vector of pixels, and what follows it.
   void writePixels(SamplePath path, const ConsecutiveSamples *samples, const PixelPlace &place) {
+    if (path == SamplePath::Given)
+      return writeBytes(*samples, place);
+    FragmentColors fragment = colorsOf(path, samples, place, nullptr);
+    m_pixels.write(place, fragment);
+  }
+
+  /// The program over one vector of pixels, its options applied.
+  /// \param given of SamplePath::Given, the texels
+  FragmentColors colorsOf(SamplePath path, const ConsecutiveSamples *samples,
+                          const PixelPlace &place, Value *given) {
     const ir::Program &program = m_program.program();
     FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
                         samples, path, place);
+    hooks.give(given);
     const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
     FragmentColors fragment;
     const bool several = program.options.drawBuffers;
@@ -156,7 +202,7 @@ private:
     fragment.texels = hooks.takeTexels();
     applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
                  hooks, fragment);
-    m_pixels.write(place, fragment);
+    return fragment;
   }
 
   Code &m_code;
@@ -167,6 +213,8 @@ private:
   Places m_places;
   Interpolator m_interpolator;
   PixelWriter m_pixels;
+  ByteProgram m_bytes;
+  std::optional<ByteTables> m_tables;
 };
 } // namespace
 

@@ -13,8 +13,8 @@ namespace arbiter::fp::llvm_back {
 inline constexpr double kLinearReach = 1.0 / 2048;
 
 /// How a loop reads the samples whose texels are consecutive: like any other, as loads that need no
-/// wrapping, or as loads on both sides of the texture's edge.
-enum class SamplePath : std::uint8_t { General, Consecutive, Edge };
+/// wrapping, or as loads on both sides of the texture's edge. Given: the one sample is at hand.
+enum class SamplePath : std::uint8_t { General, Consecutive, Edge, Given };
 
 class ConsecutiveSamples {
 public:

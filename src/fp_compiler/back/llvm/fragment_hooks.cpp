@@ -14,6 +14,9 @@ Vec FragmentHooks::input(ir::Attribute attribute, unsigned needed) {
 
 Vec FragmentHooks::attribute(int index, unsigned needed) {
   const ir::Program &program = m_program.program();
+  // Only the coordinate of the given sample asks.
+  if (m_path == SamplePath::Given)
+    return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
   const ir::Attribute attribute = program.attributes[std::size_t(index)];
   if (attribute.kind == ir::AttributeKind::Position)
     return m_interpolator.position(program.options, needed);
@@ -55,8 +58,9 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   if (instruction.op == ir::Opcode::Txb)
     at.bias = operand[3];
   at.coordinate[3] = nullptr;
-  if (m_path == SamplePath::Edge && m_samples->has(index)) {
-    Value *const raw = m_samples->wrappedTexels(index, m_place);
+  const bool edge = m_path == SamplePath::Edge && m_samples->has(index);
+  if (edge || m_path == SamplePath::Given) {
+    Value *const raw = edge ? m_samples->wrappedTexels(index, m_place) : m_given;
     Value *const packed = key.format.layout == abi::Layout::U8x4 ? raw : nullptr;
     m_texels.push_back({decode(m_code, key.format, raw, needed), packed, key.format.swizzle});
     return m_texels.back().rgba;

@@ -21,6 +21,8 @@ public:
   [[nodiscard]] Vec parameter(int index, unsigned needed) override;
   [[nodiscard]] Vec texture(const ir::Instruction &instruction, const Vec &operand,
                             unsigned needed) override;
+  /// SamplePath::Given: the texels, as they lie in memory.
+  void give(Value *texels) { m_given = texels; }
   void kill(Value *lanes) override;
   [[nodiscard]] Vec relative(int array, Value *index, unsigned needed) override;
 
@@ -43,6 +45,7 @@ private:
   SamplePath m_path;
   const PixelPlace &m_place;
   Value *m_alive = nullptr;
+  Value *m_given = nullptr;
   Live m_live;
   std::size_t m_next = 0; ///< the walk has come to this instruction of the code
   std::vector<PackedTexel> m_texels;

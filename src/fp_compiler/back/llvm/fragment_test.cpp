@@ -23,7 +23,7 @@ constexpr int kWidth = 75, kHeight = 9;
 
 std::vector<std::string> cpus() {
   std::vector<std::string> names;
-  for (const char *name : {"avx512", "avx2", "sse4", "neon"})
+  for (const char *name : {"", "avx512", "avx2", "sse4", "neon"})
     if (llvm_back::makeEngine({name, nullptr}))
       names.emplace_back(name);
   return names;
@@ -164,8 +164,9 @@ void check(Scene &scene, const ir::Program &program, const std::vector<abi::Span
 }
 
 class FragmentTest : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Cpus, FragmentTest, ::testing::ValuesIn(cpus()),
-                         [](const auto &info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Cpus, FragmentTest, ::testing::ValuesIn(cpus()), [](const auto &info) {
+  return info.param.empty() ? "native" : info.param;
+});
 
 TEST_P(FragmentTest, CopiesATextureAsItLies) {
   for (const abi::Filter filter : {abi::Filter::Nearest, abi::Filter::Linear}) {
@@ -240,6 +241,35 @@ TEST_P(FragmentTest, ScalesAndShiftsByParameters) {
         {0.5f, 0.5f, 0, 0}, {shift, 0, 0, 0}, {0.1f, 0.2f, 0.3f, 0.4f}};
     scene.draw(program, {{0, 0, 2, 2}}, wholeRows(), locals);
     check(scene, program, wholeRows(), locals);
+  }
+}
+
+/// Many pixels in one call are looked up in tables (fragment_bytes.h); one row at a time they are
+/// computed.
+TEST_P(FragmentTest, LooksUpWhatItComputes) {
+  ir::Builder b;
+  auto texel = b.temporary();
+  b.tex(Opcode::Tex, texel, b.attribute(AttributeKind::TexCoord), 0, TexTarget::Tex2D);
+  for (const char *const c : {"x", "y", "z"})
+    b.op(Opcode::Pow, texel.mask(c), {texel.read().swz(c), b.local(0).swz(c)});
+  b.op(Opcode::Mad, b.color(), {texel.read().swz("zxyw"), b.local(1), b.local(2)});
+  const ir::Program program = b.take();
+  const std::vector<std::array<float, 4>> locals = {
+      {0.5f, 1.5f, 3.0f, 0}, {1.3f, 0.8f, 1.0f, -1.0f}, {-0.2f, 0.1f, 0, 1.0f}};
+  for (const abi::From alpha : {abi::From::C3, abi::From::One}) {
+    Scene scene(GetParam());
+    scene.addTexture(kWidth, kHeight, Wrap::Repeat);
+    scene.key.targets[0].format.swizzle = {abi::From::C2, abi::From::C1, abi::From::C0, alpha};
+    std::vector<abi::Span> often;
+    for (int i = 0; i < 10; ++i)
+      for (const abi::Span &span : wholeRows())
+        often.push_back(span);
+    const float shift = 5.0f / kWidth;
+    const std::vector<std::uint8_t> many =
+        scene.draw(program, {{shift, 0, 1 + shift, 1}}, often, locals);
+    const std::vector<std::uint8_t> few =
+        scene.draw(program, {{shift, 0, 1 + shift, 1}}, wholeRows(), locals);
+    EXPECT_EQ(many, few);
   }
 }
 

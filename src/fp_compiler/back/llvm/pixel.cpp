@@ -39,20 +39,21 @@ void PixelWriter::write(const PixelPlace &place, FragmentColors &fragment) {
   Value *mask = nullptr;
   if (fragment.alive)
     mask = m_code.ir.CreateAnd(fragment.alive, place.covered);
-  for (int i = 0; i < abi::kMaxColorTargets; ++i)
-    if (m_key.targets[std::size_t(i)].format.layout != abi::Layout::None &&
-        m_key.targets[std::size_t(i)].writeMask != 0)
-      writeTarget(place, fragment, i, mask);
+  for (std::size_t i = 0; i < m_key.targets.size(); ++i)
+    if (m_key.targets[i].format.layout != abi::Layout::None && m_key.targets[i].writeMask != 0)
+      storePixels(place, pixelsOf(fragment, i), i, mask);
 }
 
-void PixelWriter::writeTarget(const PixelPlace &place, const FragmentColors &fragment, int target,
+Value *PixelWriter::pixelsOf(const FragmentColors &fragment, std::size_t target) {
+  const Vec &color = fragment.colors[target];
+  Value *const pixels = passedThrough(fragment, color, m_key.targets[target]);
+  return pixels ? pixels : packUnorm8(m_code, m_key.targets[target].format, color);
+}
+
+void PixelWriter::storePixels(const PixelPlace &place, Value *pixels, std::size_t target,
                               Value *mask) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const abi::ColorTargetKey &key = m_key.targets[std::size_t(target)];
-  Vec color = fragment.colors[std::size_t(target)];
-  Value *pixels = passedThrough(fragment, color, key);
-  if (!pixels)
-    pixels = packUnorm8(m_code, key.format, color);
+  const abi::ColorTargetKey &key = m_key.targets[target];
   std::uint32_t kept = 0;
   for (int k = 0; k < 4; ++k) {
     const int c = componentOf(key.format, k);
@@ -60,11 +61,11 @@ void PixelWriter::writeTarget(const PixelPlace &place, const FragmentColors &fra
       kept |= 0xFFu << (8 * k);
   }
   if (kept != 0) {
-    Value *const old = m_targets[std::size_t(target)].load(place, ir.getInt32Ty(), 1);
+    Value *const old = m_targets[target].load(place, ir.getInt32Ty(), 1);
     pixels = ir.CreateOr(ir.CreateAnd(pixels, m_code.splat(int(~kept))),
                          ir.CreateAnd(old, m_code.splat(int(kept))));
   }
-  m_targets[std::size_t(target)].store(place, pixels, 1, mask);
+  m_targets[target].store(place, pixels, 1, mask);
 }
 
 Value *PixelWriter::passedThrough(const FragmentColors &fragment, const Vec &color,

@@ -32,10 +32,12 @@ public:
   /// In the item's block: its first pixel.
   void setPixel(Value *x, Value *y);
   void write(const PixelPlace &place, FragmentColors &fragment);
+  /// A target's pixels of colours without blending, its write mask not applied.
+  [[nodiscard]] Value *pixelsOf(const FragmentColors &fragment, std::size_t target);
+  /// Stores them under the write mask; \p mask may be null.
+  void storePixels(const PixelPlace &place, Value *pixels, std::size_t target, Value *mask);
 
 private:
-  void writeTarget(const PixelPlace &place, const FragmentColors &fragment, int target,
-                   Value *mask);
   /// The stored bits of texels that were sampled and not touched; null where it was another colour.
   [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
                                      const abi::ColorTargetKey &target);
