@@ -8,10 +8,17 @@ struct EntryPoint {
   void *function = nullptr;
   /// The layer offers it even where the host lacks it.
   bool provided = false;
+  /// There for the rasterizer alone: with the host as backend the host's own function serves.
+  bool forSoftware = false;
 };
 
 /// `name` with its gl prefix, any name of an alias group.
 [[nodiscard]] EntryPoint find(const char *name);
+
+/// The entry points that exist for the rasterizer alone and are in no row of entry_points.toml; null
+/// for all others.
+[[nodiscard]] void *findForSoftware(const char *name);
+[[nodiscard]] bool isForSoftware(const void *function);
 
 /// True if `function` is one of the layer's entry points: the host's can never be.
 [[nodiscard]] bool isOurs(const void *function);

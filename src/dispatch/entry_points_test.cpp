@@ -75,13 +75,26 @@ TEST(EntryTable, HasEachNameOfAnAliasGroup) {
 
 TEST(EntryTable, HasNothingElse) {
   // Alike in name, and not aliases: NV attributes and parameters mean other things.
-  for (const char *name : {"glVertexAttrib4fNV", "glLoadProgramNV", "glGetProgramivNV", "glClear",
-                           "glVertex3f", "", "gl", "glzzz"})
+  for (const char *name : {"glVertexAttrib4fNV", "glLoadProgramNV", "glGetProgramivNV",
+                           "glVertex3f", "glBlendFunc", "", "gl", "glzzz"})
     EXPECT_EQ(find(name).function, nullptr) << name;
+}
+
+TEST(EntryTable, TellsWhatIsThereForTheRasterizerAlone) {
+  EXPECT_TRUE(find("glClear").forSoftware);
+  EXPECT_FALSE(find("glDrawArrays").forSoftware);
+  EXPECT_NE(findForSoftware("glVertex3f"), nullptr);
+  EXPECT_NE(findForSoftware("glVertexAttrib4f"), findForSoftware("glVertexAttrib4fNV"));
+  EXPECT_EQ(findForSoftware("glBlendFunciARB"), findForSoftware("glBlendFunci"));
+  // The host's own: intercepted otherwise, harmless, of OpenGL ES alone.
+  for (const char *name : {"glDrawArrays", "glClear", "glGetShaderSource", "glIsTexture",
+                           "glDrawTexfOES", "glClearColor", "", "glzzz"})
+    EXPECT_EQ(findForSoftware(name), nullptr) << name;
 }
 
 TEST(EntryTable, KnowsItsOwn) {
   EXPECT_TRUE(isOurs(find("glEnable").function));
+  EXPECT_TRUE(isOurs(findForSoftware("glBlendFunc")));
   EXPECT_FALSE(isOurs(reinterpret_cast<const void *>(&hostDrawArrays)));
   EXPECT_FALSE(isOurs(nullptr));
 }

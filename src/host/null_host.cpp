@@ -28,13 +28,13 @@ void *resolve(const char *name) {
 
 } // namespace
 
-NullCall::NullCall(NextFunction &next) {
-  if (t_insideNullCall)
+NullCall::NullCall(const char *name, std::atomic<void *> &next) {
+  if (!name || t_insideNullCall)
     return;
-  void *function = next.function.load(std::memory_order_acquire);
+  void *function = next.load(std::memory_order_acquire);
   if (!function) {
-    function = resolve(next.name);
-    next.function.store(function, std::memory_order_release);
+    function = resolve(name);
+    next.store(function, std::memory_order_release);
   }
   if (function) {
     t_insideNullCall = true;

@@ -18,7 +18,9 @@ struct NextFunction {
 /// call that came back to us: libGL's own stub may lead here.
 class NullCall {
 public:
-  explicit NullCall(NextFunction &next);
+  explicit NullCall(NextFunction &next) : NullCall(next.name, next.function) {}
+  /// A null name: no call at all.
+  NullCall(const char *name, std::atomic<void *> &next);
   ~NullCall();
   NullCall(const NullCall &) = delete;
   NullCall &operator=(const NullCall &) = delete;

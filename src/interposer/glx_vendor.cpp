@@ -1,6 +1,9 @@
 /// The GLX side of the vendor library: libglvnd's vendor interface around the host's own vendor.
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
+// Before Xlib's macros.
+#include "state/software/residency.h"
+
 #include <cstring>
 #include <iterator>
 #include <mutex>
@@ -14,6 +17,7 @@
 #include <X11/Xlibint.h>
 #undef min
 #undef max
+#undef None
 
 #include "dispatch/entry_points.h"
 #include "interposer/host_choice.h"
@@ -141,39 +145,106 @@ void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long
   registry::copied(key(display, from), key(display, to), mask);
 }
 
-Bool madeCurrent(Bool ok, Display *display, GLXContext context) {
-  if (ok)
-    registry::madeCurrent(key(display, context), table());
+Host<decltype(glXQueryDrawable)> g_queryDrawable;
+
+/// The server's answer for windows of GLX, windows of X and pixmaps alike.
+bool sizeOf(const state::software::Drawable &drawable, int &width, int &height) {
+  auto *const display = const_cast<Display *>(static_cast<const Display *>(drawable.display));
+  const auto name = GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw));
+  unsigned int w = 0, h = 0;
+  g_queryDrawable(display, name, GLX_WIDTH, &w);
+  g_queryDrawable(display, name, GLX_HEIGHT, &h);
+  width = int(w);
+  height = int(h);
+  return w != 0 && h != 0;
+}
+
+/// What the context that is current on the thread draws to.
+constinit thread_local GLXDrawable t_drawable __attribute__((tls_model("initial-exec"))) = 0;
+
+Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
+                 GLXContext context) {
+  if (!ok)
+    return ok;
+  using state::software::Drawable;
+  const Drawable drawable = {.kind = draw && g_queryDrawable.function ? Drawable::Kind::Window
+                                                                      : Drawable::Kind::None,
+                             .display = display,
+                             .draw = reinterpret_cast<const void *>(std::uintptr_t(draw)),
+                             .sameRead = draw == read,
+                             .size = sizeOf};
+  t_drawable = context ? draw : 0;
+  registry::madeCurrent(key(display, context), table(), &drawable);
   return ok;
 }
 
 Bool makeCurrent(Display *display, GLXDrawable drawable, GLXContext context) {
-  return madeCurrent(g_makeCurrent(display, drawable, context), display, context);
+  state::leaveCurrent();
+  return madeCurrent(g_makeCurrent(display, drawable, context), display, drawable, drawable,
+                     context);
 }
 
 Bool makeContextCurrent(Display *display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
-  return madeCurrent(g_makeContextCurrent(display, draw, read, context), display, context);
+  state::leaveCurrent();
+  return madeCurrent(g_makeContextCurrent(display, draw, read, context), display, draw, read,
+                     context);
 }
 
 Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
-  return madeCurrent(g_makeCurrentRead(display, draw, read, context), display, context);
+  state::leaveCurrent();
+  return madeCurrent(g_makeCurrentRead(display, draw, read, context), display, draw, read, context);
 }
 
-void frameEnds() {
+/// The drawable that is shown may be another one than the current context's: nothing of ours is in
+/// its back buffer then, but the host must be up to date with its own.
+void frameEnds(GLXDrawable drawable) {
+  if (!registry::isCurrent(Provider::Glx))
+    return;
+  if (state::Context *const context = state::currentContext())
+    state::frameEnd(context);
+  state::exchange(drawable == t_drawable ? state::Exchange::Present : state::Exchange::Read,
+                  "glXSwapBuffers");
+}
+
+void exchanges(state::Exchange what, const char *name) {
   if (registry::isCurrent(Provider::Glx))
-    if (state::Context *const context = state::currentContext())
-      state::frameEnd(context);
+    state::exchange(what, name);
 }
 
 void swapBuffers(Display *display, GLXDrawable drawable) {
-  frameEnds();
+  frameEnds(drawable);
   g_swapBuffers(display, drawable);
 }
 
 std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t target,
                             std::int64_t divisor, std::int64_t remainder) {
-  frameEnds();
+  frameEnds(drawable);
   return g_swapBuffersMsc(display, drawable, target, divisor, remainder);
+}
+
+Host<void(Display *, GLXDrawable, int, int, int, int)> g_copySubBuffer;
+Host<decltype(glXWaitGL)> g_waitGl;
+Host<void(Display *, GLXDrawable, int, const int *)> g_bindTexImage;
+Host<void(Display *, GLXDrawable, int)> g_releaseTexImage;
+
+void copySubBuffer(Display *display, GLXDrawable drawable, int x, int y, int width, int height) {
+  exchanges(state::Exchange::Read, "glXCopySubBufferMESA");
+  g_copySubBuffer(display, drawable, x, y, width, height);
+}
+
+void waitGl() {
+  exchanges(state::Exchange::Flush, "glXWaitGL");
+  g_waitGl();
+}
+
+void bindTexImage(Display *display, GLXDrawable drawable, int buffer, const int *attributes) {
+  exchanges(state::Exchange::Change, "glXBindTexImageEXT");
+  g_bindTexImage(display, drawable, buffer, attributes);
+}
+
+void releaseTexImage(Display *display, GLXDrawable drawable, int buffer) {
+  exchanges(state::Exchange::Change, "glXReleaseTexImageEXT");
+  g_releaseTexImage(display, drawable, buffer);
 }
 
 void *getProcAddress(const GLubyte *name);
@@ -197,6 +268,10 @@ const Hook kHooks[] = {
     {"glXMakeCurrentReadSGI", address(makeCurrentRead), &g_makeCurrentRead.function},
     {"glXSwapBuffers", address(swapBuffers), &g_swapBuffers.function},
     {"glXSwapBuffersMscOML", address(swapBuffersMsc), &g_swapBuffersMsc.function},
+    {"glXCopySubBufferMESA", address(copySubBuffer), &g_copySubBuffer.function},
+    {"glXWaitGL", address(waitGl), &g_waitGl.function},
+    {"glXBindTexImageEXT", address(bindTexImage), &g_bindTexImage.function},
+    {"glXReleaseTexImageEXT", address(releaseTexImage), &g_releaseTexImage.function},
     {"glXGetProcAddress", address(getProcAddress), &g_getProcAddress.function},
     {"glXGetProcAddressARB", address(getProcAddress), &g_getProcAddressArb.function},
 };
@@ -226,6 +301,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
         g_host.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
       loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
+      g_queryDrawable.function = hostLookup("glXQueryDrawable");
       return true;
     }
   }

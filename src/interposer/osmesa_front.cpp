@@ -12,6 +12,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "state/software/residency.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -31,6 +32,7 @@ struct RealOsMesa {
   decltype(&OSMesaDestroyContext) destroyContext = nullptr;
   decltype(&OSMesaMakeCurrent) makeCurrent = nullptr;
   decltype(&OSMesaGetProcAddress) getProcAddress = nullptr;
+  decltype(&OSMesaGetIntegerv) getInteger = nullptr;
 };
 
 bool isThisLibrary(const void *function) {
@@ -85,6 +87,7 @@ const RealOsMesa &real() {
     get(r.destroyContext, "OSMesaDestroyContext");
     get(r.makeCurrent, "OSMesaMakeCurrent");
     get(r.getProcAddress, "OSMesaGetProcAddress");
+    get(r.getInteger, "OSMesaGetIntegerv");
     return r;
   }();
   return s_real;
@@ -107,6 +110,32 @@ const host::HostTable &table() {
 }
 
 registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, context}; }
+
+/// OSMesaPixelStore may be called at any time; here the context is current.
+void layoutOf(const state::software::Drawable &drawable, int &rowLength, bool &topRowFirst) {
+  GLint length = 0, upwards = 1;
+  real().getInteger(OSMESA_ROW_LENGTH, &length);
+  real().getInteger(OSMESA_Y_UP, &upwards);
+  rowLength = length > 0 ? length : drawable.width;
+  topRowFirst = upwards == 0;
+}
+
+/// The application's memory as it is when the context becomes current.
+state::software::Drawable memoryOf(void *buffer, GLenum type, int width, int height) {
+  state::software::Drawable drawable;
+  if (!buffer || !real().getInteger)
+    return drawable;
+  GLint format = 0;
+  real().getInteger(OSMESA_FORMAT, &format);
+  drawable.kind = state::software::Drawable::Kind::Memory;
+  drawable.width = width;
+  drawable.height = height;
+  drawable.memory = buffer;
+  drawable.memoryFormat = GLenum(format);
+  drawable.memoryType = type;
+  drawable.memoryLayout = layoutOf;
+  return drawable;
+}
 
 /// The thread is inside a create call: the real library's simpler ones call the fuller ones by
 /// their exported names, which are ours.
@@ -159,6 +188,8 @@ ARBITER_EXPORT void OSMesaDestroyContext(OSMesaContext context) {
   auto *const current =
       reinterpret_cast<OSMesaContext (*)()>(dlsym(real().library, "OSMesaGetCurrentContext"));
   const bool unbinds = context && current && current() == context;
+  if (unbinds)
+    arbiter::state::leaveCurrent();
   registry::destroyed(key(context));
   real().destroyContext(context);
   if (unbinds)
@@ -169,9 +200,14 @@ ARBITER_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext context, void *buffer, 
                                            GLsizei width, GLsizei height) {
   if (!real().makeCurrent)
     return GL_FALSE;
+  if (!layerAllowed())
+    return real().makeCurrent(context, buffer, type, width, height);
+  arbiter::state::leaveCurrent();
   const GLboolean ok = real().makeCurrent(context, buffer, type, width, height);
-  if (ok && layerAllowed())
-    registry::madeCurrent(key(context), table());
+  if (!ok)
+    return ok;
+  const arbiter::state::software::Drawable drawable = memoryOf(buffer, type, width, height);
+  registry::madeCurrent(key(context), table(), &drawable);
   return ok;
 }
 

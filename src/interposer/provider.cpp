@@ -5,6 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "interposer/process.h"
+#include "util/flags.h"
 
 namespace arbiter::interposer {
 
@@ -21,7 +22,12 @@ void *resolveGl(const char *name, HostLookup host) {
   if (entry.function && entry.provided)
     return entry.function;
   void *const theirs = host(name);
-  return theirs && entry.function ? entry.function : theirs;
+  if (!theirs || settings().backend == Backend::Host)
+    return entry.function && !entry.forSoftware && theirs ? entry.function : theirs;
+  if (entry.function)
+    return entry.function;
+  void *const software = dispatch::findForSoftware(name);
+  return software ? software : theirs;
 }
 
 void loadHooks(const Hook *begin, const Hook *end, HostLookup host) {

@@ -23,7 +23,7 @@ struct Registry {
   pthread_key_t current{};
 };
 
-void threadEnds(void *) { state::makeCurrent(nullptr); }
+void threadEnds(void *) { state::makeCurrent(nullptr, nullptr); }
 
 /// Never destroyed: threads of the application may outlive the library's own destructors.
 Registry &registry() {
@@ -85,10 +85,11 @@ void destroyed(const Key &key) {
   r.entries.pop_back();
 }
 
-void madeCurrent(const Key &key, const host::HostTable &table) {
+void madeCurrent(const Key &key, const host::HostTable &table,
+                 const state::software::Drawable *drawable) {
   if (!key.handle) {
     if (isCurrent(key.provider)) {
-      state::makeCurrent(nullptr);
+      state::makeCurrent(nullptr, nullptr);
       setCurrent(nullptr);
     }
     return;
@@ -104,7 +105,7 @@ void madeCurrent(const Key &key, const host::HostTable &table) {
     }
     context = entry->context;
   }
-  state::makeCurrent(context);
+  state::makeCurrent(context, drawable);
   setCurrent(mark(key.provider));
 }
 

@@ -23,7 +23,9 @@ void destroyed(const Key &key);
 
 /// The host made the context current on this thread; one never seen before is adopted. A null
 /// handle un-binds, if what is current is the provider's own.
-void madeCurrent(const Key &key, const host::HostTable &table);
+/// \param drawable null: unknown
+void madeCurrent(const Key &key, const host::HostTable &table,
+                 const state::software::Drawable *drawable = nullptr);
 
 /// The host copied attribute groups from one context to another of the same display.
 void copied(const Key &from, const Key &to, unsigned long mask);

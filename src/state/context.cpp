@@ -12,6 +12,8 @@
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
+#include "state/software/residency.h"
+#include "state/software/stale.h"
 #include "state/statistics.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -166,7 +168,29 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
   return context;
 }
 
-void makeCurrent(Context *context) {
+void leaveCurrent() {
+  Context *const context = currentContext();
+  if (context && context->softwarePossible && !context->insideBeginEnd && context->listMode == 0)
+    software::leave(*context);
+}
+
+void exchange(Exchange what, const char *name) {
+  Context *const context = currentContext();
+  if (!context || !context->softwarePossible || context->insideBeginEnd || context->listMode != 0)
+    return;
+  switch (what) {
+  case Exchange::Present:
+    return software::present(*context);
+  case Exchange::Flush:
+    return software::flush(*context, false);
+  case Exchange::Read:
+    return software::synchronise(*context, name);
+  case Exchange::Change:
+    return software::hostDoesAnything(*context, name);
+  }
+}
+
+void makeCurrent(Context *context, const software::Drawable *drawable) {
   Context *const old = currentContext();
   if (old != context) {
     {
@@ -188,6 +212,11 @@ void makeCurrent(Context *context) {
     initialise(*context);
   else if (context && context->group->hasGarbage() && !context->listMode)
     collectGarbage(*context);
+  if (!context)
+    return;
+  software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
+  if (context->softwarePossible)
+    software::enter(*context);
 }
 
 void destroyContext(Context *context) {
@@ -200,6 +229,7 @@ void destroyContext(Context *context) {
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   noteFixedFunctionChange(to);
+  to.stale = software::stale::kAll;
   if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
     copyClipPlanes(from, to);
   if ((mask & GL_ENABLE_BIT) == 0)

@@ -13,6 +13,8 @@
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
+#include "state/software/draw.h"
+#include "state/software/replay.h"
 
 namespace arbiter::state {
 
@@ -346,6 +348,16 @@ bool begin(Context &context, Validate validateDraw) {
   return false;
 }
 
+/// The primitive is recorded, to be drawn by us.
+bool keepsBack(Context &context, GLenum mode) {
+  if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
+    return false;
+  if (!software::begin(context, mode))
+    return false;
+  software::startRecording(context);
+  return true;
+}
+
 } // namespace
 
 namespace handlers {
@@ -402,6 +414,8 @@ GLuint guardName(Context &context, GLuint name) {
 void Begin(Context &context, GLenum mode) {
   if (context.attention && !beginDraw(context)) [[unlikely]]
     return;
+  if (context.softwarePossible && keepsBack(context, mode))
+    return;
   ++*context.drawCounter;
   context.host->Begin(mode);
   if (mode > GL_POLYGON)
@@ -413,6 +427,11 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
+  if (context.recordsVertices) {
+    software::stopRecording(context);
+    context.insideBeginEnd = false;
+    return software::end(context);
+  }
   context.host->End();
   if (context.listMode)
     context.list.notePrimitive(Primitive::Closed);

@@ -3,6 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/feedback.h"
+#include "state/software/residency.h"
 
 namespace arbiter::state {
 
@@ -11,7 +12,14 @@ namespace {
 using swrast::CopyKind;
 using swrast::CopyRegion;
 
-bool counts(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
+bool counts(Context &context) {
+  if (context.insideBeginEnd || context.listMode != 0)
+    return false;
+  // The copy is the host's: by name or by unit it reaches textures that are not looked for.
+  if (context.softwarePossible)
+    software::hostDoesAnything(context, "glCopyTexture");
+  return true;
+}
 
 void byTexture(Context &context, GLuint texture, GLenum target, GLint level, CopyKind kind,
                const CopyRegion &region) {

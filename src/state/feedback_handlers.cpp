@@ -6,6 +6,7 @@
 #include "state/feedback.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/residency.h"
 
 namespace arbiter::state {
 
@@ -41,6 +42,19 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
   }
 }
 
+/// The copy is made between shadows; else the host, which is told what it lacks, makes it.
+bool copiedByUs(Context &context, const CopyCommand &copy) {
+  const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
+  const swrast::CopyRegion &r = copy.region;
+  if (software::copyToTexture(context,
+                              {copy.target, copy.level, defines, copy.internalFormat, copy.border,
+                               r.destX, r.destY, r.destZ, r.x, r.y, r.width, r.height}))
+    return true;
+  software::synchronise(context, "glCopyTexImage");
+  software::textureRedefined(context, copy.target);
+  return false;
+}
+
 /// Where the copy goes to is asked from the host: bindings are passed on untracked, and a query is
 /// small beside a copy.
 void perform(Context &context, const CopyCommand &copy) {
@@ -50,6 +64,9 @@ void perform(Context &context, const CopyCommand &copy) {
     context.host->GetIntegerv(binding, &texture);
     trackCopy(context, {GLuint(texture), copy.target, copy.level}, copy.kind, copy.region);
   }
+  if (context.softwarePossible && !context.insideBeginEnd && context.listMode == 0 &&
+      copiedByUs(context, copy))
+    return;
   forward(*context.host, copy);
 }
 
@@ -168,6 +185,8 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
   if (context.feedback.levels() != 0 && textures && n > 0)
     for (GLsizei i = 0; i < n; ++i)
       context.feedback.forget(textures[i]);
+  if (context.softwarePossible && !context.insideBeginEnd)
+    software::texturesDeleted(context, n, textures);
   context.host->DeleteTextures(n, textures);
 }
 

@@ -7,6 +7,10 @@
 /// host succeeded; the state tracker owns what a context is.
 namespace arbiter::state {
 
+namespace software {
+struct Drawable;
+}
+
 enum class Provider : std::uint8_t { Glx, Egl, OsMesa };
 
 /// A context in the share group of `share`, or in one of its own if `share` is null. Asks nothing
@@ -16,7 +20,12 @@ enum class Provider : std::uint8_t { Glx, Egl, OsMesa };
 
 /// Makes `context` (null: the null context) the calling thread's, after the host's make-current
 /// succeeded. The first time, asks the host for its limits and extensions.
-void makeCurrent(Context *context);
+/// \param drawable what it draws to where no framebuffer object is bound; null: unknown
+void makeCurrent(Context *context, const software::Drawable *drawable = nullptr);
+
+/// Before the host takes the calling thread's context away, or gives it another drawable: it gets
+/// the pixels that we hold. The context stays usable, should the host refuse.
+void leaveCurrent();
 
 /// The calling thread's context; null where it is the null context.
 [[nodiscard]] Context *currentContext();
@@ -29,6 +38,16 @@ void destroyContext(Context *context);
 /// enable of fragment programs (ENABLE_BIT; the binding is in no group). `to` is current to no
 /// thread.
 void copyContext(const Context &from, Context &to, std::uint32_t mask);
+
+/// What the window system is about to do with the calling thread's context and its pixels.
+enum class Exchange : std::uint8_t {
+  Present, ///< the drawable's back buffer is shown, and undefined then
+  Flush,   ///< others may look at what they can see of it: glXWaitGL, eglWaitClient
+  Read,    ///< its pixels are read
+  Change,  ///< its images are read, or replaced: a pixmap becomes a texture, a texture an image
+};
+/// Brings the host as far up to date as that needs, where it is not.
+void exchange(Exchange what, const char *name);
 
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.
 void frameEnd(Context *context);

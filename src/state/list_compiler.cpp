@@ -9,6 +9,8 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/residency.h"
+#include "state/software/stale.h"
 
 namespace arbiter::state {
 
@@ -52,6 +54,8 @@ void ListCompiler::closeSegment(Context &context) {
 }
 
 void ListCompiler::openSegment(Context &context) {
+  if (context.softwarePossible) // our own commands ran: a copy may have been held back
+    software::hostDoesAnything(context, "glNewList");
   if (m_mode == GL_COMPILE_AND_EXECUTE)
     validateForList(context);
   m_segment = context.group->lists.takeSegmentName(*context.host);
@@ -178,6 +182,12 @@ void execute(Context &context, const Command &command) {
 
 namespace {
 
+/// Nobody knows what a list does.
+void beforeHostLists(Context &context) {
+  if (context.softwarePossible)
+    software::hostDoesAnything(context, "glCallList");
+}
+
 /// A host list may draw: the program in force is bound first. Where that is not valid the host is
 /// brought to refuse: the list's other commands must take effect.
 void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore) {
@@ -187,6 +197,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
     return;
   }
   noteClipPlanesOfLists(context);
+  beforeHostLists(context);
   if (context.attention && !validate(context)) {
     refuseDraws(context);
     context.host->CallList(name);
@@ -195,6 +206,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
     context.host->CallList(name);
     context.insideBeginEnd = primitive == Primitive::Open;
   }
+  context.stale = software::stale::kAll;
   if (!context.insideBeginEnd)
     afterHostList(context);
 }
@@ -299,8 +311,10 @@ void callListIntoHost(Context &context, GLuint name) {
 
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
   if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
-    if (!context.insideBeginEnd)
+    if (!context.insideBeginEnd) {
       noteClipPlanesOfLists(context);
+      beforeHostLists(context);
+    }
     const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
     if (refused)
       refuseDraws(context);

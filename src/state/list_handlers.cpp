@@ -5,6 +5,7 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/residency.h"
 
 namespace arbiter::state::handlers {
 
@@ -30,6 +31,9 @@ void NewList(Context &context, GLuint list, GLenum mode) {
                      (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
+  // While a list is compiled nothing is ours, so nothing may be held back from the host.
+  if (context.softwarePossible)
+    software::hostDoesAnything(context, "glNewList");
   context.list.begin(context, list, mode);
 }
 

@@ -7,6 +7,7 @@
 #include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/commands.h"
 
 namespace arbiter::state {
 
@@ -153,6 +154,8 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 }
 
 void Enable(Context &context, GLenum cap) {
+  if (context.softwarePossible)
+    context.stale |= software::staleOf(cap);
   const Capability capability = capabilityOf(cap);
   if (capability == Capability::Host) [[likely]]
     return context.host->Enable(cap);
@@ -163,6 +166,8 @@ void Enable(Context &context, GLenum cap) {
 }
 
 void Disable(Context &context, GLenum cap) {
+  if (context.softwarePossible)
+    context.stale |= software::staleOf(cap);
   const Capability capability = capabilityOf(cap);
   if (capability == Capability::Host) [[likely]]
     return context.host->Disable(cap);

@@ -45,6 +45,7 @@ struct ContextState {
   std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
+  const host::HostTable *trueHost = nullptr; ///< while a primitive is recorded (replay.h)
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <vector>
+#include <cstdlib>
+#include <memory>
 
 #include <GL/gl.h>
 
@@ -16,11 +17,27 @@ public:
   /// A primitive opens; attributes start as `current`.
   void begin(GLenum mode, const CurrentValues &current);
   /// glColor, glTexCoord .. : all four components, defaults filled in.
-  void set(int slot, float x, float y, float z, float w);
+  void set(int slot, float x, float y, float z, float w) {
+    if ((m_touched >> slot & 1u) == 0) [[unlikely]]
+      touch(slot);
+    m_values[std::size_t(slot)] = {x, y, z, w};
+  }
   /// glVertex, or glVertexAttrib of 0.
-  void vertex(float x, float y, float z, float w);
+  void vertex(float x, float y, float z, float w) {
+    if (m_next + m_stride > m_end && !grow()) [[unlikely]]
+      return;
+    float *to = m_next;
+    m_next += m_stride;
+    ++m_count;
+    to[0] = x;
+    to[1] = y;
+    to[2] = z;
+    to[3] = w;
+    for (unsigned i = 1; i < m_slotCount; ++i)
+      __builtin_memcpy(to += 4, &m_values[m_slots[i]], 4 * sizeof(float));
+  }
   /// The primitive is whole. The source is valid until the next begin().
-  [[nodiscard]] VertexSource end();
+  [[nodiscard]] VertexSource end() const;
 
   [[nodiscard]] GLenum mode() const { return m_mode; }
   [[nodiscard]] std::uint32_t count() const { return m_count; }
@@ -28,18 +45,38 @@ public:
   /// told.
   [[nodiscard]] std::uint32_t touched() const { return m_touched; }
   [[nodiscard]] const CurrentValues &values() const { return m_values; }
+  /// Vertex `index` of those recorded: calls `set(slot, const float value[4])` of each touched slot
+  /// and then of kPosition.
+  template <typename Set> void read(std::uint32_t index, Set &&set) const {
+    const float *const from = m_data.get() + std::size_t(index) * m_stride;
+    for (unsigned i = 1; i < m_slotCount; ++i)
+      set(int(m_slots[i]), from + 4 * i);
+    set(int(kPosition), from);
+  }
   /// No memory was left: vertices are missing.
   [[nodiscard]] bool failed() const { return m_failed; }
 
 private:
+  struct Free {
+    void operator()(float *data) const { std::free(data); }
+  };
+  /// The slot gets a place in each vertex; those that are there have the value of begin().
+  void touch(int slot);
+  [[nodiscard]] bool grow();
+  [[nodiscard]] bool reserve(std::size_t floats);
+
   GLenum m_mode = GL_POINTS;
   std::uint32_t m_count = 0;
   std::uint32_t m_touched = 0;
   bool m_failed = false;
   CurrentValues m_values{};
-  /// Vertices, each `m_slots` vec4s: position first, then the touched slots in order of first use.
-  std::vector<float> m_data;
-  std::vector<std::uint8_t> m_slots;
+  /// Vertices, each `m_slotCount` vec4s: position first, then the touched slots in order of first
+  /// use.
+  std::unique_ptr<float[], Free> m_data;
+  float *m_next = nullptr, *m_end = nullptr;
+  std::size_t m_stride = 4; ///< floats
+  unsigned m_slotCount = 1;
+  std::uint8_t m_slots[kSlots] = {};
 };
 
 } // namespace arbiter::state::software

@@ -1,0 +1,146 @@
+"""Writer of the entry points that exist for the rasterizer of our own (software.toml)."""
+import re
+import sys
+
+from gl_commands import HEADING
+
+SLOTS = {"Vertex": "kPosition", "Color": "kColor", "SecondaryColor": "kSecondary",
+         "Normal": "kNormal", "TexCoord": "kTexCoord0", "FogCoord": "kFogCoord"}
+NORMALIZED = ("Color", "SecondaryColor", "Normal")
+ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCoord|FogCoord|"
+                       r"VertexAttrib)([1234]?)(N?)(b|s|i|f|d|ub|us|ui)(v?)")
+
+
+def leads(table):
+    return sorted(lead for lead, way in table.software.items() if way != "harmless")
+
+
+def recorded(command):
+    """What a command of [record] does to the primitive that is kept back: C++ statements, under
+    the condition that it can be told so (else the host gets it, with the primitive)."""
+    if command.name in ("EdgeFlag", "EdgeFlagv"):
+        flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
+        return "true", f"recorder(*hot).set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
+    match = ATTRIBUTE.fullmatch(command.name)
+    if not match:
+        sys.exit(f"software.toml: [record] does not know {command.name}")
+    what, count, n, kind, v = match.groups()
+    count = int(count or 1)
+    names = [name for _, name, _ in command.params]
+    lead = names.pop(0) if what in ("MultiTexCoord", "VertexAttrib") else None
+    values = [f"{names[0]}[{i}]" for i in range(count)] if v else names
+    if len(values) != count:
+        sys.exit(f"software.toml: [record] {command.name} has other parameters than its name says")
+    # Table 2.9 of OpenGL 2.1; `4Nub` and its kin say so by their names.
+    normalized = kind not in "fd" and (what in NORMALIZED or n)
+    values = [f"{'normalized' if normalized else 'GLfloat'}({value})" for value in values]
+    values = ", ".join(values + ["0.0f", "0.0f", "1.0f"][count - 1:])
+    if what == "Vertex":
+        return "true", f"recorder(*hot).vertex({values})"
+    if what == "MultiTexCoord":
+        return (f"{lead} - GL_TEXTURE0 < 8u",
+                f"recorder(*hot).set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
+    if what == "VertexAttrib":
+        return f"{lead} < 16u", f"generic(*hot, {lead}, {values})"
+    return "true", f"recorder(*hot).set({SLOTS[what]}, {values})"
+
+
+def call(table, command):
+    """The host's function called, and the function of its own for the first call."""
+    give = "" if command.result == "void" else "return "
+    if command.name in table.members:
+        return "", f"  {give}hot->host->{command.name}({command.arguments()});\n"
+    symbol = "gl" + command.name
+    pointer = f"{command.result} (*)({command.types()})"
+    first = (f"[[gnu::cold, gnu::noinline]] static {command.result} first_{symbol}"
+             f"({command.declare()}) {{\n"
+             f"  const host::FurtherCall call(*t_current->host, {table.further.index(command.name)});\n"
+             f"  if (call.function())\n    {give}reinterpret_cast<{pointer}>(call.function())"
+             f"({command.arguments()});\n"
+             + ("" if command.result == "void" else "  return {};\n") + "}\n")
+    body = (f"  if (void *const found = host::further(*hot->host, {table.further.index(command.name)})) "
+            f"[[likely]]\n    return reinterpret_cast<{pointer}>(found)({command.arguments()});\n"
+            f"  {give}first_{symbol}({command.arguments()});\n")
+    return first, body
+
+
+def thunk(table, command, way):
+    first, body = call(table, command)
+    lines = "  ContextHot *const hot = t_current;\n"
+    if way == "record":
+        condition, statement = recorded(command)
+        condition = "" if condition == "true" else f" && {condition}"
+        lines += f"  if (hot->recordsVertices{condition})\n    return {statement};\n"
+    bits = "stale::kAll" if way == "unknown" else table.bits_of(command.name)
+    if bits:
+        lines += f"  hot->stale |= {bits};\n"
+    before = {"reads": ("hot->hostIsBehind", "hostReads"), "draws": ("hot->softwarePossible", "hostWrites"),
+              "unknown": ("hot->softwarePossible", "hostDoesUnknown")}.get(way)
+    if before:
+        lines += (f"  if ({before[0]}) [[unlikely]]\n"
+                  f"    software::{before[1]}(here(), \"gl{command.name}\");\n")
+    return first, lines + body
+
+
+def source(table):
+    out = [HEADING, """#include "dispatch/entry_points.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#include "host/further.h"
+#include "host/host_table.h"
+#include "state/software/commands.h"
+#include "state/software/stale.h"
+
+#define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))
+
+using arbiter::state::Context;
+using arbiter::state::ContextHot;
+using arbiter::state::t_current;
+namespace host = arbiter::host;
+namespace software = arbiter::state::software;
+namespace stale = software::stale;
+using namespace arbiter::state::software;
+
+namespace {
+[[gnu::always_inline]] inline Context &here() { return static_cast<Context &>(*t_current); }
+} // namespace
+
+"""]
+    rows = []
+    for name in leads(table):
+        command, way = table.commands[name], table.software[name]
+        root, *aliases = table.entry_names(name)
+        first, body = thunk(table, command, way)
+        signature = f"{command.result} arbiter_{root}({command.declare()})"
+        out.append(f'// {way}\n{first}ARBITER_ENTRY {signature} __asm__("{root}");\n'
+                   f"{signature} {{\n{body}}}\n")
+        for alias in aliases:
+            out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "
+                       f'__asm__("{alias}") __attribute__((alias("{root}")));\n')
+        rows += [(entry, root) for entry in [root] + aliases]
+    out.append("\nnamespace arbiter::dispatch {\n\nnamespace {\n\nstruct Row {\n  const char *name;\n"
+               "  void *function;\n};\n\n/// Sorted by name.\nconst Row kRows[] = {\n")
+    out += [f'  {{"{entry}", reinterpret_cast<void *>(&arbiter_{root})}},\n'
+            for entry, root in sorted(rows)]
+    out.append("""};
+
+} // namespace
+
+void *findForSoftware(const char *name) {
+  const auto *const row =
+      std::lower_bound(std::begin(kRows), std::end(kRows), name,
+                       [](const Row &r, const char *n) { return std::strcmp(r.name, n) < 0; });
+  return row == std::end(kRows) || std::strcmp(row->name, name) != 0 ? nullptr : row->function;
+}
+
+bool isForSoftware(const void *function) {
+  return std::any_of(std::begin(kRows), std::end(kRows),
+                     [&](const Row &r) { return r.function == function; });
+}
+
+} // namespace arbiter::dispatch
+""")
+    return "".join(out)

@@ -1,0 +1,148 @@
+"""Writers of the entry points and of the table of their names."""
+import fnmatch
+import sys
+
+from gl_commands import HEADING
+
+
+def handlers_header(table):
+    out = [HEADING, "#pragma once\n", "#include <GL/gl.h>\n#include <GL/glext.h>\n\n",
+           "namespace arbiter::state {\nclass Context;\n}\n\n",
+           "/// What the state tracker gives the entry points. The generated thunks call these with "
+           "the\n/// thread's context; a missing one fails the link.\n",
+           "namespace arbiter::state::handlers {\n\n",
+           "/// Slow path of a draw: validates. False: the draw is dropped, its error raised.\n"
+           "bool beginDraw(Context &context);\n"
+           "/// The same of a command that shades fragments and transforms no vertex.\n"
+           "bool beginPixels(Context &context);\n"
+           "/// The same of RasterPos, which transforms a vertex and draws nothing.\n"
+           "bool beginRasterPos(Context &context);\n\n"
+           "/// Makes the application's own program the host's current one again.\n"
+           "void restoreApplicationProgram(Context &context);\n\n"
+           "/// `name` if the application may know it; for a program or shader object of the layer a "
+           "name that\n/// the host does not have, so that the host raises the error it should.\n"
+           "GLuint guardName(Context &context, GLuint name);\n\n"]
+    for name in sorted(n for n, a in table.action.items() if a in ("own", "handled")):
+        command = table.commands[name]
+        out.append(f"{command.result} {name}({command.declare(['Context &context'])});\n")
+    out.append("\n} // namespace arbiter::state::handlers\n")
+    return "".join(out)
+
+
+def hides_from_host(table, name):
+    """What a draw's slow way asks before the host draws: lines, "" for nothing."""
+    command = table.commands[name]
+    if name in table.draw_commands:
+        test = f"software::{table.draw_commands[name]}"
+        return f"  if (here().softwarePossible && {test})\n    return;\n"
+    return f'  if (here().softwarePossible)\n    software::hostWrites(here(), "gl{command.name}");\n'
+
+
+def thunks(table, command, action, symbol):
+    """The entry point's body, and a function of its own for the way that is seldom taken: without
+    it the compiler saves registers on the straight way too."""
+    name, result = command.name, command.result
+    give = "" if result == "void" else "return "
+    call = f"{give}t->host->{name}({command.arguments()});"
+    lead = "  ContextHot *const t = t_current;\n"
+    bits = table.bits_of(name)
+    stale = f"  t->stale |= {bits};\n" if bits else ""
+    count = "  ++*t->drawCounter;\n" if action in ("draw", "pixels") else ""
+    if action == "handled":
+        ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        host_way = call if result != "void" else f"return {call}"
+        return "", lead + stale + f"  if (!t->softwarePossible) [[likely]]\n    {host_way}\n  {ours}\n"
+    if action == "own":
+        ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        if result == "void":
+            return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
+                               f"    {call}\n    return;\n  }}\n{stale}  {ours}\n")
+        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{stale}  {ours}\n"
+    if action == "guard":
+        guarded = [n for t, n, kind in command.params
+                   if kind in ("program", "shader", "handle") and "*" not in t]
+        if not guarded:
+            sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
+        lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in guarded)
+        if stale:
+            lines += lead + stale
+        return "", lines + f"  {give}t_current->host->{name}({command.arguments()});\n"
+    if action == "observe":
+        flag, slow = "t->hostProgramIsOurs", "  handlers::restoreApplicationProgram(here());\n"
+    else:
+        flag = "t->attention"
+        begin = "beginDraw"
+        if action == "pixels":
+            begin = "beginPixels"
+        elif action == "validate":
+            flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
+        slow = f"  if (!handlers::{begin}(here()))\n    return{'' if result == 'void' else ' {}'};\n"
+    if action in ("draw", "pixels"):
+        slow += hides_from_host(table, name)
+    aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
+             f"{slow}{lead}{count}{stale}  {call}\n}}\n")
+    turn = f"slow_{symbol}({command.arguments()});"
+    if result == "void":
+        turn = "{\n    " + turn + "\n    return;\n  }\n"
+    else:
+        turn = "\n    return " + turn + "\n"
+    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}{stale}  {call}\n"
+
+
+def entry_points_source(table):
+    out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
+           '#include <cstring>\n#include <iterator>\n\n'
+           '#include "host/handlers.h"\n#include "host/host_table.h"\n'
+           '#include "state/context.h"\n#include "state/software/commands.h"\n'
+           '#include "state/software/stale.h"\n\n#define ARBITER_ENTRY '
+           'extern "C" __attribute__((visibility("default")))\n\n'
+           "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
+           "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"
+           "namespace stale = software::stale;\nnamespace handlers = arbiter::state::handlers;\n\n"
+           "namespace {\n[[gnu::always_inline]] inline Context &here() {\n"
+           "  return static_cast<Context &>(*t_current);\n}\n} // namespace\n\n"]
+    rows = []
+    for name, action in sorted(table.action.items()):
+        command = table.commands[name]
+        root, *aliases = table.entry_names(name)
+        aside, body = thunks(table, command, action, root)
+        out.append(f"// {action}\n{aside}ARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
+                   f'__asm__("{root}");\n')
+        out.append(f"{command.result} arbiter_{root}({command.declare()}) {{\n"
+                   f"{body}}}\n")
+        for alias in aliases:
+            out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "
+                       f'__asm__("{alias}") __attribute__((alias("{root}")));\n')
+        provided = "true" if action == "own" and any(
+            fnmatch.fnmatchcase(name, p) for p in table.config["own"].get("provided", [])) else "false"
+        for entry in [root] + aliases:
+            rows.append((entry, root, provided, "true" if action == "handled" else "false"))
+    out.append("\nnamespace arbiter::dispatch {\n\nnamespace {\n\n"
+               "struct Row {\n  const char *name;\n  void *function;\n  bool provided;\n  bool forSoftware;\n};\n\n"
+               "/// Sorted by name, for a binary search.\nconst Row kRows[] = {\n")
+    for entry, root, provided, software in sorted(rows):
+        out.append(f'  {{"{entry}", reinterpret_cast<void *>(&arbiter_{root}), {provided}, {software}}},\n')
+    out.append("""};
+
+} // namespace
+
+EntryPoint find(const char *name) {
+  const auto *const row =
+      std::lower_bound(std::begin(kRows), std::end(kRows), name,
+                       [](const Row &r, const char *n) { return std::strcmp(r.name, n) < 0; });
+  if (row == std::end(kRows) || std::strcmp(row->name, name) != 0)
+    return {};
+  return {row->function, row->provided, row->forSoftware};
+}
+
+bool isOurs(const void *function) {
+  return function && (isForSoftware(function) ||
+                      std::any_of(std::begin(kRows), std::end(kRows),
+                                  [&](const Row &r) { return r.function == function; }));
+}
+
+} // namespace arbiter::dispatch
+""")
+    return "".join(out)
+
+

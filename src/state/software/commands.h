@@ -1,0 +1,48 @@
+#pragma once
+#include "state/context.h"
+#include "state/software/convert.h"
+#include "state/software/draw.h"
+
+/// What the generated entry points ask of the rasterizer's part before a command goes to the host
+/// (src/dispatch/software.toml).
+namespace arbiter::state::software {
+
+// --- Draws that may be ours; true: drawn. Called with a valid program, where softwarePossible ---
+
+/// Arguments that the host raises an error for are the host's.
+[[nodiscard]] bool draw(Context &context, const DrawCommand &command);
+[[nodiscard]] bool drawRange(Context &context, GLuint start, GLuint end,
+                             const DrawCommand &command);
+/// Each of the draws goes its own way.
+[[nodiscard]] bool multiDrawArrays(Context &context, GLenum mode, const GLint *first,
+                                   const GLsizei *count, GLsizei drawCount);
+/// \param baseVertices null: 0 for each
+[[nodiscard]] bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count,
+                                     GLenum type, const void *const *indices, GLsizei drawCount,
+                                     const GLint *baseVertices);
+[[nodiscard]] bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+
+// --- Before the host does what `name` says. Between Begin and End, where these are errors, and
+// --- while a list is compiled, where nothing is ours, they do nothing ---
+
+void hostReads(Context &context, const char *name);
+void hostWrites(Context &context, const char *name);
+void hostDoesUnknown(Context &context, const char *name);
+
+// --- While a primitive is recorded ---
+
+[[nodiscard, gnu::always_inline]] inline ImmediateRecorder &recorder(ContextHot &hot) {
+  return static_cast<Context &>(hot).software->recorder;
+}
+/// A generic attribute; attribute 0 makes a vertex.
+inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  if (index == 0)
+    recorder(hot).vertex(x, y, z, w);
+  else
+    recorder(hot).set(kGeneric0 + int(index), x, y, z, w);
+}
+
+/// The groups of stale.h that an Enable or Disable of `cap` changes.
+[[nodiscard]] std::uint32_t staleOf(GLenum cap);
+
+} // namespace arbiter::state::software
