@@ -229,8 +229,10 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
     gl = {GL_DEPTH_COMPONENT, GL_FLOAT};
     return true;
   case Layout::Depth24Stencil8:
-    gl = {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
-    return base == GL_DEPTH_STENCIL;
+    // Depth alone comes as 32 bits, of which the upper 24 are what this layout has there.
+    gl = base == GL_DEPTH_STENCIL ? GlFormat{GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8}
+                                  : GlFormat{GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
+    return true;
   default:
     break;
   }

@@ -262,7 +262,9 @@ bool makeOwn(PixelImage &image, bool keep) {
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
   if (fits && (keep || !shadow.shared()))
     return swrast::makeWritable(shadow, keep);
-  swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth,
+  // The order of components stays what the caller was told, if it can be written.
+  const abi::Format format = writable(shadow.format, image.format) ? shadow.format : image.format;
+  swrast::Image made = swrast::makeImage(format, image.width, image.height, image.depth,
                                          image.place.kind == Place::Kind::Window);
   if (made.empty())
     return false;

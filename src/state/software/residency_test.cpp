@@ -464,5 +464,84 @@ TEST_F(Residency, ACopyMayDefineTheLevelThatItIs) {
   EXPECT_FALSE(copyToTexture(context(), command));
 }
 
+class ResidencyOfDepth : public Residency, public testing::WithParamInterface<GLenum> {
+protected:
+  /// A draw of ours that writes depth and stencil over `rect`.
+  void drawDepth(const swrast::Rect &rect, float depth, std::uint8_t stencil) {
+    const char *reason = nullptr;
+    const DrawTargets *const targets = describeTargets(context(), reason);
+    ASSERT_NE(targets, nullptr) << reason;
+    ASSERT_TRUE(acquireTargets(context(), rect, true, true));
+    ASSERT_NE(targets->depthStencil, nullptr);
+    swrast::fillDepthStencil(*targets->depthStencil, rect, true, depth,
+                             targets->stencilBits != 0 ? 0xFF : 0, stencil);
+  }
+  float hostDepth(int x, int y) {
+    synchronise(context(), "a test reads");
+    GLfloat depth = -1;
+    gl().ReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    return depth;
+  }
+  int hostStencil(int x, int y) {
+    synchronise(context(), "a test reads");
+    GLubyte stencil = 0xEE;
+    gl().ReadPixels(x, y, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &stencil);
+    return stencil;
+  }
+};
+
+TEST_P(ResidencyOfDepth, GoesToTheHostAndBack) {
+  const GLenum format = GetParam();
+  if (format != 0) {
+    GLuint depth = 0, framebuffer = 0;
+    const auto generate =
+        reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(osMesa().address("glGenRenderbuffers"));
+    const auto storage =
+        reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(osMesa().address("glRenderbufferStorage"));
+    framebuffer = framebufferOf(texture(GL_RGBA8, kWidth, kHeight));
+    generate(1, &depth);
+    gl().BindRenderbuffer(GL_RENDERBUFFER, depth);
+    storage(GL_RENDERBUFFER, format, kWidth, kHeight);
+    const bool both = format == GL_DEPTH24_STENCIL8;
+    gl().FramebufferRenderbuffer(GL_FRAMEBUFFER,
+                                 both ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                                 GL_RENDERBUFFER, depth);
+    bindFramebuffer(framebuffer);
+    changed();
+  }
+  const bool stencils = format == 0 || format == GL_DEPTH24_STENCIL8;
+  const float slack = format == GL_DEPTH_COMPONENT16 ? 1e-4f : 1e-6f;
+  gl().ClearDepth(0.75);
+  gl().ClearStencil(0x5A);
+  gl().Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  drawDepth({3, 5, 2, 2}, 0.25f, 0x33);
+  EXPECT_EQ(statistics().downloads, 2u);
+  EXPECT_NEAR(hostDepth(2, 5), 0.75f, slack);
+  EXPECT_NEAR(hostDepth(3, 5), 0.25f, slack);
+  EXPECT_NEAR(hostDepth(4, 6), 0.25f, slack);
+  EXPECT_NEAR(hostDepth(4, 7), 0.75f, slack);
+  if (stencils) {
+    EXPECT_EQ(hostStencil(2, 5), 0x5A);
+    EXPECT_EQ(hostStencil(3, 5), 0x33);
+  }
+  // A clear of ours, then the host's.
+  gl().ClearDepth(0.5);
+  gl().Enable(GL_SCISSOR_TEST);
+  gl().Scissor(0, 0, 4, 6);
+  gl().StencilMask(0x0F);
+  EXPECT_TRUE(clear(context(), GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT));
+  EXPECT_NEAR(hostDepth(3, 5), 0.5f, slack);
+  EXPECT_NEAR(hostDepth(4, 5), 0.25f, slack);
+  EXPECT_NEAR(hostDepth(10, 10), 0.75f, slack);
+  if (stencils) {
+    EXPECT_EQ(hostStencil(3, 5), 0x3A);
+    EXPECT_EQ(hostStencil(4, 5), 0x33);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
+                         testing::Values(0, GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24,
+                                         GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F));
+
 } // namespace
 } // namespace arbiter::state::software

@@ -142,6 +142,18 @@ void writeTexture(Context &context, WindowImages &window, GLenum target, GLint l
     host.TexSubImage2D(target, level, 0, 0, from.width, from.height, gl.format, gl.type, rows.data);
 }
 
+/// What a texture must be to be copied to the image without a conversion. Of a window the unsized
+/// format, with which the host keeps the components in the order that it is given.
+GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
+  if (!isDepth(image))
+    return image.place.kind == Place::Kind::Window ? GL_RGBA : image.internalFormat;
+  if (gl.format == GL_DEPTH_STENCIL)
+    return GL_DEPTH24_STENCIL8;
+  return gl.type == GL_FLOAT            ? GL_DEPTH_COMPONENT32F
+         : gl.type == GL_UNSIGNED_SHORT ? GL_DEPTH_COMPONENT16
+                                        : GL_DEPTH_COMPONENT24;
+}
+
 /// A renderbuffer or a buffer of the window: the host has no command to write it but drawing and
 /// blitting, and a blit between equal formats is a copy. The texture keeps the rows as they lie in
 /// memory; where they lie top row first it is blitted upside down.
@@ -154,13 +166,7 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
   if (from.empty())
     return logWarn("residency", "no memory to give the host an image of %d x %d", image.width,
                    image.height);
-  const GLint internalFormat = isDepth(image)
-                                   ? GLint(gl.format == GL_DEPTH_STENCIL  ? GL_DEPTH24_STENCIL8
-                                           : gl.type == GL_FLOAT          ? GL_DEPTH_COMPONENT32F
-                                           : gl.type == GL_UNSIGNED_SHORT ? GL_DEPTH_COMPONENT16
-                                                                          : GL_DEPTH_COMPONENT24)
-                               : isWindow ? GL_RGBA
-                                          : image.internalFormat;
+  const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
   if (window.uploadTexture != kOurTexture || window.uploadWidth != image.width ||
       window.uploadHeight != image.height || window.uploadFormat != internalFormat) {
