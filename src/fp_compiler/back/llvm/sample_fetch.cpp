@@ -13,7 +13,8 @@ Value *texelPointer(Code &code, const ImageCode &image, Value *index) {
   return code.ir.CreateGEP(type, image.base, index);
 }
 
-Value *gather(Code &code, const ImageCode &image, Value *index, int word) {
+/// \param type i32 or i64: what is read of each texel, from its word `word` on
+Value *gather(Code &code, const ImageCode &image, Value *index, int word, llvm::Type *type) {
   const int bytes = abi::bytesOf(image.format.layout);
   Value *base = image.base;
   int scale = bytes;
@@ -25,21 +26,44 @@ Value *gather(Code &code, const ImageCode &image, Value *index, int word) {
     base = code.ir.CreateConstGEP1_64(code.ir.getInt32Ty(), base, std::uint64_t(word));
   // Of a texel of less than 32 bits this reads some of what follows, which may be read.
   Value *const pointers = code.ir.CreateGEP(code.ir.getIntNTy(unsigned(scale) * 8), base, index);
-  return code.ir.CreateMaskedGather(code.i32, pointers, llvm::Align(1));
+  return code.ir.CreateMaskedGather(llvm::FixedVectorType::get(type, unsigned(code.lanes)),
+                                    pointers, llvm::Align(1));
 }
 
-/// Lane i of the result is lane index[i] of `values`; null where the processor has no such
-/// instruction.
+Value *gatherWord(Code &code, const ImageCode &image, Value *index, int word) {
+  return gather(code, image, index, word, code.ir.getInt32Ty());
+}
+
+/// Words `word` and the next one: half as many loads as two gathers.
+void gatherPair(Code &code, const ImageCode &image, Value *index, int word, Words &words) {
+  Value *const both = code.ir.CreateBitCast(
+      gather(code, image, index, word, code.ir.getInt64Ty()),
+      llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2));
+  llvm::SmallVector<int, 16> low, high;
+  for (int lane = 0; lane < code.lanes; ++lane) {
+    low.push_back(2 * lane);
+    high.push_back(2 * lane + 1);
+  }
+  words[std::size_t(word)] = code.ir.CreateShuffleVector(both, low);
+  words[std::size_t(word) + 1] = code.ir.CreateShuffleVector(both, high);
+}
+
+/// Lane i of the result is lane index[i] of `values`.
 Value *permuted(Code &code, Value *values, Value *index) {
-  if (code.cpu.family == Cpu::Family::Avx512)
-    return code.ir.CreateIntrinsic(llvm::Intrinsic::x86_avx512_permvar_si_512, {}, {values, index});
-  if (code.cpu.family == Cpu::Family::Avx2)
-    return code.ir.CreateIntrinsic(llvm::Intrinsic::x86_avx2_permd, {}, {values, index});
-  return nullptr;
+  const auto id = code.cpu.family == Cpu::Family::Avx512
+                      ? llvm::Intrinsic::x86_avx512_permvar_si_512
+                      : llvm::Intrinsic::x86_avx2_permd;
+  return code.ir.CreateIntrinsic(id, {}, {values, index});
 }
 
-bool permutes(const Cpu &cpu) {
-  return cpu.family == Cpu::Family::Avx512 || cpu.family == Cpu::Family::Avx2;
+/// Whether lanes are looked at for texels close together before they are gathered. Not where a
+/// gather costs hardly more than its loads: of Sapphire Rapids and later, which the feature tells
+/// better than a name that a virtual machine made up. Intel's earlier ones are slow since they were
+/// mended against data sampling, AMD's always were, and for a processor that it does not know as
+/// fast LLVM makes no gather at all.
+bool looksForWindows(const Cpu &cpu) {
+  return (cpu.family == Cpu::Family::Avx512 || cpu.family == Cpu::Family::Avx2) &&
+         cpu.features.find("+avx512fp16") == std::string::npos;
 }
 
 /// Where the lanes' texels are within `lanes` texels of each other.
@@ -95,22 +119,28 @@ Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *i
   Words result = {};
   if (!words)
     return result;
-  if (lanes == abi::Lanes::Row && abi::bytesOf(image.format.layout) == 4 && permutes(code.cpu)) {
+  if (lanes == abi::Lanes::Row && abi::bytesOf(image.format.layout) == 4 &&
+      looksForWindows(code.cpu)) {
     const Window window = windowOf(code, index);
     const Branch branch = branchOn(code, allLanes(code, window.fits));
     code.ir.SetInsertPoint(branch.near);
     Value *const near = loadWindow(code, image, window.base, window.lane);
     code.ir.CreateBr(branch.join);
     code.ir.SetInsertPoint(branch.far);
-    Value *const far = gather(code, image, index, 0);
+    Value *const far = gatherWord(code, image, index, 0);
     code.ir.CreateBr(branch.join);
     code.ir.SetInsertPoint(branch.join);
     result[0] = joined(code, near, branch.near, far, branch.far);
     return result;
   }
-  for (int word = 0; word < 4; ++word)
-    if (words >> word & 1)
-      result[std::size_t(word)] = gather(code, image, index, word);
+  for (int word = 0; word < 4; word += 2) {
+    const unsigned wanted = words >> word & 3;
+    const int one = wanted == 2 ? word + 1 : word;
+    if (wanted == 3)
+      gatherPair(code, image, index, word, result);
+    else if (wanted)
+      result[std::size_t(one)] = gatherWord(code, image, index, one);
+  }
   return result;
 }
 
@@ -126,10 +156,11 @@ std::array<Value *, 4> fetchFootprint(Code &code, abi::Lanes lanes, const ImageC
     std::array<Value *, 4> texels = {};
     for (std::size_t i = 0; i < 4; ++i)
       if (index[i])
-        texels[i] = gather(code, image, index[i], 0);
+        texels[i] = gatherWord(code, image, index[i], 0);
     return texels;
   };
-  if (lanes != abi::Lanes::Row || abi::bytesOf(image.format.layout) != 4 || !permutes(code.cpu))
+  if (lanes != abi::Lanes::Row || abi::bytesOf(image.format.layout) != 4 ||
+      !looksForWindows(code.cpu))
     return gatherAll();
 
   const Window window = windowOf(code, index[0]);

@@ -226,7 +226,7 @@ TEST_P(Sample, PairsOfEverything) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("avx512", "avx2", "sse4"));
+INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4"));
 
 } // namespace
 } // namespace arbiter::fp::llvm_back::testing
