@@ -60,6 +60,26 @@ Value *scaleFactor(Code &code, const abi::SamplerKey &key, Value *view, const De
   return rho;
 }
 
+/// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
+/// two are exact, so that a level that fits has all the weight. Zero is -127, an infinity or NaN
+/// 128.
+Value *quickLog2(Code &code, Value *x) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *const bits = ir.CreateBitCast(x, code.i32);
+  Value *const exponent =
+      code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127)));
+  Value *const mantissa =
+      ir.CreateOr(ir.CreateAnd(bits, code.splat(0x7FFFFF)), code.splat(0x3F800000));
+  Value *const t = ir.CreateFSub(ir.CreateBitCast(mantissa, code.f32), code.splat(1.0f));
+  // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
+  constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
+                                     1.44241858f};
+  Value *sum = code.splat(kCoefficients[0]);
+  for (std::size_t i = 1; i < std::size(kCoefficients); ++i)
+    sum = multiplyAdd(code, sum, t, code.splat(kCoefficients[i]));
+  return multiplyAdd(code, sum, t, exponent);
+}
+
 Value *viewField(Code &code, Value *view, std::size_t offset) {
   return code.splat(constantField(code, code.ir.getFloatTy(), view, offset));
 }
@@ -78,7 +98,8 @@ Value *clampedLevel(Code &code, Value *view, Value *level) {
 Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                      const SampleAt &at, const CubeFace *cube) {
   const Derivatives d = derivativesOf(code, lanes, at, cube ? 3 : dimensionsOf(key.dimension));
-  Value *lambda = d.dx[0] ? log2(code, scaleFactor(code, key, view, d, cube)) : code.splat(0.0f);
+  Value *lambda =
+      d.dx[0] ? quickLog2(code, scaleFactor(code, key, view, d, cube)) : code.splat(0.0f);
   Value *bias = key.dimension == abi::Dimension::Rect ? nullptr : at.bias;
   if (key.hasBias) {
     Value *const fixed = viewField(code, view, offsetof(abi::TextureView, lodBias));

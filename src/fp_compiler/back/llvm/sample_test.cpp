@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -146,6 +147,7 @@ Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQue
 
 class Sample : public ::testing::TestWithParam<const char *> {
 protected:
+  std::optional<Cpu> m_cpu;
   void SetUp() override {
     m_cpu = chooseCpu(GetParam());
     if (!m_cpu)
@@ -212,7 +214,6 @@ private:
       bias = kWild[random() % std::size(kWild)];
     function(call, kChunks);
   }
-  std::optional<Cpu> m_cpu;
 };
 
 TEST_P(Sample, PairsOfEverything) {
@@ -224,6 +225,116 @@ TEST_P(Sample, PairsOfEverything) {
     if (HasFatalFailure())
       return;
   }
+}
+
+/// A key of the simplest kind.
+abi::SamplerKey plainKey(abi::Filter filter) {
+  abi::SamplerKey key;
+  key.format.layout = abi::Layout::U8x4;
+  key.magnify = key.minify = filter;
+  return key;
+}
+
+// A map of texels to pixels gives the very texels: through a nearest filter, through a linear one
+// in rows and in quads, and loaded as consecutive ones.
+TEST_P(Sample, OneToOneIsExactWhicheverWay) {
+  std::mt19937 random(7);
+  for (const int width : {16, 64, 100, 333, 640, 1024}) {
+    for (const abi::Wrap wrap :
+         {abi::Wrap::Repeat, abi::Wrap::ClampToEdge, abi::Wrap::MirroredRepeat}) {
+      abi::SamplerKey nearest = plainKey(abi::Filter::Nearest);
+      nearest.wrap.fill(wrap);
+      nearest.powerOfTwo = (width & (width - 1)) == 0;
+      abi::SamplerKey linear = nearest;
+      linear.magnify = linear.minify = abi::Filter::Linear;
+      SampleOptions row, quad, texels;
+      quad.lanes = abi::Lanes::Quad;
+      texels.texels = true;
+      GuardedTexture texture(nearest, {width, nearest.powerOfTwo ? 4 : 3, 1}, random);
+      Pixels loaded(m_cpu->lanes()), pixels(m_cpu->lanes());
+      const abi::TextureLevel &level = texture.view.levels[0];
+      const int count = std::min(width, loaded.count) / m_cpu->lanes();
+      for (int i = 0; i < loaded.count; ++i) {
+        pixels.coordinate[0][std::size_t(i)] = (float(i) + 0.5f) / float(width);
+        pixels.coordinate[1][std::size_t(i)] = 1.5f / float(level.height);
+      }
+      std::string reason;
+      SampleCall call = loaded.call(texture.view);
+      call.texels = level.base + level.rowStride;
+      const auto plain = SampleFunction::make(*m_cpu, nearest, texels, reason);
+      ASSERT_TRUE(plain && plain->hasPacked()) << reason;
+      (*plain)(call, std::uint32_t(count));
+      for (const auto &[key, options] : {std::pair{nearest, row}, {linear, row}, {linear, quad}}) {
+        const auto function = SampleFunction::make(*m_cpu, key, options, reason);
+        ASSERT_TRUE(function) << reason;
+        (*function)(pixels.call(texture.view), std::uint32_t(count));
+        for (int i = 0; i < count * m_cpu->lanes(); ++i)
+          for (std::size_t c = 0; c < 4; ++c) {
+            const float want = loaded.result[c][std::size_t(i)];
+            const float have = pixels.result[c][std::size_t(i)];
+            const std::string where = describe({key, options, {width, level.height, 1}});
+            // A size that is no power of two makes coordinates that are a little off.
+            if (nearest.powerOfTwo || key.magnify == abi::Filter::Nearest) {
+              ASSERT_EQ(have, want) << where << " pixel " << i;
+            }
+            ASSERT_EQ(std::lround(have * 255), std::lround(want * 255)) << where << " pixel " << i;
+          }
+      }
+    }
+  }
+}
+
+// The same coordinates give the same bits in rows, which look for neighbours, and in quads.
+TEST_P(Sample, RowsAndQuadsAgree) {
+  std::mt19937 random(8);
+  for (const Case &any : pairwiseCases(random)) {
+    Case test = any;
+    if (test.key.mip != abi::MipFilter::None || test.key.magnify != test.key.minify)
+      continue; // derivatives of a row are others
+    GuardedTexture texture(test.key, test.size, random);
+    Pixels row(m_cpu->lanes()), quad(m_cpu->lanes());
+    SampleCall call = row.call(texture.view);
+    fillCoordinates(test, m_cpu->lanes(), row, random, call);
+    quad.coordinate = row.coordinate;
+    for (Pixels *const pixels : {&row, &quad}) {
+      test.options.lanes = pixels == &row ? abi::Lanes::Row : abi::Lanes::Quad;
+      test.options.derivatives = false;
+      std::string reason;
+      const auto function = SampleFunction::make(*m_cpu, test.key, test.options, reason);
+      ASSERT_TRUE(function) << reason;
+      (*function)(pixels->call(texture.view), kChunks);
+    }
+    for (std::size_t c = 0; c < 4; ++c)
+      ASSERT_EQ(row.result[c], quad.result[c]) << describe(test);
+  }
+}
+
+// Texels know their place: a big texture is addressed right to its last texel.
+TEST_P(Sample, ReachesAllOfABigTexture) {
+  constexpr int kSize = 4096;
+  const std::size_t bytes = std::size_t(kSize) * kSize * 4;
+  const GuardedMemory memory(bytes, true);
+  for (std::uint32_t i = 0; i < kSize * kSize; ++i)
+    std::memcpy(memory.data() + std::size_t(i) * 4, &i, 4);
+  const abi::TextureLevel level = {memory.data(), kSize * 4, 0, kSize, kSize, 1};
+  const abi::TextureView view = {&level, 1};
+  abi::SamplerKey key = plainKey(abi::Filter::Nearest);
+  key.powerOfTwo = 1;
+  std::string reason;
+  const auto function = SampleFunction::make(*m_cpu, key, {}, reason);
+  ASSERT_TRUE(function) << reason;
+  Pixels pixels(m_cpu->lanes());
+  std::mt19937 random(9);
+  std::vector<std::uint32_t> want;
+  for (int i = 0; i < pixels.count; ++i) {
+    const std::uint32_t x = i % 5 ? random() % kSize : kSize - 1,
+                        y = i % 5 ? random() % kSize : kSize - 1;
+    want.push_back(y * kSize + x);
+    pixels.coordinate[0][std::size_t(i)] = (float(x) + 0.5f) / kSize;
+    pixels.coordinate[1][std::size_t(i)] = (float(y) + 0.5f) / kSize;
+  }
+  (*function)(pixels.call(view), kChunks);
+  EXPECT_EQ(pixels.packed, want);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4"));
