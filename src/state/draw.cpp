@@ -197,6 +197,8 @@ void install(Context &context) {
     return releaseHostProgram(context);
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
+  if (context.variant->fragment.compiled)
+    software::engage(context);
   context.hostAssembly.release(context);
   context.host->UseProgram(context.variant->hostProgram);
   context.hostProgramIsOurs = true;
