@@ -69,7 +69,8 @@ struct Gradients {
   }
 };
 
-Gradients gradientsOf(const WindowVertex corner[3], int originX, int originY) {
+Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], int originX,
+                      int originY) {
   Gradients g{};
   g.x1 = double(corner[1].x) - corner[0].x;
   g.y1 = double(corner[1].y) - corner[0].y;
@@ -77,6 +78,11 @@ Gradients gradientsOf(const WindowVertex corner[3], int originX, int originY) {
   g.y2 = double(corner[2].y) - corner[0].y;
   g.toX = originX + 0.5 - corner[0].x;
   g.toY = originY + 0.5 - corner[0].y;
+  if (state.upsideDownHeight != 0) {
+    g.y1 = -g.y1;
+    g.y2 = -g.y2;
+    g.toY = originY + 0.5 - (double(state.upsideDownHeight) - corner[0].y);
+  }
   double area = g.x1 * g.y2 - g.x2 * g.y1;
   constexpr double kUnit = 1.0 / kSubpixels;
   if (std::fabs(area) < kUnit * kUnit) {
@@ -93,9 +99,19 @@ Gradients gradientsOf(const WindowVertex corner[3], int originX, int originY) {
   return g;
 }
 
+float offsetOf(const RasterState &state, const abi::Plane &z) {
+  const float slope = std::max(std::fabs(z.dx), std::fabs(z.dy));
+  return float(double(slope) * state.offsetFactor + state.depthResolution * state.offsetUnits);
+}
+
 constexpr float kMissing[4] = {0, 0, 0, 1};
 
 } // namespace
+
+float depthOffset(const RasterState &state, const WindowVertex corner[3]) {
+  return offsetOf(state,
+                  gradientsOf(state, corner, 0, 0).plane(corner[0].z, corner[1].z, corner[2].z));
+}
 
 void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
                 const Triangle &triangle, bool offset, int originX, int originY,
@@ -104,14 +120,11 @@ void makePlanes(const RasterState &state, const Shading &shading, const Vertices
   primitive.originY = originY;
   primitive.backFacing = triangle.backFacing ? 1 : 0;
   const WindowVertex *const v = triangle.corner;
-  const Gradients g = gradientsOf(v, originX, originY);
+  const Gradients g = gradientsOf(state, v, originX, originY);
   if (shading.readsDepth || offset) {
     primitive.z = g.plane(v[0].z, v[1].z, v[2].z);
-    if (offset) {
-      const float slope = std::max(std::fabs(primitive.z.dx), std::fabs(primitive.z.dy));
-      primitive.z.c +=
-          float(double(slope) * state.offsetFactor + state.depthResolution * state.offsetUnits);
-    }
+    if (offset)
+      primitive.z.c += offsetOf(state, primitive.z);
   }
   if (shading.readsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);

@@ -4,6 +4,7 @@
 
 #include "swrast/bins.h"
 #include "swrast/direct.h"
+#include "swrast/strokes.h"
 #include "swrast/threads.h"
 
 namespace arbiter::swrast {
@@ -14,6 +15,7 @@ struct Scratch {
   std::vector<WindowVertex> window;
   std::vector<Shape> shapes;
   Bins bins;
+  Strokes strokes;
 };
 Scratch &scratch() {
   thread_local Scratch instance;
@@ -56,7 +58,9 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window) {
     outcodes.fetch_or(any, std::memory_order_relaxed);
   };
   parallel((end - begin + kVertexChunk - 1) / kVertexChunk, chunk);
-  draw.anyClipped = (outcodes.load(std::memory_order_relaxed) & kClipMask) != 0;
+  // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise.
+  draw.otherDiagonal = draw.state.polygonStipple != nullptr ||
+                       (outcodes.load(std::memory_order_relaxed) & kClipMask) != 0;
 }
 
 DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
@@ -74,7 +78,8 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
     Triangle triangle;
     std::uint32_t any = 0;
     if (!fetchTriangle(
-            draw, triangleAt(draw.topology, draw.count, i, state.provokingIsFirst, draw.anyClipped),
+            draw,
+            triangleAt(draw.topology, draw.count, i, state.provokingIsFirst, draw.otherDiagonal),
             triangle, any))
       continue;
     if (any & kClipMask) {
@@ -127,7 +132,9 @@ DrawStatistics draw(const RasterState &state, const Shading &shading, Topology t
   placeVertices(all, scratch().window);
   if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);
-  return {};
+  DrawStatistics statistics;
+  scratch().strokes.draw(all, statistics);
+  return statistics;
 }
 
 } // namespace arbiter::swrast

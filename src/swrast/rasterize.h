@@ -58,6 +58,9 @@ struct RasterState {
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
       nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
+  /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
+  /// 0: roundings and ties then fall as the host's do.
+  std::int32_t upsideDownHeight = 0;
 };
 
 /// The functions of one program and state. `quad` may be null where `row` is not and the other way;

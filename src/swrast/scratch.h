@@ -16,7 +16,7 @@ struct Draw {
   std::uint32_t first, count;
   Viewport viewport;
   const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
-  bool anyClipped = false;              ///< one of them is outside the view volume
+  bool otherDiagonal = false;           ///< of quads: see triangleAt()
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;

@@ -33,7 +33,9 @@ inline constexpr std::uint32_t kClipMask = 0xFFFF;
 inline constexpr std::uint32_t kOutSides = 15; ///< left, right, bottom, top
 
 struct WindowVertex {
-  float x = 0, y = 0, z = 0, inverseW = 0;
+  float x = 0;
+  float y = 0; ///< from the top down where RasterState::upsideDownHeight is set
+  float z = 0, inverseW = 0;
   std::int32_t fixedX = 0, fixedY = 0;
   std::uint32_t outcode = 0;
 };
@@ -42,6 +44,7 @@ struct WindowVertex {
 struct Viewport {
   float scale[3], translate[3];
   Rect pixels; ///< whose centres are inside
+  int upsideDownHeight;
   bool depthClamp;
   unsigned userPlanes; ///< clip distances that are there
 };
@@ -73,7 +76,7 @@ struct Triangle {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
-  /// Clipped: corner k is weight[k] of the three vertices.
+  /// Corner k is weight[k] of the three vertices, rather than vertex k.
   bool clipped = false;
   double weight[3][3] = {};
 };
@@ -92,6 +95,9 @@ struct Triangle {
 void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
                 const Triangle &triangle, bool offset, int originX, int originY,
                 abi::Primitive &primitive);
+
+/// What polygon offset adds to depth (3.5.5).
+[[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
 
 /// The first pixel whose centre is at or behind a snapped coordinate.
 [[nodiscard]] constexpr std::int32_t pixelFrom(std::int32_t fixed) {

@@ -12,6 +12,11 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
     result.scale[i] = state.viewport[2 + i] * 0.5f;
     result.translate[i] = state.viewport[i] + result.scale[i];
   }
+  result.upsideDownHeight = state.upsideDownHeight;
+  if (result.upsideDownHeight != 0) {
+    result.scale[1] = -result.scale[1];
+    result.translate[1] = float(result.upsideDownHeight) - result.translate[1];
+  }
   result.scale[2] = (state.depthFar - state.depthNear) * 0.5f;
   result.translate[2] = (state.depthFar + state.depthNear) * 0.5f;
   result.depthClamp = state.depthClamp;
@@ -45,6 +50,8 @@ void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &verte
   };
   vertex.fixedX = snap(vertex.x);
   vertex.fixedY = snap(vertex.y);
+  if (viewport.upsideDownHeight != 0)
+    vertex.fixedY = (viewport.upsideDownHeight - 1) * kSubpixels - vertex.fixedY;
 }
 
 WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, std::uint32_t index) {

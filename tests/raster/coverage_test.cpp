@@ -9,15 +9,18 @@ namespace {
 
 using swrast::Topology;
 
-/// The host's pixels and ours, by rows and by blocks of every size.
+/// The host's pixels and ours, by rows and by blocks of every size, of a window and of an object.
 void expectSame(const Scene &scene, const std::string &what) {
-  const Counts host = drawByHost(scene);
-  ASSERT_FALSE(host.empty()) << "no OSMesa context";
-  for (const int lanes : {0, 4, 8, 16}) {
-    const Difference difference = compare(scene, host, drawByUs(scene, lanes));
-    ASSERT_EQ(difference.pixels, 0)
-        << what << ", lanes " << lanes << ": of " << difference.covered << " covered, "
-        << difference.text << "size " << scene.width << "x" << scene.height;
+  for (const Target target : {Target::Window, Target::FramebufferObject}) {
+    const Counts host = drawByHost(scene, target);
+    ASSERT_FALSE(host.empty()) << "no OSMesa context";
+    for (const int lanes : {0, 4, 8, 16}) {
+      const Difference difference = compare(scene, host, drawByUs(scene, target, lanes));
+      ASSERT_EQ(difference.pixels, 0)
+          << what << (target == Target::Window ? ", window" : ", object") << ", lanes " << lanes
+          << ": of " << difference.covered << " covered, " << difference.text << "size "
+          << scene.width << "x" << scene.height;
+    }
   }
 }
 
@@ -122,6 +125,132 @@ TEST_F(Coverage, HugeTriangles) {
     for (int i = 0; i < 3; ++i)
       s.add(uniform(-scale, scale), uniform(-scale, scale));
     expectSame(s, "round " + std::to_string(round) + " scale " + std::to_string(scale));
+  }
+}
+
+TEST_F(Coverage, Lines) {
+  for (const Topology topology : {Topology::Lines, Topology::LineStrip, Topology::LineLoop})
+    for (int round = 0; round < 300; ++round) {
+      Scene s = scene(topology);
+      s.state.lineWidth = round % 3 ? 1 : float(uniform(0.2, 9));
+      const int count = integer(2, 9);
+      for (int i = 0; i < count; ++i)
+        s.add(place(0, s.width), place(0, s.height));
+      expectSame(s, "topology " + std::to_string(int(topology)) + " round " +
+                        std::to_string(round) + " width " + std::to_string(s.state.lineWidth));
+    }
+}
+
+TEST_F(Coverage, ShortAndLevelLines) {
+  for (int round = 0; round < 300; ++round) {
+    Scene s = scene(Topology::Lines);
+    for (int i = 0; i < 10; ++i) {
+      const double x = place(1, s.width - 1), y = place(1, s.height - 1);
+      s.add(x, y);
+      s.add(round % 3 == 0 ? x : place(x - 1, x + 1), round % 3 == 1 ? y : place(y - 1, y + 1));
+    }
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
+TEST_F(Coverage, ClippedLines) {
+  for (int round = 0; round < 300; ++round) {
+    Scene s = scene(Topology::Lines);
+    for (int i = 0; i < 6; ++i)
+      s.vertices.push_back({float(uniform(-2, 2)), float(uniform(-2, 2)), float(uniform(-2, 2)),
+                            float(uniform(-0.5, 1.5))});
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
+TEST_F(Coverage, StippledLines) {
+  for (int round = 0; round < 200; ++round) {
+    Scene s = scene(round % 2 ? Topology::Lines : Topology::LineStrip);
+    s.state.lineStipple = std::uint16_t(integer(0, 65535));
+    s.state.lineStippleFactor = integer(1, 4);
+    for (int i = 0; i < 6; ++i)
+      s.add(place(0, s.width), place(0, s.height));
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
+TEST_F(Coverage, Points) {
+  for (int round = 0; round < 200; ++round) {
+    Scene s = scene(Topology::Points);
+    s.state.pointSize = round % 3 ? 1 : float(place(1, 12));
+    for (int i = 0; i < 12; ++i)
+      s.add(place(-3, s.width + 3), place(-3, s.height + 3), 1, uniform(-1.2, 1.2));
+    expectSame(s, "round " + std::to_string(round) + " size " + std::to_string(s.state.pointSize));
+  }
+}
+
+TEST_F(Coverage, PointSprites) {
+  for (int round = 0; round < 200; ++round) {
+    Scene s = scene(Topology::Points);
+    s.state.pointSize = float(place(1, 12));
+    s.state.spriteInputs = 1u << 8;
+    for (int i = 0; i < 12; ++i)
+      s.add(place(-3, s.width + 3), place(-3, s.height + 3));
+    expectSame(s, "round " + std::to_string(round) + " size " + std::to_string(s.state.pointSize));
+  }
+}
+
+TEST_F(Coverage, UnfilledPolygons) {
+  constexpr Topology kTopologies[] = {Topology::Triangles,   Topology::TriangleStrip,
+                                      Topology::TriangleFan, Topology::Quads,
+                                      Topology::QuadStrip,   Topology::Polygon};
+  constexpr swrast::PolygonMode kModes[] = {swrast::PolygonMode::Point, swrast::PolygonMode::Line,
+                                            swrast::PolygonMode::Fill};
+  for (int round = 0; round < 400; ++round) {
+    Scene s = scene(kTopologies[round % 6]);
+    s.state.front = kModes[round / 6 % 3];
+    s.state.back = kModes[round / 18 % 3];
+    s.state.cullBack = round % 5 == 0;
+    const int count = integer(3, 9);
+    for (int i = 0; i < count; ++i) {
+      s.add(place(0, s.width), place(0, s.height));
+      if (round % 2)
+        s.edgeFlags.push_back(integer(0, 1) != 0);
+    }
+    expectSame(s, "round " + std::to_string(round) + " topology " +
+                      std::to_string(int(s.topology)) + " front " +
+                      std::to_string(int(s.state.front)) + " back " +
+                      std::to_string(int(s.state.back)));
+  }
+}
+
+TEST_F(Coverage, ClippedUnfilledPolygons) {
+  for (int round = 0; round < 200; ++round) {
+    Scene s = scene(Topology::Triangles);
+    s.state.front = s.state.back = swrast::PolygonMode::Line;
+    for (int i = 0; i < 3; ++i)
+      s.add(place(-20, s.width + 20), place(-20, s.height + 20), uniform(0.5, 2),
+            uniform(-1.3, 1.3));
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
+TEST_F(Coverage, PolygonStipple) {
+  std::array<std::uint8_t, 128> pattern;
+  for (int round = 0; round < 60; ++round) {
+    for (std::uint8_t &byte : pattern)
+      byte = std::uint8_t(integer(0, 255));
+    Scene s = scene(round % 2 ? Topology::Quads : Topology::Triangles);
+    s.state.polygonStipple = pattern.data();
+    for (int i = 0; i < 12; ++i)
+      s.add(place(0, s.width), place(0, s.height));
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
+TEST_F(Coverage, ScissorAndDepthClamp) {
+  for (int round = 0; round < 100; ++round) {
+    Scene s = scene(Topology::Triangles);
+    s.state.clip = {integer(0, 20), integer(0, 20), integer(1, 60), integer(1, 60)};
+    s.state.depthClamp = round & 1;
+    for (int i = 0; i < 30; ++i)
+      s.add(place(-9, s.width + 9), place(-9, s.height + 9), 1, uniform(-2, 2));
+    expectSame(s, "round " + std::to_string(round));
   }
 }
 

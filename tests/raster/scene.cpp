@@ -3,6 +3,7 @@
 #include <GL/osmesa.h>
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
 #include "swrast/canvas_testing.h"
 
@@ -42,6 +43,25 @@ void setState(const Scene &scene) {
   glScissor(state.clip.x, state.clip.y, state.clip.width, state.clip.height);
 }
 
+template <typename Function> Function lookUp(const char *name) {
+  return reinterpret_cast<Function>(OSMesaGetProcAddress(name));
+}
+
+/// A framebuffer object with a renderbuffer of that size, bound.
+void bindObject(int width, int height) {
+  static GLuint names[2];
+  if (names[0] == 0) {
+    lookUp<PFNGLGENFRAMEBUFFERSPROC>("glGenFramebuffers")(1, &names[0]);
+    lookUp<PFNGLGENRENDERBUFFERSPROC>("glGenRenderbuffers")(1, &names[1]);
+  }
+  lookUp<PFNGLBINDRENDERBUFFERPROC>("glBindRenderbuffer")(GL_RENDERBUFFER, names[1]);
+  lookUp<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage")(GL_RENDERBUFFER, GL_RGBA8, width,
+                                                                height);
+  lookUp<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, names[0]);
+  lookUp<PFNGLFRAMEBUFFERRENDERBUFFERPROC>("glFramebufferRenderbuffer")(
+      GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, names[1]);
+}
+
 } // namespace
 
 void Scene::add(double x, double y, double w, double z) {
@@ -49,7 +69,7 @@ void Scene::add(double x, double y, double w, double z) {
       {float((x / width * 2 - 1) * w), float((y / height * 2 - 1) * w), float(z * w), float(w)});
 }
 
-Counts drawByHost(const Scene &scene) {
+Counts drawByHost(const Scene &scene, Target target) {
   static const OSMesaContext context = [] {
     const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, 0};
     return OSMesaCreateContextAttribs(attributes, nullptr);
@@ -58,6 +78,8 @@ Counts drawByHost(const Scene &scene) {
   if (!context ||
       !OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, scene.width, scene.height))
     return {};
+  if (target == Target::FramebufferObject)
+    bindObject(scene.width, scene.height);
   constexpr GLenum kModes[] = {GL_POINTS,     GL_LINES,          GL_LINE_LOOP,    GL_LINE_STRIP,
                                GL_TRIANGLES,  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
                                GL_QUAD_STRIP, GL_POLYGON};
@@ -75,18 +97,23 @@ Counts drawByHost(const Scene &scene) {
   }
   glEnd();
   glFinish();
+  if (target == Target::FramebufferObject) {
+    glReadPixels(0, 0, scene.width, scene.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    lookUp<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer")(GL_FRAMEBUFFER, 0);
+  }
   Counts result(std::size_t(scene.width) * std::size_t(scene.height));
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = pixels[4 * i];
   return result;
 }
 
-Counts drawByUs(const Scene &scene, int lanes) {
+Counts drawByUs(const Scene &scene, Target target, int lanes) {
   swrast::testing::Canvas canvas(scene.width, scene.height);
   if (lanes)
     canvas.useQuads(lanes);
   const RasterState own = canvas.state;
   canvas.state = scene.state;
+  canvas.state.upsideDownHeight = target == Target::Window ? scene.height : 0;
   std::copy(own.viewport, own.viewport + 4, canvas.state.viewport);
   canvas.state.clip = scene.state.clip.empty() ? own.clip : intersect(own.clip, scene.state.clip);
   std::vector<float> positions[4];

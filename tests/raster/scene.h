@@ -22,10 +22,12 @@ struct Scene {
 };
 
 using Counts = std::vector<std::uint32_t>;
-/// Empty, with a reason, where there is no OSMesa context.
-[[nodiscard]] Counts drawByHost(const Scene &scene);
+/// Hosts keep windows upside down, and framebuffer objects not.
+enum class Target { Window, FramebufferObject };
+/// Empty where there is no OSMesa context.
+[[nodiscard]] Counts drawByHost(const Scene &scene, Target target);
 /// `lanes`: of quad blocks; 0: rows.
-[[nodiscard]] Counts drawByUs(const Scene &scene, int lanes = 0);
+[[nodiscard]] Counts drawByUs(const Scene &scene, Target target, int lanes = 0);
 
 /// Pixels that differ, and a picture of the first ones as text.
 struct Difference {

@@ -1,0 +1,233 @@
+#include "swrast/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "swrast/direct.h"
+#include "swrast/triangles.h"
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr std::size_t kMaxShapes = 512;
+
+StrokeEnd endOf(const ClipVertex &vertex) {
+  StrokeEnd end{vertex.window, {}};
+  std::copy(vertex.weight, vertex.weight + 3, end.weight);
+  return end;
+}
+
+/// The point at `t` of the way; as hosts cut a stippled line.
+StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t) {
+  const auto mix = [t](float from, float to) { return from + t * (to - from); };
+  StrokeEnd end = a;
+  end.window.x = mix(a.window.x, b.window.x);
+  end.window.y = mix(a.window.y, b.window.y);
+  end.window.z = mix(a.window.z, b.window.z);
+  end.window.inverseW = mix(a.window.inverseW, b.window.inverseW);
+  // Inputs are linear in clip space, not in the window.
+  double share = t;
+  if (a.window.inverseW != b.window.inverseW)
+    share = double(t) * b.window.inverseW / end.window.inverseW;
+  for (int i = 0; i < 3; ++i)
+    end.weight[i] = a.weight[i] + share * (b.weight[i] - a.weight[i]);
+  return end;
+}
+
+} // namespace
+
+void Strokes::shade(const Draw &draw) {
+  m_statistics.primitives += m_shapes.size();
+  m_statistics.pixels += shadeInBands(draw.state, draw.shading, m_shapes.data(), m_shapes.size());
+  m_shapes.clear();
+}
+
+void Strokes::draw(const Draw &draw, DrawStatistics &statistics) {
+  m_shapes.clear();
+  m_statistics = {};
+  m_stipple = 0;
+  if (isPolygonal(draw.topology))
+    addPolygons(draw);
+  else if (draw.topology == Topology::Points)
+    addPoints(draw);
+  else
+    addLines(draw);
+  shade(draw);
+  statistics.primitives += m_statistics.primitives;
+  statistics.pixels += m_statistics.pixels;
+}
+
+void Strokes::addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size) {
+  Shape shape;
+  if (!shapeOfPoint(draw, stroke, at, size, shape))
+    return;
+  m_shapes.push_back(shape);
+  if (m_shapes.size() >= kMaxShapes)
+    shade(draw);
+}
+
+void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                      const StrokeEnd &to) {
+  const auto add = [&](const StrokeEnd &a, const StrokeEnd &b) {
+    Shape shape;
+    if (!shapeOfLine(draw, stroke, a, b, shape))
+      return;
+    m_shapes.push_back(shape);
+    if (m_shapes.size() >= kMaxShapes)
+      shade(draw);
+  };
+  if (draw.state.lineStippleFactor <= 0) {
+    add(from, to);
+    return;
+  }
+  const float length =
+      std::max(std::fabs(to.window.x - from.window.x), std::fabs(to.window.y - from.window.y));
+  const auto factor = std::uint32_t(draw.state.lineStippleFactor);
+  const int steps = int(std::ceil(std::min(length, 1e6f)));
+  int start = -1;
+  for (int i = 0; i <= steps; ++i) {
+    const std::uint32_t bit = (m_stipple + std::uint32_t(i)) / factor & 15u;
+    const bool on = i < steps && ((draw.state.lineStipple >> bit) & 1u) != 0;
+    if (on && start < 0)
+      start = i;
+    if (on || start < 0)
+      continue;
+    add(start == 0 ? from : between(from, to, float(start) / length),
+        i == steps ? to : between(from, to, float(i) / length));
+    start = -1;
+  }
+  m_stipple += std::uint32_t(steps);
+}
+
+void Strokes::addLines(const Draw &draw) {
+  const std::uint32_t lines = lineCount(draw.topology, draw.count);
+  for (std::uint32_t i = 0; i < lines; ++i) {
+    const LineEnds ends = lineAt(draw.topology, draw.count, i, draw.state.provokingIsFirst);
+    if (ends.restartsStipple)
+      m_stipple = 0;
+    const std::uint32_t index[2] = {draw.vertexAt(ends.end[0]), draw.vertexAt(ends.end[1])};
+    if (index[0] >= draw.vertices.count || index[1] >= draw.vertices.count)
+      continue;
+    const WindowVertex &a = draw.window[index[0]], &b = draw.window[index[1]];
+    if ((a.outcode & b.outcode & kOutsideMask) || ((a.outcode | b.outcode) & kOutNan))
+      continue;
+    const Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false};
+    if (!((a.outcode | b.outcode) & kClipMask)) {
+      addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
+      continue;
+    }
+    ClipVertex end[2];
+    if (clipLine(draw.viewport, draw.vertices, index, end))
+      addLine(draw, stroke, endOf(end[0]), endOf(end[1]));
+  }
+}
+
+void Strokes::addPoints(const Draw &draw) {
+  for (std::uint32_t i = 0; i < draw.count; ++i) {
+    const std::uint32_t index = draw.vertexAt(i);
+    if (index >= draw.vertices.count)
+      continue;
+    if (draw.window[index].outcode != 0)
+      continue;
+    const Stroke stroke = {{index, index, index}, index, false};
+    const float *const sizes = draw.vertices.pointSize;
+    addPoint(draw, stroke, {draw.window[index], {1, 0, 0}},
+             sizes ? sizes[index] : draw.state.pointSize);
+  }
+}
+
+void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
+                         std::uint32_t sides) {
+  const bool lines = (stroke.backFacing ? draw.state.back : draw.state.front) == PolygonMode::Line;
+  const auto isSide = [&](int corner) {
+    const int side = polygon.vertex[std::size_t(corner)].side;
+    return side < kOnPlane && ((sides >> side) & 1u) != 0;
+  };
+  for (int i = 0; i < polygon.count; ++i) {
+    // The last side first, as hosts have it.
+    const int at = i == 0 ? polygon.count - 1 : i - 1;
+    if (lines && isSide(at))
+      addLine(draw, stroke, endOf(polygon.vertex[std::size_t(at)]),
+              endOf(polygon.vertex[std::size_t(at + 1 == polygon.count ? 0 : at + 1)]));
+    if (!lines && isSide(i))
+      addPoint(draw, stroke, endOf(polygon.vertex[std::size_t(i)]), draw.state.pointSize);
+  }
+}
+
+void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
+  const RasterState &state = draw.state;
+  const TriangleCorners corners =
+      triangleAt(draw.topology, draw.count, number, state.provokingIsFirst, true);
+  Triangle triangle;
+  std::uint32_t any = 0;
+  if (!fetchTriangle(draw, corners, triangle, any))
+    return;
+  ClippedPolygon polygon;
+  if (any & kClipMask) {
+    clipTriangle(draw.viewport, draw.vertices, triangle.vertex, polygon);
+  } else {
+    polygon.count = 3;
+    for (int i = 0; i < 3; ++i) {
+      ClipVertex &vertex = polygon.vertex[std::size_t(i)];
+      vertex.window = triangle.corner[i];
+      std::fill(vertex.weight, vertex.weight + 3, 0.0);
+      vertex.weight[i] = 1;
+      vertex.side = i;
+    }
+  }
+  std::int64_t area = 0;
+  for (int i = 2; i < polygon.count; ++i) {
+    const WindowVertex fan[3] = {polygon.vertex[0].window,
+                                 polygon.vertex[std::size_t(i - 1)].window,
+                                 polygon.vertex[std::size_t(i)].window};
+    area += areaOf(fan);
+  }
+  if (polygon.count < 3)
+    return;
+  triangle.backFacing = isBackFacing(state, area);
+  if (isCulled(state, triangle.backFacing) || (area == 0 && (state.cullFront || state.cullBack)))
+    return;
+  const PolygonMode mode = triangle.backFacing ? state.back : state.front;
+  if (mode == PolygonMode::Fill) {
+    Shape shape;
+    const auto take = [&](const Triangle &part, Shape &filled) {
+      filled.stippled = state.polygonStipple != nullptr;
+      makePlanes(state, draw.shading, draw.vertices, part, state.offsetFill, filled.left,
+                 filled.bottom, filled.primitive);
+      m_shapes.push_back(filled);
+    };
+    if (any & kClipMask)
+      clipAndTake(draw, triangle, take);
+    else if (area != 0 && shapeOf(state.clip, triangle.corner, area, shape))
+      take(triangle, shape);
+    return;
+  }
+  if (mode == PolygonMode::Line ? state.offsetLine : state.offsetPoint) {
+    const WindowVertex fan[3] = {polygon.vertex[0].window, polygon.vertex[1].window,
+                                 polygon.vertex[2].window};
+    const float offset = depthOffset(state, fan);
+    for (int i = 0; i < polygon.count; ++i)
+      polygon.vertex[std::size_t(i)].window.z += offset;
+  }
+  std::uint32_t sides = corners.sides;
+  if (draw.vertices.edgeFlags)
+    for (int i = 0; i < 3; ++i)
+      if (!draw.vertices.edgeFlags[triangle.vertex[i]])
+        sides &= ~(1u << i);
+  addOutline(draw, polygon,
+             {{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},
+              triangle.provoking,
+              triangle.backFacing},
+             sides);
+}
+
+void Strokes::addPolygons(const Draw &draw) {
+  const std::uint32_t triangles = triangleCount(draw.topology, draw.count);
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    addTriangle(draw, i);
+    if (m_shapes.size() >= kMaxShapes)
+      shade(draw);
+  }
+}
+
+} // namespace arbiter::swrast
