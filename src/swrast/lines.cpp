@@ -8,8 +8,9 @@
 namespace arbiter::swrast {
 namespace {
 
+/// Ties go away from zero, unlike those of triangles: so do the host's.
 std::int32_t snap(float value) {
-  return std::int32_t(std::lrintf((value - 0.5f) * float(kSubpixels)));
+  return std::int32_t(std::lround((value - 0.5f) * float(kSubpixels)));
 }
 float fraction(float value) { return value - std::floor(value); }
 

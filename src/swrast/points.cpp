@@ -7,7 +7,8 @@
 namespace arbiter::swrast {
 namespace {
 
-std::int32_t snap(float value) { return std::int32_t(std::lrintf(value * float(kSubpixels))); }
+/// Ties go away from zero, unlike those of triangles: so do the host's.
+std::int32_t snap(float value) { return std::int32_t(std::lround(value * float(kSubpixels))); }
 
 /// The first pixel and the one behind the last along one axis, in the host's coordinates. `down`:
 /// in those that run down, ties go to the neighbour.

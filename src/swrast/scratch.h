@@ -21,8 +21,13 @@ struct Draw {
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;
   }
+  /// A face that is culled has the other's mode, so that no mode that is not seen is asked for.
+  [[nodiscard]] PolygonMode modeOf(bool backFacing) const {
+    const bool isBack = backFacing ? !state.cullBack : state.cullFront;
+    return isBack ? state.back : state.front;
+  }
   [[nodiscard]] bool isFilled() const {
-    return state.front == PolygonMode::Fill && state.back == PolygonMode::Fill;
+    return modeOf(false) == PolygonMode::Fill && modeOf(true) == PolygonMode::Fill;
   }
 };
 

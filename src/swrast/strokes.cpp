@@ -34,6 +34,21 @@ StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t) {
   return end;
 }
 
+/// Positive if counterclockwise. Of places that are not snapped: what is too thin to be filled has
+/// sides all the same, and a winding.
+int windingOf(const Draw &draw, const ClippedPolygon &polygon) {
+  double area = 0;
+  const WindowVertex &a = polygon.vertex[0].window;
+  for (int i = 2; i < polygon.count; ++i) {
+    const WindowVertex &b = polygon.vertex[std::size_t(i - 1)].window;
+    const WindowVertex &c = polygon.vertex[std::size_t(i)].window;
+    area += (double(b.x) - a.x) * (double(c.y) - a.y) - (double(c.x) - a.x) * (double(b.y) - a.y);
+  }
+  if (draw.state.upsideDownHeight != 0)
+    area = -area;
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
 } // namespace
 
 void Strokes::shade(const Draw &draw) {
@@ -138,7 +153,7 @@ void Strokes::addPoints(const Draw &draw) {
 
 void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
                          std::uint32_t sides) {
-  const bool lines = (stroke.backFacing ? draw.state.back : draw.state.front) == PolygonMode::Line;
+  const bool lines = draw.modeOf(stroke.backFacing) == PolygonMode::Line;
   const auto isSide = [&](int corner) {
     const int side = polygon.vertex[std::size_t(corner)].side;
     return side < kOnPlane && ((sides >> side) & 1u) != 0;
@@ -175,19 +190,15 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
       vertex.side = i;
     }
   }
-  std::int64_t area = 0;
-  for (int i = 2; i < polygon.count; ++i) {
-    const WindowVertex fan[3] = {polygon.vertex[0].window,
-                                 polygon.vertex[std::size_t(i - 1)].window,
-                                 polygon.vertex[std::size_t(i)].window};
-    area += areaOf(fan);
-  }
   if (polygon.count < 3)
     return;
-  triangle.backFacing = isBackFacing(state, area);
-  if (isCulled(state, triangle.backFacing) || (area == 0 && (state.cullFront || state.cullBack)))
+  const int facing = windingOf(draw, polygon);
+  // Where there is no winding hosts see the one that is negative in their own coordinates.
+  const int unwound = state.upsideDownHeight != 0 ? -1 : 1;
+  triangle.backFacing = isBackFacing(state, facing != 0 ? facing : unwound);
+  if (isCulled(state, triangle.backFacing) || (facing == 0 && (state.cullFront || state.cullBack)))
     return;
-  const PolygonMode mode = triangle.backFacing ? state.back : state.front;
+  const PolygonMode mode = draw.modeOf(triangle.backFacing);
   if (mode == PolygonMode::Fill) {
     Shape shape;
     const auto take = [&](const Triangle &part, Shape &filled) {
@@ -198,7 +209,8 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     };
     if (any & kClipMask)
       clipAndTake(draw, triangle, take);
-    else if (area != 0 && shapeOf(state.clip, triangle.corner, area, shape))
+    else if (const std::int64_t area = areaOf(triangle.corner);
+             area != 0 && shapeOf(state.clip, triangle.corner, area, shape))
       take(triangle, shape);
     return;
   }
