@@ -18,7 +18,7 @@ struct Scratch {
   Strokes strokes;
 };
 Scratch &scratch() {
-  thread_local Scratch instance;
+  thread_local Scratch instance __attribute__((tls_model("initial-exec")));
   return instance;
 }
 

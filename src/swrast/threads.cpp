@@ -172,11 +172,12 @@ void afterFork() { g_pool.store(new (std::nothrow) Pool, std::memory_order_relea
 Pool *pool() {
   if (Pool *const existing = g_pool.load(std::memory_order_acquire))
     return existing;
-  static std::once_flag once;
-  std::call_once(once, [] {
+  // Not by call_once, which hands the function over in variables of the thread.
+  static const bool s_made = [] {
     g_pool.store(new (std::nothrow) Pool, std::memory_order_release);
-    (void)pthread_atfork(nullptr, nullptr, afterFork);
-  });
+    return pthread_atfork(nullptr, nullptr, afterFork) == 0;
+  }();
+  (void)s_made;
   return g_pool.load(std::memory_order_acquire);
 }
 

@@ -354,9 +354,11 @@ def run_count(setting):
 
 def run_vendor_gpa(setting):
     """GetProcAddress answers compared with the host's own, function by function."""
-    outcome = execute([setting.clients / "client_vendor_gpa", setting.layer, "libEGL_mesa.so.0"],
-                      setting.environment(False))
-    need_success(outcome, "vendor_gpa")
+    for backend in ("auto", "host"):
+        environment = dict(setting.environment(False), ARBITER_BACKEND=backend)
+        outcome = execute([setting.clients / "client_vendor_gpa", setting.layer,
+                           "libEGL_mesa.so.0"], environment)
+        need_success(outcome, f"vendor_gpa, {backend}")
 
 
 def run_exports(setting):
