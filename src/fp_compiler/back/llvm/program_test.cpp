@@ -1,10 +1,12 @@
 // Whole programs against the interpreter, to the bit: where an opcode's result is an approximation,
 // the interpreter is given the machine code's own value of that one opcode.
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 
+#include "fp_compiler/back/glsl/known.h"
 #include "fp_compiler/back/llvm/test_machine.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
@@ -121,16 +123,17 @@ std::vector<Vec4> numbers(testing::Random &random, std::size_t count, bool wild)
   return result;
 }
 
-/// The colours of fragments are taken to be numbers that a half float holds (glsl/known.h).
-void tameColors(const ir::Program &program, TestMachine::Attributes &attributes) {
-  if (program.language == ir::Language::ArbVertex)
-    return;
-  for (std::size_t i = 0; i < attributes.size(); ++i) {
-    const ir::AttributeKind kind = program.attributes[i].kind;
-    if (kind == ir::AttributeKind::ColorPrimary || kind == ir::AttributeKind::ColorSecondary)
-      for (float &component : attributes[i])
-        component = std::fabs(component) <= 65504 ? component : 0.5f;
-  }
+/// Keeps attributes to what is taken of them whatever the application does (glsl/known.h).
+void keepToKnown(const ir::Program &program, Numerics numerics,
+                 TestMachine::Attributes &attributes) {
+  for (std::size_t i = 0; i < attributes.size(); ++i)
+    for (int c = 0; c < 4; ++c) {
+      float &value = attributes[i][std::size_t(c)];
+      const glsl::Known known =
+          glsl::knownAttribute(program.attributes[i], program.language, c, numerics);
+      if (known.number)
+        value = std::isnan(value) ? known.lo : std::clamp(value, known.lo, known.hi);
+    }
 }
 
 struct Tally {
@@ -150,7 +153,7 @@ void compare(const ir::Program &program, Numerics numerics, const std::string &c
   std::vector<TestMachine::Attributes> lanes;
   for (int i = 0; i < 16; ++i) {
     lanes.push_back(numbers(random, program.attributes.size(), wild));
-    tameColors(program, lanes.back());
+    keepToKnown(program, numerics, lanes.back());
   }
   const auto results = machine.run(lanes, parameters);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
