@@ -6,7 +6,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "fp_compiler/back/llvm/test_machine.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/testing/random.h"
 

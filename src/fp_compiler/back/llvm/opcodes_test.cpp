@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "fp_compiler/back/llvm/test_machine.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/reads.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/back/llvm/engine.h"
-#include "fp_compiler/back/llvm/test_machine.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
 

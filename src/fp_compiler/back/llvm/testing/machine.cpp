@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/test_machine.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 
 #include <cstdlib>
 

@@ -1,0 +1,195 @@
+#include "fp_compiler/back/llvm/testing/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "fp_compiler/back/glsl/known.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/ir/evaluate.h"
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
+#include "fp_compiler/testing/random.h"
+#include "fp_compiler/testing/specials.h"
+
+namespace arbiter::fp::llvm_back {
+
+using ir::Opcode;
+using ir::Vec4;
+
+namespace {
+bool approximates(Opcode op) {
+  switch (op) {
+  case Opcode::Cos:
+  case Opcode::Sin:
+  case Opcode::Scs:
+  case Opcode::Ex2:
+  case Opcode::Exp:
+  case Opcode::Lg2:
+  case Opcode::Log:
+  case Opcode::Pow:
+  case Opcode::Lit:
+  case Opcode::Rsq:
+    return true;
+  default:
+    return false;
+  }
+}
+
+struct Expected {
+  ir::Evaluation evaluation;
+  /// A result is the least normal number: the processor may have made a zero of it, as it finds
+  /// one too small before it is rounded to a denormal.
+  bool edge = false;
+};
+
+Expected expectedOf(const ir::Program &program, Numerics numerics,
+                    const TestMachine::Attributes &attributes, const std::vector<Vec4> &parameters,
+                    const std::function<Vec4(Opcode, const ir::Operands &)> &function) {
+  Expected expected;
+  ir::Inputs inputs;
+  inputs.attributes = attributes;
+  inputs.numerics = numerics;
+  inputs.parameter = [&](const ir::Parameter &wanted) {
+    return parameters[std::size_t(&wanted - program.parameters.data())];
+  };
+  inputs.texture = [](const ir::Sample &sample) {
+    return Vec4{sample.coordinate[0], sample.coordinate[1], sample.coordinate[2], sample.bias};
+  };
+  ir::Operands last = {};
+  inputs.operands = [&](const ir::Instruction &, ir::Operands &operands) { last = operands; };
+  inputs.result = [&](const ir::Instruction &instruction, Vec4 &value) {
+    if (approximates(instruction.op)) {
+      value = function(instruction.op, last);
+      for (float &component : value)
+        component = ir::flushed(component);
+    }
+    for (const float component : value)
+      expected.edge |= std::fabs(component) == 0x1p-126f;
+  };
+  expected.evaluation = ir::evaluate(program, inputs);
+  return expected;
+}
+
+/// Numbers for attributes and rows; of a wild program one in four is special.
+std::vector<Vec4> numbers(testing::Random &random, std::size_t count, bool wild) {
+  std::vector<Vec4> result(count);
+  for (Vec4 &vector : result)
+    for (float &component : vector)
+      component =
+          wild && random.chance(25)
+              ? testing::kSpecials[std::size_t(random.below(int(testing::kSpecials.size())))]
+              : random.real(-2, 2);
+  return result;
+}
+
+/// Keeps attributes to what is taken of them whatever the application does (glsl/known.h).
+void keepToKnown(const ir::Program &program, Numerics numerics,
+                 TestMachine::Attributes &attributes) {
+  for (std::size_t i = 0; i < attributes.size(); ++i)
+    for (int c = 0; c < 4; ++c) {
+      float &value = attributes[i][std::size_t(c)];
+      const glsl::Known known =
+          glsl::knownAttribute(program.attributes[i], program.language, c, numerics);
+      if (known.number)
+        value = std::isnan(value) ? known.lo : std::clamp(value, known.lo, known.hi);
+    }
+}
+
+/// Components of outputs that differ, as text; empty if none does.
+std::string difference(const ir::Program &program, const TestMachine::Result &actual,
+                       const ir::Evaluation &expected, int &compared) {
+  for (std::size_t o = 0; o < program.outputs.size(); ++o)
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (!(ir::resultMask(program.outputs[o].kind) >> c & 1))
+        continue;
+      ++compared;
+      const float value = ir::flushed(actual.outputs[o][c]);
+      if (!testing::sameBits(value, expected.outputs[o][c]))
+        return "o" + std::to_string(o) + "[" + std::to_string(c) + "] is " + std::to_string(value) +
+               ", not " + std::to_string(expected.outputs[o][c]);
+    }
+  return {};
+}
+} // namespace
+
+/// Single opcodes as machine code.
+class Comparison::Functions {
+public:
+  Functions(Numerics numerics, std::string cpu) : m_numerics(numerics), m_cpu(std::move(cpu)) {}
+
+  Vec4 operator()(Opcode op, const ir::Operands &operands) {
+    auto &entry = m_entries[op];
+    if (!entry) {
+      entry = std::make_unique<Entry>();
+      ir::Builder b(ir::Language::ArbVertex);
+      const ir::Target result = b.result(ir::OutputKind::FrontPrimary);
+      const ir::Source first = b.attribute(ir::AttributeKind::Generic, 1);
+      const ir::Source second = b.attribute(ir::AttributeKind::Generic, 2);
+      const auto operand = [&](int i, const ir::Source &source) {
+        return ir::info(op).shapes[i] == 'S' ? source.swz("x") : source;
+      };
+      if (ir::info(op).operandCount() == 1)
+        b.op(op, result, {operand(0, first)});
+      else
+        b.op(op, result, {operand(0, first), operand(1, second)});
+      entry->program = b.take();
+      entry->machine = std::make_unique<TestMachine>(entry->program, m_numerics, m_cpu);
+    }
+    return entry->machine->run({{operands[0], operands[1]}}, {})[0].outputs[0];
+  }
+
+private:
+  struct Entry {
+    ir::Program program;
+    std::unique_ptr<TestMachine> machine;
+  };
+  Numerics m_numerics;
+  std::string m_cpu;
+  std::map<Opcode, std::unique_ptr<Entry>> m_entries;
+};
+
+Comparison::Comparison(Numerics numerics, const std::string &cpu)
+    : m_numerics(numerics), m_cpu(cpu), m_functions(std::make_unique<Functions>(numerics, cpu)) {}
+Comparison::~Comparison() = default;
+
+std::string Comparison::run(const ir::Program &given, std::uint64_t seed, bool wild) {
+  ir::Program program = given;
+  program.options.fog = ir::FogMode::None;
+  program.options.colorSum = false;
+  const TestMachine machine(program, m_numerics, m_cpu);
+  if (!machine.reason().empty())
+    return machine.reason();
+  testing::Random random(seed * 977 + 5);
+  std::vector<Vec4> parameters = numbers(random, program.parameters.size(), wild);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (program.parameters[i].kind == ir::ParameterKind::Constant)
+      parameters[i] = program.parameters[i].constant;
+  std::vector<TestMachine::Attributes> lanes;
+  for (int i = 0; i < 16; ++i) {
+    lanes.push_back(numbers(random, program.attributes.size(), wild));
+    keepToKnown(program, m_numerics, lanes.back());
+  }
+  const auto results = machine.run(lanes, parameters);
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+    const auto [expected, edge] =
+        expectedOf(program, m_numerics, lanes[lane], parameters, std::ref(*m_functions));
+    if (edge) {
+      ++edges;
+      continue;
+    }
+    std::string problem;
+    if (results[lane].killed != expected.killed)
+      problem = expected.killed ? "it is not killed" : "it is killed";
+    else if (!expected.killed)
+      problem = difference(program, results[lane], expected, compared);
+    killed += expected.killed;
+    if (!problem.empty())
+      return "lane " + std::to_string(lane) + ": " + problem + "\n" + ir::print(program);
+  }
+  return {};
+}
+
+} // namespace arbiter::fp::llvm_back
