@@ -12,6 +12,7 @@
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
+#include "state/software/frame.h"
 #include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/statistics.h"
@@ -180,7 +181,7 @@ void exchange(Exchange what, const char *name) {
     return;
   switch (what) {
   case Exchange::Present:
-    return software::present(*context);
+    return software::presentFrame(*context);
   case Exchange::Flush:
     return software::flush(*context, false);
   case Exchange::Read:

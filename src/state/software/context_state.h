@@ -46,7 +46,9 @@ struct ContextState {
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
   const host::HostTable *trueHost = nullptr; ///< while a primitive is recorded (replay.h)
-  bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  bool forced = false;   ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  bool presents = false; ///< a window was shown
+  std::uint64_t transfersSeen = 0; ///< between host and shadows, at the end of the last frame
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }

@@ -2,7 +2,9 @@
 // or kept up to date. Called where the rasterizer is possible.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/context.h"
 #include "state/software/commands.h"
+#include "state/software/frame.h"
 #include "state/software/residency.h"
 
 namespace arbiter::state::handlers {
@@ -50,9 +52,11 @@ void Flush(Context &context) {
 }
 
 void Finish(Context &context) {
-  if (executes(context))
-    return software::flush(context, true);
-  context.host->Finish();
+  if (!executes(context))
+    return context.host->Finish();
+  software::flush(context, true);
+  if (context.software)
+    software::finishFrame(context);
 }
 
 void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
