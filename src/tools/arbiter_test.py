@@ -417,19 +417,22 @@ class Run(Temporary):
 class Cache(Temporary):
     def test_shows_and_clears_what_is_there(self):
         folder = self.path('arbiter/programs/2a')
-        os.makedirs(folder)
-        for name in ('2a' * 16, 'ea' * 16):
-            pathlib.Path(folder, name).write_bytes(b'x' * 100)
+        code = self.path('arbiter/code/2a')
+        for kind in (folder, code):
+            os.makedirs(kind)
+            for name in ('2a' * 16, 'ea' * 16):
+                pathlib.Path(kind, name).write_bytes(b'x' * 100)
         mine = pathlib.Path(folder, 'notes.txt')
         mine.write_text('mine')
         home = {'XDG_CACHE_HOME': self.path('')}
         shown = arbiter('cache', **home, ARBITER_CACHE_MAX_MB='2')
         self.assertEqual(shown.returncode, 0)
-        self.assertIn('arbiter/programs\n', shown.stdout)
-        self.assertIn('bytes     204 of 2097152\n', shown.stdout)
+        self.assertIn('arbiter/programs: 3 files, 204 of 2097152 bytes\n', shown.stdout)
+        self.assertIn('arbiter/code: 2 files, 200 of 2097152 bytes\n', shown.stdout)
         self.assertIn('off', arbiter('cache', **home, ARBITER_CACHE='0').stdout)
         arbiter('cache', '--clear', **home)
         self.assertEqual(os.listdir(folder), ['notes.txt'])
+        self.assertFalse(os.path.exists(code) and os.listdir(code))
 
     def test_without_a_home_it_says_so(self):
         result = arbiter('cache', XDG_CACHE_HOME='relative', HOME='')

@@ -128,6 +128,10 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
                   "floats")
       ->check(CLI::IsMember({"host", "legacy", "fp24"}));
   command
+      .add_option("--backend", layer.backend,
+                  "who draws with programs: auto; the host; swrast, Arbiter's own rasterizer")
+      ->check(CLI::IsMember({"auto", "host", "swrast"}));
+  command
       .add_option("--extensions-max-year", layer.extensionsMaxYear,
                   "announce no extension of a later year")
       ->check(CLI::Range(1992, 9999));

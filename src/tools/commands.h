@@ -47,6 +47,7 @@ struct LayerArguments {
   std::string limits;
   std::string identity;
   std::string numerics;
+  std::string backend;
   std::string extensionsMaxYear;
   std::string extensionsMaxLength;
   std::string stats;

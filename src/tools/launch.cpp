@@ -141,6 +141,8 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     environment.push_back({ARBITER_ENV_LIMITS, arguments.limits});
   if (!arguments.numerics.empty())
     environment.push_back({ARBITER_ENV_NUMERICS, arguments.numerics});
+  if (!arguments.backend.empty())
+    environment.push_back({ARBITER_ENV_BACKEND, arguments.backend});
   if (!arguments.identity.empty())
     environment.push_back({ARBITER_ENV_IDENTITY, arguments.identity});
   if (!arguments.extensionsMaxYear.empty())

@@ -99,7 +99,7 @@ fp::jit::Engine *engine() {
   static fp::jit::Engine *const s_engine = []() -> fp::jit::Engine * {
     fp::jit::EngineOptions options;
     if (settings().cache && !cacheFolder().empty())
-      options.cache = new CacheStore(cacheFolder(), // kept for the life of the engine
+      options.cache = new CacheStore(cacheFolder() + "/code", // kept for the life of the engine
                                      std::uint64_t(settings().cacheMaxMegabytes) << 20);
     std::string reason;
     std::unique_ptr<fp::jit::Engine> made = fp::jit::makeEngine(options, reason);
