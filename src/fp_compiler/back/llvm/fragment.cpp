@@ -3,6 +3,7 @@
 #include "fp_compiler/back/llvm/fragment_bytes.h"
 #include "fp_compiler/back/llvm/fragment_hooks.h"
 #include "fp_compiler/back/llvm/fragment_options.h"
+#include "fp_compiler/back/llvm/pixel_depth.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -15,7 +16,8 @@ public:
          const abi::FragmentKey &key)
       : m_code(code), m_ir(code.ir), m_function(function), m_program(program), m_key(key),
         m_interpolator(code, key, m_places, function->getArg(1), function->getArg(0)),
-        m_pixels(code, key, m_places, function->getArg(0)) {}
+        m_pixels(code, key, m_places, function->getArg(0)),
+        m_depth(code, key, m_places, function->getArg(0), function->getArg(1)) {}
 
   void write() {
     m_places.entry = block("entry");
@@ -48,6 +50,7 @@ public:
     m_ir.CreateBr(start);
     m_interpolator.setPixel(x, y);
     m_pixels.setPixel(x, y);
+    m_depth.setPixel(x, y);
     m_ir.SetInsertPoint(start);
     if (m_key.lanes == abi::Lanes::Row)
       writeSpan(extent, next);
@@ -174,8 +177,30 @@ private:
   void writePixels(SamplePath path, const ConsecutiveSamples *samples, const PixelPlace &place) {
     if (path == SamplePath::Given)
       return writeBytes(*samples, place);
-    FragmentColors fragment = colorsOf(path, samples, place, nullptr);
-    m_pixels.write(place, fragment);
+    // A fragment that nothing after the tests may discard is tested before its program.
+    const jit::FragmentShape &shape = m_program.shape();
+    const bool early = m_depth.active() && !shape.kills && !shape.writesDepth &&
+                       m_key.alphaTest == abi::Compare::Always;
+    Value *mask = nullptr;
+    llvm::BasicBlock *rest = nullptr;
+    if (early) {
+      mask = m_depth.test(place, m_interpolator.depth(), nullptr);
+      auto *const shaded = block("shaded");
+      rest = block("tested");
+      m_ir.CreateCondBr(m_ir.CreateOrReduce(mask), shaded, rest);
+      m_ir.SetInsertPoint(shaded);
+    }
+    const FragmentColors fragment = colorsOf(path, samples, place, nullptr);
+    if (fragment.alive)
+      mask = m_ir.CreateAnd(fragment.alive, mask ? mask : place.covered);
+    mask = m_pixels.alphaTested(place, fragment, mask);
+    if (m_depth.active() && !early)
+      mask = m_depth.test(place, fragment.depth ? fragment.depth : m_interpolator.depth(), mask);
+    m_pixels.write(place, fragment, mask);
+    if (rest) {
+      m_ir.CreateBr(rest);
+      m_ir.SetInsertPoint(rest);
+    }
   }
 
   /// The program over one vector of pixels, its options applied.
@@ -191,6 +216,8 @@ private:
     const bool several = program.options.drawBuffers;
     for (std::size_t i = 0; i < program.outputs.size(); ++i) {
       const ir::Output output = program.outputs[i];
+      if (output.kind == ir::OutputKind::Depth)
+        fragment.depth = results.outputs[i][2];
       if (output.kind != ir::OutputKind::Color)
         continue;
       // Without ARB_draw_buffers the one colour goes to all buffers.
@@ -213,6 +240,7 @@ private:
   Places m_places;
   Interpolator m_interpolator;
   PixelWriter m_pixels;
+  DepthStencil m_depth;
   ByteProgram m_bytes;
   std::optional<ByteTables> m_tables;
 };

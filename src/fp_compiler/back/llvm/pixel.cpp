@@ -2,29 +2,70 @@
 
 namespace arbiter::fp::llvm_back {
 
-int PixelWriter::componentOf(const abi::Format &format, int k) {
-  for (int c = 0; c < 4; ++c)
-    if (format.swizzle[std::size_t(c)] == abi::From(k))
-      return c;
-  return -1;
+namespace {
+Value *combined(Code &code, abi::LogicOp op, Value *source, Value *dest) {
+  llvm::IRBuilder<> &ir = code.ir;
+  switch (op) {
+  case abi::LogicOp::Clear:
+    return llvm::Constant::getNullValue(source->getType());
+  case abi::LogicOp::And:
+    return ir.CreateAnd(source, dest);
+  case abi::LogicOp::AndReverse:
+    return ir.CreateAnd(source, ir.CreateNot(dest));
+  case abi::LogicOp::Copy:
+    return source;
+  case abi::LogicOp::AndInverted:
+    return ir.CreateAnd(ir.CreateNot(source), dest);
+  case abi::LogicOp::Noop:
+    return dest;
+  case abi::LogicOp::Xor:
+    return ir.CreateXor(source, dest);
+  case abi::LogicOp::Or:
+    return ir.CreateOr(source, dest);
+  case abi::LogicOp::Nor:
+    return ir.CreateNot(ir.CreateOr(source, dest));
+  case abi::LogicOp::Equiv:
+    return ir.CreateNot(ir.CreateXor(source, dest));
+  case abi::LogicOp::Invert:
+    return ir.CreateNot(dest);
+  case abi::LogicOp::OrReverse:
+    return ir.CreateOr(source, ir.CreateNot(dest));
+  case abi::LogicOp::CopyInverted:
+    return ir.CreateNot(source);
+  case abi::LogicOp::OrInverted:
+    return ir.CreateOr(ir.CreateNot(source), dest);
+  case abi::LogicOp::Nand:
+    return ir.CreateNot(ir.CreateAnd(source, dest));
+  case abi::LogicOp::Set:
+    return llvm::Constant::getAllOnesValue(source->getType());
+  }
+  llvm_unreachable("a logic operation");
+}
+} // namespace
+
+Value *compared(Code &code, abi::Compare compare, Value *a, Value *b) {
+  using Predicate = llvm::CmpInst::Predicate;
+  static constexpr Predicate kFloats[] = {
+      Predicate::FCMP_FALSE, Predicate::FCMP_OLT, Predicate::FCMP_OEQ, Predicate::FCMP_OLE,
+      Predicate::FCMP_OGT,   Predicate::FCMP_UNE, Predicate::FCMP_OGE, Predicate::FCMP_TRUE};
+  static constexpr Predicate kIntegers[] = {
+      Predicate::BAD_ICMP_PREDICATE, Predicate::ICMP_SLT,          Predicate::ICMP_EQ,
+      Predicate::ICMP_SLE,           Predicate::ICMP_SGT,          Predicate::ICMP_NE,
+      Predicate::ICMP_SGE,           Predicate::BAD_ICMP_PREDICATE};
+  if (compare == abi::Compare::Always || compare == abi::Compare::Never)
+    return compare == abi::Compare::Always ? llvm::Constant::getAllOnesValue(code.i1)
+                                           : llvm::Constant::getNullValue(code.i1);
+  if (a->getType()->getScalarType()->isIntegerTy())
+    return code.ir.CreateICmp(kIntegers[int(compare)], a, b);
+  return code.ir.CreateFCmp(kFloats[int(compare)], a, b);
 }
 
 bool PixelWriter::supports(const abi::FragmentKey &key, std::string &reason) {
-  for (const abi::ColorTargetKey &target : key.targets) {
-    if (target.format.layout != abi::Layout::None && target.format.layout != abi::Layout::U8x4) {
-      reason = "colour buffers other than of four bytes";
+  for (const abi::ColorTargetKey &target : key.targets)
+    if (target.format.layout != abi::Layout::None && !isDrawable(target.format.layout)) {
+      reason = "a colour buffer of a layout that is not drawn to";
       return false;
     }
-    if (target.blend.enabled) {
-      reason = "blending";
-      return false;
-    }
-  }
-  if (key.alphaTest != abi::Compare::Always || key.logicOpEnabled ||
-      key.depthStencil.layout != abi::Layout::None) {
-    reason = "tests and logic operations";
-    return false;
-  }
   return true;
 }
 
@@ -35,37 +76,78 @@ void PixelWriter::setPixel(Value *x, Value *y) {
                            abi::bytesOf(m_key.targets[i].format.layout), x, y);
 }
 
-void PixelWriter::write(const PixelPlace &place, FragmentColors &fragment) {
-  Value *mask = nullptr;
-  if (fragment.alive)
-    mask = m_code.ir.CreateAnd(fragment.alive, place.covered);
-  for (std::size_t i = 0; i < m_key.targets.size(); ++i)
-    if (m_key.targets[i].format.layout != abi::Layout::None && m_key.targets[i].writeMask != 0)
+Value *PixelWriter::uniform(std::size_t offset) {
+  return writeIn(m_code, m_places.entry, [&] {
+    return m_code.splat(m_code.field(m_code.ir.getFloatTy(), m_data, offset));
+  });
+}
+
+Value *PixelWriter::alphaTested(const PixelPlace &place, const FragmentColors &fragment,
+                                Value *mask) {
+  if (m_key.alphaTest == abi::Compare::Always)
+    return mask;
+  Value *alpha = fragment.colors[0][3] ? fragment.colors[0][3] : m_code.splat(0.0f);
+  if (m_key.clampColors)
+    alpha = m_code.saturate(alpha);
+  Value *const passes = compared(m_code, m_key.alphaTest, alpha,
+                                 uniform(offsetof(abi::FragmentData, alphaReference)));
+  return m_code.ir.CreateAnd(passes, mask ? mask : place.covered);
+}
+
+void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment, Value *mask) {
+  for (std::size_t i = 0; i < m_key.targets.size(); ++i) {
+    const abi::ColorTargetKey &target = m_key.targets[i];
+    if (target.format.layout == abi::Layout::None || (target.writeMask & 0xF) == 0)
+      continue;
+    if (!target.blend.enabled || m_key.logicOpEnabled) {
       storePixels(place, pixelsOf(fragment, i), i, mask);
+      continue;
+    }
+    const PixelType type = pixelType(m_code, target.format.layout);
+    Value *const old = m_targets[i].load(place, type.type, type.parts);
+    Vec source = fragment.colors[i];
+    for (Value *&component : source) {
+      component = component ? component : m_code.splat(0.0f);
+      component = m_key.clampColors ? m_code.saturate(component) : component;
+    }
+    const int bits = 8 * abi::bytesOf(target.format.layout);
+    Value *const raw =
+        bits > 32 ? old
+                  : m_code.ir.CreateBitCast(
+                        old, llvm::FixedVectorType::get(m_code.ir.getIntNTy(unsigned(bits)),
+                                                        unsigned(m_code.lanes)));
+    const Vec dest = decode(m_code, target.format, raw, 0xF);
+    storePixels(place, packPixels(m_code, target.format, blended(source, dest, target.blend)), i,
+                mask, old);
+  }
 }
 
 Value *PixelWriter::pixelsOf(const FragmentColors &fragment, std::size_t target) {
-  const Vec &color = fragment.colors[target];
-  Value *const pixels = passedThrough(fragment, color, m_key.targets[target]);
-  return pixels ? pixels : packUnorm8(m_code, m_key.targets[target].format, color);
+  const abi::ColorTargetKey &key = m_key.targets[target];
+  Vec color = fragment.colors[target];
+  if (key.format.layout == abi::Layout::U8x4)
+    if (Value *const pixels = passedThrough(fragment, color, key))
+      return pixels;
+  if (m_key.clampColors && isFloat(key.format.layout))
+    for (Value *&component : color)
+      component = component ? m_code.saturate(component) : nullptr;
+  return packPixels(m_code, key.format, color);
 }
 
 void PixelWriter::storePixels(const PixelPlace &place, Value *pixels, std::size_t target,
-                              Value *mask) {
+                              Value *mask, Value *old) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const abi::ColorTargetKey &key = m_key.targets[target];
-  std::uint32_t kept = 0;
-  for (int k = 0; k < 4; ++k) {
-    const int c = componentOf(key.format, k);
-    if (c >= 0 && !(key.writeMask >> c & 1))
-      kept |= 0xFFu << (8 * k);
-  }
-  if (kept != 0) {
-    Value *const old = m_targets[target].load(place, ir.getInt32Ty(), 1);
-    pixels = ir.CreateOr(ir.CreateAnd(pixels, m_code.splat(int(~kept))),
-                         ir.CreateAnd(old, m_code.splat(int(kept))));
-  }
-  m_targets[target].store(place, pixels, 1, mask);
+  const PixelType type = pixelType(m_code, key.format.layout);
+  const bool logic = m_key.logicOpEnabled && !isFloat(key.format.layout);
+  Value *const kept = keptBits(m_code, key.format, key.writeMask);
+  if ((kept || logic) && !old)
+    old = m_targets[target].load(place, type.type, type.parts);
+  if (logic)
+    pixels = combined(m_code, m_key.logicOp, pixels, old);
+  if (kept)
+    pixels = ir.CreateOr(ir.CreateAnd(pixels, ir.CreateNot(kept)), ir.CreateAnd(old, kept));
+  m_targets[target].store(place, pixels, type.parts, mask);
 }
 
 Value *PixelWriter::passedThrough(const FragmentColors &fragment, const Vec &color,

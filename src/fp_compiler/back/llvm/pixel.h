@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "fp_compiler/back/llvm/pixel_memory.h"
+#include "fp_compiler/back/llvm/pixel_pack.h"
 #include "fp_compiler/jit.h"
 
 /// What happens to a fragment after its program.
@@ -17,9 +18,13 @@ struct PackedTexel {
 /// What the program made of the fragments.
 struct FragmentColors {
   std::array<Vec, abi::kMaxColorTargets> colors = {}; ///< by target; null components are zero
+  Value *depth = nullptr;                             ///< the program's; null: the fragment's own
   Value *alive = nullptr;                             ///< lanes that no KIL discarded; null: all
   std::vector<PackedTexel> texels;
 };
+
+/// a <comparison> b, of numbers or of signed integers. Ordered: false for NaN, but for NotEqual.
+[[nodiscard]] Value *compared(Code &code, abi::Compare compare, Value *a, Value *b);
 
 /// Writes colours to the targets.
 class PixelWriter {
@@ -31,18 +36,23 @@ public:
   [[nodiscard]] static bool supports(const abi::FragmentKey &key, std::string &reason);
   /// In the item's block: its first pixel.
   void setPixel(Value *x, Value *y);
-  void write(const PixelPlace &place, FragmentColors &fragment);
+  /// Lanes that the alpha test discards taken away from \p mask, which may be null.
+  [[nodiscard]] Value *alphaTested(const PixelPlace &place, const FragmentColors &fragment,
+                                   Value *mask);
+  /// \param mask lanes that are written; null: all that are covered
+  void write(const PixelPlace &place, const FragmentColors &fragment, Value *mask);
   /// A target's pixels of colours without blending, its write mask not applied.
   [[nodiscard]] Value *pixelsOf(const FragmentColors &fragment, std::size_t target);
-  /// Stores them under the write mask; \p mask may be null.
-  void storePixels(const PixelPlace &place, Value *pixels, std::size_t target, Value *mask);
+  /// Stores them under the write mask; \p mask and \p old, what was there, may be null.
+  void storePixels(const PixelPlace &place, Value *pixels, std::size_t target, Value *mask,
+                   Value *old = nullptr);
 
 private:
   /// The stored bits of texels that were sampled and not touched; null where it was another colour.
   [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
                                      const abi::ColorTargetKey &target);
-  /// The component that byte \p k of a pixel holds; -1 for none.
-  [[nodiscard]] static int componentOf(const abi::Format &format, int k);
+  [[nodiscard]] Vec blended(const Vec &source, const Vec &dest, const abi::BlendKey &key);
+  [[nodiscard]] Value *uniform(std::size_t offset);
 
   Code &m_code;
   const abi::FragmentKey &m_key;
@@ -50,9 +60,5 @@ private:
   Value *m_data;
   std::vector<PixelMemory> m_targets; ///< by target; those with a layout
 };
-
-/// U8x4 pixels of colours, by the swizzle; bytes that hold no component are 0xFF. Values beyond
-/// [0,1] are clamped, NaN gives 0, and c/255 gives c.
-[[nodiscard]] Value *packUnorm8(Code &code, const abi::Format &format, const Vec &color);
 
 } // namespace arbiter::fp::llvm_back
