@@ -19,7 +19,8 @@ public:
         m_pixels(code, key, m_places, function->getArg(0)),
         m_depth(code, key, m_places, function->getArg(0), function->getArg(1)) {}
 
-  void write() {
+  /// False where a row cannot give a level of detail.
+  bool write() {
     m_places.entry = block("entry");
     m_places.item = block("item");
     auto *const next = block("next");
@@ -63,6 +64,7 @@ public:
     m_ir.CreateCondBr(m_ir.CreateICmpEQ(following, m_function->getArg(3)), done, item);
     m_ir.SetInsertPoint(done);
     m_ir.CreateRetVoid();
+    return !m_refused;
   }
 
 private:
@@ -73,9 +75,9 @@ private:
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
   /// none wraps, and the edges before and behind them. Else all as it comes.
   void writeSpan(Value *count, llvm::BasicBlock *next) {
-    const AffineFlow flow(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
-                          count);
-    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, flow,
+    m_flow.emplace(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+                   count);
+    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, *m_flow,
                                      m_function->getArg(0), count);
     if (!samples.any()) {
       writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
@@ -209,7 +211,7 @@ private:
                           const PixelPlace &place, Value *given) {
     const ir::Program &program = m_program.program();
     FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
-                        samples, path, place);
+                        m_flow ? &*m_flow : nullptr, samples, path, place);
     hooks.give(given);
     const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
     FragmentColors fragment;
@@ -226,6 +228,7 @@ private:
           fragment.colors[target] = results.outputs[i];
     }
     fragment.alive = hooks.alive();
+    m_refused |= hooks.refused();
     fragment.texels = hooks.takeTexels();
     applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
                  hooks, fragment);
@@ -241,6 +244,8 @@ private:
   Interpolator m_interpolator;
   PixelWriter m_pixels;
   DepthStencil m_depth;
+  std::optional<AffineFlow> m_flow;
+  bool m_refused = false;
   ByteProgram m_bytes;
   std::optional<ByteTables> m_tables;
 };
@@ -250,8 +255,10 @@ bool writeFragment(Code &code, llvm::Function *function, const jit::FragmentProg
                    const abi::FragmentKey &key, std::string &reason) {
   if (!PixelWriter::supports(key, reason))
     return false;
-  Writer(code, function, program, key).write();
-  return true;
+  if (Writer(code, function, program, key).write())
+    return true;
+  reason = "a level of detail that only quads of pixels can tell";
+  return false;
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -15,6 +15,8 @@ std::optional<Affine> negated(Code &code, std::optional<Affine> value, bool nega
   value->base = code.ir.CreateFNeg(value->base);
   if (value->slope)
     value->slope = code.ir.CreateFNeg(value->slope);
+  if (value->slopeY)
+    value->slopeY = code.ir.CreateFNeg(value->slopeY);
   return value;
 }
 } // namespace
@@ -53,7 +55,9 @@ Value *AffineFlow::magnitudeOf(Value *value) {
   return m_code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value);
 }
 
-Affine AffineFlow::uniform(Value *scalar) { return {scalar, nullptr, magnitudeOf(scalar), 0}; }
+Affine AffineFlow::uniform(Value *scalar) {
+  return {scalar, nullptr, nullptr, magnitudeOf(scalar), 0};
+}
 
 void AffineFlow::step(const ir::Instruction &instruction) {
   if (ir::info(instruction.op).has(ir::Kills) || instruction.dst.file != ir::File::Temporary)
@@ -105,22 +109,24 @@ std::optional<Affine> AffineFlow::add(const std::optional<Affine> &a,
   if (!a || !b)
     return std::nullopt;
   llvm::IRBuilder<> &ir = m_code.ir;
-  Value *const slope = !a->slope   ? b->slope
-                       : !b->slope ? a->slope
-                                   : ir.CreateFAdd(a->slope, b->slope);
-  return Affine{ir.CreateFAdd(a->base, b->base), slope, ir.CreateFAdd(a->magnitude, b->magnitude),
-                std::max(a->rounds, b->rounds) + 1};
+  const auto sum = [&](Value *one, Value *other) {
+    return !one ? other : !other ? one : ir.CreateFAdd(one, other);
+  };
+  return Affine{ir.CreateFAdd(a->base, b->base), sum(a->slope, b->slope), sum(a->slopeY, b->slopeY),
+                ir.CreateFAdd(a->magnitude, b->magnitude), std::max(a->rounds, b->rounds) + 1};
 }
 
 std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
                                            const std::optional<Affine> &b) {
-  if (!a || !b || (a->slope && b->slope))
+  const auto varies = [](const Affine &value) { return value.slope || value.slopeY; };
+  if (!a || !b || (varies(*a) && varies(*b)))
     return std::nullopt;
   llvm::IRBuilder<> &ir = m_code.ir;
-  Value *const slope = a->slope   ? ir.CreateFMul(a->slope, b->base)
-                       : b->slope ? ir.CreateFMul(b->slope, a->base)
-                                  : nullptr;
-  return Affine{ir.CreateFMul(a->base, b->base), slope, ir.CreateFMul(a->magnitude, b->magnitude),
+  const auto scaled = [&](Value *one, Value *other) -> Value * {
+    return one ? ir.CreateFMul(one, b->base) : other ? ir.CreateFMul(other, a->base) : nullptr;
+  };
+  return Affine{ir.CreateFMul(a->base, b->base), scaled(a->slope, b->slope),
+                scaled(a->slopeY, b->slopeY), ir.CreateFMul(a->magnitude, b->magnitude),
                 a->rounds + b->rounds + 1};
 }
 
@@ -176,10 +182,11 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
     return uniform(ir.CreateFPExt(m_interpolator.constant(plane), number));
   Value *const row = ir.CreateFPExt(m_interpolator.rowConstant(plane), number);
   Value *const slope = ir.CreateFPExt(m_interpolator.slope(plane, false), number);
+  Value *const slopeY = ir.CreateFPExt(m_interpolator.slope(plane, true), number);
   Value *const from = ir.CreateSIToFP(m_interpolator.fromOrigin(), number);
   Value *const reach = ir.CreateFAdd(magnitudeOf(from), ir.CreateSIToFP(m_count, number));
   // Two roundings: dx * x, and its sum with the row's constant, which is taken as it is.
-  return Affine{ir.CreateFAdd(row, ir.CreateFMul(slope, from)), slope,
+  return Affine{ir.CreateFAdd(row, ir.CreateFMul(slope, from)), slope, slopeY,
                 ir.CreateFAdd(magnitudeOf(row), ir.CreateFMul(magnitudeOf(slope), reach)), 2};
 }
 
@@ -191,11 +198,11 @@ std::optional<Affine> AffineFlow::position(int component) {
   if (component == 0) {
     Value *const x = ir.CreateSIToFP(m_interpolator.pixelX(), ir.getDoubleTy());
     Value *const last = ir.CreateFAdd(x, ir.CreateSIToFP(m_count, ir.getDoubleTy()));
-    return Affine{ir.CreateFAdd(x, centre), number(1), ir.CreateFAdd(last, number(1)), 0};
+    return Affine{ir.CreateFAdd(x, centre), number(1), nullptr, ir.CreateFAdd(last, number(1)), 0};
   }
   if (component == 1 && !options.originUpperLeft) {
     Value *const y = ir.CreateSIToFP(m_interpolator.pixelY(), ir.getDoubleTy());
-    return Affine{ir.CreateFAdd(y, centre), nullptr, ir.CreateFAdd(y, number(1)), 0};
+    return Affine{ir.CreateFAdd(y, centre), nullptr, number(1), ir.CreateFAdd(y, number(1)), 0};
   }
   return std::nullopt;
 }

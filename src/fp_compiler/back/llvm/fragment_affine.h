@@ -17,6 +17,7 @@ namespace arbiter::fp::llvm_back {
 struct Affine {
   Value *base = nullptr;
   Value *slope = nullptr;     ///< null: the same for all pixels
+  Value *slopeY = nullptr;    ///< from a row to the next; null: none
   Value *magnitude = nullptr; ///< of the value and of all it was made from, over the span
   int rounds = 0;
 };

@@ -43,6 +43,30 @@ std::size_t FragmentHooks::nextTexture() {
   return m_next++;
 }
 
+void FragmentHooks::addDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const int dimensions = key.dimension == abi::Dimension::Tex1D   ? 1
+                         : key.dimension == abi::Dimension::Tex3D ? 3
+                                                                  : 2;
+  const AffineFlow::Axes *const axes = m_flow ? m_flow->coordinate(index) : nullptr;
+  const bool projected = m_program.program().code[index].op == ir::Opcode::Txp;
+  m_refused |= !axes || projected || key.dimension == abi::Dimension::Cube;
+  for (std::size_t c = 0; c < std::size_t(dimensions) && !m_refused; ++c) {
+    const std::optional<Affine> &axis = (*axes)[c];
+    if (!axis) {
+      m_refused = true;
+      return;
+    }
+    const auto inLanes = [&](Value *slope) {
+      return writeIn(m_code, m_places.item, [&] {
+        return slope ? m_code.splat(ir.CreateFPTrunc(slope, ir.getFloatTy())) : m_code.splat(0.0f);
+      });
+    };
+    at.dx[c] = inLanes(axis->slope);
+    at.dy[c] = inLanes(axis->slopeY);
+  }
+}
+
 Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operand,
                            unsigned needed) {
   llvm::IRBuilder<> &ir = m_code.ir;
@@ -67,6 +91,9 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   }
   if (m_path == SamplePath::Consecutive && m_samples->has(index))
     at.texels = m_samples->texels(index, m_place.column);
+  const bool hasLevels = key.mip != abi::MipFilter::None || key.magnify != key.minify;
+  if (hasLevels && m_place.lanes == abi::Lanes::Row && key.format.layout != abi::Layout::None)
+    addDerivatives(at, index, key);
   Value *const view = writeIn(m_code, m_places.entry, [&] {
     return m_code.field(ir.getPtrTy(), m_data,
                         offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);
