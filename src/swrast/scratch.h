@@ -22,9 +22,12 @@ struct Draw {
     return indices ? indices[place] : first + place;
   }
   /// A face that is culled has the other's mode, so that no mode that is not seen is asked for.
+  /// That decides how quads are cut; points are the exception that hosts make.
   [[nodiscard]] PolygonMode modeOf(bool backFacing) const {
-    const bool isBack = backFacing ? !state.cullBack : state.cullFront;
-    return isBack ? state.back : state.front;
+    const PolygonMode own = backFacing ? state.back : state.front;
+    const PolygonMode other = backFacing ? state.front : state.back;
+    const bool culled = backFacing ? state.cullBack : state.cullFront;
+    return culled && own != PolygonMode::Point ? other : own;
   }
   [[nodiscard]] bool isFilled() const {
     return modeOf(false) == PolygonMode::Fill && modeOf(true) == PolygonMode::Fill;
