@@ -52,8 +52,8 @@ void Bins::link(Chunk &chunk, int tileX, int tileY, bool covers) {
 void Bins::addShape(const Draw &draw, Chunk &chunk, const Triangle &triangle, Shape &shape) {
   const RasterState &state = draw.state;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, draw.shading, draw.vertices, triangle, state.offsetFill, shape.left,
-             shape.bottom, shape.primitive);
+  makePlanes(state, draw.plan, triangle, state.offsetFill, shape.left, shape.bottom,
+             shape.primitive);
   chunk.records.push_back({{std::uint32_t(chunk.shapes.size())}, 0, true, triangle.backFacing});
   chunk.shapes.push_back(shape);
   const bool hides = draw.shading.opaque && !shape.stippled;
@@ -144,7 +144,7 @@ void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels
       }
       triangle.provoking = record.provoking;
       triangle.backFacing = record.backFacing;
-      emitter.shadeSmall(draw.vertices, triangle, rect);
+      emitter.shadeSmall(draw.plan, triangle, rect);
     }
   }
   pixels += emitter.pixels();

@@ -184,8 +184,8 @@ bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology
   shape.top = rectangle.pixels.y + rectangle.pixels.height;
   shape.edgeCount = 0;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, shading, vertices, triangle, state.offsetFill, shape.left, shape.bottom,
-             shape.primitive);
+  makePlanes(state, PlanePlan(shading, vertices), triangle, state.offsetFill, shape.left,
+             shape.bottom, shape.primitive);
   return true;
 }
 

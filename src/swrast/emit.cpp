@@ -68,7 +68,7 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   flush();
 }
 
-void Emitter::shadeSmall(const Vertices &vertices, const Triangle &triangle, const Rect &rect) {
+void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
   const std::int64_t area = areaOf(triangle.corner);
   Shape shape;
   if (!setBounds(rect, triangle.corner, 3, shape))
@@ -78,8 +78,7 @@ void Emitter::shadeSmall(const Vertices &vertices, const Triangle &triangle, con
   m_stippled = m_state.polygonStipple != nullptr;
   m_isRow = wantsRows(shape.right - shape.left);
   const auto planes = [&] {
-    makePlanes(m_state, m_shading, vertices, triangle, m_state.offsetFill, shape.left, shape.bottom,
-               m_small);
+    makePlanes(m_state, plan, triangle, m_state.offsetFill, shape.left, shape.bottom, m_small);
   };
   if (m_isRow) {
     planes();

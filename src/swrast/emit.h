@@ -19,7 +19,7 @@ public:
   void shade(const Shape &shape, int left, int bottom, int right, int top);
   /// What of a triangle of less than kSmallExtent lies in the rectangle. Planes are made only if a
   /// pixel is covered.
-  void shadeSmall(const Vertices &vertices, const Triangle &triangle, const Rect &rect);
+  void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
   void flush();
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
 

@@ -146,8 +146,7 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   plane.clipped = true;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makePlanes(draw.state, draw.shading, draw.vertices, plane, false, shape.left, shape.bottom,
-             shape.primitive);
+  makePlanes(draw.state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);
   return true;
 }
 

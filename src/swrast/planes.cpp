@@ -56,47 +56,43 @@ bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area, 
 
 namespace {
 
-/// The linear functions over a triangle.
+/// The linear functions over a triangle: what a change of a value along its two sides adds per
+/// pixel.
 struct Gradients {
-  double x1, y1, x2, y2; ///< corners 1 and 2 from corner 0
-  double inverse;
+  double dx1, dx2, dy1, dy2;
   double toX, toY; ///< the origin's centre from corner 0
 
   [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
     const double d1 = f1 - f0, d2 = f2 - f0;
-    const double dx = (d1 * y2 - d2 * y1) * inverse, dy = (d2 * x1 - d1 * x2) * inverse;
+    const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
     return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
   }
 };
 
 Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], int originX,
                       int originY) {
-  Gradients g{};
-  g.x1 = double(corner[1].x) - corner[0].x;
-  g.y1 = double(corner[1].y) - corner[0].y;
-  g.x2 = double(corner[2].x) - corner[0].x;
-  g.y2 = double(corner[2].y) - corner[0].y;
-  g.toX = originX + 0.5 - corner[0].x;
-  g.toY = originY + 0.5 - corner[0].y;
+  double x1 = double(corner[1].x) - corner[0].x, y1 = double(corner[1].y) - corner[0].y;
+  double x2 = double(corner[2].x) - corner[0].x, y2 = double(corner[2].y) - corner[0].y;
+  double toX = originX + 0.5 - corner[0].x, toY = originY + 0.5 - corner[0].y;
   if (state.upsideDownHeight != 0) {
-    g.y1 = -g.y1;
-    g.y2 = -g.y2;
-    g.toY = originY + 0.5 - (double(state.upsideDownHeight) - corner[0].y);
+    y1 = -y1;
+    y2 = -y2;
+    toY = originY + 0.5 - (double(state.upsideDownHeight) - corner[0].y);
   }
-  double area = g.x1 * g.y2 - g.x2 * g.y1;
+  double area = x1 * y2 - x2 * y1;
   constexpr double kUnit = 1.0 / kSubpixels;
   if (std::fabs(area) < kUnit * kUnit) {
     // So thin that what was lost by snapping could turn it over: the snapped corners have an area.
-    g.x1 = (corner[1].fixedX - corner[0].fixedX) * kUnit;
-    g.y1 = (corner[1].fixedY - corner[0].fixedY) * kUnit;
-    g.x2 = (corner[2].fixedX - corner[0].fixedX) * kUnit;
-    g.y2 = (corner[2].fixedY - corner[0].fixedY) * kUnit;
-    g.toX = originX - corner[0].fixedX * kUnit;
-    g.toY = originY - corner[0].fixedY * kUnit;
-    area = g.x1 * g.y2 - g.x2 * g.y1;
+    x1 = (corner[1].fixedX - corner[0].fixedX) * kUnit;
+    y1 = (corner[1].fixedY - corner[0].fixedY) * kUnit;
+    x2 = (corner[2].fixedX - corner[0].fixedX) * kUnit;
+    y2 = (corner[2].fixedY - corner[0].fixedY) * kUnit;
+    toX = originX - corner[0].fixedX * kUnit;
+    toY = originY - corner[0].fixedY * kUnit;
+    area = x1 * y2 - x2 * y1;
   }
-  g.inverse = area != 0 ? 1.0 / area : 0.0;
-  return g;
+  const double inverse = area != 0 ? 1.0 / area : 0.0;
+  return {y2 * inverse, -y1 * inverse, -x2 * inverse, x1 * inverse, toX, toY};
 }
 
 float offsetOf(const RasterState &state, const abi::Plane &z) {
@@ -106,6 +102,40 @@ float offsetOf(const RasterState &state, const abi::Plane &z) {
 
 constexpr float kMissing[4] = {0, 0, 0, 1};
 
+/// A value at each corner.
+template <bool kClipped>
+void fetch(const PlanePlan::Source &source, const Triangle &triangle, double f[3]) {
+  const int face = triangle.backFacing ? 1 : 0;
+  const float *const values = source.values[face];
+  const std::uint32_t mask = source.mask[face];
+  double v[3];
+  for (int k = 0; k < 3; ++k)
+    v[k] = values[triangle.vertex[k] & mask];
+  for (int k = 0; k < 3; ++k)
+    f[k] = kClipped ? triangle.weight[k][0] * v[0] + triangle.weight[k][1] * v[1] +
+                          triangle.weight[k][2] * v[2]
+                    : v[k];
+}
+
+template <bool kClipped>
+void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients &g,
+                abi::Primitive &primitive) {
+  double inverseW[3], f[3];
+  for (int k = 0; k < 3; ++k)
+    inverseW[k] = triangle.corner[k].inverseW;
+  for (int i = 0; i < plan.linearFrom; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    fetch<kClipped>(source, triangle, f);
+    primitive.inputs[source.input][source.component] =
+        g.plane(f[0] * inverseW[0], f[1] * inverseW[1], f[2] * inverseW[2]);
+  }
+  for (int i = plan.linearFrom; i < plan.flatFrom; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    fetch<kClipped>(source, triangle, f);
+    primitive.inputs[source.input][source.component] = g.plane(f[0], f[1], f[2]);
+  }
+}
+
 } // namespace
 
 float depthOffset(const RasterState &state, const WindowVertex corner[3]) {
@@ -113,50 +143,56 @@ float depthOffset(const RasterState &state, const WindowVertex corner[3]) {
                   gradientsOf(state, corner, 0, 0).plane(corner[0].z, corner[1].z, corner[2].z));
 }
 
-void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
-                const Triangle &triangle, bool offset, int originX, int originY,
-                abi::Primitive &primitive) {
+PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)
+    : wantsDepth(shading.readsDepth), wantsW(shading.readsW) {
+  const auto add = [&](abi::Interpolation interpolation) {
+    for (std::uint32_t i = 0; i < shading.inputCount; ++i) {
+      if (shading.interpolation[i] != interpolation)
+        continue;
+      const float *const *const front = vertices.inputs[i];
+      const float *const *back = vertices.backInputs[i];
+      if (!back[0] && !back[1] && !back[2] && !back[3])
+        back = front;
+      for (int c = 0; c < 4; ++c) {
+        if (!((shading.inputComponents[i] >> c) & 1u))
+          continue;
+        sources[count++] = {{front[c] ? front[c] : &kMissing[c], back[c] ? back[c] : &kMissing[c]},
+                            {front[c] ? ~0u : 0u, back[c] ? ~0u : 0u},
+                            std::uint8_t(i),
+                            std::uint8_t(c)};
+      }
+    }
+  };
+  add(abi::Interpolation::Perspective);
+  linearFrom = count;
+  add(abi::Interpolation::Linear);
+  flatFrom = count;
+  add(abi::Interpolation::Flat);
+}
+
+void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                bool offset, int originX, int originY, abi::Primitive &primitive) {
   primitive.originX = originX;
   primitive.originY = originY;
   primitive.backFacing = triangle.backFacing ? 1 : 0;
   const WindowVertex *const v = triangle.corner;
   const Gradients g = gradientsOf(state, v, originX, originY);
-  if (shading.readsDepth || offset) {
+  if (plan.wantsDepth || offset) {
     primitive.z = g.plane(v[0].z, v[1].z, v[2].z);
     if (offset)
       primitive.z.c += offsetOf(state, primitive.z);
   }
-  if (shading.readsW)
+  if (plan.wantsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
-  for (std::uint32_t i = 0; i < shading.inputCount; ++i) {
-    const float *const *from = vertices.inputs[i];
-    const float *const *const back = vertices.backInputs[i];
-    if (triangle.backFacing && (back[0] || back[1] || back[2] || back[3]))
-      from = back;
-    for (int c = 0; c < 4; ++c) {
-      if (!((shading.inputComponents[i] >> c) & 1u))
-        continue;
-      abi::Plane &plane = primitive.inputs[i][c];
-      const float *const values = from[c];
-      if (shading.interpolation[i] == abi::Interpolation::Flat) {
-        plane = {values ? values[triangle.provoking] : kMissing[c], 0, 0};
-        continue;
-      }
-      double f[3];
-      for (int k = 0; k < 3; ++k)
-        f[k] = values ? values[triangle.vertex[k]] : kMissing[c];
-      if (triangle.clipped && values) {
-        double at[3];
-        for (int k = 0; k < 3; ++k)
-          at[k] = triangle.weight[k][0] * f[0] + triangle.weight[k][1] * f[1] +
-                  triangle.weight[k][2] * f[2];
-        std::copy(at, at + 3, f);
-      }
-      if (shading.interpolation[i] == abi::Interpolation::Perspective)
-        for (int k = 0; k < 3; ++k)
-          f[k] *= double(v[k].inverseW);
-      plane = g.plane(f[0], f[1], f[2]);
-    }
+  if (triangle.clipped)
+    makeInputs<true>(plan, triangle, g, primitive);
+  else
+    makeInputs<false>(plan, triangle, g, primitive);
+  const int face = triangle.backFacing ? 1 : 0;
+  for (int i = plan.flatFrom; i < plan.count; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    primitive.inputs[source.input][source.component] = {
+        source.values[face][triangle.provoking & source.mask[face]], 0, 0};
   }
 }
 

@@ -65,8 +65,7 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
   plane.clipped = true;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
-  makePlanes(state, draw.shading, draw.vertices, plane, false, shape.left, shape.bottom,
-             shape.primitive);
+  makePlanes(state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);
   for (std::uint32_t i = 0; i < draw.shading.inputCount; ++i) {
     if (!((state.spriteInputs >> i) & 1u))
       continue;

@@ -70,8 +70,8 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
   const Rect clip = intersect(state.clip, draw.viewport.pixels);
   const auto take = [&](const Triangle &triangle, Shape &shape) {
     shape.stippled = state.polygonStipple != nullptr;
-    makePlanes(state, draw.shading, draw.vertices, triangle, state.offsetFill, shape.left,
-               shape.bottom, shape.primitive);
+    makePlanes(state, draw.plan, triangle, state.offsetFill, shape.left, shape.bottom,
+               shape.primitive);
     shapes.push_back(shape);
   };
   for (std::uint32_t i = 0; i < triangles; ++i) {
@@ -127,8 +127,15 @@ DrawStatistics draw(const RasterState &state, const Shading &shading, Topology t
     if (shapeOfRectangle(state, shading, topology, vertices, rectangle, shape))
       return {1, shadeInBands(state, shading, &shape, 1)};
   }
-  Draw all = {state,   shading, topology, vertices,
-              indices, first,   count,    makeViewport(state, vertices)};
+  Draw all = {state,
+              shading,
+              topology,
+              vertices,
+              indices,
+              first,
+              count,
+              makeViewport(state, vertices),
+              PlanePlan(shading, vertices)};
   placeVertices(all, scratch().window);
   if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);

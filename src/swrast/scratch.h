@@ -15,6 +15,7 @@ struct Draw {
   const std::uint32_t *indices;
   std::uint32_t first, count;
   Viewport viewport;
+  PlanePlan plan;
   const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
   bool otherDiagonal = false;           ///< of quads: see triangleAt()
 

@@ -90,12 +90,24 @@ struct Triangle {
 /// Bounds and edges; false if no pixel of the clip rectangle can be inside. `area` is not 0.
 [[nodiscard]] bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area,
                            Shape &shape);
+/// Which planes a primitive of the draw has, and from which arrays; sorted once a draw.
+struct PlanePlan {
+  PlanePlan(const Shading &shading, const Vertices &vertices);
+  /// The value of vertex v is values[v & mask]: a component without an array is constant.
+  struct Source {
+    const float *values[2]; ///< of front and of back faces
+    std::uint32_t mask[2];
+    std::uint8_t input, component;
+  };
+  Source sources[abi::kMaxInputs * 4]; ///< Perspective ones first, then Linear, then Flat
+  int linearFrom = 0, flatFrom = 0, count = 0;
+  bool wantsDepth, wantsW;
+};
+
 /// The planes, exact at pixel (originX, originY), which is better near the triangle than far off.
 /// `offset`: of depth.
-void makePlanes(const RasterState &state, const Shading &shading, const Vertices &vertices,
-                const Triangle &triangle, bool offset, int originX, int originY,
-                abi::Primitive &primitive);
-
+void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                bool offset, int originX, int originY, abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
 

@@ -203,8 +203,8 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     Shape shape;
     const auto take = [&](const Triangle &part, Shape &filled) {
       filled.stippled = state.polygonStipple != nullptr;
-      makePlanes(state, draw.shading, draw.vertices, part, state.offsetFill, filled.left,
-                 filled.bottom, filled.primitive);
+      makePlanes(state, draw.plan, part, state.offsetFill, filled.left, filled.bottom,
+                 filled.primitive);
       m_shapes.push_back(filled);
     };
     if (any & kClipMask)
