@@ -132,7 +132,7 @@ private:
     const auto filtered = [&](Value *which) {
       m_lookup.image = loadImage(m_code, m_format, m_lookup.view, which, m_lookup.dimensions);
       return filter == abi::Filter::Nearest ? filterNearest(m_code, m_lookup)
-                                            : Texel{filterLinear(m_code, m_lookup)};
+                                            : filterLinear(m_code, m_lookup);
     };
     if (!image)
       return filtered(m_code.ir.getInt32(0));

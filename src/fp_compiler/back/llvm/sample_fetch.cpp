@@ -56,14 +56,13 @@ Value *permuted(Code &code, Value *values, Value *index) {
   return code.ir.CreateIntrinsic(id, {}, {values, index});
 }
 
-/// Whether lanes are looked at for texels close together before they are gathered. Not where a
-/// gather costs hardly more than its loads: of Sapphire Rapids and later, which the feature tells
-/// better than a name that a virtual machine made up. Intel's earlier ones are slow since they were
-/// mended against data sampling, AMD's always were, and for a processor that it does not know as
-/// fast LLVM makes no gather at all.
-bool looksForWindows(const Cpu &cpu) {
-  return (cpu.family == Cpu::Family::Avx512 || cpu.family == Cpu::Family::Avx2) &&
-         cpu.features.find("+avx512fp16") == std::string::npos;
+/// Whether a gather costs hardly more than its loads, so that nothing is worth avoiding it: on
+/// Sapphire Rapids and later, which the feature tells better than a name that a virtual machine
+/// made up. Intel's earlier ones are slow since they were mended against data sampling, AMD's
+/// always were, and for a processor that it does not know as quick LLVM makes single loads of a
+/// gather.
+bool gathersQuickly(const Cpu &cpu) {
+  return cpu.features.find("+avx512fp16") != std::string::npos;
 }
 
 /// Where the lanes' texels are within `lanes` texels of each other.
@@ -92,24 +91,88 @@ Value *loadWindow(Code &code, const ImageCode &image, Value *base, Value *lane) 
   return permuted(code, texels, lane);
 }
 
-struct Branch {
-  llvm::BasicBlock *near, *far, *join;
-};
-Branch branchOn(Code &code, Value *near) {
-  llvm::Function *const function = code.ir.GetInsertBlock()->getParent();
-  Branch branch = {llvm::BasicBlock::Create(code.context(), "texels.near", function),
-                   llvm::BasicBlock::Create(code.context(), "texels.far", function),
-                   llvm::BasicBlock::Create(code.context(), "texels", function)};
-  code.ir.CreateCondBr(near, branch.near, branch.far);
-  return branch;
+/// Whether the lanes of a row are looked at for texels within a window before they are gathered.
+bool sharesWindows(Code &code, abi::Lanes lanes, const ImageCode &image) {
+  const bool permutes =
+      code.cpu.family == Cpu::Family::Avx512 || code.cpu.family == Cpu::Family::Avx2;
+  return permutes && !gathersQuickly(code.cpu) && lanes == abi::Lanes::Row &&
+         abi::bytesOf(image.format.layout) == 4;
 }
 
-Value *joined(Code &code, Value *near, llvm::BasicBlock *nearEnd, Value *far,
-              llvm::BasicBlock *farEnd) {
-  llvm::PHINode *const phi = code.ir.CreatePHI(near->getType(), 2);
-  phi->addIncoming(near, nearEnd);
-  phi->addIncoming(far, farEnd);
-  return phi;
+Value *packHalves(Code &code, Value *both, int which) {
+  auto *const halves = llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 4);
+  llvm::SmallVector<int, 32> from;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    from.append({4 * lane + which, 4 * lane + which + 2});
+  return code.ir.CreateBitCast(
+      code.ir.CreateShuffleVector(code.ir.CreateBitCast(both, halves), from), code.i32);
+}
+
+/// Two neighbours of 32 bits with one load of 64. Reads one texel beyond the last at most.
+TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
+  Value *const both = gather(code, image, first, 0, code.ir.getInt64Ty());
+  return {packHalves(code, both, 0), packHalves(code, both, 1)};
+}
+
+TexelPair pairOf(Code &code, Value *first, Value *second) {
+  llvm::IRBuilder<> &ir = code.ir;
+  return {
+      ir.CreateOr(ir.CreateAnd(first, code.splat(0xFFFF)), ir.CreateShl(second, code.splat(16))),
+      ir.CreateOr(ir.CreateLShr(first, code.splat(16)),
+                  ir.CreateAnd(second, code.splat(int(0xFFFF0000u))))};
+}
+
+/// A row's or two rows' values for control flow, and back.
+using Pairs = std::array<TexelPair, 2>;
+Values valuesOf(const Pairs &pairs) {
+  return {pairs[0].low, pairs[0].high, pairs[1].low, pairs[1].high};
+}
+Pairs pairsOf(const Values &values) {
+  return {TexelPair{values[0], values[1]}, TexelPair{values[2], values[3]}};
+}
+
+/// Where two texels of a row, or of two rows, are.
+struct Footprint {
+  const AxisTexels &x;
+  std::array<Value *, 2> row; ///< the second may be null
+  [[nodiscard]] Value *index(Code &code, std::size_t column, std::size_t line) const {
+    return code.ir.CreateAdd(x.index[column], row[line]);
+  }
+};
+
+/// Lanes whose second texel is in memory behind the first, or does not matter; null: all.
+Value *neighbours(Code &code, const ImageCode &image, const AxisTexels &x) {
+  if (x.next == AxisTexels::Next::Edge)
+    return nullptr;
+  if (x.next == AxisTexels::Next::Repeat)
+    return code.ir.CreateICmpNE(x.index[0],
+                                code.splat(code.ir.CreateSub(image.size[0], code.ir.getInt32(1))));
+  return code.ir.CreateICmpEQ(code.ir.CreateAdd(x.index[0], code.splat(1)), x.index[1]);
+}
+
+Pairs gatherFootprint(Code &code, const ImageCode &image, const Footprint &footprint) {
+  const auto forRows = [&](const std::function<TexelPair(std::size_t)> &pair) {
+    return Pairs{pair(0), footprint.row[1] ? pair(1) : TexelPair{}};
+  };
+  const auto each = [&] {
+    return forRows([&](std::size_t line) {
+      return pairOf(code, gatherWord(code, image, footprint.index(code, 0, line), 0),
+                    gatherWord(code, image, footprint.index(code, 1, line), 0));
+    });
+  };
+  if (gathersQuickly(code.cpu) || abi::bytesOf(image.format.layout) != 4)
+    return each();
+  const auto both = [&] {
+    return forRows([&](std::size_t line) {
+      return gatherNeighbours(code, image, footprint.index(code, 0, line));
+    });
+  };
+  Value *const next = neighbours(code, image, footprint.x);
+  if (!next)
+    return both();
+  return pairsOf(eitherOf(
+      code, allLanes(code, next), [&] { return valuesOf(both()); },
+      [&] { return valuesOf(each()); }));
 }
 
 } // namespace
@@ -119,18 +182,12 @@ Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *i
   Words result = {};
   if (!words)
     return result;
-  if (lanes == abi::Lanes::Row && abi::bytesOf(image.format.layout) == 4 &&
-      looksForWindows(code.cpu)) {
+  if (sharesWindows(code, lanes, image)) {
     const Window window = windowOf(code, index);
-    const Branch branch = branchOn(code, allLanes(code, window.fits));
-    code.ir.SetInsertPoint(branch.near);
-    Value *const near = loadWindow(code, image, window.base, window.lane);
-    code.ir.CreateBr(branch.join);
-    code.ir.SetInsertPoint(branch.far);
-    Value *const far = gatherWord(code, image, index, 0);
-    code.ir.CreateBr(branch.join);
-    code.ir.SetInsertPoint(branch.join);
-    result[0] = joined(code, near, branch.near, far, branch.far);
+    result[0] = eitherOf(
+        code, allLanes(code, window.fits),
+        [&] { return Values{loadWindow(code, image, window.base, window.lane)}; },
+        [&] { return Values{gatherWord(code, image, index, 0)}; })[0];
     return result;
   }
   for (int word = 0; word < 4; word += 2) {
@@ -144,56 +201,30 @@ Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *i
   return result;
 }
 
-std::array<Value *, 4> fetchFootprint(Code &code, abi::Lanes lanes, const ImageCode &image,
-                                      const AxisTexels &x, Value *row0, Value *row1) {
-  std::array<Value *, 4> index = {code.ir.CreateAdd(x.index[0], row0),
-                                  code.ir.CreateAdd(x.index[1], row0), nullptr, nullptr};
-  if (row1) {
-    index[2] = code.ir.CreateAdd(x.index[0], row1);
-    index[3] = code.ir.CreateAdd(x.index[1], row1);
+std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const ImageCode &image,
+                                        const AxisTexels &x, Value *row0, Value *row1) {
+  const Footprint footprint = {x, {row0, row1}};
+  if (!sharesWindows(code, lanes, image))
+    return gatherFootprint(code, image, footprint);
+  std::array<Window, 2> windows;
+  Value *fits = neighbours(code, image, x);
+  for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
+    windows[line] = windowOf(code, footprint.index(code, 0, line));
+    fits = fits ? code.ir.CreateAnd(fits, windows[line].fits) : windows[line].fits;
   }
-  const auto gatherAll = [&] {
-    std::array<Value *, 4> texels = {};
-    for (std::size_t i = 0; i < 4; ++i)
-      if (index[i])
-        texels[i] = gatherWord(code, image, index[i], 0);
-    return texels;
+  const auto near = [&] {
+    Pairs pairs;
+    for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
+      // The second texels' window is one further: it ends 64 bytes behind the last row at most.
+      const Window &window = windows[line];
+      Value *const behind = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
+      pairs[line] = pairOf(code, loadWindow(code, image, window.base, window.lane),
+                           loadWindow(code, image, behind, window.lane));
+    }
+    return valuesOf(pairs);
   };
-  if (lanes != abi::Lanes::Row || abi::bytesOf(image.format.layout) != 4 ||
-      !looksForWindows(code.cpu))
-    return gatherAll();
-
-  const Window window = windowOf(code, index[0]);
-  const Window upper = row1 ? windowOf(code, index[2]) : Window{};
-  Value *fits = window.fits;
-  if (row1)
-    fits = code.ir.CreateAnd(fits, upper.fits);
-  if (!x.neighbours) {
-    Value *const next = code.ir.CreateAdd(x.index[0], code.splat(1));
-    fits = code.ir.CreateAnd(fits, code.ir.CreateICmpEQ(next, x.index[1]));
-  }
-  const Branch branch = branchOn(code, allLanes(code, fits));
-  code.ir.SetInsertPoint(branch.near);
-  // The second texels' window is one texel further: it ends at most 64 bytes behind the last row.
-  std::array<Value *, 4> near = {};
-  const auto load = [&](const Window &from, std::size_t at) {
-    near[at] = loadWindow(code, image, from.base, from.lane);
-    Value *const behind = code.ir.CreateAdd(from.base, code.ir.getInt32(1));
-    near[at + 1] = loadWindow(code, image, behind, from.lane);
-  };
-  load(window, 0);
-  if (row1)
-    load(upper, 2);
-  code.ir.CreateBr(branch.join);
-  code.ir.SetInsertPoint(branch.far);
-  const std::array<Value *, 4> far = gatherAll();
-  code.ir.CreateBr(branch.join);
-  code.ir.SetInsertPoint(branch.join);
-  std::array<Value *, 4> texels = {};
-  for (std::size_t i = 0; i < 4; ++i)
-    if (near[i])
-      texels[i] = joined(code, near[i], branch.near, far[i], branch.far);
-  return texels;
+  return pairsOf(eitherOf(code, allLanes(code, fits), near,
+                          [&] { return valuesOf(gatherFootprint(code, image, footprint)); }));
 }
 
 } // namespace arbiter::fp::llvm_back

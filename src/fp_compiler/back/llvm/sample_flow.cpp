@@ -8,23 +8,24 @@ llvm::BasicBlock *block(Code &code, const char *name) {
 }
 
 /// All values of a texel.
-std::array<Value *, 5> valuesOf(const Texel &texel) {
+Values valuesOf(const Texel &texel) {
   return {texel.rgba[0], texel.rgba[1], texel.rgba[2], texel.rgba[3], texel.packed};
 }
-Texel texelOf(const std::array<Value *, 5> &values) {
+Texel texelOf(const Values &values) {
   return {{values[0], values[1], values[2], values[3]}, values[4]};
 }
 
 } // namespace
 
-Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no) {
+Values eitherOf(Code &code, Value *condition, const std::function<Values()> &yes,
+                const std::function<Values()> &no) {
   llvm::IRBuilder<> &ir = code.ir;
   llvm::BasicBlock *const yesBlock = block(code, "yes"), *const noBlock = block(code, "no"),
                           *const join = block(code, "join");
   ir.CreateCondBr(condition, yesBlock, noBlock);
-  const auto branch = [&](llvm::BasicBlock *start, const Sampled &sampled) {
+  const auto branch = [&](llvm::BasicBlock *start, const std::function<Values()> &written) {
     ir.SetInsertPoint(start);
-    const auto values = valuesOf(sampled());
+    const Values values = written();
     llvm::BasicBlock *const end = ir.GetInsertBlock();
     ir.CreateBr(join);
     return std::make_pair(values, end);
@@ -32,7 +33,7 @@ Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no
   const auto [ofYes, yesEnd] = branch(yesBlock, yes);
   const auto [ofNo, noEnd] = branch(noBlock, no);
   ir.SetInsertPoint(join);
-  std::array<Value *, 5> values = {};
+  Values values(ofYes.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!ofYes[i] || !ofNo[i])
       continue;
@@ -41,7 +42,12 @@ Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no
     phi->addIncoming(ofNo[i], noEnd);
     values[i] = phi;
   }
-  return texelOf(values);
+  return values;
+}
+
+Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no) {
+  return texelOf(eitherOf(
+      code, condition, [&] { return valuesOf(yes()); }, [&] { return valuesOf(no()); }));
 }
 
 Texel forEachImage(Code &code, Value *image, Value *mask,
@@ -62,9 +68,9 @@ Texel forEachImage(Code &code, Value *image, Value *mask,
   std::array<llvm::PHINode *, 5> soFar = {};
   for (llvm::PHINode *&phi : soFar)
     phi = ir.CreatePHI(&phi == &soFar.back() ? code.i32 : code.f32, 2);
-  const auto values = valuesOf(sampled(scalar));
+  const Values values = valuesOf(sampled(scalar));
   Value *const mine = ir.CreateICmpEQ(image, code.splat(scalar));
-  std::array<Value *, 5> merged = {};
+  Values merged(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i])
       merged[i] = code.select(mine, values[i], soFar[i]);

@@ -28,13 +28,21 @@ struct ImageCode {
 [[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
                                   int dimensions);
 
+/// Of the weights of texels of bytes.
+inline constexpr int kWeightBits = 14;
+
 /// A dimension's texels: the one of a nearest filter, or the two neighbours of a linear one.
 struct AxisTexels {
   std::array<Value *, 2> index = {};   ///< i32, in [0, size) whatever the coordinate was
   std::array<Value *, 2> outside = {}; ///< lanes where it is the border instead; null: none
   Value *fraction = nullptr;           ///< weight of the second, in [0,1)
-  /// The second lies behind the first in all lanes, or has no weight.
-  bool neighbours = false;
+  Value *weight = nullptr;             ///< the same as an integer in [0, 2^kWeightBits], rounded
+  /// Which texel the second one is, where that is known.
+  enum class Next {
+    Any,
+    Edge,   ///< the one behind the first; at the last texel that itself, without weight
+    Repeat, ///< the one behind the first; at the last texel the first of all
+  } next = Next::Any;
 };
 /// 3.8.7 and 3.8.8 of OpenGL 1.4.
 /// \param normalized the coordinate spans the image in [0,1]; else it is in texels (rectangles)
@@ -45,8 +53,11 @@ struct AxisKey {
 };
 [[nodiscard]] AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate,
                                       Value *size);
+/// \param weights integer weights instead of fractions
 [[nodiscard]] AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate,
-                                      Value *size);
+                                      Value *size, bool weights);
+/// Whether the border can be among a filter's texels.
+[[nodiscard]] bool reachesBorder(abi::Wrap wrap, bool linear);
 
 /// The 32-bit words of a texel: words[i] holds its bytes 4*i to 4*i+3, in memory's order. Bytes
 /// beyond a smaller texel are undefined.
@@ -60,11 +71,17 @@ using Words = std::array<Value *, 4>;
 /// One texel a lane. \param index i32, of the texel in the image
 [[nodiscard]] Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
                                 unsigned words);
-/// The texels (x0, y0), (x1, y0), (x0, y1), (x1, y1) of a format of 32 bits or less; without y the
-/// last two are null.
-[[nodiscard]] std::array<Value *, 4> fetchFootprint(Code &code, abi::Lanes lanes,
-                                                    const ImageCode &image, const AxisTexels &x,
-                                                    Value *row0, Value *row1);
+/// Two neighbours of a row, of a format of 32 bits or less, as pairs of 16-bit halves: the first
+/// one's in the low half.
+struct TexelPair {
+  Value *low = nullptr;  ///< their bytes 0 and 1
+  Value *high = nullptr; ///< their bytes 2 and 3; null of smaller texels
+};
+/// \param row0,row1 what the rows add to a texel's index, i32; row1 may be null, as its pair then
+/// is
+[[nodiscard]] std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes,
+                                                      const ImageCode &image, const AxisTexels &x,
+                                                      Value *row0, Value *row1);
 
 /// A face of a cube map and the way to it: table 3.21.
 class CubeFace {
@@ -113,11 +130,22 @@ struct Lookup {
 };
 /// a where the weight is 0, b where it is 1.
 [[nodiscard]] Value *lerp(Code &code, Value *a, Value *b, Value *weight);
+/// Where both indices of each dimension are in the image: what they add to a texel's index. The
+/// first dimension's are the indices themselves.
+using Steps = std::array<std::array<Value *, 2>, 3>;
+[[nodiscard]] Steps stepsOf(Code &code, const ImageCode &image,
+                            const std::array<AxisTexels, 3> &axes, int dimensions);
 /// With a shadow comparison the first component is its result.
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
-[[nodiscard]] Vec filterLinear(Code &code, const Lookup &lookup);
+[[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
+/// The linear filter of texels of bytes, in integers; no texel is the border's.
+[[nodiscard]] Texel filterBytes(Code &code, const Lookup &lookup,
+                                const std::array<AxisTexels, 3> &axes);
 
-/// Control flow over texels. What one branch has not is not there afterwards.
+/// Control flow: the values of the branch that was taken. What one has not is not there afterwards.
+using Values = llvm::SmallVector<Value *, 5>;
+[[nodiscard]] Values eitherOf(Code &code, Value *condition, const std::function<Values()> &yes,
+                              const std::function<Values()> &no);
 using Sampled = std::function<Texel()>;
 [[nodiscard]] Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no);
 /// Takes each image that lanes ask for in turn: mostly there is but one.

@@ -64,6 +64,32 @@ Size sizeOf(Code &code, Value *size) {
   return {size, code.splat(real), code.splat(last)};
 }
 
+Value *inTexels(Code &code, const AxisKey &key, Value *coordinate, const Size &size) {
+  return key.normalized ? code.ir.CreateFMul(coordinate, size.real) : coordinate;
+}
+
+Value *mask(Code &code, const Size &size) {
+  return code.splat(code.ir.CreateSub(size.scalar, code.ir.getInt32(1)));
+}
+
+/// A fraction as an integer weight, rounded. Adding 2^9 leaves just these bits at the low end.
+Value *weightOf(Code &code, Value *fraction) {
+  Value *const bits =
+      code.ir.CreateBitCast(code.ir.CreateFAdd(fraction, code.splat(512.0f)), code.i32);
+  return code.ir.CreateAnd(bits, code.splat((2 << kWeightBits) - 1));
+}
+
+/// Of a clamped coordinate: texels in fixed point hold both the index and the weight.
+/// \param texel in [0, size - 1]
+void splitFixed(Code &code, Value *texel, AxisTexels &axis) {
+  Value *const scaled = code.ir.CreateFMul(texel, code.splat(float(1 << kWeightBits)));
+  Value *const fixed = code.toInt(code.ir.CreateFAdd(scaled, code.splat(0.5f)));
+  axis.index[0] = code.ir.CreateLShr(fixed, code.splat(kWeightBits));
+  axis.weight = code.ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+}
+
+} // namespace
+
 bool reachesBorder(Wrap wrap, bool linear) {
   switch (wrap) {
   case Wrap::ClampToBorder:
@@ -80,16 +106,6 @@ bool reachesBorder(Wrap wrap, bool linear) {
   }
   llvm_unreachable("a wrap mode");
 }
-
-Value *inTexels(Code &code, const AxisKey &key, Value *coordinate, const Size &size) {
-  return key.normalized ? code.ir.CreateFMul(coordinate, size.real) : coordinate;
-}
-
-Value *mask(Code &code, const Size &size) {
-  return code.splat(code.ir.CreateSub(size.scalar, code.ir.getInt32(1)));
-}
-
-} // namespace
 
 AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue) {
   const Size size = sizeOf(code, sizeValue);
@@ -111,7 +127,8 @@ AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate, Value
   return axis;
 }
 
-AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue) {
+static AxisTexels split(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue,
+                        bool weights) {
   const Size size = sizeOf(code, sizeValue);
   AxisTexels axis;
   Value *const half = code.splat(0.5f);
@@ -122,6 +139,7 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
     Value *const first = code.toInt(whole);
     axis.index[0] = code.ir.CreateAnd(first, mask(code, size));
     axis.index[1] = code.ir.CreateAnd(code.ir.CreateAdd(first, code.splat(1)), mask(code, size));
+    axis.next = AxisTexels::Next::Repeat;
     return axis;
   }
   Value *texel = inTexels(code, key, folded(code, key.wrap, coordinate), size);
@@ -135,6 +153,7 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
     axis.index[0] = code.select(code.ir.CreateICmpSLT(first, zero), last, first);
     axis.index[1] = code.select(code.ir.CreateICmpEQ(first, last), zero,
                                 code.ir.CreateAdd(first, code.splat(1)));
+    axis.next = AxisTexels::Next::Repeat;
     return axis;
   }
   if (reachesBorder(key.wrap, true)) {
@@ -151,12 +170,24 @@ AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value
     return axis;
   }
   texel = clamp(code, code.ir.CreateFSub(texel, half), code.splat(0.0f), size.last);
-  axis.index[0] = code.toInt(texel);
-  axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
+  if (weights) {
+    splitFixed(code, texel, axis);
+  } else {
+    axis.index[0] = code.toInt(texel);
+    axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
+  }
   // At the last texel the fraction is 0: its neighbour has no weight.
   axis.index[1] = code.ir.CreateBinaryIntrinsic(
       llvm::Intrinsic::smin, code.ir.CreateAdd(axis.index[0], code.splat(1)), mask(code, size));
-  axis.neighbours = true;
+  axis.next = AxisTexels::Next::Edge;
+  return axis;
+}
+
+AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value *size,
+                        bool weights) {
+  AxisTexels axis = split(code, key, coordinate, size, weights);
+  if (weights && !axis.weight)
+    axis.weight = weightOf(code, axis.fraction);
   return axis;
 }
 
