@@ -114,5 +114,314 @@ TEST(Rasterize, MeshesCoverEachPixelOnce) {
   }
 }
 
+/// The exact answer for one pixel: edge functions of 64 bits at its centre, the fill rule in words.
+bool isInside(const std::int64_t (&x)[3], const std::int64_t (&y)[3], int px, int py) {
+  const std::int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+  if (area == 0)
+    return false;
+  for (int i = 0; i < 3; ++i) {
+    const int a = i, b = (i + 1) % 3;
+    std::int64_t dx = x[b] - x[a], dy = y[b] - y[a];
+    if (area < 0) {
+      dx = -dx;
+      dy = -dy;
+    }
+    const std::int64_t side = dx * (py * 256 - y[a]) - dy * (px * 256 - x[a]);
+    const bool isLeft = dy < 0, isLower = dy == 0 && dx > 0;
+    if (side < 0 || (side == 0 && !isLeft && !isLower))
+      return false;
+  }
+  return true;
+}
+
+TEST(Rasterize, CoverageIsExact) {
+  std::mt19937 random(3);
+  constexpr int kSize = 48;
+  for (int round = 0; round < 1500; ++round) {
+    Canvas canvas(kSize, kSize);
+    if (round % 4 != 0)
+      canvas.useQuads(2 << (round % 4));
+    // Snapped places, so that the reference need not know how places are snapped; many of them on
+    // pixel centres, many triangles thin.
+    const int unit = round % 3 == 0 ? 256 : round % 3 == 1 ? 16 : 1;
+    std::uniform_int_distribution<int> place(0, kSize * 256 / unit);
+    std::int64_t x[40][3], y[40][3];
+    const int triangles = round % 2 ? 1 : 40; // in bands, in tiles
+    WindowVertices vertices(canvas);
+    for (int t = 0; t < triangles; ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const int wx = std::min(place(random) * unit + 128, kSize * 256);
+        const int wy = std::min(place(random) * unit + 128, kSize * 256);
+        x[t][k] = wx - 128;
+        y[t][k] = wy - 128;
+        vertices.add(wx / 256.0, wy / 256.0);
+      }
+    }
+    const DrawStatistics statistics = drawAll(canvas, Topology::Triangles, vertices);
+    std::uint64_t pixels = 0;
+    for (int py = 0; py < kSize; ++py)
+      for (int px = 0; px < kSize; ++px) {
+        std::uint32_t expected = 0;
+        for (int t = 0; t < triangles; ++t)
+          expected += isInside(x[t], y[t], px, py);
+        ASSERT_EQ(canvas.at(px, py), expected) << px << ", " << py << " in round " << round;
+        pixels += expected;
+      }
+    EXPECT_EQ(statistics.pixels, pixels);
+  }
+}
+
+TEST(Rasterize, FansCoverEachPixelOnce) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(20, 44);
+  for (int round = 0; round < 60; ++round) {
+    Canvas canvas(64, 64);
+    WindowVertices vertices(canvas);
+    vertices.add(round % 2 ? 32.5 : at(random), round % 2 ? 31.5 : at(random));
+    const int spokes = 3 + round * 2;
+    for (int i = 0; i <= spokes; ++i) {
+      const double angle = (i % spokes) * 2 * M_PI / spokes;
+      vertices.add(32 + 100 * std::cos(angle), 32 + 100 * std::sin(angle));
+    }
+    drawAll(canvas, Topology::TriangleFan, vertices);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x)
+        ASSERT_EQ(canvas.at(x, y), 1u) << x << ", " << y << " in round " << round;
+  }
+}
+
+/// A function of the object's plane, seen in perspective, is found again at every pixel.
+TEST(Rasterize, InputsAreThePlanesValues) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> at(-20, 120), depth(0.5, 8), value(-3, 3);
+  for (int round = 0; round < 300; ++round) {
+    Canvas canvas(100, 100);
+    addInput(canvas, abi::Interpolation::Perspective);
+    canvas.state.upsideDownHeight = round % 2 ? 100 : 0;
+    if (round % 3 == 0)
+      canvas.useQuads(16);
+    WindowVertices vertices(canvas);
+    double px[3], py[3], w[3], f[3];
+    for (int k = 0; k < 3; ++k) {
+      px[k] = at(random);
+      py[k] = at(random);
+      w[k] = round % 4 ? depth(random) : 2.0;
+      f[k] = value(random);
+      vertices.add(px[k], py[k], float(f[k]), float(w[k]));
+    }
+    const double area = (px[1] - px[0]) * (py[2] - py[0]) - (px[2] - px[0]) * (py[1] - py[0]);
+    if (std::fabs(area) < 200)
+      continue;
+    (void)drawAll(canvas, Topology::Triangles, vertices);
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 100; ++x) {
+        if (canvas.at(x, y) == 0)
+          continue;
+        const double cx = x + 0.5, cy = y + 0.5;
+        double overW = 0;
+        for (int k = 0; k < 3; ++k) {
+          const int a = (k + 1) % 3, b = (k + 2) % 3;
+          const double share =
+              ((px[b] - px[a]) * (cy - py[a]) - (py[b] - py[a]) * (cx - px[a])) / area;
+          overW += share * f[k] / w[k];
+        }
+        // What is shaded is the value over w; clipping may not change it.
+        ASSERT_NEAR(canvas.valueAt(x, y), overW, 3e-5) << x << ", " << y << " round " << round;
+      }
+  }
+}
+
+TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
+  struct Case {
+    Topology topology;
+    float last, first;
+  };
+  for (const Case &expected : {Case{Topology::Quads, 4, 1}, Case{Topology::Triangles, 3, 1},
+                               Case{Topology::Polygon, 1, 1}, Case{Topology::TriangleFan, 3, 2}}) {
+    for (const bool first : {false, true}) {
+      Canvas canvas(32, 32);
+      addInput(canvas, abi::Interpolation::Flat);
+      canvas.state.provokingIsFirst = first;
+      WindowVertices vertices(canvas);
+      vertices.add(0, 0, 1);
+      vertices.add(32, 0, 2);
+      vertices.add(32, 32, 3);
+      vertices.add(0, 32, 4);
+      drawAll(canvas, expected.topology, vertices);
+      EXPECT_EQ(canvas.valueAt(30, 3), first ? expected.first : expected.last)
+          << int(expected.topology);
+    }
+  }
+}
+
+TEST(Rasterize, BackFacesTakeTheirOwnInputs) {
+  for (const bool clockwise : {false, true}) {
+    Canvas canvas(16, 16);
+    addInput(canvas, abi::Interpolation::Linear);
+    canvas.state.frontIsClockwise = clockwise;
+    WindowVertices vertices(canvas);
+    vertices.add(0, 0, 1);
+    vertices.add(16, 0, 1);
+    vertices.add(0, 16, 1);
+    const float back[3] = {7, 7, 7};
+    Vertices arrays = vertices.get();
+    arrays.backInputs[0][0] = back;
+    draw(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
+    EXPECT_EQ(canvas.valueAt(2, 2), clockwise ? 7 : 1);
+  }
+}
+
+/// A draw of everything at once, on so many threads.
+void drawMixture(Canvas &canvas) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> at(-40, 340), small(-6, 6);
+  WindowVertices vertices(canvas);
+  for (int i = 0; i < 3000; ++i) {
+    const double x = at(random), y = at(random);
+    for (int k = 0; k < 3; ++k) {
+      if (i % 50 == 0)
+        vertices.add(at(random), at(random), float(i + k));
+      else
+        vertices.add(x + small(random), y + small(random), float(i + k));
+    }
+  }
+  for (const Topology topology :
+       {Topology::Triangles, Topology::Lines, Topology::Points, Topology::TriangleFan})
+    drawAll(canvas, topology, vertices);
+}
+
+TEST(Rasterize, ThreadsDrawTheSamePicture) {
+  for (const bool quads : {false, true}) {
+    std::vector<std::uint32_t> counts;
+    std::vector<float> values;
+    for (const int threads : {1, 2, 4}) {
+      setThreadCount(threads);
+      Canvas canvas(300, 300);
+      addInput(canvas, abi::Interpolation::Linear);
+      if (quads)
+        canvas.useQuads(16);
+      drawMixture(canvas);
+      if (counts.empty()) {
+        counts = canvas.counts;
+        values = canvas.values; // of the last triangle on each pixel: the order is kept
+      }
+      EXPECT_EQ(counts, canvas.counts) << threads << " threads";
+      EXPECT_EQ(values, canvas.values) << threads << " threads";
+    }
+  }
+  setThreadCount(0);
+}
+
+TEST(Rasterize, WhatAnOpaqueTriangleHidesIsNotDrawn) {
+  Canvas canvas(256, 256);
+  addInput(canvas, abi::Interpolation::Linear);
+  canvas.shading.opaque = true;
+  WindowVertices vertices(canvas);
+  for (int i = 0; i < 60; ++i) {
+    vertices.add(10, 10, 1);
+    vertices.add(200, 10, 1);
+    vertices.add(10, 200, 1);
+  }
+  vertices.add(-10, -10, 2);
+  vertices.add(600, -10, 2);
+  vertices.add(-10, 600, 2);
+  vertices.add(100, 100, 3);
+  vertices.add(120, 100, 3);
+  vertices.add(100, 120, 3);
+  drawAll(canvas, Topology::Triangles, vertices);
+  EXPECT_EQ(canvas.at(20, 20), 1u);
+  EXPECT_EQ(canvas.valueAt(20, 20), 2);
+  EXPECT_EQ(canvas.at(104, 104), 2u);
+  EXPECT_EQ(canvas.valueAt(104, 104), 3);
+}
+
+TEST(Rasterize, SurelyCoveredIsOnlyWhatIsSure) {
+  Canvas canvas(64, 64);
+  WindowVertices quad(canvas);
+  quad.add(-5, 3.2);
+  quad.add(40.5, 3.2);
+  quad.add(40.5, 80);
+  quad.add(-5, 80);
+  const auto covered = [&](const RasterState &state) {
+    return surelyCovered(state, Topology::Quads, quad.get(), nullptr, 0, 4);
+  };
+  EXPECT_EQ(covered(canvas.state), (Rect{0, 3, 40, 61}));
+  drawAll(canvas, Topology::Quads, quad);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      ASSERT_EQ(canvas.at(x, y), x < 40 && y >= 3 ? 1u : 0u) << x << ", " << y;
+  RasterState state = canvas.state;
+  state.clip = {10, 10, 5, 5};
+  EXPECT_EQ(covered(state), (Rect{10, 10, 5, 5}));
+  state = canvas.state;
+  state.cullFront = true;
+  EXPECT_TRUE(covered(state).empty());
+  state = canvas.state;
+  state.front = PolygonMode::Line;
+  EXPECT_TRUE(covered(state).empty());
+  state = canvas.state;
+  const std::uint8_t stipple[128] = {};
+  state.polygonStipple = stipple;
+  EXPECT_TRUE(covered(state).empty());
+  quad.position[0][2] += 0.2f;
+  EXPECT_TRUE(covered(canvas.state).empty()) << "crooked";
+}
+
+TEST(Rasterize, AffineIsWhereAllWAreEqual) {
+  Canvas canvas(8, 8);
+  WindowVertices vertices(canvas);
+  for (int i = 0; i < 4; ++i)
+    vertices.add(i, i, 0, 2);
+  EXPECT_TRUE(isAffine(vertices.get()));
+  vertices.add(1, 1, 0, 2.0000002f);
+  EXPECT_FALSE(isAffine(vertices.get()));
+}
+
+TEST(Rasterize, NothingIsWrittenOutsideWhateverTheVertices) {
+  std::mt19937 random(13);
+  const float odd[] = {0,        -0.0f,     1,   -1,   1e-38f, 1e38f,  -1e38f,
+                       INFINITY, -INFINITY, NAN, 0.5f, -0.5f,  1e-45f, 65536};
+  std::uniform_int_distribution<int> pick(0, int(std::size(odd)) - 1);
+  for (int round = 0; round < 3000; ++round) {
+    Canvas canvas(40, 40);
+    if (round % 2)
+      canvas.useQuads(16);
+    addInput(canvas, abi::Interpolation::Perspective);
+    canvas.state.clip = {5, 6, 20, 21};
+    canvas.state.depthClamp = round % 3 == 0;
+    canvas.state.front = PolygonMode(round % 5 % 3);
+    canvas.state.pointSize = odd[pick(random)];
+    canvas.state.lineWidth = std::fabs(odd[pick(random)]);
+    canvas.state.lineStippleFactor = round % 7 == 0 ? 3 : 0;
+    WindowVertices vertices(canvas);
+    for (int i = 0; i < 120; ++i) {
+      for (std::vector<float> &component : vertices.position)
+        component.push_back(odd[pick(random)]);
+      vertices.inputs.push_back(odd[pick(random)]);
+    }
+    drawAll(canvas, Topology(round % 10), vertices);
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) {
+        const bool inside = x >= 5 && y >= 6 && x < 25 && y < 27;
+        ASSERT_TRUE(inside || canvas.at(x, y) == 0) << x << ", " << y;
+      }
+  }
+}
+
+TEST(Rasterize, IndicesBeyondTheVerticesAreNotDrawn) {
+  Canvas canvas(16, 16);
+  WindowVertices vertices(canvas);
+  vertices.add(0, 0);
+  vertices.add(16, 0);
+  vertices.add(16, 16);
+  vertices.add(0, 16);
+  const std::uint32_t indices[] = {0, 1, 2, 0, 2, 4000000000u, 0, 2, 3};
+  const DrawStatistics statistics =
+      draw(canvas.state, canvas.shading, Topology::Triangles, vertices.get(), indices, 0, 9);
+  EXPECT_EQ(statistics.primitives, 2u);
+  for (const std::uint32_t count : canvas.counts)
+    ASSERT_EQ(count, 1u);
+}
+
 } // namespace
 } // namespace arbiter::swrast

@@ -207,6 +207,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   raster.clip = {0, 0, m_targets->width, m_targets->height};
   if (mirror.scissorEnabled)
     raster.clip = swrast::intersect(raster.clip, mirror.scissor);
+  raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
   if (m_targets->depthBits == 16)
     raster.depthResolution = 1.0 / 65535.0;
   const auto &inputs = m_functions->prepared()->shape().inputs;
