@@ -24,6 +24,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "interposer/x_present.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {
@@ -54,6 +55,7 @@ registry::Key key(Display *display, GLXContext context) {
 
 int displayCloses(Display *display, XExtCodes *) {
   registry::displayClosed(Provider::Glx, display);
+  presentingDisplayCloses(display);
   return 0;
 }
 
@@ -162,17 +164,65 @@ bool sizeOf(const state::software::Drawable &drawable, int &width, int &height) 
 /// What the context that is current on the thread draws to.
 constinit thread_local GLXDrawable t_drawable __attribute__((tls_model("initial-exec"))) = 0;
 
+/// The X windows of GLX windows, which have names of their own.
+struct WindowNames {
+  struct Name {
+    GLXWindow glx;
+    Window x;
+  };
+  std::mutex mutex;
+  std::vector<Name> names;
+};
+WindowNames &windowNames() {
+  static auto *const s_names = new WindowNames;
+  return *s_names;
+}
+
+/// A drawable that is no GLX window may be a window of X.
+XID windowOf(GLXDrawable drawable) {
+  WindowNames &n = windowNames();
+  const std::lock_guard lock(n.mutex);
+  for (const WindowNames::Name &name : n.names)
+    if (name.glx == drawable)
+      return name.x;
+  return drawable;
+}
+
+Host<decltype(glXCreateWindow)> g_createWindow;
+Host<decltype(glXDestroyWindow)> g_destroyWindow;
+
+GLXWindow createWindow(Display *display, GLXFBConfig config, Window window, const int *attributes) {
+  const GLXWindow made = g_createWindow(display, config, window, attributes);
+  if (made && made != window) {
+    WindowNames &n = windowNames();
+    const std::lock_guard lock(n.mutex);
+    n.names.push_back({made, window});
+  }
+  return made;
+}
+
+void destroyWindow(Display *display, GLXWindow window) {
+  {
+    WindowNames &n = windowNames();
+    const std::lock_guard lock(n.mutex);
+    std::erase_if(n.names, [window](const WindowNames::Name &name) { return name.glx == window; });
+  }
+  g_destroyWindow(display, window);
+}
+
 Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
                  GLXContext context) {
   if (!ok)
     return ok;
   using state::software::Drawable;
-  const Drawable drawable = {.kind = draw && g_queryDrawable.function ? Drawable::Kind::Window
+  Drawable drawable = {.kind = draw && g_queryDrawable.function ? Drawable::Kind::Window
                                                                       : Drawable::Kind::None,
                              .display = display,
                              .draw = reinterpret_cast<const void *>(std::uintptr_t(draw)),
                              .sameRead = draw == read,
                              .size = sizeOf};
+  if (drawable.kind == Drawable::Kind::Window && context)
+    offerPresenting(display, std::uint32_t(windowOf(draw)), drawable);
   t_drawable = context ? draw : 0;
   registry::madeCurrent(key(display, context), table(), &drawable);
   return ok;
@@ -197,13 +247,14 @@ Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXCo
 
 /// The drawable that is shown may be another one than the current context's: nothing of ours is in
 /// its back buffer then, but the host must be up to date with its own.
-void frameEnds(GLXDrawable drawable) {
+/// \return the frame is shown: the host has nothing to swap
+bool frameEnds(GLXDrawable drawable) {
   if (!registry::isCurrent(Provider::Glx))
-    return;
+    return false;
   if (state::Context *const context = state::currentContext())
     state::frameEnd(context);
-  state::exchange(drawable == t_drawable ? state::Exchange::Present : state::Exchange::Read,
-                  "glXSwapBuffers");
+  return state::exchange(drawable == t_drawable ? state::Exchange::Present : state::Exchange::Read,
+                         "glXSwapBuffers");
 }
 
 void exchanges(state::Exchange what, const char *name) {
@@ -212,13 +263,17 @@ void exchanges(state::Exchange what, const char *name) {
 }
 
 void swapBuffers(Display *display, GLXDrawable drawable) {
-  frameEnds(drawable);
-  g_swapBuffers(display, drawable);
+  if (!frameEnds(drawable))
+    g_swapBuffers(display, drawable);
 }
 
 std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t target,
                             std::int64_t divisor, std::int64_t remainder) {
-  frameEnds(drawable);
+  // The host counts its frames, and answers by that count.
+  if (registry::isCurrent(Provider::Glx))
+    if (state::Context *const context = state::currentContext())
+      state::frameEnd(context);
+  exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
   return g_swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 
@@ -266,6 +321,8 @@ const Hook kHooks[] = {
     {"glXMakeCurrent", address(makeCurrent), &g_makeCurrent.function},
     {"glXMakeContextCurrent", address(makeContextCurrent), &g_makeContextCurrent.function},
     {"glXMakeCurrentReadSGI", address(makeCurrentRead), &g_makeCurrentRead.function},
+    {"glXCreateWindow", address(createWindow), &g_createWindow.function},
+    {"glXDestroyWindow", address(destroyWindow), &g_destroyWindow.function},
     {"glXSwapBuffers", address(swapBuffers), &g_swapBuffers.function},
     {"glXSwapBuffersMscOML", address(swapBuffersMsc), &g_swapBuffersMsc.function},
     {"glXCopySubBufferMESA", address(copySubBuffer), &g_copySubBuffer.function},

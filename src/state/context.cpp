@@ -171,24 +171,28 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
 
 void leaveCurrent() {
   Context *const context = currentContext();
-  if (context && context->softwarePossible && !context->insideBeginEnd && context->listMode == 0)
+  if (context)
     software::leave(*context);
 }
 
-void exchange(Exchange what, const char *name) {
+bool exchange(Exchange what, const char *name) {
   Context *const context = currentContext();
   if (!context || !context->softwarePossible || context->insideBeginEnd || context->listMode != 0)
-    return;
+    return false;
   switch (what) {
   case Exchange::Present:
     return software::presentFrame(*context);
   case Exchange::Flush:
-    return software::flush(*context, false);
+    software::flush(*context, false);
+    break;
   case Exchange::Read:
-    return software::synchronise(*context, name);
+    software::synchronise(*context, name);
+    break;
   case Exchange::Change:
-    return software::hostDoesAnything(*context, name);
+    software::hostDoesAnything(*context, name);
+    break;
   }
+  return false;
 }
 
 void makeCurrent(Context *context, const software::Drawable *drawable) {
@@ -216,8 +220,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   if (!context)
     return;
   software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
-  if (context->softwarePossible)
-    software::enter(*context);
+  software::enter(*context);
 }
 
 void destroyContext(Context *context) {

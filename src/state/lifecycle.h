@@ -46,8 +46,9 @@ enum class Exchange : std::uint8_t {
   Read,    ///< its pixels are read
   Change,  ///< its images are read, or replaced: a pixmap becomes a texture, a texture an image
 };
-/// Brings the host as far up to date as that needs, where it is not.
-void exchange(Exchange what, const char *name);
+/// Brings the host as far up to date as that needs, where it is not. True of Present: what the
+/// application sees is shown already, and the host has nothing to swap.
+bool exchange(Exchange what, const char *name);
 
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.
 void frameEnd(Context *context);

@@ -14,6 +14,10 @@ class Storage {
 public:
   /// Null if there is no memory. The bytes are undefined.
   [[nodiscard]] static std::shared_ptr<Storage> make(std::size_t bytes);
+  /// Memory of another owner, told by `release` when the last image lets go. On failure it is told
+  /// at once. 64 bytes before and behind may be read of it too.
+  [[nodiscard]] static std::shared_ptr<Storage> wrap(std::uint8_t *data, std::size_t bytes,
+                                                     void (*release)(void *user), void *user);
   ~Storage();
   Storage(const Storage &) = delete;
   Storage &operator=(const Storage &) = delete;
@@ -28,6 +32,8 @@ protected:
 private:
   std::uint8_t *m_data;
   std::size_t m_bytes;
+  void (*m_release)(void *user) = nullptr; ///< null: the pool's memory
+  void *m_user = nullptr;
 };
 
 /// A rectangle of a colour buffer or a level of a texture. A value: copying it shares the pixels.

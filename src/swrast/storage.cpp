@@ -126,7 +126,27 @@ std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
   }
 }
 
+std::shared_ptr<Storage> Storage::wrap(std::uint8_t *data, std::size_t bytes,
+                                       void (*release)(void *user), void *user) {
+  struct Wrapped : Storage {
+    Wrapped(std::uint8_t *data, std::size_t size) : Storage(data, size) {}
+  };
+  try {
+    auto made = std::allocate_shared<Wrapped>(HandleAllocator<Wrapped>(), data, bytes);
+    made->m_release = release;
+    made->m_user = user;
+    return made;
+  } catch (const std::bad_alloc &) {
+    release(user);
+    return nullptr;
+  }
+}
+
 Storage::~Storage() {
+  if (m_release) {
+    m_release(m_user);
+    return;
+  }
   std::array<Freed, kPoolBlocks + 1> leaving;
   std::size_t leavingCount = 0;
   {

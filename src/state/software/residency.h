@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -120,7 +121,14 @@ struct Drawable {
   /// Asks the window system; null where width and height are fixed. False: nobody knows.
   bool (*size)(const Drawable &drawable, int &width, int &height) = nullptr;
   int width = 0, height = 0;
-  void *memory = nullptr; ///< of Kind::Memory: its lowest address, and what it holds
+  /// Memory that the window system shows pixels from by itself; null: it does not.
+  std::shared_ptr<swrast::Storage> (*sharedMemory)(const Drawable &drawable,
+                                                   std::size_t bytes) = nullptr;
+  /// Shows an image of the window's size, and has read it when it returns. False: it could not, or
+  /// the storage is not of sharedMemory().
+  bool (*show)(const Drawable &drawable, const swrast::Image &image) = nullptr;
+  const void *presenter = nullptr; ///< for the two
+  void *memory = nullptr;          ///< of Kind::Memory: its lowest address, and what it holds
   GLenum memoryFormat = 0, memoryType = 0; ///< GL_RGBA .., GL_UNSIGNED_BYTE ..
   /// How rows lie in `memory` now; null: as many pixels as are wide, bottom row first.
   void (*memoryLayout)(const Drawable &drawable, int &rowLength, bool &topRowFirst) = nullptr;
@@ -135,9 +143,9 @@ void drawableMayHaveChanged(Context &context);
 /// The host's Flush or Finish, and around it what others can see of our pixels by then
 /// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
 void flush(Context &context, bool finish);
-/// Before SwapBuffers and its kin: the window's pixels go to the host by the shortest way.
-/// Afterwards the back buffer is undefined, or kept, as GLX says.
-void present(Context &context);
+/// Before SwapBuffers and its kin: the window's pixels are shown by the window system (true: the
+/// host has nothing to swap), or go to the host by the shortest way. The back buffer is kept.
+[[nodiscard]] bool present(Context &context);
 /// Before the context leaves the thread, or is destroyed while current.
 void leave(Context &context);
 /// After it became current: window sizes and contents may have changed.

@@ -102,6 +102,7 @@ void describeWindow(Context &context, WindowImages &window) {
   if (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA)
     std::swap(color.format.swizzle[0], color.format.swizzle[2]);
   color.shadow.format = color.format;
+  color.drawable = window.doubleBuffered ? &drawable : nullptr;
 
   PixelImage &depth = window.depthStencil;
   depth.place = {Place::Kind::Window, 0, GL_DEPTH, 0};

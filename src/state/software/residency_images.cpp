@@ -257,15 +257,35 @@ void dropShadow(Context &context, PixelImage &image) {
   image.shadow.format = image.format;
 }
 
+swrast::Image makeShadow(const PixelImage &image, const abi::Format &format, bool topRowFirst) {
+  if (image.drawable && image.drawable->sharedMemory && topRowFirst) {
+    const std::int64_t row =
+        (std::int64_t(image.width) * abi::bytesOf(format.layout) + 63) & ~std::int64_t(63);
+    swrast::Image shared;
+    shared.storage =
+        image.drawable->sharedMemory(*image.drawable, std::size_t(row) * std::size_t(image.height));
+    if (!shared.empty()) {
+      shared.format = format;
+      shared.width = image.width;
+      shared.height = image.height;
+      shared.rowStride = -row;
+      shared.sliceStride = row * image.height;
+      shared.offset = row * (image.height - 1);
+      return shared;
+    }
+  }
+  return swrast::makeImage(format, image.width, image.height, image.depth, topRowFirst);
+}
+
 bool makeOwn(PixelImage &image, bool keep) {
   swrast::Image &shadow = image.shadow;
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
-  if (fits && (keep || !shadow.shared()))
+  const bool isWindow = image.place.kind == Place::Kind::Window;
+  if (fits && (!shadow.shared() || (keep && !isWindow)))
     return swrast::makeWritable(shadow, keep);
   // The order of components stays what the caller was told, if it can be written.
   const abi::Format format = writable(shadow.format, image.format) ? shadow.format : image.format;
-  swrast::Image made = swrast::makeImage(format, image.width, image.height, image.depth,
-                                         image.place.kind == Place::Kind::Window);
+  swrast::Image made = makeShadow(image, format, isWindow);
   if (made.empty())
     return false;
   if (keep && !shadow.empty())

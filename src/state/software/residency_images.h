@@ -37,9 +37,10 @@ struct Texture;
 /// One image: a face's level of a texture, a renderbuffer, a buffer of the window.
 struct PixelImage {
   Place place;
-  Texture *texture = nullptr; ///< that it is a level of
-  bool described = false;     ///< the host was asked what it is; what follows holds
-  GLint internalFormat = 0;   ///< as the host tells it
+  Texture *texture = nullptr;         ///< that it is a level of
+  const Drawable *drawable = nullptr; ///< that it is the colour buffer of
+  bool described = false;             ///< the host was asked what it is; what follows holds
+  GLint internalFormat = 0;           ///< as the host tells it
   GLenum base = 0;    ///< GL_RGBA, GL_LUMINANCE .., GL_DEPTH_COMPONENT; 0: not one that we have
   abi::Format format; ///< that a shadow of it has at first
   int width = 0, height = 0, depth = 1;
@@ -145,6 +146,9 @@ void settle(Context &context, WindowImages &window);
 void setNewest(Context &context, PixelImage &image, Newest newest);
 /// The shadow's memory is given back: the host has all.
 void dropShadow(Context &context, PixelImage &image);
+/// Memory for all of it, contents undefined; of a window where the window system can show it.
+[[nodiscard]] swrast::Image makeShadow(const PixelImage &image, const abi::Format &format,
+                                       bool topRowFirst);
 /// A shadow with memory of its own that may be written. \param keep its contents are needed
 [[nodiscard]] bool makeOwn(PixelImage &image, bool keep);
 

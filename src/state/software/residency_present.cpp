@@ -44,17 +44,24 @@ void copyToMemory(WindowImages &window) {
 
 } // namespace
 
-void present(Context &context) {
+bool present(Context &context) {
   WindowImages *const window = windowOf(context);
   if (!window)
-    return;
+    return false;
   const std::lock_guard lock(sharedOf(context).mutex);
   // Nobody sees a pbuffer, and swapping it does nothing to it.
-  if (window->drawable.kind == Drawable::Kind::Window) {
-    give(context, *window, window->color);
-    window->sizeKnown = false;
-    updateBehind(context, *window);
+  if (window->drawable.kind != Drawable::Kind::Window)
+    return false;
+  PixelImage &color = window->color;
+  window->sizeKnown = false;
+  if (window->doubleBuffered && window->drawable.show && color.newest == Newest::Shadow &&
+      window->drawable.show(window->drawable, color.shadow)) {
+    color.shown = true;
+    return true;
   }
+  give(context, *window, color);
+  updateBehind(context, *window);
+  return false;
 }
 
 void leave(Context &context) {
@@ -63,7 +70,8 @@ void leave(Context &context) {
     context.countedCurrent = false;
     shared.current.fetch_sub(1);
   }
-  if (!context.software || !context.software->images)
+  if (!context.software || !context.software->images || context.insideBeginEnd ||
+      context.listMode != 0)
     return;
   synchronise(context, "the context leaves its thread");
   WindowImages &window = *windowOf(context);

@@ -208,7 +208,7 @@ bool download(Context &context, WindowImages &window, PixelImage &image) {
   HostErrorScope errors(context);
   const bool topRowFirst =
       image.place.kind == Place::Kind::Window && context.caps.has("GL_MESA_pack_invert");
-  Image to = swrast::makeImage(image.format, image.width, image.height, image.depth, topRowFirst);
+  Image to = makeShadow(image, image.format, topRowFirst);
   if (to.empty())
     return false;
   if (image.place.kind == Place::Kind::Texture)

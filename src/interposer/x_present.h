@@ -1,0 +1,18 @@
+#pragma once
+#include "state/software/residency.h"
+
+/// Pixels of ours shown in a window by the X server itself, from memory that both share (MIT-SHM):
+/// one copy where the way through the host takes four. Speaks by libxcb over the connection that
+/// the application's Display has, since errors come back there as answers, and nothing is linked.
+namespace arbiter::interposer {
+
+/// Says how a window shows images, where that is possible: a local server, true colour of 24 bits
+/// in this machine's order. Costs a round trip.
+/// \param display an Xlib Display
+/// \param window  an X window; anything else is found out, and left alone
+void offerPresenting(void *display, std::uint32_t window, state::software::Drawable &drawable);
+
+/// The display is about to be closed: no request goes to it any more.
+void presentingDisplayCloses(const void *display);
+
+} // namespace arbiter::interposer
