@@ -50,9 +50,10 @@ struct Scene {
     key.targets[0].format.layout = Layout::U8x4;
   }
 
-  void addTexture(int width, int height, Wrap wrap, abi::Filter filter = abi::Filter::Nearest) {
+  void addTexture(int width, int height, Wrap wrap, abi::Filter filter = abi::Filter::Nearest,
+                  Layout layout = Layout::U8x4) {
     abi::SamplerKey sampler{};
-    sampler.format.layout = Layout::U8x4;
+    sampler.format.layout = layout;
     sampler.wrap = {wrap, wrap, wrap};
     sampler.magnify = sampler.minify = filter;
     key.samplers[textures.size()] = sampler;
@@ -64,6 +65,30 @@ struct Scene {
   std::vector<std::uint8_t> draw(const ir::Program &program, const std::vector<QuadInput> &corners,
                                  const std::vector<abi::Span> &spans,
                                  const std::vector<std::array<float, 4>> &locals = {}) {
+    key.lanes = abi::Lanes::Row;
+    return shade(program, corners, spans.data(), spans.size(), locals);
+  }
+
+  /// The whole window by blocks.
+  std::vector<std::uint8_t> drawBlocks(const ir::Program &program,
+                                       const std::vector<QuadInput> &corners,
+                                       const std::vector<std::array<float, 4>> &locals = {}) {
+    key.lanes = abi::Lanes::Quad;
+    std::vector<abi::Block> blocks;
+    for (int y = 0; y < kHeight; y += engine->blockHeight())
+      for (int x = 0; x < kWidth; x += engine->blockWidth()) {
+        unsigned mask = 0;
+        for (int i = 0; i < engine->lanes(); ++i)
+          if (x + i % engine->blockWidth() < kWidth && y + i / engine->blockWidth() < kHeight)
+            mask |= 1u << i;
+        blocks.push_back({std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0});
+      }
+    return shade(program, corners, blocks.data(), blocks.size(), locals);
+  }
+
+  std::vector<std::uint8_t> shade(const ir::Program &program, const std::vector<QuadInput> &corners,
+                                  const void *items, std::size_t count,
+                                  const std::vector<std::array<float, 4>> &locals) {
     prepared = engine->prepareFragment(program, Numerics::Host);
     EXPECT_NE(prepared, nullptr);
     for (std::size_t i = 0; i < prepared->shape().inputs.size(); ++i) {
@@ -79,7 +104,7 @@ struct Scene {
     const auto code = engine->compile(*prepared, key, reason);
     EXPECT_NE(code, nullptr) << reason;
     if (code)
-      code->function(&data, &primitive, spans.data(), std::uint32_t(spans.size()));
+      code->function(&data, &primitive, items, std::uint32_t(count));
     return target.bytes;
   }
 
@@ -213,6 +238,113 @@ TEST_P(FragmentTest, WrapsShiftedCoordinates) {
       scene.draw(passThrough(), {{s, t, 1 + s, 1 + t}}, spans);
       check(scene, passThrough(), spans);
     }
+}
+
+/// Rows read consecutive texels as loads, blocks read them like any others.
+TEST_P(FragmentTest, RowsAndBlocksAgree) {
+  ir::Builder b;
+  auto texel = b.temporary();
+  b.tex(Opcode::Tex, texel, b.attribute(AttributeKind::TexCoord), 0, TexTarget::Tex2D);
+  b.op(Opcode::Mad, b.color(), {texel.read(), b.local(0), b.local(1)});
+  const ir::Program changed = b.take();
+  const std::vector<std::array<float, 4>> locals = {{0.5f, 0.7f, 0.9f, 1}, {0.1f, 0, 0, 0}};
+  for (const abi::Filter filter : {abi::Filter::Nearest, abi::Filter::Linear})
+    for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToEdge, Wrap::MirroredRepeat, Wrap::Clamp})
+      for (const Layout layout : {Layout::U8x4, Layout::U16x4, Layout::F32x4})
+        for (const float shift : {0.0f, 1.0f, -3.0f, 40.0f}) {
+          SCOPED_TRACE("filter " + std::to_string(int(filter)) + " wrap " +
+                       std::to_string(int(wrap)) + " layout " + std::to_string(int(layout)) +
+                       " shift " + std::to_string(shift));
+          Scene scene(GetParam());
+          scene.addTexture(kWidth, kHeight, wrap, filter, layout);
+          if (layout == Layout::F32x4)
+            for (std::size_t i = 0; i < scene.textures[0]->bytes.size(); i += 4)
+              scene.textures[0]->bytes[i + 3] = 0x3E; // of numbers below 1
+          const float s = shift / kWidth, t = 2 * shift / kHeight;
+          const std::vector<QuadInput> corners = {{s, t, 1 + s, 1 + t}};
+          const ir::Program &program =
+              layout == Layout::U8x4 && shift < 0 ? passThrough() : changed;
+          const auto rows = scene.draw(program, corners, wholeRows(), locals);
+          EXPECT_EQ(rows, scene.drawBlocks(program, corners, locals));
+        }
+}
+
+TEST_P(FragmentTest, WritesSeveralTargets) {
+  ir::Builder b;
+  b.options().drawBuffers = true;
+  const ir::Source place = b.attribute(AttributeKind::TexCoord);
+  b.op(Opcode::Mov, b.color(0), {place});
+  b.op(Opcode::Sub, b.color(1), {b.constant(1), place});
+  ir::Program program = b.take();
+  for (const bool several : {true, false}) {
+    program.options.drawBuffers = several;
+    if (!several)
+      program.outputs.pop_back(), program.code.pop_back();
+    Scene scene(GetParam());
+    scene.key.targets[1].format.layout = Layout::U8x4;
+    testing::SceneTarget second =
+        testing::makeTarget({Layout::U8x4, abi::kRgba}, kWidth, kHeight, 4);
+    scene.data.targets[1] = {second.pixel(0, 0), second.rowStride};
+    scene.draw(program, {{}}, wholeRows());
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const float s = scene.at(0, 0, x, y);
+        ASSERT_NEAR(scene.target.pixel(x, y)[0], 255 * s, 0.51f);
+        ASSERT_NEAR(second.pixel(x, y)[0], 255 * (several ? 1 - s : s), 0.51f);
+      }
+  }
+}
+
+TEST_P(FragmentTest, AppliesFogAndColourSum) {
+  for (const ir::FogMode mode :
+       {ir::FogMode::None, ir::FogMode::Exp, ir::FogMode::Exp2, ir::FogMode::Linear}) {
+    ir::Builder b;
+    b.options().fog = mode;
+    b.options().colorSum = true;
+    b.op(Opcode::Mul, b.color(), {b.attribute(AttributeKind::TexCoord), b.constant(1.2f)});
+    const ir::Program program = b.take();
+    Scene scene(GetParam());
+    abi::FragmentData &data = scene.data;
+    data.fogDensity = 1.3f;
+    data.fogStart = 0.1f;
+    data.fogEnd = 0.8f;
+    data.fogScale = 1 / 0.7f;
+    const float color[4] = {0.3f, 0.5f, 0.9f, 1};
+    std::copy_n(color, 4, data.fogColor);
+    scene.draw(program, {{}}, wholeRows());
+    const std::vector<jit::FragmentInput> &wanted = scene.prepared->shape().inputs;
+    const auto inputOf = [&](AttributeKind kind) {
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i].attribute.kind == kind)
+          return int(i);
+      return -1;
+    };
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const auto value = [&](AttributeKind kind) {
+          ir::Vec4 four = {};
+          for (int c = 0; c < 4 && inputOf(kind) >= 0; ++c)
+            four[std::size_t(c)] = scene.at(inputOf(kind), c, x, y);
+          return four;
+        };
+        ir::Inputs inputs;
+        const std::vector<ir::Vec4> attributes = {value(AttributeKind::TexCoord)};
+        inputs.attributes = attributes;
+        inputs.fogCoordinate = value(AttributeKind::FogCoord)[0];
+        inputs.secondary = value(AttributeKind::ColorSecondary);
+        inputs.parameter = [&](const ir::Parameter &parameter) {
+          if (parameter.kind == ir::ParameterKind::State &&
+              parameter.state.item == ir::StateItem::FogColor)
+            return ir::Vec4{color[0], color[1], color[2], color[3]};
+          return ir::Vec4{data.fogDensity, data.fogStart, data.fogEnd, data.fogScale};
+        };
+        const ir::Evaluation want = ir::evaluate(program, inputs);
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_NEAR(scene.target.pixel(x, y)[c],
+                      255 * std::fmin(std::fmax(want.outputs[0][c], 0.0f), 1.0f), 1)
+              << x << ", " << y;
+      }
+  }
 }
 
 TEST_P(FragmentTest, TakesTheGeneralPathWhereTexelsAreNotConsecutive) {
