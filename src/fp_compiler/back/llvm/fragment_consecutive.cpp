@@ -17,6 +17,17 @@ bool isWords(abi::Layout layout) {
   return layout != abi::Layout::None && layout < abi::Layout::Depth16 &&
          abi::bytesOf(layout) % 4 == 0;
 }
+
+/// A linear filter that gives the texel alone at its centre. One that reaches the border weighs in
+/// floats, which keep the least part of a neighbour.
+bool isPlainLinear(const abi::SamplerKey &sampler) {
+  const auto reaches = [](abi::Wrap wrap) {
+    return wrap == abi::Wrap::Clamp || wrap == abi::Wrap::ClampToBorder ||
+           wrap == abi::Wrap::MirrorClamp || wrap == abi::Wrap::MirrorClampToBorder;
+  };
+  return sampler.format.layout == abi::Layout::U8x4 && !reaches(sampler.wrap[0]) &&
+         !reaches(sampler.wrap[1]);
+}
 } // namespace
 
 bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
@@ -28,7 +39,7 @@ bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
   // TXP divides, which is not affine. The level of detail must not matter, TXB's neither.
   return axes && instruction.op != ir::Opcode::Txp && !sampler.shadow &&
          isWords(sampler.format.layout) && sampler.magnify == sampler.minify &&
-         (sampler.magnify == abi::Filter::Nearest || sampler.format.layout == abi::Layout::U8x4) &&
+         (sampler.magnify == abi::Filter::Nearest || isPlainLinear(sampler)) &&
          sampler.mip == abi::MipFilter::None &&
          (sampler.dimension == abi::Dimension::Tex2D ||
           sampler.dimension == abi::Dimension::Rect) &&
