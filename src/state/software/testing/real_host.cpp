@@ -21,6 +21,8 @@ const host::HostTable &table() {
 
 } // namespace
 
+void *address(const char *name) { return reinterpret_cast<void *>(OSMesaGetProcAddress(name)); }
+
 RealHost::RealHost(int width, int height) : m_pixels(std::size_t(width) * std::size_t(height) * 4) {
   const int attributes[] = {
       OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, 0};

@@ -28,6 +28,9 @@ private:
   Context *m_context = nullptr;
 };
 
+/// A function of the host by its name, for what its library does not export.
+[[nodiscard]] void *address(const char *name);
+
 /// Numbers from a seed, the same on every machine.
 class Numbers {
 public:
