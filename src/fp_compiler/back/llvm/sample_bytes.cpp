@@ -76,9 +76,9 @@ struct Weights {
 };
 Weights weightsOf(Code &code, Value *x, Value *y) {
   llvm::IRBuilder<> &ir = code.ir;
-  // kFullWeight - x in the low half, x in the high one: they do not borrow from each other.
+  // kFullWeight - x in the low half, x in the high one. As a sum LLVM would make a product of it.
   Value *const columns =
-      ir.CreateAdd(ir.CreateSub(ir.CreateShl(x, code.splat(16)), x), code.splat(kFullWeight));
+      ir.CreateOr(ir.CreateShl(x, code.splat(16)), ir.CreateSub(code.splat(kFullWeight), x));
   if (!y)
     return {columns, nullptr};
   // Twice y in both halves. The full weight would not fit: it is 2^-15 less there.

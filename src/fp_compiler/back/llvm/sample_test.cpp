@@ -314,6 +314,63 @@ TEST_P(Sample, RowsAndQuadsAgree) {
   }
 }
 
+// A filtered texel as it is stored: each component rounded to the nearest byte.
+TEST_P(Sample, FilteredTexelIsRoundedToBytes) {
+  std::mt19937 random(10);
+  for (const abi::Wrap wrap : {abi::Wrap::Repeat, abi::Wrap::ClampToEdge}) {
+    abi::SamplerKey key = plainKey(abi::Filter::Linear);
+    key.format.swizzle = {abi::From::C2, abi::From::C1, abi::From::C0, abi::From::C3};
+    key.wrap.fill(wrap);
+    GuardedTexture texture(key, {24, 10, 1}, random);
+    std::string reason;
+    const auto function = SampleFunction::make(*m_cpu, key, {}, reason);
+    ASSERT_TRUE(function) << reason;
+    ASSERT_TRUE(function->hasPacked());
+    Pixels pixels(m_cpu->lanes());
+    for (auto &plane : pixels.coordinate)
+      for (float &value : plane)
+        value = uniform(random, -1, 2);
+    (*function)(pixels.call(texture.view), kChunks);
+    for (std::size_t i = 0; i < std::size_t(pixels.count); ++i) {
+      const auto *const bytes = reinterpret_cast<const std::uint8_t *>(&pixels.packed[i]);
+      for (std::size_t c = 0; c < 4; ++c) {
+        const int at = c == 3 ? 3 : 2 - int(c);
+        ASSERT_NEAR(bytes[at], double(pixels.result[c][i]) * 255, 0.5001) << "pixel " << i;
+      }
+    }
+  }
+}
+
+// 3.8.8: the texture's, the unit's and the program's biases are summed, and the sum is clamped.
+TEST_P(Sample, BiasIsClampedAsASum) {
+  std::mt19937 random(11);
+  abi::SamplerKey key = plainKey(abi::Filter::Nearest);
+  key.mip = abi::MipFilter::Nearest;
+  key.hasBias = key.powerOfTwo = 1;
+  GuardedTexture texture(key, {64, 64, 1}, random);
+  SampleOptions options;
+  options.derivatives = options.bias = true;
+  std::string reason;
+  const auto function = SampleFunction::make(*m_cpu, key, options, reason);
+  ASSERT_TRUE(function) << reason;
+  struct {
+    float texture, program;
+    int level;
+  } const kCases[] = {{-30, -10, 2}, {-30, 14, 2}, {-14, 0, 4}, {-18, 2.9f, 3}, {30, -46.8f, 2}};
+  for (const auto &[ofTexture, ofProgram, level] : kCases) {
+    texture.view.lodBias = ofTexture;
+    Pixels pixels(m_cpu->lanes());
+    std::fill(pixels.bias.begin(), pixels.bias.end(), ofProgram);
+    SampleCall call = pixels.call(texture.view);
+    call.dx[0] = 0x1p18f / 64; // 18 levels
+    (*function)(call, 1);
+    const std::uint8_t *const texel = texture.view.levels[level].base;
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_EQ(std::lround(pixels.result[c][0] * 255), texel[c])
+          << ofTexture << " and " << ofProgram << " component " << c;
+  }
+}
+
 // Texels know their place: a big texture is addressed right to its last texel.
 TEST_P(Sample, ReachesAllOfABigTexture) {
   constexpr int kSize = 4096;
