@@ -40,10 +40,10 @@ Opened openFrom(const std::string &path) {
   return {make, {}};
 }
 
-Opened open() {
+Opened open(const std::string &asked) {
   if (const std::string &given = settings().jitLibrary; !given.empty())
     return openFrom(given);
-  const std::string folder = folderOfThis();
+  const std::string folder = asked.empty() ? folderOfThis() : asked + "/";
   if (folder.empty())
     return {nullptr, std::string("it is not known where ") + kLibrary + " lies"};
   // Installed it lies beside this; in the build tree in the folder of its sources.
@@ -61,7 +61,7 @@ Opened open() {
 
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason) {
   // Never closed: code of it may run until the process ends.
-  static const Opened *const s_opened = new Opened(open());
+  static const Opened *const s_opened = new Opened(open(options.folder));
   if (!s_opened->make) {
     reason = s_opened->reason;
     return nullptr;

@@ -69,7 +69,12 @@ using VertexCode = Code<abi::VertexFunction>;
 struct EngineOptions {
   std::string cpu;                   ///< "" this one; else "avx512", "avx2", "sse4", for tests
   const CacheStore *cache = nullptr; ///< of object code; outlives the engine
+  /// Where the library lies, for programs that are not beside it; "" beside the caller's code.
+  std::string folder;
 };
+
+/// What people may read of the code of a program.
+enum class Listing : std::uint8_t { Ir, Assembly };
 
 /// Safe to call from several threads at once. Nothing throws; what cannot be compiled is null, with
 /// a reason.
@@ -89,6 +94,13 @@ public:
   compile(const FragmentProgram &program, const abi::FragmentKey &key, std::string &reason) = 0;
   [[nodiscard]] virtual std::unique_ptr<VertexCode> compile(const VertexProgram &program,
                                                             std::string &reason) = 0;
+  /// LLVM's IR or the machine's assembly text of what compile() makes; empty, with a reason, where
+  /// that is null.
+  [[nodiscard]] virtual std::string listing(const FragmentProgram &program,
+                                            const abi::FragmentKey &key, Listing what,
+                                            std::string &reason) = 0;
+  [[nodiscard]] virtual std::string listing(const VertexProgram &program, Listing what,
+                                            std::string &reason) = 0;
 };
 
 /// What the library exports, as `arbiter_jit_engine`.

@@ -272,6 +272,18 @@ class Compile(Temporary):
                                         'ARBfp1.0 programs: its limits are documented numbers\n')
         self.assertEqual(arbiter('compile', '--emit', 'native', '-', text=BAD).returncode, 2)
 
+    def test_machine_code(self):
+        ir = arbiter('compile', '--emit', 'llvm', '-', text=GOOD)
+        if 'libarbiter_jit' in ir.stderr:
+            self.skipTest('built without the JIT back end')
+        self.assertEqual((ir.returncode, ir.stderr), (0, ''))
+        self.assertIn('define void @arbiter_entry(', ir.stdout)
+        code = arbiter('compile', '--emit', 'machine', '--numerics', 'legacy', '-', text=GOOD)
+        self.assertEqual((code.returncode, code.stderr), (0, ''))
+        self.assertIn('arbiter_entry:', code.stdout)
+        refused = arbiter('compile', '--emit', 'machine', '--numerics', 'fp24', '-', text=GOOD)
+        self.assertEqual((refused.returncode, refused.stdout), (1, ''))
+
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
         result = arbiter('compile', '-o', output, '-', text=GOOD)

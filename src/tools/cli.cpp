@@ -94,13 +94,15 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
   command
       ->add_option("--emit", compile.emit,
-                   "tokens, ir (checked program), assembly (plain text), glsl (1.20) or native "
-                   "(as the profile's card runs it)")
-      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl", "native"}))
+                   "tokens, ir (checked program), assembly (plain text), glsl (1.20), native "
+                   "(as the profile's card runs it), llvm or machine (the rasterizer's code)")
+      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl", "native", "llvm", "machine"}))
       ->capture_default_str();
   addLanguage(*command, compile.language);
   command->add_flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
-  command->add_option("--numerics", compile.numerics, "glsl, and the passes: for this arithmetic")
+  command
+      ->add_option("--numerics", compile.numerics,
+                   "glsl, llvm, machine, and the passes: for this arithmetic")
       ->check(CLI::IsMember({"host", "legacy", "fp24"}))
       ->capture_default_str();
   command->add_option("-o,--output", compile.output, "file to write; - is standard output")

@@ -9,6 +9,7 @@
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/language.h"
+#include "tools/machine_code.h"
 
 namespace arbiter::tools {
 
@@ -63,6 +64,17 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
   if (arguments.emit == "assembly" && language == fp::ir::Language::AtiFragment) {
     complain(arguments.file + ": no assembly text says what an ATI shader does");
     return kExitUsage;
+  }
+  if (arguments.emit == "llvm" || arguments.emit == "machine") {
+    auto code = machineCode(
+        *result.program, fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host),
+        arguments.emit == "llvm" ? fp::jit::Listing::Ir : fp::jit::Listing::Assembly);
+    if (!code) {
+      complain(arguments.file + ": " + code.error().message);
+      return kExitUsage;
+    }
+    emitted = std::move(code.value());
+    return kExitOk;
   }
   if (arguments.emit != "native") {
     emitted = emit(*result.program, arguments);

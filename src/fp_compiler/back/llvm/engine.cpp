@@ -66,29 +66,52 @@ public:
   std::unique_ptr<jit::FragmentCode> compile(const jit::FragmentProgram &program,
                                              const abi::FragmentKey &key,
                                              std::string &reason) override {
-    const auto body = [&](Code &code, llvm::Function *function, std::string &why) {
-      return writeFragment(code, function, program, key, why);
-    };
-    constexpr int kPointers = 3; // of abi::ShadeFunction
     return make<abi::ShadeFunction>("fragment", program.program(),
-                                    {reinterpret_cast<const char *>(&key), sizeof key}, kPointers,
-                                    body, reason);
+                                    {reinterpret_cast<const char *>(&key), sizeof key},
+                                    kFragmentPointers, bodyOf(program, key), reason);
   }
 
   std::unique_ptr<jit::VertexCode> compile(const jit::VertexProgram &program,
                                            std::string &reason) override {
-    const auto &prepared = static_cast<const PreparedVertex &>(program);
-    const auto body = [&](Code &code, llvm::Function *function, std::string &) {
-      writeVertex(code, function, prepared);
-      return true;
-    };
-    constexpr int kPointers = 1; // of abi::VertexFunction
-    const char numerics = char(prepared.numerics());
-    return make<abi::VertexFunction>("vertex", program.program(), {&numerics, 1}, kPointers, body,
-                                     reason);
+    const char numerics = char(static_cast<const PreparedVertex &>(program).numerics());
+    return make<abi::VertexFunction>("vertex", program.program(), {&numerics, 1}, kVertexPointers,
+                                     bodyOf(program), reason);
+  }
+
+  std::string listing(const jit::FragmentProgram &program, const abi::FragmentKey &key,
+                      jit::Listing what, std::string &reason) override {
+    return listed(kFragmentPointers, bodyOf(program, key), what, reason);
+  }
+  std::string listing(const jit::VertexProgram &program, jit::Listing what,
+                      std::string &reason) override {
+    return listed(kVertexPointers, bodyOf(program), what, reason);
   }
 
 private:
+  static constexpr int kFragmentPointers = 3; ///< parameters of abi::ShadeFunction before the count
+  static constexpr int kVertexPointers = 1;   ///< of abi::VertexFunction
+
+  static BodyWriter bodyOf(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
+    return [&](Code &code, llvm::Function *function, std::string &why) {
+      return writeFragment(code, function, program, key, why);
+    };
+  }
+  static BodyWriter bodyOf(const jit::VertexProgram &program) {
+    return [&](Code &code, llvm::Function *function, std::string &) {
+      writeVertex(code, function, static_cast<const PreparedVertex &>(program));
+      return true;
+    };
+  }
+
+  std::string listed(int pointers, const BodyWriter &body, jit::Listing what,
+                     std::string &reason) const {
+    return guarded<std::string>(reason, [&] {
+      const auto text =
+          emit(m_cpu, pointers, body, what == jit::Listing::Ir ? Emit::Ir : Emit::Assembly, reason);
+      return std::string(text.begin(), text.end());
+    });
+  }
+
   template <typename Prepared>
   std::unique_ptr<Prepared> prepare(const ir::Program &program, Numerics numerics) {
     std::string reason;
@@ -103,10 +126,9 @@ private:
   std::string cacheKey(const char *kind, const ir::Program &program, std::string_view key) const {
     const std::string code = ir::print(program);
     std::string text = m_build;
-    for (const std::string_view part : {std::string_view(kind), std::string_view(m_cpu.name),
-                                        std::string_view(m_cpu.features),
-                                        std::string_view(familyName(m_cpu.family)), key,
-                                        std::string_view(code)}) {
+    for (const std::string_view part :
+         {std::string_view(kind), std::string_view(m_cpu.name), std::string_view(m_cpu.features),
+          std::string_view(familyName(m_cpu.family)), key, std::string_view(code)}) {
       text += std::to_string(part.size()) + ":";
       text += part;
     }
