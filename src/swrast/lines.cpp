@@ -105,8 +105,9 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
     return false;
   const bool yMajor = std::fabs(b.x - a.x) < std::fabs(b.y - a.y);
   const LineCaps caps(a, b, yMajor);
-  const int half =
-      int(std::floor(std::clamp(double(draw.state.lineWidth), 1.0, 8192.0) + 0.5)) * kSubpixels / 2;
+  const float wanted = draw.state.lineWidth;
+  const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // 1 of what is no number
+  const int half = int(width + 0.5f) * kSubpixels / 2;
   WindowVertex corner[4]; // the start's two, the finish's two
   const auto place = [&](const WindowVertex &end, float offset, WindowVertex &low,
                          WindowVertex &high) {
