@@ -28,7 +28,7 @@ class Sequences:
     def __init__(self, args, displays, scratch):
         self.client = args.build / "tests/software/software-sequence"
         self.commands, self.scratch = args.commands, pathlib.Path(scratch)
-        self.displays = displays
+        self.displays, self.skip = displays, args.skip or []
         self.bare = sides.environment()
         self.layer = sides.environment(sides.layer_of(args.build), args.backend,
                                        {"XDG_CACHE_HOME": scratch})
@@ -46,6 +46,8 @@ class Sequences:
 
     def differences(self, seed, only=None):
         """Lines of what differs, none if all is equal."""
+        if only is None:
+            only = self.start(seed)
         results = []
         for env in (self.bare, self.layer):
             try:
@@ -76,6 +78,13 @@ class Sequences:
             lines.append(f"{len(bare)} records, layer {len(layer)}")
         return lines
 
+    def start(self, seed):
+        """The commands without those of --skip; None for all."""
+        if not self.skip:
+            return None
+        return [int(name.split(" ", 1)[0]) for name in self.names(seed, None)
+                if name.split(" ", 1)[1] not in self.skip]
+
     def names(self, seed, only):
         """Of the commands `only`, or of all."""
         kept = [",".join(map(str, only))] if only is not None else []
@@ -99,10 +108,10 @@ class Sequences:
         return seen, len(numbers)
 
 
-def minimise(differs, count, attempts=300):
-    """The fewest of range(count) that can be found for which differs(list) still holds: first what
+def minimise(differs, kept, attempts=300):
+    """The fewest of the commands `kept` that can be found for which differs(list) still holds: first what
     comes after the first difference, then ever smaller pieces."""
-    kept, tried = list(range(count)), 0
+    tried = 0
     piece = max(1, len(kept) // 2)
     while tried < attempts:
         at, shorter = 0, False
@@ -121,7 +130,7 @@ def minimise(differs, count, attempts=300):
 
 def self_test():
     wanted = {5, 41, 77}
-    assert minimise(lambda kept: wanted <= set(kept), 120) == sorted(wanted)
+    assert minimise(lambda kept: wanted <= set(kept), list(range(120))) == sorted(wanted)
     same = [("1 ReadPixels", bytes(16))]
     assert Sequences.compare(same, same) == []
     assert Sequences.compare(same, [("1 ReadPixels", bytes(15) + b"\1")]) != []
@@ -138,7 +147,8 @@ def report(sequences, seed, lines, reduces):
         print(f"    {line}")
     if not reduces:
         return
-    kept = minimise(lambda some: bool(sequences.differences(seed, some)), sequences.commands)
+    kept = minimise(lambda some: bool(sequences.differences(seed, some)),
+                    sequences.start(seed) or list(range(sequences.commands)))
     print(f"    reduced: {' '.join(map(str, sequences.command(seed, kept)[1:]))}")
     for name in sequences.names(seed, kept):
         print(f"      {name}")
@@ -156,6 +166,7 @@ def main():
     parser.add_argument("--commands", type=int, default=150, help="of a sequence")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--reduce", type=int, default=2, help="how many failures are reduced")
+    parser.add_argument("--skip", action="append", metavar="KIND", help="of commands, by name")
     parser.add_argument("--planted", action="store_true", help="also test the test")
     parser.add_argument("--drawn", action="store_true", help="fail if the rasterizer drew nothing")
     parser.add_argument("--self-test", action="store_true")

@@ -23,7 +23,7 @@ Place randomPlace(int width, int height, Random &random) {
 }
 
 /// Coordinates in texels such that no sample lies near a texel's border: a step of a half, one or
-/// two texels a pixel, from a quarter into one.
+/// two texels a pixel, never nearer than an eighth.
 struct Mapping {
   float u0, v0, u1, v1;
 };
@@ -31,8 +31,9 @@ struct Mapping {
 Mapping randomMapping(const Place &place, const Texture &image, bool normalised, Random &random) {
   static constexpr float kSteps[] = {1, 1, 1, 0.5f, 2};
   const float step = random.pick(kSteps);
-  const float u = random.once(2) ? 0.25f : float(random.between(-8, 40)) + 0.25f;
-  const float v = random.once(2) ? 0.25f : float(random.between(-8, 40)) + 0.25f;
+  const float inside = step == 0.5f ? 0.125f : 0.25f;
+  const float u = random.once(2) ? inside : float(random.between(-8, 40)) + inside;
+  const float v = random.once(2) ? inside : float(random.between(-8, 40)) + inside;
   const float width = normalised ? float(image.width[0]) : 1.0f;
   const float height = normalised ? float(image.height[0]) : 1.0f;
   return {u / width, v / height, (u + step * (place.x1 - place.x0)) / width,
