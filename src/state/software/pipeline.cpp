@@ -208,8 +208,8 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   if (mirror.scissorEnabled)
     raster.clip = swrast::intersect(raster.clip, mirror.scissor);
   raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
-  if (m_targets->depthBits == 16)
-    raster.depthResolution = 1.0 / 65535.0;
+  // The software host's r is two steps of a depth buffer; passes of both must meet.
+  raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0 : 16777215.0);
   const auto &inputs = m_functions->prepared()->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
