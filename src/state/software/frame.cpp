@@ -18,13 +18,14 @@ void judge(Context &context, bool moved) {
 
 } // namespace
 
-void presentFrame(Context &context) {
+bool presentFrame(Context &context) {
   ContextState &state = *context.software;
   state.presents = true;
   const bool moved = transfers(context) != state.transfersSeen;
-  present(context);
+  const bool shown = present(context);
   state.transfersSeen = transfers(context);
   judge(context, moved);
+  return shown;
 }
 
 void finishFrame(Context &context) {
