@@ -283,6 +283,10 @@ class Compile(Temporary):
         self.assertIn('arbiter_entry:', code.stdout)
         refused = arbiter('compile', '--emit', 'machine', '--numerics', 'fp24', '-', text=GOOD)
         self.assertEqual((refused.returncode, refused.stdout), (1, ''))
+        missing = arbiter('compile', '--emit', 'machine', '-', text=GOOD,
+                          ARBITER_JIT_LIBRARY='/nowhere/jit.so')
+        self.assertEqual((missing.returncode, missing.stdout), (1, ''))
+        self.assertIn('/nowhere/jit.so', missing.stderr)
 
     def test_glsl_into_a_file(self):
         output = self.path('out.glsl')
