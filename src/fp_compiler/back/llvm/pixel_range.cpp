@@ -86,6 +86,21 @@ Range called(const llvm::IntrinsicInst &call, int depth) {
     const bool crosses = a.low < 0 && a.high > 0;
     return {crosses ? 0 : std::min(std::fabs(a.low), std::fabs(a.high)), most, a.mayBeNan};
   }
+  // decode()'s: a number in the low bits of a mantissa, scaled.
+  llvm::Value *bits = nullptr;
+  const llvm::APInt *kept = nullptr, *exponent = nullptr;
+  const llvm::APFloat *scale = nullptr, *sum = nullptr;
+  if (call.getIntrinsicID() == llvm::Intrinsic::fma &&
+      match(call.getArgOperand(0), m_BitCast(m_Value(bits))) &&
+      match(bits, m_Or(m_And(m_Value(), m_APInt(kept)), m_APInt(exponent))) &&
+      match(call.getArgOperand(1), m_APFloat(scale)) &&
+      match(call.getArgOperand(2), m_APFloat(sum)) && kept->ule(0x7FFFFF) &&
+      *exponent == 0x4B000000 && !scale->isNegative()) {
+    const auto at = [&](double number) {
+      return float(number * double(scale->convertToFloat()) + double(sum->convertToFloat()));
+    };
+    return {at(0x1p23), at(0x1p23 + double(kept->getZExtValue())), false};
+  }
   // The other operand where one is NaN; bit 0 of the choice is maximum.
   if (call.getIntrinsicID() == llvm::Intrinsic::x86_avx512_mask_range_ps_512) {
     const Range a = operand(0), b = operand(1);

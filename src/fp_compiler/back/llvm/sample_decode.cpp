@@ -21,6 +21,18 @@ Value *bitsOf(Code &code, Value *word, int shift, int bits) {
 Value *normalized(Code &code, Value *word, int shift, int bits) {
   // The product with the rounded reciprocal gives 0 and 1 exactly.
   const float scale = 1.0f / float((1 << bits) - 1);
+  // As the low bits of a float's mantissa a number needs no conversion: (2^23 + n) * s - 2^23 * s
+  // is rounded once, to what n * s is rounded to. AVX-512 puts the bits there in one operation.
+  const int room = shift + bits <= 23 ? shift : 8;
+  if (code.cpu.family == Cpu::Family::Avx512 && shift + bits < 32 && room + bits <= 23) {
+    Value *const moved = room < shift ? code.ir.CreateLShr(word, code.splat(shift - room)) : word;
+    Value *const kept = code.ir.CreateAnd(moved, code.splat(((1 << bits) - 1) << room));
+    Value *const number =
+        code.ir.CreateBitCast(code.ir.CreateOr(kept, code.splat(0x4B000000)), code.f32);
+    const float step = scale / float(1 << room);
+    return code.ir.CreateIntrinsic(llvm::Intrinsic::fma, {code.f32},
+                                   {number, code.splat(step), code.splat(-step * 0x1p23f)});
+  }
   return code.ir.CreateFMul(code.toFloat(bitsOf(code, word, shift, bits)), code.splat(scale));
 }
 
