@@ -1,8 +1,12 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <iterator>
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
+#include "state/software/stale.h"
 #include "state/target.h"
 
 namespace arbiter::state {
@@ -15,35 +19,121 @@ enum class Capability : std::uint8_t {
   ClipPlane,     ///< the host, and which form a vertex program is drawn in (clip_planes.h)
 };
 
-/// One look at `cap` on the way of each Enable and Disable, most of which are the host's alone.
-[[nodiscard]] constexpr Capability capabilityOf(GLenum cap) {
-  switch (cap) {
-  case infoOf(Target::Fragment).name:
-  case infoOf(Target::Vertex).name:
-  case infoOf(Target::AtiText).name:
-  case infoOf(Target::AtiApi).name:
-    return Capability::ProgramTarget;
-  case GL_FOG:
-  case GL_LIGHTING:
-  case GL_COLOR_SUM:
-  case GL_TEXTURE_1D:
-  case GL_TEXTURE_2D:
-  case GL_TEXTURE_3D:
-  case GL_TEXTURE_CUBE_MAP:
-  case GL_TEXTURE_RECTANGLE:
-    return Capability::ChoosesForm;
-  case GL_CLIP_PLANE0: // CLIP_DISTANCEi has the same values
-  case GL_CLIP_PLANE1:
-  case GL_CLIP_PLANE2:
-  case GL_CLIP_PLANE3:
-  case GL_CLIP_PLANE4:
-  case GL_CLIP_PLANE5:
-  case GL_CLIP_DISTANCE6:
-  case GL_CLIP_DISTANCE7:
-    return Capability::ClipPlane;
-  default:
-    return Capability::Host;
+struct CapabilityRow {
+  GLenum cap = 0;
+  Capability capability = Capability::Host;
+  std::uint32_t stale = software::stale::kAll; ///< what the rasterizer must ask for again
+};
+
+namespace detail {
+
+using namespace software::stale;
+
+/// What a program target's enable changes draws look at by themselves.
+inline constexpr CapabilityRow kCapabilities[] = {
+    {infoOf(Target::Fragment).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::Vertex).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::AtiText).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::AtiApi).name, Capability::ProgramTarget, 0},
+    {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
+    {GL_LIGHTING, Capability::ChoosesForm, kLighting},
+    {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},
+    {GL_TEXTURE_1D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_2D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_3D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_CUBE_MAP, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_RECTANGLE, Capability::ChoosesForm, kTextureBindings},
+    {GL_CLIP_PLANE0, Capability::ClipPlane, kTransform}, // CLIP_DISTANCEi has the same values
+    {GL_CLIP_PLANE1, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE2, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE3, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE4, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE5, Capability::ClipPlane, kTransform},
+    {GL_CLIP_DISTANCE6, Capability::ClipPlane, kTransform},
+    {GL_CLIP_DISTANCE7, Capability::ClipPlane, kTransform},
+    {GL_ALPHA_TEST, Capability::Host, kPixelOps},
+    {GL_BLEND, Capability::Host, kPixelOps},
+    {GL_DEPTH_TEST, Capability::Host, kPixelOps},
+    {GL_STENCIL_TEST, Capability::Host, kPixelOps},
+    {GL_COLOR_LOGIC_OP, Capability::Host, kPixelOps},
+    {GL_DITHER, Capability::Host, kPixelOps},
+    {GL_MULTISAMPLE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_ALPHA_TO_ONE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_COVERAGE, Capability::Host, kPixelOps},
+    {GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Host, kPixelOps},
+    {GL_DEPTH_BOUNDS_TEST_EXT, Capability::Host, kPixelOps},
+    {GL_SCISSOR_TEST, Capability::Host, kViewport},
+    {GL_CULL_FACE, Capability::Host, kRaster},
+    {GL_LINE_SMOOTH, Capability::Host, kRaster},
+    {GL_LINE_STIPPLE, Capability::Host, kRaster},
+    {GL_POINT_SMOOTH, Capability::Host, kRaster},
+    {GL_POLYGON_SMOOTH, Capability::Host, kRaster},
+    {GL_POLYGON_STIPPLE, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_FILL, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_LINE, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_POINT, Capability::Host, kRaster},
+    {GL_DEPTH_CLAMP, Capability::Host, kRaster},
+    {GL_VERTEX_PROGRAM_POINT_SIZE, Capability::Host, kRaster | kTexGen},
+    {GL_VERTEX_PROGRAM_TWO_SIDE, Capability::Host, kRaster | kLighting},
+    {GL_POINT_SPRITE, Capability::Host, kRaster | kTexGen},
+    {GL_TEXTURE_GEN_S, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_T, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_R, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_Q, Capability::Host, kTexGen},
+    {GL_COLOR_MATERIAL, Capability::Host, kLighting},
+    {GL_LIGHT0, Capability::Host, kLighting},
+    {GL_LIGHT1, Capability::Host, kLighting},
+    {GL_LIGHT2, Capability::Host, kLighting},
+    {GL_LIGHT3, Capability::Host, kLighting},
+    {GL_LIGHT4, Capability::Host, kLighting},
+    {GL_LIGHT5, Capability::Host, kLighting},
+    {GL_LIGHT6, Capability::Host, kLighting},
+    {GL_LIGHT7, Capability::Host, kLighting},
+    {GL_NORMALIZE, Capability::Host, kTransform},
+    {GL_RESCALE_NORMAL, Capability::Host, kTransform},
+};
+
+inline constexpr unsigned kSlotBits = 9;
+constexpr unsigned slotOf(GLenum cap, std::uint32_t factor) {
+  return (cap * factor) >> (32 - kSlotBits);
+}
+
+/// A factor that gives each capability a place of its own, found while compiling.
+constexpr std::uint32_t perfectFactor() {
+  for (std::uint32_t factor = 0x9E3779B1u;; factor += 2) {
+    bool taken[1u << kSlotBits] = {};
+    bool clashes = false;
+    for (const CapabilityRow &row : kCapabilities) {
+      bool &place = taken[slotOf(row.cap, factor)];
+      clashes = clashes || place;
+      place = true;
+    }
+    if (!clashes)
+      return factor;
   }
+}
+inline constexpr std::uint32_t kFactor = perfectFactor();
+
+/// The number of each place's row, plus one; 0 for none.
+constexpr std::array<std::uint8_t, 1u << kSlotBits> places() {
+  std::array<std::uint8_t, 1u << kSlotBits> found{};
+  for (std::size_t i = 0; i < std::size(kCapabilities); ++i)
+    found[slotOf(kCapabilities[i].cap, kFactor)] = std::uint8_t(i + 1);
+  return found;
+}
+inline constexpr auto kPlaces = places();
+inline constexpr CapabilityRow kOther{};
+
+} // namespace detail
+
+/// One look at `cap` on the way of each Enable and Disable, most of which are the host's alone. A
+/// capability that is not in the table may change anything that the rasterizer knows.
+[[nodiscard]] constexpr const CapabilityRow &rowOfCapability(GLenum cap) {
+  const unsigned place = detail::kPlaces[detail::slotOf(cap, detail::kFactor)];
+  if (place == 0 || detail::kCapabilities[place - 1].cap != cap)
+    return detail::kOther;
+  return detail::kCapabilities[place - 1];
 }
 
 } // namespace arbiter::state

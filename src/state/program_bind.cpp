@@ -7,7 +7,6 @@
 #include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
-#include "state/software/commands.h"
 
 namespace arbiter::state {
 
@@ -154,37 +153,36 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 }
 
 void Enable(Context &context, GLenum cap) {
-  if (context.softwarePossible)
-    context.stale |= software::staleOf(cap);
-  const Capability capability = capabilityOf(cap);
-  if (capability == Capability::Host) [[likely]]
+  const CapabilityRow &about = rowOfCapability(cap);
+  context.stale |= about.stale;
+  if (about.capability == Capability::Host) [[likely]]
     return context.host->Enable(cap);
   if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, true);
   context.host->Enable(cap);
-  noteCapability(context, capability, true);
+  noteCapability(context, about.capability, true);
 }
 
 void Disable(Context &context, GLenum cap) {
-  if (context.softwarePossible)
-    context.stale |= software::staleOf(cap);
-  const Capability capability = capabilityOf(cap);
-  if (capability == Capability::Host) [[likely]]
+  const CapabilityRow &about = rowOfCapability(cap);
+  context.stale |= about.stale;
+  if (about.capability == Capability::Host) [[likely]]
     return context.host->Disable(cap);
   if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, false);
   context.host->Disable(cap);
-  noteCapability(context, capability, false);
+  noteCapability(context, about.capability, false);
 }
 
 void Enablei(Context &context, GLenum target, GLuint index) {
   context.host->Enablei(target, index);
-  noteCapability(context, capabilityOf(target), true); // EXT_direct_state_access: a unit's enable
+  noteCapability(context, rowOfCapability(target).capability,
+                 true); // EXT_direct_state_access: a unit's enable
 }
 
 void Disablei(Context &context, GLenum target, GLuint index) {
   context.host->Disablei(target, index);
-  noteCapability(context, capabilityOf(target), false);
+  noteCapability(context, rowOfCapability(target).capability, false);
 }
 
 GLboolean IsEnabled(Context &context, GLenum cap) {

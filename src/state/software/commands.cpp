@@ -3,7 +3,6 @@
 #include "host/host_table.h"
 #include "state/software/replay.h"
 #include "state/software/residency.h"
-#include "state/software/stale.h"
 
 namespace arbiter::state::software {
 
@@ -88,85 +87,6 @@ void hostWrites(Context &context, const char *name) {
 void hostDoesUnknown(Context &context, const char *name) {
   if (!isHosts(context))
     hostDoesAnything(context, name);
-}
-
-std::uint32_t staleOf(GLenum cap) {
-  switch (cap) {
-  case GL_ALPHA_TEST:
-  case GL_BLEND:
-  case GL_DEPTH_TEST:
-  case GL_STENCIL_TEST:
-  case GL_COLOR_LOGIC_OP:
-  case GL_INDEX_LOGIC_OP:
-  case GL_DITHER:
-  case GL_MULTISAMPLE:
-  case GL_SAMPLE_ALPHA_TO_COVERAGE:
-  case GL_SAMPLE_ALPHA_TO_ONE:
-  case GL_SAMPLE_COVERAGE:
-  case GL_STENCIL_TEST_TWO_SIDE_EXT:
-  case GL_DEPTH_BOUNDS_TEST_EXT:
-    return stale::kPixelOps;
-  case GL_FRAMEBUFFER_SRGB:
-    return stale::kPixelOps | stale::kFramebuffer;
-  case GL_SCISSOR_TEST:
-    return stale::kViewport;
-  case GL_CULL_FACE:
-  case GL_LINE_SMOOTH:
-  case GL_LINE_STIPPLE:
-  case GL_POINT_SMOOTH:
-  case GL_POLYGON_SMOOTH:
-  case GL_POLYGON_STIPPLE:
-  case GL_POLYGON_OFFSET_FILL:
-  case GL_POLYGON_OFFSET_LINE:
-  case GL_POLYGON_OFFSET_POINT:
-  case GL_DEPTH_CLAMP:
-  case GL_VERTEX_PROGRAM_POINT_SIZE:
-  case GL_VERTEX_PROGRAM_TWO_SIDE:
-    return stale::kRaster;
-  case GL_TEXTURE_1D:
-  case GL_TEXTURE_2D:
-  case GL_TEXTURE_3D:
-  case GL_TEXTURE_CUBE_MAP:
-  case GL_TEXTURE_RECTANGLE:
-    return stale::kTextureBindings;
-  case GL_TEXTURE_GEN_S:
-  case GL_TEXTURE_GEN_T:
-  case GL_TEXTURE_GEN_R:
-  case GL_TEXTURE_GEN_Q:
-    return stale::kTexGen;
-  case GL_POINT_SPRITE:
-    return stale::kTexGen | stale::kRaster;
-  case GL_FOG:
-    return stale::kFog | stale::kLighting;
-  case GL_COLOR_SUM:
-    return stale::kFog | stale::kLighting;
-  case GL_LIGHTING:
-  case GL_COLOR_MATERIAL:
-  case GL_LIGHT0:
-  case GL_LIGHT1:
-  case GL_LIGHT2:
-  case GL_LIGHT3:
-  case GL_LIGHT4:
-  case GL_LIGHT5:
-  case GL_LIGHT6:
-  case GL_LIGHT7:
-    return stale::kLighting;
-  case GL_NORMALIZE:
-  case GL_RESCALE_NORMAL:
-  case GL_CLIP_PLANE0:
-  case GL_CLIP_PLANE1:
-  case GL_CLIP_PLANE2:
-  case GL_CLIP_PLANE3:
-  case GL_CLIP_PLANE4:
-  case GL_CLIP_PLANE5:
-    return stale::kTransform;
-  case GL_FRAGMENT_PROGRAM_ARB: // the draw looks at what is in force by itself
-    return 0;
-  case GL_VERTEX_PROGRAM_ARB:
-    return stale::kTransform | stale::kLighting | stale::kTexGen;
-  default:
-    return stale::kAll;
-  }
 }
 
 } // namespace arbiter::state::software

@@ -42,7 +42,4 @@ inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat
     recorder(hot).set(kGeneric0 + int(index), x, y, z, w);
 }
 
-/// The groups of stale.h that an Enable or Disable of `cap` changes.
-[[nodiscard]] std::uint32_t staleOf(GLenum cap);
-
 } // namespace arbiter::state::software
