@@ -29,7 +29,8 @@ Pipeline &pipelineOf(Context &context) {
 Outcome judge(Context &context) {
   if (context.listMode != 0)
     return Fallback::List;
-  if (context.path != Path::HostGlsl)
+  // Fixed function alone is ours too, once a program of ours has been drawn.
+  if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
     return Fallback::NoFragmentProgram;
   if (!aloneInGroup(context))
     return Fallback::Shared;

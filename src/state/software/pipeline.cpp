@@ -33,18 +33,14 @@ unsigned storedMask(const abi::Format &format) {
 
 } // namespace
 
-void Pipeline::takeProgram(Context &context, const CompiledProgram &compiled) {
-  if (m_compiled == &compiled && m_source == compiled.program)
-    return;
-  m_compiled = &compiled;
-  m_source = compiled.program;
-  m_functions = fragmentFunctions(m_source, context.numerics, m_when);
-  m_values.reset();
-  m_recent = {};
+void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source) {
+  m_program = &m_programs.find(source, m_program);
+  if (!m_program->functions)
+    m_program->functions = fragmentFunctions(source, context.numerics, m_when);
 }
 
 Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
-  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   m_key = mirror.pixelOps;
   m_key.numerics = std::uint8_t(context.numerics);
   abi::DepthStencilKey &depth = m_key.depthStencil;
@@ -70,7 +66,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     anyFloat |= isFloat(target.format.layout);
   }
   // Without the option a program's one colour goes to every draw buffer (ARB_draw_buffers).
-  if (colors > 1 && !m_source->options.drawBuffers)
+  if (colors > 1 && !m_program->source->options.drawBuffers)
     return Fallback::Target;
   if (mirror.clampFixedOnly && anyFloat)
     m_key.clampColors = 0;
@@ -83,30 +79,35 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
   m_topology = swrast::Topology(kind.mode);
   m_count = kind.count;
   m_when = state.forced ? When::Now : When::Later;
-  const CompiledProgram *const fragment = context.variant->fragment.compiled;
-  if (!fragment || !fragment->program)
-    return Fallback::NoFragmentProgram;
   if (context.numerics == fp::Numerics::Fp24 || !engine())
     return Fallback::NotCompiled;
-  takeProgram(context, *fragment);
-  const fp::jit::FragmentProgram *const prepared = m_functions->prepared();
-  if (!prepared)
-    return m_functions->progress() == Progress::Making ? Fallback::Compiling
-                                                       : Fallback::NotCompiled;
-  if (!m_values)
-    m_values = std::make_unique<ProgramValues>(prepared->program());
   refresh(context, mirror);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
+  m_compiled = context.variant ? context.variant->fragment.compiled : nullptr;
+  if (m_compiled && !m_compiled->program)
+    return Fallback::NoFragmentProgram; // an ATI shader's
+  Outcome outcome;
+  const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
+  if (!outcome.ok())
+    return outcome;
+  takeProgram(context, m_compiled ? m_compiled->program : fixed);
+  const fp::jit::FragmentProgram *const prepared = m_program->functions->prepared();
+  if (!prepared)
+    return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
+                                                                : Fallback::NotCompiled;
+  if (!m_program->values)
+    m_program->values = std::make_unique<ProgramValues>(prepared->program());
   if (const char *const obstacle = obstacleOf(mirror, m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const char *reason = nullptr;
   m_targets = describeTargets(context, reason);
   if (!m_targets)
     return fallbackNamed(reason, Fallback::Target);
-  if (const Outcome outcome =
-          m_vertices.choose(context, mirror, context.variant->vertex.compiled, prepared->shape(),
-                            m_topology == swrast::Topology::Points, m_when);
+  const CompiledProgram *const vertexProgram =
+      context.variant ? context.variant->vertex.compiled : nullptr;
+  if (const Outcome outcome = m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
+                                                m_topology == swrast::Topology::Points, m_when);
       !outcome.ok())
     return outcome;
   return makeKey(context, mirror);
@@ -115,12 +116,12 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
 abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   m_key.lanes = lanes;
   FragmentFunctions::Slot *slot = nullptr;
-  for (const Recent &recent : m_recent)
+  for (const Recent &recent : m_program->recent)
     if (recent.slot && std::memcmp(&recent.key, &m_key, sizeof m_key) == 0)
       slot = recent.slot;
   if (!slot) {
-    slot = &m_functions->slot(m_key, m_when);
-    m_recent[m_nextRecent++ % m_recent.size()] = {m_key, slot};
+    slot = &m_program->functions->slot(m_key, m_when);
+    m_program->recent[m_program->nextRecent++ % m_program->recent.size()] = {m_key, slot};
   }
   const abi::ShadeFunction function = slot->function.load(std::memory_order_acquire);
   if (!function)
@@ -131,7 +132,7 @@ abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
 
 Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
                                   swrast::Shading &shading) {
-  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   const bool affine = swrast::isAffine(vertices);
   shading.inputCount = std::uint32_t(shape.inputs.size());
   for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
@@ -161,7 +162,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &
 }
 
 bool Pipeline::isOpaque() const {
-  const fp::jit::FragmentShape &shape = m_functions->prepared()->shape();
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   if (shape.kills || m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
       m_key.depthStencil.layout != abi::Layout::None)
     return false;
@@ -173,8 +174,9 @@ bool Pipeline::isOpaque() const {
 
 void Pipeline::fillData(Context &context, const Mirror &mirror) {
   m_data = mirror.constants;
-  m_values->update(context, mirror.clock, &context.row(m_compiled->target));
-  m_data.parameters = m_values->data();
+  m_program->values->update(context, mirror.clock,
+                            m_compiled ? &context.row(m_compiled->target) : nullptr);
+  m_data.parameters = m_program->values->data();
   m_units.fill(m_data);
   const auto targetOf = [](const swrast::Image *image) {
     return image ? abi::Target{image->pixel(0, 0), image->rowStride} : abi::Target{};
@@ -210,7 +212,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
   // The software host's r is two steps of a depth buffer; passes of both must meet.
   raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0 : 16777215.0);
-  const auto &inputs = m_functions->prepared()->shape().inputs;
+  const auto &inputs = m_program->functions->prepared()->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
         (mirror.spriteCoords >> inputs[i].attribute.index & 1) != 0)

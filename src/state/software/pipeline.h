@@ -3,9 +3,11 @@
 
 #include "state/software/context_state.h"
 #include "state/software/draw.h"
+#include "state/software/fixed_fragment.h"
 #include "state/software/functions.h"
 #include "state/software/outcome.h"
 #include "state/software/program_state.h"
+#include "state/software/program_table.h"
 #include "state/software/units.h"
 #include "state/software/vertex_stage.h"
 #include "swrast/rasterize.h"
@@ -35,7 +37,7 @@ public:
   [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
 
 private:
-  void takeProgram(Context &context, const CompiledProgram &compiled);
+  void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   Outcome makeKey(Context &context, Mirror &mirror);
   Outcome chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
                           swrast::Shading &shading);
@@ -49,20 +51,27 @@ private:
     FragmentFunctions::Slot *slot = nullptr;
   };
 
+  /// A fragment program that was drawn with, and what its draws need beside its code.
+  struct Program {
+    std::shared_ptr<const fp::ir::Program> source;
+    std::shared_ptr<FragmentFunctions> functions;
+    std::unique_ptr<ProgramValues> values; ///< null until it is prepared
+    std::array<Recent, 8> recent{};
+    std::size_t nextRecent = 0;
+  };
+
   swrast::Topology m_topology = swrast::Topology::Triangles;
   std::uint32_t m_count = 0;
   When m_when = When::Later;
-  const CompiledProgram *m_compiled = nullptr;
-  std::shared_ptr<const fp::ir::Program> m_source; ///< keeps m_functions' program
-  std::shared_ptr<FragmentFunctions> m_functions;
-  std::unique_ptr<ProgramValues> m_values;
+  const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
+  ProgramTable<Program> m_programs;
+  Program *m_program = nullptr; ///< in force; of m_programs
+  FixedFragments m_fixed;
   Units m_units;
   VertexStage m_vertices;
   const DrawTargets *m_targets = nullptr;
   abi::FragmentKey m_key{};
   abi::FragmentData m_data;
-  std::array<Recent, 8> m_recent{};
-  std::size_t m_nextRecent = 0;
 };
 
 } // namespace arbiter::state::software

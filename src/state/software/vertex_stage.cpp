@@ -64,11 +64,9 @@ bool isColor(const fp::ir::Attribute &attribute) {
 
 void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
                        When when) {
-  if (m_program.source == source)
-    return;
-  m_program.source = source;
-  m_program.functions = vertexFunctions(source, context.numerics, when);
-  m_program.values.reset();
+  m_program = &m_programs.find(source, m_program);
+  if (!m_program->functions)
+    m_program->functions = vertexFunctions(source, context.numerics, when);
 }
 
 Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
@@ -86,12 +84,12 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
     m_twoSided = mirror.twoSidedColor;
     m_pointSize = points && mirror.pointSizeFromProgram;
   }
-  const fp::jit::VertexProgram *const prepared = m_program.functions->prepared();
+  const fp::jit::VertexProgram *const prepared = m_program->functions->prepared();
   if (!prepared)
-    return m_program.functions->progress() == Progress::Making ? Fallback::Compiling
-                                                               : Fallback::NotCompiled;
-  if (!m_program.values)
-    m_program.values = std::make_unique<ProgramValues>(prepared->program());
+    return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
+                                                                : Fallback::NotCompiled;
+  if (!m_program->values)
+    m_program->values = std::make_unique<ProgramValues>(prepared->program());
   m_slots = slotsOf(prepared->shape().inputs);
   return {};
 }
@@ -102,18 +100,18 @@ Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &s
   const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
   if (!m_fetcher.fetch(source, mirror.current, slots, first, count))
     return Fallback::Vertices;
-  const fp::jit::VertexProgram &program = *m_program.functions->prepared();
+  const fp::jit::VertexProgram &program = *m_program->functions->prepared();
   const std::size_t outputCount = program.shape().outputs.size();
   float *const *const outputs = m_fetcher.outputs(outputCount);
   if (!outputs)
     return Fallback::Memory;
-  m_program.values->update(context, mirror.clock,
-                           m_compiled ? &context.row(m_compiled->target) : nullptr);
+  m_program->values->update(context, mirror.clock,
+                            m_compiled ? &context.row(m_compiled->target) : nullptr);
   abi::VertexData data;
-  data.parameters = m_program.values->data();
+  data.parameters = m_program->values->data();
   data.inputs = m_fetcher.inputs(program.shape().inputs);
   data.outputs = outputs;
-  const abi::VertexFunction function = m_program.functions->function();
+  const abi::VertexFunction function = m_program->functions->function();
   if (count <= 2 * kChunk) {
     function(&data, count);
   } else {
@@ -142,7 +140,7 @@ Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &s
 }
 
 void VertexStage::connect(swrast::Vertices &out, const Mirror &, float *const *outputs) const {
-  const auto &results = m_program.functions->prepared()->shape().outputs;
+  const auto &results = m_program->functions->prepared()->shape().outputs;
   const auto find = [&](const fp::ir::Output &wanted) -> float *const * {
     const auto found = std::find(results.begin(), results.end(), wanted);
     return found == results.end() ? nullptr : outputs + 4 * (found - results.begin());

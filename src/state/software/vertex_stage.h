@@ -8,6 +8,7 @@
 #include "state/software/mirror.h"
 #include "state/software/outcome.h"
 #include "state/software/program_state.h"
+#include "state/software/program_table.h"
 #include "state/software/vertex_fetch.h"
 #include "swrast/rasterize.h"
 
@@ -49,7 +50,8 @@ private:
   FixedVertexPrograms m_fixed;
   /// Application programs with what fixed function adds.
   ExtendedPrograms m_extended;
-  Program m_program;
+  ProgramTable<Program> m_programs;
+  Program *m_program = nullptr; ///< in force; of m_programs
   std::uint32_t m_slots = 0;
   bool m_twoSided = false;
   bool m_pointSize = false;

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <unordered_map>
+
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::state::software {
+
+/// What a context keeps for each program that it drew with. An entry begins as `Entry{source}` and
+/// stays where it is until there are so many that all but the one in force are dropped.
+template <typename Entry> class ProgramTable {
+public:
+  /// \param inForce the entry of the last draw, or null: found again without a search, and never
+  /// dropped
+  [[nodiscard]] Entry &find(const std::shared_ptr<const fp::ir::Program> &source, Entry *inForce) {
+    if (inForce && inForce->source == source)
+      return *inForce;
+    if (m_entries.size() >= kMost)
+      std::erase_if(m_entries, [&](const auto &item) { return &item.second != inForce; });
+    Entry &entry = m_entries[source.get()];
+    if (!entry.source)
+      entry.source = source; // which keeps the address its own
+    return entry;
+  }
+
+private:
+  static constexpr std::size_t kMost = 512;
+  std::unordered_map<const fp::ir::Program *, Entry> m_entries;
+};
+
+} // namespace arbiter::state::software
