@@ -73,8 +73,7 @@ protected:
     drawable.memory = m_memory.data();
     drawable.memoryFormat = GL_RGBA;
     drawable.memoryType = GL_UNSIGNED_BYTE;
-    setDrawable(*m_context, drawable);
-    makeCurrent(m_context);
+    makeCurrent(m_context, &drawable);
     if (!m_context->software)
       m_context->software = std::make_unique<ContextState>();
     m_context->stale = stale::kAll;
