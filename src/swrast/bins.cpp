@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 
 #include "swrast/small.h"
 #include "swrast/threads.h"
@@ -120,7 +121,9 @@ void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels
   std::uint32_t start = m_used;
   bool empty = true;
   while (start > 0) {
-    const List &list = m_chunks[--start].tiles[tile];
+    if (!m_chunks[--start].usable)
+      continue;
+    const List &list = m_chunks[start].tiles[tile];
     empty = empty && list.first == kNone;
     if (list.hidesOlder)
       break;
@@ -131,6 +134,8 @@ void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels
   Triangle triangle;
   for (std::uint32_t c = start; c < m_used; ++c) {
     const Chunk &chunk = m_chunks[c];
+    if (!chunk.usable)
+      continue;
     for (std::uint32_t at = chunk.tiles[tile].first; at != kNone; at = chunk.links[at].next) {
       const Record &record = chunk.records[chunk.links[at].record];
       if (record.isShape) {
@@ -152,7 +157,7 @@ void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels
 
 void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
                  DrawStatistics &statistics) {
-  m_clip = intersect(draw.state.clip, draw.viewport.pixels);
+  m_clip = draw.visible;
   if (m_clip.empty())
     return;
   m_left = m_clip.x >> kTileShift;
@@ -163,7 +168,13 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
   if (m_chunks.size() < m_used)
     m_chunks.resize(m_used);
   auto setUpChunk = [&](std::uint32_t i) {
-    setUp(draw, m_chunks[i], first + i * kChunk, first + std::min(count, (i + 1) * kChunk));
+    Chunk &chunk = m_chunks[i];
+    chunk.usable = false;
+    try {
+      setUp(draw, chunk, first + i * kChunk, first + std::min(count, (i + 1) * kChunk));
+      chunk.usable = true;
+    } catch (const std::bad_alloc &) { // on a thread that has nobody to tell: it is not drawn
+    }
   };
   parallel(m_used, setUpChunk);
   std::atomic<std::uint64_t> pixels{0};
@@ -176,7 +187,7 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
   parallel(std::uint32_t(m_tilesX) * std::uint32_t(m_tilesY), tile);
   statistics.pixels += pixels.load(std::memory_order_relaxed);
   for (std::uint32_t i = 0; i < m_used; ++i)
-    statistics.primitives += m_chunks[i].records.size();
+    statistics.primitives += m_chunks[i].usable ? m_chunks[i].records.size() : 0;
 }
 
 } // namespace arbiter::swrast

@@ -38,6 +38,7 @@ private:
     std::vector<Shape> shapes;
     std::vector<Link> links;
     std::vector<List> tiles;
+    bool usable = false; ///< there was memory for it
   };
 
   void setUp(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end);

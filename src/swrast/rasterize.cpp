@@ -1,6 +1,8 @@
 #include "swrast/rasterize.h"
 
-#include <atomic>
+#include <algorithm>
+#include <cstdint>
+#include <new>
 
 #include "swrast/bins.h"
 #include "swrast/direct.h"
@@ -10,9 +12,35 @@
 namespace arbiter::swrast {
 namespace {
 
+/// Draws of no more triangles are shaded in bands: sorting them would not pay.
+constexpr std::uint32_t kDirectTriangles = 32;
+constexpr std::uint32_t kVertexChunk = 4096;
+
+/// What a chunk of vertices is like.
+struct ChunkBounds {
+  std::uint32_t outcodes = 0;
+  std::int32_t minX = INT32_MAX, minY = INT32_MAX, maxX = INT32_MIN, maxY = INT32_MIN;
+
+  void add(const WindowVertex &vertex) {
+    outcodes |= vertex.outcode;
+    minX = std::min(minX, vertex.fixedX);
+    minY = std::min(minY, vertex.fixedY);
+    maxX = std::max(maxX, vertex.fixedX);
+    maxY = std::max(maxY, vertex.fixedY);
+  }
+  void add(const ChunkBounds &other) {
+    outcodes |= other.outcodes;
+    minX = std::min(minX, other.minX);
+    minY = std::min(minY, other.minY);
+    maxX = std::max(maxX, other.maxX);
+    maxY = std::max(maxY, other.maxY);
+  }
+};
+
 /// Kept by each thread that draws, so that a draw like the last one allocates nothing.
 struct Scratch {
   std::vector<WindowVertex> window;
+  std::vector<ChunkBounds> bounds;
   std::vector<Shape> shapes;
   Bins bins;
   Strokes strokes;
@@ -22,52 +50,64 @@ Scratch &scratch() {
   return instance;
 }
 
-/// Draws of no more triangles are shaded in bands: sorting them would not pay.
-constexpr std::uint32_t kDirectTriangles = 32;
-constexpr std::uint32_t kVertexChunk = 4096;
-
-/// Window positions of the vertices that are used.
-void placeVertices(Draw &draw, std::vector<WindowVertex> &window) {
-  std::uint32_t begin = draw.first, end = draw.first + draw.count;
-  if (draw.indices) {
-    begin = draw.vertices.count;
-    end = 0;
-    for (std::uint32_t i = 0; i < draw.count; ++i) {
-      const std::uint32_t index = draw.indices[i];
-      if (index >= draw.vertices.count)
-        continue;
-      begin = std::min(begin, index);
-      end = std::max(end, index + 1);
-    }
+/// The vertices that the draw uses: from the first to behind the last.
+void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
+  begin = draw.first;
+  end = draw.first + draw.count;
+  if (!draw.indices)
+    return;
+  begin = draw.vertices.count;
+  end = 0;
+  for (std::uint32_t i = 0; i < draw.count; ++i) {
+    const std::uint32_t index = draw.indices[i];
+    if (index >= draw.vertices.count)
+      continue;
+    begin = std::min(begin, index);
+    end = std::max(end, index + 1);
   }
-  end = std::min(end, draw.vertices.count);
+}
+
+/// Window positions of the vertices that are used, and what can be seen of their primitives.
+void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
+                   std::vector<ChunkBounds> &bounds) {
+  std::uint32_t begin = 0, end = 0;
+  usedVertices(draw, begin, end);
+  draw.visible = intersect(draw.state.clip, draw.viewport.pixels);
   if (window.size() < end)
     window.resize(end);
   draw.window = window.data();
   if (begin >= end)
     return;
-  std::atomic<std::uint32_t> outcodes{0};
+  const std::uint32_t chunks = (end - begin + kVertexChunk - 1) / kVertexChunk;
+  bounds.assign(chunks, {});
   auto chunk = [&](std::uint32_t number) {
     const std::uint32_t from = begin + number * kVertexChunk;
     const std::uint32_t to = std::min(end, from + kVertexChunk);
-    std::uint32_t any = 0;
+    ChunkBounds own;
     for (std::uint32_t i = from; i < to; ++i) {
       window[i] = windowVertex(draw.viewport, draw.vertices, i);
-      any |= window[i].outcode;
+      own.add(window[i]);
     }
-    outcodes.fetch_or(any, std::memory_order_relaxed);
+    bounds[number] = own;
   };
-  parallel((end - begin + kVertexChunk - 1) / kVertexChunk, chunk);
+  parallel(chunks, chunk);
+  ChunkBounds all;
+  for (const ChunkBounds &part : bounds)
+    all.add(part);
+  const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise.
-  draw.otherDiagonal = draw.state.polygonStipple != nullptr ||
-                       (outcodes.load(std::memory_order_relaxed) & kClipMask) != 0;
+  draw.otherDiagonal = draw.state.polygonStipple != nullptr || clipped;
+  if (clipped)
+    return; // a vertex that is outside has no place that bounds anything
+  const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);
+  draw.visible = intersect(draw.visible, {left, bottom, (all.maxX >> kSubpixelBits) + 1 - left,
+                                          (all.maxY >> kSubpixelBits) + 1 - bottom});
 }
 
 DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
                                 std::uint32_t triangles) {
   shapes.clear();
   const RasterState &state = draw.state;
-  const Rect clip = intersect(state.clip, draw.viewport.pixels);
   const auto take = [&](const Triangle &triangle, Shape &shape) {
     shape.stippled = state.polygonStipple != nullptr;
     makePlanes(state, draw.plan, triangle, state.offsetFill, shape.left, shape.bottom,
@@ -90,7 +130,7 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
     triangle.backFacing = isBackFacing(state, area);
     Shape shape;
     if (area != 0 && !isCulled(state, triangle.backFacing) &&
-        shapeOf(clip, triangle.corner, area, shape))
+        shapeOf(draw.visible, triangle.corner, area, shape))
       take(triangle, shape);
   }
   return {shapes.size(), shadeInBands(state, draw.shading, shapes.data(), shapes.size())};
@@ -108,9 +148,10 @@ DrawStatistics drawTriangles(const Draw &draw) {
 
 } // namespace
 
-DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
-                    const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
-                    std::uint32_t count) {
+static DrawStatistics drawChecked(const RasterState &state, const Shading &shading,
+                                  Topology topology, const Vertices &vertices,
+                                  const std::uint32_t *indices, std::uint32_t first,
+                                  std::uint32_t count) {
   if (state.clip.empty() || (!shading.row && !shading.quad) || count == 0)
     return {};
   if (!indices) {
@@ -136,12 +177,22 @@ DrawStatistics draw(const RasterState &state, const Shading &shading, Topology t
               count,
               makeViewport(state, vertices),
               PlanePlan(shading, vertices)};
-  placeVertices(all, scratch().window);
+  placeVertices(all, scratch().window, scratch().bounds);
   if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);
   DrawStatistics statistics;
   scratch().strokes.draw(all, statistics);
   return statistics;
+}
+
+DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
+                    const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
+                    std::uint32_t count) {
+  try {
+    return drawChecked(state, shading, topology, vertices, indices, first, count);
+  } catch (const std::bad_alloc &) {
+    return {}; // as GL_OUT_OF_MEMORY allows: what is drawn is undefined
+  }
 }
 
 } // namespace arbiter::swrast

@@ -17,6 +17,7 @@ struct Draw {
   Viewport viewport;
   PlanePlan plan;
   const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
+  Rect visible;                         ///< pixels that the draw may reach
   bool otherDiagonal = false;           ///< of quads: see triangleAt()
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
