@@ -81,22 +81,28 @@ public:
 
 private:
   Texel magnifiedOrMinified(Value *magnified, Value *lambda) {
-    const auto base = [&] { return atLevel(nullptr, m_key.magnify); };
-    const auto small = [&] { return minified(lambda); };
-    // A row or block is mostly one or the other.
-    return either(m_code, allLanes(m_code, magnified), base, [&] {
-      return either(
-          m_code, anyLane(m_code, magnified),
-          [&] {
-            const Texel big = base(), little = small();
-            Texel both;
-            for (std::size_t i = 0; i < 4; ++i)
-              if (big.rgba[i])
-                both.rgba[i] = m_code.select(magnified, big.rgba[i], little.rgba[i]);
-            return both;
-          },
-          small);
-    });
+    const Texel big = where(magnified, [&] { return atLevel(nullptr, m_key.magnify); });
+    const Texel small = where(m_code.ir.CreateNot(magnified), [&] { return minified(lambda); });
+    Texel both;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (big.rgba[i])
+        both.rgba[i] = m_code.select(magnified, big.rgba[i], small.rgba[i]);
+    return both;
+  }
+
+  /// What is sampled if any lane wants it, else zeros. A row or block is mostly of one mind.
+  Texel where(Value *wanted, const Sampled &sampled) {
+    Texel zeros;
+    return either(
+        m_code, anyLane(m_code, wanted),
+        [&] {
+          Texel texel = sampled();
+          texel.packed = nullptr;
+          for (std::size_t i = 0; i < 4; ++i)
+            zeros.rgba[i] = texel.rgba[i] ? m_code.splat(0.0f) : nullptr;
+          return texel;
+        },
+        [&] { return zeros; });
   }
 
   Texel minified(Value *lambda) {

@@ -67,6 +67,8 @@ private:
         at.dy[i] = m_code.splat(constant(real, offsetof(SampleCall, dy) + 4 * i));
       }
     }
+    if (m_options.mask)
+      at.mask = m_code.ir.CreateFCmpORD(at.coordinate[0], at.coordinate[0]);
     if (m_options.bias)
       at.bias = vector(offsetof(SampleCall, bias));
     if (m_options.texels) {

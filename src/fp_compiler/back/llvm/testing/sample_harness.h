@@ -25,6 +25,7 @@ struct SampleOptions {
   abi::Lanes lanes = abi::Lanes::Row;
   bool bias = false;
   bool derivatives = false; ///< of Lanes::Row
+  bool mask = false;        ///< only lanes whose first coordinate is not NaN count
   bool texels = false;      ///< SampleCall::texels is read, consecutively
   unsigned needed = 0xF;
   bool onlyPacked = false; ///< stores nothing but `packed`
