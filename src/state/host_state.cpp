@@ -35,7 +35,7 @@ glm::mat4 getProgramMatrix(const host::HostTable &host, GLuint index) {
   return matrix;
 }
 
-glm::mat4 fetchMatrix(const host::HostTable &host, const StateRef &state) {
+glm::mat4 plainMatrix(const host::HostTable &host, const StateRef &state) {
   switch (state.item) {
   case StateItem::MatrixProjection:
     return getMatrix(host, GL_PROJECTION_MATRIX);
@@ -52,8 +52,9 @@ glm::mat4 fetchMatrix(const host::HostTable &host, const StateRef &state) {
   }
 }
 
-void matrixRow(const host::HostTable &host, const StateRef &state, GLfloat value[4]) {
-  glm::mat4 matrix = fetchMatrix(host, state);
+/// With the modifier applied.
+glm::mat4 modifiedMatrix(const host::HostTable &host, const StateRef &state) {
+  glm::mat4 matrix = plainMatrix(host, state);
   const bool inverse =
       state.modifier == MatrixModifier::Inverse || state.modifier == MatrixModifier::InvTrans;
   // The inverse of a singular matrix is undefined (2.14.3.2): zero, as everything undefined here.
@@ -61,6 +62,11 @@ void matrixRow(const host::HostTable &host, const StateRef &state, GLfloat value
     matrix = glm::determinant(matrix) != 0.0f ? glm::inverse(matrix) : glm::mat4(0.0f);
   if (state.modifier == MatrixModifier::Transpose || state.modifier == MatrixModifier::InvTrans)
     matrix = glm::transpose(matrix);
+  return matrix;
+}
+
+void matrixRow(const host::HostTable &host, const StateRef &state, GLfloat value[4]) {
+  const glm::mat4 matrix = modifiedMatrix(host, state);
   const int row = state.row & 3;
   for (int column = 0; column < 4; ++column)
     value[column] = matrix[column][row];
@@ -220,6 +226,13 @@ void fetchState(Context &context, const StateRef &state, GLfloat value[4]) {
     value[3] = 1.0f;
     return;
   }
+}
+
+void fetchMatrix(Context &context, const StateRef &state, GLfloat rows[4][4]) {
+  const glm::mat4 matrix = modifiedMatrix(*context.host, state);
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      rows[row][column] = matrix[column][row];
 }
 
 } // namespace arbiter::state

@@ -127,7 +127,7 @@ void refresh(Context &context, Mirror &mirror) {
     askPolygons(context.caps, ask, mirror);
     askLinesAndPoints(ask, mirror);
   }
-  if ((groups & (stale::kTexGen | stale::kTextureParameters)) != 0)
+  if ((groups & (stale::kTexGen | stale::kTextureParameters | stale::kRaster)) != 0)
     askPointSprites(context.caps, ask, mirror);
   if ((groups & stale::kPixelOps) != 0)
     askPixelOps(context.caps, ask, mirror);

@@ -94,12 +94,14 @@ struct Mirror {
   const char *obstacle = nullptr;
   const char *obstacleDetail = nullptr;
   bool smoothPoints = false, smoothLines = false, smoothPolygons = false;
+  /// Between Begin- and EndConditionalRender; GL has no question for it, so their handlers say it.
+  bool conditional = false;
   bool twoSidedColor = false;        ///< VERTEX_PROGRAM_TWO_SIDE, for vertex programs
   bool pointSizeFromProgram = false; ///< VERTEX_PROGRAM_POINT_SIZE
   std::uint8_t spriteCoords = 0;     ///< units with COORD_REPLACE, where POINT_SPRITE is enabled
 
   StaleClock clock;
-  std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0, queriesSeen = 0;
+  std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0;
   std::uint8_t polygonStipple[128] = {};
 };
 

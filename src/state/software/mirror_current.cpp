@@ -75,6 +75,13 @@ void noteCurrent(Mirror &mirror, const CurrentValues &values, std::uint32_t slot
     mirror.current[std::size_t(slot)] = values[std::size_t(slot)];
   }
   mirror.currentKnown |= slots;
+  if ((slots & 1u << kColor) == 0 || !mirror.vertex.colorMaterial) [[likely]]
+    return;
+  // The material followed the colour.
+  const bool upToDate = (mirror.clock.changedSince(mirror.currentSeen) & stale::kCurrent) == 0;
+  mirror.clock.mark(stale::kCurrent);
+  if (upToDate)
+    mirror.currentSeen = mirror.clock.now();
 }
 
 } // namespace arbiter::state::software

@@ -45,6 +45,8 @@ void askObstacles(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
   };
   if (ask.name(GL_RENDER_MODE) != GL_RENDER)
     note("query", "RENDER_MODE");
+  if (mirror.conditional)
+    note("query", "conditional rendering");
   if (queryActive(caps, ask))
     note("query", "an active query");
   if (caps.transformFeedback2 && ask.boolean(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE))

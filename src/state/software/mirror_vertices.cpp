@@ -65,13 +65,13 @@ void askLight(const Ask &ask, int light, VertexState &state) {
 
 void askLighting(const Ask &ask, VertexState &state) {
   state.lighting = ask.enabled(GL_LIGHTING);
+  askColorMaterial(ask, state);
   state.lights = state.positional = state.spots = state.attenuated = 0;
   if (!state.lighting)
     return;
   state.twoSided = ask.boolean(GL_LIGHT_MODEL_TWO_SIDE);
   state.localViewer = ask.boolean(GL_LIGHT_MODEL_LOCAL_VIEWER);
   state.separateSpecular = ask.name(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
-  askColorMaterial(ask, state);
   for (int light = 0; light < kLights; ++light)
     askLight(ask, light, state);
 }

@@ -9,14 +9,22 @@ namespace arbiter::state::software {
 
 namespace {
 
+bool isMatrix(const fp::ir::StateRef &state) {
+  using fp::ir::StateItem;
+  return state.item >= StateItem::MatrixModelview && state.item <= StateItem::MatrixProgram;
+}
+
+bool sameMatrix(fp::ir::StateRef a, fp::ir::StateRef b) {
+  a.row = b.row = 0;
+  return a == b;
+}
+
 bool differ(const Vec4 &a, const Vec4 &b) { return std::memcmp(&a, &b, sizeof a) != 0; }
 
 } // namespace
 
 std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   using fp::ir::StateItem;
-  // An entry point that nobody sorted into groups may say no more than that programs could see it.
-  constexpr std::uint32_t kAlways = stale::kProgramState;
   switch (state.item) {
   case StateItem::MaterialAmbient:
   case StateItem::MaterialDiffuse:
@@ -26,7 +34,7 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightProdAmbient:
   case StateItem::LightProdDiffuse:
   case StateItem::LightProdSpecular:
-    return kAlways | stale::kLighting | stale::kCurrent; // COLOR_MATERIAL follows the colour
+    return stale::kLighting | stale::kCurrent; // COLOR_MATERIAL follows the colour
   case StateItem::MaterialShininess:
   case StateItem::LightAmbient:
   case StateItem::LightDiffuse:
@@ -36,14 +44,14 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightSpotDirection:
   case StateItem::LightHalf:
   case StateItem::LightModelAmbient:
-    return kAlways | stale::kLighting;
+    return stale::kLighting;
   case StateItem::TexEnvColor:
-    return kAlways | stale::kTextureParameters;
+    return stale::kTextureParameters;
   case StateItem::FogColor:
   case StateItem::FogParams:
-    return kAlways | stale::kFog;
+    return stale::kFog;
   case StateItem::DepthRange:
-    return kAlways | stale::kViewport;
+    return stale::kViewport;
   case StateItem::MatrixModelview:
   case StateItem::MatrixProjection:
   case StateItem::MatrixMvp:
@@ -51,13 +59,13 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
   case StateItem::ClipPlane:
-    return kAlways | stale::kTransform;
+    return stale::kTransform;
   case StateItem::TexGenEye:
   case StateItem::TexGenObject:
-    return kAlways | stale::kTexGen;
+    return stale::kTexGen;
   case StateItem::PointSize:
   case StateItem::PointAttenuation:
-    return kAlways | stale::kRaster;
+    return stale::kRaster;
   }
   return ~0u;
 }
@@ -105,11 +113,26 @@ bool ProgramValues::update(Context &context, const StaleClock &clock, const Prog
   m_seen = clock.now();
   if (groups == 0) [[likely]]
     return changed;
+  return updateStates(context, groups) || changed;
+}
+
+bool ProgramValues::updateStates(Context &context, std::uint32_t groups) {
+  bool changed = false;
+  // Rows of one matrix mostly follow each other: it is asked for once.
+  const fp::ir::StateRef *matrix = nullptr;
+  GLfloat rows[4][4];
   for (const State &state : m_states) {
     if ((state.groups & groups) == 0)
       continue;
     Vec4 value{};
-    fetchState(context, state.state, value.data());
+    if (isMatrix(state.state)) {
+      if (!matrix || !sameMatrix(*matrix, state.state))
+        fetchMatrix(context, state.state, rows);
+      matrix = &state.state;
+      std::copy_n(rows[state.state.row & 3u], 4, value.begin());
+    } else {
+      fetchState(context, state.state, value.data());
+    }
     changed |= set(state.row, value);
   }
   return changed;

@@ -39,6 +39,7 @@ private:
     std::uint32_t groups; ///< stale bits that it hangs on
     fp::ir::StateRef state;
   };
+  bool updateStates(Context &context, std::uint32_t groups);
   /// True if that is another value.
   bool set(std::size_t row, const Vec4 &value);
 

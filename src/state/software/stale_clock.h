@@ -21,6 +21,10 @@ public:
     if (bits == 0) [[likely]]
       return;
     context.stale &= kNotOurs;
+    mark(bits);
+  }
+  /// Groups that the layer itself has changed.
+  void mark(std::uint32_t bits) {
     ++m_now;
     for (std::uint32_t left = bits & kGroups; left != 0; left &= left - 1)
       m_changed[std::size_t(std::countr_zero(left))] = m_now;
