@@ -157,6 +157,10 @@ void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthVal
     using Value = decltype(value);
     forRows(rect.height, bytes, [&](int y) {
       auto *const row = reinterpret_cast<Value *>(image.pixel(rect.x, rect.y + y));
+      if (Value(~mask) == 0) {
+        std::fill(row, row + rect.width, value);
+        return;
+      }
       for (int x = 0; x < rect.width; ++x)
         row[x] = Value((row[x] & ~mask) | (value & mask));
     });

@@ -9,6 +9,14 @@ namespace {
 /// narrower rows leave most lanes empty.
 constexpr int kRowVectors = 2;
 
+/// Bits set in the low 16. The processors that this is built for need not have an instruction.
+unsigned bitsOf(unsigned mask) {
+  mask -= (mask >> 1) & 0x5555u;
+  mask = (mask & 0x3333u) + ((mask >> 2) & 0x3333u);
+  mask = (mask + (mask >> 4)) & 0x0F0Fu;
+  return (mask + (mask >> 8)) & 0x1Fu;
+}
+
 std::int64_t floorDivide(std::int64_t value, std::int64_t divisor) {
   const std::int64_t quotient = value / divisor;
   return quotient - (value % divisor < 0 ? 1 : 0);
@@ -169,7 +177,7 @@ void Emitter::block(int x, int y, unsigned mask) {
   if (m_count == kBatch)
     flush();
   m_blocks[m_count++] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
-  m_pixels += unsigned(__builtin_popcount(mask));
+  m_pixels += bitsOf(mask);
 }
 
 void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {
