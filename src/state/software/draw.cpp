@@ -48,11 +48,18 @@ Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
   return pipelineOf(context).choose(context, {mode, count});
 }
 
+/// What a draw wants of the current values: unfilled polygons have edge flags too.
+std::uint32_t slotsOf(const Pipeline &pipeline, const Mirror &mirror) {
+  const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
+                        mirror.raster.back != swrast::PolygonMode::Fill;
+  return pipeline.slots() | (unfilled ? 1u << kEdgeFlag : 0u);
+}
+
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
   refreshArrays(context, mirror);
-  refreshCurrent(context, mirror, pipeline.slots());
+  refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
   const ArraySource arrays(context, mirror, pipeline.slots() | 1u << kEdgeFlag, command);
   if (!arrays.valid())
     return Fallback::Vertices;
@@ -95,7 +102,7 @@ bool begin(Context &context, GLenum mode) {
     return false;
   }
   Mirror &mirror = context.software->mirror;
-  refreshCurrent(context, mirror, pipelineOf(context).slots());
+  refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
   context.software->recorder.begin(mode, mirror.current);
   return true;
 }
