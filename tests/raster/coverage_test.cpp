@@ -120,6 +120,18 @@ TEST_F(Coverage, ClippedTriangles) {
   }
 }
 
+TEST_F(Coverage, UserClipPlanes) {
+  for (int round = 0; round < 200; ++round) {
+    Scene s = scene(round % 2 ? Topology::Triangles : Topology::Lines);
+    for (int i = 0; i <= round % 4; ++i)
+      s.clipPlanes.push_back({uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-0.5, 1)});
+    for (int i = 0; i < 6; ++i)
+      s.vertices.push_back({float(uniform(-1.2, 1.2)), float(uniform(-1.2, 1.2)),
+                            float(uniform(-1.2, 1.2)), float(uniform(0.5, 1.5))});
+    expectSame(s, "round " + std::to_string(round));
+  }
+}
+
 TEST_F(Coverage, HugeTriangles) {
   for (int round = 0; round < 200; ++round) {
     Scene s = scene(Topology::Triangles);

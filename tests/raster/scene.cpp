@@ -40,6 +40,11 @@ void setState(const Scene &scene) {
   setEnabled(GL_POINT_SPRITE, state.spriteInputs != 0);
   setEnabled(GL_DEPTH_CLAMP, state.depthClamp);
   setEnabled(GL_SCISSOR_TEST, !state.clip.empty());
+  for (std::size_t i = 0; i < 6; ++i) {
+    setEnabled(GLenum(GL_CLIP_PLANE0 + i), i < scene.clipPlanes.size());
+    if (i < scene.clipPlanes.size())
+      glClipPlane(GLenum(GL_CLIP_PLANE0 + i), scene.clipPlanes[i].data());
+  }
   glScissor(state.clip.x, state.clip.y, state.clip.width, state.clip.height);
 }
 
@@ -124,6 +129,16 @@ Counts drawByUs(const Scene &scene, Target target, int lanes) {
   vertices.count = std::uint32_t(scene.vertices.size());
   for (int c = 0; c < 4; ++c)
     vertices.position[c] = positions[c].data();
+  std::vector<float> distances[6];
+  for (std::size_t i = 0; i < scene.clipPlanes.size(); ++i) {
+    for (const std::array<float, 4> &vertex : scene.vertices) {
+      float distance = 0;
+      for (std::size_t c = 0; c < 4; ++c)
+        distance += vertex[c] * float(scene.clipPlanes[i][c]);
+      distances[i].push_back(distance);
+    }
+    vertices.clipDistance[i] = distances[i].data();
+  }
   if (!scene.edgeFlags.empty())
     vertices.edgeFlags = scene.edgeFlags.data();
   (void)draw(canvas.state, canvas.shading, scene.topology, vertices, nullptr, 0, vertices.count);

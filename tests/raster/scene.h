@@ -13,8 +13,9 @@ namespace arbiter::raster_test {
 struct Scene {
   int width = 64, height = 64;
   swrast::Topology topology = swrast::Topology::Triangles;
-  std::vector<std::array<float, 4>> vertices; ///< in clip space
-  std::vector<std::uint8_t> edgeFlags;        ///< empty: all set
+  std::vector<std::array<float, 4>> vertices;    ///< in clip space
+  std::vector<std::uint8_t> edgeFlags;           ///< empty: all set
+  std::vector<std::array<double, 4>> clipPlanes; ///< of the user, in clip space
   swrast::RasterState state; ///< viewport, clip and depth range 0 to 1 are the canvas's
 
   /// In window coordinates, at the given w.
