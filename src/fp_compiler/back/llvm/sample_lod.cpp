@@ -39,25 +39,26 @@ int dimensionsOf(abi::Dimension dimension) {
   return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
 }
 
-/// The longest of all derivatives, in texels of the base level: the least of what the
-/// specification allows, and what Mesa's llvmpipe takes.
-Value *scaleFactor(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
-                   const CubeFace *cube) {
+/// The square of the scale factor: of the longer way in texels of the base level that a pixel in x
+/// or in y makes.
+Value *scaleSquared(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
+                    const CubeFace *cube) {
   const int dimensions = dimensionsOf(key.dimension);
   const ImageCode base = loadImage(code, key.format, view, code.ir.getInt32(0), dimensions);
-  Value *rho = nullptr;
-  for (const auto &change : {d.dx, d.dy}) {
+  const auto squared = [&](const std::array<Value *, 3> &change) {
     const Vec moved = cube ? cube->derivative(change) : Vec{change[0], change[1], change[2]};
+    Value *sum = nullptr;
     for (std::size_t i = 0; i < std::size_t(dimensions); ++i) {
-      Value *length = absolute(code, moved[i]);
+      Value *texels = moved[i];
       if (key.dimension != abi::Dimension::Rect) {
         Value *const size = code.ir.CreateSIToFP(base.size[i], code.ir.getFloatTy());
-        length = code.ir.CreateFMul(length, code.splat(size));
+        texels = code.ir.CreateFMul(texels, code.splat(size));
       }
-      rho = rho ? code.max(length, rho) : length;
+      sum = sum ? multiplyAdd(code, texels, texels, sum) : code.ir.CreateFMul(texels, texels);
     }
-  }
-  return rho;
+    return sum;
+  };
+  return code.max(squared(d.dx), squared(d.dy));
 }
 
 /// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
@@ -98,8 +99,10 @@ Value *clampedLevel(Code &code, Value *view, Value *level) {
 Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                      const SampleAt &at, const CubeFace *cube) {
   const Derivatives d = derivativesOf(code, lanes, at, cube ? 3 : dimensionsOf(key.dimension));
-  Value *lambda =
-      d.dx[0] ? quickLog2(code, scaleFactor(code, key, view, d, cube)) : code.splat(0.0f);
+  Value *lambda = code.splat(0.0f);
+  if (d.dx[0])
+    lambda = code.ir.CreateFMul(quickLog2(code, scaleSquared(code, key, view, d, cube)),
+                                code.splat(0.5f));
   Value *bias = key.dimension == abi::Dimension::Rect ? nullptr : at.bias;
   if (key.hasBias) {
     Value *const fixed = viewField(code, view, offsetof(abi::TextureView, lodBias));

@@ -247,7 +247,7 @@ OnFace projected(int face, const std::array<double, 3> &r) {
           (f.signT * r[std::size_t(f.t)] / major + 1) / 2};
 }
 
-/// The largest derivative in texels of the base level.
+/// How many texels of the base level a pixel in x or in y is, whichever is more.
 double scaleFactor(const abi::SamplerKey &key, const abi::TextureLevel &base,
                    const ReferenceQuery &query) {
   const double size[3] = {double(base.width), double(base.height), double(base.depth)};
@@ -266,9 +266,12 @@ double scaleFactor(const abi::SamplerKey &key, const abi::TextureLevel &base,
       const OnFace a = projected(face, next), b = projected(face, last);
       d = {(a.s - b.s) / (2 * step), (a.t - b.t) / (2 * step), 0};
     }
-    for (int i = 0; i < dimensions(key.dimension); ++i)
-      rho = std::max(rho, std::fabs(d[std::size_t(i)]) *
-                              (key.dimension == Dimension::Rect ? 1 : size[i]));
+    double square = 0;
+    for (int i = 0; i < dimensions(key.dimension); ++i) {
+      const double texels = d[std::size_t(i)] * (key.dimension == Dimension::Rect ? 1 : size[i]);
+      square += texels * texels;
+    }
+    rho = std::max(rho, std::sqrt(square));
   }
   return rho;
 }

@@ -20,8 +20,7 @@ struct ReferenceQuery {
 };
 
 [[nodiscard]] Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes);
-/// The scale factor is the largest of all derivatives in texels, which is within what 3.8.8 allows
-/// (between that and their sum).
+/// The scale factor is the exact one, not one of those that 3.8.8 allows in its place.
 [[nodiscard]] Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
                                     const ReferenceQuery &query);
 
