@@ -88,11 +88,14 @@ public:
     m_ir.CreateIntrinsic(llvm::Intrinsic::x86_sse_ldmxcsr, {}, {m_slot});
   }
   Value *mode() { return m_ir.getInt32(kMode); }
+  /// Without the flags of what has happened.
+  Value *modeOf(Value *word) { return m_ir.CreateAnd(word, m_ir.getInt32(~0x3Fu)); }
 #else
   static constexpr std::uint64_t kMode = 1u << 24; ///< FPCR.FZ alone
   Value *read() { return m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_get_fpcr, {}, {}); }
   void set(Value *word) { m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_set_fpcr, {}, {word}); }
   Value *mode() { return m_ir.getInt64(kMode); }
+  Value *modeOf(Value *word) { return word; }
 #endif
 
 private:
@@ -101,13 +104,25 @@ private:
 };
 
 void writeEntry(llvm::IRBuilder<> &ir, llvm::Function *entry, llvm::Function *body) {
-  ir.SetInsertPoint(llvm::BasicBlock::Create(ir.getContext(), "", entry));
-  ControlWord control(ir);
-  Value *const callers = control.read();
-  control.set(control.mode());
+  const auto block = [&](const char *name) {
+    return llvm::BasicBlock::Create(ir.getContext(), name, entry);
+  };
+  auto *const start = block("");
+  auto *const asIs = block("as_is");
+  auto *const changed = block("changed");
   llvm::SmallVector<Value *, 4> arguments;
   for (llvm::Argument &argument : entry->args())
     arguments.push_back(&argument);
+  ir.SetInsertPoint(start);
+  ControlWord control(ir);
+  Value *const callers = control.read();
+  // A change waits for all that is under way: a caller of many small calls has set the mode itself.
+  ir.CreateCondBr(ir.CreateICmpEQ(control.modeOf(callers), control.mode()), asIs, changed);
+  ir.SetInsertPoint(asIs);
+  ir.CreateCall(body, arguments);
+  ir.CreateRetVoid();
+  ir.SetInsertPoint(changed);
+  control.set(control.mode());
   ir.CreateCall(body, arguments);
   control.set(callers);
   ir.CreateRetVoid();

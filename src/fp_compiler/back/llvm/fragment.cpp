@@ -26,7 +26,12 @@ public:
     auto *const next = block("next");
     auto *const done = block("done");
     llvm::BasicBlock *const item = m_places.item;
-    m_ir.SetInsertPoint(m_places.entry);
+    llvm::BasicBlock *const entry = m_places.entry;
+    // Small triangles have a block or two: what is the same for all blocks costs less as an operand
+    // in memory than kept.
+    if (m_key.lanes == abi::Lanes::Quad)
+      m_places.entry = item;
+    m_ir.SetInsertPoint(entry);
     auto *const first = block("first");
     m_ir.CreateCondBr(m_ir.CreateICmpEQ(m_function->getArg(3), m_ir.getInt32(0)), done, first);
     m_ir.SetInsertPoint(first);

@@ -11,6 +11,10 @@
 #include <sstream>
 #include <thread>
 
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
 #include "fp_compiler/back/llvm/cpu.h"
 #include "fp_compiler/back/llvm/emit.h"
 #include "fp_compiler/back/llvm/engine.h"
@@ -172,6 +176,18 @@ void print(const char *name, double one, double two, std::size_t bytes = 0, doub
               one, two, one * 1e6 * 16 / (kSize * kSize), bytes, compiled);
 }
 
+/// The mode that functions compute in, as the rasterizer sets it for many small calls.
+class FlushMode {
+public:
+#if defined(__x86_64__)
+  FlushMode() : m_before(_mm_getcsr()) { _mm_setcsr(0x9FC0); }
+  ~FlushMode() { _mm_setcsr(m_before); }
+
+private:
+  unsigned m_before;
+#endif
+};
+
 /// Lighting by blocks, with a depth test that passes.
 std::unique_ptr<Case> prepareBlocks(jit::Engine &engine) {
   const Workload *const lighting =
@@ -210,7 +226,8 @@ int measureBlocks(jit::Engine &engine, const std::string &only) {
     for (int x = 0; x < kSize; x += engine.blockWidth())
       blocks.push_back(
           {std::int16_t(x), std::int16_t(y), std::uint16_t((1u << engine.lanes()) - 1), 0});
-  for (const std::size_t batch : {std::size_t(2), std::size_t(16)}) {
+  const FlushMode mode;
+  for (const std::size_t batch : {std::size_t(1), std::size_t(2), std::size_t(16)}) {
     const double one = best(CLOCK_THREAD_CPUTIME_ID, [&] {
       for (std::size_t i = 0; i < blocks.size(); i += batch)
         code->function(&made->data, &made->primitive, &blocks[i], std::uint32_t(batch));
