@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "swrast/flush_mode.h"
 #include "swrast/setup.h"
 
 /// Shapes to spans and blocks, given to the shading function in batches.
@@ -34,6 +35,7 @@ private:
   [[nodiscard]] unsigned insideMask(const Rect &rect, int x, int y) const;
   [[nodiscard]] bool wantsRows(int width) const;
 
+  FlushMode m_mode;
   const RasterState &m_state;
   const Shading &m_shading;
   const abi::Primitive *m_primitive = nullptr;
