@@ -1,0 +1,208 @@
+/// The entry points that exist for the rasterizer: what they note, what they record, and that a
+/// recorded primitive reaches the host whole when a command comes that it cannot take.
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "dispatch/entry_points.h"
+#include "host/further.h"
+#include "state/context.h"
+#include "state/software/convert.h"
+#include "state/software/replay.h"
+#include "state/software/stale.h"
+#include "state/testing/current_context.h"
+#include "state/testing/fake_host.h"
+
+namespace arbiter::dispatch {
+namespace {
+
+namespace stale = state::software::stale;
+using state::software::normalized;
+
+std::vector<std::string> g_calls;
+int g_lookups = 0;
+
+void note(const std::string &call) { g_calls.push_back(call); }
+std::string number(float value) {
+  char text[32];
+  std::snprintf(text, sizeof text, " %g", double(value));
+  return text;
+}
+
+void hostBegin(GLenum mode) { note("Begin " + std::to_string(mode)); }
+void hostEnd() { note("End"); }
+void hostVertex4fv(const GLfloat *v) { note("Vertex" + number(v[0]) + number(v[3])); }
+void hostColor4fv(const GLfloat *v) { note("Color" + number(v[0])); }
+void hostMultiTexCoord4fv(GLenum unit, const GLfloat *v) {
+  note("TexCoord " + std::to_string(unit - GL_TEXTURE0) + number(v[0]));
+}
+void hostBlendFunc(GLenum source, GLenum) { note("BlendFunc " + std::to_string(source)); }
+void hostEvalCoord1f(GLfloat u) { note("EvalCoord" + number(u)); }
+void hostColor3f(GLfloat r, GLfloat, GLfloat) { note("Color3f" + number(r)); }
+
+void *lookup(const char *name) {
+  ++g_lookups;
+  if (std::strcmp(name, "glBlendFunc") == 0)
+    return reinterpret_cast<void *>(hostBlendFunc);
+  if (std::strcmp(name, "glEvalCoord1f") == 0)
+    return reinterpret_cast<void *>(hostEvalCoord1f);
+  if (std::strcmp(name, "glColor3f") == 0)
+    return reinterpret_cast<void *>(hostColor3f);
+  return nullptr;
+}
+
+template <typename Function> Function *entry(const char *name) {
+  void *const function = find(name).function ? find(name).function : findForSoftware(name);
+  return reinterpret_cast<Function *>(function);
+}
+
+class SoftwarePoints : public testing::Test {
+protected:
+  void SetUp() override {
+    g_calls.clear();
+    g_lookups = 0;
+    m_table = *m_fake.table();
+    m_table.lookup = lookup;
+    m_table.Begin = hostBegin;
+    m_table.End = hostEnd;
+    m_table.Vertex4fv = hostVertex4fv;
+    m_table.Color4fv = hostColor4fv;
+    m_table.MultiTexCoord4fv = hostMultiTexCoord4fv;
+    m_context = state::createContext(state::Provider::Egl, &m_table, nullptr);
+    state::makeCurrent(m_context);
+    m_context->stale = 0;
+  }
+  void TearDown() override {
+    state::makeCurrent(nullptr);
+    state::destroyContext(m_context);
+  }
+  /// As handlers::Begin does where the rasterizer takes the primitive.
+  void record(GLenum mode) {
+    m_context->software = std::make_unique<state::software::ContextState>();
+    m_context->softwarePossible = true;
+    m_context->software->recorder.begin(mode, m_context->software->mirror.current);
+    state::software::startRecording(*m_context);
+  }
+
+  state::testing::FakeHost m_fake;
+  host::HostTable m_table;
+  state::Context *m_context = nullptr;
+};
+
+TEST_F(SoftwarePoints, StateIsNotedAndPassedOn) {
+  entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
+  entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ZERO);
+  EXPECT_EQ(m_context->stale, stale::kPixelOps);
+  EXPECT_EQ(g_calls, (std::vector<std::string>{"BlendFunc 1", "BlendFunc 0"}));
+  EXPECT_EQ(g_lookups, 1) << "the host's function is looked for once";
+}
+
+TEST_F(SoftwarePoints, AFunctionThatTheHostLacksDoesNothing) {
+  entry<void(GLfloat)>("glPointSize")(2.0f);
+  entry<void(GLfloat)>("glPointSize")(2.0f);
+  EXPECT_EQ(m_context->stale, stale::kRaster | stale::kProgramState);
+  EXPECT_TRUE(g_calls.empty());
+}
+
+TEST_F(SoftwarePoints, AnUnknownCommandMakesEverythingOld) {
+  entry<void(GLenum)>("glPixelTexGenSGIX")(0);
+  EXPECT_EQ(m_context->stale, stale::kAll);
+}
+
+TEST_F(SoftwarePoints, AttributesGoToTheHostWhereNothingIsRecorded) {
+  entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.5f, 0, 0);
+  EXPECT_EQ(m_context->stale, stale::kCurrent);
+  EXPECT_EQ(g_calls, (std::vector<std::string>{"Color3f 0.5"}));
+}
+
+TEST_F(SoftwarePoints, APrimitiveIsRecordedWithoutACall) {
+  record(GL_TRIANGLES);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 2);
+  entry<void(GLubyte, GLubyte, GLubyte, GLubyte)>("glColor4ub")(255, 0, 51, 0);
+  entry<void(GLenum, GLfloat, GLfloat)>("glMultiTexCoord2f")(GL_TEXTURE3, 7, 8);
+  entry<void(GLuint, GLfloat, GLfloat, GLfloat)>("glVertexAttrib3f")(0, 3, 4, 5);
+  EXPECT_TRUE(g_calls.empty());
+  state::software::stopRecording(*m_context);
+  EXPECT_EQ(m_context->host, &m_table);
+
+  using namespace state::software;
+  const VertexSource source = m_context->software->recorder.end();
+  EXPECT_EQ(source.count, 2u);
+  const auto at = [&](int slot, int vertex) {
+    const VertexSource::Array &array = source.arrays[std::size_t(slot)];
+    return reinterpret_cast<const float *>(static_cast<const char *>(array.base) +
+                                           std::size_t(vertex) * array.stride);
+  };
+  EXPECT_EQ(std::vector<float>(at(kPosition, 0), at(kPosition, 0) + 4),
+            (std::vector<float>{1, 2, 0, 1}));
+  EXPECT_EQ(std::vector<float>(at(kPosition, 1), at(kPosition, 1) + 4),
+            (std::vector<float>{3, 4, 5, 1}));
+  EXPECT_EQ(at(kColor, 0)[0], 0.0f) << "what was current at Begin";
+  EXPECT_EQ(at(kColor, 1)[0], 1.0f);
+  EXPECT_EQ(at(kColor, 1)[2], normalized(GLubyte(51)));
+  EXPECT_EQ(at(kTexCoord0 + 3, 1)[1], 8.0f);
+  EXPECT_EQ(source.arrays[kNormal].base, nullptr);
+}
+
+TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
+  record(GL_LINES);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
+  entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.25f, 0, 0);
+  entry<void(GLfloat)>("glEvalCoord1f")(6);
+  const std::vector<std::string> wanted = {"Begin 1", "Color 0", "Vertex 1 1", "Color 0.25",
+                                           "EvalCoord 6"};
+  EXPECT_EQ(g_calls, wanted);
+  EXPECT_FALSE(m_context->recordsVertices);
+  EXPECT_TRUE(m_context->insideBeginEnd);
+  // What follows is the host's.
+  entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.75f, 0, 0);
+  entry<void()>("glEnd")();
+  EXPECT_EQ(g_calls.back(), "End");
+  EXPECT_EQ(g_calls[g_calls.size() - 2], "Color3f 0.75");
+  EXPECT_FALSE(m_context->insideBeginEnd);
+}
+
+TEST_F(SoftwarePoints, ACommandOfTheLayersOwnDoesSoToo) {
+  record(GL_POINTS);
+  entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
+  entry<GLenum()>("glGetError")(); // an error here, which the host raises
+  ASSERT_EQ(g_calls.size(), 2u);
+  EXPECT_EQ(g_calls[0], "Begin 0");
+  EXPECT_EQ(g_calls[1], "Vertex 1 1");
+  EXPECT_EQ(m_context->host, &m_table);
+}
+
+TEST_F(SoftwarePoints, AVeryLongPrimitiveIsKeptWhole) {
+  record(GL_POINTS);
+  auto *const vertex = entry<void(GLfloat, GLfloat)>("glVertex2f");
+  auto *const texture = entry<void(GLfloat, GLfloat)>("glTexCoord2f");
+  constexpr int kVertices = 100000;
+  for (int i = 0; i < kVertices; ++i) {
+    if (i >= 50000)
+      texture(float(i), 0);
+    vertex(float(i), 0);
+  }
+  const state::software::ImmediateRecorder &recorder = m_context->software->recorder;
+  ASSERT_EQ(recorder.count(), unsigned(kVertices));
+  EXPECT_FALSE(recorder.failed());
+  for (const int i : {0, 49999, 50000, kVertices - 1})
+    recorder.read(unsigned(i), [&](int slot, const float *value) {
+      const bool set = slot == state::software::kPosition || i >= 50000;
+      EXPECT_EQ(value[0], set ? float(i) : 0.0f) << "slot " << slot;
+    });
+}
+
+TEST(Convert, FollowsTheTable) {
+  EXPECT_EQ(normalized(GLubyte(255)), 1.0f);
+  EXPECT_EQ(normalized(GLbyte(127)), 1.0f);
+  EXPECT_EQ(normalized(GLbyte(-128)), -1.0f);
+  EXPECT_EQ(normalized(GLbyte(0)), 1.0f / 255.0f);
+  EXPECT_EQ(normalized(GLushort(65535)), 1.0f);
+  EXPECT_EQ(normalized(GLint(-2147483647 - 1)), -1.0f);
+  EXPECT_EQ(normalized(GLuint(4294967295u)), 1.0f);
+}
+
+} // namespace
+} // namespace arbiter::dispatch
