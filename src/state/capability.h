@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <iterator>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -115,14 +114,14 @@ constexpr std::uint32_t perfectFactor() {
 }
 inline constexpr std::uint32_t kFactor = perfectFactor();
 
-/// The number of each place's row, plus one; 0 for none.
-constexpr std::array<std::uint8_t, 1u << kSlotBits> places() {
-  std::array<std::uint8_t, 1u << kSlotBits> found{};
-  for (std::size_t i = 0; i < std::size(kCapabilities); ++i)
-    found[slotOf(kCapabilities[i].cap, kFactor)] = std::uint8_t(i + 1);
-  return found;
+/// Each row in its place; in the empty ones no capability's.
+constexpr std::array<CapabilityRow, 1u << kSlotBits> placed() {
+  std::array<CapabilityRow, 1u << kSlotBits> rows{};
+  for (const CapabilityRow &row : kCapabilities)
+    rows[slotOf(row.cap, kFactor)] = row;
+  return rows;
 }
-inline constexpr auto kPlaces = places();
+inline constexpr auto kPlaced = placed();
 inline constexpr CapabilityRow kOther{};
 
 } // namespace detail
@@ -130,10 +129,10 @@ inline constexpr CapabilityRow kOther{};
 /// One look at `cap` on the way of each Enable and Disable, most of which are the host's alone. A
 /// capability that is not in the table may change anything that the rasterizer knows.
 [[nodiscard]] constexpr const CapabilityRow &rowOfCapability(GLenum cap) {
-  const unsigned place = detail::kPlaces[detail::slotOf(cap, detail::kFactor)];
-  if (place == 0 || detail::kCapabilities[place - 1].cap != cap)
+  const CapabilityRow &row = detail::kPlaced[detail::slotOf(cap, detail::kFactor)];
+  if (row.cap != cap) [[unlikely]]
     return detail::kOther;
-  return detail::kCapabilities[place - 1];
+  return row;
 }
 
 } // namespace arbiter::state

@@ -104,6 +104,18 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
     noteClipPlane(context, enabled);
 }
 
+/// Enable and Disable of a capability that is not the host's alone.
+[[gnu::noinline]] void setCapability(Context &context, GLenum cap, Capability capability,
+                                     bool enabled) {
+  if (ProgramTarget *const row = enableRowOf(context, cap))
+    return enable(context, *row, enabled);
+  if (enabled)
+    context.host->Enable(cap);
+  else
+    context.host->Disable(cap);
+  noteCapability(context, capability, enabled);
+}
+
 } // namespace
 
 namespace handlers {
@@ -155,23 +167,17 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 void Enable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
   context.stale |= about.stale;
-  if (about.capability == Capability::Host) [[likely]]
-    return context.host->Enable(cap);
-  if (ProgramTarget *const row = enableRowOf(context, cap))
-    return enable(context, *row, true);
+  if (about.capability != Capability::Host) [[unlikely]]
+    return setCapability(context, cap, about.capability, true);
   context.host->Enable(cap);
-  noteCapability(context, about.capability, true);
 }
 
 void Disable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
   context.stale |= about.stale;
-  if (about.capability == Capability::Host) [[likely]]
-    return context.host->Disable(cap);
-  if (ProgramTarget *const row = enableRowOf(context, cap))
-    return enable(context, *row, false);
+  if (about.capability != Capability::Host) [[unlikely]]
+    return setCapability(context, cap, about.capability, false);
   context.host->Disable(cap);
-  noteCapability(context, about.capability, false);
 }
 
 void Enablei(Context &context, GLenum target, GLuint index) {
