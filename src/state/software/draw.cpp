@@ -60,7 +60,8 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Mirror &mirror = context.software->mirror;
   refreshArrays(context, mirror);
   refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
-  const ArraySource arrays(context, mirror, pipeline.slots() | 1u << kEdgeFlag, command);
+  const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
+  const ArraySource arrays(context, mirror, slots, command);
   if (!arrays.valid())
     return Fallback::Vertices;
   IndexRange range;
@@ -68,7 +69,10 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
       !pipeline.fetcher().decodeIndices(command.indexType, arrays.indices(),
                                         std::uint32_t(command.count), command.baseVertex, range))
     return Fallback::Vertices;
-  return pipeline.shade(context, arrays.source(), range, std::uint32_t(command.first),
+  VertexSource source = arrays.source();
+  if (!pipeline.fetcher().compact(source, slots, range))
+    return Fallback::Vertices;
+  return pipeline.shade(context, source, range, std::uint32_t(command.first),
                         std::uint32_t(command.count));
 }
 

@@ -217,6 +217,38 @@ bool VertexFetcher::decodeIndices(GLenum type, const void *indices, std::uint32_
   return true;
 }
 
+bool VertexFetcher::compact(VertexSource &source, std::uint32_t slots, IndexRange &range) {
+  constexpr std::uint32_t kFew = 1024; // not worth it below
+  if (range.count == 0 || range.maximum - range.minimum < kFew ||
+      (range.maximum - range.minimum) / 2 < range.count)
+    return true;
+  if (source.count != 0 && range.maximum >= source.count)
+    return false;
+  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+    const auto slot = std::size_t(std::countr_zero(left));
+    VertexSource::Array &array = source.arrays[slot];
+    const std::size_t bytes = elementBytes(array);
+    if (!array.base)
+      continue;
+    if (bytes == 0 ||
+        !m_compacted[slot].reserve((bytes * range.count + sizeof(float) - 1) / sizeof(float)))
+      return false;
+    auto *const to = reinterpret_cast<std::uint8_t *>(m_compacted[slot].data);
+    const auto *const from =
+        static_cast<const std::uint8_t *>(array.base) + std::size_t(range.minimum) * array.stride;
+    for (std::uint32_t i = 0; i < range.count; ++i)
+      std::memcpy(to + i * bytes, from + std::size_t(range.indices[i]) * array.stride, bytes);
+    array.base = to;
+    array.stride = std::uint32_t(bytes);
+  }
+  for (std::uint32_t i = 0; i < range.count; ++i)
+    m_indices[i] = i;
+  source.count = range.count;
+  range.minimum = 0;
+  range.maximum = range.count - 1;
+  return true;
+}
+
 std::uint32_t slotsOf(std::span<const fp::ir::Attribute> attributes) {
   std::uint32_t slots = 0;
   for (const fp::ir::Attribute &attribute : attributes)

@@ -35,6 +35,11 @@ public:
   [[nodiscard]] bool decodeIndices(GLenum type, const void *indices, std::uint32_t count,
                                    std::int32_t baseVertex, IndexRange &out);
 
+  /// Where indices name few vertices of a wide range: copies those of the slots' arrays together,
+  /// in the order of the indices, and makes `range` count them. `source` is then another one, valid
+  /// until the next call. Else does nothing. False: no memory, or a vertex is not there.
+  [[nodiscard]] bool compact(VertexSource &source, std::uint32_t slots, IndexRange &range);
+
   /// Fetches vertices [first, first + count) of the slots of a mask: from their arrays, or the
   /// current value for each. False if there is no memory, a type is unknown, or a vertex is not
   /// there. Float arrays of the current value are kept from draw to draw.
@@ -85,6 +90,7 @@ private:
   std::vector<std::uint8_t> m_edgeFlags;
   std::unique_ptr<std::uint32_t[]> m_indices;
   std::size_t m_indexCapacity = 0;
+  std::array<Block, kSlots> m_compacted;
 };
 
 /// The slots that a program's attributes need.

@@ -191,6 +191,41 @@ TEST(VertexFetch, IndicesAreWidenedAndRebased) {
   EXPECT_TRUE(fetcher.decodeIndices(GL_UNSIGNED_INT, words, 0, 0, range));
 }
 
+TEST(VertexFetch, FewVerticesOfAWideRangeAreCopiedTogether) {
+  std::vector<float> data(2 * 5000);
+  for (std::size_t i = 0; i < data.size(); ++i)
+    data[i] = float(i);
+  VertexSource source;
+  source.arrays[kPosition] = {data.data(), 8, GL_FLOAT, 2, false, false};
+  source.arrays[kTexCoord0] = {data.data() + 1, 8, GL_FLOAT, 1, false, false};
+  source.count = 5000;
+  const std::uint16_t indices[] = {4900, 7, 4900, 2000};
+  VertexFetcher fetcher;
+  IndexRange range;
+  const auto drawn = [&](std::uint32_t at) {
+    const std::uint32_t i = range.indices[at];
+    return std::array<float, 3>{fetcher.component(kPosition, 0)[i],
+                                fetcher.component(kPosition, 1)[i],
+                                fetcher.component(kTexCoord0, 0)[i]};
+  };
+  const std::uint32_t slots = 1u << kPosition | 1u << kTexCoord0 | 1u << kColor;
+  for (const bool compacted : {false, true}) {
+    VertexSource used = source;
+    ASSERT_TRUE(fetcher.decodeIndices(GL_UNSIGNED_SHORT, indices, 4, 3, range));
+    if (compacted) {
+      ASSERT_TRUE(fetcher.compact(used, slots, range));
+    }
+    EXPECT_EQ(range.maximum - range.minimum + 1, compacted ? 4u : 4894u);
+    ASSERT_TRUE(fetcher.fetch(used, {}, slots, range.minimum, range.maximum - range.minimum + 1));
+    EXPECT_EQ(drawn(0), (std::array<float, 3>{9806, 9807, 9807}));
+    EXPECT_EQ(drawn(1), (std::array<float, 3>{20, 21, 21}));
+    EXPECT_EQ(drawn(2), drawn(0));
+    EXPECT_EQ(drawn(3), (std::array<float, 3>{4006, 4007, 4007}));
+  }
+  ASSERT_TRUE(fetcher.decodeIndices(GL_UNSIGNED_SHORT, indices, 4, 200, range));
+  EXPECT_FALSE(fetcher.compact(source, slots, range)) << "5100 of 5000";
+}
+
 TEST(VertexFetch, IsFastEnoughForScenes) {
   constexpr std::uint32_t kCount = 300000;
   const std::vector<float> positions(3 * kCount, 0.5f), coords(2 * kCount, 0.25f);
