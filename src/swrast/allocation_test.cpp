@@ -1,0 +1,73 @@
+#include <atomic>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+
+#include "swrast/canvas_testing.h"
+#include "swrast/image.h"
+#include "swrast/threads.h"
+
+/// A draw like the one before it, and a feedback loop between two images, take nothing from the
+/// heap.
+namespace {
+std::atomic<std::uint64_t> g_allocations{0};
+}
+// Not inlined: where one of a pair is, the compiler takes the two for strangers.
+[[gnu::noinline]] void *operator new(std::size_t size) {
+  g_allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void *const memory = std::malloc(size ? size : 1))
+    return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void *memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+
+namespace arbiter::swrast {
+namespace {
+
+using testing::Canvas;
+using testing::drawAll;
+using testing::WindowVertices;
+
+class Allocation : public ::testing::TestWithParam<int> {
+protected:
+  void SetUp() override { setThreadCount(GetParam()); }
+  void TearDown() override { setThreadCount(0); }
+};
+
+TEST_P(Allocation, DrawsLikeTheLastTakeNone) {
+  for (const Topology topology : {Topology::Points, Topology::LineStrip, Topology::Triangles,
+                                  Topology::TriangleStrip, Topology::Quads, Topology::Polygon})
+    for (const int count : {4, 6, 60, 9000}) {
+      Canvas canvas(200, 200);
+      canvas.useQuads(16);
+      canvas.state.clip = {80, 80, 24, 24};
+      WindowVertices vertices(canvas);
+      for (int i = 0; i < count; ++i)
+        vertices.add(i * 37 % 251 - 20, i * 91 % 241 - 20);
+      for (int warm = 0; warm < 3; ++warm)
+        drawAll(canvas, topology, vertices);
+      const std::uint64_t before = g_allocations.load();
+      const DrawStatistics statistics = drawAll(canvas, topology, vertices);
+      EXPECT_EQ(g_allocations.load(), before) << int(topology) << " of " << count;
+      // Few vertices may miss the clip rectangle, which is small for the test's sake.
+      EXPECT_TRUE(count < 1000 || statistics.pixels > 0) << int(topology);
+    }
+}
+
+TEST_P(Allocation, FeedbackBetweenTwoImagesTakesNone) {
+  Image target = makeImage({abi::Layout::U8x4, abi::kRgba}, 640, 480), texture = target;
+  std::uint64_t before = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    if (frame == 5)
+      before = g_allocations.load();
+    ASSERT_TRUE(makeWritable(target, frame % 2 != 0));
+    texture = target;
+  }
+  EXPECT_EQ(g_allocations.load(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, Allocation, ::testing::Values(1, 2));
+
+} // namespace
+} // namespace arbiter::swrast
