@@ -200,9 +200,19 @@ std::optional<Affine> AffineFlow::position(int component) {
     Value *const last = ir.CreateFAdd(x, ir.CreateSIToFP(m_count, ir.getDoubleTy()));
     return Affine{ir.CreateFAdd(x, centre), number(1), nullptr, ir.CreateFAdd(last, number(1)), 0};
   }
-  if (component == 1 && !options.originUpperLeft) {
-    Value *const y = ir.CreateSIToFP(m_interpolator.pixelY(), ir.getDoubleTy());
-    return Affine{ir.CreateFAdd(y, centre), nullptr, number(1), ir.CreateFAdd(y, number(1)), 0};
+  if (component == 1) {
+    Value *y = ir.CreateFAdd(ir.CreateSIToFP(m_interpolator.pixelY(), ir.getDoubleTy()), centre);
+    Value *magnitude = ir.CreateFAdd(y, number(1));
+    if (!options.originUpperLeft)
+      return Affine{y, nullptr, number(1), magnitude, 0};
+    Value *const height = writeIn(m_code, m_places.entry, [&] {
+      return ir.CreateFPExt(
+          m_code.field(ir.getFloatTy(), m_data, offsetof(abi::FragmentData, windowHeight)),
+          ir.getDoubleTy());
+    });
+    Value *const top = ir.CreateFSub(height, number(options.pixelCenterInteger ? 1 : 0));
+    magnitude = ir.CreateFAdd(magnitude, magnitudeOf(height));
+    return Affine{ir.CreateFSub(top, y), nullptr, number(-1), magnitude, 1};
   }
   return std::nullopt;
 }

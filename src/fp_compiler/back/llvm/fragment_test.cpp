@@ -461,6 +461,30 @@ TEST_P(FragmentTest, ReadsTheWindowPosition) {
     }
 }
 
+/// A texture at the pixel's own place, whichever way up the window is.
+TEST_P(FragmentTest, SamplesAtTheWindowPosition) {
+  for (const bool upper : {false, true}) {
+    ir::Builder b;
+    b.options().originUpperLeft = upper;
+    auto place = b.temporary();
+    b.op(Opcode::Mul, place,
+         {b.attribute(AttributeKind::Position), b.constant(1.0f / kWidth, 1.0f / kHeight, 1, 1)});
+    b.tex(Opcode::Tex, b.color(), place.read(), 0, TexTarget::Tex2D);
+    const ir::Program program = b.take();
+    Scene scene(GetParam());
+    scene.addTexture(kWidth, kHeight, Wrap::ClampToEdge);
+    scene.data.windowHeight = kHeight;
+    scene.draw(program, {}, wholeRows());
+    for (int y = 0; y < kHeight; ++y)
+      EXPECT_EQ(
+          std::memcmp(scene.target.pixel(0, y),
+                      scene.textures[0]->level.base + (upper ? kHeight - 1 - y : y) * kWidth * 4,
+                      kWidth * 4),
+          0)
+          << "row " << y;
+  }
+}
+
 TEST_P(FragmentTest, KeepsMaskedComponents) {
   Scene scene(GetParam());
   scene.addTexture(kWidth, kHeight, Wrap::Repeat);
