@@ -62,7 +62,8 @@ def summary(path):
                      % (counts["alu"], counts["tex"], counts["indirections"],
                         "" if counts["indirections"] == 1 else "s"))
     draws = stats["draws"]
-    parts.append("%d draws as GLSL, %d untouched" % (draws["host_glsl"], draws["host_untouched"]))
+    parts.append("%d draws rasterized, %d as GLSL, %d untouched"
+                 % (draws["rasterizer"], draws["host_glsl"], draws["host_untouched"]))
     parts += ["%d %s" % (count, reason) for reason, count in draws["reasons"].items()]
     if stats["feedback"]["copies"]:
         parts.append("%d feedback copies" % stats["feedback"]["copies"])

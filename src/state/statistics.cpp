@@ -172,7 +172,9 @@ void writeProgram(JsonWriter &json, const ProgramRow &row) {
   json.endObject();
 }
 
-bool isFallback(Path path) { return path != Path::HostGlsl && path != Path::Recorded; }
+bool isFallback(Path path) {
+  return path != Path::HostGlsl && path != Path::Rasterizer && path != Path::Recorded;
+}
 
 void writeDraws(JsonWriter &json, const Totals &totals) {
   std::uint64_t untouched = 0;

@@ -64,7 +64,7 @@ def summarise(stats: list[dict]) -> dict:
     return {
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
-        "draws_glsl": draws("host_glsl"),
+        "draws_glsl": draws("host_glsl") + draws("rasterizer"),
         "draws_untouched": draws("host_untouched"),
         "draws_dropped": draws("dropped"),
         "reasons": dict(reasons),

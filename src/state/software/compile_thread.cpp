@@ -10,6 +10,10 @@
 
 #include <unistd.h>
 
+// What the compiler itself calls for thread-local destructors; of glibc, in no header.
+extern "C" int __cxa_thread_atexit_impl(void (*function)(void *), void *argument, void *library);
+extern "C" void *__dso_handle __attribute__((visibility("hidden")));
+
 namespace arbiter::state::software {
 
 namespace {
@@ -23,6 +27,13 @@ public:
     m_tasks.push_back(std::move(task));
     m_wake.notify_one();
     return true;
+  }
+
+  /// Until nothing waits and nothing is being made.
+  void drain() {
+    std::unique_lock lock(m_mutex);
+    if (m_process == getpid())
+      m_idle.wait(lock, [this] { return m_tasks.empty() && !m_busy; });
   }
 
   /// At exit: the task at hand is finished, the others are given up. Machine code and its library
@@ -63,18 +74,22 @@ private:
       }
       const std::function<void()> task = std::move(m_tasks.front());
       m_tasks.pop_front();
+      m_busy = true;
       lock.unlock();
       task();
       lock.lock();
+      m_busy = false;
+      m_idle.notify_all();
     }
   }
 
   std::mutex m_mutex;
-  std::condition_variable m_wake;
+  std::condition_variable m_wake, m_idle;
   std::deque<std::function<void()>> m_tasks;
   std::thread m_thread;
   pid_t m_process = 0;
   bool m_stopping = false;
+  bool m_busy = false; ///< a task is run, without the lock
 };
 
 /// Never freed: contexts may draw in other libraries' destructors. A child of fork() has no thread
@@ -93,8 +108,23 @@ Compiler &compiler() {
   return *s_compiler;
 }
 
+/// When a thread that draws ends, before any destructor of a static: LLVM's own are made while it
+/// compiles, later than any handler of ours, and would go first under a running compilation.
+void threadEnds(void *) {
+  if (gettid() == getpid())
+    compiler().stop(); // the process ends
+  else
+    compiler().drain(); // it may
+}
+
 } // namespace
 
-bool compileLater(std::function<void()> task) { return compiler().add(std::move(task)); }
+bool compileLater(std::function<void()> task) {
+  if (!compiler().add(std::move(task)))
+    return false;
+  // Once a task: a program is compiled once, so there are few.
+  __cxa_thread_atexit_impl(threadEnds, nullptr, &__dso_handle);
+  return true;
+}
 
 } // namespace arbiter::state::software

@@ -24,10 +24,13 @@ private:
   std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
 };
 
-/// Now, or on the compiling thread; at once too where there is none.
+/// Now, or on the compiling thread. Where there is none what was asked for stays in the making, and
+/// the host draws.
 template <typename Task> void run(When when, Task task) {
-  if (when == When::Now || !compileLater(task))
+  if (when == When::Now)
     task();
+  else
+    compileLater(std::move(task));
 }
 
 template <typename Code> void note(const Code &code, const char *what, const std::string &reason) {
