@@ -238,7 +238,7 @@ void checkPixel(Draw &draw, Draw &before, int x, int y) {
 
 class PixelTest : public ::testing::TestWithParam<const char *> {};
 INSTANTIATE_TEST_SUITE_P(Cpus, PixelTest, ::testing::Values("avx512", "avx2", "sse4", "neon"),
-                         [](const auto &info) { return std::string(info.param); });
+                         [](const auto &cpu) { return std::string(cpu.param); });
 
 TEST_P(PixelTest, RandomStates) {
   const auto engine = llvm_back::makeEngine({GetParam(), nullptr});
