@@ -79,6 +79,12 @@ struct SharedImages {
   std::uint32_t lastTurn = 0;  ///< serial of the context whose turn it is
   std::atomic<int> current{0}; ///< contexts that are current on some thread
   ResidencyStatistics statistics;
+  /// What the texture of ours is that pixels go through on their way to other images.
+  struct Way {
+    GLint width = 0, height = 0, format = 0;
+    bool operator==(const Way &) const = default;
+  };
+  Way way;
 };
 
 /// The draw and read framebuffers, as the host tells.
@@ -119,9 +125,6 @@ struct WindowImages final : ContextImages {
   Framebuffers framebuffers;
   DrawTargets targets;
   PixelModes modes;
-  GLuint uploadTexture = 0; ///< ours, for what cannot be written to otherwise
-  GLint uploadWidth = 0, uploadHeight = 0;
-  GLint uploadFormat = 0;
 };
 
 [[nodiscard]] SharedImages &sharedOf(Context &context);

@@ -45,10 +45,13 @@ public:
     if (image.place.kind == Place::Kind::Window) {
       if (isDepth(image))
         return;
-      m_window = true;
       m_host.GetIntegerv(framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_BUFFER : GL_DRAW_BUFFER,
                          &m_buffer);
-      set(GLint(image.place.target));
+      // Not where it is chosen already: the host keeps what was last set beside what is in force,
+      // and PopAttrib would find the two at odds.
+      m_window = m_buffer != GLint(image.place.target);
+      if (m_window)
+        set(GLint(image.place.target));
       return;
     }
     m_attachment = !isDepth(image)                  ? GL_COLOR_ATTACHMENT0
@@ -59,8 +62,8 @@ public:
     else
       m_host.FramebufferTexture2D(framebuffer, m_attachment, image.place.target, image.place.name,
                                   image.place.level);
-    const GLenum buffer = isDepth(image) ? GL_NONE : GL_COLOR_ATTACHMENT0;
-    framebuffer == GL_READ_FRAMEBUFFER ? m_host.ReadBuffer(buffer) : m_host.DrawBuffer(buffer);
+    // The buffers stay what they are in a new framebuffer, the first colour attachment: a host that
+    // was told of others goes on to restore them in PopAttrib, where another framebuffer is bound.
   }
   ~Attachment() {
     if (m_window)
@@ -168,8 +171,9 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
                    image.height);
   const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
-  if (window.uploadTexture != kOurTexture || window.uploadWidth != image.width ||
-      window.uploadHeight != image.height || window.uploadFormat != internalFormat) {
+  SharedImages &shared = sharedOf(context);
+  const SharedImages::Way way = {image.width, image.height, internalFormat};
+  if (shared.way != way) {
     const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, 0, 0);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -177,10 +181,7 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
     // The order of the components is a hint of how the host is to keep them.
     host.TexImage2D(GL_TEXTURE_2D, 0, internalFormat, image.width, image.height, 0, gl.format,
                     gl.format == GL_BGRA ? GL_UNSIGNED_INT_8_8_8_8_REV : gl.type, nullptr);
-    window.uploadTexture = kOurTexture;
-    window.uploadWidth = image.width;
-    window.uploadHeight = image.height;
-    window.uploadFormat = internalFormat;
+    shared.way = way;
   }
   writeTexture(context, window, GL_TEXTURE_2D, 0, from, gl);
 
@@ -239,9 +240,11 @@ void upload(Context &context, WindowImages &window, PixelImage &image) {
   } else {
     writeBuffer(context, window, image);
   }
-  if (errors.failed())
+  if (errors.failed()) {
+    sharedOf(context).way = {};
     logWarn("residency", "the host took no pixels of an image of %d x %d", image.width,
             image.height);
+  }
   ResidencyStatistics &statistics = sharedOf(context).statistics;
   ++statistics.uploads;
   statistics.uploadedBytes += bytesOf(image);
