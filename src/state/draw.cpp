@@ -272,6 +272,10 @@ bool validate(Context &context) {
   return !isDropped(context.path);
 }
 
+bool applicationShades(Context &context) {
+  return applicationProgram(context) != 0 || applicationPipeline(context) != 0;
+}
+
 void releaseSamplers(Context &context) {
   if (!context.samplerOverride.active())
     return;

@@ -32,6 +32,8 @@ Outcome judge(Context &context) {
   // Fixed function alone is ours too, once a program of ours has been drawn.
   if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
     return Fallback::NoFragmentProgram;
+  if (context.path == Path::NoProgram && applicationShades(context))
+    return Fallback::NoFragmentProgram;
   if (!aloneInGroup(context))
     return Fallback::Shared;
   if (!context.software->backOff.engaged())
