@@ -31,6 +31,16 @@ void uploadAll(Context &context, WindowImages &window) {
 /// Under the lock; false where there is nothing of ours.
 bool hasImages(Context &context) { return windowOf(context) && sharedOf(context).valid != 0; }
 
+void dropObjects(Context &context) {
+  SharedImages &shared = sharedOf(context);
+  for (const auto &[name, texture] : shared.textures)
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image)
+        dropShadow(context, *image);
+  for (const auto &[name, image] : shared.renderbuffers)
+    dropShadow(context, *image);
+}
+
 void dropFramebuffer(Context &context, WindowImages &window) {
   const Framebuffers &f = framebuffersOf(context, window);
   const auto drop = [&](PixelImage *image) {
@@ -40,6 +50,9 @@ void dropFramebuffer(Context &context, WindowImages &window) {
   for (PixelImage *image : f.color)
     drop(image);
   drop(f.depthStencil);
+  // What is attached to a framebuffer that is not ours is not all known: any image may be.
+  if (f.drawName != 0 && f.reason)
+    dropObjects(context);
   if (f.drawName == 0) {
     // The front and the back buffer are not told apart where the host draws to both.
     drop(&window.color);

@@ -13,6 +13,13 @@ GLint get(const host::HostTable &host, GLenum pname) {
   return value;
 }
 
+/// Buffers of one luminance, alpha or intensity are read and blended as hosts like: they are
+/// theirs.
+bool canBeBuffer(GLenum base) {
+  return base == GL_RGBA || base == GL_RGB || base == GL_RG || base == GL_RED ||
+         base == GL_DEPTH_COMPONENT || base == GL_DEPTH_STENCIL;
+}
+
 /// The image that is attached there, or null: nothing, or none that can be ours (`foreign`).
 PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bool &foreign) {
   const host::HostTable &host = *context.host;
@@ -37,7 +44,7 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
     if (target != GL_TEXTURE_3D)
       image = levelOf(context, texture, target, level);
   }
-  if (image && image->base != 0)
+  if (image && canBeBuffer(image->base))
     return image;
   foreign = true;
   return nullptr;
