@@ -72,9 +72,8 @@ def main():
             print(f"{result} {name}")
             for text in lines:
                 print(f"     {text}", flush=True)
-        drawn = sum(sides.software_statistics(path).get("drawn", 0)
-                    for path in pathlib.Path(scratch).glob("stats-*"))
-    print(f"the rasterizer drew {drawn}; the bare host itself dies of {counts['host']}")
+        drawn, given = sides.software_totals(scratch)
+    print(f"the rasterizer drew {drawn}, and the host {given or 'nothing'}; the bare host itself dies of {counts['host']}")
     counts["FAIL"] += args.drawn and not drawn
     print(f"{counts['pass'] + counts['host']} passed, {counts['FAIL']} failed, 0 skipped")
     return 1 if counts["FAIL"] else 0

@@ -225,10 +225,9 @@ def main():
                     print("    reduced: " + " ".join(
                         f"{k}={v}" for k, v in small.items() if v != next(iter(FACTORS[k]))),
                         flush=True)
-        drawn = [sides.software_statistics(path) for path in pathlib.Path(scratch).glob("stats-*")]
-        total = sum(s.get("drawn", 0) for s in drawn)
+        total, given = sides.software_totals(scratch)
     print(f"{len(chosen)} scenes hold {100 * part:.1f} % of all pairs; in {alive} something is seen; "
-          f"the rasterizer drew {total}")
+          f"the rasterizer drew {total}, and the host {given or 'nothing'}")
     failed += args.drawn and not total
     print(f"{len(chosen) - failed} passed, {failed} failed, 0 skipped")
     return 1 if failed else 0

@@ -1,5 +1,6 @@
 """The two sides of a comparison: the bare host, and the layer in front with a back end named."""
 
+import collections
 import contextlib
 import json
 import os
@@ -89,6 +90,16 @@ def software_statistics(path):
         return json.loads(pathlib.Path(path).read_text()).get("software") or {}
     except (OSError, ValueError):
         return {}
+
+
+def software_totals(folder):
+    """(draws of the rasterizer, {reason: draws that it left to the host}) over the statistics there."""
+    drawn, given = 0, collections.Counter()
+    for path in pathlib.Path(folder).glob("stats-*"):
+        part = software_statistics(path)
+        drawn += part.get("drawn", 0)
+        given.update(part.get("given_to_host", {}))
+    return drawn, dict(given)
 
 
 def layer_of(build):
