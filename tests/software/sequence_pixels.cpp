@@ -100,6 +100,9 @@ void generateMipmap(World &world, Random &random, const std::string &) {
   Texture &image = world.texture(texture);
   bind(world, texture);
   glGenerateMipmap(GL_TEXTURE_2D);
+  // Mesa 22.3.6 gives it other storage and goes on drawing to the old one until it is attached
+  // anew.
+  world.orphan(texture);
   const bool smallest = image.width[0] == 1 && image.height[0] == 1;
   image.width[1] = smallest ? 0 : std::max(1, image.width[0] / 2);
   image.height[1] = smallest ? 0 : std::max(1, image.height[0] / 2);

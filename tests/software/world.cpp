@@ -182,12 +182,20 @@ void World::attach(int framebuffer, int texture, int level) {
   bindFramebuffer(before);
 }
 
-void World::deleteTexture(int texture, Random &random) {
-  Texture &image = this->texture(texture);
+void World::orphan(int texture) {
   for (Context &other : m_contexts) {
     for (Framebuffer &framebuffer : other.framebuffers)
       framebuffer.orphan |= other.group == context().group && framebuffer.texture == texture;
   }
+}
+
+void World::deleteTexture(int texture, Random &random) {
+  Texture &image = this->texture(texture);
+  orphan(texture);
+  // A list would bind the name, and whether that is given out again is the host's affair.
+  if (texture == kRectangle)
+    for (Context &other : m_contexts)
+      other.lists = {};
   glDeleteTextures(1, &image.name);
   glGenTextures(1, &image.name);
   image.width = image.height = {};

@@ -31,7 +31,7 @@ struct Framebuffer {
   GLuint name = 0, color = 0, depthStencil = 0; ///< the renderbuffers
   int texture = -1;                             ///< attached in place of `color`; -1: none
   int level = 0;
-  bool orphan = false; ///< its texture was deleted: not to be used
+  bool orphan = false; ///< its texture is gone, or has other storage: not to be used
 };
 
 struct Context {
@@ -64,6 +64,8 @@ public:
   void define(int texture, int level, int width, int height, GLenum internal, Random &random);
   void redefine(int texture, Random &random);
   void attach(int framebuffer, int texture, int level);
+  /// Framebuffers that have the texture are not used until something is attached to them anew.
+  void orphan(int texture);
   void deleteTexture(int texture, Random &random);
   /// Clears all of the bound framebuffer, whatever the masks.
   void clearAll();
