@@ -6,7 +6,7 @@ printed: that path with the compiler's own text of each program; layer: the same
 layer in front, whose statistics must show that it compiled them. vertex-...: likewise of vertex
 programs. ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the
 layer in front through ATI_text_fragment_shader and through ATI_fragment_shader. legacy-..., fp24-...:
-the same under those modes of arithmetic; wild: programs that multiply infinities by zeros.
+the same under those modes of arithmetic; swrast, vertex-swrast: drawn by the rasterizer; wild: programs that multiply infinities by zeros.
 """
 
 import argparse
@@ -87,6 +87,10 @@ def main():
     ways += [("legacy-vertex", count, ["--numerics", "legacy", *vertex, "glsl"], {}),
              ("legacy-v-layer", count, ["--numerics", "legacy", *vertex, "arb"],
               {**in_front, "ARBITER_NUMERICS": "legacy"})]
+    # Drawn by the rasterizer: the host is not asked where it can.
+    software = {**in_front, "ARBITER_BACKEND": "swrast"}
+    ways += [("swrast", count, ["--mode", "arb"], software),
+             ("vertex-swrast", count, [*vertex, "arb"], software)]
     passed = failed = 0
     for name, count, options, extra in ways:
         result = run(name, args, count, options, extra)
