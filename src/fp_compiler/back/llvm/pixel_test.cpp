@@ -229,10 +229,12 @@ void checkPixel(Draw &draw, Draw &before, int x, int y) {
                                                                        : 1.01 / 255;
   for (std::size_t c = 0; c < 4; ++c) {
     const double expected = isFloat ? want.color[c] : std::clamp(want.color[c], 0.0, 1.0);
-    if (want.written[c])
+    if (want.written[c]) {
       ASSERT_NEAR(got[c], expected, tolerance) << "component " << c << " at " << x << ", " << y;
-    else if (draw.color.format.swizzle[c] <= From::C3 && draw.color.format.layout == Layout::U8x4)
+    } else if (draw.color.format.swizzle[c] <= From::C3 &&
+               draw.color.format.layout == Layout::U8x4) {
       ASSERT_EQ(got[c], dest[c]) << "a masked component " << c;
+    }
   }
 }
 
