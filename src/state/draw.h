@@ -7,8 +7,8 @@ namespace arbiter::state {
 /// errors now.
 bool validate(Context &context);
 
-/// The application's own GLSL, a program or a pipeline, has a part in draws now, as far as no program
-/// of the layer's is bound on the host.
+/// The application's own GLSL, a program or a pipeline, has a part in draws now, as far as no
+/// program of the layer's is bound on the host.
 [[nodiscard]] bool applicationShades(Context &context);
 
 /// The host's current program becomes the application's again, and its sampler bindings too.
