@@ -16,6 +16,10 @@ namespace {
 void giveToHost(Context &context, Fallback reason) {
   context.software->fellBack(reason);
   hostDraws(context, fallbackName(reason));
+  // The mirror looks at the application's samplers, not at those that keep plain targets from
+  // comparing: for the host these are bound again.
+  if ((context.attention & attention::kCompare) != 0)
+    static_cast<void>(validate(context));
 }
 
 Pipeline &pipelineOf(Context &context) {
