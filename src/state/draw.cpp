@@ -13,8 +13,6 @@
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
-#include "state/software/draw.h"
-#include "state/software/replay.h"
 
 namespace arbiter::state {
 
@@ -354,16 +352,6 @@ bool begin(Context &context, Validate validateDraw) {
   return false;
 }
 
-/// The primitive is recorded, to be drawn by us.
-bool keepsBack(Context &context, GLenum mode) {
-  if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
-    return false;
-  if (!software::begin(context, mode))
-    return false;
-  software::startRecording(context);
-  return true;
-}
-
 } // namespace
 
 namespace handlers {
@@ -415,34 +403,6 @@ GLuint guardName(Context &context, GLuint name) {
   // No host gives so high a name; as a program or shader it is unknown, as ours must seem.
   constexpr GLuint kUnknown = 0xFFFFFFF0u;
   return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
-}
-
-void Begin(Context &context, GLenum mode) {
-  if (context.attention && !beginDraw(context)) [[unlikely]]
-    return;
-  if (context.softwarePossible && keepsBack(context, mode))
-    return;
-  ++*context.drawCounter;
-  context.host->Begin(mode);
-  if (mode > GL_POLYGON)
-    return; // opens nothing
-  if (context.listMode)
-    context.list.notePrimitive(Primitive::Open);
-  if (context.listMode != GL_COMPILE && !context.hostAssembly.refuses())
-    context.insideBeginEnd = true;
-}
-
-void End(Context &context) {
-  if (context.recordsVertices) {
-    software::stopRecording(context);
-    context.insideBeginEnd = false;
-    return software::end(context);
-  }
-  context.host->End();
-  if (context.listMode)
-    context.list.notePrimitive(Primitive::Closed);
-  if (context.listMode != GL_COMPILE)
-    context.insideBeginEnd = false;
 }
 
 } // namespace handlers

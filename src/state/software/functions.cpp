@@ -50,15 +50,15 @@ public:
   std::shared_ptr<Functions> find(const std::shared_ptr<const fp::ir::Program> &program,
                                   fp::Numerics numerics, bool &made) {
     const std::lock_guard lock(m_mutex);
-    std::shared_ptr<Functions> &entry = m_entries[{program.get(), numerics}].functions;
-    made = !entry;
-    if (made) {
-      entry = std::make_shared<Functions>(program, numerics);
-      m_entries[{program.get(), numerics}].program = program;
-      sweep();
-      return m_entries[{program.get(), numerics}].functions;
-    }
-    return entry;
+    Entry &entry = m_entries[{program.get(), numerics}];
+    made = !entry.functions;
+    if (!made)
+      return entry.functions;
+    entry.program = program;
+    entry.functions = std::make_shared<Functions>(program, numerics);
+    const std::shared_ptr<Functions> functions = entry.functions;
+    sweep();
+    return functions;
   }
 
 private:

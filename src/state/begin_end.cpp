@@ -1,0 +1,55 @@
+// Begin and End: a primitive goes to the host vertex by vertex, or is kept back for the rasterizer.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/context.h"
+#include "state/software/draw.h"
+#include "state/software/replay.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The primitive is recorded, to be drawn by us.
+bool keepsBack(Context &context, GLenum mode) {
+  if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
+    return false;
+  if (!software::begin(context, mode))
+    return false;
+  software::startRecording(context);
+  return true;
+}
+
+} // namespace
+
+namespace handlers {
+
+void Begin(Context &context, GLenum mode) {
+  if (context.attention && !beginDraw(context)) [[unlikely]]
+    return;
+  if (context.softwarePossible && keepsBack(context, mode))
+    return;
+  ++*context.drawCounter;
+  context.host->Begin(mode);
+  if (mode > GL_POLYGON)
+    return; // opens nothing
+  if (context.listMode)
+    context.list.notePrimitive(Primitive::Open);
+  if (context.listMode != GL_COMPILE && !context.hostAssembly.refuses())
+    context.insideBeginEnd = true;
+}
+
+void End(Context &context) {
+  if (context.recordsVertices) {
+    software::stopRecording(context);
+    context.insideBeginEnd = false;
+    return software::end(context);
+  }
+  context.host->End();
+  if (context.listMode)
+    context.list.notePrimitive(Primitive::Closed);
+  if (context.listMode != GL_COMPILE)
+    context.insideBeginEnd = false;
+}
+
+} // namespace handlers
+} // namespace arbiter::state
