@@ -80,7 +80,7 @@ void Bins::add(const Draw &draw, Chunk &chunk, Triangle &triangle, bool clip) {
   triangle.backFacing = isBackFacing(draw.state, area);
   if (isCulled(draw.state, triangle.backFacing))
     return;
-  Shape bounds;
+  Bounds bounds;
   if (!setBounds(m_clip, v, 3, bounds))
     return;
   const auto extent = [](std::int32_t a, std::int32_t b, std::int32_t c) {
@@ -88,8 +88,9 @@ void Bins::add(const Draw &draw, Chunk &chunk, Triangle &triangle, bool clip) {
   };
   if (extent(v[0].fixedX, v[1].fixedX, v[2].fixedX) >= kSmallExtent ||
       extent(v[0].fixedY, v[1].fixedY, v[2].fixedY) >= kSmallExtent) {
-    if (shapeOf(m_clip, v, area, bounds))
-      addShape(draw, chunk, triangle, bounds);
+    Shape shape;
+    if (shapeOf(m_clip, v, area, shape))
+      addShape(draw, chunk, triangle, shape);
     return;
   }
   chunk.records.push_back({{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},

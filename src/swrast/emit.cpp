@@ -1,7 +1,5 @@
 #include "swrast/emit.h"
 
-#include "swrast/small.h"
-
 namespace arbiter::swrast {
 namespace {
 
@@ -77,44 +75,49 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
 }
 
 void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
-  const std::int64_t area = areaOf(triangle.corner);
-  Shape shape;
-  if (!setBounds(rect, triangle.corner, 3, shape))
+  Bounds bounds;
+  if (!setBounds(rect, triangle.corner, 3, bounds))
     return;
-  flush();
+  const std::int64_t area = areaOf(triangle.corner);
   m_primitive = &m_small;
   m_stippled = m_state.polygonStipple != nullptr;
-  m_isRow = wantsRows(shape.right - shape.left);
+  m_isRow = wantsRows(bounds.right - bounds.left);
   const auto planes = [&] {
-    makePlanes(m_state, plan, triangle, m_state.offsetFill, shape.left, shape.bottom, m_small);
+    makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.left, bounds.bottom, m_small);
   };
   if (m_isRow) {
     planes();
+    Shape shape;
     (void)shapeOf(rect, triangle.corner, area, shape);
     rows(shape, shape.left, shape.bottom, shape.right, shape.top);
     flush();
     return;
   }
-  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
-  const int firstX = shape.left & ~(width - 1), firstY = shape.bottom & ~(height - 1);
-  const BlockWalker walker(triangle.corner, area > 0, firstX, firstY, width, m_shading.lanes);
-  bool made = false;
-  for (int y = firstY; y < shape.top; y += height)
-    for (int x = firstX; x < shape.right; x += width) {
-      unsigned mask = walker.mask(x - firstX, y - firstY);
-      if (mask == 0)
-        continue;
-      if (x < rect.x || y < rect.y || x + width > rect.x + rect.width ||
-          y + height > rect.y + rect.height)
-        mask &= insideMask(rect, x, y);
-      if (mask == 0)
-        continue;
-      if (!made)
-        planes();
-      made = true;
-      block(x, y, mask);
-    }
+  const SmallCover cover = m_cover(triangle.corner, area > 0, bounds, m_shading.lanes, m_blocks);
+  m_count = cover.blocks;
+  m_pixels += cover.pixels;
+  filterBlocks(rect, bounds);
+  if (m_count == 0)
+    return;
+  planes();
   flush();
+}
+
+void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds) {
+  const int right = rect.x + rect.width, top = rect.y + rect.height;
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  const bool crosses = (bounds.left & -width) < rect.x || (bounds.bottom & -height) < rect.y ||
+                       ((bounds.right + width - 1) & -width) > right ||
+                       ((bounds.top + height - 1) & -height) > top;
+  if (!crosses && !m_stippled)
+    return;
+  const std::uint32_t count = m_count;
+  m_count = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const abi::Block item = m_blocks[i];
+    m_pixels -= bitsOf(item.mask);
+    block(item.x, item.y, crosses ? item.mask & insideMask(rect, item.x, item.y) : item.mask);
+  }
 }
 
 unsigned Emitter::insideMask(const Rect &rect, int x, int y) const {

@@ -4,6 +4,7 @@
 
 #include "swrast/flush_mode.h"
 #include "swrast/setup.h"
+#include "swrast/small.h"
 
 /// Shapes to spans and blocks, given to the shading function in batches.
 namespace arbiter::swrast {
@@ -11,33 +12,38 @@ namespace arbiter::swrast {
 /// One thread's items of one primitive. Call flush() between primitives.
 class Emitter {
 public:
-  Emitter(const RasterState &state, const Shading &shading) : m_state(state), m_shading(shading) {}
+  Emitter(const RasterState &state, const Shading &shading)
+      : m_state(state), m_shading(shading), m_cover(chooseCoverSmall()) {}
   ~Emitter() { flush(); }
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
 
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
-  /// What of a triangle of less than kSmallExtent lies in the rectangle. Planes are made only if a
-  /// pixel is covered.
+  /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
+  /// Planes are made only if a pixel is covered.
   void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
   void flush();
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
 
 private:
-  static constexpr std::uint32_t kBatch = 256;
+  /// All 2x2 blocks of a tile of 64x64 pixels, and one that is written in vain.
+  static constexpr std::uint32_t kBatch = 1025;
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
   void block(int x, int y, unsigned mask);
+  /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
+  void filterBlocks(const Rect &rect, const Bounds &bounds);
   [[nodiscard]] unsigned insideMask(const Rect &rect, int x, int y) const;
   [[nodiscard]] bool wantsRows(int width) const;
 
   FlushMode m_mode;
   const RasterState &m_state;
   const Shading &m_shading;
+  CoverSmall m_cover;
   const abi::Primitive *m_primitive = nullptr;
   abi::Primitive m_small; ///< the small triangle's
   bool m_stippled = false;

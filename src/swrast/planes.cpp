@@ -27,7 +27,7 @@ Edge edgeBetween(const WindowVertex &from, const WindowVertex &to) {
   return edge;
 }
 
-bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Shape &shape) {
+bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Bounds &bounds) {
   std::int32_t minX = corner[0].fixedX, maxX = minX, minY = corner[0].fixedY, maxY = minY;
   for (int i = 1; i < count; ++i) {
     minX = std::min(minX, corner[i].fixedX);
@@ -35,12 +35,12 @@ bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Shape &s
     minY = std::min(minY, corner[i].fixedY);
     maxY = std::max(maxY, corner[i].fixedY);
   }
-  shape.left = std::max(clip.x, pixelFrom(minX));
-  shape.bottom = std::max(clip.y, pixelFrom(minY));
+  bounds.left = std::max(clip.x, pixelFrom(minX));
+  bounds.bottom = std::max(clip.y, pixelFrom(minY));
   // A right or an upper edge is outside itself, but not a corner that a left edge ends in.
-  shape.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
-  shape.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);
-  return shape.left < shape.right && shape.bottom < shape.top;
+  bounds.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
+  bounds.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);
+  return bounds.left < bounds.right && bounds.bottom < bounds.top;
 }
 
 bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area, Shape &shape) {

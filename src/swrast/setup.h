@@ -60,11 +60,14 @@ struct Edge {
   std::int64_t c = 0;
 };
 
-/// A convex region of pixels and what it is shaded with.
-struct Shape {
+struct Bounds {
   std::int32_t left = 0, bottom = 0, right = 0, top = 0; ///< pixels, half open, clipped
-  std::int32_t edgeCount = 0;                            ///< 0: the rectangle, whole
-  bool stippled = false;                                 ///< by the polygon stipple
+};
+
+/// A convex region of pixels and what it is shaded with.
+struct Shape : Bounds {
+  std::int32_t edgeCount = 0; ///< 0: the rectangle, whole
+  bool stippled = false;      ///< by the polygon stipple
   Edge edges[4];
   abi::Primitive primitive;
 };
@@ -86,7 +89,8 @@ struct Triangle {
 /// The edge from `from` to `to` of a counterclockwise polygon.
 [[nodiscard]] Edge edgeBetween(const WindowVertex &from, const WindowVertex &to);
 /// Bounds from snapped ones; false if no pixel of the clip rectangle can be inside.
-[[nodiscard]] bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Shape &shape);
+[[nodiscard]] bool setBounds(const Rect &clip, const WindowVertex *corner, int count,
+                             Bounds &bounds);
 /// Bounds and edges; false if no pixel of the clip rectangle can be inside. `area` is not 0.
 [[nodiscard]] bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area,
                            Shape &shape);

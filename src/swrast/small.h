@@ -8,20 +8,25 @@ namespace arbiter::swrast {
 /// fit 32 bits near them.
 inline constexpr std::int32_t kSmallExtent = 64 * kSubpixels;
 
-/// Edge functions at the pixels of a block, moved from block to block.
-class BlockWalker {
-public:
-  /// (x, y): the lower left pixel of a block no farther from the triangle than its extent.
-  BlockWalker(const WindowVertex corner[3], bool counterclockwise, int x, int y, int blockWidth,
-              int lanes);
-  /// The mask of the block that lies dx, dy pixels from the first.
-  [[nodiscard]] unsigned mask(int dx, int dy) const;
-
-private:
-  using Int4 = std::int32_t __attribute__((vector_size(16)));
-  Int4 m_lane[3][4]; ///< edges at the first block's pixels
-  std::int32_t m_a[3], m_b[3];
-  int m_vectors;
+struct SmallCover {
+  std::uint32_t blocks = 0, pixels = 0;
 };
+
+/// Writes the blocks of which the triangle covers a pixel, rows upwards.
+/// \param bounds pixels; blocks that they begin or end in are tested whole
+/// \param lanes 16 (blocks of 4x4 pixels), 8 (4x2) or 4 (2x2)
+/// \param blocks room for all blocks of the bounds and one more
+using CoverSmall = SmallCover (*)(const WindowVertex corner[3], bool counterclockwise,
+                                  const Bounds &bounds, int lanes, abi::Block *blocks);
+
+/// One for each instruction set that pays; all give the same.
+SmallCover coverSmallBaseline(const WindowVertex corner[3], bool counterclockwise,
+                              const Bounds &bounds, int lanes, abi::Block *blocks);
+SmallCover coverSmallAvx2(const WindowVertex corner[3], bool counterclockwise, const Bounds &bounds,
+                          int lanes, abi::Block *blocks);
+SmallCover coverSmallAvx512(const WindowVertex corner[3], bool counterclockwise,
+                            const Bounds &bounds, int lanes, abi::Block *blocks);
+/// The best that this processor runs.
+[[nodiscard]] CoverSmall chooseCoverSmall();
 
 } // namespace arbiter::swrast
