@@ -1,8 +1,10 @@
 #include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "swrast/canvas_testing.h"
+#include "swrast/small.h"
 
 /// Which pixels are covered, against exact references.
 namespace arbiter::swrast {
@@ -127,6 +129,40 @@ TEST(Rasterize, FansCoverEachPixelOnce) {
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x)
         ASSERT_EQ(canvas.at(x, y), 1u) << x << ", " << y << " in round " << round;
+  }
+}
+
+TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
+  std::vector<CoverSmall> others;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2"))
+    others.push_back(coverSmallAvx2);
+#endif
+  others.push_back(chooseCoverSmall());
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::int32_t> place(0, kSmallExtent - 1), origin(-8, 8);
+  for (int round = 0; round < 3000; ++round) {
+    WindowVertex corner[3];
+    const std::int32_t shiftX = origin(random) * kSmallExtent, shiftY = origin(random) * 256;
+    for (WindowVertex &v : corner) {
+      v.fixedX = place(random) / (1 + round % 7) + shiftX;
+      v.fixedY = place(random) / (1 + round % 5) + shiftY;
+    }
+    const std::int64_t area = areaOf(corner);
+    Bounds bounds;
+    if (area == 0 || !setBounds({-4096, -4096, 8192, 8192}, corner, 3, bounds))
+      continue;
+    for (const int lanes : {4, 8, 16}) {
+      std::vector<abi::Block> expected(2048), blocks(2048);
+      const SmallCover cover = coverSmallBaseline(corner, area > 0, bounds, lanes, expected.data());
+      for (const CoverSmall other : others) {
+        const SmallCover same = other(corner, area > 0, bounds, lanes, blocks.data());
+        ASSERT_EQ(same.blocks, cover.blocks);
+        ASSERT_EQ(same.pixels, cover.pixels);
+        ASSERT_EQ(std::memcmp(blocks.data(), expected.data(), cover.blocks * sizeof(abi::Block)),
+                  0);
+      }
+    }
   }
 }
 
