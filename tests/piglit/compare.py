@@ -102,8 +102,9 @@ def arguments():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--results", type=pathlib.Path, required=True)
     parser.add_argument("--set", choices=("quick", "named", "full"), default="named")
-    parser.add_argument("--profiles", default="host,r300,r300:report",
-                        help="names, each with :report for ARBITER_LIMITS=report")
+    parser.add_argument("--profiles", default="host,r300,r300:report,swrast",
+                        help="names, each with :report for ARBITER_LIMITS=report; swrast and auto "
+                             "are the profile host with that ARBITER_BACKEND")
     parser.add_argument("--platform", default="glx",
                         choices=("glx", "x11_egl", "surfaceless_egl", "mixed_glx_egl"))
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))

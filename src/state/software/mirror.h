@@ -64,7 +64,7 @@ struct VertexState {
   /// Of unit and coordinate (s, t, r, q): 0 off, else 1 + TexGenMode.
   std::array<std::array<std::uint8_t, 4>, 8> texGen{};
   bool fogFromDepth = true; ///< FOG_COORDINATE_SOURCE is FRAGMENT_DEPTH
-  bool clampColors = true;  ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps
+  bool clampColors = true;  ///< CLAMP_VERTEX_COLOR; FIXED_ONLY clamps for fixed-point targets
   bool pointAttenuation = false;
   std::uint8_t clipPlanes = 0; ///< enabled, one bit each
   std::uint32_t version = 0;   ///< changes with the above
@@ -126,7 +126,7 @@ void noteCurrent(Mirror &mirror, const CurrentValues &values, std::uint32_t slot
 void refreshArrays(Context &context, Mirror &mirror);
 
 /// mirror.vertex: only where fixed function transforms. After refresh().
-void refreshVertexState(Context &context, Mirror &mirror);
+void refreshVertexState(Context &context, Mirror &mirror, bool floatTarget = false);
 
 /// Why primitives of that kind cannot be ours, beside mirror.obstacle: smooth ones; null: they can.
 [[nodiscard]] const char *obstacleOf(const Mirror &mirror, swrast::Topology topology);

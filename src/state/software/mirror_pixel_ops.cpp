@@ -128,6 +128,32 @@ void askTarget(const HostCaps &caps, const Ask &ask, GLuint i, abi::ColorTargetK
     lacking = true;
 }
 
+bool isConstant(abi::BlendFactor factor) {
+  using F = abi::BlendFactor;
+  return factor == F::ConstantColor || factor == F::OneMinusConstantColor ||
+         factor == F::ConstantAlpha || factor == F::OneMinusConstantAlpha;
+}
+
+bool usesConstant(const abi::BlendKey &key) {
+  return key.enabled && (isConstant(key.sourceColor) || isConstant(key.destColor) ||
+                         isConstant(key.sourceAlpha) || isConstant(key.destAlpha));
+}
+
+/// The blend colour as it was set: blending clamps it by the buffer's format, a question for it by
+/// CLAMP_FRAGMENT_COLOR (ARB_color_buffer_float), which is off while it is asked for.
+void askBlendColor(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+  const auto &targets = mirror.pixelOps.targets;
+  const bool matters =
+      caps.clampColor && std::any_of(targets.begin(), targets.end(),
+                                     [](const auto &target) { return usesConstant(target.blend); });
+  const GLenum clamp = matters ? ask.name(GL_CLAMP_FRAGMENT_COLOR) : GLenum(GL_FALSE);
+  if (clamp != GL_FALSE)
+    ask.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+  ask.host.GetFloatv(GL_BLEND_COLOR, mirror.constants.blendColor);
+  if (clamp != GL_FALSE)
+    ask.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, clamp);
+}
+
 void askTargets(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
   bool lacking = false;
   const int count = std::min(caps.maxDrawBuffers, abi::kMaxColorTargets);
@@ -138,7 +164,7 @@ void askTargets(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
       askTarget(caps, ask, GLuint(i), mirror.pixelOps.targets[std::size_t(i)], lacking);
   }
   mirror.blendLacking = lacking;
-  ask.host.GetFloatv(GL_BLEND_COLOR, mirror.constants.blendColor);
+  askBlendColor(caps, ask, mirror);
   mirror.pixelOps.logicOpEnabled = ask.enabled(GL_COLOR_LOGIC_OP) ? 1 : 0;
   mirror.pixelOps.logicOp = mirror.pixelOps.logicOpEnabled
                                 ? abi::LogicOp(ask.name(GL_LOGIC_OP_MODE) - GL_CLEAR)

@@ -141,12 +141,13 @@ void askPointsAndFog(const Ask &ask, VertexState &state) {
 
 } // namespace
 
-void refreshVertexState(Context &context, Mirror &mirror) {
+void refreshVertexState(Context &context, Mirror &mirror, bool floatTarget) {
   constexpr std::uint32_t kGroups = stale::kTransform | stale::kLighting | stale::kTexGen |
                                     stale::kFog | stale::kRaster | stale::kPixelOps;
   const std::uint32_t groups = mirror.clock.changedSince(mirror.vertexSeen) & kGroups;
   mirror.vertexSeen = mirror.clock.now();
-  if (groups == 0) [[likely]]
+  const bool clamps = mirror.clampVertexColors && !(mirror.clampVertexFixedOnly && floatTarget);
+  if (groups == 0 && clamps == mirror.vertex.clampColors) [[likely]]
     return;
   const VertexState before = mirror.vertex;
   VertexState &state = mirror.vertex;
@@ -159,7 +160,7 @@ void refreshVertexState(Context &context, Mirror &mirror) {
     askTexGen(context.caps, ask, state);
   if ((groups & (stale::kFog | stale::kRaster)) != 0)
     askPointsAndFog(ask, state);
-  state.clampColors = mirror.clampVertexColors;
+  state.clampColors = clamps;
   if (!(before == state))
     ++state.version;
 }

@@ -22,6 +22,20 @@ bool isFloat(abi::Layout layout) {
   return layout >= abi::Layout::F16x1 && layout <= abi::Layout::F32x4;
 }
 
+bool anyFloat(const DrawTargets &targets) {
+  return std::any_of(
+      std::begin(targets.color), std::end(targets.color),
+      [](const swrast::Image *image) { return image && isFloat(image->format.layout); });
+}
+
+/// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
+/// and instructions do, and must not while colours are unclamped (ARB_color_buffer_float).
+bool clampsInside(const fp::ir::Program &fixed) {
+  return fixed.options.fog != fp::ir::FogMode::None || fixed.options.colorSum ||
+         std::any_of(fixed.code.begin(), fixed.code.end(),
+                     [](const fp::ir::Instruction &each) { return each.dst.saturate; });
+}
+
 /// The components that a format stores, as a write mask.
 unsigned storedMask(const abi::Format &format) {
   unsigned mask = 0;
@@ -53,7 +67,6 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
   if (!depth.depthTest && !depth.stencilTest)
     depth = {};
   int colors = 0;
-  bool anyFloat = false;
   for (int i = 0; i < abi::kMaxColorTargets; ++i) {
     abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
     if (!m_targets->color[i]) {
@@ -63,13 +76,14 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     target.format = m_targets->color[i]->format;
     target.writeMask &= std::uint8_t(storedMask(target.format));
     ++colors;
-    anyFloat |= isFloat(target.format.layout);
   }
   // Without the option a program's one colour goes to every draw buffer (ARB_draw_buffers).
   if (colors > 1 && !m_program->source->options.drawBuffers)
     return Fallback::Target;
-  if (mirror.clampFixedOnly && anyFloat)
+  if (mirror.clampFixedOnly && anyFloat(*m_targets))
     m_key.clampColors = 0;
+  if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
+    return Fallback::State;
   return m_units.bind(context, mirror, shape, m_key);
 }
 
@@ -106,10 +120,11 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
     return fallbackNamed(reason, Fallback::Target);
   const CompiledProgram *const vertexProgram =
       context.variant ? context.variant->vertex.compiled : nullptr;
-  if (const Outcome outcome = m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                                                m_topology == swrast::Topology::Points, m_when);
-      !outcome.ok())
-    return outcome;
+  if (const Outcome vertices =
+          m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
+                            m_topology == swrast::Topology::Points, anyFloat(*m_targets), m_when);
+      !vertices.ok())
+    return vertices;
   return makeKey(context, mirror);
 }
 

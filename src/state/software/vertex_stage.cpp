@@ -70,10 +70,11 @@ void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Pro
 }
 
 Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
-                            const fp::jit::FragmentShape &fragments, bool points, When when) {
+                            const fp::jit::FragmentShape &fragments, bool points, bool floatTarget,
+                            When when) {
   m_compiled = compiled;
   m_fragments = &fragments;
-  refreshVertexState(context, mirror);
+  refreshVertexState(context, mirror, floatTarget);
   m_clipPlanes = mirror.vertex.clipPlanes;
   if (!compiled) {
     take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), when);

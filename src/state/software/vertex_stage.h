@@ -24,9 +24,9 @@ namespace arbiter::state::software {
 class VertexStage {
 public:
   /// Chooses the function for what the fragments need. `compiled` is the application's vertex
-  /// program, or null.
+  /// program, or null; `floatTarget`: a colour buffer holds floats.
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
-                 const fp::jit::FragmentShape &fragments, bool points, When when);
+                 const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, When when);
   /// The slots that the function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_slots; }
 

@@ -76,9 +76,10 @@ void PixelWriter::setPixel(Value *x, Value *y) {
                            abi::bytesOf(m_key.targets[i].format.layout), x, y);
 }
 
-Value *PixelWriter::uniform(std::size_t offset) {
+Value *PixelWriter::uniform(std::size_t offset, bool clamped) {
   return writeIn(m_code, m_places.entry, [&] {
-    return m_code.splat(m_code.field(m_code.ir.getFloatTy(), m_data, offset));
+    Value *const value = m_code.splat(m_code.field(m_code.ir.getFloatTy(), m_data, offset));
+    return clamped ? m_code.saturate(value) : value;
   });
 }
 
@@ -105,10 +106,13 @@ void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment,
     }
     const PixelType type = pixelType(m_code, target.format.layout);
     Value *const old = m_targets[i].load(place, type.type, type.parts);
+    // Of a fixed-point buffer every operand is clamped, whatever fragment clamping says
+    // (ARB_color_buffer_float, changes to 4.1.7).
+    const bool fixedPoint = !isFloat(target.format.layout);
     Vec source = fragment.colors[i];
     for (Value *&component : source) {
       component = component ? component : m_code.splat(0.0f);
-      component = m_key.clampColors ? m_code.saturate(component) : component;
+      component = m_key.clampColors || fixedPoint ? m_code.saturate(component) : component;
     }
     const int bits = 8 * abi::bytesOf(target.format.layout);
     Value *const raw =
@@ -117,8 +121,8 @@ void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment,
                         old, llvm::FixedVectorType::get(m_code.ir.getIntNTy(unsigned(bits)),
                                                         unsigned(m_code.lanes)));
     const Vec dest = decode(m_code, target.format, raw, 0xF);
-    storePixels(place, packPixels(m_code, target.format, blended(source, dest, target.blend)), i,
-                mask, old);
+    const Vec result = blended(source, dest, target.blend, fixedPoint);
+    storePixels(place, packPixels(m_code, target.format, result), i, mask, old);
   }
 }
 

@@ -51,8 +51,9 @@ private:
   /// The stored bits of texels that were sampled and not touched; null where it was another colour.
   [[nodiscard]] Value *passedThrough(const FragmentColors &fragment, const Vec &color,
                                      const abi::ColorTargetKey &target);
-  [[nodiscard]] Vec blended(const Vec &source, const Vec &dest, const abi::BlendKey &key);
-  [[nodiscard]] Value *uniform(std::size_t offset);
+  [[nodiscard]] Vec blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
+                            bool fixedPoint);
+  [[nodiscard]] Value *uniform(std::size_t offset, bool clamped = false);
 
   Code &m_code;
   const abi::FragmentKey &m_key;

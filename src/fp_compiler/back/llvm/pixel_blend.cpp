@@ -57,11 +57,13 @@ Value *scaled(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t
 }
 } // namespace
 
-Vec PixelWriter::blended(const Vec &source, const Vec &dest, const abi::BlendKey &key) {
+Vec PixelWriter::blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
+                         bool fixedPoint) {
   llvm::IRBuilder<> &ir = m_code.ir;
   Operands in{source, dest, {}};
   for (std::size_t c = 0; c < 4; ++c)
-    in.constant[c] = uniform(offsetof(abi::FragmentData, blendColor) + sizeof(float) * c);
+    in.constant[c] =
+        uniform(offsetof(abi::FragmentData, blendColor) + sizeof(float) * c, fixedPoint);
   Vec result = {};
   for (std::size_t c = 0; c < 4; ++c) {
     const abi::BlendEquation equation = c == 3 ? key.alpha : key.color;

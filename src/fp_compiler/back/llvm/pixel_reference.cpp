@@ -181,11 +181,18 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
   result.color = dest;
   result.bits = oldBits;
   result.depthStencil = oldDepthStencil;
+  const abi::Layout layout = key.targets[0].format.layout;
+  const bool fixedPoint = layout < abi::Layout::F16x1 || layout > abi::Layout::F32x4;
   std::array<double, 4> source = {};
-  for (std::size_t c = 0; c < 4; ++c)
-    source[c] = key.clampColors ? std::clamp(double(fragment.color[c]), 0.0, 1.0)
-                                : double(fragment.color[c]);
-  if (!compare(key.alphaTest, float(source[3]), data.alphaReference))
+  float constant[4] = {};
+  for (std::size_t c = 0; c < 4; ++c) {
+    source[c] = key.clampColors || fixedPoint ? std::clamp(double(fragment.color[c]), 0.0, 1.0)
+                                              : double(fragment.color[c]);
+    constant[c] = fixedPoint ? std::clamp(data.blendColor[c], 0.0f, 1.0f) : data.blendColor[c];
+  }
+  const float alpha =
+      key.clampColors ? std::clamp(fragment.color[3], 0.0f, 1.0f) : fragment.color[3];
+  if (!compare(key.alphaTest, alpha, data.alphaReference))
     return result;
   result.passed = tested(key.depthStencil, data, backFacing, fragment.depth, result.depthStencil);
   if (!result.passed)
@@ -209,9 +216,8 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
     if (blend.enabled && !key.logicOpEnabled)
       result.color[c] = equated(
           c == 3 ? blend.alpha : blend.color, source[c], dest[c],
-          factorOf(c == 3 ? blend.sourceAlpha : blend.sourceColor, source, dest, data.blendColor,
-                   c),
-          factorOf(c == 3 ? blend.destAlpha : blend.destColor, source, dest, data.blendColor, c));
+          factorOf(c == 3 ? blend.sourceAlpha : blend.sourceColor, source, dest, constant, c),
+          factorOf(c == 3 ? blend.destAlpha : blend.destColor, source, dest, constant, c));
     else
       result.color[c] = source[c];
   }

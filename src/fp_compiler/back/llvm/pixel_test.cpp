@@ -52,8 +52,7 @@ abi::FragmentKey randomKey(Random &random) {
   key.inputs[0] = random.any(abi::Interpolation::Perspective);
   abi::ColorTargetKey &target = key.targets[0];
   target.format = kFormats[random.below(int(std::size(kFormats)))];
-  const bool isFloat = target.format.layout >= Layout::F32x1;
-  key.clampColors = !isFloat || random.below(2);
+  key.clampColors = random.below(2) != 0;
   target.writeMask = random.below(2) ? 0xF : std::uint8_t(random.below(16));
   if (random.below(3) == 0)
     key.alphaTest = random.any(abi::Compare::Always);
@@ -110,7 +109,7 @@ void fill(Draw &draw, Random &random) {
   abi::FragmentData &data = draw.data;
   data.alphaReference = random.unit();
   for (float &component : data.blendColor)
-    component = random.unit();
+    component = 1.5f * random.unit() - 0.25f;
   for (std::size_t side = 0; side < 2; ++side) {
     data.stencilReference[side] = std::uint8_t(random.below(256));
     data.stencilCompareMask[side] = random.below(2) ? 255 : std::uint8_t(random.below(256));
