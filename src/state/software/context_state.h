@@ -46,8 +46,13 @@ struct ContextState {
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
   const host::HostTable *trueHost = nullptr; ///< while a primitive is recorded (replay.h)
-  bool forced = false;   ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
-  bool presents = false; ///< a window was shown
+  bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  /// Turns of the host in this frame that draw what we cannot. Depths of two rasterizers are not
+  /// equal to the bit, and passes that compare them for equality meet only if one of the two draws
+  /// all: under auto depth is tested by us only after a frame that was ours as a whole.
+  std::uint64_t hostTurns = 0;
+  bool wholeFrames = false;        ///< the last frame had none
+  bool presents = false;           ///< a window was shown
   std::uint64_t transfersSeen = 0; ///< between host and shadows, at the end of the last frame
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};

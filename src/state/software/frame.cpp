@@ -13,7 +13,10 @@ std::uint64_t transfers(const Context &context) {
 }
 
 void judge(Context &context, bool moved) {
-  context.software->backOff.frameEnded(moved, std::chrono::steady_clock::now());
+  ContextState &state = *context.software;
+  state.wholeFrames = state.hostTurns == 0;
+  state.hostTurns = 0;
+  state.backOff.frameEnded(moved, std::chrono::steady_clock::now());
 }
 
 } // namespace

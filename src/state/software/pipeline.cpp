@@ -66,6 +66,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     depth.stencilTest = 0;
   if (!depth.depthTest && !depth.stencilTest)
     depth = {};
+  else if (!context.software->forced && !context.software->wholeFrames)
+    return Fallback::Mixed;
   int colors = 0;
   for (int i = 0; i < abi::kMaxColorTargets; ++i) {
     abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];

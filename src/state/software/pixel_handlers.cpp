@@ -20,7 +20,10 @@ void Clear(Context &context, GLbitfield mask) {
   if (executes(context)) {
     if (software::clear(context, mask))
       return;
+    const std::uint64_t turns = context.software ? context.software->hostTurns : 0;
     software::hostDraws(context, "glClear");
+    if (context.software)
+      context.software->hostTurns = turns; // a clear is the same, whoever makes it
   }
   context.host->Clear(mask);
 }

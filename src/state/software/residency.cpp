@@ -1,4 +1,6 @@
 // When pixels must be moved: synchronisation, frames, contexts.
+#include <string_view>
+
 #include "state/software/residency.h"
 
 #include <cstring>
@@ -101,6 +103,8 @@ void synchronise(Context &context, const char *why) {
 }
 
 void hostDraws(Context &context, const char *why) {
+  if (context.software)
+    ++context.software->hostTurns;
   synchronise(context, why);
   SharedImages *const shared = context.software ? &sharedOf(context) : nullptr;
   if (!shared)
@@ -111,6 +115,8 @@ void hostDraws(Context &context, const char *why) {
 }
 
 void hostDoesAnything(Context &context, const char *why) {
+  if (context.software && std::string_view(why).starts_with("glCallList"))
+    ++context.software->hostTurns; // a list draws
   synchronise(context, why);
   WindowImages *const window = windowOf(context);
   if (!window)
