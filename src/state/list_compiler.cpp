@@ -185,7 +185,7 @@ namespace {
 /// Nobody knows what a list does.
 void beforeHostLists(Context &context) {
   if (context.softwarePossible)
-    software::hostDoesAnything(context, "glCallList");
+    software::hostDrawsList(context);
 }
 
 /// A host list may draw: the program in force is bound first. Where that is not valid the host is

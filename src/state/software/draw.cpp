@@ -15,11 +15,10 @@ namespace {
 /// The host draws: it is brought up to date, and what it draws to is its own from here on.
 void giveToHost(Context &context, Fallback reason) {
   context.software->fellBack(reason);
-  const std::uint64_t turns = context.software->hostTurns;
-  hostDraws(context, fallbackName(reason));
   // What will be ours later, or is not ours for this alone, says nothing about the frame.
-  if (reason == Fallback::Compiling || reason == Fallback::Mixed || reason == Fallback::BackedOff)
-    context.software->hostTurns = turns;
+  const bool says =
+      reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
+  (says ? hostDraws : hostTakesTargets)(context, fallbackName(reason));
   // The mirror looks at the application's samplers, not at those that keep plain targets from
   // comparing: for the host these are bound again.
   if ((context.attention & attention::kCompare) != 0)

@@ -7,6 +7,7 @@
 #include "state/fixed_function.h"
 #include "state/software/fixed_fragment.h"
 #include "state/software/residency.h"
+#include "state/software/units.h"
 #include "state/unit_scope.h"
 
 namespace arbiter::state::software {
@@ -99,22 +100,6 @@ TexelKind kindOf(const abi::Format &format) {
   if (s[0] == From::Zero && s[1] == From::Zero && s[2] == From::Zero)
     return TexelKind::Alpha;
   return s[0] == s[3] ? TexelKind::Intensity : TexelKind::Translucent;
-}
-
-abi::Dimension dimensionOf(fp::ir::TexTarget target) {
-  using fp::ir::TexTarget;
-  switch (target) {
-  case TexTarget::Tex1D:
-    return abi::Dimension::Tex1D;
-  case TexTarget::Tex3D:
-    return abi::Dimension::Tex3D;
-  case TexTarget::Cube:
-    return abi::Dimension::Cube;
-  case TexTarget::Rect:
-    return abi::Dimension::Rect;
-  default:
-    return abi::Dimension::Tex2D;
-  }
 }
 
 /// COMBINE reads a unit that has no texture: undefined, and the host's to decide.

@@ -20,10 +20,7 @@ void Clear(Context &context, GLbitfield mask) {
   if (executes(context)) {
     if (software::clear(context, mask))
       return;
-    const std::uint64_t turns = context.software ? context.software->hostTurns : 0;
-    software::hostDraws(context, "glClear");
-    if (context.software)
-      context.software->hostTurns = turns; // a clear is the same, whoever makes it
+    software::hostTakesTargets(context, "glClear");
   }
   context.host->Clear(mask);
 }

@@ -1,6 +1,4 @@
 // When pixels must be moved: synchronisation, frames, contexts.
-#include <string_view>
-
 #include "state/software/residency.h"
 
 #include <cstring>
@@ -105,6 +103,10 @@ void synchronise(Context &context, const char *why) {
 void hostDraws(Context &context, const char *why) {
   if (context.software)
     ++context.software->hostTurns;
+  hostTakesTargets(context, why);
+}
+
+void hostTakesTargets(Context &context, const char *why) {
   synchronise(context, why);
   SharedImages *const shared = context.software ? &sharedOf(context) : nullptr;
   if (!shared)
@@ -114,9 +116,13 @@ void hostDraws(Context &context, const char *why) {
     dropFramebuffer(context, *windowOf(context));
 }
 
+void hostDrawsList(Context &context) {
+  if (context.software)
+    ++context.software->hostTurns;
+  hostDoesAnything(context, "glCallList");
+}
+
 void hostDoesAnything(Context &context, const char *why) {
-  if (context.software && std::string_view(why).starts_with("glCallList"))
-    ++context.software->hostTurns; // a list draws
   synchronise(context, why);
   WindowImages *const window = windowOf(context);
   if (!window)

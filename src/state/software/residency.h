@@ -100,6 +100,11 @@ void synchronise(Context &context, const char *why);
 /// The host is about to write to its draw framebuffer (a draw that is not ours): synchronise(),
 /// then the framebuffer's images are the host's.
 void hostDraws(Context &context, const char *why);
+/// The same of what does not make the frame a mixed one (ContextState::hostTurns): a clear, or a
+/// draw that will be ours.
+void hostTakesTargets(Context &context, const char *why);
+/// The host is about to run a list of its own, which may draw and do anything else.
+void hostDrawsList(Context &context);
 /// The host is about to do something unknown: synchronise(), then every image is the host's.
 void hostDoesAnything(Context &context, const char *why);
 

@@ -11,25 +11,6 @@ namespace {
 
 using fp::ir::TexTarget;
 
-abi::Dimension dimensionOf(TexTarget target) {
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return abi::Dimension::Tex1D;
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    return abi::Dimension::Tex2D;
-  case TexTarget::Tex3D:
-    return abi::Dimension::Tex3D;
-  case TexTarget::Cube:
-    return abi::Dimension::Cube;
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return abi::Dimension::Rect;
-  }
-  return abi::Dimension::Tex2D;
-}
-
 bool isShadow(TexTarget target) {
   return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
          target == TexTarget::ShadowRect;
@@ -71,6 +52,25 @@ void convertBorder(const abi::Format &format, const float from[4], float to[4]) 
 }
 
 } // namespace
+
+abi::Dimension dimensionOf(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return abi::Dimension::Tex1D;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    return abi::Dimension::Tex2D;
+  case TexTarget::Tex3D:
+    return abi::Dimension::Tex3D;
+  case TexTarget::Cube:
+    return abi::Dimension::Cube;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return abi::Dimension::Rect;
+  }
+  return abi::Dimension::Tex2D;
+}
 
 Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
                     abi::FragmentKey &key) {

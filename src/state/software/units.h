@@ -12,6 +12,9 @@ class Context;
 
 namespace arbiter::state::software {
 
+/// The texture that a target samples; a SHADOW target's is the plain one's.
+[[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
+
 /// The textures that a fragment program samples: what its code is compiled for, and what it is
 /// called with.
 class Units {

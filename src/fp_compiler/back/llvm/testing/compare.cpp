@@ -19,7 +19,6 @@ namespace arbiter::fp::llvm_back {
 using ir::Opcode;
 using ir::Vec4;
 
-namespace {
 bool approximates(Opcode op) {
   switch (op) {
   case Opcode::Cos:
@@ -37,6 +36,8 @@ bool approximates(Opcode op) {
     return false;
   }
 }
+
+namespace {
 
 struct Expected {
   ir::Evaluation evaluation;
