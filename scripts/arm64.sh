@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Runs the tests of the rasterizer and of its machine code as AArch64 code, under qemu, on any machine.
+# usage: scripts/arm64.sh TREE [TEST...]
+#
+# TREE/root gets Debian's arm64 libraries unpacked, nothing of the running system is changed; TREE/build
+# is a cross build of the tests that need no GL.
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+tree=$(mkdir -p "$1" && cd "$1" && pwd)
+shift
+triplet=aarch64-linux-gnu
+sysroot=$tree/root
+
+packages=(
+  libc6-dev libstdc++-12-dev llvm-15-dev libgtest-dev libgmock-dev libbenchmark-dev
+  nlohmann-json3-dev libfmt-dev libxxhash-dev libtomlplusplus-dev libcli11-dev libglm-dev
+  libgl-dev libegl-dev libopengl-dev libglvnd-dev libglvnd-core-dev libx11-dev libxext-dev
+  libosmesa6-dev libepoxy-dev libglfw3-dev libpng-dev
+)
+
+# A package manager of its own: it knows the system's archives, and believes that nothing is installed.
+unpack_packages() {
+  local apt=$tree/apt package
+  mkdir -p "$apt"/{state/lists/partial,cache/archives/partial,etc} "$sysroot"
+  cp -r /etc/apt/. "$apt/etc"
+  : >"$apt/status"
+  cat >"$apt/apt.conf" <<TEXT
+APT::Architecture "arm64";
+APT::Architectures { "arm64"; };
+APT::Install-Recommends "false";
+APT::Sandbox::User "root";
+Debug::NoLocking "true";
+Dir::State "$apt/state";
+Dir::State::status "$apt/status";
+Dir::Cache "$apt/cache";
+Dir::Etc "$apt/etc";
+TEXT
+  APT_CONFIG=$apt/apt.conf apt-get update -qq
+  APT_CONFIG=$apt/apt.conf apt-get install -y -qq --download-only "${packages[@]}"
+  for package in "$apt"/cache/archives/*.deb; do dpkg-deb -x "$package" "$sysroot"; done
+  rm -rf "$apt/cache"
+  touch "$tree/unpacked"
+}
+
+# What meson is to use in place of this machine's own.
+write_tools() {
+  cat >"$tree/llvm-config-15" <<TEXT
+#!/bin/sh
+case "\$1" in
+  --version) echo 15.0.6 ;;
+  --includedir) echo $sysroot/usr/lib/llvm-15/include ;;
+  --libdir) echo $sysroot/usr/lib/$triplet ;;
+esac
+TEXT
+  cat >"$tree/pkg-config" <<TEXT
+#!/bin/sh
+export PKG_CONFIG_SYSROOT_DIR=$sysroot
+export PKG_CONFIG_LIBDIR=$sysroot/usr/lib/$triplet/pkgconfig:$sysroot/usr/share/pkgconfig
+exec pkg-config "\$@"
+TEXT
+  chmod +x "$tree/llvm-config-15" "$tree/pkg-config"
+  cat >"$tree/cross.ini" <<TEXT
+[binaries]
+cpp = ['ccache', '$triplet-g++']
+ar = '$triplet-ar'
+strip = '$triplet-strip'
+pkgconfig = '$tree/pkg-config'
+llvm-config-15 = '$tree/llvm-config-15'
+exe_wrapper = ['qemu-aarch64', '-L', '$sysroot']
+
+[built-in options]
+cpp_args = ['--sysroot=$sysroot']
+cpp_link_args = ['--sysroot=$sysroot', '-Wl,-rpath-link,$sysroot/usr/lib/$triplet:$sysroot/lib/$triplet']
+
+[host_machine]
+system = 'linux'
+cpu_family = 'aarch64'
+cpu = 'aarch64'
+endian = 'little'
+TEXT
+}
+
+[[ -f $tree/unpacked ]] || unpack_packages
+if [[ ! -f $tree/build/build.ninja ]]; then
+  write_tools
+  meson setup "$tree/build" "$root" --cross-file "$tree/cross.ini" -Ddemos=false
+fi
+
+# Without names: the rooms that make machine code or run it.
+meson introspect --tests "$tree/build" | python3 -c '
+import json, sys
+wanted = sys.argv[1:]
+for test in json.load(sys.stdin):
+    name = test["name"]
+    if name in wanted or (not wanted and name.startswith(("jit-", "swrast-"))):
+        print(name)' "$@" >"$tree/tests"
+mapfile -t tests <"$tree/tests"
+[[ ${#tests[@]} -gt 0 ]] || { echo "arm64: no such test" >&2; exit 2; }
+meson test -C "$tree/build" --print-errorlogs --timeout-multiplier 20 "${tests[@]}"
