@@ -42,6 +42,7 @@ std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &wh
   form->hash = whole.hash;
   fp::ir::Program program = fp::withFixedFunction(m_program, seen);
   form->glsl = fp::emitGlsl(program, m_host, m_numerics);
+  form->program = std::make_shared<const fp::ir::Program>(program);
   form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
   if (whole.replaced())
     form->replacement = form->text; // it is emitted from the replacement

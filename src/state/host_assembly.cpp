@@ -29,8 +29,10 @@ GLuint load(Context &context, const CompiledProgram &compiled) {
   host.GenProgramsARB(1, &name);
   host.BindProgramARB(target, name);
   // The text of an ATI shader's form is assembly that was emitted already.
+  const bool emitted =
+      compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
   const std::string text =
-      compiled.program ? fp::emitAssembly(*compiled.program) : compiled.source();
+      compiled.program && !emitted ? fp::emitAssembly(*compiled.program) : compiled.source();
   host.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
   if (!scope.failed())
     return name;

@@ -19,8 +19,6 @@ void askViewport(const Ask &ask, Mirror &mirror) {
   ask.host.GetFloatv(GL_DEPTH_RANGE, range);
   raster.depthNear = range[0];
   raster.depthFar = range[1];
-  mirror.constants.depthMinimum = std::min(range[0], range[1]);
-  mirror.constants.depthMaximum = std::max(range[0], range[1]);
   mirror.scissorEnabled = ask.enabled(GL_SCISSOR_TEST);
   mirror.scissor = {0, 0, INT16_MAX, INT16_MAX};
   if (!mirror.scissorEnabled)
@@ -87,6 +85,15 @@ void askLinesAndPoints(const Ask &ask, Mirror &mirror) {
   mirror.twoSidedColor = ask.enabled(GL_VERTEX_PROGRAM_TWO_SIDE);
 }
 
+/// What a fragment's depth is clamped to: with ARB_depth_clamp the depth range, else all that a
+/// buffer holds, also where a program's depth is beyond the range (ARB_fragment_program, 3.11.4.4).
+void limitDepths(Mirror &mirror) {
+  const swrast::RasterState &raster = mirror.raster;
+  const auto [least, most] = std::minmax(raster.depthNear, raster.depthFar);
+  mirror.constants.depthMinimum = raster.depthClamp ? float(least) : 0.0f;
+  mirror.constants.depthMaximum = raster.depthClamp ? float(most) : 1.0f;
+}
+
 /// POINT_SPRITE's coordinates are of units, so the active one has to move.
 void askPointSprites(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
   mirror.spriteCoords = 0;
@@ -127,6 +134,8 @@ void refresh(Context &context, Mirror &mirror) {
     askPolygons(context.caps, ask, mirror);
     askLinesAndPoints(ask, mirror);
   }
+  if ((groups & (stale::kViewport | stale::kRaster)) != 0)
+    limitDepths(mirror);
   if ((groups & (stale::kTexGen | stale::kTextureParameters | stale::kRaster)) != 0)
     askPointSprites(context.caps, ask, mirror);
   if ((groups & stale::kPixelOps) != 0)

@@ -68,7 +68,6 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     depth = {};
   else if (!context.software->forced && !context.software->wholeFrames)
     return Fallback::Mixed;
-  int colors = 0;
   for (int i = 0; i < abi::kMaxColorTargets; ++i) {
     abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
     if (!m_targets->color[i]) {
@@ -77,11 +76,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     }
     target.format = m_targets->color[i]->format;
     target.writeMask &= std::uint8_t(storedMask(target.format));
-    ++colors;
   }
-  // Without the option a program's one colour goes to every draw buffer (ARB_draw_buffers).
-  if (colors > 1 && !m_program->source->options.drawBuffers)
-    return Fallback::Target;
   if (mirror.clampFixedOnly && anyFloat(*m_targets))
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
@@ -101,8 +96,6 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
   m_compiled = context.variant ? context.variant->fragment.compiled : nullptr;
-  if (m_compiled && !m_compiled->program)
-    return Fallback::NoFragmentProgram; // an ATI shader's
   Outcome outcome;
   const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
   if (!outcome.ok())

@@ -66,6 +66,8 @@ public:
   std::unique_ptr<jit::FragmentCode> compile(const jit::FragmentProgram &program,
                                              const abi::FragmentKey &key,
                                              std::string &reason) override {
+    if (!sameNumerics(program, key, reason))
+      return nullptr;
     return make<abi::ShadeFunction>("fragment", program.program(),
                                     {reinterpret_cast<const char *>(&key), sizeof key},
                                     kFragmentPointers, bodyOf(program, key), reason);
@@ -80,6 +82,8 @@ public:
 
   std::string listing(const jit::FragmentProgram &program, const abi::FragmentKey &key,
                       jit::Listing what, std::string &reason) override {
+    if (!sameNumerics(program, key, reason))
+      return {};
     return listed(kFragmentPointers, bodyOf(program, key), what, reason);
   }
   std::string listing(const jit::VertexProgram &program, jit::Listing what,
@@ -91,6 +95,15 @@ private:
   static constexpr int kFragmentPointers = 3; ///< parameters of abi::ShadeFunction before the count
   static constexpr int kVertexPointers = 1;   ///< of abi::VertexFunction
 
+  /// What a program was optimised for is part of what it means.
+  static bool sameNumerics(const jit::FragmentProgram &program, const abi::FragmentKey &key,
+                           std::string &reason) {
+    const Numerics prepared = static_cast<const PreparedFragment &>(program).numerics();
+    if (key.numerics == std::uint8_t(prepared))
+      return true;
+    reason = "the program was prepared for another mode of arithmetic than the key's";
+    return false;
+  }
   static BodyWriter bodyOf(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
     return [&](Code &code, llvm::Function *function, std::string &why) {
       return writeFragment(code, function, program, key, why);

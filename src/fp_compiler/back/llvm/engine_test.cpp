@@ -100,6 +100,21 @@ TEST(Engine, RefusesWhatItHasNoCodeFor) {
   EXPECT_EQ(engine->prepareFragment(broken, Numerics::Host), nullptr);
 }
 
+TEST(Engine, RefusesAKeyOfAnotherMode) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  ir::Builder b;
+  b.op(Opcode::Mov, b.color(), {b.attribute(ir::AttributeKind::ColorPrimary)});
+  const auto prepared = engine->prepareFragment(b.program(), Numerics::Legacy);
+  ASSERT_NE(prepared, nullptr);
+  abi::FragmentKey key{};
+  std::string reason;
+  EXPECT_EQ(engine->compile(*prepared, key, reason), nullptr);
+  EXPECT_NE(reason, "");
+  key.numerics = std::uint8_t(Numerics::Legacy);
+  EXPECT_NE(engine->compile(*prepared, key, reason), nullptr);
+}
+
 TEST(Engine, CodeOutlivesTheEngine) {
   auto engine = engineFor({});
   ASSERT_NE(engine, nullptr);

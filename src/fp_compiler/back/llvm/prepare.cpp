@@ -86,7 +86,8 @@ jit::VertexShape vertexShapeOf(const ir::Program &program) {
 } // namespace
 
 PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)
-    : m_program(optimised(std::move(program), numerics)), m_shape(shapeOf(m_program)) {}
+    : m_program(optimised(std::move(program), numerics)), m_numerics(numerics),
+      m_shape(shapeOf(m_program)) {}
 
 PreparedVertex::PreparedVertex(ir::Program program, Numerics numerics)
     : m_program(optimised(std::move(program), numerics)), m_numerics(numerics),

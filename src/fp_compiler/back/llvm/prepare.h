@@ -13,9 +13,11 @@ public:
   PreparedFragment(ir::Program program, Numerics numerics);
   [[nodiscard]] const jit::FragmentShape &shape() const override { return m_shape; }
   [[nodiscard]] const ir::Program &program() const override { return m_program; }
+  [[nodiscard]] Numerics numerics() const { return m_numerics; }
 
 private:
   ir::Program m_program;
+  Numerics m_numerics;
   jit::FragmentShape m_shape;
 };
 

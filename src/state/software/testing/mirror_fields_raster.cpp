@@ -35,8 +35,8 @@ constexpr Field kRaster[] = {
        return [=](const Mirror &m) {
          EXPECT_EQ(m.raster.depthNear, near);
          EXPECT_EQ(m.raster.depthFar, far);
-         EXPECT_EQ(m.constants.depthMinimum, std::min(near, far));
-         EXPECT_EQ(m.constants.depthMaximum, std::max(near, far));
+         EXPECT_EQ(m.constants.depthMinimum, m.raster.depthClamp ? std::min(near, far) : 0.0f);
+         EXPECT_EQ(m.constants.depthMaximum, m.raster.depthClamp ? std::max(near, far) : 1.0f);
        };
      }},
     {"scissor", stale::kViewport,
