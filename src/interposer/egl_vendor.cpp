@@ -77,7 +77,7 @@ EGLint queried(EGLDisplay display, EGLSurface surface, EGLint attribute, EGLint 
   return g_querySurface(display, surface, attribute, &value) ? value : otherwise;
 }
 
-bool sizeOf(const state::software::Drawable &drawable, int &width, int &height) {
+bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<void *>(drawable.display);
   auto *const surface = const_cast<void *>(drawable.draw);
   width = queried(display, surface, EGL_WIDTH, 0);

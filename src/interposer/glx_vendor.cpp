@@ -150,7 +150,7 @@ void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long
 Host<decltype(glXQueryDrawable)> g_queryDrawable;
 
 /// The server's answer for windows of GLX, windows of X and pixmaps alike.
-bool sizeOf(const state::software::Drawable &drawable, int &width, int &height) {
+bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<Display *>(static_cast<const Display *>(drawable.display));
   const auto name = GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw));
   unsigned int w = 0, h = 0;

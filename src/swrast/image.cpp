@@ -53,8 +53,10 @@ Image makeImage(const abi::Format &format, int width, int height, int depth, boo
 bool makeWritable(Image &image, bool keepContents) {
   if (image.empty())
     return false;
-  if (!image.shared())
+  if (!image.shared()) {
+    image.storage->awaitReader();
     return true;
+  }
   std::shared_ptr<Storage> storage = Storage::make(image.storage->bytes());
   if (!storage)
     return false;

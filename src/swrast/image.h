@@ -14,15 +14,28 @@ class Storage {
 public:
   /// Null if there is no memory. The bytes are undefined.
   [[nodiscard]] static std::shared_ptr<Storage> make(std::size_t bytes);
-  /// Memory of another owner, told by `release` when the last image lets go. On failure it is told
-  /// at once. 64 bytes before and behind may be read of it too.
+  /// Whose memory images use that is none of ours.
+  struct Owner {
+    void (*release)(void *user); ///< the last image lets go
+    /// Whether somebody beside the images has still to read what was written: until then it may not
+    /// be written again. \param wait until he has
+    bool (*isRead)(void *user, bool wait);
+  };
+  /// On failure the owner is told at once. 64 bytes before and behind may be read of it too.
   [[nodiscard]] static std::shared_ptr<Storage> wrap(std::uint8_t *data, std::size_t bytes,
-                                                     void (*release)(void *user), void *user);
+                                                     const Owner &owner, void *user);
   ~Storage();
   Storage(const Storage &) = delete;
   Storage &operator=(const Storage &) = delete;
   [[nodiscard]] std::uint8_t *data() const { return m_data; } ///< aligned to 64 bytes
   [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+  /// Whether somebody beside the images has still to read it. Ours is read by images alone.
+  [[nodiscard]] bool isRead() const { return m_owner && m_owner->isRead(m_user, false); }
+  /// Until it may be written again.
+  void awaitReader() const {
+    if (m_owner)
+      (void)m_owner->isRead(m_user, true);
+  }
   /// Memory that all storages hold now, pool included.
   [[nodiscard]] static std::size_t totalBytes();
 
@@ -32,7 +45,7 @@ protected:
 private:
   std::uint8_t *m_data;
   std::size_t m_bytes;
-  void (*m_release)(void *user) = nullptr; ///< null: the pool's memory
+  const Owner *m_owner = nullptr; ///< null: the pool's memory
   void *m_user = nullptr;
 };
 
@@ -56,7 +69,8 @@ struct Image {
 /// Rows of 64-byte multiples. Empty if there is no memory, or a size is not in [1, 16384].
 [[nodiscard]] Image makeImage(const abi::Format &format, int width, int height, int depth = 1,
                               bool topRowFirst = false);
-/// Before a write: a storage of its own, with the old contents unless they are not needed.
+/// Before a write: a storage of its own that nobody else reads, with the old contents unless they
+/// are not needed.
 /// False if there is no memory; the image is as it was.
 [[nodiscard]] bool makeWritable(Image &image, bool keepContents);
 

@@ -71,6 +71,42 @@ TEST(Image, CopiesShareUntilWritten) {
   EXPECT_EQ(b.storage->data(), before) << "its own already";
 }
 
+struct Lent {
+  alignas(64) std::uint8_t bytes[64 * 8 + 128] = {};
+  bool isRead = false, released = false;
+  int waits = 0;
+  static bool read(void *user, bool wait) {
+    Lent &lent = *static_cast<Lent *>(user);
+    lent.waits += wait && lent.isRead;
+    return lent.isRead = lent.isRead && !wait;
+  }
+  static void release(void *user) { static_cast<Lent *>(user)->released = true; }
+};
+
+TEST(Image, MemoryThatOthersReadIsWaitedForBeforeAWrite) {
+  static constexpr Storage::Owner kOwner = {Lent::release, Lent::read};
+  Lent lent;
+  Image image;
+  image.format = kRgba8;
+  image.width = 16;
+  image.height = 8;
+  image.rowStride = 64;
+  image.storage = Storage::wrap(lent.bytes + 64, 64 * 8, kOwner, &lent);
+  ASSERT_FALSE(image.empty());
+  EXPECT_FALSE(image.storage->isRead());
+  lent.isRead = true;
+  EXPECT_TRUE(image.storage->isRead());
+  Image copy = image;
+  ASSERT_TRUE(makeWritable(copy, true)); // elsewhere, which needs no waiting
+  EXPECT_EQ(lent.waits, 0);
+  EXPECT_FALSE(copy.storage->isRead());
+  ASSERT_TRUE(makeWritable(image, true));
+  EXPECT_EQ(lent.waits, 1);
+  EXPECT_FALSE(image.storage->isRead());
+  image = {};
+  EXPECT_TRUE(lent.released);
+}
+
 TEST(Image, PingPongAllocatesNothing) {
   Image target = makeImage(kRgba8, 512, 512), texture = target;
   std::size_t settled = 0;

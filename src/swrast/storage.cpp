@@ -126,25 +126,25 @@ std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
   }
 }
 
-std::shared_ptr<Storage> Storage::wrap(std::uint8_t *data, std::size_t bytes,
-                                       void (*release)(void *user), void *user) {
+std::shared_ptr<Storage> Storage::wrap(std::uint8_t *data, std::size_t bytes, const Owner &owner,
+                                       void *user) {
   struct Wrapped : Storage {
     Wrapped(std::uint8_t *data, std::size_t size) : Storage(data, size) {}
   };
   try {
     auto made = std::allocate_shared<Wrapped>(HandleAllocator<Wrapped>(), data, bytes);
-    made->m_release = release;
+    made->m_owner = &owner;
     made->m_user = user;
     return made;
   } catch (const std::bad_alloc &) {
-    release(user);
+    owner.release(user);
     return nullptr;
   }
 }
 
 Storage::~Storage() {
-  if (m_release) {
-    m_release(m_user);
+  if (m_owner) {
+    m_owner->release(m_user);
     return;
   }
   std::array<Freed, kPoolBlocks + 1> leaving;

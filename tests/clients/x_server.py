@@ -8,14 +8,14 @@ class XServer:
     """An Xvfb on a display number that it chooses; -noreset, or the gap between two clients is one
     in which nobody can connect."""
 
-    def __init__(self, screen="640x480x24"):
-        self.screen = screen
+    def __init__(self, screen="640x480x24", options=()):
+        self.screen, self.options = screen, options
 
     def __enter__(self):
         reader, writer = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writer), "-noreset", "-nolisten", "tcp", "-screen", "0",
-             self.screen, "+extension", "GLX"],
+             self.screen, "+extension", "GLX", *self.options],
             pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writer)
         with os.fdopen(reader) as stream:

@@ -61,7 +61,7 @@ void Finish(Context &context) {
 
 void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
   if (executes(context))
-    software::drawableMayHaveChanged(context);
+    software::drawableMayHaveChanged(context, {x, y, width, height});
   context.host->Viewport(x, y, width, height);
 }
 

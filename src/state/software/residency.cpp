@@ -1,6 +1,7 @@
 // When pixels must be moved: synchronisation, frames, contexts.
 #include "state/software/residency.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "state/share_group.h"
@@ -136,9 +137,18 @@ void setDrawable(Context &context, const Drawable &drawable) {
   context.drawable = drawable;
 }
 
-void drawableMayHaveChanged(Context &context) {
-  if (context.software && context.software->images)
-    windowOf(context)->sizeKnown = false;
+void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
+  if (!context.software || !context.software->images)
+    return;
+  WindowImages &window = *windowOf(context);
+  window.sizeKnown = false;
+  auto &recent = window.viewports;
+  const auto known = std::find(recent.begin(), recent.end(), viewport);
+  if (known != recent.end())
+    return;
+  window.sizeSure = true;
+  std::rotate(recent.begin(), recent.end() - 1, recent.end());
+  recent.front() = viewport;
 }
 
 bool aloneInGroup(const Context &context) {

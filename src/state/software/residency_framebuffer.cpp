@@ -67,9 +67,10 @@ void describeWindow(Context &context, WindowImages &window) {
   Drawable &drawable = window.drawable;
   PixelImage &color = window.color;
   int width = drawable.width, height = drawable.height;
-  if (drawable.size && !drawable.size(drawable, width, height))
+  if (drawable.size && !drawable.size(drawable, width, height, window.sizeSure))
     width = height = 0;
   window.sizeKnown = true;
+  window.sizeSure = false;
   if (color.described && color.width == width && color.height == height)
     return;
   for (PixelImage *image : {&window.color, &window.depthStencil}) {

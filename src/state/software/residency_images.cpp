@@ -281,7 +281,9 @@ bool makeOwn(PixelImage &image, bool keep) {
   swrast::Image &shadow = image.shadow;
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
   const bool isWindow = image.place.kind == Place::Kind::Window;
-  if (fits && (!shadow.shared() || (keep && !isWindow)))
+  // Other memory is there sooner than the window system has read this; but a copy is no sooner.
+  const bool taken = shadow.shared() || (!keep && fits && shadow.storage->isRead());
+  if (fits && (!taken || (keep && !isWindow)))
     return swrast::makeWritable(shadow, keep);
   // The order of components stays what the caller was told, if it can be written.
   const abi::Format format = writable(shadow.format, image.format) ? shadow.format : image.format;

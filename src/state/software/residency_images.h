@@ -116,8 +116,9 @@ struct PixelModes {
 /// A context's own part.
 struct WindowImages final : ContextImages {
   Drawable drawable;
-  bool sizeKnown = false;
-  std::uint64_t turn = 0; ///< of SharedImages, when this context last looked
+  bool sizeKnown = false, sizeSure = true;
+  std::array<swrast::Rect, 4> viewports; ///< that the application used last, the newest first
+  std::uint64_t turn = 0;                ///< of SharedImages, when this context last looked
   bool doubleBuffered = false;
   PixelImage color, depthStencil;
   int depthBits = 0, stencilBits = 0;

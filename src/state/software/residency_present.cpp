@@ -102,6 +102,7 @@ void enter(Context &context) {
   dropShadow(context, window->depthStencil);
   window->color.described = window->depthStencil.described = false;
   window->sizeKnown = false;
+  window->sizeSure = true;
   window->drawable = context.drawable;
   context.stale = ~0u;
   updateBehind(context, *window);

@@ -1,0 +1,67 @@
+#include "interposer/x_connection.h"
+
+#include <dlfcn.h>
+
+namespace arbiter::interposer {
+
+namespace {
+
+template <typename Function> bool find(void *library, const char *name, Function &function) {
+  function = library ? reinterpret_cast<Function>(dlsym(library, name)) : nullptr;
+  return function != nullptr;
+}
+
+Xcb load() {
+  Xcb xcb = {};
+  xcb.handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+  xcb.bridge = dlopen("libX11-xcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+  xcb.usable = find(xcb.bridge, "XGetXCBConnection", xcb.connectionOf);
+#define ARBITER_XCB_FIND(name) xcb.usable = find(xcb.handle, #name, xcb.name) && xcb.usable;
+  ARBITER_XCB_FUNCTIONS(ARBITER_XCB_FIND)
+#undef ARBITER_XCB_FIND
+  (void)find(xcb.handle, "xcb_total_read", xcb.xcb_total_read);
+  return xcb;
+}
+
+} // namespace
+
+bool Connection::sent(unsigned sequence) {
+  const std::lock_guard lock(m_mutex);
+  const bool follows = sequence == m_last + 1;
+  // Two threads may come here in another order than they sent.
+  if (int(sequence - m_last) > 0)
+    m_last = sequence;
+  if (!follows)
+    ++m_changes;
+  return !follows;
+}
+
+void Connection::listen(const std::function<void()> &takeOurs) {
+  xcb_connection_t *const c = xcb;
+  if (!c || !arbiter::interposer::xcb().xcb_total_read) {
+    ++m_changes;
+    return;
+  }
+  const auto total = [c] { return arbiter::interposer::xcb().xcb_total_read(c); };
+  // Looking for answers reads what there is. Once it reads nothing more, all of ours are taken.
+  std::uint64_t before = total(), after = 0;
+  for (int i = 0; i < 3; ++i, before = after) {
+    takeOurs();
+    after = total();
+    if (after == before)
+      break;
+  }
+  const std::lock_guard lock(m_mutex);
+  const std::uint64_t others = after - m_taken;
+  if (after == before && others == m_others)
+    return;
+  m_others = others;
+  ++m_changes;
+}
+
+const Xcb &xcb() {
+  static const Xcb s_xcb = load();
+  return s_xcb;
+}
+
+} // namespace arbiter::interposer

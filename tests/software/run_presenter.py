@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Frames shown in windows, on the bare host and under the layer, each scene with an X server of its
+own: what the server shows after each swap is equal. With an MIT-SHM server the layer must have shown
+frames itself; without the extension the host shows them all.
+
+  run_presenter.py --build build [NAME...]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import sides
+from x_server import XServer
+
+
+def differences(bare, layer):
+    lines = []
+    if [what for what, _ in bare] != [what for what, _ in layer]:
+        pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
+        lines += [f"bare '{x}', layer '{y}'" for x, y in pairs[:4]] or ["other records"]
+    for (what, a), (_, b) in zip(bare, layer):
+        far, worst = sides.distances(a, b)
+        if far:
+            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    return lines
+
+
+def judge(client, name, server_options, layer, scratch):
+    """(lines of what is wrong, draws of the rasterizer)."""
+    stats = pathlib.Path(scratch) / "stats.json"
+    stats.unlink(missing_ok=True)
+    answers = []
+    for env in (sides.environment(),
+                sides.environment(layer, "swrast", {"XDG_CACHE_HOME": scratch,
+                                                    "ARBITER_STATS": str(stats)})):
+        with XServer(options=server_options) as display:
+            try:
+                answers.append(sides.run([client, name], {**env, "DISPLAY": display}))
+            except (sides.Died, subprocess.TimeoutExpired) as death:
+                return [str(death)], 0
+    if not any(pixels for _, pixels in answers[0]):
+        return ["the bare host shows nothing"], 0
+    drawn = sides.software_statistics(stats).get("drawn", 0)
+    return differences(*answers) + ([] if drawn else ["the rasterizer drew nothing"]), drawn
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("names", nargs="*")
+    args = parser.parse_args()
+    build = args.build.resolve()
+    client = build / "tests/software/software-presenter"
+    layer = sides.layer_of(build)
+    listing = subprocess.run([client, "--list"], capture_output=True, text=True, check=True).stdout
+    known = listing.split()
+    scenes = [(name, ()) for name in known] + \
+        [(name, ("-extension", "MIT-SHM")) for name in ("frames", "resized", "two-windows")]
+    passed = failed = 0
+    with tempfile.TemporaryDirectory(prefix="arbiter-presenter-") as scratch:
+        for name, options in scenes:
+            if args.names and name not in args.names:
+                continue
+            wrong, drawn = judge(client, name, options, layer, scratch)
+            passed, failed = passed + (not wrong), failed + bool(wrong)
+            print(f"{'FAIL' if wrong else 'pass'} {name}{', no MIT-SHM' if options else ''}: "
+                  f"{drawn} draws of ours", flush=True)
+            for line in wrong[:8]:
+                print(f"     {line}")
+    print(f"{passed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
