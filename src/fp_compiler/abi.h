@@ -212,6 +212,7 @@ enum class Lanes : std::uint8_t {
   Row,  ///< `lanes` pixels of one row; items are spans. Derivatives only where a coordinate is an
         ///< affine function of an input (Code never asks for more: the compiler refuses)
   Quad, ///< 2x2 quads: 4x4 pixels of 16 lanes, 4x2 of 8, 2x2 of 4; items are blocks
+  Packed, ///< pixels from anywhere near the primitive's origin, or quads of such; items are pixels
 };
 
 /// Everything that a fragment function is compiled for, beside the program.
@@ -282,8 +283,18 @@ struct Block {
   std::int16_t x = 0, y = 0;
   std::uint16_t mask = 0, reserved = 0;
 };
+/// Lanes::Packed: one lane. Where a level of detail is wanted each four are a quad: lower left,
+/// lower right, upper left, upper right. Lie no further than 16384 bytes * rows allow: within 1024
+/// pixels of the primitive's origin, in x and in y.
+struct Pixel {
+  std::uint16_t x = 0, y = 0;
+  /// In `y`: the lane is none of the primitive's pixels. It is computed, for its neighbours'
+  /// derivatives, and not written.
+  static constexpr std::uint16_t kHelper = 0x8000;
+};
 
-/// Shades pixels of one primitive. `items` are `count` Spans or Blocks, by the key's lanes. Safe to
+/// Shades pixels of one primitive. `items` are `count` Spans, Blocks or Pixels, by the key's lanes;
+/// of Pixels a multiple of the lane count, none of them twice but for helpers. Safe to
 /// call on several threads for pixels that do not meet. Reads 64 bytes beyond rows of textures at
 /// most, writes no byte outside the given pixels.
 using ShadeFunction = void (*)(const FragmentData *data, const Primitive *primitive,

@@ -132,6 +132,7 @@ void Bins::shadeTile(const Draw &draw, std::uint32_t tile, std::uint64_t &pixels
   if (empty)
     return;
   Emitter emitter(draw.state, draw.shading);
+  emitter.beginTile(rect);
   Triangle triangle;
   for (std::uint32_t c = start; c < m_used; ++c) {
     const Chunk &chunk = m_chunks[c];

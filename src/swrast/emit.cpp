@@ -64,6 +64,7 @@ void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top
   if (left >= right || bottom >= top)
     return;
   flush();
+  m_packed.finish();
   m_primitive = &shape.primitive;
   m_stippled = shape.stippled;
   m_isRow = wantsRows(shape.right - shape.left);
@@ -81,7 +82,7 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   const std::int64_t area = areaOf(triangle.corner);
   m_primitive = &m_small;
   m_stippled = m_state.polygonStipple != nullptr;
-  m_isRow = wantsRows(bounds.right - bounds.left);
+  m_isRow = !m_packs && wantsRows(bounds.right - bounds.left);
   const auto planes = [&] {
     makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.left, bounds.bottom, m_small);
   };
@@ -99,6 +100,11 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   filterBlocks(rect, bounds);
   if (m_count == 0)
     return;
+  if (m_packs) {
+    m_packed.add(plan, triangle, bounds, m_blocks, m_count);
+    m_count = 0;
+    return;
+  }
   planes();
   flush();
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "swrast/flush_mode.h"
+#include "swrast/packed.h"
 #include "swrast/setup.h"
 #include "swrast/small.h"
 
@@ -13,11 +14,13 @@ namespace arbiter::swrast {
 class Emitter {
 public:
   Emitter(const RasterState &state, const Shading &shading)
-      : m_state(state), m_shading(shading), m_cover(chooseCoverSmall()) {}
+      : m_state(state), m_shading(shading), m_cover(chooseCoverSmall()), m_packed(state, shading) {}
   ~Emitter() { flush(); }
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
 
+  /// What follows, until the end, lies in one tile: small triangles may wait for each other.
+  void beginTile(const Rect &rect) { m_packs = m_packed.begin(rect); }
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
@@ -44,6 +47,8 @@ private:
   const RasterState &m_state;
   const Shading &m_shading;
   CoverSmall m_cover;
+  PackedShader m_packed;
+  bool m_packs = false;
   const abi::Primitive *m_primitive = nullptr;
   abi::Primitive m_small; ///< the small triangle's
   bool m_stippled = false;

@@ -170,6 +170,22 @@ PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)
   add(abi::Interpolation::Flat);
 }
 
+namespace {
+abi::Plane depthPlane(const RasterState &state, const WindowVertex corner[3], const Gradients &g,
+                      bool offset) {
+  abi::Plane z = g.plane(corner[0].z, corner[1].z, corner[2].z);
+  if (offset)
+    z.c += offsetOf(state, z);
+  return z;
+}
+} // namespace
+
+abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle, bool offset,
+                          int originX, int originY) {
+  return depthPlane(state, triangle.corner, gradientsOf(state, triangle.corner, originX, originY),
+                    offset);
+}
+
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive) {
   primitive.originX = originX;
@@ -177,11 +193,8 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
   primitive.backFacing = triangle.backFacing ? 1 : 0;
   const WindowVertex *const v = triangle.corner;
   const Gradients g = gradientsOf(state, v, originX, originY);
-  if (plan.wantsDepth || offset) {
-    primitive.z = g.plane(v[0].z, v[1].z, v[2].z);
-    if (offset)
-      primitive.z.c += offsetOf(state, primitive.z);
-  }
+  if (plan.wantsDepth || offset)
+    primitive.z = depthPlane(state, v, g, offset);
   if (plan.wantsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
   if (triangle.clipped)

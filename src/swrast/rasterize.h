@@ -63,6 +63,13 @@ struct RasterState {
   std::int32_t upsideDownHeight = 0;
 };
 
+/// Depth as the rasterizer tests it itself: the test and the buffer's write mask, no stencil.
+struct DepthTest {
+  abi::Layout layout = abi::Layout::None; ///< None: all pass, nothing is written
+  abi::Compare compare = abi::Compare::Less;
+  bool write = false;
+};
+
 /// The functions of one program and state. `quad` may be null where `row` is not and the other way;
 /// where both are there, large primitives take rows and small ones blocks.
 struct Shading {
@@ -78,6 +85,14 @@ struct Shading {
   /// Fragments replace what is there whatever it is (no test, no blend, no kill, all components):
   /// what lies below a primitive that covers a tile need not be drawn.
   bool opaque = false;
+
+  /// Lanes::Packed, for small triangles, with a key without depth, which `depth` describes. Only
+  /// with 16 lanes, and only where nothing after the depth test may discard a fragment.
+  abi::ShadeFunction packed = nullptr;
+  DepthTest depth;
+  bool packsQuads = false; ///< a level of detail is wanted
+  /// A fragment that passes replaces what was there, or its unmasked components, whatever it is.
+  bool replaces = false;
 };
 
 struct DrawStatistics {

@@ -112,6 +112,9 @@ struct PlanePlan {
 /// `offset`: of depth.
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
+/// Of them the one of depth alone.
+[[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
+                                        bool offset, int originX, int originY);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
 

@@ -164,11 +164,31 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &
   if (!shading.row && !shading.quad)
     return why;
   const fp::jit::Engine &jit = *engine();
+  if (shading.quad && jit.lanes() == 16)
+    choosePacked(levels != 0, shading);
   shading.lanes = jit.lanes();
   shading.blockWidth = jit.blockWidth();
   shading.blockHeight = jit.blockHeight();
   shading.opaque = isOpaque();
   return {};
+}
+
+void Pipeline::choosePacked(bool levels, swrast::Shading &shading) {
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
+  if (shape.kills || shape.writesDepth || m_key.alphaTest != abi::Compare::Always ||
+      m_key.depthStencil.stencilTest)
+    return;
+  const abi::DepthStencilKey depth = m_key.depthStencil;
+  m_key.depthStencil = {};
+  Fallback why = Fallback::NotCompiled;
+  shading.packed = functionFor(abi::Lanes::Packed, why);
+  m_key.depthStencil = depth;
+  shading.packsQuads = levels;
+  if (depth.depthTest)
+    shading.depth = {depth.layout, depth.depthCompare, depth.depthWrite != 0};
+  shading.replaces = !m_key.logicOpEnabled &&
+                     std::none_of(m_key.targets.begin(), m_key.targets.end(),
+                                  [](const auto &target) { return target.blend.enabled != 0; });
 }
 
 bool Pipeline::isOpaque() const {

@@ -41,6 +41,9 @@ private:
   Outcome makeKey(Context &context, Mirror &mirror);
   Outcome chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
                           swrast::Shading &shading);
+  /// The function for small triangles whose depth the rasterizer tests.
+  /// \param levels a sampler wants a level of detail
+  void choosePacked(bool levels, swrast::Shading &shading);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;
   void fillData(Context &context, const Mirror &mirror);

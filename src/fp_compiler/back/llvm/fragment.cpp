@@ -8,8 +8,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span or block; then the
-/// loop over the item's vectors.
+/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span, block or vector of
+/// packed pixels; then the loop over the item's vectors.
 class Writer {
 public:
   Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
@@ -29,7 +29,7 @@ public:
     llvm::BasicBlock *const entry = m_places.entry;
     // Small triangles have a block or two: what is the same for all blocks costs less as an operand
     // in memory than kept.
-    if (m_key.lanes == abi::Lanes::Quad)
+    if (m_key.lanes != abi::Lanes::Row)
       m_places.entry = item;
     m_ir.SetInsertPoint(entry);
     auto *const first = block("first");
@@ -42,39 +42,73 @@ public:
     m_ir.SetInsertPoint(item);
     llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
     number->addIncoming(m_ir.getInt32(0), before);
-    Value *const offset = m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()),
-                                         m_ir.getInt64(sizeof(abi::Span)));
-    static_assert(sizeof(abi::Span) == sizeof(abi::Block));
-    Value *const pointer = m_ir.CreateGEP(m_ir.getInt8Ty(), m_function->getArg(2), offset);
-    const auto half = [&](std::size_t at) { return m_code.field(m_ir.getInt16Ty(), pointer, at); };
-    Value *const x = m_ir.CreateSExt(half(offsetof(abi::Span, x)), m_ir.getInt32Ty());
-    Value *const y = m_ir.CreateSExt(half(offsetof(abi::Span, y)), m_ir.getInt32Ty());
-    Value *const extent = m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty());
+    const bool packed = m_key.lanes == abi::Lanes::Packed;
+    const Item at = packed ? packedItem(number) : itemAt(number);
 
     // What belongs to the item goes before this branch.
     auto *const start = block("start");
     m_ir.CreateBr(start);
-    m_interpolator.setPixel(x, y);
-    m_pixels.setPixel(x, y);
-    m_depth.setPixel(x, y);
+    m_interpolator.setPixel(at.x, at.y);
+    m_pixels.setPixel(at.x, at.y);
+    m_depth.setPixel(at.x, at.y);
     m_ir.SetInsertPoint(start);
-    if (m_key.lanes == abi::Lanes::Row)
-      writeSpan(extent, next);
+    if (packed)
+      writePacked(at, next);
+    else if (m_key.lanes == abi::Lanes::Row)
+      writeSpan(at.extent, next);
     else
-      writeBlock(extent, next);
+      writeBlock(at.extent, next);
 
     m_ir.SetInsertPoint(next);
-    Value *const following = m_ir.CreateAdd(number, m_ir.getInt32(1));
+    Value *const following =
+        m_ir.CreateAdd(number, m_ir.getInt32(packed ? unsigned(m_code.lanes) : 1u));
     number->addIncoming(following, next);
-    m_ir.CreateCondBr(m_ir.CreateICmpEQ(following, m_function->getArg(3)), done, item);
+    m_ir.CreateCondBr(m_ir.CreateICmpUGE(following, m_function->getArg(3)), done, item);
     m_ir.SetInsertPoint(done);
     m_ir.CreateRetVoid();
     return !m_refused;
   }
 
 private:
+  /// A span, a block or a vector of packed pixels; `extent` is a count, a mask or the pixels.
+  struct Item {
+    Value *x, *y, *extent;
+  };
+
   llvm::BasicBlock *block(const char *name) {
     return llvm::BasicBlock::Create(m_code.context(), name, m_function);
+  }
+  Value *itemPointer(Value *number, std::size_t bytes) {
+    Value *const offset =
+        m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()), m_ir.getInt64(bytes));
+    return m_ir.CreateGEP(m_ir.getInt8Ty(), m_function->getArg(2), offset);
+  }
+
+  Item itemAt(Value *number) {
+    static_assert(sizeof(abi::Span) == sizeof(abi::Block));
+    Value *const pointer = itemPointer(number, sizeof(abi::Span));
+    const auto half = [&](std::size_t at) { return m_code.field(m_ir.getInt16Ty(), pointer, at); };
+    return {m_ir.CreateSExt(half(offsetof(abi::Span, x)), m_ir.getInt32Ty()),
+            m_ir.CreateSExt(half(offsetof(abi::Span, y)), m_ir.getInt32Ty()),
+            m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty())};
+  }
+
+  /// Places of packed pixels count from the primitive's origin.
+  Item packedItem(Value *number) {
+    Value *const primitive = m_function->getArg(1);
+    Value *const raw = m_ir.CreateAlignedLoad(m_code.i32, itemPointer(number, sizeof(abi::Pixel)),
+                                              llvm::Align(sizeof(abi::Pixel)));
+    // Quads that follow each other, to where the lanes of a block have theirs.
+    const int width = m_code.cpu.blockWidth();
+    llvm::SmallVector<int, 16> from;
+    for (int lane = 0; lane < m_code.lanes; ++lane) {
+      const int x = lane % width, y = lane / width;
+      from.push_back((y / 2 * (width / 2) + x / 2) * 4 + y % 2 * 2 + x % 2);
+    }
+    return {
+        m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originX)),
+        m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originY)),
+        m_ir.CreateShuffleVector(raw, from)};
   }
 
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
@@ -177,6 +211,21 @@ private:
       dy.push_back(m_ir.getInt32(unsigned(lane / m_code.cpu.blockWidth())));
     }
     m_interpolator.setLanes(llvm::ConstantVector::get(dx), llvm::ConstantVector::get(dy));
+    writePixels(SamplePath::General, nullptr, place);
+    m_ir.CreateBr(next);
+  }
+
+  void writePacked(const Item &item, llvm::BasicBlock *next) {
+    static_assert(offsetof(abi::Pixel, y) == 2 && abi::Pixel::kHelper == 0x8000);
+    PixelPlace place;
+    place.lanes = abi::Lanes::Packed;
+    place.covered = m_ir.CreateICmpSGE(item.extent, m_code.splat(0));
+    Value *const x = m_ir.CreateAnd(item.extent, m_code.splat(0xFFFF));
+    Value *const y =
+        m_ir.CreateAnd(m_ir.CreateLShr(item.extent, m_code.splat(16)), m_code.splat(0x7FFF));
+    place.dx = m_ir.CreateSub(x, m_code.splat(item.x));
+    place.dy = m_ir.CreateSub(y, m_code.splat(item.y));
+    m_interpolator.setLanes(place.dx, place.dy);
     writePixels(SamplePath::General, nullptr, place);
     m_ir.CreateBr(next);
   }

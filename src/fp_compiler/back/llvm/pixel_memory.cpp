@@ -59,9 +59,49 @@ Value *PixelMemory::joined(Value *a, Value *b) {
   return m_code.ir.CreateShuffleVector(a, m_code.ir.CreateShuffleVector(b, pad), indices);
 }
 
+Value *PixelMemory::strided(Value *vector, int part, int parts) {
+  std::vector<int> indices;
+  for (int lane = 0; lane < m_code.lanes; ++lane)
+    indices.push_back(lane * parts + part);
+  return m_code.ir.CreateShuffleVector(vector, indices);
+}
+
+Value *PixelMemory::interleaved(Value *vector, Value *lanes, int part, int parts) {
+  const int count = m_code.lanes * parts;
+  std::vector<int> widen(std::size_t(count), -1), indices;
+  std::iota(widen.begin(), widen.begin() + m_code.lanes, 0);
+  for (int i = 0; i < count; ++i)
+    indices.push_back(i % parts == part ? count + i / parts : i);
+  return m_code.ir.CreateShuffleVector(vector, m_code.ir.CreateShuffleVector(lanes, widen),
+                                       indices);
+}
+
+Value *PixelMemory::lanePointers(const PixelPlace &place, int part, int bytes) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  // From the first pixel 32 bits are enough, and one instruction then takes all lanes.
+  Value *const stride = m_code.splat(ir.CreateTrunc(m_stride, ir.getInt32Ty()));
+  Value *const offset = ir.CreateAdd(ir.CreateMul(place.dy, stride),
+                                     ir.CreateMul(place.dx, m_code.splat(m_pixelBytes)));
+  Value *const first = ir.CreateConstGEP1_64(ir.getInt8Ty(), m_first, std::uint64_t(part * bytes));
+  auto *const wide = llvm::FixedVectorType::get(ir.getInt64Ty(), unsigned(m_code.lanes));
+  return ir.CreateGEP(ir.getInt8Ty(), first, ir.CreateSExt(offset, wide));
+}
+
 Value *PixelMemory::load(const PixelPlace &place, llvm::Type *type, int parts) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const llvm::Align align(type->getScalarSizeInBits() / 8);
+  const auto bytes = int(type->getScalarSizeInBits() / 8);
+  const llvm::Align align{std::uint64_t(bytes)};
+  if (place.lanes == abi::Lanes::Packed) {
+    auto *const lanes = llvm::FixedVectorType::get(type, unsigned(m_code.lanes));
+    Value *all = llvm::PoisonValue::get(
+        llvm::FixedVectorType::get(type, unsigned(m_code.lanes * parts)));
+    for (int part = 0; part < parts; ++part) {
+      Value *const some = ir.CreateMaskedGather(lanes, lanePointers(place, part, bytes), align,
+                                                place.covered, llvm::Constant::getNullValue(lanes));
+      all = parts == 1 ? some : interleaved(all, some, part, parts);
+    }
+    return all;
+  }
   const bool isRow = place.lanes == abi::Lanes::Row;
   const int rows = isRow ? 1 : m_code.cpu.blockHeight();
   const int width = m_code.lanes / rows * parts;
@@ -79,7 +119,15 @@ Value *PixelMemory::load(const PixelPlace &place, llvm::Type *type, int parts) {
 
 void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value *mask) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const llvm::Align align(value->getType()->getScalarSizeInBits() / 8);
+  const auto bytes = int(value->getType()->getScalarSizeInBits() / 8);
+  const llvm::Align align{std::uint64_t(bytes)};
+  if (place.lanes == abi::Lanes::Packed) {
+    for (int part = 0; part < parts; ++part)
+      ir.CreateMaskedScatter(parts == 1 ? value : strided(value, part, parts),
+                             lanePointers(place, part, bytes), align,
+                             mask ? mask : place.covered);
+    return;
+  }
   if (place.lanes == abi::Lanes::Quad) {
     const int rows = m_code.cpu.blockHeight();
     const int width = m_code.lanes / rows * parts;

@@ -11,6 +11,7 @@ struct PixelPlace {
   Value *remaining = nullptr; ///< Row: pixels of the item from lane 0 on, i32
   /// Lanes that are pixels of the item; of Row those below `remaining`.
   Value *covered = nullptr;
+  Value *dx = nullptr, *dy = nullptr; ///< Packed: lanes' pixels from the item's first one, i32
 };
 
 /// A colour or depth buffer.
@@ -28,6 +29,11 @@ public:
   void store(const PixelPlace &place, Value *value, int parts, Value *mask);
 
 private:
+  /// Packed: where each lane's part lies.
+  [[nodiscard]] Value *lanePointers(const PixelPlace &place, int part, int bytes);
+  /// Part \p part of all lanes; and back again into a vector of all parts.
+  [[nodiscard]] Value *strided(Value *vector, int part, int parts);
+  [[nodiscard]] Value *interleaved(Value *vector, Value *lanes, int part, int parts);
   [[nodiscard]] Value *rowPointer(const PixelPlace &place, int row);
   /// Each of the mask's lanes `parts` times.
   [[nodiscard]] Value *widened(Value *mask, int parts);

@@ -8,7 +8,7 @@
 #include "fp_compiler/back/llvm/pixel_reference.h"
 #include "fp_compiler/ir/builder.h"
 
-/// Random states of everything behind the program, against the reference, in rows and in blocks.
+/// Random states of everything behind the program, against the reference, in rows, in blocks and packed.
 namespace arbiter::fp {
 namespace {
 
@@ -48,7 +48,7 @@ abi::StencilFaceKey randomFace(Random &random) {
 
 abi::FragmentKey randomKey(Random &random) {
   abi::FragmentKey key{};
-  key.lanes = random.any(abi::Lanes::Quad);
+  key.lanes = random.any(abi::Lanes::Packed);
   key.inputs[0] = random.any(abi::Interpolation::Perspective);
   abi::ColorTargetKey &target = key.targets[0];
   target.format = kFormats[random.below(int(std::size(kFormats)))];
@@ -171,8 +171,30 @@ testing::ReferenceFragment fragmentAt(const Draw &draw, int x, int y) {
 struct Items {
   std::vector<abi::Span> spans;
   std::vector<abi::Block> blocks;
-  std::vector<bool> covered = std::vector<bool>(kWidth * kHeight, false);
+  std::vector<abi::Pixel> pixels;
 };
+/// Half of all quads in any order, some of their pixels helpers, or single pixels.
+void addPacked(int lanes, Random &random, Items &items) {
+  std::vector<std::pair<int, int>> quads;
+  for (int y = 0; y < kHeight; y += 2)
+    for (int x = 0; x < kWidth; x += 2)
+      quads.emplace(quads.begin() + random.below(int(quads.size()) + 1), x, y);
+  quads.resize(quads.size() / 2);
+  const bool whole = random.below(2) != 0;
+  for (const auto &[x, y] : quads)
+    for (int i = 0; i < 4; ++i) {
+      const bool helper = random.below(3) == 0;
+      if (helper && !whole)
+        continue;
+      items.pixels.push_back({std::uint16_t(x + i % 2),
+                              std::uint16_t((y + i / 2) | (helper ? abi::Pixel::kHelper : 0))});
+    }
+  while (items.pixels.size() % std::size_t(lanes) != 0) {
+    items.pixels.push_back(items.pixels.back());
+    items.pixels.back().y |= abi::Pixel::kHelper;
+  }
+}
+
 Items randomItems(const jit::Engine &engine, Random &random) {
   Items items;
   for (int y = 0; y < kHeight; ++y) {
@@ -184,6 +206,7 @@ Items randomItems(const jit::Engine &engine, Random &random) {
     for (int x = 0; x < kWidth; x += width)
       items.blocks.push_back(
           {std::int16_t(x), std::int16_t(y), std::uint16_t(random.below(1 << engine.lanes())), 0});
+  addPacked(engine.lanes(), random, items);
   return items;
 }
 
@@ -245,7 +268,7 @@ TEST_P(PixelTest, RandomStates) {
   const auto engine = llvm_back::makeEngine({GetParam(), nullptr});
   if (!engine)
     GTEST_SKIP() << "this processor is none of the family";
-  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+  for (std::uint32_t seed = 0; seed < 220; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     Draw draw;
@@ -262,11 +285,17 @@ TEST_P(PixelTest, RandomStates) {
     const auto code = engine->compile(*prepared, draw.key, reason);
     ASSERT_NE(code, nullptr) << reason;
     Items items = randomItems(*engine, random);
+    const auto shade = [&](const auto &list) {
+      code->function(&draw.data, &draw.primitive, list.data(), std::uint32_t(list.size()));
+    };
     const bool rows = draw.key.lanes == abi::Lanes::Row;
-    const void *const pointer = rows ? static_cast<const void *>(items.spans.data())
-                                     : static_cast<const void *>(items.blocks.data());
-    code->function(&draw.data, &draw.primitive, pointer,
-                   std::uint32_t(rows ? items.spans.size() : items.blocks.size()));
+    const bool packed = draw.key.lanes == abi::Lanes::Packed;
+    if (packed)
+      shade(items.pixels);
+    else if (rows)
+      shade(items.spans);
+    else
+      shade(items.blocks);
     const auto check = [&](int x, int y) {
       checkPixel(draw, before, x, y);
       const std::size_t bytes = std::size_t(abi::bytesOf(draw.color.format.layout));
@@ -278,6 +307,11 @@ TEST_P(PixelTest, RandomStates) {
       for (const abi::Span &span : items.spans)
         for (int x = span.x; x < span.x + span.count; ++x)
           check(x, span.y);
+    else if (packed)
+      for (const abi::Pixel &pixel : items.pixels) {
+        if (!(pixel.y & abi::Pixel::kHelper))
+          check(pixel.x, pixel.y);
+      }
     else
       for (const abi::Block &block : items.blocks)
         for (int i = 0; i < engine->lanes(); ++i)
