@@ -136,15 +136,16 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   shape.stippled = false;
   // Inputs vary along the greater direction only: a third corner beside the first has the first's.
   Triangle plane;
+  double weight[3][3];
   const StrokeEnd *const ends[3] = {&from, &to, &from};
   for (int k = 0; k < 3; ++k) {
     plane.corner[k] = ends[k]->window;
     plane.vertex[k] = stroke.vertex[k];
-    std::copy(ends[k]->weight, ends[k]->weight + 3, plane.weight[k]);
+    std::copy(ends[k]->weight, ends[k]->weight + 3, weight[k]);
   }
   (yMajor ? plane.corner[2].x : plane.corner[2].y) += 1;
   (yMajor ? plane.corner[2].fixedX : plane.corner[2].fixedY) += kSubpixels;
-  plane.clipped = true;
+  plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
   makePlanes(draw.state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);

@@ -36,6 +36,7 @@ bool PackedShader::begin(const Rect &tile) {
   // All of the tile that there is, so that few blocks are cut.
   m_storage->tile.begin(intersect(m_state.clip, {tile.x & -kSide, tile.y & -kSide, kSide, kSide}),
                         m_shading);
+  m_test = m_kernels.test(m_shading.depth);
   m_owner = 0;
   return true;
 }
@@ -50,7 +51,7 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   if (own.tile.test.layout != abi::Layout::None)
     z = makeDepthPlane(m_state, triangle, m_state.offsetFill, origin.left, origin.bottom);
   abi::Block *const left = own.blocks + m_blocks;
-  const std::uint32_t seen = m_kernels.test(own.tile, z, origin.left, origin.bottom,
+  const std::uint32_t seen = m_test(own.tile, z, origin.left, origin.bottom,
                                             m_owner + m_pending + 1, blocks, count, left);
   if (seen == 0)
     return;

@@ -47,7 +47,7 @@ using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner
                                      const abi::Block *blocks, std::uint32_t count,
                                      abi::Pixel *out);
 struct PackedKernels {
-  TestBlocks test;
+  TestBlocks (*test)(const DepthTest &); ///< the one for a test
   ListPixels list;
 };
 /// All give the same.
@@ -92,6 +92,7 @@ private:
   const Shading &m_shading;
   const PackedKernels &m_kernels;
   const PlanePlan *m_plan = nullptr;
+  TestBlocks m_test = nullptr;
   Storage *m_storage = nullptr; ///< null: not begun
   std::uint32_t m_pending = 0, m_blocks = 0;
   std::uint32_t m_owner = 0; ///< of the last triangle before the pending ones

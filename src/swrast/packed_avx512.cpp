@@ -34,62 +34,48 @@ private:
   __m512 m_c, m_dx, m_dy, m_minimum, m_maximum;
 };
 
-/// Which results of a comparison pass: smaller, equal, greater, neither.
-struct Passing {
-  explicit Passing(abi::Compare compare) {
-    const unsigned bits = unsigned(compare); // in GL's order: less, equal, greater
-    less = bits & 1 ? 0xFFFF : 0;
-    equal = bits & 2 ? 0xFFFF : 0;
-    greater = bits & 4 ? 0xFFFF : 0;
-    unordered = compare == abi::Compare::NotEqual || compare == abi::Compare::Always ? 0xFFFF : 0;
-  }
-  [[nodiscard]] unsigned of(unsigned isLess, unsigned isEqual, unsigned isGreater) const {
-    return (isLess & less) | (isEqual & equal) | (isGreater & greater) |
-           (~(isLess | isEqual | isGreater) & unordered);
-  }
-  unsigned less, equal, greater, unordered;
-};
+/// The processor's comparisons in GL's order; the first and the last need none.
+constexpr int kIntegerCompare[] = {0,
+                                   _MM_CMPINT_LT,
+                                   _MM_CMPINT_EQ,
+                                   _MM_CMPINT_LE,
+                                   _MM_CMPINT_NLE,
+                                   _MM_CMPINT_NE,
+                                   _MM_CMPINT_NLT,
+                                   0};
+constexpr int kFloatCompare[] = {0,         _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
+                                 _CMP_GT_OQ, _CMP_NEQ_UQ, _CMP_GE_OQ, 0};
 
-template <abi::Layout kLayout>
-unsigned testBlock(PackedTile &tile, const DepthSteps &steps, const Passing &passing, int x, int y,
-                   unsigned at, unsigned mask) {
-  if constexpr (kLayout == abi::Layout::None)
-    return mask;
-  const __m512 depth = steps.at(x, y);
-  const __m512i old = _mm512_load_si512(tile.depth[at]);
-  __m512i made;
-  unsigned passes;
+/// Lanes of \p mask that pass; \p made is what they make of the buffer's pixels.
+template <abi::Layout kLayout, abi::Compare kCompare>
+__mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
+  constexpr bool kDecided = kCompare == abi::Compare::Never || kCompare == abi::Compare::Always;
+  if constexpr (kCompare == abi::Compare::Never)
+    mask = 0;
   if constexpr (kLayout == abi::Layout::Depth32F) {
-    const __m512 theirs = _mm512_castsi512_ps(old);
-    passes = passing.of(_mm512_cmp_ps_mask(depth, theirs, _CMP_LT_OQ),
-                        _mm512_cmp_ps_mask(depth, theirs, _CMP_EQ_OQ),
-                        _mm512_cmp_ps_mask(depth, theirs, _CMP_GT_OQ));
     made = _mm512_castps_si512(depth);
+    if constexpr (!kDecided)
+      mask = _mm512_mask_cmp_ps_mask(mask, depth, _mm512_castsi512_ps(old),
+                                     kFloatCompare[int(kCompare)]);
   } else {
     constexpr bool kHalf = kLayout == abi::Layout::Depth16;
     const __m512i mine =
         _mm512_cvtps_epi32(_mm512_mul_ps(depth, _mm512_set1_ps(kHalf ? 65535.0f : 16777215.0f)));
-    const __m512i theirs = kHalf ? old : _mm512_srli_epi32(old, 8);
-    const unsigned isLess = _mm512_cmplt_epi32_mask(mine, theirs);
-    const unsigned isEqual = _mm512_cmpeq_epi32_mask(mine, theirs);
-    passes = passing.of(isLess, isEqual, 0xFFFF & ~(isLess | isEqual));
     made = kHalf ? mine
                  : _mm512_or_si512(_mm512_slli_epi32(mine, 8),
                                    _mm512_and_si512(old, _mm512_set1_epi32(255)));
+    if constexpr (!kDecided)
+      mask = _mm512_mask_cmp_epi32_mask(mask, mine, kHalf ? old : _mm512_srli_epi32(old, 8),
+                                        kIntegerCompare[int(kCompare)]);
   }
-  passes &= mask;
-  // All of it is stored, as what is stored in part is slow to load again.
-  if (tile.test.write)
-    _mm512_store_si512(tile.depth[at], _mm512_mask_mov_epi32(old, __mmask16(passes), made));
-  return passes;
+  return mask;
 }
 
-template <abi::Layout kLayout>
-std::uint32_t testBlocksOf(PackedTile &tile, const abi::Plane &z, int originX, int originY,
+template <abi::Layout kLayout, abi::Compare kCompare>
+std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, int originY,
                            std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
                            abi::Block *out) {
   const DepthSteps steps(tile, z, originX, originY);
-  const Passing passing(tile.test.compare);
   const __m512i owners = _mm512_set1_epi32(int(owner));
   std::uint32_t left = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -97,30 +83,43 @@ std::uint32_t testBlocksOf(PackedTile &tile, const abi::Plane &z, int originX, i
     const unsigned at = PackedTile::blockAt(block.x, block.y);
     if (__builtin_expect((tile.loaded[at >> 4] >> (at & 15) & 1) == 0, 0))
       tile.load(block.x, block.y);
-    const unsigned passes =
-        testBlock<kLayout>(tile, steps, passing, block.x, block.y, at, block.mask);
+    __mmask16 mask = block.mask;
+    // Vectors are stored whole, as what is stored in part is slow to load again.
+    if constexpr (kLayout != abi::Layout::None) {
+      const __m512i old = _mm512_load_si512(tile.depth[at]);
+      __m512i made;
+      mask = passing<kLayout, kCompare>(mask, steps.at(block.x, block.y), old, made);
+      if (tile.test.write)
+        _mm512_store_si512(tile.depth[at], _mm512_mask_mov_epi32(old, mask, made));
+    }
     const __m512i before = _mm512_load_si512(tile.owner[at]);
-    _mm512_store_si512(tile.owner[at], _mm512_mask_mov_epi32(before, __mmask16(passes), owners));
-    out[left] = {block.x, block.y, std::uint16_t(passes), 0};
-    left += passes != 0 ? 1 : 0;
+    _mm512_store_si512(tile.owner[at], _mm512_mask_mov_epi32(before, mask, owners));
+    out[left] = {block.x, block.y, std::uint16_t(mask), 0};
+    left += mask != 0 ? 1 : 0;
   }
   return left;
 }
 
-std::uint32_t testBlocks(PackedTile &tile, const abi::Plane &z, int originX, int originY,
-                         std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
-                         abi::Block *out) {
-  switch (tile.test.layout) {
+template <abi::Layout kLayout> TestBlocks testOf(abi::Compare compare) {
+  using abi::Compare;
+  static constexpr TestBlocks kAll[] = {
+      testBlocksBy<kLayout, Compare::Never>,        testBlocksBy<kLayout, Compare::Less>,
+      testBlocksBy<kLayout, Compare::Equal>,        testBlocksBy<kLayout, Compare::LessEqual>,
+      testBlocksBy<kLayout, Compare::Greater>,      testBlocksBy<kLayout, Compare::NotEqual>,
+      testBlocksBy<kLayout, Compare::GreaterEqual>, testBlocksBy<kLayout, Compare::Always>};
+  return kAll[int(compare)];
+}
+
+TestBlocks chooseTest(const DepthTest &test) {
+  switch (test.layout) {
   case abi::Layout::Depth16:
-    return testBlocksOf<abi::Layout::Depth16>(tile, z, originX, originY, owner, blocks, count, out);
+    return testOf<abi::Layout::Depth16>(test.compare);
   case abi::Layout::Depth24Stencil8:
-    return testBlocksOf<abi::Layout::Depth24Stencil8>(tile, z, originX, originY, owner, blocks,
-                                                      count, out);
+    return testOf<abi::Layout::Depth24Stencil8>(test.compare);
   case abi::Layout::Depth32F:
-    return testBlocksOf<abi::Layout::Depth32F>(tile, z, originX, originY, owner, blocks, count,
-                                               out);
+    return testOf<abi::Layout::Depth32F>(test.compare);
   default:
-    return testBlocksOf<abi::Layout::None>(tile, z, originX, originY, owner, blocks, count, out);
+    return testBlocksBy<abi::Layout::None, abi::Compare::Always>;
   }
 }
 
@@ -171,6 +170,6 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
 
 } // namespace
 
-const PackedKernels kPackedAvx512 = {testBlocks, listPixels};
+const PackedKernels kPackedAvx512 = {chooseTest, listPixels};
 
 } // namespace arbiter::swrast

@@ -225,8 +225,8 @@ TEST(Packed, KernelsAreTheSameOnAllInstructionSets) {
         z.dx = NAN;
       const auto count = std::uint32_t(blocks.size());
       const std::uint32_t n =
-          kPackedBaseline.test(*a.tile, z, 66, 5, owner, blocks.data(), count, left.data());
-      ASSERT_EQ(best.test(*b.tile, z, 66, 5, owner, blocks.data(), count, same.data()), n);
+          kPackedBaseline.test(test)(*a.tile, z, 66, 5, owner, blocks.data(), count, left.data());
+      ASSERT_EQ(best.test(test)(*b.tile, z, 66, 5, owner, blocks.data(), count, same.data()), n);
       ASSERT_EQ(std::memcmp(left.data(), same.data(), n * sizeof(abi::Block)), 0);
       for (const bool quads : {false, true})
         for (const std::uint32_t of : {0u, owner, owner - 1}) {

@@ -14,6 +14,16 @@ void PackedTile::begin(const Rect &tile, const Shading &shading) {
   test = shading.depth;
   minimum = shading.data->depthMinimum;
   maximum = shading.data->depthMaximum;
+  if (test.layout == abi::Layout::None)
+    return;
+  // Rows of a window are often whole pages apart, which processors do not foresee.
+  constexpr int kLine = 64;
+  const int bytes = rect.width * abi::bytesOf(test.layout);
+  const std::uint8_t *row =
+      target.base + rect.y * target.rowStride + rect.x * abi::bytesOf(test.layout);
+  for (int y = 0; y < rect.height; ++y, row += target.rowStride)
+    for (int at = 0; at < bytes; at += kLine)
+      __builtin_prefetch(row + at, 1, 2);
 }
 
 /// Calls `visit(lane, address)` for the block's pixels that there are.
@@ -180,7 +190,7 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
 
 } // namespace
 
-const PackedKernels kPackedBaseline = {testBlocks, listPixels};
+const PackedKernels kPackedBaseline = {[](const DepthTest &) { return &testBlocks; }, listPixels};
 
 const PackedKernels &choosePackedKernels() {
 #if defined(__x86_64__)

@@ -6,14 +6,6 @@
 /// Triangles to edges and planes.
 namespace arbiter::swrast {
 
-std::int64_t areaOf(const WindowVertex corner[3]) {
-  const std::int64_t ax = corner[1].fixedX - corner[0].fixedX;
-  const std::int64_t ay = corner[1].fixedY - corner[0].fixedY;
-  const std::int64_t bx = corner[2].fixedX - corner[0].fixedX;
-  const std::int64_t by = corner[2].fixedY - corner[0].fixedY;
-  return ax * by - bx * ay;
-}
-
 Edge edgeBetween(const WindowVertex &from, const WindowVertex &to) {
   Edge edge;
   edge.a = from.fixedY - to.fixedY;
@@ -25,22 +17,6 @@ Edge edgeBetween(const WindowVertex &from, const WindowVertex &to) {
   // Pixels are 256 units apart, so that what is below such a step never decides.
   edge.c = c >> kSubpixelBits;
   return edge;
-}
-
-bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Bounds &bounds) {
-  std::int32_t minX = corner[0].fixedX, maxX = minX, minY = corner[0].fixedY, maxY = minY;
-  for (int i = 1; i < count; ++i) {
-    minX = std::min(minX, corner[i].fixedX);
-    maxX = std::max(maxX, corner[i].fixedX);
-    minY = std::min(minY, corner[i].fixedY);
-    maxY = std::max(maxY, corner[i].fixedY);
-  }
-  bounds.left = std::max(clip.x, pixelFrom(minX));
-  bounds.bottom = std::max(clip.y, pixelFrom(minY));
-  // A right or an upper edge is outside itself, but not a corner that a left edge ends in.
-  bounds.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
-  bounds.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);
-  return bounds.left < bounds.right && bounds.bottom < bounds.top;
 }
 
 bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area, Shape &shape) {
@@ -197,7 +173,7 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
     primitive.z = depthPlane(state, v, g, offset);
   if (plan.wantsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
-  if (triangle.clipped)
+  if (triangle.weight)
     makeInputs<true>(plan, triangle, g, primitive);
   else
     makeInputs<false>(plan, triangle, g, primitive);

@@ -55,14 +55,15 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
   shape.stippled = false;
   // Three corners with one vertex's inputs: nothing varies.
   Triangle plane;
+  double weight[3][3];
   for (int k = 0; k < 3; ++k) {
     plane.corner[k] = at.window;
     plane.vertex[k] = stroke.vertex[k];
-    std::copy(at.weight, at.weight + 3, plane.weight[k]);
+    std::copy(at.weight, at.weight + 3, weight[k]);
   }
   plane.corner[1].x += 1;
   plane.corner[2].y += 1;
-  plane.clipped = true;
+  plane.weight = weight;
   plane.provoking = stroke.provoking;
   plane.backFacing = stroke.backFacing;
   makePlanes(state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -79,18 +80,41 @@ struct Triangle {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
-  /// Corner k is weight[k] of the three vertices, rather than vertex k.
-  bool clipped = false;
-  double weight[3][3] = {};
+  /// Of a clipped one: corner k is weight[k] of the three vertices, rather than vertex k. Else null.
+  const double (*weight)[3] = nullptr;
 };
 
 /// Twice the area in snapped units; positive if counterclockwise.
-[[nodiscard]] std::int64_t areaOf(const WindowVertex corner[3]);
+[[nodiscard]] inline std::int64_t areaOf(const WindowVertex corner[3]) {
+  const std::int64_t ax = corner[1].fixedX - corner[0].fixedX;
+  const std::int64_t ay = corner[1].fixedY - corner[0].fixedY;
+  const std::int64_t bx = corner[2].fixedX - corner[0].fixedX;
+  const std::int64_t by = corner[2].fixedY - corner[0].fixedY;
+  return ax * by - bx * ay;
+}
 /// The edge from `from` to `to` of a counterclockwise polygon.
 [[nodiscard]] Edge edgeBetween(const WindowVertex &from, const WindowVertex &to);
+/// The first pixel whose centre is at or behind a snapped coordinate.
+[[nodiscard]] constexpr std::int32_t pixelFrom(std::int32_t fixed) {
+  return (fixed + kSubpixels - 1) >> kSubpixelBits;
+}
+
 /// Bounds from snapped ones; false if no pixel of the clip rectangle can be inside.
-[[nodiscard]] bool setBounds(const Rect &clip, const WindowVertex *corner, int count,
-                             Bounds &bounds);
+[[nodiscard]] inline bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Bounds &bounds) {
+  std::int32_t minX = corner[0].fixedX, maxX = minX, minY = corner[0].fixedY, maxY = minY;
+  for (int i = 1; i < count; ++i) {
+    minX = std::min(minX, corner[i].fixedX);
+    maxX = std::max(maxX, corner[i].fixedX);
+    minY = std::min(minY, corner[i].fixedY);
+    maxY = std::max(maxY, corner[i].fixedY);
+  }
+  bounds.left = std::max(clip.x, pixelFrom(minX));
+  bounds.bottom = std::max(clip.y, pixelFrom(minY));
+  // A right or an upper edge is outside itself, but not a corner that a left edge ends in.
+  bounds.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
+  bounds.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);
+  return bounds.left < bounds.right && bounds.bottom < bounds.top;
+}
 /// Bounds and edges; false if no pixel of the clip rectangle can be inside. `area` is not 0.
 [[nodiscard]] bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area,
                            Shape &shape);
@@ -117,11 +141,6 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
                                         bool offset, int originX, int originY);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
-
-/// The first pixel whose centre is at or behind a snapped coordinate.
-[[nodiscard]] constexpr std::int32_t pixelFrom(std::int32_t fixed) {
-  return (fixed + kSubpixels - 1) >> kSubpixelBits;
-}
 
 /// A rectangle that a draw consists of: corners in cyclic order.
 struct Rectangle {

@@ -61,11 +61,12 @@ template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, 
   triangle.backFacing = isBackFacing(draw.state, area);
   if (isCulled(draw.state, triangle.backFacing))
     return;
-  triangle.clipped = true;
+  double weight[3][3];
+  triangle.weight = weight;
   const auto corner = [&](int k, int from) {
     const ClipVertex &vertex = polygon.vertex[std::size_t(from)];
     triangle.corner[k] = vertex.window;
-    std::copy(vertex.weight, vertex.weight + 3, triangle.weight[k]);
+    std::copy(vertex.weight, vertex.weight + 3, weight[k]);
   };
   Shape shape;
   int edges = 0;
