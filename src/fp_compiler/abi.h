@@ -209,9 +209,9 @@ enum class Interpolation : std::uint8_t { Flat, Linear, Perspective };
 
 /// Which pixels lie in the lanes of a vector.
 enum class Lanes : std::uint8_t {
-  Row,  ///< `lanes` pixels of one row; items are spans. Derivatives only where a coordinate is an
-        ///< affine function of an input (Code never asks for more: the compiler refuses)
-  Quad, ///< 2x2 quads: 4x4 pixels of 16 lanes, 4x2 of 8, 2x2 of 4; items are blocks
+  Row,    ///< `lanes` pixels of one row; items are spans. Derivatives only where a coordinate is an
+          ///< affine function of an input (Code never asks for more: the compiler refuses)
+  Quad,   ///< 2x2 quads: 4x4 pixels of 16 lanes, 4x2 of 8, 2x2 of 4; items are blocks
   Packed, ///< pixels from anywhere near the primitive's origin, or quads of such; items are pixels
 };
 

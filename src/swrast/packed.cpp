@@ -51,8 +51,8 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   if (own.tile.test.layout != abi::Layout::None)
     z = makeDepthPlane(m_state, triangle, m_state.offsetFill, origin.left, origin.bottom);
   abi::Block *const left = own.blocks + m_blocks;
-  const std::uint32_t seen = m_test(own.tile, z, origin.left, origin.bottom,
-                                            m_owner + m_pending + 1, blocks, count, left);
+  const std::uint32_t seen =
+      m_test(own.tile, z, origin.left, origin.bottom, m_owner + m_pending + 1, blocks, count, left);
   if (seen == 0)
     return;
   if (!m_shading.replaces) {

@@ -3,10 +3,10 @@
 
 #include "swrast/setup.h"
 
-/// Small triangles by the pixel: the rasterizer tests depth itself, in a copy of the tile that stays
-/// in the processor's nearest cache, and hands the machine code full vectors of what is left to be
-/// seen. Where fragments replace what is there, a tile is shaded when all its triangles have been
-/// tested, so that a pixel is shaded once however many triangles lie over each other.
+/// Small triangles by the pixel: the rasterizer tests depth itself, in a copy of the tile that
+/// stays in the processor's nearest cache, and hands the machine code full vectors of what is left
+/// to be seen. Where fragments replace what is there, a tile is shaded when all its triangles have
+/// been tested, so that a pixel is shaded once however many triangles lie over each other.
 namespace arbiter::swrast {
 
 /// Blocks of 4x4 pixels of a tile of 64x64, one behind the other; lane 4 * row + column of a block.
@@ -40,9 +40,8 @@ using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int 
                                      int originY, std::uint32_t owner, const abi::Block *blocks,
                                      std::uint32_t count, abi::Block *out);
 /// The pixels of blocks, one behind the other: all of the masks, or if `owner` is not 0 those that
-/// it still owns. Of `quads` each quad is whole, its other pixels helpers. Filled up with helpers to
-/// a multiple of 16.
-/// \param out room for 16 more than the blocks have
+/// it still owns. Of `quads` each quad is whole, its other pixels helpers. Filled up with helpers
+/// to a multiple of 16. \param out room for 16 more than the blocks have
 using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner, bool quads,
                                      const abi::Block *blocks, std::uint32_t count,
                                      abi::Pixel *out);

@@ -21,10 +21,8 @@ public:
     const auto from = [](int start, __m512i lanes) {
       return _mm512_cvtepi32_ps(_mm512_add_epi32(_mm512_set1_epi32(start), lanes));
     };
-    const __m512 row =
-        _mm512_add_ps(m_c, _mm512_mul_ps(m_dy, from(y - m_originY, line)));
-    const __m512 depth =
-        _mm512_add_ps(row, _mm512_mul_ps(m_dx, from(x - m_originX, column)));
+    const __m512 row = _mm512_add_ps(m_c, _mm512_mul_ps(m_dy, from(y - m_originY, line)));
+    const __m512 depth = _mm512_add_ps(row, _mm512_mul_ps(m_dx, from(x - m_originX, column)));
     // Where it is not a number: the second operand.
     return _mm512_min_ps(_mm512_max_ps(depth, m_minimum), m_maximum);
   }
@@ -35,15 +33,10 @@ private:
 };
 
 /// The processor's comparisons in GL's order; the first and the last need none.
-constexpr int kIntegerCompare[] = {0,
-                                   _MM_CMPINT_LT,
-                                   _MM_CMPINT_EQ,
-                                   _MM_CMPINT_LE,
-                                   _MM_CMPINT_NLE,
-                                   _MM_CMPINT_NE,
-                                   _MM_CMPINT_NLT,
-                                   0};
-constexpr int kFloatCompare[] = {0,         _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
+constexpr int kIntegerCompare[] = {
+    0, _MM_CMPINT_LT, _MM_CMPINT_EQ, _MM_CMPINT_LE, _MM_CMPINT_NLE, _MM_CMPINT_NE, _MM_CMPINT_NLT,
+    0};
+constexpr int kFloatCompare[] = {0,          _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
                                  _CMP_GT_OQ, _CMP_NEQ_UQ, _CMP_GE_OQ, 0};
 
 /// Lanes of \p mask that pass; \p made is what they make of the buffer's pixels.
@@ -125,12 +118,12 @@ TestBlocks chooseTest(const DepthTest &test) {
 
 /// x and y of the lanes of a block as abi::Pixel, row by row or quad by quad.
 __m512i lanesOf(bool quads) {
-  const __m512i rows = _mm512_setr_epi32(0, 1, 2, 3, 0x10000, 0x10001, 0x10002, 0x10003, 0x20000,
-                                         0x20001, 0x20002, 0x20003, 0x30000, 0x30001, 0x30002,
-                                         0x30003);
-  const __m512i byQuad = _mm512_setr_epi32(0, 1, 0x10000, 0x10001, 2, 3, 0x10002, 0x10003, 0x20000,
-                                           0x20001, 0x30000, 0x30001, 0x20002, 0x20003, 0x30002,
-                                           0x30003);
+  const __m512i rows =
+      _mm512_setr_epi32(0, 1, 2, 3, 0x10000, 0x10001, 0x10002, 0x10003, 0x20000, 0x20001, 0x20002,
+                        0x20003, 0x30000, 0x30001, 0x30002, 0x30003);
+  const __m512i byQuad =
+      _mm512_setr_epi32(0, 1, 0x10000, 0x10001, 2, 3, 0x10002, 0x10003, 0x20000, 0x20001, 0x30000,
+                        0x30001, 0x20002, 0x20003, 0x30002, 0x30003);
   return quads ? byQuad : rows;
 }
 

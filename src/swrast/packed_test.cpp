@@ -44,8 +44,8 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
     theirs = half ? pixel : pixel >> 8;
     made = half ? std::uint32_t(mine) : std::uint32_t(mine) << 8 | (pixel & 255);
   }
-  const bool results[] = {false,          mine < theirs,  mine == theirs, mine <= theirs,
-                          mine > theirs,  mine != theirs, mine >= theirs, true};
+  const bool results[] = {false, mine<theirs, mine == theirs, mine <= theirs, mine> theirs,
+                          mine != theirs, mine >= theirs, true};
   const bool passes = results[int(test.compare)];
   if (passes && test.write)
     std::memcpy(place, &made, std::size_t(bytes));

@@ -79,8 +79,7 @@ void PackedTile::end() {
         continue;
       }
       const auto bytes = std::size_t(abi::bytesOf(test.layout));
-      eachPixel(x, y,
-                [&](int lane, std::uint8_t *to) { std::memcpy(to, from + lane, bytes); });
+      eachPixel(x, y, [&](int lane, std::uint8_t *to) { std::memcpy(to, from + lane, bytes); });
     }
   }
 }

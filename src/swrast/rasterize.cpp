@@ -56,15 +56,18 @@ void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
   end = draw.first + draw.count;
   if (!draw.indices)
     return;
-  begin = draw.vertices.count;
-  end = 0;
+  // Without a branch, and of signed numbers, which all processors compare in vectors: an index that
+  // is too great is taken for the one behind the last.
+  const auto behind = std::int32_t(std::min(draw.vertices.count, std::uint32_t(INT32_MAX)));
+  std::int32_t first = behind, last = -1;
   for (std::uint32_t i = 0; i < draw.count; ++i) {
-    const std::uint32_t index = draw.indices[i];
-    if (index >= draw.vertices.count)
-      continue;
-    begin = std::min(begin, index);
-    end = std::max(end, index + 1);
+    const auto index = std::int32_t(draw.indices[i]);
+    const bool isGood = index >= 0 && index < behind;
+    first = std::min(first, isGood ? index : behind);
+    last = std::max(last, isGood ? index : -1);
   }
+  begin = std::uint32_t(first);
+  end = std::uint32_t(last + 1);
 }
 
 /// Window positions of the vertices that are used, and what can be seen of their primitives.

@@ -80,7 +80,8 @@ struct Triangle {
   std::uint32_t vertex[3] = {};
   std::uint32_t provoking = 0;
   bool backFacing = false;
-  /// Of a clipped one: corner k is weight[k] of the three vertices, rather than vertex k. Else null.
+  /// Of a clipped one: corner k is weight[k] of the three vertices, rather than vertex k. Else
+  /// null.
   const double (*weight)[3] = nullptr;
 };
 
@@ -100,7 +101,8 @@ struct Triangle {
 }
 
 /// Bounds from snapped ones; false if no pixel of the clip rectangle can be inside.
-[[nodiscard]] inline bool setBounds(const Rect &clip, const WindowVertex *corner, int count, Bounds &bounds) {
+[[nodiscard]] inline bool setBounds(const Rect &clip, const WindowVertex *corner, int count,
+                                    Bounds &bounds) {
   std::int32_t minX = corner[0].fixedX, maxX = minX, minY = corner[0].fixedY, maxY = minY;
   for (int i = 1; i < count; ++i) {
     minX = std::min(minX, corner[i].fixedX);

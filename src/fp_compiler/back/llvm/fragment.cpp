@@ -8,8 +8,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span, block or vector of
-/// packed pixels; then the loop over the item's vectors.
+/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span, block or vector
+/// of packed pixels; then the loop over the item's vectors.
 class Writer {
 public:
   Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
@@ -105,10 +105,9 @@ private:
       const int x = lane % width, y = lane / width;
       from.push_back((y / 2 * (width / 2) + x / 2) * 4 + y % 2 * 2 + x % 2);
     }
-    return {
-        m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originX)),
-        m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originY)),
-        m_ir.CreateShuffleVector(raw, from)};
+    return {m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originX)),
+            m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originY)),
+            m_ir.CreateShuffleVector(raw, from)};
   }
 
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which

@@ -188,17 +188,26 @@ private:
 #endif
 };
 
-/// Lighting by blocks, with a depth test that passes.
-std::unique_ptr<Case> prepareBlocks(jit::Engine &engine) {
-  const Workload *const lighting =
+/// A demonstration's program in perspective.
+std::unique_ptr<Case> preparePerspective(jit::Engine &engine, const std::string &program,
+                                         abi::Lanes lanes) {
+  const Workload *const workload =
       std::find_if(std::begin(kWorkloads), std::end(kWorkloads),
-                   [](const Workload &w) { return w.program == std::string("lighting"); });
-  std::unique_ptr<Case> made = prepare(engine, *lighting);
+                   [&](const Workload &w) { return w.program == program; });
+  std::unique_ptr<Case> made = prepare(engine, *workload);
   if (!made)
     return nullptr;
-  made->key.lanes = abi::Lanes::Quad;
-  made->key.inputs[0] = abi::Interpolation::Perspective;
+  made->key.lanes = lanes;
+  made->key.inputs[0] = made->key.inputs[1] = abi::Interpolation::Perspective;
   made->primitive.inverseW.c = 1;
+  return made;
+}
+
+/// Lighting by blocks, with a depth test that passes.
+std::unique_ptr<Case> prepareBlocks(jit::Engine &engine) {
+  std::unique_ptr<Case> made = preparePerspective(engine, "lighting", abi::Lanes::Quad);
+  if (!made)
+    return nullptr;
   abi::DepthStencilKey &depth = made->key.depthStencil;
   depth.layout = abi::Layout::Depth24Stencil8;
   depth.depthTest = depth.depthWrite = 1;
@@ -238,6 +247,37 @@ int measureBlocks(jit::Engine &engine, const std::string &only) {
   return 0;
 }
 
+/// Pixels packed, as of small triangles: a few vectors a call, from blocks of 8x8 pixels.
+int measurePacked(jit::Engine &engine, const std::string &only) {
+  if (!only.empty() && only != "packed")
+    return 0;
+  const std::unique_ptr<Case> made = preparePerspective(engine, "cartoon", abi::Lanes::Packed);
+  std::string reason;
+  const auto code = made ? engine.compile(*made->program, made->key, reason) : nullptr;
+  if (!code) {
+    std::printf("%-22s %s\n", "packed", reason.c_str());
+    return 1;
+  }
+  std::vector<abi::Pixel> pixels;
+  for (int i = 0; i < kSize * kSize; ++i)
+    pixels.push_back({std::uint16_t(i / 64 % (kSize / 8) * 8 + i % 8),
+                      std::uint16_t(i / (8 * kSize) * 8 + i / 8 % 8)});
+  const FlushMode mode;
+  for (const std::size_t vectors : {std::size_t(1), std::size_t(2), std::size_t(4)}) {
+    const std::size_t batch = vectors * std::size_t(engine.lanes());
+    const double one = best(CLOCK_THREAD_CPUTIME_ID, [&] {
+      for (std::size_t i = 0; i < pixels.size(); i += batch) {
+        made->primitive.originX = pixels[i].x;
+        made->primitive.originY = pixels[i].y;
+        code->function(&made->data, &made->primitive, &pixels[i], std::uint32_t(batch));
+      }
+    });
+    const std::string name = "cartoon, packed by " + std::to_string(batch);
+    print(name.c_str(), one, 0, code->bytes);
+  }
+  return 0;
+}
+
 int measure(jit::Engine &engine, const std::string &only) {
   std::printf("%s\n%-22s %11s %11s\n", engine.target().c_str(), "", "one thread", "two threads");
   const std::vector<abi::Span> all = rowsOf(0, kSize);
@@ -268,6 +308,7 @@ int measure(jit::Engine &engine, const std::string &only) {
     print(workload.program, one, two, code->bytes, compiled);
   }
   failures += measureBlocks(engine, only);
+  failures += measurePacked(engine, only);
   std::vector<std::uint32_t> from(kSize * kSize, 1), to(kSize * kSize, 2);
   print(
       "memcpy",
@@ -279,10 +320,12 @@ int measure(jit::Engine &engine, const std::string &only) {
 int show(jit::Engine &engine, const llvm_back::Cpu &cpu, const std::string &name,
          llvm_back::Emit what) {
   for (const Workload &workload : kWorkloads) {
-    if (name != workload.program && name != "blocks")
+    if (name != workload.program && name != "blocks" && name != "packed")
       continue;
     const std::unique_ptr<Case> made =
-        name == "blocks" ? prepareBlocks(engine) : prepare(engine, workload);
+        name == "blocks"   ? prepareBlocks(engine)
+        : name == "packed" ? preparePerspective(engine, "cartoon", abi::Lanes::Packed)
+                           : prepare(engine, workload);
     if (!made)
       return 1;
     std::string reason;

@@ -98,8 +98,7 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
     return m_code.field(ir.getPtrTy(), m_data,
                         offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);
   });
-  const abi::Lanes lanes =
-      m_place.lanes == abi::Lanes::Row ? abi::Lanes::Row : abi::Lanes::Quad;
+  const abi::Lanes lanes = m_place.lanes == abi::Lanes::Row ? abi::Lanes::Row : abi::Lanes::Quad;
   const Texel texel = sample(m_code, key, lanes, view, at, needed);
   m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
   return texel.rgba;

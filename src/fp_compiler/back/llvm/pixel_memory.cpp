@@ -93,8 +93,8 @@ Value *PixelMemory::load(const PixelPlace &place, llvm::Type *type, int parts) {
   const llvm::Align align{std::uint64_t(bytes)};
   if (place.lanes == abi::Lanes::Packed) {
     auto *const lanes = llvm::FixedVectorType::get(type, unsigned(m_code.lanes));
-    Value *all = llvm::PoisonValue::get(
-        llvm::FixedVectorType::get(type, unsigned(m_code.lanes * parts)));
+    Value *all =
+        llvm::PoisonValue::get(llvm::FixedVectorType::get(type, unsigned(m_code.lanes * parts)));
     for (int part = 0; part < parts; ++part) {
       Value *const some = ir.CreateMaskedGather(lanes, lanePointers(place, part, bytes), align,
                                                 place.covered, llvm::Constant::getNullValue(lanes));
@@ -124,8 +124,7 @@ void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value 
   if (place.lanes == abi::Lanes::Packed) {
     for (int part = 0; part < parts; ++part)
       ir.CreateMaskedScatter(parts == 1 ? value : strided(value, part, parts),
-                             lanePointers(place, part, bytes), align,
-                             mask ? mask : place.covered);
+                             lanePointers(place, part, bytes), align, mask ? mask : place.covered);
     return;
   }
   if (place.lanes == abi::Lanes::Quad) {

@@ -8,7 +8,8 @@
 #include "fp_compiler/back/llvm/pixel_reference.h"
 #include "fp_compiler/ir/builder.h"
 
-/// Random states of everything behind the program, against the reference, in rows, in blocks and packed.
+/// Random states of everything behind the program, against the reference, in rows, in blocks and
+/// packed.
 namespace arbiter::fp {
 namespace {
 
