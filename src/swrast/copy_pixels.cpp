@@ -161,7 +161,15 @@ void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthVal
         std::fill(row, row + rect.width, value);
         return;
       }
-      for (int x = 0; x < rect.width; ++x)
+      // What is changed is read first: far enough ahead, as these images leave the nearer caches.
+      constexpr int kPart = 64 / int(sizeof(Value)), kAhead = 24 * kPart;
+      int x = 0;
+      for (; x + kPart <= rect.width; x += kPart) {
+        __builtin_prefetch(row + x + kAhead, 1, 3);
+        for (int i = 0; i < kPart; ++i)
+          row[x + i] = Value((row[x + i] & ~mask) | (value & mask));
+      }
+      for (; x < rect.width; ++x)
         row[x] = Value((row[x] & ~mask) | (value & mask));
     });
   };
