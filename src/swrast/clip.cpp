@@ -115,7 +115,7 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
       ClipVertex &cut = out->vertex[std::size_t(out->count++)];
       cut = aInside ? between(a, b, distance[i], distance[next])
                     : between(b, a, distance[next], distance[i]);
-      cut.side = aInside ? kOnPlane + p : a.side;
+      cut.side = !aInside ? a.side : planes[p].user >= 0 ? kOnUserPlane : kOnPlane + p;
     }
     std::swap(in, out);
     if (in->count < 3)

@@ -11,10 +11,13 @@ struct ClipVertex {
   double weight[3]; ///< of the primitive's vertices
   double user[8];   ///< clip distances
   WindowVertex window;
-  int side; ///< what it is the first end of: a side of the triangle, or kOnPlane + a plane
+  int side; ///< what it is the first end of: a side of the triangle, kOnPlane + a plane,
+            ///< kOnUserPlane
 };
 /// The planes of the view volume that run along the viewport's sides come first.
 inline constexpr int kOnPlane = 3, kSidePlanes = 4;
+/// A cut by a clip plane of the application's is a side that is drawn, unlike those of the volume.
+inline constexpr int kOnUserPlane = 64;
 
 /// A convex polygon of what is left of a triangle; at most a vertex more for each plane.
 struct ClippedPolygon {

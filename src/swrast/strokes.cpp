@@ -49,6 +49,40 @@ int windingOf(const Draw &draw, const ClippedPolygon &polygon) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
+/// The same triangle from the corner on from which hosts walk around it: the provoking one is the
+/// first or the last.
+TriangleCorners asHostsWalk(const TriangleCorners &corners, bool provokingIsFirst) {
+  const std::uint32_t wanted = provokingIsFirst ? 0 : 2;
+  TriangleCorners turned = corners;
+  for (int i = 0; i < 2 && turned.corner[wanted] != corners.provoking; ++i) {
+    std::rotate(turned.corner, turned.corner + 1, turned.corner + 3);
+    turned.sides = turned.sides >> 1 | (turned.sides & 1u) << 2;
+  }
+  return turned;
+}
+
+/// Which of the sides hosts draw as number `i`: of a triangle they begin with the last, of what is
+/// left of one that was cut with the first; there the last two may change places.
+int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
+  if (!clipped || (provokingIsFirst && count == 3))
+    return (count - 1 + i) % count;
+  if (provokingIsFirst && i >= count - 2)
+    return i == count - 2 ? count - 1 : count - 2;
+  return i;
+}
+
+/// The size that the vertices say, of a point at one of them or where their primitive was cut.
+float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
+  const float *const sizes = draw.vertices.pointSize;
+  if (!sizes)
+    return draw.state.pointSize;
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+    if (at.weight[i] != 0)
+      size += at.weight[i] * double(sizes[stroke.vertex[i]]);
+  return float(size);
+}
+
 } // namespace
 
 void Strokes::shade(const Draw &draw) {
@@ -145,34 +179,35 @@ void Strokes::addPoints(const Draw &draw) {
     if (draw.window[index].outcode != 0)
       continue;
     const Stroke stroke = {{index, index, index}, index, false};
-    const float *const sizes = draw.vertices.pointSize;
-    addPoint(draw, stroke, {draw.window[index], {1, 0, 0}},
-             sizes ? sizes[index] : draw.state.pointSize);
+    const StrokeEnd at = {draw.window[index], {1, 0, 0}};
+    addPoint(draw, stroke, at, pointSizeAt(draw, stroke, at));
   }
 }
 
 void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
-                         std::uint32_t sides) {
+                         std::uint32_t sides, bool clipped) {
   const bool lines = draw.modeOf(stroke.backFacing) == PolygonMode::Line;
   const auto isSide = [&](int corner) {
     const int side = polygon.vertex[std::size_t(corner)].side;
-    return side < kOnPlane && ((sides >> side) & 1u) != 0;
+    return side == kOnUserPlane || (side < kOnPlane && ((sides >> side) & 1u) != 0);
   };
   for (int i = 0; i < polygon.count; ++i) {
-    // The last side first, as hosts have it.
-    const int at = i == 0 ? polygon.count - 1 : i - 1;
+    const int at = sideInTurn(i, polygon.count, clipped, draw.state.provokingIsFirst);
     if (lines && isSide(at))
       addLine(draw, stroke, endOf(polygon.vertex[std::size_t(at)]),
               endOf(polygon.vertex[std::size_t(at + 1 == polygon.count ? 0 : at + 1)]));
-    if (!lines && isSide(i))
-      addPoint(draw, stroke, endOf(polygon.vertex[std::size_t(i)]), draw.state.pointSize);
+    if (!lines && isSide(i)) {
+      const StrokeEnd end = endOf(polygon.vertex[std::size_t(i)]);
+      addPoint(draw, stroke, end, pointSizeAt(draw, stroke, end));
+    }
   }
 }
 
 void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   const RasterState &state = draw.state;
   const TriangleCorners corners =
-      triangleAt(draw.topology, draw.count, number, state.provokingIsFirst, true);
+      asHostsWalk(triangleAt(draw.topology, draw.count, number, state.provokingIsFirst, true),
+                  state.provokingIsFirst);
   Triangle triangle;
   std::uint32_t any = 0;
   if (!fetchTriangle(draw, corners, triangle, any))
@@ -180,6 +215,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   ClippedPolygon polygon;
   if (any & kClipMask) {
     clipTriangle(draw.viewport, draw.vertices, triangle.vertex, polygon);
+    m_stipple = 0; // what is cut stands alone
   } else {
     polygon.count = 3;
     for (int i = 0; i < 3; ++i) {
@@ -230,12 +266,16 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
              {{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},
               triangle.provoking,
               triangle.backFacing},
-             sides);
+             sides, (any & kClipMask) != 0);
 }
 
 void Strokes::addPolygons(const Draw &draw) {
   const std::uint32_t triangles = triangleCount(draw.topology, draw.count);
+  const bool quads = draw.topology == Topology::Quads || draw.topology == Topology::QuadStrip;
   for (std::uint32_t i = 0; i < triangles; ++i) {
+    // The stipple goes around a whole polygon or quad.
+    if (quads ? i % 2 == 0 : draw.topology != Topology::Polygon)
+      m_stipple = 0;
     addTriangle(draw, i);
     if (m_shapes.size() >= kMaxShapes)
       shade(draw);

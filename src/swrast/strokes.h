@@ -37,7 +37,7 @@ private:
   void addPolygons(const Draw &draw);
   void addTriangle(const Draw &draw, std::uint32_t number);
   void addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
-                  std::uint32_t sides);
+                  std::uint32_t sides, bool clipped);
   void addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, const StrokeEnd &to);
   void addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size);
   void shade(const Draw &draw);

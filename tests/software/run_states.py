@@ -7,6 +7,9 @@
   run_states.py --build build --only 17            that row of the array; says what it sets
   run_states.py --build build --out FOLDER         keeps the pictures that differ
 
+The bare host forgets ShadeModel where an assembly program is in force, so flat scenes are compared
+with what it draws of the layer's GLSL (ARBITER_BACKEND=host).
+
 The rows are a covering array (covering.py) of the states in factors.py. Colours may differ by 1 of
 255, depths by what 16 bits can tell; where judge() says so, a bounded number of pixels may differ by
 more. Ends with "N passed, N failed, N skipped".
@@ -35,8 +38,10 @@ def run_batch(client, scenes, env):
     """[records of a scene or a text that says how the client died]."""
     try:
         found = sides.run([client], env, "".join(line(s) + "\n" for s in scenes).encode())
-        return [{what.split(" ", 1)[1].split(" ")[0]: (what, data)
-                 for what, data in found[4 * i:4 * i + 4]} for i in range(len(scenes))]
+        # A record's name begins with the number of its scene in the batch.
+        named = [(what.split(" ", 1)[1], data) for what, data in found]
+        return [{what.split(" ")[0]: (what, data) for what, data in named[4 * i:4 * i + 4]}
+                for i in range(len(scenes))]
     except sides.Died as death:
         if len(scenes) == 1:
             return [str(death)]
@@ -198,9 +203,17 @@ def main():
         layer_env = sides.environment(sides.layer_of(args.build.resolve()), args.backend,
                                       {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
 
+        flat_env = sides.environment(sides.layer_of(args.build.resolve()), "host",
+                                     {"XDG_CACHE_HOME": scratch})
+
+        def draw(scenes, env):
+            return run_batch(client, scenes, {**env, "DISPLAY": displays.name()}) if scenes else []
+
         def both(scenes):
-            return [run_batch(client, scenes, {**env, "DISPLAY": displays.name()})
-                    for env in (bare_env, layer_env)]
+            flat = iter(draw([s for s in scenes if s["shade"] == "flat"], flat_env))
+            other = iter(draw([s for s in scenes if s["shade"] != "flat"], bare_env))
+            return ([next(flat if s["shade"] == "flat" else other) for s in scenes],
+                    draw(scenes, layer_env))
 
         def differs(scene):
             (bare,), (layer,) = both([scene])

@@ -119,6 +119,13 @@ void askFog(const Ask &ask, Mirror &mirror) {
   data.fogScale = span != 0.0f ? 1.0f / span : 0.0f;
 }
 
+/// Are there polygons, and is a face of theirs that is not culled drawn so?
+bool drawnAs(const Mirror &mirror, swrast::Topology topology, swrast::PolygonMode mode) {
+  return topology >= swrast::Topology::Triangles &&
+         ((mirror.raster.front == mode && !mirror.raster.cullFront) ||
+          (mirror.raster.back == mode && !mirror.raster.cullBack));
+}
+
 } // namespace
 
 void refresh(Context &context, Mirror &mirror) {
@@ -146,18 +153,20 @@ void refresh(Context &context, Mirror &mirror) {
     askObstacles(context.caps, ask, mirror);
 }
 
+bool drawsPoints(const Mirror &mirror, swrast::Topology topology) {
+  return topology == swrast::Topology::Points ||
+         drawnAs(mirror, topology, swrast::PolygonMode::Point);
+}
+
 const char *obstacleOf(const Mirror &mirror, swrast::Topology topology) {
   using swrast::PolygonMode;
   using swrast::Topology;
   const bool polygons = topology >= Topology::Triangles;
-  const auto drawnAs = [&](PolygonMode mode) {
-    return polygons && ((mirror.raster.front == mode && !mirror.raster.cullFront) ||
-                        (mirror.raster.back == mode && !mirror.raster.cullBack));
-  };
-  const bool points = topology == Topology::Points || drawnAs(PolygonMode::Point);
-  const bool lines = (!polygons && topology != Topology::Points) || drawnAs(PolygonMode::Line);
+  const bool points = drawsPoints(mirror, topology);
+  const bool lines =
+      (!polygons && topology != Topology::Points) || drawnAs(mirror, topology, PolygonMode::Line);
   const bool smooth = (mirror.smoothPoints && points) || (mirror.smoothLines && lines) ||
-                      (mirror.smoothPolygons && drawnAs(PolygonMode::Fill));
+                      (mirror.smoothPolygons && drawnAs(mirror, topology, PolygonMode::Fill));
   return smooth ? "state" : nullptr;
 }
 

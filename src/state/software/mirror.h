@@ -128,6 +128,8 @@ void refreshArrays(Context &context, Mirror &mirror);
 /// mirror.vertex: only where fixed function transforms. After refresh().
 void refreshVertexState(Context &context, Mirror &mirror, bool floatTarget = false);
 
+/// Primitives of that kind come to points, of which vertices may say the size.
+[[nodiscard]] bool drawsPoints(const Mirror &mirror, swrast::Topology topology);
 /// Why primitives of that kind cannot be ours, beside mirror.obstacle: smooth ones; null: they can.
 [[nodiscard]] const char *obstacleOf(const Mirror &mirror, swrast::Topology topology);
 

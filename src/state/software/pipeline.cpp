@@ -117,7 +117,7 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
       context.variant ? context.variant->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            m_topology == swrast::Topology::Points, anyFloat(*m_targets), m_when);
+                            drawsPoints(mirror, m_topology), anyFloat(*m_targets), m_when);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);
