@@ -51,9 +51,12 @@ struct ContextState {
   /// equal to the bit, and passes that compare them for equality meet only if one of the two draws
   /// all: under auto depth is tested by us only after a frame that was ours as a whole.
   std::uint64_t hostTurns = 0;
-  bool wholeFrames = false;        ///< the last frame had none
-  bool presents = false;           ///< a window was shown
-  std::uint64_t transfersSeen = 0; ///< between host and shadows, at the end of the last frame
+  bool wholeFrames = false;          ///< the last frame had none
+  std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
+  bool presents = false;             ///< a window was shown
+  bool finishes = false;             ///< Finish was called, and no window shown
+  const void *frameTarget = nullptr; ///< whose clears are the frames' ends (clearsTarget())
+  std::uint64_t transfersSeen = 0;   ///< between host and shadows, at the end of the last frame
   std::uint64_t drawn = 0;
   std::array<std::uint64_t, kFallbackCount> fallbacks{};
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }

@@ -1,5 +1,7 @@
 #include "state/software/frame.h"
 
+#include <numeric>
+
 #include "state/context.h"
 #include "state/software/residency.h"
 
@@ -12,11 +14,28 @@ std::uint64_t transfers(const Context &context) {
   return statistics.downloads + statistics.uploads;
 }
 
+/// Draws of whoever, and the host's turns that are none of the application's draws.
+std::uint64_t workOf(const ContextState &state) {
+  return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
+                         state.drawn + state.hostTurns);
+}
+
 void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
-  state.wholeFrames = state.hostTurns == 0;
-  state.hostTurns = 0;
+  // A frame in which nothing was drawn says nothing about the next one.
+  if (workOf(state) != state.workSeen) {
+    state.wholeFrames = state.hostTurns == 0;
+    state.hostTurns = 0;
+    state.workSeen = workOf(state);
+  }
   state.backOff.frameEnded(moved, std::chrono::steady_clock::now());
+}
+
+void endFrame(Context &context) {
+  ContextState &state = *context.software;
+  const std::uint64_t now = transfers(context);
+  judge(context, now != state.transfersSeen);
+  state.transfersSeen = now;
 }
 
 } // namespace
@@ -35,9 +54,21 @@ void finishFrame(Context &context) {
   ContextState &state = *context.software;
   if (state.presents)
     return;
-  const std::uint64_t now = transfers(context);
-  judge(context, now != state.transfersSeen);
-  state.transfersSeen = now;
+  state.finishes = true;
+  endFrame(context);
+}
+
+void clearsTarget(Context &context, GLbitfield mask) {
+  ContextState &state = *context.software;
+  if (state.presents || state.finishes)
+    return;
+  const void *const target = wholeTargetCleared(context, mask);
+  if (!target)
+    return;
+  if (!state.frameTarget)
+    state.frameTarget = target;
+  else if (target == state.frameTarget)
+    endFrame(context);
 }
 
 } // namespace arbiter::state::software

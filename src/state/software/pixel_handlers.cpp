@@ -18,6 +18,8 @@ bool executes(const Context &context) { return !context.insideBeginEnd && contex
 
 void Clear(Context &context, GLbitfield mask) {
   if (executes(context)) {
+    if (context.software)
+      software::clearsTarget(context, mask);
     if (software::clear(context, mask))
       return;
     software::hostTakesTargets(context, "glClear");

@@ -76,6 +76,9 @@ struct CopyToTexture {
 };
 [[nodiscard]] bool copyToTexture(Context &context, const CopyToTexture &copy);
 [[nodiscard]] bool clear(Context &context, GLbitfield mask);
+/// What tells the draw framebuffer from others, where Clear of `mask` replaces all of its colours
+/// and depths; null where it does not, or where we cannot draw to it.
+[[nodiscard]] const void *wholeTargetCleared(Context &context, GLbitfield mask);
 [[nodiscard]] bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height,
                               GLenum format, GLenum type, void *pixels);
 [[nodiscard]] bool getTexImage(Context &context, GLenum target, GLint level, GLenum format,

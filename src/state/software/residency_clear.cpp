@@ -110,6 +110,22 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
 
 } // namespace
 
+const void *wholeTargetCleared(Context &context, GLbitfield mask) {
+  WindowImages *const window = windowOf(context);
+  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  if (!window || (mask & kBoth) != kBoth)
+    return nullptr;
+  const std::lock_guard lock(sharedOf(context).mutex);
+  settle(context, *window);
+  const Framebuffers &f = framebuffersOf(context, *window);
+  if (f.reason || !f.depthStencil)
+    return nullptr;
+  const ClearState state = clearState(context, f, mask);
+  const bool whole =
+      state.colorMask == 0xF && state.depthMask && covers(state.area, *f.depthStencil);
+  return whole ? f.depthStencil : nullptr;
+}
+
 bool clear(Context &context, GLbitfield mask) {
   WindowImages *const window = windowOf(context);
   constexpr GLbitfield kOurs = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;

@@ -151,8 +151,11 @@ PlainPixels::PlainPixels(Context &context, WindowImages &window, Way way, GLint 
   }
   if (way == Way::Pack &&
       (context.caps.major >= 3 || context.caps.has("GL_ARB_color_buffer_float"))) {
+    // GL_FIXED_ONLY, the default, leaves floats alone. It stays: a host that was told of another
+    // goes on to restore all of GL_COLOR_BUFFER_BIT in PopAttrib, the draw buffers too, whichever
+    // framebuffer is bound by then.
     m_clamp = get(m_host, GL_CLAMP_READ_COLOR);
-    m_clamped = m_clamp != GL_FALSE;
+    m_clamped = m_clamp == GL_TRUE;
     if (m_clamped)
       m_host.ClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
   }

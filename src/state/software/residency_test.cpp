@@ -362,6 +362,21 @@ TEST_F(Residency, TheHostsStateIsAsItWas) {
   EXPECT_LT(next, 1000u);
 }
 
+// A host may restore a whole group of state as soon as something in it was set in between, and then
+// chooses the draw buffers of a framebuffer that is no longer bound.
+TEST_F(Residency, MovingPixelsSetsNothingThatPopAttribRestores) {
+  const GLuint framebuffer = framebufferOf(texture(GL_RGBA8, 8, 8));
+  gl().PushAttrib(GL_COLOR_BUFFER_BIT);
+  bindFramebuffer(0);
+  draw({0, 0, kWidth - 1, kHeight}, 0x10203040); // a download
+  gl().PopAttrib();
+  EXPECT_EQ(gl().GetError(), GLenum(GL_NO_ERROR));
+  GLint buffer = 0;
+  gl().GetIntegerv(GL_DRAW_BUFFER, &buffer);
+  EXPECT_NE(buffer, GL_COLOR_ATTACHMENT0);
+  gl().DeleteFramebuffers(1, &framebuffer);
+}
+
 TEST_F(Residency, ErrorsThatWaitStay) {
   gl().Enable(GLenum(0x1234));
   drawAll(0x10203040);
