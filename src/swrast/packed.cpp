@@ -47,39 +47,42 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   if (m_pending == kMostPending || m_blocks > kMostBlocks)
     resolve();
   Storage &own = *m_storage;
-  abi::Plane z;
-  if (own.tile.test.layout != abi::Layout::None)
-    z = makeDepthPlane(m_state, triangle, m_state.offsetFill, origin.left, origin.bottom);
+  Pending &next = own.pending[m_pending];
+  next.gradients = gradientsOf(m_state, triangle.corner, origin.left, origin.bottom);
+  next.depth = makeDepthPlane(m_state, triangle, next.gradients, m_state.offsetFill);
   abi::Block *const left = own.blocks + m_blocks;
-  const std::uint32_t seen =
-      m_test(own.tile, z, origin.left, origin.bottom, m_owner + m_pending + 1, blocks, count, left);
+  const std::uint32_t seen = m_test(own.tile, next.depth, origin.left, origin.bottom,
+                                    m_owner + m_pending + 1, blocks, count, left);
   if (seen == 0)
     return;
+  next.triangle = triangle;
+  next.originX = origin.left;
+  next.originY = origin.bottom;
+  next.count = seen;
   if (!m_shading.replaces) {
-    shade(triangle, origin.left, origin.bottom, 0, left, seen);
+    shade(next, 0, left);
     return;
   }
-  own.pending[m_pending++] = {triangle, origin.left, origin.bottom, seen};
+  ++m_pending;
   m_blocks += seen;
 }
 
-void PackedShader::shade(const Triangle &triangle, int originX, int originY, std::uint32_t owner,
-                         const abi::Block *blocks, std::uint32_t count) {
+void PackedShader::shade(const Pending &each, std::uint32_t owner, const abi::Block *blocks) {
   Storage &own = *m_storage;
   const std::uint32_t pixels =
-      m_kernels.list(own.tile, owner, m_shading.packsQuads, blocks, count, own.pixels);
+      m_kernels.list(own.tile, owner, m_shading.packsQuads, blocks, each.count, own.pixels);
   if (pixels == 0)
     return;
-  makePlanes(m_state, *m_plan, triangle, m_state.offsetFill, originX, originY, own.primitive);
+  makePlanes(*m_plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
+             own.primitive);
   m_shading.packed(m_shading.data, &own.primitive, own.pixels, pixels);
 }
 
 void PackedShader::resolve() {
-  Storage &own = *m_storage;
-  const abi::Block *blocks = own.blocks;
+  const abi::Block *blocks = m_storage->blocks;
   for (std::uint32_t i = 0; i < m_pending; ++i) {
-    const Pending &each = own.pending[i];
-    shade(each.triangle, each.originX, each.originY, m_owner + i + 1, blocks, each.count);
+    const Pending &each = m_storage->pending[i];
+    shade(each, m_owner + i + 1, blocks);
     blocks += each.count;
   }
   m_owner += m_pending;

@@ -20,7 +20,8 @@ struct PackedTile {
   DepthTest test;
   float minimum, maximum; ///< depth is clamped to
 
-  [[nodiscard]] static unsigned blockAt(int x, int y) {
+  /// Always inline: it is compiled for several instruction sets.
+  [[nodiscard, gnu::always_inline]] static inline unsigned blockAt(int x, int y) {
     return (unsigned(y) >> 2 & 15) << 4 | (unsigned(x) >> 2 & 15);
   }
   void begin(const Rect &tile, const Shading &shading);
@@ -78,14 +79,15 @@ private:
   /// A triangle that is shaded later; its blocks are the next `count` ones.
   struct Pending {
     Triangle triangle;
+    Gradients gradients;
+    abi::Plane depth;
     std::int32_t originX, originY;
     std::uint32_t count;
   };
   struct Storage;
   [[nodiscard]] static Storage *storage();
   void resolve();
-  void shade(const Triangle &triangle, int originX, int originY, std::uint32_t owner,
-             const abi::Block *blocks, std::uint32_t count);
+  void shade(const Pending &each, std::uint32_t owner, const abi::Block *blocks);
 
   const RasterState &m_state;
   const Shading &m_shading;

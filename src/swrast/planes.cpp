@@ -30,21 +30,6 @@ bool shapeOf(const Rect &clip, const WindowVertex corner[3], std::int64_t area, 
   return true;
 }
 
-namespace {
-
-/// The linear functions over a triangle: what a change of a value along its two sides adds per
-/// pixel.
-struct Gradients {
-  double dx1, dx2, dy1, dy2;
-  double toX, toY; ///< the origin's centre from corner 0
-
-  [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
-    const double d1 = f1 - f0, d2 = f2 - f0;
-    const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
-    return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
-  }
-};
-
 Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], int originX,
                       int originY) {
   double x1 = double(corner[1].x) - corner[0].x, y1 = double(corner[1].y) - corner[0].y;
@@ -70,6 +55,8 @@ Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3], in
   const double inverse = area != 0 ? 1.0 / area : 0.0;
   return {y2 * inverse, -y1 * inverse, -x2 * inverse, x1 * inverse, toX, toY};
 }
+
+namespace {
 
 float offsetOf(const RasterState &state, const abi::Plane &z) {
   const float slope = std::max(std::fabs(z.dx), std::fabs(z.dy));
@@ -146,31 +133,22 @@ PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)
   add(abi::Interpolation::Flat);
 }
 
-namespace {
-abi::Plane depthPlane(const RasterState &state, const WindowVertex corner[3], const Gradients &g,
-                      bool offset) {
+abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle, const Gradients &g,
+                          bool offset) {
+  const WindowVertex *const corner = triangle.corner;
   abi::Plane z = g.plane(corner[0].z, corner[1].z, corner[2].z);
   if (offset)
     z.c += offsetOf(state, z);
   return z;
 }
-} // namespace
 
-abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle, bool offset,
-                          int originX, int originY) {
-  return depthPlane(state, triangle.corner, gradientsOf(state, triangle.corner, originX, originY),
-                    offset);
-}
-
-void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
-                bool offset, int originX, int originY, abi::Primitive &primitive) {
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &g,
+                const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive) {
   primitive.originX = originX;
   primitive.originY = originY;
   primitive.backFacing = triangle.backFacing ? 1 : 0;
+  primitive.z = depth;
   const WindowVertex *const v = triangle.corner;
-  const Gradients g = gradientsOf(state, v, originX, originY);
-  if (plan.wantsDepth || offset)
-    primitive.z = depthPlane(state, v, g, offset);
   if (plan.wantsW)
     primitive.inverseW = g.plane(v[0].inverseW, v[1].inverseW, v[2].inverseW);
   if (triangle.weight)
@@ -183,6 +161,15 @@ void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle 
     primitive.inputs[source.input][source.component] = {
         source.values[face][triangle.provoking & source.mask[face]], 0, 0};
   }
+}
+
+void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                bool offset, int originX, int originY, abi::Primitive &primitive) {
+  const Gradients g = gradientsOf(state, triangle.corner, originX, originY);
+  abi::Plane depth;
+  if (plan.wantsDepth || offset)
+    depth = makeDepthPlane(state, triangle, g, offset);
+  makePlanes(plan, triangle, g, depth, originX, originY, primitive);
 }
 
 } // namespace arbiter::swrast

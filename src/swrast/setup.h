@@ -134,13 +134,32 @@ struct PlanePlan {
   bool wantsDepth, wantsW;
 };
 
+/// The linear functions over a triangle: what a change of a value along its two sides adds per
+/// pixel.
+struct Gradients {
+  double dx1, dx2, dy1, dy2;
+  double toX, toY; ///< the origin's centre from corner 0
+
+  [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
+    const double d1 = f1 - f0, d2 = f2 - f0;
+    const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
+    return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
+  }
+};
+
+/// Exact at pixel (originX, originY).
+[[nodiscard]] Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3],
+                                    int originX, int originY);
+/// `offset`: of depth.
+[[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
+                                        const Gradients &gradients, bool offset);
+/// All planes of a triangle whose gradients and depth are known.
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &gradients,
+                const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive);
 /// The planes, exact at pixel (originX, originY), which is better near the triangle than far off.
 /// `offset`: of depth.
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
-/// Of them the one of depth alone.
-[[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
-                                        bool offset, int originX, int originY);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
 
