@@ -36,6 +36,12 @@ public:
       m_idle.wait(lock, [this] { return m_tasks.empty() && !m_busy; });
   }
 
+  void await(std::chrono::milliseconds atMost) {
+    std::unique_lock lock(m_mutex);
+    if (m_process == getpid())
+      m_idle.wait_for(lock, atMost, [this] { return m_tasks.empty() && !m_busy; });
+  }
+
   /// At exit: the task at hand is finished, the others are given up. Machine code and its library
   /// must not go while a thread is in them.
   void stop() {
@@ -126,5 +132,7 @@ bool compileLater(std::function<void()> task) {
   __cxa_thread_atexit_impl(threadEnds, nullptr, &__dso_handle);
   return true;
 }
+
+void awaitCompiler(std::chrono::milliseconds atMost) { compiler().await(atMost); }
 
 } // namespace arbiter::state::software

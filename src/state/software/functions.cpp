@@ -24,13 +24,19 @@ private:
   std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
 };
 
+/// A software host compiles too before it draws with a program or a state for the first time, on
+/// the thread that draws, and takes longer than this back end as a rule: the draw waits for our
+/// function rather than for the host's. What takes longer than this is left to the compiling
+/// thread, and the host draws meanwhile.
+constexpr std::chrono::milliseconds kWorthWaiting{50};
+
 /// Now, or on the compiling thread. Where there is none what was asked for stays in the making, and
 /// the host draws.
 template <typename Task> void run(When when, Task task) {
   if (when == When::Now)
     task();
-  else
-    compileLater(std::move(task));
+  else if (compileLater(std::move(task)))
+    awaitCompiler(kWorthWaiting);
 }
 
 template <typename Code> void note(const Code &code, const char *what, const std::string &reason) {

@@ -9,7 +9,8 @@
 #include "fp_compiler/jit.h"
 
 /// The process's machine code: the engine, made when first wanted, and the functions by program and
-/// key. What is missing is compiled on a thread of its own, and until it is ready the host draws.
+/// key. What is missing is compiled on a thread of its own, which the draw waits for a while; if it
+/// is not ready by then the host draws until it is.
 namespace arbiter::state::software {
 
 /// The engine, made at the first call (it loads LLVM); null where the library does not load, which
@@ -27,7 +28,7 @@ template <typename Function> struct FunctionSlot {
   std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// Whether a caller can wait: ARBITER_BACKEND=swrast compiles on the drawing thread.
+/// Whether a caller can wait for good: ARBITER_BACKEND=swrast compiles on the drawing thread.
 enum class When : std::uint8_t { Later, Now };
 
 /// The functions of one fragment program in one mode. Contexts share it; it lives as long as

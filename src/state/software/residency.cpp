@@ -34,6 +34,7 @@ bool hasImages(Context &context) { return windowOf(context) && sharedOf(context)
 
 void dropObjects(Context &context) {
   SharedImages &shared = sharedOf(context);
+  shared.absent.fill(-1);
   for (const auto &[name, texture] : shared.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image)

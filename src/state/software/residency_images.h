@@ -79,6 +79,9 @@ struct SharedImages {
   std::uint32_t lastTurn = 0;  ///< serial of the context whose turn it is
   std::atomic<int> current{0}; ///< contexts that are current on some thread
   ResidencyStatistics statistics;
+  /// By abi::Dimension: the base level that texture 0 does not have, as the host said, which makes
+  /// it incomplete; -1 where that is not known.
+  std::array<GLint, 5> absent{-1, -1, -1, -1, -1};
   /// What the texture of ours is that pixels go through on their way to other images.
   struct Way {
     GLint width = 0, height = 0, format = 0;

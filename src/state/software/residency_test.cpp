@@ -557,5 +557,29 @@ INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
                          testing::Values(0, GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24,
                                          GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F));
 
+TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
+  const char *reason = nullptr;
+  const auto zero = [&] {
+    return acquireTexture(context(), 0, abi::Dimension::Tex2D, false, reason);
+  };
+  for (int i = 0; i < 2; ++i) {
+    const TextureImages *const images = zero();
+    ASSERT_NE(images, nullptr) << reason;
+    EXPECT_FALSE(images->complete);
+  }
+  const GLuint other = texture(GL_RGBA8, 4, 4); // is bound: texture 0 is asked for all the same
+  EXPECT_NE(zero(), nullptr);
+  gl().BindTexture(GL_TEXTURE_2D, 0);
+  textureRedefined(context(), GL_TEXTURE_2D);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  EXPECT_EQ(zero(), nullptr);
+  gl().BindTexture(GL_TEXTURE_2D, other);
+  EXPECT_EQ(zero(), nullptr);
+  textureRedefined(context(), 0);
+  gl().BindTexture(GL_TEXTURE_2D, 0);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  EXPECT_NE(zero(), nullptr);
+}
+
 } // namespace
 } // namespace arbiter::state::software

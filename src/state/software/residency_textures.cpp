@@ -145,6 +145,30 @@ private:
   Texture &m_texture;
 };
 
+const TextureImages kIncomplete;
+
+/// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
+/// image. Where it has one it is not ours: its name tells it not from those of other targets.
+bool zeroIsAbsent(Context &context, SharedImages &shared, abi::Dimension dimension) {
+  const LevelRange range = rangeOf(context, 0, dimension);
+  GLint &absent = shared.absent[std::size_t(dimension)];
+  if (absent == range.base)
+    return true;
+  if (range.base < 0 || range.base >= abi::kMaxLevels)
+    return false;
+  const GLenum target = targetOf(dimension);
+  const GLenum image =
+      target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+  HostErrorScope errors(context);
+  const TextureBinding binding(*context.host, target, 0);
+  GLint width = 0;
+  context.host->GetTexLevelParameteriv(image, range.base, GL_TEXTURE_WIDTH, &width);
+  if (width != 0 || errors.failed())
+    return false;
+  absent = range.base;
+  return true;
+}
+
 } // namespace
 
 const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimension dimension,
@@ -152,10 +176,12 @@ const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimensio
   WindowImages *const window = windowOf(context);
   reason = "texture";
   const GLenum target = targetOf(dimension);
-  if (!window || name == 0)
+  if (!window)
     return nullptr;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
+  if (name == 0)
+    return zeroIsAbsent(context, shared, dimension) ? &kIncomplete : nullptr;
   Texture &texture = textureOf(shared, name);
   if (!Completeness(context, *window, texture)
            .gather(target, rangeOf(context, name, dimension), mipmapped, reason))
@@ -183,6 +209,7 @@ void textureRedefined(Context &context, GLenum target) {
     return;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
+  shared.absent.fill(-1);
   if (shared.textures.empty())
     return;
   GLuint name = 0;
