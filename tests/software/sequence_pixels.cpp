@@ -60,6 +60,7 @@ void copyImage(World &world, Random &random, const std::string &) {
                    from.height, 0);
   world.texture(texture).width[0] = from.width;
   world.texture(texture).height[0] = from.height;
+  world.dropLevel1(texture);
   world.fit(); // another framebuffer may have it
 }
 

@@ -165,6 +165,15 @@ void World::redefine(int texture, Random &random) {
                                          GL_LUMINANCE8, GL_ALPHA8, GL_INTENSITY8};
   const int width = random.pick(kSizes), height = random.pick(kSizes);
   define(texture, 0, width, height, random.pick(kInternal), random);
+  dropLevel1(texture);
+}
+
+void World::dropLevel1(int texture) {
+  Texture &image = this->texture(texture);
+  if (image.width[1] == 0)
+    return;
+  glTexImage2D(targetOf(texture), 1, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  image.width[1] = image.height[1] = 0;
 }
 
 void World::attach(int framebuffer, int texture, int level) {

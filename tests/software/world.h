@@ -63,6 +63,9 @@ public:
   /// Defines a level from `random`.
   void define(int texture, int level, int width, int height, GLenum internal, Random &random);
   void redefine(int texture, Random &random);
+  /// Level 0 is given anew, of another size. Mesa 22.3.6 tells level 1 wrong from then on, until it
+  /// draws with the texture: there is none any more.
+  void dropLevel1(int texture);
   void attach(int framebuffer, int texture, int level);
   /// Framebuffers that have the texture are not used until something is attached to them anew.
   void orphan(int texture);
