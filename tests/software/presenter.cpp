@@ -99,6 +99,11 @@ public:
   void resize(Window window, int width, int height) {
     XResizeWindow(m_display, window, unsigned(width), unsigned(height));
   }
+  /// The context goes with the display. It is not current: Mesa does not survive that.
+  void closeWithContext() {
+    use(0);
+    XCloseDisplay(m_display);
+  }
   void close() {
     use(0);
     glXDestroyContext(m_display, m_context);
@@ -310,8 +315,8 @@ void closed() {
     scene.swap(window);
     if (round % 2 == 0)
       scene.close();
-    else // with the context current
-      XCloseDisplay(scene.display());
+    else
+      scene.closeWithContext();
   }
 }
 
