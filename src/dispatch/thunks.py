@@ -29,13 +29,18 @@ def handlers_header(table):
     return "".join(out)
 
 
+def draws_itself(table, name):
+    """What a draw's slow way asks before anything is prepared for the host: a line, "" for nothing."""
+    if name not in table.draw_commands:
+        return ""
+    return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
+
+
 def hides_from_host(table, name):
-    """What a draw's slow way asks before the host draws: lines, "" for nothing."""
-    command = table.commands[name]
+    """What it does before the host draws."""
     if name in table.draw_commands:
-        test = f"software::{table.draw_commands[name]}"
-        return f"  if (here().softwarePossible && {test})\n    return;\n"
-    return f'  if (here().softwarePossible)\n    software::hostWrites(here(), "gl{command.name}");\n'
+        return ""
+    return f'  if (here().softwarePossible)\n    software::hostWrites(here(), "gl{name}");\n'
 
 
 def thunks(table, command, action, symbol):
@@ -78,7 +83,7 @@ def thunks(table, command, action, symbol):
             flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
         slow = f"  if (!handlers::{begin}(here()))\n    return{'' if result == 'void' else ' {}'};\n"
     if action in ("draw", "pixels"):
-        slow += hides_from_host(table, name)
+        slow = draws_itself(table, name) + slow + hides_from_host(table, name)
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
              f"{slow}{lead}{count}{stale}  {call}\n}}\n")
     turn = f"slow_{symbol}({command.arguments()});"

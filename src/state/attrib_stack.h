@@ -4,6 +4,8 @@
 
 #include <GL/gl.h>
 
+#include "state/software/stale.h"
+
 namespace arbiter::state {
 
 /// Mirrors the host's attribute stack as far as our own state is in it: only the enables are, in
@@ -12,7 +14,8 @@ class AttribStack {
 public:
   struct Entry {
     bool hasEnables = false;
-    std::uint8_t enabledTargets = 0; ///< one bit a program target
+    std::uint8_t enabledTargets = 0;             ///< one bit a program target
+    std::uint32_t stale = software::stale::kAll; ///< groups that the pop restores
   };
 
   void setMaxDepth(std::size_t depth) {

@@ -2,6 +2,8 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/draw.h"
+#include "state/software/commands.h"
 #include "state/software/draw.h"
 #include "state/software/replay.h"
 
@@ -13,7 +15,7 @@ namespace {
 bool keepsBack(Context &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
-  if (!software::begin(context, mode))
+  if (!validatePrograms(context) || !context.softwarePossible || !software::begin(context, mode))
     return false;
   software::startRecording(context);
   return true;
@@ -24,9 +26,9 @@ bool keepsBack(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
-  if (context.attention && !beginDraw(context)) [[unlikely]]
+  if (software::mayDraw(context) && keepsBack(context, mode))
     return;
-  if (context.softwarePossible && keepsBack(context, mode))
+  if (context.attention && !beginDraw(context)) [[unlikely]]
     return;
   ++*context.drawCounter;
   context.host->Begin(mode);

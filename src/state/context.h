@@ -40,13 +40,13 @@ inline constexpr std::uint32_t kProgram = 1; ///< what is in force may have chan
 inline constexpr std::uint32_t kFragmentParameters = 2;
 inline constexpr std::uint32_t kVertexParameters = 4;
 inline constexpr std::uint32_t kParameters = kFragmentParameters | kVertexParameters;
-inline constexpr std::uint32_t kState = 8;    ///< stays: a program reads GL state
-inline constexpr std::uint32_t kCompare = 16; ///< stays: a plain texture target must not compare
-inline constexpr std::uint32_t kInvalid = 32; ///< stays: draws are errors
-inline constexpr std::uint32_t kShared = 64;  ///< stays: another context may load a program
-inline constexpr std::uint32_t kList = 128;   ///< stays: a display list is being compiled
+inline constexpr std::uint32_t kState = 8;      ///< stays: a program reads GL state
+inline constexpr std::uint32_t kCompare = 16;   ///< stays: a plain texture target must not compare
+inline constexpr std::uint32_t kInvalid = 32;   ///< stays: draws are errors
+inline constexpr std::uint32_t kShared = 64;    ///< stays: another context may load a program
+inline constexpr std::uint32_t kList = 128;     ///< stays: a display list is being compiled
 inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may draw
-inline constexpr std::uint32_t kWatch = 256;  ///< stays: no frame ends here at which files are seen
+inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
@@ -123,6 +123,7 @@ public:
   // --- The path that draws take ---
   Path path = Path::NoProgram;
   Variant *variant = nullptr;       ///< in force, or null
+  std::uint64_t selections = 0;     ///< counts the choices of what is in force
   bool rasterizes = true;           ///< the render mode is RENDER
   bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
   VariantCache variants;
@@ -139,7 +140,7 @@ public:
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
   software::Drawable drawable;  ///< as of the last make-current
-  bool countedCurrent = false; ///< in the group's count of current contexts
+  bool countedCurrent = false;  ///< in the group's count of current contexts
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

@@ -189,6 +189,7 @@ void releaseHostProgram(Context &context) {
 
 /// Brings what is in force into the host.
 void install(Context &context) {
+  ++context.selections;
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
   if (context.path == Path::HostAssembly)
@@ -213,6 +214,18 @@ bool changedElsewhere(const Context &context) {
   return std::any_of(context.targets.begin(), context.targets.end(), [](const ProgramTarget &row) {
     return row.enabled && row.bound->version.load(std::memory_order_acquire) != row.seenVersion;
   });
+}
+
+/// What is in force, as far as that may have changed.
+void look(Context &context) {
+  if (context.group->hasGarbage())
+    collectGarbage(context);
+  if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
+    context.attention |= attention::kProgram;
+  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
+    refreshReplacements(context);
+  if ((context.attention & attention::kProgram) != 0)
+    select(context);
 }
 
 /// As validate(), for commands that transform no vertex: whether a vertex program is valid does not
@@ -245,15 +258,23 @@ void prepareListDraw(Context &context) {
 
 } // namespace
 
+bool validatePrograms(Context &context) {
+  constexpr std::uint32_t kLook = attention::kProgram | attention::kWatch | attention::kShared;
+  const bool known = (context.attention & kLook) == 0 && !context.group->hasGarbage() &&
+                     context.group->contexts.load(std::memory_order_relaxed) == 1;
+  // A capture tells what a program was drawn with by what was sent to the host.
+  if (capturing()) [[unlikely]]
+    return validate(context);
+  if (known) [[likely]]
+    return !isDropped(context.path);
+  look(context);
+  context.attention =
+      stickyAttention(context) | (context.attention & (attention::kList | attention::kParameters));
+  return !isDropped(context.path);
+}
+
 bool validate(Context &context) {
-  if (context.group->hasGarbage())
-    collectGarbage(context);
-  if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
-    context.attention |= attention::kProgram;
-  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
-    refreshReplacements(context);
-  if ((context.attention & attention::kProgram) != 0)
-    select(context);
+  look(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.path == Path::HostGlsl) {
     Variant &variant = *context.variant;

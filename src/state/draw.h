@@ -6,6 +6,9 @@ namespace arbiter::state {
 /// Decides which path draws take and binds what it needs, raising no error. False if draws are
 /// errors now.
 bool validate(Context &context);
+/// The part of validate() that a draw of the rasterizer's needs: what is in force. What only the
+/// host needs, uniforms and sampler bindings, is left for the validate() before its next draw.
+bool validatePrograms(Context &context);
 
 /// The application's own GLSL, a program or a pipeline, has a part in draws now, as far as no
 /// program of the layer's is bound on the host.

@@ -68,6 +68,7 @@ bool isImmediate(const Context &context) {
   if (!isImmediate(context) || index >= row.env.size()) [[unlikely]]
     return env(context, row, index, 1, &value);
   row.env[index] = value;
+  ++row.envVersion;
   context.attention |= row.parameterBits;
 }
 
@@ -116,6 +117,7 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
   if (!checkRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
     return;
   std::copy_n(values, count, row.env.begin() + std::ptrdiff_t(index));
+  ++row.envVersion;
   context.attention |= row.parameterBits;
 }
 

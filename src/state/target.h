@@ -47,7 +47,8 @@ struct ProgramTarget {
   std::uint32_t seenVersion = 0;
   std::shared_ptr<ProgramObject> bound; ///< never null in a context that is not the null one
   std::vector<Vec4> env;
-  fp::Limits limits; ///< as GetProgramiv answers them and the compiler enforces them
+  std::uint32_t envVersion = 0; ///< counts changes of `env`
+  fp::Limits limits;            ///< as GetProgramiv answers them and the compiler enforces them
 
   [[nodiscard]] const TargetInfo &info() const { return infoOf(target); }
 };

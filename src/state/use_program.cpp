@@ -6,6 +6,7 @@
 #include "state/fixed_function.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/attribute_groups.h"
 
 namespace arbiter::state {
 
@@ -32,7 +33,8 @@ void releaseHostAssembly(Context &context) {
 } // namespace
 
 void pushEnables(Context &context, GLbitfield mask) {
-  AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0};
+  AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0,
+                           .stale = software::staleGroupsOfAttributes(mask)};
   for (const ProgramTarget &row : context.targets)
     entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
   (void)context.attribStack.push(entry);
@@ -42,7 +44,9 @@ namespace {
 
 void popEnables(Context &context) {
   AttribStack::Entry entry;
-  if (!context.attribStack.pop(entry) || !entry.hasEnables)
+  const bool popped = context.attribStack.pop(entry);
+  context.stale |= entry.stale;
+  if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)
     setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);

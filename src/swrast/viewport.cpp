@@ -1,10 +1,27 @@
 #include <algorithm>
 #include <cmath>
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 #include "swrast/setup.h"
 
 /// Clip space to window coordinates.
 namespace arbiter::swrast {
+
+namespace {
+
+/// As std::lrintf in the mode that threads start in.
+std::int32_t roundToEven(float value) {
+#if defined(__SSE__)
+  return _mm_cvtss_si32(_mm_set_ss(value));
+#else
+  return std::int32_t(std::lrintf(value));
+#endif
+}
+
+} // namespace
 
 Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
   Viewport result{};
@@ -20,8 +37,12 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
   result.scale[2] = (state.depthFar - state.depthNear) * 0.5f;
   result.translate[2] = (state.depthFar + state.depthNear) * 0.5f;
   result.depthClamp = state.depthClamp;
+  // std::ceil and std::lrintf are calls where the processor's instructions are not asked for, and
+  // this is a good part of a small draw.
   const auto place = [](double at) {
-    return std::int32_t(std::ceil(std::clamp(at, -1e6, 1e6) - 0.5));
+    const double value = std::clamp(at, -1e6, 1e6) - 0.5;
+    const auto whole = std::int32_t(value);
+    return whole + (double(whole) < value ? 1 : 0);
   };
   const int left = place(state.viewport[0]), bottom = place(state.viewport[1]);
   result.pixels = {left, bottom, place(double(state.viewport[0]) + state.viewport[2]) - left,
@@ -46,7 +67,7 @@ void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &verte
   vertex.inverseW = inverseW;
   const auto snap = [](float value) {
     const float fixed = (value - 0.5f) * float(kSubpixels);
-    return std::fabs(fixed) < 1e9f ? std::int32_t(std::lrintf(fixed)) : 0;
+    return std::fabs(fixed) < 1e9f ? roundToEven(fixed) : 0;
   };
   vertex.fixedX = snap(vertex.x);
   vertex.fixedY = snap(vertex.y);

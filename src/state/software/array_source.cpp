@@ -34,29 +34,49 @@ public:
 
 } // namespace
 
-ArraySource::ArraySource(Context &context, const Mirror &mirror, std::uint32_t slots,
-                         const DrawCommand &command)
-    : m_context(context) {
+bool ArraySource::open(Context &context, const Mirror &mirror, std::uint32_t slots,
+                       const DrawCommand &command) {
   m_source.symmetric = context.caps.symmetricSigned;
-  m_valid = addArrays(mirror, slots) && addIndices(mirror, command);
+  const std::uint32_t changed =
+      mirror.clock.changedSince(m_seen) & (stale::kArrays | stale::kBuffers);
+  m_seen = mirror.clock.now();
+  if (changed != 0 || !m_kept || slots != m_keptSlots) {
+    m_kept = false;
+    if (!addArrays(context, mirror, slots))
+      return false;
+    m_kept = m_mappedCount == 0;
+    m_keptSlots = slots;
+  }
+  return addIndices(context, mirror, command);
 }
 
-ArraySource::~ArraySource() {
+void ArraySource::close(Context &context) {
   if (m_mappedCount == 0)
     return;
-  const BufferScope scope(*m_context.host, m_context.caps);
+  const BufferScope scope(*context.host, context.caps);
   for (int i = 0; i < m_mappedCount; ++i) {
-    m_context.host->BindBuffer(scope.target, m_mapped[std::size_t(i)].buffer);
-    m_context.host->UnmapBuffer(scope.target);
+    context.host->BindBuffer(scope.target, m_mapped[std::size_t(i)].buffer);
+    context.host->UnmapBuffer(scope.target);
   }
+  m_mappedCount = 0;
 }
 
-const ArraySource::Mapped *ArraySource::map(GLuint buffer) {
+BufferCopies::Contents ArraySource::contentsOf(Context &context, const Mirror &mirror,
+                                               GLuint buffer) {
+  if (const BufferCopies::Contents copy = m_copies.find(mirror.clock, buffer); copy.data)
+    return copy;
   for (int i = 0; i < m_mappedCount; ++i)
     if (m_mapped[std::size_t(i)].buffer == buffer)
-      return &m_mapped[std::size_t(i)];
-  const host::HostTable &host = *m_context.host;
-  const BufferScope scope(host, m_context.caps);
+      return m_mapped[std::size_t(i)].contents;
+  const BufferCopies::Contents contents = map(context, buffer);
+  if (contents.data)
+    m_copies.drawnFrom(buffer, contents);
+  return contents;
+}
+
+BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
+  const host::HostTable &host = *context.host;
+  const BufferScope scope(host, context.caps);
   host.BindBuffer(scope.target, buffer);
   const auto get = [&](GLenum pname) {
     GLint value = 0;
@@ -66,19 +86,23 @@ const ArraySource::Mapped *ArraySource::map(GLuint buffer) {
   const GLint bytes = get(GL_BUFFER_SIZE); // of 2 GiB and more: the largest integer
   // One that the application has mapped, or whose storage is not to be read, would be an error.
   if (bytes <= 0 || get(GL_BUFFER_MAPPED) != 0)
-    return nullptr;
-  if (m_context.caps.bufferStorage && get(GL_BUFFER_IMMUTABLE_STORAGE) != 0 &&
+    return {};
+  if (context.caps.bufferStorage && get(GL_BUFFER_IMMUTABLE_STORAGE) != 0 &&
       (get(GL_BUFFER_STORAGE_FLAGS) & GL_MAP_READ_BIT) == 0)
-    return nullptr;
+    return {};
   const void *const data = host.MapBuffer(scope.target, GL_READ_ONLY);
   if (!data)
-    return nullptr;
+    return {};
   Mapped &mapped = m_mapped[std::size_t(m_mappedCount++)];
-  mapped = {buffer, static_cast<const std::uint8_t *>(data), std::size_t(bytes)};
-  return &mapped;
+  mapped = {buffer, {static_cast<const std::uint8_t *>(data), std::size_t(bytes)}};
+  return mapped.contents;
 }
 
-bool ArraySource::addArrays(const Mirror &mirror, std::uint32_t slots) {
+bool ArraySource::addArrays(Context &context, const Mirror &mirror, std::uint32_t slots) {
+  for (std::uint32_t left = m_slots; left != 0; left &= left - 1)
+    m_source.arrays[std::size_t(std::countr_zero(left))] = {};
+  m_slots = 0;
+  m_source.count = 0;
   const ArrayBindings &arrays = mirror.arrays;
   if ((arrays.enabled & 1u << kPosition) == 0 || (arrays.foreign & slots) != 0)
     return false;
@@ -87,16 +111,17 @@ bool ArraySource::addArrays(const Mirror &mirror, std::uint32_t slots) {
     const ArrayBinding &binding = arrays.slots[slot];
     VertexSource::Array &array = m_source.arrays[slot];
     array = binding.array;
+    m_slots |= 1u << slot;
     const std::size_t element = elementBytes(array);
     if (element == 0)
       return false;
     if (binding.buffer != 0) {
-      const Mapped *const mapped = map(binding.buffer);
+      const BufferCopies::Contents contents = contentsOf(context, mirror, binding.buffer);
       const auto offset = std::size_t(reinterpret_cast<std::uintptr_t>(array.base));
-      if (!mapped || offset > mapped->bytes || element > mapped->bytes - offset)
+      if (!contents.data || offset > contents.bytes || element > contents.bytes - offset)
         return false;
-      array.base = mapped->data + offset;
-      const std::size_t count = (mapped->bytes - offset - element) / array.stride + 1;
+      array.base = contents.data + offset;
+      const std::size_t count = (contents.bytes - offset - element) / array.stride + 1;
       const auto known = std::uint32_t(std::min(count, std::size_t(UINT32_MAX)));
       m_source.count = m_source.count == 0 ? known : std::min(m_source.count, known);
     }
@@ -106,7 +131,8 @@ bool ArraySource::addArrays(const Mirror &mirror, std::uint32_t slots) {
   return true;
 }
 
-bool ArraySource::addIndices(const Mirror &mirror, const DrawCommand &command) {
+bool ArraySource::addIndices(Context &context, const Mirror &mirror, const DrawCommand &command) {
+  m_indices = nullptr;
   if (command.indexType == 0)
     return true;
   const std::size_t size = command.indexType == GL_UNSIGNED_BYTE    ? 1
@@ -117,12 +143,13 @@ bool ArraySource::addIndices(const Mirror &mirror, const DrawCommand &command) {
     return false;
   m_indices = command.indices;
   if (mirror.arrays.elementBuffer != 0) {
-    const Mapped *const mapped = map(mirror.arrays.elementBuffer);
+    const BufferCopies::Contents contents =
+        contentsOf(context, mirror, mirror.arrays.elementBuffer);
     const auto offset = std::size_t(reinterpret_cast<std::uintptr_t>(command.indices));
-    if (!mapped || offset > mapped->bytes ||
-        std::size_t(command.count) > (mapped->bytes - offset) / size)
+    if (!contents.data || offset > contents.bytes ||
+        std::size_t(command.count) > (contents.bytes - offset) / size)
       return false;
-    m_indices = mapped->data + offset;
+    m_indices = contents.data + offset;
   }
   return m_indices != nullptr;
 }

@@ -7,6 +7,8 @@
 #include "state/software/attributes.h"
 #include "state/software/draw.h"
 
+#include "state/software/buffer_copies.h"
+
 /// Vertex arrays and indices in memory, for the time of one draw.
 namespace arbiter::state {
 class Context;
@@ -15,19 +17,18 @@ class Context;
 namespace arbiter::state::software {
 struct Mirror;
 
-/// Maps the buffers that the arrays of `slots` and the indices of `command` lie in; they are
-/// unmapped when this goes, which must be before the host draws. The mirror's arrays are fresh.
+/// Where the arrays of a draw lie: in client memory, in a copy of a buffer, or in a buffer that is
+/// mapped from open() to close(), which must be called before the host draws. A draw like the one
+/// before, of arrays that have not changed, looks at none of them.
 class ArraySource {
 public:
-  ArraySource(Context &context, const Mirror &mirror, std::uint32_t slots,
-              const DrawCommand &command);
-  ~ArraySource();
-  ArraySource(const ArraySource &) = delete;
-  ArraySource &operator=(const ArraySource &) = delete;
+  /// The arrays of `slots` and the indices of `command`. The mirror's arrays are fresh. False: an
+  /// array is of a kind that we lack, a buffer cannot be mapped, or indices lie outside of theirs;
+  /// the host draws.
+  [[nodiscard]] bool open(Context &context, const Mirror &mirror, std::uint32_t slots,
+                          const DrawCommand &command);
+  void close(Context &context);
 
-  /// False: an array is of a kind that we lack, a buffer cannot be mapped, or indices lie outside
-  /// of theirs; the host draws.
-  [[nodiscard]] bool valid() const { return m_valid; }
   /// VertexSource::count is set where a buffer's end is known.
   [[nodiscard]] const VertexSource &source() const { return m_source; }
   /// Null where the command has none.
@@ -36,19 +37,25 @@ public:
 private:
   struct Mapped {
     GLuint buffer = 0;
-    const std::uint8_t *data = nullptr;
-    std::size_t bytes = 0;
+    BufferCopies::Contents contents;
   };
-  [[nodiscard]] const Mapped *map(GLuint buffer);
-  [[nodiscard]] bool addArrays(const Mirror &mirror, std::uint32_t slots);
-  [[nodiscard]] bool addIndices(const Mirror &mirror, const DrawCommand &command);
+  /// Null data: the buffer cannot be read.
+  [[nodiscard]] BufferCopies::Contents contentsOf(Context &context, const Mirror &mirror,
+                                                  GLuint buffer);
+  [[nodiscard]] BufferCopies::Contents map(Context &context, GLuint buffer);
+  [[nodiscard]] bool addArrays(Context &context, const Mirror &mirror, std::uint32_t slots);
+  [[nodiscard]] bool addIndices(Context &context, const Mirror &mirror, const DrawCommand &command);
 
-  Context &m_context;
   VertexSource m_source;
+  std::uint32_t m_slots = 0; ///< that m_source has arrays of
   const void *m_indices = nullptr;
-  bool m_valid = false;
+  BufferCopies m_copies;
   std::array<Mapped, kSlots + 1> m_mapped{};
   int m_mappedCount = 0;
+  /// m_source holds for these slots, at this time of the clock, without a buffer that is mapped.
+  bool m_kept = false;
+  std::uint32_t m_keptSlots = 0;
+  std::uint64_t m_seen = 0;
 };
 
 } // namespace arbiter::state::software

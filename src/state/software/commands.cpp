@@ -1,6 +1,7 @@
 #include "state/software/commands.h"
 
 #include "host/host_table.h"
+#include "state/draw.h"
 #include "state/software/replay.h"
 #include "state/software/residency.h"
 
@@ -12,6 +13,11 @@ namespace {
 /// host's since the list was begun.
 bool isHosts(const Context &context) { return context.insideBeginEnd || context.listMode != 0; }
 
+/// The draw is looked at: it is executed now, programs are valid, and the rasterizer is used.
+bool isTried(Context &context) {
+  return !isHosts(context) && validatePrograms(context) && context.softwarePossible;
+}
+
 bool isIndexType(GLenum type) {
   return type == GL_UNSIGNED_INT || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_BYTE;
 }
@@ -19,10 +25,10 @@ bool isIndexType(GLenum type) {
 } // namespace
 
 bool draw(Context &context, const DrawCommand &command) {
-  if (isHosts(context) || command.mode > GL_POLYGON || command.count <= 0 || command.first < 0 ||
+  if (command.mode > GL_POLYGON || command.count <= 0 || command.first < 0 ||
       (command.indexType != 0 && !isIndexType(command.indexType)))
     return false;
-  return drawArrays(context, command);
+  return isTried(context) && drawArrays(context, command);
 }
 
 bool drawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
@@ -31,11 +37,13 @@ bool drawRange(Context &context, GLuint start, GLuint end, const DrawCommand &co
 
 bool multiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
                      GLsizei drawCount) {
-  if (isHosts(context) || mode > GL_POLYGON || drawCount <= 0 || !first || !count)
+  if (mode > GL_POLYGON || drawCount <= 0 || !first || !count)
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)
     if (first[i] < 0 || count[i] < 0)
       return false;
+  if (!isTried(context))
+    return false;
   for (GLsizei i = 0; i < drawCount; ++i)
     if (count[i] > 0 && !drawArrays(context, {mode, first[i], count[i]}))
       context.host->DrawArrays(mode, first[i], count[i]);
@@ -44,12 +52,13 @@ bool multiDrawArrays(Context &context, GLenum mode, const GLint *first, const GL
 
 bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
                        const void *const *indices, GLsizei drawCount, const GLint *baseVertices) {
-  if (isHosts(context) || mode > GL_POLYGON || drawCount <= 0 || !count || !indices ||
-      !isIndexType(type))
+  if (mode > GL_POLYGON || drawCount <= 0 || !count || !indices || !isIndexType(type))
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)
     if (count[i] < 0)
       return false;
+  if (!isTried(context))
+    return false;
   for (GLsizei i = 0; i < drawCount; ++i) {
     const GLint base = baseVertices ? baseVertices[i] : 0;
     if (count[i] == 0 || drawArrays(context, {mode, 0, count[i], type, indices[i], base}))
@@ -63,7 +72,7 @@ bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLen
 }
 
 bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  if (isHosts(context) || !begin(context, GL_POLYGON))
+  if (!isTried(context) || !begin(context, GL_POLYGON))
     return false;
   ImmediateRecorder &to = context.software->recorder;
   to.vertex(x1, y1, 0, 1); // in the order of section 2.10
@@ -85,8 +94,12 @@ void hostWrites(Context &context, const char *name) {
 }
 
 void hostDoesUnknown(Context &context, const char *name) {
-  if (!isHosts(context))
-    hostDoesAnything(context, name);
+  if (isHosts(context))
+    return;
+  hostDoesAnything(context, name);
+  // It may draw, too.
+  if ((context.attention & attention::kParameters) != 0)
+    (void)validate(context);
 }
 
 } // namespace arbiter::state::software

@@ -7,8 +7,14 @@
 /// (src/dispatch/software.toml).
 namespace arbiter::state::software {
 
-// --- Draws that may be ours; true: drawn. Called with a valid program, where softwarePossible ---
+// --- Draws that may be ours; true: drawn. Called where mayDraw(), before anything is prepared for
+// --- the host's draw ---
 
+/// The rasterizer is used, or what comes into force now may bring it.
+[[nodiscard]] inline bool mayDraw(const Context &context) {
+  return context.softwarePossible ||
+         (!context.passThrough && (context.attention & attention::kProgram) != 0);
+}
 /// Arguments that the host raises an error for are the host's.
 [[nodiscard]] bool draw(Context &context, const DrawCommand &command);
 [[nodiscard]] bool drawRange(Context &context, GLuint start, GLuint end,

@@ -12,18 +12,26 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// The host draws: it is brought up to date, and what it draws to is its own from here on.
+/// The host draws: it is brought up to date with pixels and with what draws of ours left out, and
+/// what it draws to is its own from here on.
 void giveToHost(Context &context, Fallback reason) {
   context.software->fellBack(reason);
   // What will be ours later, or is not ours for this alone, says nothing about the frame.
   const bool says =
       reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
   (says ? hostDraws : hostTakesTargets)(context, fallbackName(reason));
-  // The mirror looks at the application's samplers, not at those that keep plain targets from
-  // comparing: for the host these are bound again.
-  if ((context.attention & attention::kCompare) != 0)
-    static_cast<void>(validate(context));
+  static_cast<void>(validate(context));
 }
+
+/// Contents of the arrays of one draw.
+struct OpenArrays {
+  OpenArrays(Context &inContext, ArraySource &ofSource) : context(inContext), source(ofSource) {}
+  ~OpenArrays() { source.close(context); }
+  OpenArrays(const OpenArrays &) = delete;
+  OpenArrays &operator=(const OpenArrays &) = delete;
+  Context &context;
+  ArraySource &source;
+};
 
 Pipeline &pipelineOf(Context &context) {
   ContextState &state = *context.software;
@@ -53,8 +61,10 @@ Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
     return Fallback::Vertices;
   if (const Outcome outcome = judge(context); !outcome.ok())
     return outcome;
-  context.software->mirror.clock.take(context);
-  return pipelineOf(context).choose(context, {mode, count});
+  Pipeline &pipeline = pipelineOf(context);
+  if (!pipeline.knowsImages(context)) [[unlikely]]
+    settle(context);
+  return pipeline.choose(context, {mode, count});
 }
 
 /// What a draw wants of the current values: unfilled polygons have edge flags too.
@@ -70,19 +80,22 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   refreshArrays(context, mirror);
   refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
   const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
-  const ArraySource arrays(context, mirror, slots, command);
-  if (!arrays.valid())
+  ArraySource &arrays = pipeline.arrays();
+  const OpenArrays open(context, arrays);
+  if (!arrays.open(context, mirror, slots, command))
     return Fallback::Vertices;
   IndexRange range;
   if (command.indexType != 0 &&
       !pipeline.fetcher().decodeIndices(command.indexType, arrays.indices(),
                                         std::uint32_t(command.count), command.baseVertex, range))
     return Fallback::Vertices;
-  VertexSource source = arrays.source();
-  if (!pipeline.fetcher().compact(source, slots, range))
+  const auto first = std::uint32_t(command.first), count = std::uint32_t(command.count);
+  if (!VertexFetcher::isSparse(range)) [[likely]]
+    return pipeline.shade(context, arrays.source(), range, first, count);
+  VertexSource compacted = arrays.source();
+  if (!pipeline.fetcher().compact(compacted, slots, range))
     return Fallback::Vertices;
-  return pipeline.shade(context, source, range, std::uint32_t(command.first),
-                        std::uint32_t(command.count));
+  return pipeline.shade(context, compacted, range, first, count);
 }
 
 } // namespace
@@ -91,8 +104,6 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   // What the host owes an error for, or draws nothing for, is the host's.
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE ||
       command.count <= 0 || command.first < 0)
-    return false;
-  if (!validate(context))
     return false;
   Outcome outcome = prepare(context, command.mode, std::uint32_t(command.count));
   if (outcome.ok())

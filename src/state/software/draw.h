@@ -24,6 +24,8 @@ struct DrawCommand {
   GLint baseVertex = 0;
 };
 
+/// For all of them programs are valid (validatePrograms). Where the host draws after all, it has
+/// been validated for and brought up to date.
 /// True: drawn. False: the host's; hostDraws() has been called, and the caller goes on.
 [[nodiscard]] bool drawArrays(Context &context, const DrawCommand &command);
 /// At Begin: true if the primitive is kept back from the host; then end() draws it, or has the host

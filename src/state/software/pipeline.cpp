@@ -18,6 +18,13 @@ static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
 /// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes.
 constexpr std::uint32_t kManyVertices = 256;
 
+/// The groups that decide about a choice, but for those that VertexState::version and
+/// Mirror::obstacle stand for.
+constexpr std::uint32_t kChoice = stale::kTextureBindings | stale::kTextureParameters |
+                                  stale::kRaster | stale::kPixelOps | stale::kFog | stale::kQueries;
+/// Those, and more, where fixed function shades fragments.
+constexpr std::uint32_t kFixedChoice = kChoice | stale::kTexGen | stale::kLighting;
+
 bool isFloat(abi::Layout layout) {
   return layout >= abi::Layout::F16x1 && layout <= abi::Layout::F32x4;
 }
@@ -77,24 +84,52 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     target.format = m_targets->color[i]->format;
     target.writeMask &= std::uint8_t(storedMask(target.format));
   }
-  if (mirror.clampFixedOnly && anyFloat(*m_targets))
+  if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
   return m_units.bind(context, mirror, shape, m_key);
 }
 
+Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {
+  return {context.selections, imagesVersion(context),      mirror.vertex.version,
+          kind.mode,          kind.count >= kManyVertices, context.software->wholeFrames};
+}
+
+bool Pipeline::knowsImages(const Context &context) const {
+  return imagesVersion(context) == m_basis.images;
+}
+
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
-  ContextState &state = *context.software;
-  Mirror &mirror = state.mirror;
-  m_topology = swrast::Topology(kind.mode);
-  m_count = kind.count;
-  m_when = state.forced ? When::Now : When::Later;
-  if (context.numerics == fp::Numerics::Fp24 || !engine())
-    return Fallback::NotCompiled;
+  Mirror &mirror = context.software->mirror;
   refresh(context, mirror);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
+  if (m_chosen) {
+    refreshVertexState(context, mirror, m_floatTarget);
+    const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
+    if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
+        (context.stale & stale::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
+      m_seen = mirror.clock.now();
+      return {};
+    }
+  }
+  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  const Outcome outcome = chooseAnew(context, mirror, kind);
+  if (outcome.ok()) {
+    m_chosen = true;
+    m_basis = basisOf(context, mirror, kind);
+    m_seen = mirror.clock.now();
+  }
+  return outcome;
+}
+
+Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind) {
+  m_topology = swrast::Topology(kind.mode);
+  m_many = kind.count >= kManyVertices;
+  m_when = context.software->forced ? When::Now : When::Later;
+  if (context.numerics == fp::Numerics::Fp24 || !engine())
+    return Fallback::NotCompiled;
   m_compiled = context.variant ? context.variant->fragment.compiled : nullptr;
   Outcome outcome;
   const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
@@ -113,11 +148,12 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
   m_targets = describeTargets(context, reason);
   if (!m_targets)
     return fallbackNamed(reason, Fallback::Target);
+  m_floatTarget = anyFloat(*m_targets);
   const CompiledProgram *const vertexProgram =
       context.variant ? context.variant->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            drawsPoints(mirror, m_topology), anyFloat(*m_targets), m_when);
+                           drawsPoints(mirror, m_topology), m_floatTarget, m_when);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);
@@ -140,10 +176,11 @@ abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   return function;
 }
 
-Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
-                                  swrast::Shading &shading) {
+Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
-  const bool affine = swrast::isAffine(vertices);
+  Prepared &prepared = m_prepared[affine ? 1 : 0];
+  swrast::Shading &shading = prepared.shading;
+  shading = {};
   shading.inputCount = std::uint32_t(shape.inputs.size());
   for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
     const AttributeKind kind = shape.inputs[i].attribute.kind;
@@ -159,28 +196,30 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, const swrast::Vertices &
   Fallback why = Fallback::NotCompiled;
   if (!quadsOnly)
     shading.row = functionFor(abi::Lanes::Row, why);
-  if (quadsOnly || m_count >= kManyVertices)
+  if (quadsOnly || m_many)
     shading.quad = functionFor(abi::Lanes::Quad, why);
   if (!shading.row && !shading.quad)
     return why;
+  Fallback whyNotPacked = Fallback::NotCompiled;
   const fp::jit::Engine &jit = *engine();
   if (shading.quad && jit.lanes() == 16)
-    choosePacked(levels != 0, shading);
+    choosePacked(levels != 0, shading, whyNotPacked);
+  prepared.ready = why != Fallback::Compiling && whyNotPacked != Fallback::Compiling;
   shading.lanes = jit.lanes();
   shading.blockWidth = jit.blockWidth();
   shading.blockHeight = jit.blockHeight();
   shading.opaque = isOpaque();
+  shading.data = &m_data;
   return {};
 }
 
-void Pipeline::choosePacked(bool levels, swrast::Shading &shading) {
+void Pipeline::choosePacked(bool levels, swrast::Shading &shading, Fallback &why) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   if (shape.kills || shape.writesDepth || m_key.alphaTest != abi::Compare::Always ||
       m_key.depthStencil.stencilTest)
     return;
   const abi::DepthStencilKey depth = m_key.depthStencil;
   m_key.depthStencil = {};
-  Fallback why = Fallback::NotCompiled;
   shading.packed = functionFor(abi::Lanes::Packed, why);
   m_key.depthStencil = depth;
   shading.packsQuads = levels;
@@ -202,11 +241,24 @@ bool Pipeline::isOpaque() const {
   });
 }
 
-void Pipeline::fillData(Context &context, const Mirror &mirror) {
+void Pipeline::fillRaster(const Mirror &mirror) {
+  m_raster = mirror.raster;
+  m_raster.clip = {0, 0, m_targets->width, m_targets->height};
+  if (mirror.scissorEnabled)
+    m_raster.clip = swrast::intersect(m_raster.clip, mirror.scissor);
+  m_raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
+  // The software host's r is two steps of a depth buffer; passes of both must meet.
+  m_raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0 : 16777215.0);
+  const auto &inputs = m_program->functions->prepared()->shape().inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
+        (mirror.spriteCoords >> inputs[i].attribute.index & 1) != 0)
+      m_raster.spriteInputs |= 1u << i;
+}
+
+/// All but the parameters.
+void Pipeline::fillData(const Mirror &mirror) {
   m_data = mirror.constants;
-  m_program->values->update(context, mirror.clock,
-                            m_compiled ? &context.row(m_compiled->target) : nullptr);
-  m_data.parameters = m_program->values->data();
   m_units.fill(m_data);
   const auto targetOf = [](const swrast::Image *image) {
     return image ? abi::Target{image->pixel(0, 0), image->rowStride} : abi::Target{};
@@ -218,45 +270,60 @@ void Pipeline::fillData(Context &context, const Mirror &mirror) {
   m_data.windowHeight = float(m_targets->height);
 }
 
+/// The targets become ours to write to.
+Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
+                          bool opaque) {
+  const abi::DepthStencilKey &depth = m_key.depthStencil;
+  if (targetsHeld(context, depth.depthTest != 0 || depth.stencilTest != 0))
+    return {};
+  swrast::Rect overwritten;
+  if (opaque)
+    overwritten = swrast::surelyCovered(m_raster, m_topology, m_vertices.vertices(),
+                                        indices.indices, 0, count);
+  if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
+    return Fallback::Memory;
+  return {};
+}
+
 Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
                         std::uint32_t first, std::uint32_t count) {
   const Mirror &mirror = context.software->mirror;
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
-  swrast::Vertices vertices;
   const bool indexed = indices.indices != nullptr;
   const std::uint32_t begin = indexed ? indices.minimum : first;
   const std::uint32_t fetched = indexed ? indices.maximum - indices.minimum + 1 : count;
-  if (const Outcome outcome = m_vertices.run(context, context.software->mirror, source, begin,
-                                             fetched, unfilled, vertices);
+  if (const Outcome outcome =
+          m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled);
       !outcome.ok())
     return outcome;
-  swrast::Shading shading;
-  if (const Outcome outcome = chooseFunctions(mirror, vertices, shading); !outcome.ok())
+  const bool affine = swrast::isAffine(m_vertices.vertices());
+  const Prepared &prepared = m_prepared[affine ? 1 : 0];
+  if (!prepared.ready)
+    if (const Outcome outcome = chooseFunctions(mirror, affine); !outcome.ok())
+      return outcome;
+
+  constexpr std::uint32_t kRasterGroups =
+      stale::kViewport | stale::kRaster | stale::kTexGen | stale::kTextureParameters;
+  constexpr std::uint32_t kDataGroups = stale::kPixelOps | stale::kFog | stale::kViewport;
+  const std::uint32_t changed = m_filled ? mirror.clock.changedSince(m_filledSeen) : stale::kAll;
+  if ((changed & kRasterGroups) != 0)
+    fillRaster(mirror);
+  if (const Outcome outcome = acquire(context, indices, count, prepared.shading.opaque);
+      !outcome.ok())
     return outcome;
-
-  swrast::RasterState raster = mirror.raster;
-  raster.clip = {0, 0, m_targets->width, m_targets->height};
-  if (mirror.scissorEnabled)
-    raster.clip = swrast::intersect(raster.clip, mirror.scissor);
-  raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
-  // The software host's r is two steps of a depth buffer; passes of both must meet.
-  raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0 : 16777215.0);
-  const auto &inputs = m_program->functions->prepared()->shape().inputs;
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-    if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
-        (mirror.spriteCoords >> inputs[i].attribute.index & 1) != 0)
-      raster.spriteInputs |= 1u << i;
-
-  swrast::Rect overwritten;
-  if (shading.opaque)
-    overwritten = swrast::surelyCovered(raster, m_topology, vertices, indices.indices, 0, count);
-  const abi::DepthStencilKey &depth = m_key.depthStencil;
-  if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
-    return Fallback::Memory;
-  fillData(context, mirror);
-  shading.data = &m_data;
-  swrast::draw(raster, shading, m_topology, vertices, indices.indices, 0, count);
+  // Only now: to acquire an image may give it other memory.
+  const std::uint64_t images = imagesVersion(context);
+  if ((changed & kDataGroups) != 0 || images != m_filledImages)
+    fillData(mirror);
+  m_filled = true;
+  m_filledSeen = mirror.clock.now();
+  m_filledImages = images;
+  m_program->values->update(context, mirror.clock,
+                            m_compiled ? &context.row(m_compiled->target) : nullptr);
+  m_data.parameters = m_program->values->data();
+  swrast::draw(m_raster, prepared.shading, m_topology, m_vertices.vertices(), indices.indices, 0,
+               count);
   return {};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "state/software/array_source.h"
 #include "state/software/context_state.h"
 #include "state/software/draw.h"
 #include "state/software/fixed_fragment.h"
@@ -20,6 +21,10 @@ struct Mirror;
 /// A context's way from the programs in force to pixels. choose() looks at state and has functions
 /// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw
 /// may be given to the host at any step before.
+///
+/// A draw works only on what changed since the one before: what was chosen is kept with what it was
+/// chosen by (Basis, and the groups of state that decide), and what pixels are drawn with is filled
+/// again group by group.
 class Pipeline : public ContextDraws {
 public:
   /// What of a draw decides about functions.
@@ -35,18 +40,35 @@ public:
   /// The attributes that the chosen vertex function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
   [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
+  [[nodiscard]] ArraySource &arrays() { return m_arrays; }
+  /// Nothing has moved images since the last choice.
+  [[nodiscard]] bool knowsImages(const Context &context) const;
 
 private:
+  /// What decides about a choice, beside groups of state.
+  struct Basis {
+    std::uint64_t selections = 0;  ///< Context::selections
+    std::uint64_t images = 0;      ///< imagesVersion()
+    std::uint32_t vertexState = 0; ///< VertexState::version
+    GLenum mode = 0;
+    bool many = false;
+    bool wholeFrames = false; ///< ContextState::wholeFrames
+    bool operator==(const Basis &) const = default;
+  };
+  [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
+                                     const Kind &kind);
+  Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);
   void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   Outcome makeKey(Context &context, Mirror &mirror);
-  Outcome chooseFunctions(const Mirror &mirror, const swrast::Vertices &vertices,
-                          swrast::Shading &shading);
+  Outcome chooseFunctions(const Mirror &mirror, bool affine);
   /// The function for small triangles whose depth the rasterizer tests.
   /// \param levels a sampler wants a level of detail
-  void choosePacked(bool levels, swrast::Shading &shading);
+  void choosePacked(bool levels, swrast::Shading &shading, Fallback &why);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;
-  void fillData(Context &context, const Mirror &mirror);
+  Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque);
+  void fillRaster(const Mirror &mirror);
+  void fillData(const Mirror &mirror);
 
   /// A function that was asked for before, so that a draw that repeats takes no lock.
   struct Recent {
@@ -64,7 +86,7 @@ private:
   };
 
   swrast::Topology m_topology = swrast::Topology::Triangles;
-  std::uint32_t m_count = 0;
+  bool m_many = false; ///< vertices
   When m_when = When::Later;
   const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
   ProgramTable<Program> m_programs;
@@ -72,8 +94,26 @@ private:
   FixedFragments m_fixed;
   Units m_units;
   VertexStage m_vertices;
+  ArraySource m_arrays;
   const DrawTargets *m_targets = nullptr;
   abi::FragmentKey m_key{};
+
+  // --- What was chosen, and when ---
+  bool m_chosen = false;
+  Basis m_basis;
+  std::uint64_t m_seen = 0; ///< StaleClock
+  bool m_floatTarget = false;
+  /// By whether inputs are affine.
+  struct Prepared {
+    bool ready = false; ///< nothing that it wants is still being compiled
+    swrast::Shading shading;
+  };
+  Prepared m_prepared[2];
+
+  // --- What pixels are drawn with ---
+  bool m_filled = false; ///< since the last choice
+  std::uint64_t m_filledSeen = 0, m_filledImages = 0;
+  swrast::RasterState m_raster;
   abi::FragmentData m_data;
 };
 

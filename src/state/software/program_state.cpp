@@ -100,14 +100,27 @@ bool ProgramValues::set(std::size_t row, const Vec4 &value) {
   return true;
 }
 
+bool ProgramValues::updateParameters(const ProgramTarget &target) {
+  bool changed = false;
+  for (const Indexed &env : m_env)
+    changed |= set(env.row, env.index < target.env.size() ? target.env[env.index] : Vec4{});
+  const auto &locals = target.bound->locals;
+  for (const Indexed &local : m_local)
+    changed |= set(local.row, local.index < locals.size() ? locals[local.index].load() : Vec4{});
+  return changed;
+}
+
 bool ProgramValues::update(Context &context, const StaleClock &clock, const ProgramTarget *target) {
   bool changed = false;
   if (target) {
-    for (const Indexed &env : m_env)
-      changed |= set(env.row, env.index < target->env.size() ? target->env[env.index] : Vec4{});
-    const auto &locals = target->bound->locals;
-    for (const Indexed &local : m_local)
-      changed |= set(local.row, local.index < locals.size() ? locals[local.index].load() : Vec4{});
+    // Before the values, so that a change by another thread meanwhile is seen the next time.
+    const Versions now = {context.selections,
+                          target->bound->version.load(std::memory_order_acquire),
+                          target->envVersion};
+    if (!(now == m_versions)) {
+      m_versions = now;
+      changed = updateParameters(*target);
+    }
   }
   const std::uint32_t groups = clock.changedSince(m_seen) & m_groups;
   m_seen = clock.now();

@@ -19,8 +19,8 @@ class ProgramValues {
 public:
   explicit ProgramValues(const fp::ir::Program &program);
 
-  /// Brings the rows up to date: env and local ones always, which is a copy, state rows where
-  /// their group changed. `row` is the target that the program was loaded to, bound to the object
+  /// Brings the rows up to date: env and local ones where one of their target changed, state rows
+  /// where their group did. `row` is the target that the program was loaded to, bound to the object
   /// that it is of; null for fixed function's. After refresh().
   /// True if a value changed.
   bool update(Context &context, const StaleClock &clock, const ProgramTarget *row);
@@ -30,6 +30,12 @@ public:
   [[nodiscard]] std::size_t size() const { return m_values.size(); }
 
 private:
+  /// What env and local parameters were read at.
+  struct Versions {
+    std::uint64_t selections = 0;
+    std::uint32_t object = 0, env = 0;
+    bool operator==(const Versions &) const = default;
+  };
   struct Indexed {
     std::uint16_t row;
     std::uint16_t index;
@@ -39,6 +45,7 @@ private:
     std::uint32_t groups; ///< stale bits that it hangs on
     fp::ir::StateRef state;
   };
+  bool updateParameters(const ProgramTarget &target);
   bool updateStates(Context &context, std::uint32_t groups);
   /// True if that is another value.
   bool set(std::size_t row, const Vec4 &value);
@@ -48,6 +55,7 @@ private:
   std::vector<State> m_states;
   std::uint32_t m_groups = 0; ///< of all of m_states
   std::uint64_t m_seen = 0;
+  Versions m_versions;
 };
 
 /// The stale bits whose commands may change a row of state.

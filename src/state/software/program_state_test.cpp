@@ -47,7 +47,9 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   clock.take(context);
   EXPECT_FALSE(values.update(context, clock, &row)) << "zeros as they were";
   row.env[3] = {5, 6, 7, 8};
+  ++row.envVersion;
   row.bound->locals[5].store({9, 10, 11, 12});
+  row.bound->changed();
   EXPECT_TRUE(values.update(context, clock, &row));
   EXPECT_EQ(valueOf(values, constant), (Vec4{1, 2, 3, 4}));
   EXPECT_EQ(valueOf(values, env), (Vec4{5, 6, 7, 8}));
@@ -55,9 +57,21 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   EXPECT_EQ(valueOf(values, beyond), Vec4{});
   EXPECT_FALSE(values.update(context, clock, &row));
   row.env[3][0] = -0.0f;
+  ++row.envVersion;
   EXPECT_TRUE(values.update(context, clock, &row));
   row.env[3][0] = 0.0f;
+  ++row.envVersion;
   EXPECT_TRUE(values.update(context, clock, &row)) << "zeros of two signs are two values";
+  ++row.envVersion;
+  EXPECT_FALSE(values.update(context, clock, &row)) << "the value that it was";
+  // An object that has counted as far as the one before it.
+  const std::uint32_t version = row.bound->version;
+  row.bound = std::make_shared<ProgramObject>(78, Target::Vertex);
+  row.bound->locals.resize(8);
+  row.bound->version = version;
+  ++context.selections;
+  EXPECT_TRUE(values.update(context, clock, &row));
+  EXPECT_EQ(valueOf(values, local), Vec4{});
 }
 
 TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "state/context.h"
+#include "state/draw.h"
 #include "state/software/residency.h"
 
 namespace arbiter::state::software {
@@ -53,6 +54,7 @@ const host::HostTable *handOver() {
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   hostDraws(context, "glBegin");
+  (void)validate(context);
   replayToHost(context);
   context.insideBeginEnd = true;
   return context.host;

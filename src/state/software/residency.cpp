@@ -76,7 +76,7 @@ void dropAll(Context &context, WindowImages &window) {
   }
   dropShadow(context, window.color);
   dropShadow(context, window.depthStencil);
-  ++shared.generation;
+  shared.redefined();
   context.stale = ~0u;
 }
 
@@ -89,6 +89,13 @@ void settle(Context &context, WindowImages &window) {
   uploadAll(context, window);
   dropAll(context, window);
   window.turn = shared.turn;
+}
+
+void settle(Context &context) {
+  if (WindowImages *const window = windowOf(context)) {
+    const std::lock_guard lock(sharedOf(context).mutex);
+    settle(context, *window);
+  }
 }
 
 void synchronise(Context &context, const char *why) {
@@ -142,7 +149,7 @@ void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
   if (!context.software || !context.software->images)
     return;
   WindowImages &window = *windowOf(context);
-  window.sizeKnown = false;
+  forgetSize(context, window);
   auto &recent = window.viewports;
   const auto known = std::find(recent.begin(), recent.end(), viewport);
   if (known != recent.end())
@@ -150,6 +157,15 @@ void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
   window.sizeSure = true;
   std::rotate(recent.begin(), recent.end() - 1, recent.end());
   recent.front() = viewport;
+}
+
+void forgetSize(Context &context, WindowImages &window) {
+  window.sizeKnown = false;
+  sharedOf(context).changed();
+}
+
+std::uint64_t imagesVersion(const Context &context) {
+  return context.group->softwareImages().version.load(std::memory_order_relaxed);
 }
 
 bool aloneInGroup(const Context &context) {

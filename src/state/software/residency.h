@@ -36,6 +36,14 @@ struct DrawTargets {
 /// we cannot draw to it (multisampled, a format that we lack, GL_FRONT_AND_BACK, incomplete), with
 /// `reason` a row of reasons.def.
 [[nodiscard]] const DrawTargets *describeTargets(Context &context, const char *&reason);
+/// Moves on when what describeTargets() or acquireTexture() told may be otherwise now. While it
+/// stands, no other context has been current, and no command has marked stale::kFramebuffer, they
+/// need not be called again.
+[[nodiscard]] std::uint64_t imagesVersion(const Context &context);
+/// While the targets are as described: true if the shadows are the place to draw to already, as
+/// after acquireTargets() and with nothing in between that moved pixels; they are drawn to then.
+/// Takes no lock.
+[[nodiscard]] bool targetsHeld(Context &context, bool depthStencilUsed);
 /// Makes the shadows the place to draw to: valid where contents are kept, writable, pending after.
 /// \param overwritten what the draw surely replaces in all its colour components
 /// (swrast::surelyCovered) \param depthUsed, stencilUsed  the depth and stencil buffers are read or
@@ -152,6 +160,9 @@ void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport);
 /// True while this context is the only one of its group that is current on any thread: only then
 /// are draws ours. Else what is pending is given to the host at the next Flush, Finish or leave().
 [[nodiscard]] bool aloneInGroup(const Context &context);
+/// Before a draw looks at state: where another context of the group was current since, all that is
+/// known of shared objects is forgotten.
+void settle(Context &context);
 /// The host's Flush or Finish, and around it what others can see of our pixels by then
 /// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
 void flush(Context &context, bool finish);

@@ -60,12 +60,12 @@ bool covers(const Rect &rect, const PixelImage &image) {
 /// Ours if the shadow has the newest pixels, or all of them go in a buffer that draws of ours were
 /// the last to write to.
 bool ours(const PixelImage &image, bool whole) {
-  return image.newest != Newest::Host || (whole && image.drawnHere != 0);
+  return image.newest != Newest::Host || (whole && image.drawnHere);
 }
 
 bool clearColor(Context &context, PixelImage &image, const ClearState &state) {
   const bool whole = covers(state.area, image) && state.colorMask == 0xF;
-  if (!makeOwn(image, !whole))
+  if (!makeOwn(context, image, !whole))
     return false;
   swrast::fill(image.shadow, state.area, state.color, state.colorMask);
   setNewest(context, image, Newest::Shadow);
@@ -100,7 +100,7 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
   const bool depth = (rest & GL_DEPTH_BUFFER_BIT) != 0 && state.depthMask;
   const std::uint8_t stencil = (rest & GL_STENCIL_BUFFER_BIT) != 0 ? state.stencilMask : 0;
   const bool whole = covers(state.area, image) && depth && (stencil == 0xFF || f.stencilBits == 0);
-  if (!ours(image, whole) || !makeOwn(image, !whole))
+  if (!ours(image, whole) || !makeOwn(context, image, !whole))
     return done;
   if (!state.area.empty())
     swrast::fillDepthStencil(image.shadow, state.area, depth, state.depth, stencil, state.stencil);

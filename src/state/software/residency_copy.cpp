@@ -73,7 +73,7 @@ bool copyInMemory(Context &context, WindowImages &window, PixelImage &to, const 
   const Image pixels = from.shadow;
   if (!whole && !to.shadow.empty() && to.shadow.format.layout != to.format.layout)
     return false;
-  if (!makeOwn(to, !whole))
+  if (!makeOwn(context, to, !whole))
     return false;
   swrast::copyPixels(to.shadow, copy.destX + source.x - copy.x, copy.destY + source.y - copy.y,
                      copy.destZ, pixels, source);
@@ -104,6 +104,7 @@ bool copyPixelsOurs(Context &context, WindowImages &window, const CopyToTexture 
   if (whole && from != to && worthSharing(from->shadow, source)) {
     to->shadow = partOf(from->shadow, source);
     to->shadow.format = view;
+    shared.changed();
     ++shared.statistics.copiesShared;
   } else {
     if (!copyInMemory(context, window, *to, *from, copy, source, whole))

@@ -234,8 +234,10 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
 
 void setNewest(Context &context, PixelImage &image, Newest newest) {
   SharedImages &shared = sharedOf(context);
-  if ((image.newest == Newest::Host) != (newest == Newest::Host))
+  if ((image.newest == Newest::Host) != (newest == Newest::Host)) {
     shared.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
+    shared.changed();
+  }
   image.newest = newest;
   image.shown = false;
   if (newest != Newest::Shadow)
@@ -252,7 +254,7 @@ void setNewest(Context &context, PixelImage &image, Newest newest) {
 
 void dropShadow(Context &context, PixelImage &image) {
   setNewest(context, image, Newest::Host);
-  image.drawnHere = 0;
+  image.drawnHere = false;
   image.shadow.storage.reset();
   image.shadow.format = image.format;
 }
@@ -277,12 +279,16 @@ swrast::Image makeShadow(const PixelImage &image, const abi::Format &format, boo
   return swrast::makeImage(format, image.width, image.height, image.depth, topRowFirst);
 }
 
-bool makeOwn(PixelImage &image, bool keep) {
+bool makeOwn(Context &context, PixelImage &image, bool keep) {
   swrast::Image &shadow = image.shadow;
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
+  const bool read = fits && shadow.storage->isRead();
+  if (fits && !shadow.shared() && !read)
+    return true;
+  sharedOf(context).changed();
   const bool isWindow = image.place.kind == Place::Kind::Window;
   // Other memory is there sooner than the window system has read this; but a copy is no sooner.
-  const bool taken = shadow.shared() || (!keep && fits && shadow.storage->isRead());
+  const bool taken = shadow.shared() || (!keep && read);
   if (fits && (!taken || (keep && !isWindow)))
     return swrast::makeWritable(shadow, keep);
   // The order of components stays what the caller was told, if it can be written.

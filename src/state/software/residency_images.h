@@ -48,9 +48,9 @@ struct PixelImage {
   /// after a copy: it then gives the same RGBA at the same precision.
   swrast::Image shadow;
   Newest newest = Newest::Host;
-  bool listed = false;         ///< in a list of pending images
-  bool shown = false;          ///< of the window: others see these pixels already
-  std::uint32_t drawnHere = 0; ///< draws of ours since the host last wrote to it
+  bool listed = false;    ///< in a list of pending images
+  bool shown = false;     ///< of the window: others see these pixels already
+  bool drawnHere = false; ///< by us, since the host last wrote to it
 };
 
 /// A texture object; faces and levels as far as they were asked for.
@@ -71,8 +71,21 @@ struct SharedImages {
   std::vector<PixelImage *> pending; ///< textures and renderbuffers
   /// Moves on when an image may be another than a framebuffer's description says.
   std::uint64_t generation = 1;
+  /// Moves on when what describeTargets() or acquireTexture() told may be otherwise now: an image
+  /// has other memory, another format or size, or its pixels are the host's. Read without the lock
+  /// by the one context that is current.
+  std::atomic<std::uint64_t> version{1};
+  /// Whoever gives a PixelImage another shadow calls this.
+  void changed() {
+    version.store(version.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
   /// Images whose shadow counts, windows' included: while there are none, nothing is to be done.
   std::size_t valid = 0;
+  /// An image may be another than it was described as.
+  void redefined() {
+    ++generation;
+    changed();
+  }
   bool drawn = false; ///< by us, ever
   /// Moves on when another context of the group becomes current: shadows of before may be old.
   std::uint64_t turn = 1;
@@ -139,6 +152,8 @@ struct WindowImages final : ContextImages {
 /// Under the lock, before shadows are used: if another context had its turn since, what it wrote is
 /// unknown, and the host has it.
 void settle(Context &context, WindowImages &window);
+/// The window may have another size: it is asked for before the next use.
+void forgetSize(Context &context, WindowImages &window);
 
 // --- residency_images.cpp ---
 [[nodiscard]] Texture &textureOf(SharedImages &shared, GLuint name);
@@ -157,7 +172,7 @@ void dropShadow(Context &context, PixelImage &image);
 [[nodiscard]] swrast::Image makeShadow(const PixelImage &image, const abi::Format &format,
                                        bool topRowFirst);
 /// A shadow with memory of its own that may be written. \param keep its contents are needed
-[[nodiscard]] bool makeOwn(PixelImage &image, bool keep);
+[[nodiscard]] bool makeOwn(Context &context, PixelImage &image, bool keep);
 
 // --- residency_formats.cpp ---
 /// What `internalFormat` with these component sizes is to us. False: not one that we have.

@@ -53,7 +53,7 @@ bool present(Context &context) {
   if (window->drawable.kind != Drawable::Kind::Window)
     return false;
   PixelImage &color = window->color;
-  window->sizeKnown = false;
+  forgetSize(context, *window);
   if (window->doubleBuffered && window->drawable.show && color.newest == Newest::Shadow &&
       window->drawable.show(window->drawable, color.shadow)) {
     color.shown = true;
@@ -93,6 +93,7 @@ void enter(Context &context) {
   if (shared.lastTurn != context.serial + 1) {
     shared.lastTurn = context.serial + 1;
     ++shared.turn;
+    shared.changed();
   }
   WindowImages *const window = windowOf(context);
   if (!window)
@@ -101,7 +102,7 @@ void enter(Context &context) {
   dropShadow(context, window->color);
   dropShadow(context, window->depthStencil);
   window->color.described = window->depthStencil.described = false;
-  window->sizeKnown = false;
+  forgetSize(context, *window);
   window->sizeSure = true;
   window->drawable = context.drawable;
   context.stale = ~0u;

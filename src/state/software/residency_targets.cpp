@@ -14,7 +14,7 @@ bool covers(const swrast::Rect &rect, const PixelImage &image) {
 }
 
 /// The image's own format again, where a copy left another that gives the same values.
-bool restoreFormat(PixelImage &image) {
+bool restoreFormat(Context &context, PixelImage &image) {
   if (image.shadow.empty() || writable(image.shadow.format, image.format))
     return true;
   swrast::Image own = swrast::makeImage(image.format, image.width, image.height, image.depth);
@@ -23,6 +23,7 @@ bool restoreFormat(PixelImage &image) {
   for (int z = 0; z < image.depth; ++z)
     swrast::copyPixels(own, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
   image.shadow = std::move(own);
+  sharedOf(context).changed();
   return true;
 }
 
@@ -30,11 +31,11 @@ bool restoreFormat(PixelImage &image) {
 bool acquire(Context &context, WindowImages &window, PixelImage &image, bool keep) {
   if (keep && image.newest == Newest::Host && !download(context, window, image))
     return false;
-  if (!makeOwn(image, keep))
+  if (!makeOwn(context, image, keep))
     return false;
   setNewest(context, image, Newest::Shadow);
   sharedOf(context).drawn = true;
-  ++image.drawnHere;
+  image.drawnHere = true;
   return true;
 }
 
@@ -59,7 +60,7 @@ const DrawTargets *describeTargets(Context &context, const char *&reason) {
   for (std::size_t i = 0; i < f.color.size(); ++i) {
     if (!f.color[i])
       continue;
-    if (!restoreFormat(*f.color[i])) {
+    if (!restoreFormat(context, *f.color[i])) {
       reason = "memory";
       return nullptr;
     }
@@ -71,6 +72,23 @@ const DrawTargets *describeTargets(Context &context, const char *&reason) {
   targets.isWindow = f.drawName == 0;
   targets.doubleBuffered = targets.isWindow && window->doubleBuffered;
   return &targets;
+}
+
+bool targetsHeld(Context &context, bool depthStencilUsed) {
+  WindowImages &window = *windowOf(context);
+  const Framebuffers &f = window.framebuffers;
+  const auto isHeld = [](const PixelImage *image) {
+    return !image || (image->newest == Newest::Shadow && image->listed && !image->shadow.shared() &&
+                      !image->shadow.storage->isRead());
+  };
+  if (!std::all_of(f.color.begin(), f.color.end(), isHeld) ||
+      (depthStencilUsed && !isHeld(f.depthStencil)))
+    return false;
+  for (PixelImage *image : f.color)
+    if (image)
+      image->shown = false;
+  context.hostIsBehind = true;
+  return true;
 }
 
 bool acquireTargets(Context &context, const swrast::Rect &overwritten, bool depthUsed,

@@ -118,7 +118,7 @@ private:
             reason = "memory";
             return false;
           }
-          if (pass == 1 && !oneFormat && !own(image)) {
+          if (pass == 1 && !oneFormat && !own(m_context, image)) {
             reason = "memory";
             return false;
           }
@@ -128,7 +128,7 @@ private:
     return true;
   }
 
-  static bool own(PixelImage &image) {
+  static bool own(Context &context, PixelImage &image) {
     if (image.shadow.format == image.format)
       return true;
     swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth);
@@ -137,6 +137,7 @@ private:
     for (int z = 0; z < image.depth; ++z)
       swrast::copyPixels(made, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
     image.shadow = std::move(made);
+    sharedOf(context).changed();
     return true;
   }
 
@@ -232,7 +233,7 @@ void textureRedefined(Context &context, GLenum target) {
       }
     redefine(context, *texture);
   }
-  ++shared.generation;
+  shared.redefined();
 }
 
 void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
@@ -248,7 +249,7 @@ void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
     std::erase_if(shared.pending,
                   [&](const PixelImage *image) { return image->texture == found->second.get(); });
     shared.textures.erase(found);
-    ++shared.generation;
+    shared.redefined();
   }
 }
 

@@ -219,6 +219,7 @@ bool download(Context &context, WindowImages &window, PixelImage &image) {
   if (errors.failed())
     return false;
   image.shadow = std::move(to);
+  sharedOf(context).changed();
   setNewest(context, image, Newest::Both);
   ResidencyStatistics &statistics = sharedOf(context).statistics;
   ++statistics.downloads;

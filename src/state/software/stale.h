@@ -26,6 +26,7 @@ inline constexpr std::uint32_t kQueries =
     1u << 12; ///< occlusion queries, feedback, conditional rendering
 inline constexpr std::uint32_t kPixelStore = 1u << 13; ///< pack, unpack, transfer, pixel buffers
 inline constexpr std::uint32_t kProgramState =
-    1u << 14; ///< any state that a program's parameters name
+    1u << 14;                                       ///< any state that a program's parameters name
+inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
 inline constexpr std::uint32_t kAll = ~0u;
 } // namespace arbiter::state::software::stale

@@ -26,6 +26,7 @@ public:
   /// Groups that the layer itself has changed.
   void mark(std::uint32_t bits) {
     ++m_now;
+    m_latest = bits & kGroups;
     for (std::uint32_t left = bits & kGroups; left != 0; left &= left - 1)
       m_changed[std::size_t(std::countr_zero(left))] = m_now;
   }
@@ -34,6 +35,8 @@ public:
   [[nodiscard]] std::uint32_t changedSince(std::uint64_t seen) const {
     if (seen == m_now) [[likely]]
       return 0;
+    if (seen + 1 == m_now) // one that looks at every draw
+      return m_latest;
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < m_changed.size(); ++i)
       bits |= std::uint32_t(m_changed[i] > seen) << i;
@@ -43,6 +46,7 @@ public:
 private:
   static constexpr std::uint32_t kGroups = 0xFFFF;
   std::uint64_t m_now = 1;
+  std::uint32_t m_latest = kGroups; ///< what the last mark() named
   std::array<std::uint64_t, 16> m_changed = [] {
     std::array<std::uint64_t, 16> times;
     times.fill(1);

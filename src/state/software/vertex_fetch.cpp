@@ -133,22 +133,30 @@ bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &curre
 }
 
 const float *const *VertexFetcher::inputs(std::span<const fp::ir::Attribute> attributes) {
-  m_inputs.clear();
-  for (const fp::ir::Attribute &attribute : attributes)
-    for (const float *const component : m_components[std::size_t(slotOf(attribute))])
-      m_inputs.push_back(component);
+  if (m_inputs.size() < 4 * attributes.size())
+    m_inputs.resize(4 * attributes.size());
+  const float **to = m_inputs.data();
+  for (const fp::ir::Attribute &attribute : attributes) {
+    const auto &components = m_components[std::size_t(slotOf(attribute))];
+    to = std::copy(components.begin(), components.end(), to);
+  }
   return m_inputs.data();
 }
 
 float *const *VertexFetcher::outputs(std::size_t count) {
+  if (m_outputs.size() >= 4 * count && m_outputFloats >= m_padded) [[likely]]
+    return m_outputs.data();
   if (m_outputBlocks.size() < 4 * count)
     m_outputBlocks.resize(4 * count);
+  ++m_outputsVersion;
+  m_outputFloats = 0;
   m_outputs.clear();
   for (std::size_t i = 0; i < 4 * count; ++i) {
     if (!m_outputBlocks[i].reserve(m_padded))
       return nullptr;
     m_outputs.push_back(m_outputBlocks[i].data);
   }
+  m_outputFloats = m_padded;
   return m_outputs.data();
 }
 
@@ -217,11 +225,13 @@ bool VertexFetcher::decodeIndices(GLenum type, const void *indices, std::uint32_
   return true;
 }
 
-bool VertexFetcher::compact(VertexSource &source, std::uint32_t slots, IndexRange &range) {
+bool VertexFetcher::isSparse(const IndexRange &range) {
   constexpr std::uint32_t kFew = 1024; // not worth it below
-  if (range.count == 0 || range.maximum - range.minimum < kFew ||
-      (range.maximum - range.minimum) / 2 < range.count)
-    return true;
+  return range.count != 0 && range.maximum - range.minimum >= kFew &&
+         (range.maximum - range.minimum) / 2 >= range.count;
+}
+
+bool VertexFetcher::compact(VertexSource &source, std::uint32_t slots, IndexRange &range) {
   if (source.count != 0 && range.maximum >= source.count)
     return false;
   for (std::uint32_t left = slots; left != 0; left &= left - 1) {

@@ -35,9 +35,11 @@ public:
   [[nodiscard]] bool decodeIndices(GLenum type, const void *indices, std::uint32_t count,
                                    std::int32_t baseVertex, IndexRange &out);
 
-  /// Where indices name few vertices of a wide range: copies those of the slots' arrays together,
-  /// in the order of the indices, and makes `range` count them. `source` is then another one, valid
-  /// until the next call. Else does nothing. False: no memory, or a vertex is not there.
+  /// Indices name few vertices of a wide range: compact() pays.
+  [[nodiscard]] static bool isSparse(const IndexRange &range);
+  /// Of a sparse range: copies its vertices of the slots' arrays together, in the order of the
+  /// indices, and makes `range` count them. `source` is then another one, valid until the next
+  /// call. False: no memory, or a vertex is not there.
   [[nodiscard]] bool compact(VertexSource &source, std::uint32_t slots, IndexRange &range);
 
   /// Fetches vertices [first, first + count) of the slots of a mask: from their arrays, or the
@@ -54,8 +56,10 @@ public:
   /// Valid until the next call.
   [[nodiscard]] const float *const *inputs(std::span<const fp::ir::Attribute> attributes);
   /// VertexData::outputs: four arrays for each of `count` outputs, of as many floats as fetch()
-  /// made. Null if there is no memory. Valid until the next call.
+  /// made. Null if there is no memory. Valid until the next call that outputsVersion() counts.
   [[nodiscard]] float *const *outputs(std::size_t count);
+  /// Moves on when outputs() gives other arrays than before.
+  [[nodiscard]] std::uint32_t outputsVersion() const { return m_outputsVersion; }
   /// The edge flags of unfilled polygons as bytes, after a fetch with kEdgeFlag.
   [[nodiscard]] const std::uint8_t *edgeFlags();
 
@@ -87,6 +91,8 @@ private:
   std::vector<const float *> m_inputs;
   std::vector<Block> m_outputBlocks;
   std::vector<float *> m_outputs;
+  std::uint32_t m_outputFloats = 0; ///< that each of m_outputs has at least
+  std::uint32_t m_outputsVersion = 0;
   std::vector<std::uint8_t> m_edgeFlags;
   std::unique_ptr<std::uint32_t[]> m_indices;
   std::size_t m_indexCapacity = 0;

@@ -91,58 +91,59 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  m_slots = slotsOf(prepared->shape().inputs);
+  m_shape = &prepared->shape();
+  m_slots = slotsOf(m_shape->inputs);
+  m_connected = false;
   return {};
 }
 
+void VertexStage::transform(const abi::VertexData &data, std::uint32_t count) const {
+  const abi::VertexFunction function = m_program->functions->function();
+  if (count <= 2 * kChunk)
+    return function(&data, count);
+  // Pointers of a chunk lie on the stack of whoever works on it.
+  const std::size_t inputCount = m_shape->inputs.size(), outputCount = m_shape->outputs.size();
+  auto work = [&](std::uint32_t chunk) {
+    constexpr std::size_t kMost = 4 * 64;
+    const float *inputs[kMost];
+    float *results[kMost];
+    const std::uint32_t begin = chunk * kChunk;
+    for (std::size_t i = 0; i < 4 * inputCount; ++i)
+      inputs[i] = data.inputs[i] ? data.inputs[i] + begin : nullptr;
+    for (std::size_t i = 0; i < 4 * outputCount; ++i)
+      results[i] = data.outputs[i] + begin;
+    const abi::VertexData part{data.parameters, inputs, results};
+    function(&part, std::min(kChunk, count - begin));
+  };
+  swrast::parallel((count + kChunk - 1) / kChunk, work);
+}
+
 Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
-                         std::uint32_t first, std::uint32_t count, bool edgeFlags,
-                         swrast::Vertices &out) {
+                         std::uint32_t first, std::uint32_t count, bool edgeFlags) {
   const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
   if (!m_fetcher.fetch(source, mirror.current, slots, first, count))
     return Fallback::Vertices;
-  const fp::jit::VertexProgram &program = *m_program->functions->prepared();
-  const std::size_t outputCount = program.shape().outputs.size();
-  float *const *const outputs = m_fetcher.outputs(outputCount);
+  float *const *const outputs = m_fetcher.outputs(m_shape->outputs.size());
   if (!outputs)
     return Fallback::Memory;
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
-  abi::VertexData data;
-  data.parameters = m_program->values->data();
-  data.inputs = m_fetcher.inputs(program.shape().inputs);
-  data.outputs = outputs;
-  const abi::VertexFunction function = m_program->functions->function();
-  if (count <= 2 * kChunk) {
-    function(&data, count);
-  } else {
-    // Pointers of a chunk lie on the stack of whoever works on it.
-    const std::size_t inputCount = program.shape().inputs.size();
-    auto work = [&](std::uint32_t chunk) {
-      constexpr std::size_t kMost = 4 * 64;
-      const float *inputs[kMost];
-      float *results[kMost];
-      const std::uint32_t begin = chunk * kChunk;
-      for (std::size_t i = 0; i < 4 * inputCount; ++i)
-        inputs[i] = data.inputs[i] ? data.inputs[i] + begin : nullptr;
-      for (std::size_t i = 0; i < 4 * outputCount; ++i)
-        results[i] = outputs[i] + begin;
-      const abi::VertexData part{data.parameters, inputs, results};
-      function(&part, std::min(kChunk, count - begin));
-    };
-    swrast::parallel((count + kChunk - 1) / kChunk, work);
+  transform({m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs}, count);
+  if (!m_connected || m_connectedTo != m_fetcher.outputsVersion()) {
+    connect(outputs);
+    m_connected = true;
+    m_connectedTo = m_fetcher.outputsVersion();
   }
-  out = {};
-  out.count = count;
-  connect(out, mirror, outputs);
-  if (edgeFlags)
-    out.edgeFlags = m_fetcher.edgeFlags();
+  m_vertices.count = count;
+  m_vertices.edgeFlags = edgeFlags ? m_fetcher.edgeFlags() : nullptr;
   return {};
 }
 
-void VertexStage::connect(swrast::Vertices &out, const Mirror &, float *const *outputs) const {
-  const auto &results = m_program->functions->prepared()->shape().outputs;
+void VertexStage::connect(float *const *outputs) {
+  swrast::Vertices &out = m_vertices;
+  out = {};
   const auto find = [&](const fp::ir::Output &wanted) -> float *const * {
+    const auto &results = m_shape->outputs;
     const auto found = std::find(results.begin(), results.end(), wanted);
     return found == results.end() ? nullptr : outputs + 4 * (found - results.begin());
   };

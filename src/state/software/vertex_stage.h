@@ -30,10 +30,12 @@ public:
   /// The slots that the function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_slots; }
 
-  /// Transforms vertices [first, first + count) of the source. The result is valid until the next
-  /// call; fragment inputs are in the order of the shape that was chosen for.
+  /// Transforms vertices [first, first + count) of the source.
   Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
-              std::uint32_t count, bool edgeFlags, swrast::Vertices &out);
+              std::uint32_t count, bool edgeFlags);
+  /// The result of the last run() that succeeded; fragment inputs are in the order of the shape
+  /// that was chosen for.
+  [[nodiscard]] const swrast::Vertices &vertices() const { return m_vertices; }
   [[nodiscard]] VertexFetcher &fetcher() { return m_fetcher; }
 
 private:
@@ -43,7 +45,8 @@ private:
     std::unique_ptr<ProgramValues> values;
   };
   void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, When when);
-  void connect(swrast::Vertices &out, const Mirror &mirror, float *const *outputs) const;
+  void connect(float *const *outputs);
+  void transform(const abi::VertexData &data, std::uint32_t count) const;
 
   const CompiledProgram *m_compiled = nullptr;
   const fp::jit::FragmentShape *m_fragments = nullptr;
@@ -57,6 +60,10 @@ private:
   bool m_pointSize = false;
   std::uint8_t m_clipPlanes = 0;
   VertexFetcher m_fetcher;
+  const fp::jit::VertexShape *m_shape = nullptr; ///< of m_program
+  swrast::Vertices m_vertices;
+  bool m_connected = false;        ///< m_vertices points at the outputs of m_shape ..
+  std::uint32_t m_connectedTo = 0; ///< .. at this VertexFetcher::outputsVersion()
 };
 
 } // namespace arbiter::state::software
