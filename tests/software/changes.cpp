@@ -34,6 +34,7 @@ std::string vertexText(const char *scale) {
                      "DP4 result.position.w, mvp[3], vertex.position;\n"
                      "DP4 result.texcoord[0].x, tm[0], vertex.texcoord[0];\n"
                      "DP4 result.texcoord[0].y, tm[1], vertex.texcoord[0];\n"
+                     "MOV result.texcoord[0].zw, vertex.texcoord[0];\n"
                      "MUL c, vertex.color, ") +
          scale +
          ";\nMAD c, vertex.color.secondary, 0.25, c;\nADD c, c, program.local[0];\n"
@@ -49,8 +50,8 @@ void defineTexture(GLuint name, int from) {
     glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  texels.data());
   }
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 } // namespace
@@ -141,34 +142,37 @@ public:
   void all() {
     // More than once: what a draw keeps is used by those after it.
     for (int i = 0; i < 3; ++i)
-      look("before", i == 2);
+      m_stage.draw();
+    draw("before");
+    clear(); // while no mask and no test is set
     m_change.apply(m_stage);
-    look("after", true);
+    show("after");
     m_change.undo(m_stage);
-    look("undone", true);
+    draw("undone");
     if (m_change.group == 0)
       return;
+    clear();
     glPushAttrib(m_change.group);
     m_change.apply(m_stage);
-    look("pushed", true);
+    show("pushed");
     glPopAttrib();
-    look("popped", true);
+    draw("popped");
   }
 
 private:
-  void look(const char *when, bool recorded) {
-    // Cleared without the state that is looked at: none of it may be touched.
+  void draw(const char *when) {
     clear();
-    m_stage.draw();
-    if (recorded)
-      record(m_name + ": " + when, readRgba(0, 0, kSide, kSide));
-    const std::string errors = takeErrors();
-    if (!errors.empty())
-      record(m_name + ": " + when + " errors" + errors, {});
+    show(when);
   }
 
-  /// By a draw that any test lets through would be a change itself; a Clear heeds scissor and
-  /// masks, and both sides do so alike.
+  void show(const char *when) {
+    m_stage.draw();
+    record(m_name + ": " + when, readRgba(0, 0, kSide, kSide));
+    const std::string errors = takeErrors();
+    if (!errors.empty())
+      record(m_name + ": errors" + errors + ": " + when, {});
+  }
+
   static void clear() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   }
@@ -209,7 +213,7 @@ bool isWanted(const Change &change, int count, char **names) {
 int main(int argc, char **argv) {
   using namespace software;
   const bool onlyNames = argc > 1 && std::strcmp(argv[1], "list") == 0;
-  Screen screen;
+  software::Screen screen;
   if (!onlyNames && !screen.open())
     return 77;
   const GLXDrawable window = onlyNames ? 0 : screen.makeWindow(kSide, kSide);

@@ -76,13 +76,6 @@ void inList(Stage &stage, bool masked) {
   glCallList(stage.list);
 }
 
-void reload(Stage &, const char *color) {
-  const std::string text =
-      std::string("!!ARBfp1.0\nMUL result.color, fragment.color, ") + color + ";\nEND\n";
-  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
-                     text.data());
-}
-
 } // namespace
 
 const std::vector<Change> kObjectChanges = {
@@ -143,8 +136,6 @@ const std::vector<Change> kObjectChanges = {
        glEndQuery(GL_SAMPLES_PASSED);
        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
      }},
-    {"ProgramString", kFragmentProgramForms, 0, [](Stage &s) { reload(s, "{0.5, 1, 0.25, 1}"); },
-     [](Stage &s) { reload(s, "{1, 0.5, 0.5, 1}"); }},
     {"a buffer, by another context", kAllForms, 0,
      [](Stage &s) { elsewhere(s, [](Stage &o) { fill(GL_ARRAY_BUFFER, o.buffer, 0.1f, false); }); },
      [](Stage &s) {
@@ -162,18 +153,10 @@ const std::vector<Change> kObjectChanges = {
      [](Stage &s) {
        elsewhere(s, [](Stage &o) {
          glBindTexture(GL_TEXTURE_2D, o.textures[0]);
-         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
        });
        glBindTexture(GL_TEXTURE_2D, s.textures[0]);
      }},
-    {"local parameter, by another context", kFragmentProgramForms, 0,
-     [](Stage &s) {
-       elsewhere(s, [](Stage &o) {
-         glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, o.fragments[0]);
-         glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 0.3f, 0, 0.2f, 0);
-       });
-     },
-     [](Stage &) { glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 0, 0.2f, 0, 0); }},
 };
 
 } // namespace software

@@ -8,19 +8,18 @@ namespace {
 void blends(bool on) {
   (on ? glEnable : glDisable)(GL_BLEND);
   if (on)
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFunc(GL_ONE, GL_ONE);
 }
 
 void compares(Stage &stage, bool on) {
   glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                  on ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, on ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, on ? 1 : 0);
 }
 
 void stencils(bool on) {
   (on ? glEnable : glDisable)(GL_STENCIL_TEST);
-  glStencilFunc(on ? GL_EQUAL : GL_ALWAYS, 0, ~0u);
+  glStencilFunc(on ? GL_NOTEQUAL : GL_ALWAYS, 0, ~0u);
   glStencilOp(GL_KEEP, GL_KEEP, on ? GL_INCR : GL_KEEP);
 }
 
@@ -39,9 +38,14 @@ void size(Stage &stage, int edge) {
 void toTarget(Stage &stage) {
   glBindFramebuffer(GL_FRAMEBUFFER, stage.framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, stage.target, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glViewport(0, 0, kSide / 2, kSide);
 }
 
-void toWindow(Stage &) { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
+void toWindow(Stage &) {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, kSide, kSide);
+}
 
 } // namespace
 
@@ -54,22 +58,19 @@ const std::vector<Change> kPixelChanges = {
      [](Stage &) { glDisable(GL_SCISSOR_TEST); }},
     {"Viewport", kAllForms, GL_VIEWPORT_BIT, [](Stage &) { glViewport(8, 4, 40, 50); },
      [](Stage &) { glViewport(0, 0, kSide, kSide); }},
-    {"DepthRange", kAllForms, GL_VIEWPORT_BIT,
+    {"DepthRange", kAllForms, GL_VIEWPORT_BIT | GL_DEPTH_BUFFER_BIT,
      [](Stage &) {
        glEnable(GL_DEPTH_TEST);
-       glDepthFunc(GL_GREATER);
-       glClearDepth(0.5);
-       glDepthRange(0.4, 1.0);
+       glDepthRange(1.0, 1.0); // nothing is nearer than what was cleared
      },
      [](Stage &) {
        glDisable(GL_DEPTH_TEST);
-       glClearDepth(1.0);
        glDepthRange(0.0, 1.0);
      }},
     {"AlphaFunc", kAllForms, GL_COLOR_BUFFER_BIT,
      [](Stage &) {
        glEnable(GL_ALPHA_TEST);
-       glAlphaFunc(GL_GREATER, 0.45f);
+       glAlphaFunc(GL_LESS, 0.02f);
      },
      [](Stage &) { glDisable(GL_ALPHA_TEST); }},
     {"BlendFunc", kAllForms, GL_COLOR_BUFFER_BIT, [](Stage &) { blends(true); },
@@ -108,8 +109,9 @@ const std::vector<Change> kPixelChanges = {
      [](Stage &) { glDisable(GL_DEPTH_TEST); }},
     {"StencilFunc", kAllForms, GL_STENCIL_BUFFER_BIT, [](Stage &) { stencils(true); },
      [](Stage &) { stencils(false); }},
-    {"DrawBuffer", kAllForms, GL_COLOR_BUFFER_BIT, [](Stage &) { glDrawBuffer(GL_NONE); },
-     [](Stage &) { glDrawBuffer(GL_BACK); }},
+    // Fixed function of the bare host writes what was never set after it.
+    {"DrawBuffer", kFragmentProgramForms, GL_COLOR_BUFFER_BIT,
+     [](Stage &) { glDrawBuffer(GL_NONE); }, [](Stage &) { glDrawBuffer(GL_BACK); }},
     {"BindFramebuffer", kAllForms, 0, toTarget, toWindow},
     {"Fog", kAllForms, GL_FOG_BIT,
      [](Stage &) {
@@ -132,11 +134,11 @@ const std::vector<Change> kPixelChanges = {
      [](Stage &s) { compares(s, false); }},
     {"TexParameter wrap and filter", kAllForms, GL_TEXTURE_BIT,
      [](Stage &) {
-       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
      },
      [](Stage &) {
-       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
      }},
     {"TexSubImage", kAllForms, 0, [](Stage &s) { texels(s, 0, 250); },
@@ -161,7 +163,7 @@ const std::vector<Change> kPixelChanges = {
      [](Stage &) { glDisable(GL_FOG); }},
     {"enables", kAllForms, GL_ENABLE_BIT,
      [](Stage &) {
-       glAlphaFunc(GL_GREATER, 0.45f);
+       glAlphaFunc(GL_LESS, 0.02f);
        glEnable(GL_ALPHA_TEST);
        glEnable(GL_COLOR_LOGIC_OP);
      },
@@ -171,11 +173,11 @@ const std::vector<Change> kPixelChanges = {
      }},
     {"LOD bias", kAllForms, GL_TEXTURE_BIT,
      [](Stage &) {
-       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
        glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 5.0f);
      },
      [](Stage &) {
-       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
        glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, 0.0f);
      }},
     {"local parameter of fragments", kFragmentProgramForms, 0,

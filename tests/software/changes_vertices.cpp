@@ -15,7 +15,7 @@ void load(GLenum mode, float scale, float move) {
 #define MATRIX(mode, forms)                                                                        \
   {                                                                                                \
 #mode, forms, 0,                                                                               \
-        [](Stage &) { load(mode, 0.75f, 0.125f); }, [](Stage &) { load(mode, 1.0f, 0.0f); }        \
+        [](Stage &) { load(mode, 0.7f, 0.13f); }, [](Stage &) { load(mode, 1.0f, 0.0f); }          \
   }
 
 void light(GLenum pname, float r, float g, float b, float w) {
@@ -62,7 +62,7 @@ const std::vector<Change> kVertexChanges = {
      [](Stage &) { glVertexAttrib4f(6, 0.0f, 0.0f, 0.0f, 1.0f); }},
     {"Normal", kLit, GL_CURRENT_BIT, [](Stage &) { glNormal3f(0.8f, 0.0f, 0.6f); },
      [](Stage &) { glNormal3f(0.0f, 0.6f, 0.8f); }},
-    {"COLOR_SUM", unsigned(Form::Fixed), GL_FOG_BIT, [](Stage &) { glEnable(GL_COLOR_SUM); },
+    {"COLOR_SUM", unsigned(Form::Fixed), 0, [](Stage &) { glEnable(GL_COLOR_SUM); },
      [](Stage &) { glDisable(GL_COLOR_SUM); }},
     {"lighting disabled", kLit, GL_LIGHTING_BIT, [](Stage &) { glDisable(GL_LIGHTING); },
      [](Stage &) { glEnable(GL_LIGHTING); }},
@@ -96,11 +96,11 @@ const std::vector<Change> kVertexChanges = {
     {"NORMALIZE", kLit, GL_TRANSFORM_BIT,
      [](Stage &) {
        glEnable(GL_NORMALIZE);
-       glNormal3f(0, 3, 4);
+       glNormal3f(0.4f, 0, 0.3f);
      },
      [](Stage &) {
        glDisable(GL_NORMALIZE);
-       glNormal3f(0, 1.2f, 1.6f);
+       glNormal3f(0, 0.6f, 0.8f);
      }},
     {"TexGen", kFixedVertexForms, GL_TEXTURE_BIT,
      [](Stage &) {
@@ -151,7 +151,8 @@ const std::vector<Change> kVertexChanges = {
        glEnable(GL_POLYGON_STIPPLE);
      },
      [](Stage &) { glDisable(GL_POLYGON_STIPPLE); }},
-    {"ShadeModel", kAllForms, GL_LIGHTING_BIT,
+    // Under an assembly program the bare host shades smoothly whatever the model.
+    {"ShadeModel", unsigned(Form::Fixed), GL_LIGHTING_BIT,
      [](Stage &) {
        glEnableClientState(GL_COLOR_ARRAY);
        glShadeModel(GL_FLAT);

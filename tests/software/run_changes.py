@@ -46,7 +46,7 @@ def judge(bare, layer):
     for what, moments in seen.items():
         for first, second in (("before", "after"), ("pushed", "popped")):
             if first in moments and moments[first] == moments.get(second):
-                lines.append(f"{what}: not to be seen in pixels")
+                lines.append(f"{what}: {second} is not to be seen in pixels")
     return lines
 
 

@@ -248,6 +248,7 @@ const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
     describeDrawObject(context, f);
   describeRead(context, window, f);
   f.generation = shared.generation;
+  shared.changed(); // the mark is gone, whoever it was that asked
   return f;
 }
 
