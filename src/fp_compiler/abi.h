@@ -22,19 +22,50 @@ enum class Layout : std::uint8_t {
   U16x1, ///< 16-bit unsigned normalised
   U16x2,
   U16x4,
-  F16x1, ///< half floats; stored to textures only, never drawn to
+  F16x1, ///< half floats
   F16x2,
   F16x4,
   F32x1,
   F32x2,
   F32x4,
+  Bits565,         ///< a word of 16 bits, unsigned normalised: C0 its upper 5 bits, C1 6, C2 5
+  Bits4444,        ///< 16 bits, from C0 in the upper ones down
+  Bits5551,        ///< likewise
+  Bits1010102,     ///< 32 bits, from C0 in the lower ones up
   Depth16,         ///< 16-bit unsigned normalised depth
   Depth24Stencil8, ///< 32 bits: depth in bits 8 to 31, stencil in bits 0 to 7
   Depth32F,        ///< a float in [0,1]
 };
 [[nodiscard]] constexpr int bytesOf(Layout layout) {
-  constexpr int kBytes[] = {0, 1, 2, 4, 2, 4, 8, 2, 4, 8, 4, 8, 16, 2, 4, 4};
+  constexpr int kBytes[] = {0, 1, 2, 4, 2, 4, 8, 2, 4, 8, 4, 8, 16, 2, 2, 2, 4, 2, 4, 4};
   return kBytes[int(layout)];
+}
+/// Stored components of a colour layout; 0 of others.
+[[nodiscard]] constexpr int componentsOf(Layout layout) {
+  constexpr int kComponents[] = {0, 1, 2, 4, 1, 2, 4, 1, 2, 4, 1, 2, 4, 3, 4, 4, 4, 0, 0, 0};
+  return kComponents[int(layout)];
+}
+[[nodiscard]] constexpr bool isDepth(Layout layout) { return layout >= Layout::Depth16; }
+/// Components that are parts of one word, of the layout's size.
+[[nodiscard]] constexpr bool isPacked(Layout layout) {
+  return layout >= Layout::Bits565 && layout <= Layout::Bits1010102;
+}
+[[nodiscard]] constexpr bool isHalf(Layout layout) {
+  return layout >= Layout::F16x1 && layout <= Layout::F16x4;
+}
+[[nodiscard]] constexpr bool isFloat(Layout layout) {
+  return layout >= Layout::F16x1 && layout <= Layout::F32x4;
+}
+/// Where a component lies in the word of a packed layout.
+struct BitField {
+  int shift = 0, bits = 0;
+};
+[[nodiscard]] constexpr BitField bitsOf(Layout layout, int component) {
+  constexpr BitField kFields[4][4] = {{{11, 5}, {5, 6}, {0, 5}, {}},
+                                      {{12, 4}, {8, 4}, {4, 4}, {0, 4}},
+                                      {{11, 5}, {6, 5}, {1, 5}, {0, 1}},
+                                      {{0, 10}, {10, 10}, {20, 10}, {30, 2}}};
+  return kFields[int(layout) - int(Layout::Bits565)][component];
 }
 
 /// Where a component of a texel's RGBA comes from: a stored component, or a constant.
@@ -179,8 +210,8 @@ struct BlendKey {
   bool operator==(const BlendKey &) const = default;
 };
 
-/// One colour buffer. Layout::None: what the program writes there goes nowhere. Drawn to are
-/// U8x1, U8x2, U8x4, U16x4 and the F32 layouts.
+/// One colour buffer, of any colour layout. Layout::None: what the program writes there goes
+/// nowhere.
 struct ColorTargetKey {
   Format format;
   std::uint8_t writeMask = 0xF; ///< bit 0 red .. bit 3 alpha

@@ -96,7 +96,7 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
     });
     return;
   }
-  if (componentsOf(to.format.layout) == 0 || componentsOf(from.format.layout) == 0)
+  if (abi::componentsOf(to.format.layout) == 0 || abi::componentsOf(from.format.layout) == 0)
     return; // depth converts to nothing but its own format
   if (to.format.layout == Layout::U8x4 && from.format.layout == Layout::U8x4) {
     const BytePermutation permutation = permutationOf(to.format, from.format);
@@ -111,20 +111,20 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
 }
 
 void fill(Image &image, const Rect &rect, const float rgba[4], unsigned writeMask) {
-  const int components = componentsOf(image.format.layout);
+  const int components = abi::componentsOf(image.format.layout);
   if (rect.empty() || image.empty() || components == 0)
     return;
   const auto pixelBytes = std::size_t(abi::bytesOf(image.format.layout));
   float value[1][4] = {{rgba[0], rgba[1], rgba[2], rgba[3]}};
   constexpr std::size_t kPattern = 256; // a multiple of every pixel's size
   std::uint8_t pattern[kPattern] = {}, mask[kPattern];
-  // What the mask keeps shows as bytes that differ between two backgrounds.
+  // What the mask keeps shows as bits that differ between two backgrounds.
   std::memset(mask, 0xFF, sizeof mask);
   packPixels(image.format, value, 1, pattern, writeMask);
   packPixels(image.format, value, 1, mask, writeMask);
   bool whole = true;
   for (std::size_t i = 0; i < pixelBytes; ++i) {
-    mask[i] = std::uint8_t(pattern[i] == mask[i] ? 0xFF : 0);
+    mask[i] = std::uint8_t(~(pattern[i] ^ mask[i]));
     whole = whole && mask[i] == 0xFF;
   }
   for (std::size_t i = pixelBytes; i < kPattern; ++i) {

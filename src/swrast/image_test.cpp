@@ -54,6 +54,28 @@ TEST(Image, RowsAreAlignedAndTheirSurroundingsReadable) {
   }
 }
 
+TEST(Image, PackedComponentsAreSetBitByBit) {
+  const Format kBits565 = {Layout::Bits565, {From::C0, From::C1, From::C2, From::One}};
+  const float some[4] = {1, 0.5f, 0.25f, 1}, none[4] = {};
+  Image image = makeImage(kBits565, 5, 3);
+  fill(image, {0, 0, 5, 3}, some);
+  EXPECT_EQ(bytesAt(image, 4, 2), (std::vector<int>{0x08, 0xFC})) << "11111 100000 01000";
+  fill(image, {0, 0, 5, 3}, none, 2);
+  EXPECT_EQ(bytesAt(image, 0, 0), (std::vector<int>{0x08, 0xF8}));
+  Image wide = makeImage(kRgba16, 5, 3);
+  copyPixels(wide, 0, 0, 0, image, {0, 0, 5, 3});
+  float rgba[1][4];
+  unpackPixels(wide.format, wide.pixel(3, 1), 1, rgba);
+  EXPECT_EQ(rgba[0][0], 1.0f);
+  EXPECT_EQ(rgba[0][1], 0.0f);
+  EXPECT_NEAR(rgba[0][2], 8.0 / 31, 1.0 / 65535);
+  EXPECT_EQ(rgba[0][3], 1.0f);
+  const Format kBits1010102 = {Layout::Bits1010102, abi::kRgba};
+  Image deep = makeImage(kBits1010102, 5, 3);
+  copyPixels(deep, 0, 0, 0, wide, {0, 0, 5, 3});
+  EXPECT_EQ(bytesAt(deep, 3, 1), (std::vector<int>{0xFF, 0x03, 0x80, 0xD0})) << "264 of 1023";
+}
+
 TEST(Image, CopiesShareUntilWritten) {
   Image a = makeImage(kRgba8, 300, 600);
   const float red[4] = {1, 0, 0, 1}, green[4] = {0, 1, 0, 1};
@@ -147,12 +169,13 @@ TEST(Image, HalvesRoundTripAndRoundToEven) {
     else
       ASSERT_EQ(floatToHalf(value), half);
   }
-  EXPECT_EQ(floatToHalf(1.0f + 0x1p-11f), 0x3C00) << "a tie goes to the even one";
-  EXPECT_EQ(floatToHalf(1.0f + 0x1.8p-10f), 0x3C02);
-  EXPECT_EQ(floatToHalf(65519.0f), 0x7BFF);
-  EXPECT_EQ(floatToHalf(65520.0f), 0x7C00);
-  EXPECT_EQ(floatToHalf(0x1p-25f), 0);
-  EXPECT_EQ(floatToHalf(0x1.8p-25f), 1);
+  EXPECT_EQ(floatToHalf(1.0f + 0x1p-11f), 0x3C00) << "towards zero";
+  EXPECT_EQ(floatToHalf(1.0f + 0x1.8p-10f), 0x3C01);
+  EXPECT_EQ(floatToHalf(-1.0f - 0x1.8p-10f), 0xBC01);
+  EXPECT_EQ(floatToHalf(65535.0f), 0x7BFF);
+  EXPECT_EQ(floatToHalf(1e9f), 0x7BFF);
+  EXPECT_EQ(floatToHalf(0x1.8p-24f), 1);
+  EXPECT_EQ(floatToHalf(0x1.8p-25f), 0);
 }
 
 TEST(Image, CopiesConvertByValue) {

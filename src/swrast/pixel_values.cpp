@@ -9,7 +9,7 @@ namespace {
 
 using abi::Layout;
 
-enum class Kind : std::uint8_t { None, U8, U16, F16, F32 };
+enum class Kind : std::uint8_t { None, U8, U16, F16, F32, Packed };
 
 Kind kindOf(Layout layout) {
   switch (layout) {
@@ -30,8 +30,16 @@ Kind kindOf(Layout layout) {
   case Layout::F32x4:
     return Kind::F32;
   default:
-    return Kind::None;
+    return abi::isPacked(layout) ? Kind::Packed : Kind::None;
   }
+}
+
+float loadBits(Layout layout, const std::uint8_t *pixel, int component) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, pixel, std::size_t(abi::bytesOf(layout)));
+  const abi::BitField field = abi::bitsOf(layout, component);
+  const std::uint32_t most = (1u << field.bits) - 1;
+  return float(word >> field.shift & most) / float(most);
 }
 
 float load(Kind kind, const std::uint8_t *pixel, int component) {
@@ -50,6 +58,7 @@ float load(Kind kind, const std::uint8_t *pixel, int component) {
     std::memcpy(&value, pixel + 4 * component, 4);
     return value;
   }
+  case Kind::Packed:
   case Kind::None:
     break;
   }
@@ -61,6 +70,16 @@ float scaled(float value, float largest) {
   if (!(value > 0))
     return 0;
   return value >= 1 ? largest : std::floor(value * largest + 0.5f);
+}
+
+void storeBits(Layout layout, std::uint8_t *pixel, int component, float value) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, pixel, std::size_t(abi::bytesOf(layout)));
+  const abi::BitField field = abi::bitsOf(layout, component);
+  const std::uint32_t most = (1u << field.bits) - 1;
+  word &= ~(most << field.shift);
+  word |= std::uint32_t(scaled(value, float(most))) << field.shift;
+  std::memcpy(pixel, &word, std::size_t(abi::bytesOf(layout)));
 }
 
 void store(Kind kind, std::uint8_t *pixel, int component, float value) {
@@ -80,17 +99,13 @@ void store(Kind kind, std::uint8_t *pixel, int component, float value) {
   case Kind::F32:
     std::memcpy(pixel + 4 * component, &value, 4);
     return;
+  case Kind::Packed:
   case Kind::None:
     return;
   }
 }
 
 } // namespace
-
-int componentsOf(Layout layout) {
-  constexpr int kComponents[] = {0, 1, 2, 4, 1, 2, 4, 1, 2, 4, 1, 2, 4, 0, 0, 0};
-  return kComponents[int(layout)];
-}
 
 int sourceOf(const abi::Swizzle &swizzle, int stored) {
   for (int component = 0; component < 4; ++component)
@@ -115,27 +130,27 @@ std::uint16_t floatToHalf(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const auto sign = std::uint16_t((bits >> 16) & 0x8000u);
   const std::uint32_t magnitude = bits & 0x7FFFFFFFu;
-  if (magnitude > 0x7F800000u)
-    return std::uint16_t(sign | 0x7E00u);
-  if (magnitude >= 0x477FF000u) // 65520 and above round to infinity
-    return std::uint16_t(sign | 0x7C00u);
+  if (magnitude >= 0x7F800000u) // infinite, or NaN
+    return std::uint16_t(sign | (magnitude > 0x7F800000u ? 0x7E00u : 0x7C00u));
+  if (magnitude >= 0x47800000u) // 65536
+    return std::uint16_t(sign | 0x7BFFu);
   if (magnitude < 0x38800000u) { // below the least normal number, 2^-14: units of 2^-24
-    const float units = std::nearbyint(std::ldexp(std::bit_cast<float>(magnitude), 24));
+    const float units = std::ldexp(std::bit_cast<float>(magnitude), 24);
     return std::uint16_t(sign | std::uint16_t(units));
   }
-  const std::uint32_t rounded = magnitude + 0xFFFu + ((magnitude >> 13) & 1u);
-  return std::uint16_t(sign | ((rounded - 0x38000000u) >> 13));
+  return std::uint16_t(sign | ((magnitude - 0x38000000u) >> 13));
 }
 
 void unpackPixels(const abi::Format &format, const std::uint8_t *pixels, int count,
                   float (*rgba)[4]) {
   const Kind kind = kindOf(format.layout);
-  const int bytes = abi::bytesOf(format.layout), components = componentsOf(format.layout);
+  const int bytes = abi::bytesOf(format.layout), components = abi::componentsOf(format.layout);
   for (int i = 0; i < count; ++i, pixels += bytes) {
     for (int c = 0; c < 4; ++c) {
       const abi::From from = format.swizzle[std::size_t(c)];
       if (int(from) < components)
-        rgba[i][c] = load(kind, pixels, int(from));
+        rgba[i][c] = kind == Kind::Packed ? loadBits(format.layout, pixels, int(from))
+                                          : load(kind, pixels, int(from));
       else
         rgba[i][c] = from == abi::From::One ? 1.0f : 0.0f;
     }
@@ -145,13 +160,19 @@ void unpackPixels(const abi::Format &format, const std::uint8_t *pixels, int cou
 void packPixels(const abi::Format &format, const float (*rgba)[4], int count, std::uint8_t *pixels,
                 unsigned writeMask) {
   const Kind kind = kindOf(format.layout);
-  const int bytes = abi::bytesOf(format.layout), components = componentsOf(format.layout);
+  const int bytes = abi::bytesOf(format.layout), components = abi::componentsOf(format.layout);
   for (int stored = 0; stored < components; ++stored) {
     const int source = sourceOf(format.swizzle, stored);
     if (source < 4 && !((writeMask >> source) & 1u))
       continue;
-    for (int i = 0; i < count; ++i)
-      store(kind, pixels + std::ptrdiff_t(i) * bytes, stored, source < 4 ? rgba[i][source] : 1.0f);
+    for (int i = 0; i < count; ++i) {
+      std::uint8_t *const pixel = pixels + std::ptrdiff_t(i) * bytes;
+      const float value = source < 4 ? rgba[i][source] : 1.0f;
+      if (kind == Kind::Packed)
+        storeBits(format.layout, pixel, stored, value);
+      else
+        store(kind, pixel, stored, value);
+    }
   }
 }
 

@@ -7,7 +7,7 @@
 namespace arbiter::swrast {
 
 [[nodiscard]] float halfToFloat(std::uint16_t half);
-/// To the nearest, ties to even; what is too large becomes infinite.
+/// Towards zero, as the software host makes them; what is too large becomes the largest number.
 [[nodiscard]] std::uint16_t floatToHalf(float value);
 
 /// `count` pixels of a colour format to RGBA; `pixels` need not be aligned.
@@ -20,7 +20,5 @@ void packPixels(const abi::Format &format, const float (*rgba)[4], int count, st
 
 /// Which of RGBA a stored component takes: 0 to 3, or 4 for the constant 1.
 [[nodiscard]] int sourceOf(const abi::Swizzle &swizzle, int stored);
-/// Stored components of a colour layout; 0 of others.
-[[nodiscard]] int componentsOf(abi::Layout layout);
 
 } // namespace arbiter::swrast

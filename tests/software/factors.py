@@ -51,7 +51,7 @@ EQUATIONS = "add subtract reverse_subtract min max"
 WRAPS = "repeat clamp_to_edge clamp clamp_to_border mirrored_repeat"
 
 FACTORS = {
-    "target": choices("window texture8 float32"),
+    "target": {"window": 0, "texture8": 0x8058, "float32": 0x8814},
     "program": choices("texture modulate add color project bias position fog kill secondary depth "
                        "constant fog_linear fog_exp2"),
     "vertices": choices("fixed lit texgen matrix clipped program program_point"),
@@ -111,6 +111,8 @@ FACTORS = {
     "compare": {"off": 0, **enums("lequal gequal less greater")},
     "depth_mode": enums("luminance intensity alpha"),
 }
+# What the client reads beside them; run_formats.py gives other values.
+FIXED = {"swizzle": 0, "anisotropy": 1, "attachment": 0}
 
 
 # What may leave nothing to be seen, and the value that does not.
@@ -154,6 +156,11 @@ def settle(row, kept=()):
     return row
 
 
+def line_of_numbers(row):
+    """What the client reads, of values that are GL's numbers already."""
+    return " ".join(f"{name}={value}" for name, value in row.items())
+
+
 def line(row):
     """What the client reads."""
-    return " ".join(f"{name}={FACTORS[name][value]}" for name, value in row.items())
+    return line_of_numbers({name: FACTORS[name][value] for name, value in row.items()} | FIXED)

@@ -34,18 +34,18 @@ BATCH = 20  # scenes a process
 DEPTH = 1 << 16  # of 2^32: the interpolation of a depth in single precision
 
 
-def run_batch(client, scenes, env):
+def run_batch(client, scenes, env, spell=line):
     """[records of a scene or a text that says how the client died]."""
     try:
-        found = sides.run([client], env, "".join(line(s) + "\n" for s in scenes).encode())
+        found = sides.run([client], env, "".join(spell(s) + "\n" for s in scenes).encode())
         # A record's name begins with the number of its scene in the batch.
         named = [(what.split(" ", 1)[1], data) for what, data in found]
-        return [{what.split(" ")[0]: (what, data) for what, data in named[4 * i:4 * i + 4]}
+        return [{what.split(" ")[0]: (what, data) for what, data in named[5 * i:5 * i + 5]}
                 for i in range(len(scenes))]
     except sides.Died as death:
         if len(scenes) == 1:
             return [str(death)]
-        return [result for scene in scenes for result in run_batch(client, [scene], env)]
+        return [result for scene in scenes for result in run_batch(client, [scene], env, spell)]
 
 
 def far_colors(a, b, most):

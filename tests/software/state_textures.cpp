@@ -32,6 +32,12 @@ std::vector<float> depths(int width, int height) {
   return values;
 }
 
+bool isDepth(const Scene &scene) {
+  const GLenum format = scene.token("format");
+  return (format >= GL_DEPTH_COMPONENT16 && format <= GL_DEPTH_COMPONENT32) ||
+         format == GL_DEPTH_COMPONENT32F;
+}
+
 void defineLevel(GLenum target, const Scene &scene, int level, int width, int height, int depth) {
   const GLint internal = scene.choice("format");
   std::vector<float> all;
@@ -44,7 +50,7 @@ void defineLevel(GLenum target, const Scene &scene, int level, int width, int he
     all.insert(all.end(), part.begin(), part.end());
   }
   GLenum format = GL_RGBA;
-  if (internal == GL_DEPTH_COMPONENT24) {
+  if (isDepth(scene)) {
     format = GL_DEPTH_COMPONENT;
     all = depths(width, height);
   }
@@ -74,6 +80,7 @@ void setParameters(GLenum target, const Scene &scene) {
   if (target == GL_TEXTURE_RECTANGLE_ARB)
     return;
   set(GL_TEXTURE_LOD_BIAS, scene.number("lod_bias"));
+  set(GL_TEXTURE_MAX_ANISOTROPY_EXT, scene.number("anisotropy"));
   switch (scene.choice("levels")) {
   case 1:
     return set(GL_TEXTURE_MAX_LOD, 1.0);
@@ -114,7 +121,11 @@ void makeSceneTexture(const Scene &scene) {
       break;
   }
   setParameters(target, scene);
-  if (scene.choice("format") == GL_DEPTH_COMPONENT24) {
+  if (scene.choice("swizzle") != 0) {
+    static constexpr GLint kOrder[4] = {GL_GREEN, GL_ALPHA, GL_RED, GL_ONE};
+    glTexParameteriv(target, GL_TEXTURE_SWIZZLE_RGBA, kOrder);
+  }
+  if (isDepth(scene)) {
     glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, scene.choice("depth_mode"));
     if (scene.choice("compare") != 0) {
       glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);

@@ -28,19 +28,44 @@ double Scene::number(const std::string &name) const {
 
 namespace {
 
+/// The colour buffer of the framebuffer that is bound: a 2D texture, a slice of a 3D one, a face of
+/// a cube map, or a renderbuffer.
+void attachColor(const Scene &scene) {
+  const GLint internal = scene.choice("target");
+  GLuint name = 0;
+  if (scene.choice("attachment") == 3) {
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorage(GL_RENDERBUFFER, GLenum(internal), kEdge, kEdge);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, name);
+    return;
+  }
+  constexpr GLenum kTargets[] = {GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
+  const GLenum target = kTargets[scene.choice("attachment")];
+  glGenTextures(1, &name);
+  glBindTexture(target, name);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  if (target == GL_TEXTURE_3D) {
+    glTexImage3D(target, 0, internal, kEdge, kEdge, 5, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glFramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, name, 0, 3);
+  } else {
+    const bool cube = target == GL_TEXTURE_CUBE_MAP;
+    for (GLenum face = 0; face < (cube ? 6 : 1); ++face)
+      glTexImage2D(cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + face : target, 0, internal, kEdge, kEdge,
+                   0, GL_RGBA, GL_FLOAT, nullptr);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                           cube ? GL_TEXTURE_CUBE_MAP_NEGATIVE_Y : target, name, 0);
+  }
+  glBindTexture(target, 0);
+}
+
 void makeTarget(const Scene &scene) {
   if (scene.choice("target") == 0)
     return;
-  GLuint framebuffer = 0, color = 0, depthStencil = 0;
+  GLuint framebuffer = 0, depthStencil = 0;
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenTextures(1, &color);
-  glBindTexture(GL_TEXTURE_2D, color);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  const GLint internal = scene.choice("target") == 1 ? GL_RGBA8 : GL_RGBA32F;
-  glTexImage2D(GL_TEXTURE_2D, 0, internal, kEdge, kEdge, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glBindTexture(GL_TEXTURE_2D, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+  attachColor(scene);
   glGenRenderbuffers(1, &depthStencil);
   glBindRenderbuffer(GL_RENDERBUFFER, depthStencil);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kEdge, kEdge);
@@ -69,7 +94,10 @@ void draw(const Scene &scene) {
 
 void writeAll(const std::string &name) {
   record(name + " color", readRgba(0, 0, kEdge, kEdge));
-  std::vector<unsigned char> bytes(std::size_t(kEdge) * kEdge * 4);
+  std::vector<unsigned char> bytes(std::size_t(kEdge) * kEdge * 16);
+  glReadPixels(0, 0, kEdge, kEdge, GL_RGBA, GL_FLOAT, bytes.data());
+  record(name + " float", bytes);
+  bytes.resize(std::size_t(kEdge) * kEdge * 4);
   glReadPixels(0, 0, kEdge, kEdge, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, bytes.data());
   record(name + " depth", bytes);
   bytes.resize(std::size_t(kEdge) * kEdge);

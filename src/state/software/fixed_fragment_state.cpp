@@ -146,8 +146,9 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
       unit = {};
       continue;
     }
-    // The application's texture decides whether a depth is compared, and what it looks like.
-    if (images->format.layout >= abi::Layout::Depth16)
+    // The application's texture decides whether a depth is compared, and what it looks like; of
+    // components in another order an environment makes what the host does.
+    if (abi::isDepth(images->format.layout) || sampler.swizzle != SamplerState{}.swizzle)
       return Fallback::NoFragmentProgram;
     unit.kind = kindOf(images->format);
   }

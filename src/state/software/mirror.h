@@ -28,6 +28,7 @@ struct SamplerState {
   GLint baseLevel = 0, maxLevel = 1000;
   float borderColor[4] = {};       ///< as the application gave it
   GLenum depthMode = GL_LUMINANCE; ///< DEPTH_TEXTURE_MODE
+  std::array<GLenum, 4> swizzle = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA}; ///< TEXTURE_SWIZZLE_RGBA
   /// The texture compares: the key's `shadow` is for the caller to set, where the program's target
   /// is a SHADOW one too (else the comparison is not made, ARB_fragment_program_shadow).
   bool compares = false;

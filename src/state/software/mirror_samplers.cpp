@@ -126,11 +126,9 @@ void askTexture(const HostCaps &caps, const Source &source, SamplerState &state)
   state.depthMode = GLenum(source.integer(GL_DEPTH_TEXTURE_MODE));
   if (!caps.textureSwizzle)
     return;
-  constexpr GLint kSame[4] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
   GLint swizzle[4] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
   source.host.GetTexParameteriv(source.target, GL_TEXTURE_SWIZZLE_RGBA, swizzle);
-  if (!std::equal(std::begin(kSame), std::end(kSame), swizzle))
-    state.obstacle = "TEXTURE_SWIZZLE";
+  std::copy(std::begin(swizzle), std::end(swizzle), state.swizzle.begin());
 }
 
 /// The unit is the active one.

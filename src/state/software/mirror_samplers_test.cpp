@@ -174,8 +174,9 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
   };
   EXPECT_EQ(obstacle(), "");
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_ZERO);
-  EXPECT_EQ(obstacle(), "TEXTURE_SWIZZLE");
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_RED);
+  EXPECT_EQ(obstacle(), "");
+  const auto &swizzle = mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].swizzle;
+  EXPECT_EQ(swizzle, (std::array<GLenum, 4>{GL_ZERO, GL_GREEN, GL_BLUE, GL_ALPHA}));
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
   EXPECT_EQ(obstacle(), "TEXTURE_MAX_ANISOTROPY");
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

@@ -25,14 +25,10 @@ constexpr std::uint32_t kChoice = stale::kTextureBindings | stale::kTextureParam
 /// Those, and more, where fixed function shades fragments.
 constexpr std::uint32_t kFixedChoice = kChoice | stale::kTexGen | stale::kLighting;
 
-bool isFloat(abi::Layout layout) {
-  return layout >= abi::Layout::F16x1 && layout <= abi::Layout::F32x4;
-}
-
 bool anyFloat(const DrawTargets &targets) {
   return std::any_of(
       std::begin(targets.color), std::end(targets.color),
-      [](const swrast::Image *image) { return image && isFloat(image->format.layout); });
+      [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
 }
 
 /// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
@@ -51,6 +47,9 @@ unsigned storedMask(const abi::Format &format) {
       mask |= 1u << i;
   return mask;
 }
+
+/// Alpha alone, or one intensity: hosts blend such buffers by rules of their own.
+bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::From::C0; }
 
 } // namespace
 
@@ -83,6 +82,8 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     }
     target.format = m_targets->color[i]->format;
     target.writeMask &= std::uint8_t(storedMask(target.format));
+    if (target.blend.enabled && isOneValue(target.format))
+      return Fallback::Target;
   }
   if (mirror.clampFixedOnly && m_floatTarget)
     m_key.clampColors = 0;
@@ -153,7 +154,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
       context.variant ? context.variant->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                           drawsPoints(mirror, m_topology), m_floatTarget, m_when);
+                            drawsPoints(mirror, m_topology), m_floatTarget, m_when);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);
@@ -260,11 +261,11 @@ void Pipeline::fillRaster(const Mirror &mirror) {
 void Pipeline::fillData(const Mirror &mirror) {
   m_data = mirror.constants;
   m_units.fill(m_data);
-  const auto targetOf = [](const swrast::Image *image) {
-    return image ? abi::Target{image->pixel(0, 0), image->rowStride} : abi::Target{};
+  const auto targetOf = [](const swrast::Image *image, int slice = 0) {
+    return image ? abi::Target{image->pixel(0, 0, slice), image->rowStride} : abi::Target{};
   };
   for (std::size_t i = 0; i < m_data.targets.size(); ++i)
-    m_data.targets[i] = targetOf(m_targets->color[i]);
+    m_data.targets[i] = targetOf(m_targets->color[i], m_targets->slice[i]);
   if (m_key.depthStencil.layout != abi::Layout::None)
     m_data.depthStencil = targetOf(m_targets->depthStencil);
   m_data.windowHeight = float(m_targets->height);

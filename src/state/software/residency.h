@@ -28,6 +28,7 @@ namespace arbiter::state::software {
 struct DrawTargets {
   int width = 0, height = 0;                        ///< pixels; the smallest attachment's
   swrast::Image *color[abi::kMaxColorTargets] = {}; ///< by draw buffer; null: GL_NONE
+  int slice[abi::kMaxColorTargets] = {};            ///< of a 3D texture's image, else 0
   swrast::Image *depthStencil = nullptr;            ///< null: none
   int depthBits = 0, stencilBits = 0;
   bool doubleBuffered = false, isWindow = false;

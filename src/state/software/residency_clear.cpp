@@ -54,7 +54,8 @@ ClearState clearState(const Context &context, const Framebuffers &f, GLbitfield 
 }
 
 bool covers(const Rect &rect, const PixelImage &image) {
-  return rect.x == 0 && rect.y == 0 && rect.width >= image.width && rect.height >= image.height;
+  return image.depth == 1 && rect.x == 0 && rect.y == 0 && rect.width >= image.width &&
+         rect.height >= image.height;
 }
 
 /// Ours if the shadow has the newest pixels, or all of them go in a buffer that draws of ours were
@@ -63,11 +64,13 @@ bool ours(const PixelImage &image, bool whole) {
   return image.newest != Newest::Host || (whole && image.drawnHere);
 }
 
-bool clearColor(Context &context, PixelImage &image, const ClearState &state) {
+bool clearColor(Context &context, PixelImage &image, int slice, const ClearState &state) {
   const bool whole = covers(state.area, image) && state.colorMask == 0xF;
   if (!makeOwn(context, image, !whole))
     return false;
-  swrast::fill(image.shadow, state.area, state.color, state.colorMask);
+  swrast::Image part = image.shadow;
+  part.offset += slice * part.sliceStride;
+  swrast::fill(part, state.area, state.color, state.colorMask);
   setNewest(context, image, Newest::Shadow);
   return true;
 }
@@ -86,8 +89,8 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
       possible = possible && (!image || ours(*image, all && covers(state.area, *image)));
     bool failed = false;
     if (possible && !state.area.empty())
-      for (PixelImage *image : f.color)
-        failed = failed || (image && !clearColor(context, *image, state));
+      for (std::size_t i = 0; i < f.color.size(); ++i)
+        failed = failed || (f.color[i] && !clearColor(context, *f.color[i], f.slice[i], state));
     if (possible && !failed)
       done |= GL_COLOR_BUFFER_BIT;
   }

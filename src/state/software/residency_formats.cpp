@@ -116,7 +116,17 @@ Layout layoutOf(int components, GLint bits, GLint type) {
   return Layout::None;
 }
 
-enum class Precision : std::uint8_t { Other, U8, U16, F16, F32 };
+enum class Precision : std::uint8_t {
+  Other,
+  U8,
+  U16,
+  F16,
+  F32,
+  Bits565,
+  Bits4444,
+  Bits5551,
+  Bits1010102
+};
 Precision precisionOf(Layout layout) {
   switch (layout) {
   case Layout::U8x1:
@@ -135,6 +145,14 @@ Precision precisionOf(Layout layout) {
   case Layout::F32x2:
   case Layout::F32x4:
     return Precision::F32;
+  case Layout::Bits565:
+    return Precision::Bits565;
+  case Layout::Bits4444:
+    return Precision::Bits4444;
+  case Layout::Bits5551:
+    return Precision::Bits5551;
+  case Layout::Bits1010102:
+    return Precision::Bits1010102;
   case Layout::None:
   case Layout::Depth16:
   case Layout::Depth24Stencil8:
@@ -144,21 +162,22 @@ Precision precisionOf(Layout layout) {
   return Precision::Other;
 }
 
-int componentsOf(Layout layout) {
-  switch (layout) {
-  case Layout::U8x1:
-  case Layout::U16x1:
-  case Layout::F16x1:
-  case Layout::F32x1:
-    return 1;
-  case Layout::U8x2:
-  case Layout::U16x2:
-  case Layout::F16x2:
-  case Layout::F32x2:
-    return 2;
-  default:
-    return 4;
-  }
+/// The layout of texels whose components are parts of a word; None for other sizes.
+Layout packedLayoutOf(const HostFormat &host) {
+  struct Row {
+    GLint red, green, blue, alpha;
+    Layout layout;
+  };
+  static constexpr Row kRows[] = {
+      {5, 6, 5, 0, Layout::Bits565},       {5, 5, 5, 0, Layout::Bits5551},
+      {5, 5, 5, 1, Layout::Bits5551},      {4, 4, 4, 0, Layout::Bits4444},
+      {4, 4, 4, 4, Layout::Bits4444},      {10, 10, 10, 0, Layout::Bits1010102},
+      {10, 10, 10, 2, Layout::Bits1010102}};
+  for (const Row &row : kRows)
+    if (host.type == GL_UNSIGNED_NORMALIZED && host.red == row.red && host.green == row.green &&
+        host.blue == row.blue && host.alpha == row.alpha)
+      return row.layout;
+  return Layout::None;
 }
 
 GLenum glType(Precision precision) {
@@ -171,6 +190,14 @@ GLenum glType(Precision precision) {
     return GL_HALF_FLOAT;
   case Precision::F32:
     return GL_FLOAT;
+  case Precision::Bits565:
+    return GL_UNSIGNED_SHORT_5_6_5;
+  case Precision::Bits4444:
+    return GL_UNSIGNED_SHORT_4_4_4_4;
+  case Precision::Bits5551:
+    return GL_UNSIGNED_SHORT_5_5_5_1;
+  case Precision::Bits1010102:
+    return GL_UNSIGNED_INT_2_10_10_10_REV;
   case Precision::Other:
     break;
   }
@@ -206,6 +233,9 @@ bool formatOf(const HostFormat &host, GLenum &base, abi::Format &format) {
     format.layout = Layout::U8x4;
     return true;
   }
+  format.layout = packedLayoutOf(host);
+  if (format.layout != Layout::None)
+    return true;
   const GLint sizes[] = {host.red,   host.green,     host.blue,
                          host.alpha, host.luminance, host.intensity};
   GLint bits = 0;
@@ -241,8 +271,8 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
   if (!row || precision == Precision::Other)
     return false;
   gl.type = glType(precision);
-  const int components = componentsOf(format.layout);
-  if (components < 4) {
+  const int components = abi::componentsOf(format.layout);
+  if (components < 4 && !abi::isPacked(format.layout)) {
     // A shadow as it is made at first: its own components in their order. RED is what luminance and
     // intensity take their value from.
     if (format.swizzle != row->stored || row->components != components)
@@ -263,8 +293,8 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
     return true;
   };
   if (fits(abi::kRgba))
-    gl.format = GL_RGBA;
-  else if (fits({From::C2, From::C1, From::C0, From::C3}))
+    gl.format = format.layout == Layout::Bits565 ? GL_RGB : GL_RGBA;
+  else if (!abi::isPacked(format.layout) && fits({From::C2, From::C1, From::C0, From::C3}))
     gl.format = GL_BGRA;
   else
     return false;

@@ -13,15 +13,17 @@ GLint get(const host::HostTable &host, GLenum pname) {
   return value;
 }
 
-/// Buffers of one luminance, alpha or intensity are read and blended as hosts like: they are
-/// theirs.
-bool canBeBuffer(GLenum base) {
-  return base == GL_RGBA || base == GL_RGB || base == GL_RG || base == GL_RED ||
-         base == GL_DEPTH_COMPONENT || base == GL_DEPTH_STENCIL;
+/// Of luminance, alpha or intensity: ReadPixels and copies take other components of such a buffer
+/// than blending and sampling do, and are the host's.
+bool readsAsOther(GLenum base) {
+  return base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA || base == GL_ALPHA ||
+         base == GL_INTENSITY;
 }
 
 /// The image that is attached there, or null: nothing, or none that can be ours (`foreign`).
-PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bool &foreign) {
+/// `slice` is that of a 3D texture, else 0.
+PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bool &foreign,
+                     int &slice) {
   const host::HostTable &host = *context.host;
   const auto ask = [&](GLenum pname) {
     GLint value = 0;
@@ -40,11 +42,13 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
     const auto face = GLenum(ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE));
     Texture &texture = textureOf(sharedOf(context), name);
     const GLenum target = face != 0 ? face : findTarget(context, texture);
-    // A slice of a 3D texture is no image of its own here.
-    if (target != GL_TEXTURE_3D)
-      image = levelOf(context, texture, target, level);
+    if (target == GL_TEXTURE_3D)
+      slice = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER);
+    image = levelOf(context, texture, target, level);
+    if (image && (slice < 0 || slice >= image->depth))
+      image = nullptr;
   }
-  if (image && canBeBuffer(image->base))
+  if (image && image->base != 0)
     return image;
   foreign = true;
   return nullptr;
@@ -101,16 +105,21 @@ void describeWindow(Context &context, WindowImages &window) {
   if (context.caps.has("GL_ARB_color_buffer_float"))
     floats = get(host, GL_RGBA_FLOAT_MODE_ARB);
   format.type = floats != 0 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
-  if (!formatOf(format, color.base, color.format) || color.format.layout != abi::Layout::U8x4 ||
+  // What others see is shown as bytes. Of components of 16 bits the host does not say truly whether
+  // they are floats.
+  const bool known = formatOf(format, color.base, color.format);
+  const bool bytes = known && color.format.layout == abi::Layout::U8x4;
+  const bool packed = known && abi::isPacked(color.format.layout);
+  if ((!bytes && !(packed && drawable.kind == Drawable::Kind::Pbuffer)) ||
       (drawable.kind == Drawable::Kind::Memory && drawable.memoryType != GL_UNSIGNED_BYTE)) {
     color.base = 0;
     return;
   }
   // In the order that presenting wants.
-  if (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA)
+  if (bytes && (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA))
     std::swap(color.format.swizzle[0], color.format.swizzle[2]);
   color.shadow.format = color.format;
-  color.drawable = window.doubleBuffered ? &drawable : nullptr;
+  color.drawable = bytes && window.doubleBuffered ? &drawable : nullptr;
 
   PixelImage &depth = window.depthStencil;
   depth.place = {Place::Kind::Window, 0, GL_DEPTH, 0};
@@ -168,12 +177,15 @@ void describeDrawObject(Context &context, Framebuffers &f) {
       continue;
     if (std::size_t(i) >= f.color.size())
       return;
-    f.color[std::size_t(i)] = attached(context, GL_DRAW_FRAMEBUFFER, buffer, foreign);
+    f.color[std::size_t(i)] =
+        attached(context, GL_DRAW_FRAMEBUFFER, buffer, foreign, f.slice[std::size_t(i)]);
     limit(f.color[std::size_t(i)]);
   }
-  PixelImage *const depth = attached(context, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign);
+  int none = 0; // there are no 3D textures of depths
+  PixelImage *const depth =
+      attached(context, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, none);
   PixelImage *const stencil =
-      attached(context, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign);
+      attached(context, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign, none);
   // A stencil buffer beside a depth buffer, or alone, is a format that the rasterizer lacks.
   if (foreign || (stencil && stencil != depth))
     return;
@@ -212,9 +224,13 @@ void describeRead(Context &context, WindowImages &window, Framebuffers &f) {
   }
   if (host.CheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return;
+  int slice = 0;
   if (buffer != GL_NONE)
-    f.read = attached(context, GL_READ_FRAMEBUFFER, buffer, foreign);
-  f.readDepth = attached(context, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign);
+    f.read = attached(context, GL_READ_FRAMEBUFFER, buffer, foreign, slice);
+  // What reads takes images, not slices of them.
+  if (f.read && (readsAsOther(f.read->base) || f.read->depth != 1))
+    f.read = nullptr;
+  f.readDepth = attached(context, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, slice);
 }
 
 } // namespace

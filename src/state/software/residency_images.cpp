@@ -208,6 +208,16 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
   case GL_RGB16:
   case GL_RG16:
   case GL_R16:
+  case GL_RGB4:
+  case GL_RGB5:
+  case GL_RGB565:
+  case GL_RGB10:
+  case GL_RGB12:
+  case GL_RGBA2:
+  case GL_RGBA4:
+  case GL_RGB5_A1:
+  case GL_RGB10_A2:
+  case GL_RGBA12:
   case GL_DEPTH_COMPONENT:
   case GL_DEPTH_COMPONENT16:
   case GL_DEPTH_COMPONENT24:

@@ -109,6 +109,7 @@ struct Framebuffers {
   GLuint drawName = 0, readName = 0;
   const char *reason = nullptr; ///< why the draw framebuffer is not ours
   std::array<PixelImage *, abi::kMaxColorTargets> color{};
+  std::array<int, abi::kMaxColorTargets> slice{}; ///< of `color`, the one that is attached
   PixelImage *depthStencil = nullptr;
   int depthBits = 0, stencilBits = 0;
   int width = 0, height = 0;

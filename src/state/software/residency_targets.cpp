@@ -9,7 +9,7 @@ namespace arbiter::state::software {
 namespace {
 
 bool covers(const swrast::Rect &rect, const PixelImage &image) {
-  return rect.x <= 0 && rect.y <= 0 && rect.x + rect.width >= image.width &&
+  return image.depth == 1 && rect.x <= 0 && rect.y <= 0 && rect.x + rect.width >= image.width &&
          rect.y + rect.height >= image.height;
 }
 
@@ -65,6 +65,7 @@ const DrawTargets *describeTargets(Context &context, const char *&reason) {
       return nullptr;
     }
     targets.color[i] = &f.color[i]->shadow;
+    targets.slice[i] = f.slice[i];
   }
   targets.depthStencil = f.depthStencil ? &f.depthStencil->shadow : nullptr;
   targets.depthBits = f.depthBits;

@@ -148,8 +148,27 @@ void writeTexture(Context &context, WindowImages &window, GLenum target, GLint l
 /// What a texture must be to be copied to the image without a conversion. Of a window the unsized
 /// format, with which the host keeps the components in the order that it is given.
 GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
+  if (!isDepth(image) && image.place.kind != Place::Kind::Window)
+    return image.internalFormat;
   if (!isDepth(image))
-    return image.place.kind == Place::Kind::Window ? GL_RGBA : image.internalFormat;
+    switch (gl.type) {
+    case GL_HALF_FLOAT:
+      return GL_RGBA16F;
+    case GL_FLOAT:
+      return GL_RGBA32F;
+    case GL_UNSIGNED_SHORT:
+      return GL_RGBA16;
+    case GL_UNSIGNED_SHORT_5_6_5:
+      return GL_RGB565;
+    case GL_UNSIGNED_SHORT_4_4_4_4:
+      return GL_RGBA4;
+    case GL_UNSIGNED_SHORT_5_5_5_1:
+      return GL_RGB5_A1;
+    case GL_UNSIGNED_INT_2_10_10_10_REV:
+      return GL_RGB10_A2;
+    default:
+      return GL_RGBA;
+    }
   if (gl.format == GL_DEPTH_STENCIL)
     return GL_DEPTH24_STENCIL8;
   return gl.type == GL_FLOAT            ? GL_DEPTH_COMPONENT32F

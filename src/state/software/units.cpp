@@ -16,11 +16,6 @@ bool isShadow(TexTarget target) {
          target == TexTarget::ShadowRect;
 }
 
-bool isDepth(abi::Layout layout) {
-  return layout == abi::Layout::Depth16 || layout == abi::Layout::Depth24Stencil8 ||
-         layout == abi::Layout::Depth32F;
-}
-
 /// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
 /// RGBA.
 abi::Swizzle depthSwizzle(GLenum mode) {
@@ -47,7 +42,23 @@ void convertBorder(const abi::Format &format, const float from[4], float to[4]) 
       continue;
     }
     const auto first = std::find(format.swizzle.begin(), format.swizzle.end(), source);
-    to[i] = from[isDepth(format.layout) ? 0 : int(first - format.swizzle.begin())];
+    to[i] = from[abi::isDepth(format.layout) ? 0 : int(first - format.swizzle.begin())];
+  }
+}
+
+/// TEXTURE_SWIZZLE_RGBA over what a texture's format gives, of texels and of the border.
+void swizzle(const std::array<GLenum, 4> &names, abi::Swizzle &texel, float border[4]) {
+  const abi::Swizzle from = texel;
+  const std::array<float, 4> color = {border[0], border[1], border[2], border[3]};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (names[i] == GL_ZERO || names[i] == GL_ONE) {
+      texel[i] = names[i] == GL_ONE ? abi::From::One : abi::From::Zero;
+      border[i] = names[i] == GL_ONE ? 1.0f : 0.0f;
+      continue;
+    }
+    const std::size_t component = names[i] - GL_RED; // RED, GREEN, BLUE, ALPHA
+    texel[i] = from[component];
+    border[i] = color[component];
   }
 }
 
@@ -102,14 +113,15 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     code.dimension = dimension;
     code.format = images->format;
     code.powerOfTwo = images->powerOfTwo;
-    code.shadow = isShadow(sampler.target) && state.compares && isDepth(code.format.layout);
-    if (isDepth(code.format.layout))
+    code.shadow = isShadow(sampler.target) && state.compares && abi::isDepth(code.format.layout);
+    if (abi::isDepth(code.format.layout))
       code.format.swizzle = depthSwizzle(state.depthMode);
     view = images->view;
     view.lodBias = state.lodBias;
     view.minLod = state.minLod;
     view.maxLod = state.maxLod;
     convertBorder(code.format, state.borderColor, view.borderColor);
+    swizzle(state.swizzle, code.format.swizzle, view.borderColor);
     if (code.mip != abi::MipFilter::None || code.minify != code.magnify)
       m_levelsMatter |= 1u << sampler.unit;
   }

@@ -108,7 +108,7 @@ void PixelWriter::write(const PixelPlace &place, const FragmentColors &fragment,
     Value *const old = m_targets[i].load(place, type.type, type.parts);
     // Of a fixed-point buffer every operand is clamped, whatever fragment clamping says
     // (ARB_color_buffer_float, changes to 4.1.7).
-    const bool fixedPoint = !isFloat(target.format.layout);
+    const bool fixedPoint = !abi::isFloat(target.format.layout);
     Vec source = fragment.colors[i];
     for (Value *&component : source) {
       component = component ? component : m_code.splat(0.0f);
@@ -132,7 +132,7 @@ Value *PixelWriter::pixelsOf(const FragmentColors &fragment, std::size_t target)
   if (key.format.layout == abi::Layout::U8x4)
     if (Value *const pixels = passedThrough(fragment, color, key))
       return pixels;
-  if (m_key.clampColors && isFloat(key.format.layout))
+  if (m_key.clampColors && abi::isFloat(key.format.layout))
     for (Value *&component : color)
       component = component ? m_code.saturate(component) : nullptr;
   return packPixels(m_code, key.format, color);
@@ -143,7 +143,7 @@ void PixelWriter::storePixels(const PixelPlace &place, Value *pixels, std::size_
   llvm::IRBuilder<> &ir = m_code.ir;
   const abi::ColorTargetKey &key = m_key.targets[target];
   const PixelType type = pixelType(m_code, key.format.layout);
-  const bool logic = m_key.logicOpEnabled && !isFloat(key.format.layout);
+  const bool logic = m_key.logicOpEnabled && !abi::isFloat(key.format.layout);
   Value *const kept = keptBits(m_code, key.format, key.writeMask);
   if ((kept || logic) && !old)
     old = m_targets[target].load(place, type.type, type.parts);

@@ -95,17 +95,73 @@ Value *packBytes(Code &code, const abi::Format &format, const Vec &color) {
   return pixels;
 }
 
+/// A number of `bits` bits, in an i32. Below 2^23 adding a half and cutting off rounds to nearest.
+Value *normalizedBits(Code &code, Value *value, int bits) {
+  const auto most = float((1 << bits) - 1);
+  Value *const scaled = code.ir.CreateFMul(code.saturate(value), code.splat(most));
+  return code.toInt(code.ir.CreateFAdd(scaled, code.splat(0.5f)));
+}
+
+/// Half floats in the low bits of an i32: towards zero, as the software host makes them, so that
+/// what either draws is the same. What is too large becomes the largest number.
+Value *halfBits(Code &code, Value *value) {
+  llvm::IRBuilder<> &ir = code.ir;
+  constexpr int kTowardsZero = 3;
+  auto *const halves = llvm::FixedVectorType::get(ir.getInt16Ty(), unsigned(code.lanes));
+  if (code.cpu.family == Cpu::Family::Avx512)
+    return ir.CreateZExt(
+        ir.CreateIntrinsic(llvm::Intrinsic::x86_avx512_mask_vcvtps2ph_512, {},
+                           {value, ir.getInt32(kTowardsZero), llvm::Constant::getNullValue(halves),
+                            ir.getInt16(0xFFFF)}),
+        code.i32);
+  if (code.cpu.family == Cpu::Family::Avx2)
+    return ir.CreateZExt(ir.CreateIntrinsic(llvm::Intrinsic::x86_vcvtps2ph_256, {},
+                                            {value, ir.getInt32(kTowardsZero)}),
+                         code.i32);
+  Value *const bits = ir.CreateBitCast(value, code.i32);
+  Value *const sign = ir.CreateAnd(ir.CreateLShr(bits, code.splat(16)), code.splat(0x8000));
+  Value *const magnitude = ir.CreateAnd(bits, code.splat(0x7FFFFFFF));
+  const auto below = [&](int limit) { return ir.CreateICmpSLT(magnitude, code.splat(limit)); };
+  Value *half =
+      ir.CreateLShr(ir.CreateSub(magnitude, code.splat((127 - 15) << 23)), code.splat(13));
+  half = code.select(below(0x47800000), half, code.splat(0x7BFF)); // 65536
+  // Below the least normal number, 2^-14, in units of 2^-24.
+  Value *const units = ir.CreateFMul(ir.CreateBitCast(magnitude, code.f32), code.splat(0x1p24f));
+  half = code.select(below(0x38800000),
+                     code.toInt(code.select(below(0x38800000), units, code.splat(0.0f))), half);
+  half = code.select(below(0x7F800000), half, code.splat(0x7C00));
+  half = code.select(below(0x7F800001), half, code.splat(0x7E00));
+  return ir.CreateOr(half, sign);
+}
+
 /// One stored component, as integers of the layout's width.
 Value *storedBits(Code &code, abi::Layout layout, Value *value) {
   llvm::IRBuilder<> &ir = code.ir;
   const PixelType type = pixelType(code, layout);
   auto *const integers = llvm::FixedVectorType::get(type.type, unsigned(code.lanes));
-  if (isFloat(layout))
+  if (abi::isHalf(layout))
+    return ir.CreateTrunc(halfBits(code, value), integers);
+  if (abi::isFloat(layout))
     return ir.CreateBitCast(value, integers);
-  const bool isByte = type.type->isIntegerTy(8);
-  // Below 2^23 adding a half and cutting off rounds to nearest.
-  Value *const scaled = ir.CreateFMul(code.saturate(value), code.splat(isByte ? 255.0f : 65535.0f));
-  return ir.CreateTrunc(code.toInt(ir.CreateFAdd(scaled, code.splat(0.5f))), integers);
+  return ir.CreateTrunc(normalizedBits(code, value, int(type.type->getScalarSizeInBits())),
+                        integers);
+}
+
+/// The word of a packed layout.
+Value *packedWord(Code &code, const abi::Format &format, const Vec &color) {
+  Value *word = nullptr;
+  for (int k = 0; k < abi::componentsOf(format.layout); ++k) {
+    const abi::BitField field = abi::bitsOf(format.layout, k);
+    const int component = componentOf(format, k);
+    Value *const value = component < 0 ? nullptr : color[std::size_t(component)];
+    Value *bits = code.splat(component < 0 ? (1 << field.bits) - 1 : 0);
+    if (value)
+      bits = normalizedBits(code, value, field.bits);
+    bits = code.ir.CreateShl(bits, code.splat(field.shift));
+    word = word ? code.ir.CreateOr(word, bits) : bits;
+  }
+  auto *const type = pixelType(code, format.layout).type;
+  return code.ir.CreateZExtOrTrunc(word, llvm::FixedVectorType::get(type, unsigned(code.lanes)));
 }
 
 /// a0 b0 .. a1 b1 ..
@@ -129,36 +185,16 @@ Value *interleaved(Code &code, const std::vector<Value *> &parts) {
 } // namespace
 
 PixelType pixelType(Code &code, abi::Layout layout) {
-  llvm::IRBuilder<> &ir = code.ir;
-  switch (layout) {
-  case abi::Layout::U8x1:
-    return {ir.getInt8Ty(), 1};
-  case abi::Layout::U8x2:
-    return {ir.getInt8Ty(), 2};
-  case abi::Layout::U8x4:
-    return {ir.getInt32Ty(), 1};
-  case abi::Layout::U16x4:
-    return {ir.getInt16Ty(), 4};
-  case abi::Layout::F32x1:
-    return {ir.getInt32Ty(), 1};
-  case abi::Layout::F32x2:
-    return {ir.getInt32Ty(), 2};
-  case abi::Layout::F32x4:
-    return {ir.getInt32Ty(), 4};
-  default:
+  const int bytes = abi::bytesOf(layout);
+  if (bytes == 0 || abi::isDepth(layout))
     return {};
-  }
+  // Four bytes are one word, as the parts of a word are.
+  const int parts =
+      abi::isPacked(layout) || layout == abi::Layout::U8x4 ? 1 : abi::componentsOf(layout);
+  return {code.ir.getIntNTy(unsigned(8 * bytes / parts)), parts};
 }
 
-bool isFloat(abi::Layout layout) {
-  return layout == abi::Layout::F32x1 || layout == abi::Layout::F32x2 ||
-         layout == abi::Layout::F32x4;
-}
-
-bool isDrawable(abi::Layout layout) {
-  return isFloat(layout) || layout == abi::Layout::U8x1 || layout == abi::Layout::U8x2 ||
-         layout == abi::Layout::U8x4 || layout == abi::Layout::U16x4;
-}
+bool isDrawable(abi::Layout layout) { return abi::componentsOf(layout) > 0; }
 
 int componentOf(const abi::Format &format, int k) {
   for (int c = 0; c < 4; ++c)
@@ -170,6 +206,8 @@ int componentOf(const abi::Format &format, int k) {
 Value *packPixels(Code &code, const abi::Format &format, const Vec &color) {
   if (format.layout == abi::Layout::U8x4)
     return packBytes(code, format, color);
+  if (abi::isPacked(format.layout))
+    return packedWord(code, format, color);
   std::vector<Value *> parts;
   for (int k = 0; k < pixelType(code, format.layout).parts; ++k) {
     const int component = componentOf(format, k);
@@ -181,23 +219,26 @@ Value *packPixels(Code &code, const abi::Format &format, const Vec &color) {
 
 Value *keptBits(Code &code, const abi::Format &format, unsigned writeMask) {
   const PixelType type = pixelType(code, format.layout);
-  const bool bytesInWord = format.layout == abi::Layout::U8x4;
-  const int stored = bytesInWord ? 4 : type.parts;
+  const bool inWord = format.layout == abi::Layout::U8x4 || abi::isPacked(format.layout);
+  const int stored = inWord ? abi::componentsOf(format.layout) : type.parts;
   std::vector<llvm::Constant *> kept;
   std::uint32_t word = 0;
   bool any = false;
   for (int k = 0; k < stored; ++k) {
     const int c = componentOf(format, k);
     const bool keeps = c >= 0 && !(writeMask >> c & 1);
+    const abi::BitField field =
+        abi::isPacked(format.layout) ? abi::bitsOf(format.layout, k) : abi::BitField{8 * k, 8};
     any |= keeps;
-    word |= keeps ? 0xFFu << (8 * k) : 0;
+    word |= keeps && inWord ? ((1u << field.bits) - 1) << field.shift : 0;
     kept.push_back(keeps ? llvm::Constant::getAllOnesValue(type.type)
                          : llvm::Constant::getNullValue(type.type));
   }
   if (!any)
     return nullptr;
-  if (bytesInWord)
-    return code.splat(int(word));
+  if (inWord)
+    return llvm::ConstantVector::getSplat(llvm::ElementCount::getFixed(unsigned(code.lanes)),
+                                          llvm::ConstantInt::get(type.type, word));
   llvm::SmallVector<llvm::Constant *, 64> all;
   for (int i = 0; i < code.lanes * stored; ++i)
     all.push_back(kept[std::size_t(i % stored)]);

@@ -12,7 +12,6 @@ struct PixelType {
 [[nodiscard]] PixelType pixelType(Code &code, abi::Layout layout);
 /// Layouts of colour buffers.
 [[nodiscard]] bool isDrawable(abi::Layout layout);
-[[nodiscard]] bool isFloat(abi::Layout layout);
 
 /// The component that stored component \p k holds; -1 for none.
 [[nodiscard]] int componentOf(const abi::Format &format, int k);

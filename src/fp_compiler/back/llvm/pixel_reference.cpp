@@ -149,16 +149,29 @@ bool tested(const abi::DepthStencilKey &key, const abi::FragmentData &data, bool
 }
 
 double component(abi::Layout layout, const std::uint8_t *pixel, int k) {
-  if (layout == abi::Layout::U8x1 || layout == abi::Layout::U8x2 || layout == abi::Layout::U8x4)
-    return pixel[k] / 255.0;
-  if (layout == abi::Layout::U16x4) {
-    std::uint16_t value = 0;
-    std::memcpy(&value, pixel + 2 * k, 2);
-    return value / 65535.0;
+  const auto at = [&]<typename Number>(Number value) {
+    std::memcpy(&value, pixel + std::size_t(k) * sizeof value, sizeof value);
+    return value;
+  };
+  if (abi::isPacked(layout)) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, pixel, std::size_t(abi::bytesOf(layout)));
+    const abi::BitField field = abi::bitsOf(layout, k);
+    const unsigned most = (1u << field.bits) - 1;
+    return double(word >> field.shift & most) / most;
   }
-  float value = 0;
-  std::memcpy(&value, pixel + 4 * k, 4);
-  return double(value);
+  if (abi::isHalf(layout)) {
+    const std::uint16_t half = at(std::uint16_t());
+    const int exponent = half >> 10 & 31, fraction = half & 1023;
+    const double size =
+        exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
+    return half & 0x8000 ? -size : size;
+  }
+  if (abi::isFloat(layout))
+    return double(at(0.0f));
+  if (layout <= abi::Layout::U8x4)
+    return pixel[k] / 255.0;
+  return at(std::uint16_t()) / 65535.0;
 }
 } // namespace
 
@@ -182,7 +195,7 @@ ReferencePixel shadeReference(const abi::FragmentKey &key, const abi::FragmentDa
   result.bits = oldBits;
   result.depthStencil = oldDepthStencil;
   const abi::Layout layout = key.targets[0].format.layout;
-  const bool fixedPoint = layout < abi::Layout::F16x1 || layout > abi::Layout::F32x4;
+  const bool fixedPoint = !abi::isFloat(layout);
   std::array<double, 4> source = {};
   float constant[4] = {};
   for (std::size_t c = 0; c < 4; ++c) {

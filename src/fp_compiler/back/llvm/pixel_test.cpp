@@ -29,7 +29,31 @@ const abi::Format kFormats[] = {
     {Layout::F32x4, abi::kRgba},
     {Layout::F32x2, {From::C0, From::C1, From::Zero, From::One}},
     {Layout::F32x1, {From::C0, From::Zero, From::Zero, From::One}},
+    {Layout::U8x1, {From::C0, From::C0, From::C0, From::C0}},
+    {Layout::U16x1, {From::C0, From::C0, From::C0, From::One}},
+    {Layout::U16x2, {From::C0, From::C1, From::Zero, From::One}},
+    {Layout::F16x1, {From::C0, From::C0, From::C0, From::C0}},
+    {Layout::F16x2, {From::C0, From::C0, From::C0, From::C1}},
+    {Layout::F16x4, abi::kRgba},
+    {Layout::Bits565, {From::C0, From::C1, From::C2, From::One}},
+    {Layout::Bits4444, abi::kRgba},
+    {Layout::Bits5551, abi::kRgba},
+    {Layout::Bits5551, {From::C0, From::C1, From::C2, From::One}},
+    {Layout::Bits1010102, abi::kRgba},
 };
+
+/// What a stored component may be off by, of 1.
+double toleranceOf(const abi::Format &format, std::size_t c) {
+  const Layout layout = format.layout;
+  if (abi::isHalf(layout))
+    return 1.01 / 1024; // of numbers up to 2: one step, as they are cut off
+  if (abi::isFloat(layout))
+    return 4e-6;
+  int bits = 8 * abi::bytesOf(layout) / abi::componentsOf(layout);
+  if (abi::isPacked(layout) && format.swizzle[c] <= From::C3)
+    bits = abi::bitsOf(layout, int(format.swizzle[c])).bits;
+  return bits < 8 ? 0.501 / ((1 << bits) - 1) : 1.01 / ((1 << bits) - 1);
+}
 
 class Random {
 public:
@@ -138,8 +162,12 @@ void fill(Draw &draw, Random &random) {
           std::memcpy(target.pixel(x, y) + 4 * k, &value, 4);
         }
   };
-  if (draw.color.format.layout >= Layout::F32x1)
+  const Layout colors = draw.color.format.layout;
+  if (abi::isFloat(colors) && !abi::isHalf(colors))
     setUnits(draw.color);
+  if (abi::isHalf(colors)) // numbers below 1, of both signs
+    for (std::size_t i = 1; i < draw.color.bytes.size(); i += 2)
+      draw.color.bytes[i] = std::uint8_t((draw.color.bytes[i] & 0x80) | draw.color.bytes[i] % 0x3C);
   if (draw.depth.format.layout == Layout::Depth32F)
     setUnits(draw.depth);
 }
@@ -246,16 +274,15 @@ void checkPixel(Draw &draw, Draw &before, int x, int y) {
     return;
   }
   const std::array<double, 4> got = testing::readPixel(draw.color.format, draw.color.pixel(x, y));
-  const bool isFloat = draw.color.format.layout >= Layout::F32x1;
-  const double tolerance = isFloat                                     ? 4e-6
-                           : draw.color.format.layout == Layout::U16x4 ? 1.01 / 65535
-                                                                       : 1.01 / 255;
+  const bool isFloat = abi::isFloat(draw.color.format.layout);
   for (std::size_t c = 0; c < 4; ++c) {
     const double expected = isFloat ? want.color[c] : std::clamp(want.color[c], 0.0, 1.0);
     if (want.written[c]) {
-      ASSERT_NEAR(got[c], expected, tolerance) << "component " << c << " at " << x << ", " << y;
+      ASSERT_NEAR(got[c], expected, toleranceOf(draw.color.format, c))
+          << "component " << c << " at " << x << ", " << y;
     } else if (draw.color.format.swizzle[c] <= From::C3 &&
-               draw.color.format.layout == Layout::U8x4) {
+               (draw.color.format.layout == Layout::U8x4 ||
+                abi::isPacked(draw.color.format.layout))) {
       ASSERT_EQ(got[c], dest[c]) << "a masked component " << c;
     }
   }

@@ -65,37 +65,21 @@ Value *halfToFloat(Code &code, Value *half) {
   return code.ir.CreateBitCast(code.ir.CreateOr(bits, sign), code.f32);
 }
 
-/// Bits of one stored component; depth layouts have one.
-int componentBits(Layout layout) {
-  switch (layout) {
-  case Layout::U8x1:
-  case Layout::U8x2:
-  case Layout::U8x4:
-    return 8;
-  case Layout::U16x1:
-  case Layout::U16x2:
-  case Layout::U16x4:
-  case Layout::F16x1:
-  case Layout::F16x2:
-  case Layout::F16x4:
-  case Layout::Depth16:
-    return 16;
-  case Layout::F32x1:
-  case Layout::F32x2:
-  case Layout::F32x4:
-  case Layout::Depth24Stencil8:
-  case Layout::Depth32F:
-    return 32;
-  case Layout::None:
-    return 0;
-  }
-  llvm_unreachable("a layout");
+/// Where a stored component lies in a texel: its first bit, and how many. Depth layouts have one.
+abi::BitField fieldOf(Layout layout, int component) {
+  if (abi::isPacked(layout))
+    return abi::bitsOf(layout, component);
+  if (layout == Layout::Depth24Stencil8)
+    return {8, 24};
+  const int components = abi::isDepth(layout) ? 1 : abi::componentsOf(layout);
+  const int bits = 8 * abi::bytesOf(layout) / components;
+  return {component * bits, bits};
 }
 
 Value *storedComponent(Code &code, Layout layout, const Words &words, int component) {
-  const int bits = componentBits(layout);
-  Value *const word = words[std::size_t(component * bits / 32)];
-  const int shift = component * bits % 32;
+  const abi::BitField field = fieldOf(layout, component);
+  Value *const word = words[std::size_t(field.shift / 32)];
+  const int shift = field.shift % 32, bits = field.bits;
   switch (layout) {
   case Layout::U8x1:
   case Layout::U8x2:
@@ -103,7 +87,12 @@ Value *storedComponent(Code &code, Layout layout, const Words &words, int compon
   case Layout::U16x1:
   case Layout::U16x2:
   case Layout::U16x4:
+  case Layout::Bits565:
+  case Layout::Bits4444:
+  case Layout::Bits5551:
+  case Layout::Bits1010102:
   case Layout::Depth16:
+  case Layout::Depth24Stencil8:
     return normalized(code, word, shift, bits);
   case Layout::F16x1:
   case Layout::F16x2:
@@ -114,8 +103,6 @@ Value *storedComponent(Code &code, Layout layout, const Words &words, int compon
   case Layout::F32x4:
   case Layout::Depth32F:
     return code.ir.CreateBitCast(word, code.f32);
-  case Layout::Depth24Stencil8:
-    return normalized(code, word, 8, 24);
   case Layout::None:
     break;
   }
@@ -128,7 +115,7 @@ unsigned wordsNeeded(const abi::Format &format, unsigned needed) {
   unsigned words = 0;
   for (unsigned i = 0; i < 4; ++i)
     if (needed >> i & 1 && format.swizzle[i] <= From::C3)
-      words |= 1u << int(format.swizzle[i]) * componentBits(format.layout) / 32;
+      words |= 1u << fieldOf(format.layout, int(format.swizzle[i])).shift / 32;
   return words;
 }
 

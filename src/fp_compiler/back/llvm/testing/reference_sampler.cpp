@@ -48,6 +48,15 @@ double component(Layout layout, const std::uint8_t *bytes, int index) {
   case Layout::Depth24Stencil8:
     std::memcpy(&word, bytes, 4);
     return (word >> 8) / 16777215.0;
+  case Layout::Bits565:
+  case Layout::Bits4444:
+  case Layout::Bits5551:
+  case Layout::Bits1010102: {
+    std::memcpy(&word, bytes, std::size_t(abi::bytesOf(layout)));
+    const abi::BitField field = abi::bitsOf(layout, index);
+    const double most = std::ldexp(1, field.bits) - 1;
+    return double(word >> field.shift & unsigned(most)) / most;
+  }
   case Layout::None:
     break;
   }
@@ -61,23 +70,6 @@ Color swizzled(const abi::Swizzle &swizzle, const Color &stored) {
                : swizzle[i] == abi::From::Zero ? 0
                                                : stored[std::size_t(swizzle[i])];
   return color;
-}
-
-int componentsOf(Layout layout) {
-  switch (layout) {
-  case Layout::U8x4:
-  case Layout::U16x4:
-  case Layout::F16x4:
-  case Layout::F32x4:
-    return 4;
-  case Layout::U8x2:
-  case Layout::U16x2:
-  case Layout::F16x2:
-  case Layout::F32x2:
-    return 2;
-  default:
-    return 1;
-  }
 }
 
 double clampTo(double value, double low, double high) {
@@ -289,7 +281,7 @@ Color sampleLevel(const abi::SamplerKey &key, const abi::TextureView &view, Plac
 
 Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes) {
   Color stored = {};
-  for (int i = 0; i < componentsOf(format.layout); ++i)
+  for (int i = 0; i < std::max(abi::componentsOf(format.layout), 1); ++i)
     stored[std::size_t(i)] = component(format.layout, bytes, i);
   return swizzled(format.swizzle, stored);
 }

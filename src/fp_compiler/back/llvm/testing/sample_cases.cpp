@@ -1,5 +1,6 @@
 #include "fp_compiler/back/llvm/testing/sample_cases.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -32,46 +33,28 @@ enum Property {
   Needed,
   kProperties
 };
-constexpr int kValues[kProperties] = {5, 16, 5, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
+constexpr int kValues[kProperties] = {5, 20, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
 using Choice = std::array<int, kProperties>;
 
 constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
                                       {From::C2, From::C1, From::C0, From::C3},
                                       {From::C0, From::C0, From::C0, From::One},
                                       {From::Zero, From::Zero, From::Zero, From::C0},
-                                      {From::C0, From::C0, From::C0, From::C1}};
+                                      {From::C0, From::C0, From::C0, From::C1},
+                                      {From::C0, From::C1, From::C2, From::One}};
 constexpr int kSizes[][3] = {{1, 1, 1},   {16, 8, 4}, {64, 64, 8},
                              {37, 21, 5}, {3, 40, 2}, {1, 32, 1}};
-
-bool isDepth(Layout layout) { return layout >= Layout::Depth16; }
-int componentsOf(Layout layout) {
-  if (isDepth(layout))
-    return 1;
-  switch (layout) {
-  case Layout::U8x2:
-  case Layout::U16x2:
-  case Layout::F16x2:
-  case Layout::F32x2:
-    return 2;
-  case Layout::U8x4:
-  case Layout::U16x4:
-  case Layout::F16x4:
-  case Layout::F32x4:
-    return 4;
-  default:
-    return 1;
-  }
-}
 
 /// Whether GL can ask for it: the rest of the pairs does not occur.
 bool possible(const Choice &c) {
   const auto layout = Layout(c[Lay]);
   const auto dimension = Dimension(c[Dim]);
   for (const From from : kSwizzles[c[Swi]])
-    if (from <= From::C3 && layout != Layout::None && int(from) >= componentsOf(layout))
+    if (from <= From::C3 && layout != Layout::None &&
+        int(from) >= std::max(abi::componentsOf(layout), 1))
       return false;
   if (c[Shadow] &&
-      (!isDepth(layout) || dimension == Dimension::Tex3D || dimension == Dimension::Cube))
+      (!abi::isDepth(layout) || dimension == Dimension::Tex3D || dimension == Dimension::Cube))
     return false;
   if (dimension == Dimension::Rect &&
       (c[Mip] != 0 || (c[WrapS] != 2 && c[WrapS] != 3 && c[WrapS] != 4) ||
