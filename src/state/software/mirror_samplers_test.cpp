@@ -192,11 +192,18 @@ std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
   refreshArrays(context, mirror);
   refreshCurrent(context, mirror, ~0u);
   const std::uint32_t slots = 1u | 1u << slot;
-  const ArraySource source(context, mirror, slots, command);
+  ArraySource source;
   VertexFetcher fetcher;
   IndexRange range;
-  EXPECT_TRUE(source.valid());
-  if (!source.valid())
+  const bool valid = source.open(context, mirror, slots, command);
+  EXPECT_TRUE(valid);
+  // What is left mapped would be an error of the commands that follow.
+  const struct Closing {
+    ArraySource &source;
+    Context &context;
+    ~Closing() { source.close(context); }
+  } closing{source, context};
+  if (!valid)
     return {};
   if (command.indexType != 0) {
     EXPECT_TRUE(
@@ -281,8 +288,10 @@ TEST(MirrorArrays, WhatWeLackIsRefused) {
     context.stale |= stale::kArrays | stale::kRaster;
     refresh(context, mirror);
     refreshArrays(context, mirror);
-    const ArraySource source(context, mirror, 1u | 1u << slot, command);
-    return source.valid();
+    ArraySource source;
+    const bool opened = source.open(context, mirror, 1u | 1u << slot, command);
+    source.close(context);
+    return opened;
   };
   EXPECT_FALSE(valid(kPosition)) << "no array of positions";
   const float positions[12] = {};
