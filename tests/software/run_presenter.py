@@ -18,18 +18,6 @@ import sides
 from x_server import XServer
 
 
-def differences(bare, layer):
-    lines = []
-    if [what for what, _ in bare] != [what for what, _ in layer]:
-        pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
-        lines += [f"bare '{x}', layer '{y}'" for x, y in pairs[:4]] or ["other records"]
-    for (what, a), (_, b) in zip(bare, layer):
-        far, worst = sides.distances(a, b)
-        if far:
-            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
-    return lines
-
-
 def judge(client, name, server_options, layer, scratch):
     """(lines of what is wrong, draws of the rasterizer)."""
     stats = pathlib.Path(scratch) / "stats.json"
@@ -46,7 +34,7 @@ def judge(client, name, server_options, layer, scratch):
     if not any(pixels for _, pixels in answers[0]):
         return ["the bare host shows nothing"], 0
     drawn = sides.software_statistics(stats).get("drawn", 0)
-    return differences(*answers) + ([] if drawn else ["the rasterizer drew nothing"]), drawn
+    return sides.differences(*answers) + ([] if drawn else ["the rasterizer drew nothing"]), drawn
 
 
 def main():

@@ -30,14 +30,7 @@ def judge(bare, layer):
         return ("host" if isinstance(bare, str) else "FAIL"), [f"layer: {layer}"]
     if isinstance(bare, str):
         return "host", [f"the bare host: {bare}"]
-    lines = []
-    if [what for what, _ in bare] != [what for what, _ in layer]:
-        pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
-        lines += [f"bare '{x}', layer '{y}'" for x, y in pairs[:4]] or ["other records"]
-    for (what, a), (_, b) in zip(bare, layer):
-        far, worst = sides.distances(a, b)
-        if far:
-            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    lines = sides.differences(bare, layer)
     return ("FAIL" if lines else "pass"), lines[:8]
 
 

@@ -84,6 +84,19 @@ def distances(a, b):
     return sum(max(apart[i:i + 4]) > 1 for i in range(0, len(apart), 4)), worst
 
 
+def differences(bare, layer):
+    """What two clients' records differ in, a line each; nothing where they agree."""
+    lines = []
+    if [what for what, _ in bare] != [what for what, _ in layer]:
+        pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
+        lines += [f"bare '{x}', layer '{y}'" for x, y in pairs[:4]] or ["other records"]
+    for (what, a), (_, b) in zip(bare, layer):
+        far, worst = distances(a, b)
+        if far:
+            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    return lines
+
+
 def software_statistics(path):
     """The part of the layer's statistics that is about the rasterizer; empty without one."""
     try:
