@@ -218,12 +218,18 @@ void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
   };
   m_begin = larger(m_begin, ir.CreateNeg(first));
   m_end = smaller(m_end, ir.CreateSub(image.width, first));
-  // Beyond the edges: once around at most, any distance, or not at all.
+  // Beyond the edges: once around at most, any distance unless one vector reaches both edges, or
+  // not at all.
+  Value *const startsInside = ir.CreateICmpSGE(first, ir.getInt32(0));
   if (key.wrap[0] == abi::Wrap::Repeat)
     m_good = both(m_good, ir.CreateICmpSLE(m_count, image.width));
-  else if (key.wrap[0] != abi::Wrap::ClampToEdge)
+  else if (key.wrap[0] == abi::Wrap::ClampToEdge)
+    m_good = both(m_good,
+                  ir.CreateOr(startsInside,
+                              ir.CreateICmpSGE(image.width, ir.getInt32(unsigned(m_code.lanes)))));
+  else
     m_good =
-        both(m_good, ir.CreateAnd(ir.CreateICmpSGE(first, ir.getInt32(0)),
+        both(m_good, ir.CreateAnd(startsInside,
                                   ir.CreateICmpSLE(m_count, ir.CreateSub(image.width, first))));
 
   // Across: one row, wrapped here.
