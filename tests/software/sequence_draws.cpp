@@ -1,5 +1,6 @@
 #include "world.h"
 
+#include <bit>
 #include <string>
 
 namespace software {
@@ -38,6 +39,15 @@ Mapping randomMapping(const Place &place, const Texture &image, bool normalised,
   const float height = normalised ? float(image.height[0]) : 1.0f;
   return {u / width, v / height, (u + step * (place.x1 - place.x0)) / width,
           (v + step * (place.y1 - place.y0)) / height};
+}
+
+/// Whether the coordinates of a mapping for `first` lie no nearer to the texels' borders of
+/// `second`: a texel of `second` is half a one of `first`, or that times a power of two.
+bool fitsToo(const Texture &first, const Texture &second) {
+  const auto fits = [](int a, int b) {
+    return 2 * a % b == 0 && std::has_single_bit(unsigned(2 * a / b));
+  };
+  return fits(first.width[0], second.width[0]) && fits(first.height[0], second.height[0]);
 }
 
 void randomColor(Random &random, bool extremes) {
@@ -105,6 +115,9 @@ void bind(World &world, GLenum unit, int texture) {
   glBindTexture(World::targetOf(texture), world.texture(texture).name);
 }
 
+/// Also of programs that have rows' numbers: where Clear came between BindFramebuffer and the draw,
+/// Mesa 22.3.6 goes on to count rows from the end that it was last told of, until it hands a
+/// program new parameters.
 void setLocal(Random &random) {
   std::array<float, 4> value{};
   for (float &component : value)
@@ -122,12 +135,14 @@ void drawProgram(World &world, Random &random, int program, int way) {
   if (rectangle)
     first = kRectangle;
   const bool samples = program != 0 && program != 5 && program != 8;
+  if (program == 4 && !fitsToo(world.texture(first), world.texture(second)))
+    second = first;
   if (samples && (world.attached(first) || (program == 4 && world.attached(second))))
     program = 0;
   bind(world, GL_TEXTURE1, second);
   bind(world, GL_TEXTURE0, first);
   glBindProgramARB(kFragment, world.group().programs[std::size_t(program)]);
-  if (program == 0)
+  if (program == 0 || program == 8)
     setLocal(random);
   glEnable(kFragment);
   randomColor(random, false);
@@ -185,6 +200,7 @@ void triangle(World &world, Random &random, const std::string &) {
     return;
   const bool ours = random.once(2);
   glBindProgramARB(kFragment, world.group().programs[random.once(2) ? 5 : 8]);
+  setLocal(random);
   if (ours)
     glEnable(kFragment);
   else

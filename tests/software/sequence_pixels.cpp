@@ -56,8 +56,10 @@ void copyImage(World &world, Random &random, const std::string &) {
     return;
   bind(world, texture);
   const Rectangle from = randomRectangle(width, height, random);
-  glCopyTexImage2D(World::targetOf(texture), 0, random.pick(kInternal), from.x, from.y, from.width,
-                   from.height, 0);
+  const GLenum internal = random.pick(kInternal);
+  glCopyTexImage2D(World::targetOf(texture), 0, internal, from.x, from.y, from.width, from.height,
+                   0);
+  world.texture(texture).internal = internal;
   world.texture(texture).width[0] = from.width;
   world.texture(texture).height[0] = from.height;
   world.dropLevel1(texture);
@@ -81,13 +83,8 @@ void subImage(World &world, Random &random, const std::string &) {
 void texImage(World &world, Random &random, const std::string &) {
   const int texture = random.below(kTextures);
   glActiveTexture(GL_TEXTURE0);
-  if (random.once(4) && texture != kRectangle) {
-    const Texture &image = world.texture(texture);
-    world.define(texture, 1, std::max(1, image.width[0] / 2), std::max(1, image.height[0] / 2),
-                 GL_RGBA8, random);
-  } else {
+  if (!random.once(4) || texture == kRectangle || !world.defineLevel1(texture, random))
     world.redefine(texture, random);
-  }
   world.fit();
 }
 

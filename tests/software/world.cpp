@@ -157,6 +157,17 @@ void World::define(int texture, int level, int width, int height, GLenum interna
                GL_UNSIGNED_BYTE, texels.data());
   image.width[std::size_t(level)] = width;
   image.height[std::size_t(level)] = height;
+  image.internal = internal;
+}
+
+bool World::defineLevel1(int texture, Random &random) {
+  const Texture &image = this->texture(texture);
+  const bool sized = image.internal != GL_RGBA;
+  if (!sized || (image.width[0] == 1 && image.height[0] == 1))
+    return false;
+  define(texture, 1, std::max(1, image.width[0] / 2), std::max(1, image.height[0] / 2),
+         image.internal, random);
+  return true;
 }
 
 void World::redefine(int texture, Random &random) {

@@ -18,6 +18,7 @@ inline constexpr int kPbufferWidth = 48, kPbufferHeight = 40;
 struct Texture {
   GLuint name = 0;
   std::array<int, 2> width{}, height{}; ///< of levels 0 and 1; 0: not defined
+  GLenum internal = 0;                  ///< of both levels
 };
 
 /// What contexts share.
@@ -63,6 +64,10 @@ public:
   /// Defines a level from `random`.
   void define(int texture, int level, int width, int height, GLenum internal, Random &random);
   void redefine(int texture, Random &random);
+  /// Level 1 of the size that it has in a mipmap, if there can be one. It has level 0's format, a
+  /// sized one: Mesa 22.3.6 loses the texels of a level of another format when it draws with the
+  /// texture.
+  [[nodiscard]] bool defineLevel1(int texture, Random &random);
   /// Level 0 is given anew, of another size. Mesa 22.3.6 tells level 1 wrong from then on, until it
   /// draws with the texture: there is none any more.
   void dropLevel1(int texture);
