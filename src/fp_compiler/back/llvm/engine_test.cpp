@@ -3,7 +3,9 @@
 #include <cfenv>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <thread>
+#include <utility>
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/jit.h"
@@ -153,6 +155,49 @@ TEST(Engine, CompilesOnSeveralThreads) {
   for (std::thread &thread : threads)
     thread.join();
   EXPECT_EQ(right, (std::array<int, 4>{8, 8, 8, 8}));
+}
+
+/// An address space in which the next page lies 8 GiB from the one after it: no room but one page
+/// above what is reserved.
+class Scattered {
+public:
+  Scattered() {
+    auto *const reserved = static_cast<std::uint8_t *>(map(kReserved));
+    for (std::size_t bytes = std::size_t(1) << 30; bytes >= kPage; bytes /= 8)
+      while (m_mappings.size() < kMost && map(bytes) > reserved) {
+      }
+    munmap(reserved + kReserved - kPage, kPage);
+  }
+  ~Scattered() {
+    for (const auto &[begin, bytes] : m_mappings)
+      munmap(begin, bytes);
+  }
+  Scattered(const Scattered &) = delete;
+  Scattered &operator=(const Scattered &) = delete;
+
+private:
+  static constexpr std::size_t kReserved = std::size_t(8) << 30, kPage = 4096;
+  static constexpr std::size_t kMost = 4000; ///< where addresses are given from below
+
+  void *map(std::size_t bytes) {
+    void *const begin =
+        mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (begin == MAP_FAILED)
+      return nullptr;
+    m_mappings.emplace_back(begin, bytes);
+    return begin;
+  }
+  std::vector<std::pair<void *, std::size_t>> m_mappings;
+};
+
+TEST(Engine, CodeLiesBesideItsConstants) {
+  const auto engine = engineFor({});
+  ASSERT_NE(engine, nullptr);
+  const auto before = compiled(*engine, scaled(1)); // what LLVM itself maps once is mapped
+  const Scattered scattered;
+  const auto code = compiled(*engine, scaled(12));
+  ASSERT_NE(code, nullptr);
+  EXPECT_EQ(run(*code, 3)[2], 16.0f);
 }
 
 class EngineCache : public ::testing::Test {

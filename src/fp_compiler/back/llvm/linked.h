@@ -2,8 +2,9 @@
 #include <memory>
 #include <string>
 
-#include <llvm/ExecutionEngine/SectionMemoryManager.h>
 #include <llvm/Support/MemoryBufferRef.h>
+
+#include "fp_compiler/back/llvm/code_memory.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -16,21 +17,11 @@ public:
                                       std::string &reason);
 
   [[nodiscard]] void *entry() const { return m_entry; }
-  [[nodiscard]] std::size_t codeBytes() const { return m_memory.codeBytes; }
+  [[nodiscard]] std::size_t codeBytes() const { return m_memory.codeBytes(); }
 
 private:
-  class Memory final : public llvm::SectionMemoryManager {
-  public:
-    std::uint8_t *allocateCodeSection(std::uintptr_t size, unsigned alignment, unsigned id,
-                                      llvm::StringRef name) override {
-      codeBytes += size;
-      return SectionMemoryManager::allocateCodeSection(size, alignment, id, name);
-    }
-    std::size_t codeBytes = 0;
-  };
-
   Linked() = default;
-  Memory m_memory;
+  CodeMemory m_memory;
   void *m_entry = nullptr;
 };
 
