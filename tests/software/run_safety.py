@@ -40,6 +40,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
     parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
     parser.add_argument("--drawn", action="store_true", help="fail if the rasterizer drew nothing")
+    parser.add_argument("--guard", choices=("begin", "end"),
+                        help="the layer's blocks begin, or end, at a page that nobody may touch")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("names", nargs="*")
     args = parser.parse_args()
@@ -54,6 +56,8 @@ def main():
         bare_env = sides.environment()
         layer_env = sides.environment(sides.layer_of(build), args.backend,
                                       {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
+        if args.guard:
+            layer_env = sides.guarded(build, layer_env, args.guard)
 
         def both(name):
             return [draw(client, name, {**env, "DISPLAY": displays.name()})

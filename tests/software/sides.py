@@ -115,6 +115,15 @@ def software_totals(folder):
     return drawn, dict(given)
 
 
+def guarded(build, env, at):
+    """`env` of a layer whose memory lies between pages that nobody may touch: guarded_memory.cpp.
+    `at`: begin or end, where blocks lie next to such a page."""
+    guard = build / "tests/software/libsoftware_guard.so"
+    if not guard.exists():
+        sys.exit(f"not built: {guard}")
+    return {**env, "LD_PRELOAD": f"{guard}:{env['LD_PRELOAD']}", "GUARD_AT": at}
+
+
 def layer_of(build):
     layer = build / "src/interposer/libGLX_arbiter.so.0"
     if not layer.exists():

@@ -107,7 +107,8 @@ std::vector<unsigned char> Screen::grab(int width, int height) {
 
 void record(const std::string &text, const std::vector<unsigned char> &bytes) {
   std::printf("%s\t%zu\n", text.c_str(), bytes.size());
-  std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  if (!bytes.empty())
+    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
 }
 
 std::vector<unsigned char> readRgba(int x, int y, int width, int height) {
