@@ -56,8 +56,11 @@ int processors() {
 
 using Work = void (*)(void *, std::uint32_t);
 
-/// A job is known by its number. `m_ticket` holds the number and the next index to be taken, so
-/// that who comes late to a job that is over cannot take an index of the one after it.
+/// A job is known by its number. Each thread has a share of the indices, one stretch, the same
+/// stretch of every job of that size: what it wrote or read there last time may lie in its own
+/// caches still. Who is through takes from the others' shares. A share's ticket holds the job's
+/// number and the next index to be taken. Tickets of the job before are taken back before anything
+/// of a new one is written, so that who comes late to a job that is over cannot take an index.
 class Pool {
 public:
   ~Pool() { stop(); }
@@ -66,16 +69,20 @@ public:
     if (m_busy.exchange(true, std::memory_order_acquire))
       return false;
     start(threads - 1);
-    m_count.store(count, std::memory_order_relaxed);
-    m_work.store(work, std::memory_order_relaxed);
-    m_argument.store(argument, std::memory_order_relaxed);
-    m_done.store(0, std::memory_order_relaxed);
-    m_helpers.store(threads - 1, std::memory_order_relaxed);
     const std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
-    m_ticket.store(std::uint64_t(job) << 32, std::memory_order_release);
+    for (int share = m_threads.load(std::memory_order_relaxed); share-- > 0;)
+      m_shares[share].ticket.store(std::uint64_t(job) << 32 | kNoIndex, std::memory_order_relaxed);
+    m_done.store(0, std::memory_order_relaxed);
+    m_count.store(count, std::memory_order_release);
+    m_work.store(work, std::memory_order_release);
+    m_argument.store(argument, std::memory_order_release);
+    m_threads.store(threads, std::memory_order_release);
+    for (int share = 0; share < threads; ++share)
+      m_shares[share].ticket.store(std::uint64_t(job) << 32 | shareBegin(share, threads, count),
+                                   std::memory_order_release);
     m_job.store(job, std::memory_order_release);
     m_job.notify_all();
-    take(job);
+    take(job, 0);
     const auto done = [this, count] { return m_done.load(std::memory_order_acquire) == count; };
     while (!spinFor(done)) {
       const std::uint32_t now = m_done.load(std::memory_order_acquire);
@@ -128,36 +135,61 @@ private:
       seen = m_job.load(std::memory_order_acquire);
       if (m_stop.load(std::memory_order_relaxed))
         return;
-      if (index < m_helpers.load(std::memory_order_relaxed))
-        take(seen);
+      if (index + 1 < m_threads.load(std::memory_order_relaxed))
+        take(seen, index + 1);
     }
   }
 
-  void take(std::uint32_t job) {
-    for (;;) {
-      std::uint64_t ticket = m_ticket.load(std::memory_order_acquire);
-      const std::uint32_t count = m_count.load(std::memory_order_relaxed);
-      const Work work = m_work.load(std::memory_order_relaxed);
-      void *const argument = m_argument.load(std::memory_order_relaxed);
-      if (std::uint32_t(ticket >> 32) != job || std::uint32_t(ticket) >= count)
-        return;
-      // Success says that the job was not over, so that what was read above is its own.
-      if (!m_ticket.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
-        continue;
+  static std::uint32_t shareBegin(int share, int threads, std::uint32_t count) {
+    return std::uint32_t(std::uint64_t(count) * unsigned(share) / unsigned(threads));
+  }
+
+  /// Works on the share, then on the others'.
+  void take(std::uint32_t job, int own) {
+    std::uint32_t done = 0;
+    const int threads = m_threads.load(std::memory_order_acquire);
+    for (int i = 0; i < threads; ++i)
+      done += takeOf(job, (own + i) % threads, threads);
+    if (done == 0)
+      return;
+    // As long as this is not added the job is not over, and the count is its own.
+    const std::uint32_t count = m_count.load(std::memory_order_relaxed);
+    if (m_done.fetch_add(done, std::memory_order_acq_rel) + done == count)
+      m_done.notify_one();
+  }
+
+  /// How many indices of the share it did.
+  std::uint32_t takeOf(std::uint32_t job, int share, int threads) {
+    std::atomic<std::uint64_t> &ticketOf = m_shares[share].ticket;
+    std::uint64_t ticket = ticketOf.load(std::memory_order_acquire);
+    const std::uint32_t count = m_count.load(std::memory_order_acquire);
+    const Work work = m_work.load(std::memory_order_acquire);
+    void *const argument = m_argument.load(std::memory_order_acquire);
+    const std::uint32_t end = shareBegin(share + 1, threads, count);
+    for (std::uint32_t done = 0;; ++done) {
+      do {
+        if (std::uint32_t(ticket >> 32) != job || std::uint32_t(ticket) >= end)
+          return done;
+        // Success says that no newer job was begun, so that what was read above is this one's.
+      } while (!ticketOf.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
+                                               std::memory_order_acquire));
       work(argument, std::uint32_t(ticket));
-      if (m_done.fetch_add(1, std::memory_order_acq_rel) + 1 == count)
-        m_done.notify_one();
+      ticket = ticketOf.load(std::memory_order_acquire);
     }
   }
 
   std::atomic<bool> m_busy{false}, m_stop{false};
   std::atomic<std::uint32_t> m_job{0};
-  alignas(64) std::atomic<std::uint64_t> m_ticket{0};
-  std::atomic<std::uint32_t> m_count{0};
+  alignas(64) std::atomic<std::uint32_t> m_count{0};
   std::atomic<Work> m_work{nullptr};
   std::atomic<void *> m_argument{nullptr};
-  std::atomic<int> m_helpers{0}; ///< workers that may take part: there may be more
+  std::atomic<int> m_threads{1}; ///< that may take part, the caller's included: there may be more
   alignas(64) std::atomic<std::uint32_t> m_done{0};
+  static constexpr std::uint32_t kNoIndex = ~0u;
+  struct alignas(64) Share {
+    std::atomic<std::uint64_t> ticket{0};
+  };
+  Share m_shares[kMaxThreads];
   bool m_refused = false;
   std::vector<std::thread> m_workers; ///< of who holds m_busy
 };
@@ -193,7 +225,7 @@ struct AtExit {
 } // namespace
 
 void parallel(std::uint32_t count, void (*work)(void *argument, std::uint32_t i), void *argument) {
-  const int threads = count > 1 ? threadCount() : 1;
+  const int threads = int(std::min(count, std::uint32_t(threadCount())));
   if (threads > 1) {
     Pool *const workers = pool();
     if (workers && workers->run(count, work, argument, threads))
