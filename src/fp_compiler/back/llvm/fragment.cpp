@@ -8,8 +8,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// Writes one function. Its blocks: `entry` runs once a call, `item` once a span, block or vector
-/// of packed pixels; then the loop over the item's vectors.
+/// Writes one function. Its blocks: `entry` runs once a call, `group` once some spans, `item` once
+/// a span, block or vector of packed pixels; then the loop over the item's vectors.
 class Writer {
 public:
   Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
@@ -37,11 +37,18 @@ public:
     m_ir.SetInsertPoint(first);
     if (const auto bytes = byteProgramOf(m_code.cpu, m_program, m_key))
       makeTables(*bytes);
-    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
-    m_ir.CreateBr(item);
+    llvm::BasicBlock *before = m_ir.GetInsertBlock();
+    Value *begin = m_ir.getInt32(0);
+    if (m_key.lanes == abi::Lanes::Row) {
+      beginGroup();
+      before = m_places.group;
+      begin = m_group;
+    } else {
+      m_ir.CreateBr(item);
+    }
     m_ir.SetInsertPoint(item);
     llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
-    number->addIncoming(m_ir.getInt32(0), before);
+    number->addIncoming(begin, before);
     const bool packed = m_key.lanes == abi::Lanes::Packed;
     const Item at = packed ? packedItem(number) : itemAt(number);
 
@@ -55,15 +62,27 @@ public:
     if (packed)
       writePacked(at, next);
     else if (m_key.lanes == abi::Lanes::Row)
-      writeSpan(at.extent, next);
+      writeSpan(at.extent, number, next);
     else
       writeBlock(at.extent, next);
 
     m_ir.SetInsertPoint(next);
     Value *const following =
         m_ir.CreateAdd(number, m_ir.getInt32(packed ? unsigned(m_code.lanes) : 1u));
-    number->addIncoming(following, next);
-    m_ir.CreateCondBr(m_ir.CreateICmpUGE(following, m_function->getArg(3)), done, item);
+    Value *const isLast = m_ir.CreateICmpUGE(following, m_function->getArg(3));
+    if (m_spans) {
+      auto *const more = block("more");
+      m_ir.CreateCondBr(isLast, done, more);
+      m_ir.SetInsertPoint(more);
+      Value *const inGroup =
+          m_ir.CreateICmpULT(m_ir.CreateSub(following, m_group), m_ir.getInt32(m_spans->size()));
+      m_ir.CreateCondBr(inGroup, item, m_places.group);
+      number->addIncoming(following, more);
+      m_group->addIncoming(following, more);
+    } else {
+      number->addIncoming(following, next);
+      m_ir.CreateCondBr(isLast, done, item);
+    }
     m_ir.SetInsertPoint(done);
     m_ir.CreateRetVoid();
     return !m_refused;
@@ -77,6 +96,17 @@ private:
 
   llvm::BasicBlock *block(const char *name) {
     return llvm::BasicBlock::Create(m_code.context(), name, m_function);
+  }
+  /// The loop over groups of spans, around that over spans.
+  void beginGroup() {
+    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
+    m_places.group = block("group");
+    m_ir.CreateBr(m_places.group);
+    m_ir.SetInsertPoint(m_places.group);
+    m_group = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    m_group->addIncoming(m_ir.getInt32(0), before);
+    m_ir.CreateBr(m_places.item);
+    m_spans.emplace(m_code, m_places, m_function->getArg(2), m_group, m_function->getArg(3));
   }
   Value *itemPointer(Value *number, std::size_t bytes) {
     Value *const offset =
@@ -112,11 +142,13 @@ private:
 
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
   /// none wraps, and the edges before and behind them. Else all as it comes.
-  void writeSpan(Value *count, llvm::BasicBlock *next) {
+  void writeSpan(Value *count, Value *number, llvm::BasicBlock *next) {
     m_flow.emplace(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
-                   count);
-    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, *m_flow,
-                                     m_function->getArg(0), count);
+                   *m_spans);
+    Value *const inGroup =
+        writeIn(m_code, m_places.item, [&] { return m_ir.CreateSub(number, m_group); });
+    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, *m_flow, *m_spans,
+                                     m_function->getArg(0), inGroup);
     if (!samples.any()) {
       writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
       m_ir.CreateBr(next);
@@ -297,6 +329,8 @@ private:
   Interpolator m_interpolator;
   PixelWriter m_pixels;
   DepthStencil m_depth;
+  llvm::PHINode *m_group = nullptr; ///< Row: number of the group's first span
+  std::optional<SpanGroup> m_spans;
   std::optional<AffineFlow> m_flow;
   bool m_refused = false;
   ByteProgram m_bytes;

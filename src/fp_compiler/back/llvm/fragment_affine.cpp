@@ -8,28 +8,16 @@
 
 namespace arbiter::fp::llvm_back {
 
-namespace {
-std::optional<Affine> negated(Code &code, std::optional<Affine> value, bool negate) {
-  if (!value || !negate)
-    return value;
-  value->base = code.ir.CreateFNeg(value->base);
-  if (value->slope)
-    value->slope = code.ir.CreateFNeg(value->slope);
-  if (value->slopeY)
-    value->slopeY = code.ir.CreateFNeg(value->slopeY);
-  return value;
-}
-} // namespace
-
 AffineFlow::AffineFlow(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
-                       const Places &places, Interpolator &interpolator, Value *data, Value *count)
+                       const Places &places, Interpolator &interpolator, Value *data,
+                       const SpanGroup &spans)
     : m_code(code), m_program(program), m_key(key), m_places(places), m_interpolator(interpolator),
-      m_data(data), m_count(count), m_temporaries(program.program().temporaries.size()) {
+      m_data(data), m_spans(spans), m_temporaries(program.program().temporaries.size()) {
   for (Axes &axes : m_temporaries)
     for (std::optional<Affine> &axis : axes)
       axis = uniform(number(0)); // registers are zero until written
   const std::vector<ir::Instruction> &instructions = program.program().code;
-  writeIn(code, places.item, [&] {
+  writeIn(code, places.group, [&] {
     for (std::size_t i = 0; i < instructions.size(); ++i) {
       const ir::Instruction &instruction = instructions[i];
       if (ir::info(instruction.op).has(ir::Texture)) {
@@ -52,7 +40,37 @@ Value *AffineFlow::number(double value) const {
 }
 
 Value *AffineFlow::magnitudeOf(Value *value) {
-  return m_code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value);
+  return made([&](Value *v) { return m_code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, v); },
+              value);
+}
+
+Value *AffineFlow::sum(Value *a, Value *b) {
+  return made([&](Value *one, Value *other) { return m_code.ir.CreateFAdd(one, other); }, a, b);
+}
+
+Value *AffineFlow::product(Value *a, Value *b) {
+  return made([&](Value *one, Value *other) { return m_code.ir.CreateFMul(one, other); }, a, b);
+}
+
+Value *AffineFlow::wide(Value *number) {
+  return made(
+      [&](Value *from) -> Value * {
+        llvm::Type *to = m_code.ir.getDoubleTy();
+        if (from->getType()->isVectorTy())
+          to = llvm::FixedVectorType::get(to, m_spans.size());
+        return from->getType()->isIntOrIntVectorTy() ? m_code.ir.CreateSIToFP(from, to)
+                                                     : m_code.ir.CreateFPExt(from, to);
+      },
+      number);
+}
+
+std::optional<Affine> AffineFlow::negated(std::optional<Affine> value, bool negate) {
+  if (!value || !negate)
+    return value;
+  for (Value **part : {&value->base, &value->slope, &value->slopeY})
+    if (*part)
+      *part = made([&](Value *v) { return m_code.ir.CreateFNeg(v); }, *part);
+  return value;
 }
 
 Affine AffineFlow::uniform(Value *scalar) {
@@ -80,7 +98,7 @@ std::optional<Affine> AffineFlow::result(const ir::Instruction &instruction, int
   case ir::Opcode::Add:
     return add(operand(0), operand(1));
   case ir::Opcode::Sub:
-    return add(operand(0), negated(m_code, operand(1), true));
+    return add(operand(0), negated(operand(1), true));
   case ir::Opcode::Mul:
     return multiply(operand(0), operand(1));
   case ir::Opcode::Mad:
@@ -108,12 +126,11 @@ std::optional<Affine> AffineFlow::add(const std::optional<Affine> &a,
                                       const std::optional<Affine> &b) {
   if (!a || !b)
     return std::nullopt;
-  llvm::IRBuilder<> &ir = m_code.ir;
-  const auto sum = [&](Value *one, Value *other) {
-    return !one ? other : !other ? one : ir.CreateFAdd(one, other);
+  const auto both = [&](Value *one, Value *other) {
+    return !one ? other : !other ? one : sum(one, other);
   };
-  return Affine{ir.CreateFAdd(a->base, b->base), sum(a->slope, b->slope), sum(a->slopeY, b->slopeY),
-                ir.CreateFAdd(a->magnitude, b->magnitude), std::max(a->rounds, b->rounds) + 1};
+  return Affine{sum(a->base, b->base), both(a->slope, b->slope), both(a->slopeY, b->slopeY),
+                sum(a->magnitude, b->magnitude), std::max(a->rounds, b->rounds) + 1};
 }
 
 std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
@@ -121,20 +138,19 @@ std::optional<Affine> AffineFlow::multiply(const std::optional<Affine> &a,
   const auto varies = [](const Affine &value) { return value.slope || value.slopeY; };
   if (!a || !b || (varies(*a) && varies(*b)))
     return std::nullopt;
-  llvm::IRBuilder<> &ir = m_code.ir;
+  // What a slope is multiplied by does not vary: slopes stay scalars.
   const auto scaled = [&](Value *one, Value *other) -> Value * {
-    return one ? ir.CreateFMul(one, b->base) : other ? ir.CreateFMul(other, a->base) : nullptr;
+    return one ? product(one, b->base) : other ? product(other, a->base) : nullptr;
   };
-  return Affine{ir.CreateFMul(a->base, b->base), scaled(a->slope, b->slope),
-                scaled(a->slopeY, b->slopeY), ir.CreateFMul(a->magnitude, b->magnitude),
-                a->rounds + b->rounds + 1};
+  return Affine{product(a->base, b->base), scaled(a->slope, b->slope), scaled(a->slopeY, b->slopeY),
+                product(a->magnitude, b->magnitude), a->rounds + b->rounds + 1};
 }
 
 std::optional<Affine> AffineFlow::read(const ir::Operand &operand, int component) {
   const ir::Select select = operand.swizzle[std::size_t(component)];
   const bool negate = operand.negate >> component & 1;
   if (select == ir::Select::Zero || select == ir::Select::One)
-    return negated(m_code, uniform(number(select == ir::Select::One ? 1 : 0)), negate);
+    return negated(uniform(number(select == ir::Select::One ? 1 : 0)), negate);
   const int from = int(select);
   std::optional<Affine> value;
   if (operand.relative)
@@ -145,20 +161,19 @@ std::optional<Affine> AffineFlow::read(const ir::Operand &operand, int component
     value = attribute(operand.index, from);
   } else if (operand.file == ir::File::Parameter) {
     const ir::Parameter &parameter = m_program.program().parameters[operand.index];
-    llvm::IRBuilder<> &ir = m_code.ir;
     if (parameter.kind == ir::ParameterKind::Constant) {
       value = uniform(number(double(parameter.constant[std::size_t(from)])));
     } else {
-      value = uniform(writeIn(m_code, m_places.entry, [&] {
+      value = uniform(wide(writeIn(m_code, m_places.entry, [&] {
+        llvm::IRBuilder<> &ir = m_code.ir;
         Value *const rows =
             m_code.field(ir.getPtrTy(), m_data, offsetof(abi::FragmentData, parameters));
-        Value *const scalar = m_code.field(ir.getFloatTy(), rows,
-                                           sizeof(float) * (4u * operand.index + unsigned(from)));
-        return ir.CreateFPExt(scalar, ir.getDoubleTy());
-      }));
+        return m_code.field(ir.getFloatTy(), rows,
+                            sizeof(float) * (4u * operand.index + unsigned(from)));
+      })));
     }
   }
-  return negated(m_code, value, negate);
+  return negated(value, negate);
 }
 
 std::optional<Affine> AffineFlow::attribute(int index, int component) {
@@ -175,44 +190,41 @@ std::optional<Affine> AffineFlow::attribute(int index, int component) {
   const abi::Interpolation how = m_key.inputs[std::size_t(input)];
   if (how == abi::Interpolation::Perspective)
     return std::nullopt;
-  llvm::IRBuilder<> &ir = m_code.ir;
-  llvm::Type *const number = ir.getDoubleTy();
   const std::size_t plane = Interpolator::planeOf(input, component);
   if (how == abi::Interpolation::Flat)
-    return uniform(ir.CreateFPExt(m_interpolator.constant(plane), number));
-  Value *const row = ir.CreateFPExt(m_interpolator.rowConstant(plane), number);
-  Value *const slope = ir.CreateFPExt(m_interpolator.slope(plane, false), number);
-  Value *const slopeY = ir.CreateFPExt(m_interpolator.slope(plane, true), number);
-  Value *const from = ir.CreateSIToFP(m_interpolator.fromOrigin(), number);
-  Value *const reach = ir.CreateFAdd(magnitudeOf(from), ir.CreateSIToFP(m_count, number));
+    return uniform(wide(m_interpolator.constant(plane)));
+  Value *const row = wide(m_interpolator.rowConstant(plane, m_spans.y()));
+  Value *const slope = wide(m_interpolator.slope(plane, false));
+  Value *const slopeY = wide(m_interpolator.slope(plane, true));
+  Value *const from =
+      wide(m_code.ir.CreateSub(m_spans.x(), m_spans.inLanes(m_interpolator.origin(false))));
+  Value *const reach = sum(magnitudeOf(from), wide(m_spans.count()));
   // Two roundings: dx * x, and its sum with the row's constant, which is taken as it is.
-  return Affine{ir.CreateFAdd(row, ir.CreateFMul(slope, from)), slope, slopeY,
-                ir.CreateFAdd(magnitudeOf(row), ir.CreateFMul(magnitudeOf(slope), reach)), 2};
+  return Affine{sum(row, product(slope, from)), slope, slopeY,
+                sum(magnitudeOf(row), product(magnitudeOf(slope), reach)), 2};
 }
 
 std::optional<Affine> AffineFlow::position(int component) {
   const ir::Options &options = m_program.program().options;
   // Window coordinates are below 2^15: with their halves, exact.
-  llvm::IRBuilder<> &ir = m_code.ir;
   Value *const centre = number(options.pixelCenterInteger ? 0 : 0.5);
   if (component == 0) {
-    Value *const x = ir.CreateSIToFP(m_interpolator.pixelX(), ir.getDoubleTy());
-    Value *const last = ir.CreateFAdd(x, ir.CreateSIToFP(m_count, ir.getDoubleTy()));
-    return Affine{ir.CreateFAdd(x, centre), number(1), nullptr, ir.CreateFAdd(last, number(1)), 0};
+    Value *const x = wide(m_spans.x());
+    Value *const last = sum(x, wide(m_spans.count()));
+    return Affine{sum(x, centre), number(1), nullptr, sum(last, number(1)), 0};
   }
   if (component == 1) {
-    Value *y = ir.CreateFAdd(ir.CreateSIToFP(m_interpolator.pixelY(), ir.getDoubleTy()), centre);
-    Value *magnitude = ir.CreateFAdd(y, number(1));
+    Value *const y = sum(wide(m_spans.y()), centre);
+    Value *const magnitude = sum(y, number(1));
     if (!options.originUpperLeft)
       return Affine{y, nullptr, number(1), magnitude, 0};
-    Value *const height = writeIn(m_code, m_places.entry, [&] {
-      return ir.CreateFPExt(
-          m_code.field(ir.getFloatTy(), m_data, offsetof(abi::FragmentData, windowHeight)),
-          ir.getDoubleTy());
-    });
-    Value *const top = ir.CreateFSub(height, number(options.pixelCenterInteger ? 1 : 0));
-    magnitude = ir.CreateFAdd(magnitude, magnitudeOf(height));
-    return Affine{ir.CreateFSub(top, y), nullptr, number(-1), magnitude, 1};
+    Value *const height = wide(writeIn(m_code, m_places.entry, [&] {
+      return m_code.field(m_code.ir.getFloatTy(), m_data,
+                          offsetof(abi::FragmentData, windowHeight));
+    }));
+    Value *const top = sum(height, number(options.pixelCenterInteger ? -1 : 0));
+    Value *const fromTop = sum(top, made([&](Value *v) { return m_code.ir.CreateFNeg(v); }, y));
+    return Affine{fromTop, nullptr, number(-1), sum(magnitude, magnitudeOf(height)), 1};
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
-/// The fragment functions of the demos' programs over 1024x1024 pixels, whole rows as spans, on one
-/// and on two threads, beside a plain copy of the image.
-///   fragment_bench [--asm|--ir] [program]   the machine code or the IR instead of figures
+/// The fragment functions of the demos' programs over pictures of 1024x1024 pixels, whole rows as
+/// spans, on one and on two threads, beside a plain copy of the image.
+///   fragment_bench [--size N] [program]     pictures of NxN pixels
+///   fragment_bench --asm|--ir program       the machine code or the IR instead of figures
 ///   ARBITER_JIT_CPU=avx2                    another processor's code
 #include <algorithm>
 #include <cstdio>
@@ -27,12 +28,12 @@ using namespace arbiter::fp;
 using namespace arbiter::fp::testing;
 
 namespace {
-constexpr int kSize = 1024;
+int g_size = 1024; ///< of the pictures, a power of two
 
 struct Sampled {
   abi::Filter filter = abi::Filter::Nearest;
   abi::Wrap wrap = abi::Wrap::ClampToEdge;
-  int width = kSize, height = kSize;
+  int width = 0, height = 0; ///< 0: the pictures'
   abi::Dimension dimension = abi::Dimension::Tex2D;
   abi::Layout layout = abi::Layout::U8x4;
 };
@@ -43,33 +44,35 @@ struct Workload {
   std::vector<QuadInput> inputs; ///< by texture coordinate set
 };
 
-constexpr float kTexel = 1.0f / kSize;
 const Sampled kCells = {abi::Filter::Nearest, abi::Wrap::Repeat};
-const Workload kWorkloads[] = {
-    {"pass_through", {{}}, {}, {{}}},
-    {"brightness_contrast", {{}}, {{0.8f, 1.2f, -0.1f, 0}}, {{}}},
-    {"life_naive", {kCells}, {{kTexel, kTexel, -kTexel, 0}}, {{}}},
-    {"life_pack", {kCells}, {}, {{}, {-kTexel, 0, 1 - kTexel, 1}, {kTexel, 0, 1 + kTexel, 1}}},
-    {"life_packed",
-     {kCells, {abi::Filter::Nearest, abi::Wrap::ClampToEdge, 2, 16}},
-     {},
-     {{}, {0, kTexel, 1, 1 + kTexel}, {0, -kTexel, 1, 1 - kTexel}}},
-    {"twirl",
-     {{abi::Filter::Linear},
-      {abi::Filter::Nearest, abi::Wrap::ClampToEdge, kSize, kSize, abi::Dimension::Tex2D,
-       abi::Layout::U16x4}},
-     {{0.2f, -0.1f, 0, 0}},
-     {{}}},
-    {"lighting",
-     {{}, {}},
-     {{0.4f, 0.6f, 0.3f, 1}, {1.0f, 0.9f, 0.8f, 9.0f}, {0.1f, 0.1f, 0.12f, 20.0f}},
-     {{}}},
-    {"cartoon",
-     {{abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D},
-      {abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D}},
-     {{0.5f, 0.6f, 0.62f, 0}},
-     {{-1, -1, 1, 1}, {-0.2f, -0.1f, 0.3f, 0.4f}}},
-};
+std::vector<Workload> makeWorkloads() {
+  const float texel = 1.0f / float(g_size);
+  return {
+      {"pass_through", {{}}, {}, {{}}},
+      {"brightness_contrast", {{}}, {{0.8f, 1.2f, -0.1f, 0}}, {{}}},
+      {"life_naive", {kCells}, {{texel, texel, -texel, 0}}, {{}}},
+      {"life_pack", {kCells}, {}, {{}, {-texel, 0, 1 - texel, 1}, {texel, 0, 1 + texel, 1}}},
+      {"life_packed",
+       {kCells, {abi::Filter::Nearest, abi::Wrap::ClampToEdge, 2, 16}},
+       {},
+       {{}, {0, texel, 1, 1 + texel}, {0, -texel, 1, 1 - texel}}},
+      {"twirl",
+       {{abi::Filter::Linear},
+        {abi::Filter::Nearest, abi::Wrap::ClampToEdge, 0, 0, abi::Dimension::Tex2D,
+         abi::Layout::U16x4}},
+       {{0.2f, -0.1f, 0, 0}},
+       {{}}},
+      {"lighting",
+       {{}, {}},
+       {{0.4f, 0.6f, 0.3f, 1}, {1.0f, 0.9f, 0.8f, 9.0f}, {0.1f, 0.1f, 0.12f, 20.0f}},
+       {{}}},
+      {"cartoon",
+       {{abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D},
+        {abi::Filter::Linear, abi::Wrap::ClampToEdge, 32, 1, abi::Dimension::Tex1D}},
+       {{0.5f, 0.6f, 0.62f, 0}},
+       {{-1, -1, 1, 1}, {-0.2f, -0.1f, 0.3f, 0.4f}}},
+  };
+}
 
 /// All that a workload's calls need.
 struct Case {
@@ -127,8 +130,9 @@ std::unique_ptr<Case> prepare(jit::Engine &engine, const Workload &workload) {
     sampler.wrap = {sampled.wrap, sampled.wrap, sampled.wrap};
     sampler.magnify = sampler.minify = sampled.filter;
     sampler.powerOfTwo = 1;
-    result->textures.push_back(
-        makeTexture(sampler, sampled.width, sampled.height, std::uint32_t(i + 1)));
+    result->textures.push_back(makeTexture(sampler, sampled.width ? sampled.width : g_size,
+                                           sampled.height ? sampled.height : g_size,
+                                           std::uint32_t(i + 1)));
     if (sampled.layout == abi::Layout::U16x4)
       makeSmooth(*result->textures.back());
     result->data.textures[i] = &result->textures.back()->view;
@@ -136,12 +140,12 @@ std::unique_ptr<Case> prepare(jit::Engine &engine, const Workload &workload) {
   const std::vector<jit::FragmentInput> &inputs = result->program->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     key.inputs[i] = abi::Interpolation::Linear;
-    setQuadInput(result->primitive, int(i), workload.inputs[inputs[i].attribute.index], kSize,
-                 kSize);
+    setQuadInput(result->primitive, int(i), workload.inputs[inputs[i].attribute.index], g_size,
+                 g_size);
   }
   result->rows = parameterRows(result->program->program(), workload.locals);
   result->data.parameters = reinterpret_cast<const float(*)[4]>(result->rows.data());
-  result->target = makeTarget(key.targets[0].format, kSize, kSize, 9);
+  result->target = makeTarget(key.targets[0].format, g_size, g_size, 9);
   result->data.targets[0] = {result->target.pixel(0, 0), result->target.rowStride};
   return result;
 }
@@ -167,13 +171,13 @@ template <typename Work> double best(clockid_t clock, Work work) {
 std::vector<abi::Span> rowsOf(int from, int to) {
   std::vector<abi::Span> spans;
   for (int y = from; y < to; ++y)
-    spans.push_back({0, std::int16_t(y), kSize, 0});
+    spans.push_back({0, std::int16_t(y), g_size, 0});
   return spans;
 }
 
 void print(const char *name, double one, double two, std::size_t bytes = 0, double compiled = 0) {
   std::printf("%-22s %8.3f ms %8.3f ms %8.2f ns/16 pixels %7zu bytes, compiled in %.0f ms\n", name,
-              one, two, one * 1e6 * 16 / (kSize * kSize), bytes, compiled);
+              one, two, one * 1e6 * 16 / (g_size * g_size), bytes, compiled);
 }
 
 /// The mode that functions compute in, as the rasterizer sets it for many small calls.
@@ -191,9 +195,9 @@ private:
 /// A demonstration's program in perspective.
 std::unique_ptr<Case> preparePerspective(jit::Engine &engine, const std::string &program,
                                          abi::Lanes lanes) {
-  const Workload *const workload =
-      std::find_if(std::begin(kWorkloads), std::end(kWorkloads),
-                   [&](const Workload &w) { return w.program == program; });
+  const std::vector<Workload> workloads = makeWorkloads();
+  const auto workload = std::find_if(workloads.begin(), workloads.end(),
+                                     [&](const Workload &w) { return w.program == program; });
   std::unique_ptr<Case> made = prepare(engine, *workload);
   if (!made)
     return nullptr;
@@ -222,7 +226,7 @@ int measureBlocks(jit::Engine &engine, const std::string &only) {
   const std::unique_ptr<Case> made = prepareBlocks(engine);
   if (!made)
     return 1;
-  SceneTarget buffer = makeTarget({abi::Layout::Depth24Stencil8, abi::kRgba}, kSize, kSize, 3);
+  SceneTarget buffer = makeTarget({abi::Layout::Depth24Stencil8, abi::kRgba}, g_size, g_size, 3);
   made->data.depthStencil = {buffer.pixel(0, 0), buffer.rowStride};
   std::string reason;
   const auto code = engine.compile(*made->program, made->key, reason);
@@ -231,8 +235,8 @@ int measureBlocks(jit::Engine &engine, const std::string &only) {
     return 1;
   }
   std::vector<abi::Block> blocks;
-  for (int y = 0; y < kSize; y += engine.blockHeight())
-    for (int x = 0; x < kSize; x += engine.blockWidth())
+  for (int y = 0; y < g_size; y += engine.blockHeight())
+    for (int x = 0; x < g_size; x += engine.blockWidth())
       blocks.push_back(
           {std::int16_t(x), std::int16_t(y), std::uint16_t((1u << engine.lanes()) - 1), 0});
   const FlushMode mode;
@@ -259,9 +263,9 @@ int measurePacked(jit::Engine &engine, const std::string &only) {
     return 1;
   }
   std::vector<abi::Pixel> pixels;
-  for (int i = 0; i < kSize * kSize; ++i)
-    pixels.push_back({std::uint16_t(i / 64 % (kSize / 8) * 8 + i % 8),
-                      std::uint16_t(i / (8 * kSize) * 8 + i / 8 % 8)});
+  for (int i = 0; i < g_size * g_size; ++i)
+    pixels.push_back({std::uint16_t(i / 64 % (g_size / 8) * 8 + i % 8),
+                      std::uint16_t(i / (8 * g_size) * 8 + i / 8 % 8)});
   const FlushMode mode;
   for (const std::size_t vectors : {std::size_t(1), std::size_t(2), std::size_t(4)}) {
     const std::size_t batch = vectors * std::size_t(engine.lanes());
@@ -280,10 +284,10 @@ int measurePacked(jit::Engine &engine, const std::string &only) {
 
 int measure(jit::Engine &engine, const std::string &only) {
   std::printf("%s\n%-22s %11s %11s\n", engine.target().c_str(), "", "one thread", "two threads");
-  const std::vector<abi::Span> all = rowsOf(0, kSize);
-  const std::vector<abi::Span> halves[2] = {rowsOf(0, kSize / 2), rowsOf(kSize / 2, kSize)};
+  const std::vector<abi::Span> all = rowsOf(0, g_size);
+  const std::vector<abi::Span> halves[2] = {rowsOf(0, g_size / 2), rowsOf(g_size / 2, g_size)};
   int failures = 0;
-  for (const Workload &workload : kWorkloads) {
+  for (const Workload &workload : makeWorkloads()) {
     if (!only.empty() && only != workload.program)
       continue;
     std::string reason = "it was refused";
@@ -309,7 +313,7 @@ int measure(jit::Engine &engine, const std::string &only) {
   }
   failures += measureBlocks(engine, only);
   failures += measurePacked(engine, only);
-  std::vector<std::uint32_t> from(kSize * kSize, 1), to(kSize * kSize, 2);
+  std::vector<std::uint32_t> from(g_size * g_size, 1), to(g_size * g_size, 2);
   print(
       "memcpy",
       best(CLOCK_THREAD_CPUTIME_ID, [&] { std::memcpy(to.data(), from.data(), 4 * from.size()); }),
@@ -319,7 +323,7 @@ int measure(jit::Engine &engine, const std::string &only) {
 
 int show(jit::Engine &engine, const llvm_back::Cpu &cpu, const std::string &name,
          llvm_back::Emit what) {
-  for (const Workload &workload : kWorkloads) {
+  for (const Workload &workload : makeWorkloads()) {
     if (name != workload.program && name != "blocks" && name != "packed")
       continue;
     const std::unique_ptr<Case> made =
@@ -351,7 +355,11 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "no code for this processor\n");
     return 1;
   }
-  const std::string first = argc > 1 ? argv[1] : "";
+  std::string first = argc > 1 ? argv[1] : "";
+  if (first == "--size" && argc > 2) {
+    g_size = std::clamp(std::atoi(argv[2]), 64, 8192);
+    first = argc > 3 ? argv[3] : "";
+  }
   if (first == "--asm" || first == "--ir")
     return show(*engine, *llvm_back::chooseCpu(options.cpu), argc > 2 ? argv[2] : "",
                 first == "--asm" ? llvm_back::Emit::Assembly : llvm_back::Emit::Ir);

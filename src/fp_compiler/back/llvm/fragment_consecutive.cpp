@@ -48,97 +48,138 @@ bool ConsecutiveSamples::isCandidate(const jit::FragmentProgram &program,
 
 ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &program,
                                        const abi::FragmentKey &key, const Places &places,
-                                       const AffineFlow &flow, Value *data, Value *count)
-    : m_code(code), m_program(program), m_key(key), m_places(places), m_data(data), m_count(count) {
+                                       const AffineFlow &flow, const SpanGroup &spans, Value *data,
+                                       Value *number)
+    : m_code(code), m_program(program), m_key(key), m_places(places), m_spans(spans), m_data(data) {
   llvm::IRBuilder<> &ir = code.ir;
-  m_good = ir.getTrue();
-  m_begin = ir.getInt32(0);
-  m_end = count;
-  writeIn(code, places.item, [&] {
-    m_last = ir.CreateSIToFP(ir.CreateSub(count, ir.getInt32(1)), ir.getDoubleTy());
+  std::map<std::size_t, Found> found;
+  writeIn(code, places.group, [&] {
+    m_good = llvm::ConstantInt::getTrue(llvm::FixedVectorType::get(ir.getInt1Ty(), spans.size()));
+    m_begin = integer(0);
+    m_end = spans.count();
+    m_last = toDouble(ir.CreateSub(spans.count(), integer(1)));
     for (std::size_t i = 0; i < program.program().code.size(); ++i)
       if (ir::info(program.program().code[i].op).has(ir::Texture) &&
           isCandidate(program, key, i, flow))
-        add(i, *flow.coordinate(i));
+        found[i] = find(i, *flow.coordinate(i));
+    if (found.empty())
+      return;
     // Whole vectors: an incomplete one costs the edges' loop no more. Behind a row 64 bytes may be
     // read, which are less than a vector of larger texels.
     bool large = false;
-    for (const auto &[index, sample] : m_samples)
-      large |= abi::bytesOf(sample.key->format.layout) > 4;
-    Value *const lanes = ir.getInt32(unsigned(code.lanes));
-    Value *const mask = ir.getInt32(~unsigned(code.lanes - 1));
-    m_begin = ir.CreateAnd(ir.CreateAdd(m_begin, ir.getInt32(unsigned(code.lanes - 1))), mask);
+    for (const auto &[index, sample] : found)
+      large |= abi::bytesOf(samplerOf(program, key, index).format.layout) > 4;
+    Value *const mask = integer(-code.lanes);
+    m_begin = ir.CreateAnd(ir.CreateAdd(m_begin, integer(code.lanes - 1)), mask);
     Value *const length = ir.CreateSub(m_end, m_begin);
     Value *const whole = ir.CreateAdd(m_begin, ir.CreateAnd(length, mask));
-    m_end = large ? whole : ir.CreateSelect(ir.CreateICmpEQ(m_end, count), m_end, whole);
-    Value *const use = ir.CreateAnd(m_good, ir.CreateICmpSGE(length, lanes));
-    m_begin = ir.CreateSelect(use, m_begin, count);
-    m_end = ir.CreateSelect(use, m_end, count);
+    m_end = large ? whole : ir.CreateSelect(ir.CreateICmpEQ(m_end, spans.count()), m_end, whole);
+    Value *const use = ir.CreateAnd(m_good, ir.CreateICmpSGE(length, integer(code.lanes)));
+    m_begin = ir.CreateSelect(use, m_begin, spans.count());
+    m_end = ir.CreateSelect(use, m_end, spans.count());
   });
+  if (found.empty())
+    return;
+  m_good = spans.ofItem(m_good, number);
+  m_begin = spans.ofItem(m_begin, number);
+  m_end = spans.ofItem(m_end, number);
+  for (const auto &[index, sample] : found) {
+    Value *const offset = spans.ofItem(sample.offset, number);
+    Value *const first = spans.ofItem(sample.first, number);
+    Value *const texel = writeIn(code, places.item,
+                                 [&] { return ir.CreateGEP(ir.getInt8Ty(), sample.base, offset); });
+    m_samples[index] = {&samplerOf(program, key, index), texel, first, sample.width};
+  }
 }
 
 Value *ConsecutiveSamples::texels(std::size_t index, Value *column) const {
   llvm::IRBuilder<> &ir = m_code.ir;
   const Sample &sample = m_samples.at(index);
   const auto bytes = unsigned(abi::bytesOf(sample.key->format.layout));
-  const auto offset = [&](Value *texel) {
-    return ir.CreateMul(ir.CreateSExt(texel, ir.getInt64Ty()), ir.getInt64(bytes));
-  };
-  Value *const first = writeIn(m_code, m_places.item, [&] {
-    return ir.CreateGEP(ir.getInt8Ty(), sample.row, offset(sample.first));
-  });
-  return ir.CreateGEP(ir.getInt8Ty(), first, offset(column));
+  return ir.CreateGEP(ir.getInt8Ty(), sample.texel,
+                      ir.CreateMul(ir.CreateSExt(column, ir.getInt64Ty()), ir.getInt64(bytes)));
 }
 
-Value *ConsecutiveSamples::part(const Sample &sample, Value *index, Value *wanted,
-                                Value *others) const {
+Value *ConsecutiveSamples::texelsFrom(const Sample &sample, Value *pointer, Value *mask,
+                                      Value *others) const {
   llvm::IRBuilder<> &ir = m_code.ir;
   const int words = abi::bytesOf(sample.key->format.layout) / 4;
-  Value *const inside = ir.CreateICmpULT(ir.CreateAdd(m_code.splat(index), m_code.iota()),
-                                         m_code.splat(sample.width));
   std::vector<int> spread;
   for (int i = 0; i < m_code.lanes * words; ++i)
     spread.push_back(i / words);
-  Value *const mask = ir.CreateShuffleVector(ir.CreateAnd(inside, wanted), spread);
-  Value *const offset =
-      ir.CreateMul(ir.CreateSExt(index, ir.getInt64Ty()), ir.getInt64(unsigned(4 * words)));
   auto *const type = llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(m_code.lanes * words));
-  return ir.CreateMaskedLoad(type, ir.CreateGEP(ir.getInt8Ty(), sample.row, offset), llvm::Align(1),
-                             mask, others ? others : llvm::Constant::getNullValue(type));
+  return ir.CreateMaskedLoad(type, pointer, llvm::Align(1), ir.CreateShuffleVector(mask, spread),
+                             others ? others : llvm::Constant::getNullValue(type));
 }
 
 Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &place) const {
   llvm::IRBuilder<> &ir = m_code.ir;
   const Sample &sample = m_samples.at(index);
+  const int words = abi::bytesOf(sample.key->format.layout) / 4;
+  const auto beside = [&](Value *pointer, Value *texels) {
+    Value *const offset =
+        ir.CreateMul(ir.CreateSExt(texels, ir.getInt64Ty()), ir.getInt64(unsigned(4 * words)));
+    return ir.CreateGEP(ir.getInt8Ty(), pointer, offset);
+  };
   Value *const from = ir.CreateAdd(sample.first, place.column);
+  Value *const pointer = beside(sample.texel, place.column);
   Value *const isLeft = ir.CreateICmpSLT(from, ir.getInt32(0));
+  Value *const isInside =
+      ir.CreateICmpULT(ir.CreateAdd(m_code.splat(from), m_code.iota()), m_code.splat(sample.width));
   Value *beyond = nullptr;
   if (sample.key->wrap[0] == abi::Wrap::Repeat) {
-    Value *const other =
-        ir.CreateSelect(isLeft, ir.CreateAdd(from, sample.width), ir.CreateSub(from, sample.width));
-    beyond = part(sample, other, place.covered, nullptr);
+    // Once around at most: a span is no longer than the row.
+    Value *const around = ir.CreateSelect(isLeft, sample.width, ir.CreateNeg(sample.width));
+    beyond = texelsFrom(sample, beside(pointer, around),
+                        ir.CreateAnd(place.covered, ir.CreateNot(isInside)), nullptr);
   } else if (sample.key->wrap[0] == abi::Wrap::ClampToEdge) {
     Value *const edge =
         ir.CreateSelect(isLeft, ir.getInt32(0), ir.CreateSub(sample.width, ir.getInt32(1)));
-    const int words = abi::bytesOf(sample.key->format.layout) / 4;
-    Value *const offset =
-        ir.CreateMul(ir.CreateSExt(edge, ir.getInt64Ty()), ir.getInt64(unsigned(4 * words)));
-    Value *const texel =
-        ir.CreateAlignedLoad(llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(words)),
-                             ir.CreateGEP(ir.getInt8Ty(), sample.row, offset), llvm::Align(1));
+    Value *const texel = ir.CreateAlignedLoad(
+        llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(words)),
+        beside(sample.texel, ir.CreateSub(edge, sample.first)), llvm::Align(1));
     std::vector<int> repeat;
     for (int i = 0; i < m_code.lanes * words; ++i)
       repeat.push_back(i % words);
     beyond = ir.CreateShuffleVector(texel, repeat);
   }
-  return part(sample, from, place.covered, beyond);
+  return texelsFrom(sample, pointer, ir.CreateAnd(place.covered, isInside), beyond);
+}
+
+Value *ConsecutiveSamples::number(double value) const {
+  return m_spans.inLanes(llvm::ConstantFP::get(m_code.ir.getDoubleTy(), value));
+}
+
+Value *ConsecutiveSamples::integer(int value) const {
+  return m_spans.inLanes(m_code.ir.getInt32(unsigned(value)));
+}
+
+Value *ConsecutiveSamples::toInt(Value *value) const {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  return ir.CreateFreeze(
+      ir.CreateFPToSI(value, llvm::FixedVectorType::get(ir.getInt32Ty(), m_spans.size())));
+}
+
+Value *ConsecutiveSamples::toDouble(Value *value) const {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  return ir.CreateSIToFP(value, llvm::FixedVectorType::get(ir.getDoubleTy(), m_spans.size()));
+}
+
+Value *ConsecutiveSamples::larger(Value *a, Value *b) const {
+  return m_code.ir.CreateSelect(m_code.ir.CreateICmpSGT(a, b), a, b);
+}
+
+Value *ConsecutiveSamples::smaller(Value *a, Value *b) const {
+  return m_code.ir.CreateSelect(m_code.ir.CreateICmpSLT(a, b), a, b);
 }
 
 ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Value *size,
                                                   bool normalised, bool linear, bool advances) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const auto number = [&](double value) { return llvm::ConstantFP::get(ir.getDoubleTy(), value); };
-  const auto scaled = [&](Value *value) { return normalised ? ir.CreateFMul(value, size) : value; };
+  const auto scaled = [&](Value *value) {
+    Value *const spans = m_spans.inLanes(value);
+    return normalised ? ir.CreateFMul(spans, size) : spans;
+  };
   Value *const begin = scaled(coordinate.base);
   Value *end = begin;
   if (coordinate.slope)
@@ -168,7 +209,8 @@ ConsecutiveSamples::Axis ConsecutiveSamples::axis(const Affine &coordinate, Valu
 
 Value *ConsecutiveSamples::both(Value *a, Value *b) { return m_code.ir.CreateAnd(a, b); }
 
-void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
+ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
+                                                   const AffineFlow::Axes &axes) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const abi::SamplerKey &key = samplerOf(m_program, m_key, index);
   const unsigned unit = m_program.program().code[index].unit;
@@ -188,16 +230,21 @@ void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
         m_code.field(ir.getInt32Ty(), level, offsetof(abi::TextureLevel, height)),
     };
   });
-  llvm::Type *const number = ir.getDoubleTy();
-  const auto constant = [&](double value) { return llvm::ConstantFP::get(number, value); };
   const auto floor = [&](Value *value) {
     return ir.CreateUnaryIntrinsic(llvm::Intrinsic::floor, value);
   };
-  const auto toInt = [&](Value *value) {
-    return ir.CreateFreeze(ir.CreateFPToSI(value, ir.getInt32Ty()));
+  // Sizes as doubles, and one by them. Times around a texture are whole numbers below 2^24 times a
+  // size, looked for half a texel off: a product is near enough.
+  const auto sizeOf = [&](Value *size) {
+    return writeIn(m_code, m_places.entry, [&] {
+      Value *const one = ir.CreateSIToFP(size, ir.getDoubleTy());
+      return std::pair{one, ir.CreateFDiv(llvm::ConstantFP::get(ir.getDoubleTy(), 1), one)};
+    });
   };
-  Value *const width = ir.CreateSIToFP(image.width, number);
-  Value *const height = ir.CreateSIToFP(image.height, number);
+  const auto [widthNumber, widthInverse] = sizeOf(image.width);
+  const auto [heightNumber, heightInverse] = sizeOf(image.height);
+  Value *const width = m_spans.inLanes(widthNumber), *const height = m_spans.inLanes(heightNumber);
+  Value *const columns = m_spans.inLanes(image.width), *const rows = m_spans.inLanes(image.height);
   Axis s = axis(*axes[0], width, normalised, linear, true);
   Axis t = axis(*axes[1], height, normalised, linear, false);
   m_good = both(m_good, both(s.good, t.good));
@@ -205,46 +252,45 @@ void ConsecutiveSamples::add(std::size_t index, const AffineFlow::Axes &axes) {
   // Along the row: the stretch of the span that needs no wrapping, in that repetition of the image
   // in which the middle of the span lies.
   if (key.wrap[0] == abi::Wrap::Repeat) {
-    Value *const middle = ir.CreateFAdd(s.first, ir.CreateFMul(m_last, constant(0.5)));
-    Value *const times = floor(ir.CreateFDiv(ir.CreateFAdd(middle, constant(0.5)), width));
+    Value *const middle = ir.CreateFAdd(s.first, ir.CreateFMul(m_last, number(0.5)));
+    Value *const times =
+        floor(ir.CreateFMul(ir.CreateFAdd(middle, number(0.5)), m_spans.inLanes(widthInverse)));
     s.first = ir.CreateFSub(s.first, ir.CreateFMul(times, width));
   }
   Value *const first = toInt(s.first);
-  const auto larger = [&](Value *a, Value *b) {
-    return ir.CreateSelect(ir.CreateICmpSGT(a, b), a, b);
-  };
-  const auto smaller = [&](Value *a, Value *b) {
-    return ir.CreateSelect(ir.CreateICmpSLT(a, b), a, b);
-  };
   m_begin = larger(m_begin, ir.CreateNeg(first));
-  m_end = smaller(m_end, ir.CreateSub(image.width, first));
+  m_end = smaller(m_end, ir.CreateSub(columns, first));
   // Beyond the edges: once around at most, any distance unless one vector reaches both edges, or
   // not at all.
-  Value *const startsInside = ir.CreateICmpSGE(first, ir.getInt32(0));
+  Value *const startsInside = ir.CreateICmpSGE(first, integer(0));
   if (key.wrap[0] == abi::Wrap::Repeat)
-    m_good = both(m_good, ir.CreateICmpSLE(m_count, image.width));
+    m_good = both(m_good, ir.CreateICmpSLE(m_spans.count(), columns));
   else if (key.wrap[0] == abi::Wrap::ClampToEdge)
-    m_good = both(m_good,
-                  ir.CreateOr(startsInside,
-                              ir.CreateICmpSGE(image.width, ir.getInt32(unsigned(m_code.lanes)))));
+    m_good =
+        both(m_good, ir.CreateOr(startsInside, ir.CreateICmpSGE(columns, integer(m_code.lanes))));
   else
     m_good =
         both(m_good, ir.CreateAnd(startsInside,
-                                  ir.CreateICmpSLE(m_count, ir.CreateSub(image.width, first))));
+                                  ir.CreateICmpSLE(m_spans.count(), ir.CreateSub(columns, first))));
 
   // Across: one row, wrapped here.
   if (key.wrap[1] == abi::Wrap::Repeat) {
-    Value *const times = floor(ir.CreateFDiv(ir.CreateFAdd(t.first, constant(0.5)), height));
+    Value *const times =
+        floor(ir.CreateFMul(ir.CreateFAdd(t.first, number(0.5)), m_spans.inLanes(heightInverse)));
     t.first = ir.CreateFSub(t.first, ir.CreateFMul(times, height));
   }
   Value *row = toInt(t.first);
   if (key.wrap[1] == abi::Wrap::ClampToEdge)
-    row = smaller(larger(row, ir.getInt32(0)), ir.CreateSub(image.height, ir.getInt32(1)));
+    row = smaller(larger(row, integer(0)), ir.CreateSub(rows, integer(1)));
   else
-    m_good = both(m_good, ir.CreateICmpULT(row, image.height));
+    m_good = both(m_good, ir.CreateICmpULT(row, rows));
 
-  Value *const offset = ir.CreateMul(ir.CreateSExt(row, ir.getInt64Ty()), image.rowStride);
-  m_samples[index] = {&key, ir.CreateGEP(ir.getInt8Ty(), image.base, offset), first, image.width};
+  auto *const offsets = llvm::FixedVectorType::get(ir.getInt64Ty(), m_spans.size());
+  const auto bytes = unsigned(abi::bytesOf(key.format.layout));
+  Value *const along =
+      ir.CreateMul(ir.CreateSExt(first, offsets), m_spans.inLanes(ir.getInt64(bytes)));
+  Value *const across = ir.CreateMul(ir.CreateSExt(row, offsets), m_spans.inLanes(image.rowStride));
+  return {image.base, image.width, ir.CreateAdd(along, across), first};
 }
 
 } // namespace arbiter::fp::llvm_back

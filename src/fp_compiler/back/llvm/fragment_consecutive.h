@@ -18,9 +18,11 @@ enum class SamplePath : std::uint8_t { General, Consecutive, Edge, Given };
 
 class ConsecutiveSamples {
 public:
-  /// Written to the item's block.
+  /// Written to the group's block, and to the item's.
+  /// \param number the item's place in the group, i32
   ConsecutiveSamples(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
-                     const Places &places, const AffineFlow &flow, Value *data, Value *count);
+                     const Places &places, const AffineFlow &flow, const SpanGroup &spans,
+                     Value *data, Value *number);
 
   /// Whether any sample of the program can be read so at all.
   [[nodiscard]] bool any() const { return !m_samples.empty(); }
@@ -39,32 +41,47 @@ public:
   [[nodiscard]] Value *wrappedTexels(std::size_t index, const PixelPlace &place) const;
 
 private:
+  /// What the loops want of a sample, in the item's block.
   struct Sample {
     const abi::SamplerKey *key;
-    Value *row;   ///< pointer to texel 0
-    Value *first; ///< i32: what the span's first pixel reads, unless it is wrapped
-    Value *width; ///< i32
+    Value *texel; ///< pointer to the texel of the span's first pixel, unless it is wrapped
+    Value *first; ///< i32: that texel's place in its row
+    Value *width; ///< i32, of the entry's block
+  };
+  /// The same of all spans of the group, while it is found out.
+  struct Found {
+    Value *base, *width;   ///< of the entry's block
+    Value *offset, *first; ///< vectors
   };
   struct Axis {
-    Value *first = nullptr; ///< the index that the first pixel reads, before wrapping, a double
+    Value *first = nullptr; ///< the index that the first pixel reads, before wrapping, doubles
     Value *good = nullptr;  ///< i1
   };
   [[nodiscard]] static bool isCandidate(const jit::FragmentProgram &program,
                                         const abi::FragmentKey &key, std::size_t index,
                                         const AffineFlow &flow);
-  void add(std::size_t index, const AffineFlow::Axes &axes);
+  [[nodiscard]] Found find(std::size_t index, const AffineFlow::Axes &axes);
   [[nodiscard]] Axis axis(const Affine &coordinate, Value *size, bool normalised, bool linear,
                           bool advances);
+  /// Vectors of the group.
+  [[nodiscard]] Value *number(double value) const;
+  [[nodiscard]] Value *integer(int value) const;
+  [[nodiscard]] Value *toInt(Value *value) const;
+  [[nodiscard]] Value *toDouble(Value *value) const;
+  [[nodiscard]] Value *larger(Value *a, Value *b) const;
+  [[nodiscard]] Value *smaller(Value *a, Value *b) const;
   [[nodiscard]] Value *both(Value *a, Value *b);
-  /// `lanes` texels from pointer \p row on, those whose index is in the row and that are wanted.
-  [[nodiscard]] Value *part(const Sample &sample, Value *index, Value *wanted, Value *others) const;
+  /// `lanes` texels from a pointer on, of the lanes of \p mask; the others' are those of \p others.
+  [[nodiscard]] Value *texelsFrom(const Sample &sample, Value *pointer, Value *mask,
+                                  Value *others) const;
 
   Code &m_code;
   const jit::FragmentProgram &m_program;
   const abi::FragmentKey &m_key;
   const Places &m_places;
-  Value *m_data, *m_count;
-  Value *m_last = nullptr; ///< count - 1, a double
+  const SpanGroup &m_spans;
+  Value *m_data;
+  Value *m_last = nullptr; ///< count - 1, doubles
   Value *m_good = nullptr, *m_begin = nullptr, *m_end = nullptr;
   std::map<std::size_t, Sample> m_samples;
 };

@@ -10,17 +10,15 @@ void Interpolator::setPixel(Value *x, Value *y) {
 void Interpolator::setLanes(Value *dx, Value *dy) {
   m_laneX = dx;
   m_laneY = dy;
-  Value *const x = writeIn(m_code, m_places.item, [&] { return m_code.splat(fromOrigin()); });
+  Value *const x = writeIn(m_code, m_places.item,
+                           [&] { return m_code.splat(m_code.ir.CreateSub(m_x, origin(false))); });
   m_fx = m_code.toFloat(m_code.ir.CreateAdd(x, dx));
   m_fy = nullptr;
   m_w = nullptr;
   if (!dy)
     return;
-  Value *const y = writeIn(m_code, m_places.item, [&] {
-    Value *const origin =
-        m_code.field(m_code.ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, originY));
-    return m_code.splat(m_code.ir.CreateSub(m_y, origin));
-  });
+  Value *const y = writeIn(m_code, m_places.item,
+                           [&] { return m_code.splat(m_code.ir.CreateSub(m_y, origin(true))); });
   m_fy = m_code.toFloat(m_code.ir.CreateAdd(y, dy));
 }
 
@@ -37,23 +35,25 @@ Value *Interpolator::slope(std::size_t planeOffset, bool ofY) {
   return scalarField(planeOffset + (ofY ? offsetof(abi::Plane, dy) : offsetof(abi::Plane, dx)));
 }
 
-Value *Interpolator::fromOrigin() {
-  Value *const origin = writeIn(m_code, m_places.entry, [&] {
-    return m_code.field(m_code.ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, originX));
+Value *Interpolator::origin(bool ofY) {
+  return writeIn(m_code, m_places.entry, [&] {
+    return m_code.field(m_code.ir.getInt32Ty(), m_primitive,
+                        ofY ? offsetof(abi::Primitive, originY)
+                            : offsetof(abi::Primitive, originX));
   });
-  return writeIn(m_code, m_places.item, [&] { return m_code.ir.CreateSub(m_x, origin); });
 }
 
-Value *Interpolator::rowConstant(std::size_t planeOffset) {
-  Value *const c = constant(planeOffset);
-  Value *const dy = slope(planeOffset, true);
-  return writeIn(m_code, m_places.item, [&] {
-    llvm::IRBuilder<> &ir = m_code.ir;
-    Value *const origin =
-        m_code.field(ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, originY));
-    Value *const y = ir.CreateSIToFP(ir.CreateSub(m_y, origin), ir.getFloatTy());
-    return ir.CreateFAdd(c, ir.CreateFMul(dy, y));
-  });
+Value *Interpolator::rowConstant(std::size_t planeOffset, Value *y) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  auto *const rows = llvm::dyn_cast<llvm::FixedVectorType>(y->getType());
+  const auto like = [&](Value *scalar) {
+    return rows ? ir.CreateVectorSplat(rows->getNumElements(), scalar) : scalar;
+  };
+  llvm::Type *const number =
+      rows ? llvm::FixedVectorType::get(ir.getFloatTy(), rows->getNumElements()) : ir.getFloatTy();
+  Value *const above = ir.CreateSIToFP(ir.CreateSub(y, like(origin(true))), number);
+  Value *const step = ir.CreateFMul(like(slope(planeOffset, true)), above);
+  return ir.CreateFAdd(like(constant(planeOffset)), step);
 }
 
 Value *Interpolator::plane(std::size_t offset) {
@@ -67,7 +67,7 @@ Value *Interpolator::plane(std::size_t offset) {
     });
     row = ir.CreateFAdd(c, ir.CreateFMul(dy, m_fy));
   } else {
-    row = writeIn(m_code, m_places.item, [&] { return m_code.splat(rowConstant(offset)); });
+    row = writeIn(m_code, m_places.item, [&] { return m_code.splat(rowConstant(offset, m_y)); });
   }
   return ir.CreateFAdd(row, ir.CreateFMul(dx, m_fx));
 }

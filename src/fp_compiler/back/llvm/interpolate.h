@@ -9,10 +9,11 @@
 /// (c + dy * (y - originY)) + dx * (x - originX).
 namespace arbiter::fp::llvm_back {
 
-/// Where the code stands: blocks that run once a call, once an item, and the loop that is written
-/// now. What an outer block can compute is put before its terminator.
+/// Where the code stands: blocks that run once a call, once a group of spans, once an item, and the
+/// loop that is written now. What an outer block can compute is put before its terminator.
 struct Places {
   llvm::BasicBlock *entry = nullptr;
+  llvm::BasicBlock *group = nullptr; ///< null but for Lanes::Row
   llvm::BasicBlock *item = nullptr;
 };
 
@@ -41,16 +42,13 @@ public:
   /// Window depth, as the plane gives it.
   [[nodiscard]] Value *depth();
 
-  // What the affine coordinates are made of: scalars of the item's block.
-  /// The float c + dy * (y - originY) of a row.
-  [[nodiscard]] Value *rowConstant(std::size_t planeOffset);
-  /// The plane's constant, and its dx or dy.
+  // What the affine coordinates are made of.
+  /// The float c + dy * (y - originY) of a row, or of rows: `y` is an i32 or a vector of them.
+  [[nodiscard]] Value *rowConstant(std::size_t planeOffset, Value *y);
+  // Scalars of the entry's block: the plane's constant, its dx or dy, and its origin as i32.
   [[nodiscard]] Value *constant(std::size_t planeOffset);
   [[nodiscard]] Value *slope(std::size_t planeOffset, bool ofY);
-  /// x - originX of the first pixel, as i32.
-  [[nodiscard]] Value *fromOrigin();
-  [[nodiscard]] Value *pixelX() const { return m_x; }
-  [[nodiscard]] Value *pixelY() const { return m_y; }
+  [[nodiscard]] Value *origin(bool ofY);
   [[nodiscard]] static std::size_t planeOf(int input, int component) {
     return offsetof(abi::Primitive, inputs) +
            sizeof(abi::Plane) * std::size_t(4 * input + component);
