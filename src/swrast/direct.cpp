@@ -12,8 +12,10 @@ namespace {
 
 /// Fewer pixels than this are done before another thread has woken up.
 constexpr std::int64_t kParallelPixels = 4096;
-/// More bands than threads, so that a thread that is held up costs a part of its share.
+/// More bands than threads, so that a thread that is held up costs a part of its share; but a band
+/// has something to do, as machine code may have to make itself ready for it.
 constexpr int kBandsPerThread = 4;
+constexpr std::int64_t kBandPixels = 32768;
 /// A multiple of every block's height.
 constexpr int kBandUnit = 4;
 
@@ -31,10 +33,12 @@ std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, con
   if (bottom >= top)
     return 0;
   bottom &= ~(kBandUnit - 1);
-  const int wanted = area < kParallelPixels ? 1 : threadCount() * kBandsPerThread;
   int height = top - bottom;
-  if (threadCount() > 1)
-    height = ((top - bottom + wanted - 1) / wanted + kBandUnit - 1) & ~(kBandUnit - 1);
+  if (const int threads = threadCount(); threads > 1 && area >= kParallelPixels) {
+    const std::int64_t bands =
+        threads * std::clamp<std::int64_t>(area / kBandPixels / threads, 1, kBandsPerThread);
+    height = int((height + bands - 1) / bands + kBandUnit - 1) & ~(kBandUnit - 1);
+  }
   std::atomic<std::uint64_t> pixels{0};
   auto band = [&](std::uint32_t i) {
     const int from = bottom + int(i) * height, to = std::min(top, from + height);
