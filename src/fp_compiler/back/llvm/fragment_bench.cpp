@@ -171,7 +171,7 @@ template <typename Work> double best(clockid_t clock, Work work) {
 std::vector<abi::Span> rowsOf(int from, int to) {
   std::vector<abi::Span> spans;
   for (int y = from; y < to; ++y)
-    spans.push_back({0, std::int16_t(y), g_size, 0});
+    spans.push_back({0, std::int16_t(y), std::uint16_t(g_size), 0});
   return spans;
 }
 
