@@ -64,7 +64,7 @@ void World::makeGroupObjects() {
     group().programs[std::size_t(i)] = makeProgram(GL_FRAGMENT_PROGRAM_ARB, kTexts[std::size_t(i)]);
   Random random(77);
   for (int i = 0; i < kTextures; ++i) {
-    glGenTextures(1, &texture(i).name);
+    texture(i).name = newTexture();
     define(i, 0, i == 2 ? 7 : 32, i == 3 ? 16 : 32, GL_RGBA8, random);
   }
 }
@@ -209,6 +209,14 @@ void World::orphan(int texture) {
   }
 }
 
+GLuint World::newTexture() {
+  GLuint name = 0;
+  do
+    glGenTextures(1, &name);
+  while (name <= group().lastName);
+  return group().lastName = name;
+}
+
 void World::deleteTexture(int texture, Random &random) {
   Texture &image = this->texture(texture);
   orphan(texture);
@@ -217,7 +225,7 @@ void World::deleteTexture(int texture, Random &random) {
     for (Context &other : m_contexts)
       other.lists = {};
   glDeleteTextures(1, &image.name);
-  glGenTextures(1, &image.name);
+  image.name = newTexture();
   image.width = image.height = {};
   redefine(texture, random);
 }

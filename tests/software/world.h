@@ -25,6 +25,7 @@ struct Texture {
 struct Group {
   bool made = false;
   std::array<Texture, kTextures> textures;
+  GLuint lastName = 0; ///< the highest that a texture ever had
   std::array<GLuint, kPrograms> programs{};
 };
 
@@ -83,6 +84,9 @@ public:
   void recordAll();
 
 private:
+  /// Whether names of deleted textures are given out again is the host's affair, and PopAttrib
+  /// would tell, which finds by name what it saved.
+  [[nodiscard]] GLuint newTexture();
   void makeContextObjects();
   void makeGroupObjects();
 
