@@ -146,6 +146,9 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   caps.maxAttribStackDepth = getInteger(host, GL_MAX_ATTRIB_STACK_DEPTH, 16);
   caps.maxTextureUnits = getInteger(host, GL_MAX_TEXTURE_UNITS, 2);
   caps.maxClipPlanes = getInteger(host, GL_MAX_CLIP_PLANES, 6);
+  if (caps.provokingVertex)
+    caps.quadsFollowProvokingVertex =
+        getInteger(host, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, 1) != 0;
   if (gl >= 20) {
     caps.maxTextureCoords = getInteger(host, GL_MAX_TEXTURE_COORDS, 0);
     caps.maxTextureImageUnits = getInteger(host, GL_MAX_TEXTURE_IMAGE_UNITS, 0);

@@ -34,6 +34,7 @@ struct HostCaps {
   // What of the state beyond OpenGL 2.0 can be asked for.
   bool pixelBuffers = false;
   bool provokingVertex = false;
+  bool quadsFollowProvokingVertex = false; ///< the convention is theirs too
   bool depthClamp = false;
   bool depthBounds = false;
   bool clampColor = false;     ///< CLAMP_FRAGMENT_COLOR and CLAMP_VERTEX_COLOR

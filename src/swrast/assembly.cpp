@@ -4,6 +4,11 @@ namespace arbiter::swrast {
 
 bool isPolygonal(Topology topology) { return topology >= Topology::Triangles; }
 
+bool provokesFirst(const RasterState &state, Topology topology) {
+  const bool quads = topology == Topology::Quads || topology == Topology::QuadStrip;
+  return quads ? state.quadsProvokingIsFirst : state.provokingIsFirst;
+}
+
 std::uint32_t triangleCount(Topology topology, std::uint32_t count) {
   switch (topology) {
   case Topology::Triangles:

@@ -21,10 +21,12 @@ struct LineEnds {
 };
 
 [[nodiscard]] bool isPolygonal(Topology topology);
+/// Whether the first vertex of such a primitive is the provoking one.
+[[nodiscard]] bool provokesFirst(const RasterState &state, Topology topology);
 [[nodiscard]] std::uint32_t triangleCount(Topology topology, std::uint32_t count);
 /// Wound as the primitive is. Quads and polygons are cut as hosts cut them, so that what is not
 /// flat looks the same: a quad from its first corner to the third, and in draws that are clipped or
-/// not filled (`otherDiagonal`) from the second to the fourth.
+/// not filled, or where the first vertex provokes (`otherDiagonal`), from the second to the fourth.
 [[nodiscard]] TriangleCorners triangleAt(Topology topology, std::uint32_t count, std::uint32_t i,
                                          bool provokingIsFirst, bool otherDiagonal);
 [[nodiscard]] std::uint32_t lineCount(Topology topology, std::uint32_t count);

@@ -108,8 +108,8 @@ void Bins::setUp(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint3
   chunk.links.clear();
   chunk.tiles.assign(std::size_t(m_tilesX) * std::size_t(m_tilesY), List());
   for (std::uint32_t i = first; i < end; ++i) {
-    const TriangleCorners corners =
-        triangleAt(draw.topology, draw.count, i, draw.state.provokingIsFirst, draw.otherDiagonal);
+    const TriangleCorners corners = triangleAt(
+        draw.topology, draw.count, i, provokesFirst(draw.state, draw.topology), draw.otherDiagonal);
     Triangle triangle;
     std::uint32_t any = 0;
     if (fetchTriangle(draw, corners, triangle, any))

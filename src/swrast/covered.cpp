@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swrast/assembly.h"
 #include "swrast/setup.h"
 
 /// Draws that are one rectangle, the commonest of all draws of 2D programs.
@@ -175,7 +176,7 @@ bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology
   }
   // A quad strip's last vertex is the third corner of the ring.
   const int last = topology == Topology::QuadStrip ? 2 : 3;
-  const bool isFirst = state.provokingIsFirst || topology == Topology::Polygon;
+  const bool isFirst = provokesFirst(state, topology) || topology == Topology::Polygon;
   triangle.provoking = rectangle.vertex[isFirst ? 0 : last];
   triangle.backFacing = rectangle.backFacing;
   shape.left = rectangle.pixels.x;

@@ -101,9 +101,16 @@ void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients
 
 } // namespace
 
-float depthOffset(const RasterState &state, const WindowVertex corner[3]) {
-  return offsetOf(state,
-                  gradientsOf(state, corner, 0, 0).plane(corner[0].z, corner[1].z, corner[2].z));
+float depthOffset(const RasterState &state, const std::array<WindowVertex, 3> &corner) {
+  // In single precision and from the last corner, as hosts have it: a corner that two polygons
+  // share is drawn twice, and whether it passes the depth test again hangs on the last bit.
+  const WindowVertex &last = corner[2];
+  const float ex = corner[0].x - last.x, ey = corner[0].y - last.y, ez = corner[0].z - last.z;
+  const float fx = corner[1].x - last.x, fy = corner[1].y - last.y, fz = corner[1].z - last.z;
+  const float inverse = 1.0f / (ex * fy - ey * fx);
+  const float dx = std::fabs((ey * fz - ez * fy) * inverse);
+  const float dy = std::fabs((ez * fx - ex * fz) * inverse);
+  return float(state.depthResolution * state.offsetUnits) + std::max(dx, dy) * state.offsetFactor;
 }
 
 PlanePlan::PlanePlan(const Shading &shading, const Vertices &vertices)

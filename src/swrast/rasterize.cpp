@@ -98,8 +98,10 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   for (const ChunkBounds &part : bounds)
     all.add(part);
   const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
-  // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise.
-  draw.otherDiagonal = draw.state.polygonStipple != nullptr || clipped;
+  // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
+  // plain one does so too where it hands on the first vertex as the provoking one.
+  draw.otherDiagonal =
+      draw.state.polygonStipple != nullptr || clipped || draw.state.provokingIsFirst;
   if (clipped)
     return; // a vertex that is outside has no place that bounds anything
   const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);
@@ -120,10 +122,10 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
   for (std::uint32_t i = 0; i < triangles; ++i) {
     Triangle triangle;
     std::uint32_t any = 0;
-    if (!fetchTriangle(
-            draw,
-            triangleAt(draw.topology, draw.count, i, state.provokingIsFirst, draw.otherDiagonal),
-            triangle, any))
+    if (!fetchTriangle(draw,
+                       triangleAt(draw.topology, draw.count, i, provokesFirst(state, draw.topology),
+                                  draw.otherDiagonal),
+                       triangle, any))
       continue;
     if (any & kClipMask) {
       clipAndTake(draw, triangle, take);

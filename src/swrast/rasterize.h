@@ -42,8 +42,9 @@ struct RasterState {
   Rect clip; ///< scissor and target's size, intersected
   bool cullFront = false, cullBack = false;
   bool frontIsClockwise = false;
-  bool flatShade = false; ///< colours (inputs whose key is Flat) of the provoking vertex
-  bool provokingIsFirst = false;
+  bool flatShade = false;        ///< colours (inputs whose key is Flat) of the provoking vertex
+  bool provokingIsFirst = false; ///< as the application chose
+  bool quadsProvokingIsFirst = false; ///< of quads and quad strips, for which it need not count
   bool depthClamp = false;
   PolygonMode front = PolygonMode::Fill, back = PolygonMode::Fill;
   bool offsetFill = false, offsetLine = false, offsetPoint = false;

@@ -113,26 +113,35 @@ TEST(Rasterize, InputsAreThePlanesValues) {
   }
 }
 
+/// The first vertex provokes, of quads only where the convention is theirs too
+/// (QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION). All of the paths that a quad may take agree.
 TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
   struct Case {
     Topology topology;
-    float last, first;
+    float last, first, firstButOfQuads;
   };
-  for (const Case &expected : {Case{Topology::Quads, 4, 1}, Case{Topology::Triangles, 3, 1},
-                               Case{Topology::Polygon, 1, 1}, Case{Topology::TriangleFan, 3, 2}}) {
-    for (const bool first : {false, true}) {
-      Canvas canvas(32, 32);
-      addInput(canvas, abi::Interpolation::Flat);
-      canvas.state.provokingIsFirst = first;
-      WindowVertices vertices(canvas);
-      vertices.add(0, 0, 1);
-      vertices.add(32, 0, 2);
-      vertices.add(32, 32, 3);
-      vertices.add(0, 32, 4);
-      drawAll(canvas, expected.topology, vertices);
-      EXPECT_EQ(canvas.valueAt(30, 3), first ? expected.first : expected.last)
-          << int(expected.topology);
-    }
+  for (const Case &expected : {Case{Topology::Quads, 4, 1, 4}, Case{Topology::QuadStrip, 3, 1, 3},
+                               Case{Topology::Triangles, 3, 1, 1}, Case{Topology::Polygon, 1, 1, 1},
+                               Case{Topology::TriangleFan, 3, 2, 2}}) {
+    for (const bool first : {false, true})
+      for (const bool quadsToo : {false, true})
+        for (const double lean : {0.0, 0.25}) { // upright, and none that is one rectangle
+          Canvas canvas(32, 32);
+          addInput(canvas, abi::Interpolation::Flat);
+          canvas.state.provokingIsFirst = first;
+          canvas.state.quadsProvokingIsFirst = first && quadsToo;
+          WindowVertices vertices(canvas);
+          const bool strip = expected.topology == Topology::QuadStrip;
+          vertices.add(lean, 0, 1);
+          vertices.add(32, lean, 2);
+          vertices.add(strip ? 0 : 32 - lean, 32, strip ? 4 : 3);
+          vertices.add(strip ? 32 - lean : 0, 32 - lean, strip ? 3 : 4);
+          drawAll(canvas, expected.topology, vertices);
+          EXPECT_EQ(canvas.valueAt(30, 3), !first     ? expected.last
+                                           : quadsToo ? expected.first
+                                                      : expected.firstButOfQuads)
+              << int(expected.topology) << (lean != 0 ? " leaning" : "");
+        }
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -161,7 +162,8 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).
-[[nodiscard]] float depthOffset(const RasterState &state, const WindowVertex corner[3]);
+[[nodiscard]] float depthOffset(const RasterState &state,
+                                const std::array<WindowVertex, 3> &corner);
 
 /// A rectangle that a draw consists of: corners in cyclic order.
 struct Rectangle {

@@ -71,6 +71,18 @@ int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
   return i;
 }
 
+/// What is added to the depths at the ends of side `side`. Hosts cut what is left of a triangle
+/// that was cut into a fan, whose pieces have slopes of their own; its centre is the first corner
+/// of each, or the last one.
+float offsetAt(const RasterState &state, const ClippedPolygon &polygon, int side, bool clipped) {
+  const auto next = std::size_t(std::clamp(side + 1, 2, polygon.count - 1));
+  const WindowVertex &centre = polygon.vertex[0].window;
+  const WindowVertex &from = polygon.vertex[next - 1].window, &to = polygon.vertex[next].window;
+  if (clipped && !state.provokingIsFirst)
+    return depthOffset(state, {from, to, centre});
+  return depthOffset(state, {centre, from, to});
+}
+
 /// The size that the vertices say, of a point at one of them or where their primitive was cut.
 float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
   const float *const sizes = draw.vertices.pointSize;
@@ -187,6 +199,13 @@ void Strokes::addPoints(const Draw &draw) {
 void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
                          std::uint32_t sides, bool clipped) {
   const bool lines = draw.modeOf(stroke.backFacing) == PolygonMode::Line;
+  const bool offset = lines ? draw.state.offsetLine : draw.state.offsetPoint;
+  const auto endAt = [&](int corner, int side) {
+    StrokeEnd end = endOf(polygon.vertex[std::size_t(corner)]);
+    if (offset)
+      end.window.z += offsetAt(draw.state, polygon, side, clipped);
+    return end;
+  };
   const auto isSide = [&](int corner) {
     const int side = polygon.vertex[std::size_t(corner)].side;
     return side == kOnUserPlane || (side < kOnPlane && ((sides >> side) & 1u) != 0);
@@ -194,10 +213,9 @@ void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke
   for (int i = 0; i < polygon.count; ++i) {
     const int at = sideInTurn(i, polygon.count, clipped, draw.state.provokingIsFirst);
     if (lines && isSide(at))
-      addLine(draw, stroke, endOf(polygon.vertex[std::size_t(at)]),
-              endOf(polygon.vertex[std::size_t(at + 1 == polygon.count ? 0 : at + 1)]));
+      addLine(draw, stroke, endAt(at, at), endAt(at + 1 == polygon.count ? 0 : at + 1, at));
     if (!lines && isSide(i)) {
-      const StrokeEnd end = endOf(polygon.vertex[std::size_t(i)]);
+      const StrokeEnd end = endAt(i, i);
       addPoint(draw, stroke, end, pointSizeAt(draw, stroke, end));
     }
   }
@@ -205,9 +223,9 @@ void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke
 
 void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
   const RasterState &state = draw.state;
-  const TriangleCorners corners =
-      asHostsWalk(triangleAt(draw.topology, draw.count, number, state.provokingIsFirst, true),
-                  state.provokingIsFirst);
+  const TriangleCorners corners = asHostsWalk(
+      triangleAt(draw.topology, draw.count, number, provokesFirst(state, draw.topology), true),
+      state.provokingIsFirst);
   Triangle triangle;
   std::uint32_t any = 0;
   if (!fetchTriangle(draw, corners, triangle, any))
@@ -249,13 +267,6 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
              area != 0 && shapeOf(state.clip, triangle.corner, area, shape))
       take(triangle, shape);
     return;
-  }
-  if (mode == PolygonMode::Line ? state.offsetLine : state.offsetPoint) {
-    const WindowVertex fan[3] = {polygon.vertex[0].window, polygon.vertex[1].window,
-                                 polygon.vertex[2].window};
-    const float offset = depthOffset(state, fan);
-    for (int i = 0; i < polygon.count; ++i)
-      polygon.vertex[std::size_t(i)].window.z += offset;
   }
   std::uint32_t sides = corners.sides;
   if (draw.vertices.edgeFlags)

@@ -10,7 +10,8 @@
 The bare host forgets ShadeModel where an assembly program is in force, so flat scenes are compared
 with what it draws of the layer's GLSL (ARBITER_BACKEND=host).
 
-The rows are a covering array (covering.py) of the states in factors.py. Colours may differ by 1 of
+The rows are a covering array (covering.py) of the states in factors.py, behind them those scenes
+that pairs alone do not make (AFTER_THE_ROWS). Colours may differ by 1 of
 255, depths by what 16 bits can tell; where judge() says so, a bounded number of pixels may differ by
 more. Ends with "N passed, N failed, N skipped".
 """
@@ -29,6 +30,18 @@ from factors import FACTORS, line, settle
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "real"))
 from picture import Picture, write_png  # noqa: E402
 
+AFTER_THE_ROWS = [
+    # Which vertex of a quad provokes, and from which corner on it is cut and outlined.
+    "program=color shade=flat primitive=quads provoking=first",
+    "program=color shade=smooth primitive=quads provoking=first",
+    "program=color shade=flat primitive=quad_strip provoking=first",
+    "program=color primitive=quad_strip provoking=first stipple=line mode_front=line mode_back=line",
+    "program=color shade=flat primitive=quads provoking=first stipple=line mode_front=line "
+    "mode_back=line vertices=clipped",
+    # Corners that several polygons share, each with its own offset.
+    "program=constant primitive=triangle_strip depths=perspective mode_back=point offset=on "
+    "point_size=4 viewport=small depth_test=gequal logic_op=op10",
+]
 EDGE = 48
 BATCH = 20  # scenes a process
 DEPTH = 1 << 16  # of 2^32: the interpolation of a depth in single precision
@@ -136,6 +149,12 @@ def keep(folder, number, scene, bare, layer):
         write_png(folder / f"{number}.{side}.png", Picture(EDGE, EDGE, rgb))
 
 
+def scene_of(words):
+    """The scene in which all but what the words name is at its first value."""
+    return settle({**{name: next(iter(values)) for name, values in FACTORS.items()},
+                   **dict(word.split("=") for word in words.split())})
+
+
 def reduce(scene, differs):
     """The scene with as many factors as can be at their first value while it still differs."""
     for name in FACTORS:
@@ -149,7 +168,7 @@ def reduce(scene, differs):
 
 def self_test():
     count = covering.self_test()
-    scene = {name: next(iter(values)) for name, values in FACTORS.items()}
+    scene = scene_of("")
     same = {"color": ("", bytes(EDGE * EDGE * 4)), "depth": ("", bytes(EDGE * EDGE * 4)),
             "stencil": ("", bytes(EDGE * EDGE)), "errors": ("0 errors", b"")}
     assert judge(scene, same, same) == []
@@ -192,6 +211,7 @@ def main():
         return self_test()
     client = args.build.resolve() / "tests/software/software-states"
     rows, part = covering.rows(FACTORS, settle, args.count, args.seed)
+    rows = rows + [scene_of(words) for words in AFTER_THE_ROWS]
     numbers = args.only or range(len(rows))
     chosen = [(n, rows[n]) for n in numbers]
     batches = [chosen[i:i + BATCH] for i in range(0, len(chosen), BATCH)]

@@ -50,6 +50,7 @@ void askPolygons(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
   raster.flatShade = ask.name(GL_SHADE_MODEL) == GL_FLAT;
   raster.provokingIsFirst =
       caps.provokingVertex && ask.name(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION;
+  raster.quadsProvokingIsFirst = raster.provokingIsFirst && caps.quadsFollowProvokingVertex;
   raster.depthClamp = caps.depthClamp && ask.enabled(GL_DEPTH_CLAMP);
   GLint modes[2] = {GL_FILL, GL_FILL};
   ask.host.GetIntegerv(GL_POLYGON_MODE, modes);

@@ -73,9 +73,12 @@ constexpr Field kRaster[] = {
        glShadeModel(flat ? GL_FLAT : GL_SMOOTH);
        glProvokingVertex(first ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
        turn(GL_DEPTH_CLAMP, clamp);
+       GLint follows = 1;
+       glGetIntegerv(GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, &follows);
        return [=](const Mirror &m) {
          EXPECT_EQ(m.raster.flatShade, flat);
          EXPECT_EQ(m.raster.provokingIsFirst, first);
+         EXPECT_EQ(m.raster.quadsProvokingIsFirst, first && follows != GL_FALSE);
          EXPECT_EQ(m.raster.depthClamp, clamp);
        };
      }},
