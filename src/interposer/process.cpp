@@ -11,19 +11,17 @@
 #include <sys/auxv.h>
 #include <unistd.h>
 
+#include "interposer/first.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {
 
 namespace {
 
-constexpr const char *kGlxSelection = "__GLX_VENDOR_LIBRARY_NAME";
 constexpr const char *kEglSelection = "__EGL_VENDOR_LIBRARY_FILENAMES";
 /// Child processes find the selection already changed; these tell them what it was.
 constexpr const char *kSavedGlx = "ARBITER_SAVED_GLX_VENDOR";
 constexpr const char *kSavedEgl = "ARBITER_SAVED_EGL_VENDORS";
-constexpr const char *kVendorName = "arbiter";
-constexpr const char *kLibrary = "libGLX_arbiter.so";
 /// The ICD files beside the library, in the build tree and installed: by path, and by name alone.
 constexpr const char *kIcdByPath = "/arbiter/10_arbiter.json";
 constexpr const char *kIcdByName = "/arbiter/11_arbiter.json";
@@ -74,7 +72,8 @@ void save(const char *variable, const char *value) {
 
 /// Done once, by the constructor or by a vendor's main that runs before it: libglvnd reads both
 /// variables at its first use, and where an application's own libraries call GL in constructors,
-/// that is before ours. `arbiter run` sets them from outside.
+/// that is before ours. `arbiter run` sets them from outside. libGLX reads its variable even in its
+/// constructor; what it named was replaced before that (first.cpp).
 void selectArbiter() {
   static bool s_done = false;
   if (s_done || !layerAllowed())
@@ -82,9 +81,10 @@ void selectArbiter() {
   s_done = true;
   const char *const glx = getenv(kGlxSelection);
   const char *const egl = getenv(kEglSelection);
-  const bool glxOurs = glx && std::strcmp(glx, kVendorName) == 0;
+  const char *const replaced = arbiterReplacedVendor();
+  const bool glxOurs = glx && !replaced && std::strcmp(glx, kVendorName) == 0;
   const bool eglOurs = egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName));
-  g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : glx);
+  g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : replaced ? replaced : glx);
   g_savedEgl = copy(eglOurs ? getenv(kSavedEgl) : egl);
   // Loaded as a vendor alone, by what somebody else selected, and then perhaps so late that other
   // threads read the environment: it stays as it is.

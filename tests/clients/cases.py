@@ -194,6 +194,21 @@ def run_early(setting):
     need_statistics(setting.stats)
 
 
+def run_chosen(setting):
+    """A vendor that __GLX_VENDOR_LIBRARY_NAME names is the host under the preloaded layer; libGLX would
+    start it in its own constructor. A vendor that is not there is passed by."""
+    for vendor in ("mesa", "no_such_vendor"):
+        setting.stats.unlink(missing_ok=True)
+        chosen = {"__GLX_VENDOR_LIBRARY_NAME": vendor}
+        outcome = execute([setting.clients / "client_libgl"], setting.environment(True, chosen))
+        need_success(outcome, vendor)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{vendor}: not through the layer")
+        need_statistics(setting.stats)
+    shell = 'echo "$__GLX_VENDOR_LIBRARY_NAME $ARBITER_SAVED_GLX_VENDOR"'
+    outcome = execute(["sh", "-c", shell], setting.environment(True, {"__GLX_VENDOR_LIBRARY_NAME": "mesa"}))
+    need(outcome.out.split() == ["arbiter", "mesa"], "children are told " + outcome.out)
+
+
 def run_close(setting):
     """A display that is closed takes its contexts along."""
     for way in ("glx", "egl"):
@@ -362,17 +377,27 @@ def run_vendor_gpa(setting):
 
 
 def run_exports(setting):
-    """The library exports what was generated from the allow-list, and nothing else."""
+    """The library exports what was generated from the allow-list, and nothing else; of other
+    libraries it brings libc alone, and the one of its own that runs first, which exports one name."""
+    def exports(library):
+        listing = subprocess.run(["nm", "-D", "--defined-only", str(library)], text=True,
+                                 capture_output=True, check=True).stdout
+        return {line.split()[-1] for line in listing.splitlines()}
+
+    def dynamic(library):
+        return subprocess.run(["readelf", "-d", str(library)], text=True, capture_output=True,
+                              check=True).stdout
+
     wanted = set((setting.build / "src/dispatch/exports.txt").read_text().split())
-    listing = subprocess.run(["nm", "-D", "--defined-only", str(setting.layer)], text=True,
-                             capture_output=True, check=True).stdout
-    exported = {line.split()[-1] for line in listing.splitlines()}
+    exported = exports(setting.layer)
     need(exported == wanted, f"missing {sorted(wanted - exported)[:5]}, "
          f"surplus {sorted(exported - wanted)[:5]}")
-    needed = subprocess.run(["readelf", "-d", str(setting.layer)], text=True, capture_output=True,
-                            check=True).stdout
-    libraries = set(re.findall(r"NEEDED.*\[(.*)\]", needed))
-    allowed = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2"}
+    first = setting.layer.parent / "libarbiter_first.so"
+    need(exports(first) == {"arbiterReplacedVendor"}, f"{first.name} exports {exports(first)}")
+    need("INITFIRST" in dynamic(first), f"{first.name} does not run first")
+    libraries = set(re.findall(r"NEEDED.*\[(.*)\]", dynamic(setting.layer) + dynamic(first)))
+    allowed = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2",
+               first.name}
     need(libraries <= allowed, f"brings {sorted(libraries - allowed)} into applications")
 
 
@@ -448,6 +473,7 @@ def all_cases():
         # The bare host mixes up what threads draw with a vertex program that they share.
         "4 threads share": Client([c + "client_threads", "4", "100"], bare=False, draws=401),
         "GL in a constructor": run_early,
+        "vendor chosen by variable": run_chosen,
         "fork and exec": run_spawn,
         "vendor without preload": run_vendor_only,
         "arbiter run": run_arbiter,

@@ -31,8 +31,8 @@ def pack(build, folder):
     """A build tree of only the layer and the clients that need no X, with these scripts beside."""
     programs = ["egl_direct", "egl_dynamic", "count", "spawn", "early", "reuse", "threads"]
     libraries = ["libclient_early_library.so", "libclient_counting_vendor.so"]
-    files = ["src/interposer/libGLX_arbiter.so.0", "src/interposer/osmesa/libOSMesa.so.8",
-             "src/interposer/arbiter/11_arbiter.json"]
+    files = ["src/interposer/libGLX_arbiter.so.0", "src/interposer/libarbiter_first.so",
+             "src/interposer/osmesa/libOSMesa.so.8", "src/interposer/arbiter/11_arbiter.json"]
     files += [f"tests/clients/client_{name}" for name in programs]
     files += [f"tests/clients/{name}" for name in libraries]
     for name in files:
