@@ -25,6 +25,15 @@ void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
   parallel(std::uint32_t((bytes + kCopyBytes - 1) / kCopyBytes), part);
 }
 
+/// Rows of long images are an odd number of lines apart: those of a power of two would lie in the
+/// same few sets of a cache all of them, and whoever goes down a column would not find the row
+/// above it there any more.
+std::int64_t strideOf(std::int64_t bytes) {
+  constexpr std::int64_t kLine = 64, kLong = 1024;
+  const std::int64_t lines = (bytes + kLine - 1) / kLine;
+  return kLine * (bytes < kLong ? lines : lines | 1);
+}
+
 } // namespace
 
 Image makeImage(const abi::Format &format, int width, int height, int depth, bool topRowFirst) {
@@ -32,8 +41,7 @@ Image makeImage(const abi::Format &format, int width, int height, int depth, boo
   const auto valid = [](int size) { return size >= 1 && size <= kMaxSize; };
   if (format.layout == abi::Layout::None || !valid(width) || !valid(height) || !valid(depth))
     return image;
-  const std::int64_t row =
-      (std::int64_t(width) * abi::bytesOf(format.layout) + 63) & ~std::int64_t(63);
+  const std::int64_t row = strideOf(std::int64_t(width) * abi::bytesOf(format.layout));
   const std::int64_t slice = row * height;
   // 2^28 rows of 2^18 bytes cannot overflow, but no machine has them.
   std::shared_ptr<Storage> storage = Storage::make(std::size_t(slice) * std::size_t(depth));

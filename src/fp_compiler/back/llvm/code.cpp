@@ -38,6 +38,14 @@ Value *Code::toFloat(Value *a) { return ir.CreateSIToFP(a, f32); }
 
 Value *Code::saturate(Value *a) { return min(max(a, splat(0.0f)), splat(1.0f)); }
 
+void Code::prefetch(Value *pointer, unsigned bytes, bool isWritten) {
+  constexpr unsigned kLine = 64;
+  for (unsigned at = 0; at < bytes; at += kLine)
+    ir.CreateIntrinsic(llvm::Intrinsic::prefetch, {ir.getPtrTy()},
+                       {ir.CreateConstGEP1_32(ir.getInt8Ty(), pointer, at),
+                        ir.getInt32(isWritten ? 1 : 0), ir.getInt32(3), ir.getInt32(1)});
+}
+
 Value *Code::field(llvm::Type *type, Value *pointer, std::size_t offset) {
   return ir.CreateLoad(type, ir.CreateConstInBoundsGEP1_64(ir.getInt8Ty(), pointer, offset));
 }

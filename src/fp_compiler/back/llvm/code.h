@@ -52,6 +52,8 @@ struct Code {
   [[nodiscard]] Value *toFloat(Value *a); ///< of i32
   /// [0,1]; NaN gives 0.
   [[nodiscard]] Value *saturate(Value *a);
+  /// Asks for \p bytes from a pointer on, which need not be there, to be read or written soon.
+  void prefetch(Value *pointer, unsigned bytes, bool isWritten);
   /// A scalar of a struct that `pointer` leads to: a load of `type` at `offset` bytes.
   [[nodiscard]] Value *field(llvm::Type *type, Value *pointer, std::size_t offset);
 };

@@ -224,6 +224,9 @@ private:
     place.remaining = m_ir.CreateSub(count, column);
     place.covered = m_ir.CreateICmpSLT(m_code.iota(), m_code.splat(place.remaining));
     m_interpolator.setLanes(m_ir.CreateAdd(m_code.splat(column), m_code.iota()), nullptr);
+    m_pixels.prefetch(place);
+    if (path == SamplePath::Consecutive || path == SamplePath::Given)
+      samples->prefetch(column);
     writePixels(path, samples, place);
     Value *const following = m_ir.CreateAdd(column, m_ir.getInt32(unsigned(m_code.lanes)));
     column->addIncoming(following, m_ir.GetInsertBlock());

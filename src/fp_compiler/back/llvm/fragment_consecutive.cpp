@@ -1,5 +1,6 @@
 #include "fp_compiler/back/llvm/fragment_consecutive.h"
 
+#include <set>
 #include <vector>
 
 #include <llvm/IR/Intrinsics.h>
@@ -88,7 +89,8 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
     Value *const first = spans.ofItem(sample.first, number);
     Value *const texel = writeIn(code, places.item,
                                  [&] { return ir.CreateGEP(ir.getInt8Ty(), sample.base, offset); });
-    m_samples[index] = {&samplerOf(program, key, index), texel, first, sample.width};
+    m_samples[index] = {&samplerOf(program, key, index), texel, first, sample.width,
+                        sample.rowStride};
   }
 }
 
@@ -98,6 +100,19 @@ Value *ConsecutiveSamples::texels(std::size_t index, Value *column) const {
   const auto bytes = unsigned(abi::bytesOf(sample.key->format.layout));
   return ir.CreateGEP(ir.getInt8Ty(), sample.texel,
                       ir.CreateMul(ir.CreateSExt(column, ir.getInt64Ty()), ir.getInt64(bytes)));
+}
+
+void ConsecutiveSamples::prefetch(Value *column) const {
+  constexpr unsigned kRows = 2;
+  std::set<unsigned> units;
+  for (const auto &[index, sample] : m_samples) {
+    if (!units.insert(m_program.program().code[index].unit).second)
+      continue;
+    llvm::IRBuilder<> &ir = m_code.ir;
+    Value *const above = ir.CreateGEP(ir.getInt8Ty(), texels(index, column),
+                                      ir.CreateMul(sample.rowStride, ir.getInt64(kRows)));
+    m_code.prefetch(above, unsigned(m_code.lanes * abi::bytesOf(sample.key->format.layout)), false);
+  }
 }
 
 Value *ConsecutiveSamples::texelsFrom(const Sample &sample, Value *pointer, Value *mask,
@@ -290,7 +305,7 @@ ConsecutiveSamples::Found ConsecutiveSamples::find(std::size_t index,
   Value *const along =
       ir.CreateMul(ir.CreateSExt(first, offsets), m_spans.inLanes(ir.getInt64(bytes)));
   Value *const across = ir.CreateMul(ir.CreateSExt(row, offsets), m_spans.inLanes(image.rowStride));
-  return {image.base, image.width, ir.CreateAdd(along, across), first};
+  return {image.base, image.rowStride, image.width, ir.CreateAdd(along, across), first};
 }
 
 } // namespace arbiter::fp::llvm_back

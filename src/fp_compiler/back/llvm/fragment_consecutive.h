@@ -37,6 +37,9 @@ public:
   /// For the texture instruction \p index: the texel of pixel \p column of the span, where none
   /// wraps.
   [[nodiscard]] Value *texels(std::size_t index, Value *column) const;
+  /// Asks for the texels that a row two rows further on will read there: as far as neighbours reach
+  /// in most programs. What processors foresee ends with each page of 4096 bytes.
+  void prefetch(Value *column) const;
   /// The texels from that pixel on, wrapped; what decode() takes.
   [[nodiscard]] Value *wrappedTexels(std::size_t index, const PixelPlace &place) const;
 
@@ -46,12 +49,14 @@ private:
     const abi::SamplerKey *key;
     Value *texel; ///< pointer to the texel of the span's first pixel, unless it is wrapped
     Value *first; ///< i32: that texel's place in its row
-    Value *width; ///< i32, of the entry's block
+    // Of the entry's block.
+    Value *width;     ///< i32
+    Value *rowStride; ///< i64
   };
   /// The same of all spans of the group, while it is found out.
   struct Found {
-    Value *base, *width;   ///< of the entry's block
-    Value *offset, *first; ///< vectors
+    Value *base, *rowStride, *width; ///< of the entry's block
+    Value *offset, *first;           ///< vectors
   };
   struct Axis {
     Value *first = nullptr; ///< the index that the first pixel reads, before wrapping, doubles

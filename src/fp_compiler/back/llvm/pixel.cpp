@@ -83,6 +83,12 @@ Value *PixelWriter::uniform(std::size_t offset, bool clamped) {
   });
 }
 
+void PixelWriter::prefetch(const PixelPlace &place) {
+  for (std::size_t i = 0; i < m_targets.size(); ++i)
+    if (m_key.targets[i].format.layout != abi::Layout::None)
+      m_targets[i].prefetch(place);
+}
+
 Value *PixelWriter::alphaTested(const PixelPlace &place, const FragmentColors &fragment,
                                 Value *mask) {
   if (m_key.alphaTest == abi::Compare::Always)

@@ -36,6 +36,8 @@ public:
   [[nodiscard]] static bool supports(const abi::FragmentKey &key, std::string &reason);
   /// In the item's block: its first pixel.
   void setPixel(Value *x, Value *y);
+  /// Row: asks for the pixels that the row above will write.
+  void prefetch(const PixelPlace &place);
   /// Lanes that the alpha test discards taken away from \p mask, which may be null.
   [[nodiscard]] Value *alphaTested(const PixelPlace &place, const FragmentColors &fragment,
                                    Value *mask);

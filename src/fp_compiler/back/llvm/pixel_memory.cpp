@@ -117,6 +117,11 @@ Value *PixelMemory::load(const PixelPlace &place, llvm::Type *type, int parts) {
   return all;
 }
 
+void PixelMemory::prefetch(const PixelPlace &place) {
+  Value *const above = m_code.ir.CreateGEP(m_code.ir.getInt8Ty(), rowPointer(place, 0), m_stride);
+  m_code.prefetch(above, unsigned(m_code.lanes * m_pixelBytes), true);
+}
+
 void PixelMemory::store(const PixelPlace &place, Value *value, int parts, Value *mask) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const auto bytes = int(value->getType()->getScalarSizeInBits() / 8);

@@ -28,6 +28,9 @@ public:
   /// \param mask lanes to write, or null for all covered ones
   void store(const PixelPlace &place, Value *value, int parts, Value *mask);
 
+  /// Row: asks for the pixels above, which will be written next.
+  void prefetch(const PixelPlace &place);
+
 private:
   /// Packed: where each lane's part lies.
   [[nodiscard]] Value *lanePointers(const PixelPlace &place, int part, int bytes);
