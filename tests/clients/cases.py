@@ -9,13 +9,11 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import sanitizers
+
 # MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
 R300_INDIRECTIONS = 4
 TIMEOUT = 120
-# Of a sanitized build: preloading puts the layer before the sanitizer's runtime, and the host is not
-# instrumented.
-SANITIZER_OPTIONS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
-                     "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"}
 PIGLIT_FOLDERS = ("/usr/lib/x86_64-linux-gnu/piglit/bin", "/usr/lib/piglit/bin")
 
 
@@ -65,7 +63,7 @@ class Setting:
         """The bare host's environment, or the layer's by LD_PRELOAD alone."""
         env = {k: v for k, v in os.environ.items()
                if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-        env.update(XDG_RUNTIME_DIR=str(self.scratch), **SANITIZER_OPTIONS)
+        env.update(XDG_RUNTIME_DIR=str(self.scratch), **sanitizers.OPTIONS)
         if self.display is None:
             env.pop("DISPLAY", None)
             env["CLIENT_EGL_PLATFORM"] = "device"

@@ -21,6 +21,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "clients"), str(HERE.parent / "real")]
+import sanitizers  # noqa: E402
 from picture import Picture, write_png  # noqa: E402
 from x_server import XServer  # noqa: E402
 
@@ -42,8 +43,7 @@ class Report:
 def environment(display, layer, scratch):
     env = {k: v for k, v in os.environ.items() if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
     env.update(DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(scratch),
-               TSAN_OPTIONS="ignore_noninstrumented_modules=1:halt_on_error=1",
-               ASAN_OPTIONS="verify_asan_link_order=0:detect_leaks=0")
+               **sanitizers.OPTIONS)
     if layer:
         env["LD_PRELOAD"] = str(layer)
     else:  # Mesa takes the length of program strings, which need not end

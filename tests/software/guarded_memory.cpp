@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include <dlfcn.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/shm.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@
 // glibc's own functions beneath those that are replaced here; in no header.
 extern "C" void *__libc_malloc(std::size_t);
 extern "C" void *__libc_memalign(std::size_t, std::size_t);
+extern "C" void *__libc_realloc(void *, std::size_t);
 extern "C" void __libc_free(void *);
 
 namespace {
@@ -65,6 +67,14 @@ bool isLayer(void *caller) {
       dladdr(caller, &info) && info.dli_fname && std::strstr(info.dli_fname, g_layer);
   s_asking = false;
   return layer;
+}
+
+Header &headerOf(void *block) {
+  const std::size_t page = std::size_t(static_cast<std::uint8_t *>(block) - arena()) / kPage;
+  auto &header = *reinterpret_cast<Header *>(arena() + (page - 2) * kPage);
+  if (header.block != block)
+    std::abort(); // freed twice, or not a block's begin
+  return header;
 }
 
 void open(std::uint8_t *pages, std::size_t bytes) {
@@ -140,18 +150,28 @@ __attribute__((visibility("default"))) void *malloc(std::size_t bytes) noexcept 
                                                                     : __libc_malloc(bytes);
 }
 
+__attribute__((visibility("default"))) void *realloc(void *block, std::size_t bytes) noexcept {
+  const bool ours = block && isOurs(block);
+  if (!ours && !(bytes >= kSmallest && isLayer(__builtin_return_address(0))))
+    return __libc_realloc(block, bytes);
+  void *const grown = bytes >= kSmallest ? guarded(bytes, false) : __libc_malloc(bytes);
+  if (grown && block) {
+    const std::size_t had = ours ? headerOf(block).bytes : malloc_usable_size(block);
+    std::memcpy(grown, block, had < bytes ? had : bytes);
+    free(block);
+  }
+  return grown;
+}
+
 __attribute__((visibility("default"))) void free(void *block) noexcept {
   if (!block || !isOurs(block)) {
     __libc_free(block);
     return;
   }
-  const std::size_t page = std::size_t(static_cast<std::uint8_t *>(block) - arena()) / kPage;
-  auto &header = *reinterpret_cast<Header *>(arena() + (page - 2) * kPage);
-  if (header.block != block)
-    std::abort(); // freed twice, or not a block's begin
+  Header &header = headerOf(block);
   check(header);
   header.block = nullptr;
-  std::uint8_t *const first = arena() + page * kPage;
+  std::uint8_t *const first = reinterpret_cast<std::uint8_t *>(&header) + 2 * kPage;
   (void)madvise(first, header.pages * kPage, MADV_DONTNEED);
   (void)mprotect(first, header.pages * kPage, PROT_NONE);
 }

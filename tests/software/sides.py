@@ -10,6 +10,7 @@ import sys
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "clients"))
+import sanitizers  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 TIMEOUT = 300
@@ -19,8 +20,7 @@ FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PR
 def environment(layer=None, backend=None, extra=None):
     env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
     env.update(LIBGL_ALWAYS_SOFTWARE="1",
-               TSAN_OPTIONS="ignore_noninstrumented_modules=1:halt_on_error=1",
-               ASAN_OPTIONS="verify_asan_link_order=0:detect_leaks=0")
+               **sanitizers.OPTIONS)
     if layer:
         env.update(LD_PRELOAD=str(layer), ARBITER_BACKEND=backend, ARBITER_PROFILE="host")
     env.update(extra or {})
