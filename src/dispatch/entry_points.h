@@ -15,8 +15,8 @@ struct EntryPoint {
 /// `name` with its gl prefix, any name of an alias group.
 [[nodiscard]] EntryPoint find(const char *name);
 
-/// The entry points that exist for the rasterizer alone and are in no row of entry_points.toml; null
-/// for all others.
+/// The entry points that exist for the rasterizer alone and are in no row of entry_points.toml;
+/// null for all others.
 [[nodiscard]] void *findForSoftware(const char *name);
 [[nodiscard]] bool isForSoftware(const void *function);
 

@@ -216,11 +216,11 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
     return ok;
   using state::software::Drawable;
   Drawable drawable = {.kind = draw && g_queryDrawable.function ? Drawable::Kind::Window
-                                                                      : Drawable::Kind::None,
-                             .display = display,
-                             .draw = reinterpret_cast<const void *>(std::uintptr_t(draw)),
-                             .sameRead = draw == read,
-                             .size = sizeOf};
+                                                                : Drawable::Kind::None,
+                       .display = display,
+                       .draw = reinterpret_cast<const void *>(std::uintptr_t(draw)),
+                       .sameRead = draw == read,
+                       .size = sizeOf};
   if (drawable.kind == Drawable::Kind::Window && context)
     offerPresenting(display, std::uint32_t(windowOf(draw)), drawable);
   t_drawable = context ? draw : 0;

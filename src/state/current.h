@@ -32,12 +32,12 @@ struct ContextHot {
   bool passThrough = false;
   /// The rasterizer of our own is used here (Context::software is not null).
   bool softwarePossible = false;
-  /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up to
-  /// date first (state/software/residency.h).
+  /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up
+  /// to date first (state/software/residency.h).
   bool hostIsBehind = false;
   /// A primitive is kept back from the host: its vertices go to the recorder.
   bool recordsVertices = false;
-  /// Groups of the host's state that may have changed since the rasterizer asked (software/stale.h).
+  /// Groups of the host's state that may have changed since we asked for them (software/stale.h).
   std::uint32_t stale = ~0u;
   /// The counter of the path that draws take at present (host GLSL, host untouched).
   std::uint64_t *drawCounter = nullptr;

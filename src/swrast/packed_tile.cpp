@@ -146,8 +146,9 @@ std::uint32_t testBlocks(PackedTile &tile, const abi::Plane &z, int originX, int
     unsigned mask = 0;
     for (unsigned rest = block.mask; rest != 0; rest &= rest - 1) {
       const int lane = __builtin_ctz(rest);
-      const float row = z.c + z.dy * float(block.y + lane / 4 - originY);
-      const float depth = row + z.dx * float(block.x + lane % 4 - originX);
+      const int x = block.x + lane % 4 - originX, y = block.y + lane / 4 - originY;
+      const float row = z.c + z.dy * float(y);
+      const float depth = row + z.dx * float(x);
       if (tile.test.layout != abi::Layout::None && !testPixel(tile, depth, tile.depth[at][lane]))
         continue;
       tile.owner[at][lane] = owner;

@@ -62,7 +62,7 @@ public:
       return entry.functions;
     entry.program = program;
     entry.functions = std::make_shared<Functions>(program, numerics);
-    const std::shared_ptr<Functions> functions = entry.functions;
+    std::shared_ptr<Functions> functions = entry.functions;
     sweep();
     return functions;
   }

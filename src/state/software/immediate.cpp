@@ -18,8 +18,7 @@ void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
 
 bool ImmediateRecorder::reserve(std::size_t floats) {
   const std::size_t used = std::size_t(m_next - m_data.get());
-  auto *const larger =
-      static_cast<float *>(std::realloc(m_data.get(), floats * sizeof(float)));
+  auto *const larger = static_cast<float *>(std::realloc(m_data.get(), floats * sizeof(float)));
   if (!larger) {
     m_failed = true;
     return false;

@@ -1,7 +1,9 @@
 #include "state/software/program_state.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 #include "state/context.h"
 
@@ -19,7 +21,11 @@ bool sameMatrix(fp::ir::StateRef a, fp::ir::StateRef b) {
   return a == b;
 }
 
-bool differ(const Vec4 &a, const Vec4 &b) { return std::memcmp(&a, &b, sizeof a) != 0; }
+/// In a bit: a NaN is what it was, and -0 is not 0.
+bool differ(const Vec4 &a, const Vec4 &b) {
+  using Bits = std::array<std::uint32_t, 4>;
+  return std::bit_cast<Bits>(a) != std::bit_cast<Bits>(b);
+}
 
 } // namespace
 

@@ -263,6 +263,7 @@ int measurePacked(jit::Engine &engine, const std::string &only) {
     return 1;
   }
   std::vector<abi::Pixel> pixels;
+  pixels.reserve(std::size_t(g_size) * std::size_t(g_size));
   for (int i = 0; i < g_size * g_size; ++i)
     pixels.push_back({std::uint16_t(i / 64 % (g_size / 8) * 8 + i % 8),
                       std::uint16_t(i / (8 * g_size) * 8 + i / 8 % 8)});

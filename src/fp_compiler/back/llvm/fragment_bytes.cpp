@@ -236,6 +236,7 @@ Value *ByteTables::pixels(Value *texels) {
   Value *in = ir.CreateBitCast(texels, bytes());
   if (m_program.source != std::array{0, 1, 2, 3}) {
     std::vector<int> indices;
+    indices.reserve(64);
     for (int i = 0; i < 64; ++i)
       indices.push_back(i / 4 * 4 + m_program.source[std::size_t(i % 4)]);
     in = ir.CreateShuffleVector(in, indices);

@@ -120,6 +120,7 @@ Value *ConsecutiveSamples::texelsFrom(const Sample &sample, Value *pointer, Valu
   llvm::IRBuilder<> &ir = m_code.ir;
   const int words = abi::bytesOf(sample.key->format.layout) / 4;
   std::vector<int> spread;
+  spread.reserve(std::size_t(m_code.lanes * words));
   for (int i = 0; i < m_code.lanes * words; ++i)
     spread.push_back(i / words);
   auto *const type = llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(m_code.lanes * words));
@@ -154,6 +155,7 @@ Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &pl
         llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(words)),
         beside(sample.texel, ir.CreateSub(edge, sample.first)), llvm::Align(1));
     std::vector<int> repeat;
+    repeat.reserve(std::size_t(m_code.lanes * words));
     for (int i = 0; i < m_code.lanes * words; ++i)
       repeat.push_back(i % words);
     beyond = ir.CreateShuffleVector(texel, repeat);

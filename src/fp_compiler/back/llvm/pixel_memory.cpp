@@ -36,6 +36,7 @@ Value *PixelMemory::widened(Value *mask, int parts) {
   if (parts == 1)
     return mask;
   std::vector<int> indices;
+  indices.reserve(std::size_t(m_code.lanes * parts));
   for (int i = 0; i < m_code.lanes * parts; ++i)
     indices.push_back(i / parts);
   return m_code.ir.CreateShuffleVector(mask, indices);
@@ -61,6 +62,7 @@ Value *PixelMemory::joined(Value *a, Value *b) {
 
 Value *PixelMemory::strided(Value *vector, int part, int parts) {
   std::vector<int> indices;
+  indices.reserve(std::size_t(m_code.lanes));
   for (int lane = 0; lane < m_code.lanes; ++lane)
     indices.push_back(lane * parts + part);
   return m_code.ir.CreateShuffleVector(vector, indices);

@@ -52,6 +52,7 @@ public:
     Value *const high = call(kPackWords, bytes[2], bytes[3]);
     Value *const planes = call(kPackBytes, low, high);
     std::vector<int> indices;
+    indices.reserve(std::size_t(4 * m_code.lanes));
     for (int i = 0; i < 4 * m_code.lanes; ++i)
       indices.push_back(i / 16 * 16 + i % 4 * 4 + i / 4 % 4);
     return ir.CreateBitCast(ir.CreateShuffleVector(planes, indices), m_code.i32);
@@ -178,6 +179,7 @@ Value *interleaved(Code &code, const std::vector<Value *> &parts) {
   if (count == 4)
     all = joined(all, joined(parts[2], parts[3], lanes), 2 * lanes);
   std::vector<int> indices;
+  indices.reserve(std::size_t(count * lanes));
   for (int i = 0; i < count * lanes; ++i)
     indices.push_back(i % count * lanes + i / count);
   return code.ir.CreateShuffleVector(all, indices);
