@@ -14,7 +14,7 @@ namespace {
 
 /// Draws of no more triangles are shaded in bands: sorting them would not pay.
 constexpr std::uint32_t kDirectTriangles = 32;
-constexpr std::uint32_t kVertexChunk = 4096;
+constexpr std::uint32_t kVertexChunk = 1024;
 
 /// What a chunk of vertices is like.
 struct ChunkBounds {

@@ -139,6 +139,23 @@ Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &pl
   };
   Value *const from = ir.CreateAdd(sample.first, place.column);
   Value *const pointer = beside(sample.texel, place.column);
+  // Few of a program's samples reach beyond the edge that others reach beyond.
+  llvm::Function *const function = m_places.entry->getParent();
+  const auto block = [&](const char *name) {
+    return llvm::BasicBlock::Create(m_code.context(), name, function);
+  };
+  auto *const crossing = block("crossing");
+  auto *const after = block("crossed");
+  auto *const type = llvm::FixedVectorType::get(ir.getInt32Ty(), unsigned(m_code.lanes * words));
+  Value *const end = ir.CreateAdd(from, ir.getInt32(unsigned(m_code.lanes)));
+  auto *const plain = block("within");
+  ir.CreateCondBr(
+      ir.CreateAnd(ir.CreateICmpSGE(from, ir.getInt32(0)), ir.CreateICmpSLE(end, sample.width)),
+      plain, crossing);
+  ir.SetInsertPoint(plain);
+  Value *const whole = ir.CreateAlignedLoad(type, pointer, llvm::Align(1));
+  ir.CreateBr(after);
+  ir.SetInsertPoint(crossing);
   Value *const isLeft = ir.CreateICmpSLT(from, ir.getInt32(0));
   Value *const isInside =
       ir.CreateICmpULT(ir.CreateAdd(m_code.splat(from), m_code.iota()), m_code.splat(sample.width));
@@ -160,7 +177,13 @@ Value *ConsecutiveSamples::wrappedTexels(std::size_t index, const PixelPlace &pl
       repeat.push_back(i % words);
     beyond = ir.CreateShuffleVector(texel, repeat);
   }
-  return texelsFrom(sample, pointer, ir.CreateAnd(place.covered, isInside), beyond);
+  Value *const parts = texelsFrom(sample, pointer, ir.CreateAnd(place.covered, isInside), beyond);
+  ir.CreateBr(after);
+  ir.SetInsertPoint(after);
+  llvm::PHINode *const texels = ir.CreatePHI(type, 2);
+  texels->addIncoming(whole, plain);
+  texels->addIncoming(parts, crossing);
+  return texels;
 }
 
 Value *ConsecutiveSamples::number(double value) const {
