@@ -42,7 +42,7 @@ struct Xcb {
   X(xcb_send_request)                                                                              \
   X(xcb_setup_roots_iterator)                                                                      \
   X(xcb_visualtype_next)
-// NOLINTNEXTLINE(bugprone-macro-parentheses): it declares the name
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define ARBITER_XCB_MEMBER(name) decltype(&::name) name;
   ARBITER_XCB_FUNCTIONS(ARBITER_XCB_MEMBER)
 #undef ARBITER_XCB_MEMBER

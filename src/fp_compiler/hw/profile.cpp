@@ -123,12 +123,14 @@ std::uint32_t Profile::value(Choice choice) const {
 
 void Profile::set(Choice choice, std::uint32_t value, std::string source) {
   switch (choice) {
+// NOLINTBEGIN(bugprone-macro-parentheses): a member's name cannot stand in parentheses.
 #define PROFILE_CHOICE(Enumerator, key, member, type, names, doc)                                  \
   case Choice::Enumerator:                                                                         \
     member = type(value);                                                                          \
     break;
 #include "fp_compiler/hw/choices.def"
 #undef PROFILE_CHOICE
+    // NOLINTEND(bugprone-macro-parentheses)
   }
   choiceSources[std::size_t(choice)] = std::move(source);
 }

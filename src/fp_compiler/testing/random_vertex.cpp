@@ -85,6 +85,7 @@ private:
     ranges.fill({InputRanges::kParameterLow, InputRanges::kParameterHigh});
     std::vector<Source> rows;
     const int first = m_random.below(8), count = 4 + m_random.below(5);
+    rows.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i)
       rows.push_back(m_builder.env(first + i));
     m_arrays.push_back({m_builder.array(rows), count, ranges});

@@ -76,8 +76,13 @@ public:
     const float lo = a.lo + b.lo, hi = a.hi + b.hi;
     const bool bounded = a.finite() || b.finite() || (a.lo > -kInfinity && b.lo > -kInfinity) ||
                          (a.hi < kInfinity && b.hi < kInfinity);
-    return held({std::isnan(lo) ? -kInfinity : lo, std::isnan(hi) ? kInfinity : hi,
-                 a.number && b.number && bounded});
+    Known total;
+    if (!std::isnan(lo))
+      total.lo = lo;
+    if (!std::isnan(hi))
+      total.hi = hi;
+    total.number = a.number && b.number && bounded;
+    return held(total);
   }
 
   /// A sum of products, which a host may fuse or take in another order: where it cancels it is not

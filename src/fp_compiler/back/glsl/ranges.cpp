@@ -77,7 +77,8 @@ void Ranges::proveBase(Proofs &proofs, const Operand &base, int basePosition,
 }
 
 void Ranges::proveProducts(Proofs &proofs, const Instruction &instruction) const {
-  const auto [a, b, c] = operands(instruction);
+  const std::array<Known4, 3> values = operands(instruction);
+  const Known4 &a = values[0], &b = values[1], &c = values[2];
   const auto product = [&](std::size_t i) { widen(proofs.first, guardOf(a[i], b[i])); };
   switch (instruction.op) {
   case Opcode::Mul:

@@ -26,11 +26,13 @@ constexpr std::string_view kStatements[] = {
 };
 
 // lookUp() takes a word's place for its enumerator.
+// NOLINTBEGIN(bugprone-macro-parentheses): an enumerator's name cannot stand in parentheses.
 #define ATI_OP(Enumerator, word, formula) static_assert(kOps[std::size_t(Op::Enumerator)] == word);
 #define ATI_COORDINATES(Enumerator, word, doc)                                                     \
   static_assert(kCoordinates[std::size_t(Coordinates::Enumerator)] == word);
 #define ATI_SCALE(Enumerator, word, doc)                                                           \
   static_assert(kScales[std::size_t(Scale::Enumerator)] == word);
+// NOLINTEND(bugprone-macro-parentheses)
 #include "fp_compiler/front/ati/words.def"
 
 /// The enumerator whose place in the table the word has.

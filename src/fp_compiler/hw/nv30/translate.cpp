@@ -16,11 +16,10 @@ using ir::Opcode;
 std::uint32_t slotsOf(const Instruction &instruction) {
   switch (instruction.op) {
   case Opcode::Cmp:
-    return 3; // condition code from a; MOV c where it is not below zero, MOV b where it is
-  case Opcode::Dph:
-    return 2; // DP3, ADD of w
-  case Opcode::Xpd:
-    return 2; // MUL, MAD
+    return 3;       // condition code from a; MOV c where it is not below zero, MOV b where it is
+  case Opcode::Dph: // DP3, ADD of w
+  case Opcode::Xpd: // MUL, MAD
+    return 2;
   case Opcode::Scs:
     return std::uint32_t((instruction.dst.mask & 1) + (instruction.dst.mask >> 1 & 1));
   default:

@@ -131,7 +131,7 @@ private:
     if (index >= m_program.attributes.size())
       return "?";
     const ir::Attribute &attribute = m_program.attributes[index];
-    const std::string name = ir::bindingText(attribute, m_program.language);
+    std::string name = ir::bindingText(attribute, m_program.language);
     if (attribute.kind == ir::AttributeKind::Position)
       return name + ", as the clip position";
     if (attribute.kind == ir::AttributeKind::FogCoord)
