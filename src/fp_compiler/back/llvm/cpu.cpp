@@ -43,6 +43,12 @@ llvm::StringMap<bool> hostFeatures() {
   return features;
 }
 
+/// What instructions cost hangs on the name. Virtual machines make one up, so that LLVM takes a
+/// Sapphire Rapids for a desktop's processor; but what it can do it says.
+std::string hostName(const llvm::StringMap<bool> &features) {
+  return features.lookup("avx512fp16") ? "sapphirerapids" : llvm::sys::getHostCPUName().str();
+}
+
 bool hasAll(const llvm::StringMap<bool> &features, const Row &row) {
   for (const char *const name : row.features)
     if (!features.lookup(name))
@@ -70,7 +76,7 @@ std::optional<Cpu> chooseCpu(const std::string &name) {
     Cpu cpu;
     cpu.family = row.family;
     // A lesser one is that model with the features that it brings.
-    cpu.name = name.empty() ? llvm::sys::getHostCPUName().str() : row.model;
+    cpu.name = name.empty() ? hostName(features) : row.model;
     if (name.empty())
       cpu.features = everyFeature(features);
     return cpu;
