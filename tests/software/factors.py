@@ -105,7 +105,7 @@ FACTORS = {
     "wrap_s": enums(WRAPS),
     "wrap_t": enums(WRAPS),
     "wrap_r": enums("repeat clamp_to_edge clamp_to_border"),
-    "lod_bias": {"0": 0, "1": 1, "-0.7": -0.7},
+    "lod_bias": {"0": 0, "1": 1, "-0.6": -0.6},  # far from where another level is the nearer
     "levels": choices("usual max_lod base min_lod"),
     "border": choices("black coloured"),
     "compare": {"off": 0, **enums("lequal gequal less greater")},
@@ -134,6 +134,8 @@ def settle(row, kept=()):
             if row[wrap] in ("repeat", "mirrored_repeat"):
                 row[wrap] = "clamp_to_edge"
         row["min_filter"] = "linear" if row["min_filter"].startswith("linear") else "nearest"
+        # The host takes coordinates in texels for ones in images, and magnifies no rectangle.
+        row["mag_filter"] = row["min_filter"]
         row["levels"] = "usual"
     if row["format"] == "depth24":
         if row["texture"] in ("3d", "cube"):
@@ -151,6 +153,13 @@ def settle(row, kept=()):
         # Polygons stay polygons however they are drawn (OpenGL 2.0, section 4.1.5); the host takes
         # the front's stencil state for all lines and points. swrast/strokes_test.cpp holds to GL.
         row["stencil"] = "on"
+    points = row["primitive"] == "points" or "point" in (row["mode_front"], row["mode_back"])
+    if row["vertices"] == "program_point" and points:
+        # The host cuts a point whose vertex says its size at the viewport's edges.
+        row["viewport"] = "whole"
+    if row["stipple"] == "polygon" and (row["mode_front"] == "fill") != (row["mode_back"] == "fill"):
+        # Once it has filled one polygon the host stipples those too that are drawn as lines or points.
+        row["stipple"] = "off"
     if row["vertices"] == "texgen" and row["texture"] in ("3d", "cube"):
         row["vertices"] = "fixed"
     return row

@@ -79,28 +79,21 @@ def allowance(scene):
     """(levels that a channel may differ by, the fraction of pixels that may differ by more).
 
     Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
-    scales the source's level; the host filters 8-bit texels with 8-bit weights, and chooses levels
-    of detail by an approximate logarithm; a test against a threshold may fall either way in the
-    pixels next to where the value crosses it; the ends of wide and stippled lines are free."""
-    levels, part = 1, 0.0
-    if scene["blend"] == "on":
-        levels += 1
-    uses_texture = scene["program"] not in ("color", "constant", "secondary", "position")
-    linear = "linear" in scene["min_filter"] or scene["mag_filter"] == "linear"
-    if uses_texture and linear:
-        levels += 2
-    if uses_texture and ("mip" in scene["min_filter"] or scene["mag_filter"] != scene["min_filter"]):
-        part += 0.03
-    if uses_texture and "nearest" in (scene["min_filter"], scene["mag_filter"]):
-        part += 0.01
+    scales the source's level; a test against a threshold, of alpha or by the program, may fall
+    either way in the pixels next to where the value crosses it, and so may the choice between the
+    filters of an image that is made larger and smaller; the ends of wide lines are free; and
+    polygons that are not filled draw the sides and corners that they share once each, where the
+    last bit of a sloped depth decides whether the second passes."""
+    levels, part = (2 if scene["blend"] == "on" else 1), 0.0
+    unfilled = (scene["mode_front"], scene["mode_back"]) != ("fill", "fill")
     if scene["alpha_test"] != "off" or scene["program"] == "kill":
-        part += 0.02
-    if scene["compare"] != "off":
-        part += 0.02
-    if scene["primitive"].startswith("line") or "line" in (scene["mode_front"], scene["mode_back"]):
-        part += 0.04
-    if scene["primitive"] == "points" or "point" in (scene["mode_front"], scene["mode_back"]):
         part += 0.01
+    if scene["mag_filter"] != scene["min_filter"]:
+        part += 0.005
+    if scene["width"] != "1" and ("line" in scene["primitive"] or unfilled):
+        part += 0.005
+    if scene["depths"] != "level" and scene["depth_test"] != "off" and unfilled:
+        part += 0.06
     return levels, part
 
 

@@ -47,6 +47,12 @@ Points placesOf(GLenum primitive) {
   }
 }
 
+/// Which of the primitives that stand alone the vertex is of: where two of them overlap in one
+/// sloped plane, a depth test would fall as the last bit of an interpolation does.
+int primitiveOf(GLenum mode, int vertex) {
+  return mode == GL_TRIANGLES ? vertex / 3 : mode == GL_QUADS ? vertex / 4 : 0;
+}
+
 void place(const Scene &scene, float x, float y, float (&coordinate)[4]) {
   // Not quite the whole: 48 pixels of 32 texels would have every third sample on a border.
   float s = 0.49f * x + 0.507f, t = 0.49f * y + 0.504f;
@@ -84,9 +90,10 @@ std::vector<Vertex> makeVertices(const Scene &scene, int pass) {
     const auto i = float(vertices.size());
     Vertex vertex{};
     const int depths = scene.choice("depths");
+    const float apart = -0.08f * float(primitiveOf(scene.token("primitive"), int(vertices.size())));
     const float z = depths == 0   ? 0.05f - 0.2f * float(pass)
-                    : depths == 1 ? 0.45f * x - 0.3f * y
-                                  : 0.9f * x + 0.3f * y;
+                    : depths == 1 ? 0.45f * x - 0.3f * y + apart
+                                  : 0.9f * x + 0.3f * y + apart;
     const float wide = depths == 2 ? 0.95f : 1.0f;
     const float position[3] = {wide * x, wide * y, z};
     const float normal[3] = {0.6f * x, 0.6f * y, 0.8f - 0.02f * i};

@@ -87,7 +87,8 @@ void setParameters(GLenum target, const Scene &scene) {
   case 2:
     return set(GL_TEXTURE_BASE_LEVEL, 1.0);
   case 3:
-    return set(GL_TEXTURE_MIN_LOD, 1.5);
+    // No half: GL takes the lower of two levels that are as near (3.8.8), the host the higher.
+    return set(GL_TEXTURE_MIN_LOD, 1.6);
   default:
     return;
   }
