@@ -81,7 +81,7 @@ def allowance(scene):
     Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
     scales the source's level; a test against a threshold, of alpha or by the program, may fall
     either way in the pixels next to where the value crosses it, and so may the choice between the
-    filters of an image that is made larger and smaller; the ends of wide lines are free; and
+    filters of an image that is made larger and smaller; the ends of wide and stippled lines are free; and
     polygons that are not filled draw the sides and corners that they share once each, where the
     last bit of a sloped depth decides whether the second passes."""
     levels, part = (2 if scene["blend"] == "on" else 1), 0.0
@@ -90,8 +90,9 @@ def allowance(scene):
         part += 0.01
     if scene["mag_filter"] != scene["min_filter"]:
         part += 0.005
-    if scene["width"] != "1" and ("line" in scene["primitive"] or unfilled):
-        part += 0.005
+    if ((scene["width"] != "1" or scene["stipple"] == "line")
+            and ("line" in scene["primitive"] or unfilled)):
+        part += 0.03
     if scene["depths"] != "level" and scene["depth_test"] != "off" and unfilled:
         part += 0.06
     return levels, part

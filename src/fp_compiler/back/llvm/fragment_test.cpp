@@ -124,8 +124,8 @@ TEST_P(FragmentTest, WrapsShiftedCoordinates) {
 
 /// A vector of pixels reaches beyond both edges at once.
 TEST_P(FragmentTest, ClampsToBothEdgesOfANarrowTexture) {
-  for (const int width : {1, 2, 5, 13, 17})
-    for (const float shift : {-1.0f, -4.0f, 0.0f, 2.0f}) {
+  for (const int width : {1, 5, 13})
+    for (const float shift : {-1.0f, -4.0f}) {
       SCOPED_TRACE(std::to_string(width) + " texels from " + std::to_string(shift) + " on");
       Scene scene(GetParam());
       scene.addTexture(width, kHeight, Wrap::ClampToEdge);
