@@ -79,7 +79,7 @@ def allowance(scene):
     """(levels that a channel may differ by, the fraction of pixels that may differ by more).
 
     Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
-    scales the source's level; a test against a threshold, of alpha or by the program, may fall
+    scales the source's level; a test against a threshold, of alpha, by the program or of a texture's depth, may fall
     either way in the pixels next to where the value crosses it, and so may the choice between the
     filters of an image that is made larger and smaller; the ends of wide and stippled lines are free; and
     polygons that are not filled draw the sides and corners that they share once each, where the
@@ -88,6 +88,8 @@ def allowance(scene):
     unfilled = (scene["mode_front"], scene["mode_back"]) != ("fill", "fill")
     if scene["alpha_test"] != "off" or scene["program"] == "kill":
         part += 0.01
+    if scene["compare"] != "off":
+        part += 0.02
     if scene["mag_filter"] != scene["min_filter"]:
         part += 0.005
     if ((scene["width"] != "1" or scene["stipple"] == "line")
