@@ -7,8 +7,9 @@
   run_states.py --build build --only 17            that row of the array; says what it sets
   run_states.py --build build --out FOLDER         keeps the pictures that differ
 
-The bare host forgets ShadeModel where an assembly program is in force, so flat scenes are compared
-with what it draws of the layer's GLSL (ARBITER_BACKEND=host).
+Under an assembly program the bare host forgets ShadeModel, and now and then takes a depth texture of
+mode ALPHA for one of INTENSITY: such scenes are compared with what it draws of the layer's GLSL
+(ARBITER_BACKEND=host).
 
 The rows are a covering array (covering.py) of the states in factors.py, behind them those scenes
 that pairs alone do not make (AFTER_THE_ROWS). Colours may differ by 1 of
@@ -79,11 +80,11 @@ def allowance(scene):
     """(levels that a channel may differ by, the fraction of pixels that may differ by more).
 
     Stated exceptions: a blend reads what an earlier primitive may have left a level apart, and
-    scales the source's level; a test against a threshold, of alpha, by the program or of a texture's depth, may fall
-    either way in the pixels next to where the value crosses it, and so may the choice between the
-    filters of an image that is made larger and smaller; the ends of wide and stippled lines are free; and
-    polygons that are not filled draw the sides and corners that they share once each, where the
-    last bit of a sloped depth decides whether the second passes."""
+    scales the source's level; a test against a threshold, of alpha, by the program or of a
+    texture's depth, may fall either way in the pixels next to where the value crosses it, and so
+    may the choice between the filters of an image that is made larger and smaller; the ends of wide
+    and stippled lines are free; and polygons that are not filled draw the sides and corners that
+    they share once each, where the last bit of a sloped depth decides whether the second passes."""
     levels, part = (2 if scene["blend"] == "on" else 1), 0.0
     unfilled = (scene["mode_front"], scene["mode_back"]) != ("fill", "fill")
     if scene["alpha_test"] != "off" or scene["program"] == "kill":
@@ -149,6 +150,12 @@ def scene_of(words):
     """The scene in which all but what the words name is at its first value."""
     return settle({**{name: next(iter(values)) for name, values in FACTORS.items()},
                    **dict(word.split("=") for word in words.split())})
+
+
+def wants_glsl(scene):
+    """Whether the host is right in GLSL alone."""
+    return (scene["shade"] == "flat"
+            or (scene["format"] == "depth24" and scene["depth_mode"] == "alpha"))
 
 
 def reduce(scene, differs):
@@ -219,16 +226,16 @@ def main():
         layer_env = sides.environment(sides.layer_of(args.build.resolve()), args.backend,
                                       {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
 
-        flat_env = sides.environment(sides.layer_of(args.build.resolve()), "host",
+        glsl_env = sides.environment(sides.layer_of(args.build.resolve()), "host",
                                      {"XDG_CACHE_HOME": scratch})
 
         def draw(scenes, env):
             return run_batch(client, scenes, {**env, "DISPLAY": displays.name()}) if scenes else []
 
         def both(scenes):
-            flat = iter(draw([s for s in scenes if s["shade"] == "flat"], flat_env))
-            other = iter(draw([s for s in scenes if s["shade"] != "flat"], bare_env))
-            return ([next(flat if s["shade"] == "flat" else other) for s in scenes],
+            glsl = iter(draw([s for s in scenes if wants_glsl(s)], glsl_env))
+            other = iter(draw([s for s in scenes if not wants_glsl(s)], bare_env))
+            return ([next(glsl if wants_glsl(s) else other) for s in scenes],
                     draw(scenes, layer_env))
 
         def differs(scene):
