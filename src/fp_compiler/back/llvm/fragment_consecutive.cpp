@@ -84,7 +84,9 @@ ConsecutiveSamples::ConsecutiveSamples(Code &code, const jit::FragmentProgram &p
   m_good = spans.ofItem(m_good, number);
   m_begin = spans.ofItem(m_begin, number);
   m_end = spans.ofItem(m_end, number);
-  for (const auto &[index, sample] : found) {
+  for (const auto &each : found) {
+    const std::size_t index = each.first;
+    const Found &sample = each.second;
     Value *const offset = spans.ofItem(sample.offset, number);
     Value *const first = spans.ofItem(sample.first, number);
     Value *const texel = writeIn(code, places.item,
