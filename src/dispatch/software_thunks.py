@@ -2,7 +2,7 @@
 import re
 import sys
 
-from gl_commands import HEADING
+from gl_commands import HEADING, NO_ENTRY
 
 SLOTS = {"Vertex": "kPosition", "Color": "kColor", "SecondaryColor": "kSecondary",
          "Normal": "kNormal", "TexCoord": "kTexCoord0", "FogCoord": "kFogCoord"}
@@ -12,7 +12,7 @@ ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCo
 
 
 def leads(table):
-    return sorted(lead for lead, way in table.software.items() if way != "harmless")
+    return sorted(lead for lead, way in table.software.items() if way != NO_ENTRY)
 
 
 def recorded(command):
@@ -20,7 +20,7 @@ def recorded(command):
     the condition that it can be told so (else the host gets it, with the primitive)."""
     if command.name in ("EdgeFlag", "EdgeFlagv"):
         flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
-        return "true", f"recorder(*hot).set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
+        return "true", f"hot->recorder->set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
     match = ATTRIBUTE.fullmatch(command.name)
     if not match:
         sys.exit(f"software.toml: [record] does not know {command.name}")
@@ -36,13 +36,13 @@ def recorded(command):
     values = [f"{'normalized' if normalized else 'GLfloat'}({value})" for value in values]
     values = ", ".join(values + ["0.0f", "0.0f", "1.0f"][count - 1:])
     if what == "Vertex":
-        return "true", f"recorder(*hot).vertex({values})"
+        return "true", f"hot->recorder->vertex({values})"
     if what == "MultiTexCoord":
         return (f"{lead} - GL_TEXTURE0 < 8u",
-                f"recorder(*hot).set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
+                f"hot->recorder->set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
     if what == "VertexAttrib":
-        return f"{lead} < 16u", f"generic(*hot, {lead}, {values})"
-    return "true", f"recorder(*hot).set({SLOTS[what]}, {values})"
+        return f"{lead} < 16u", f"generic(*hot->recorder, {lead}, {values})"
+    return "true", f"hot->recorder->set({SLOTS[what]}, {values})"
 
 
 def call(table, command):
@@ -70,12 +70,12 @@ def thunk(table, command, way):
     if way == "record":
         condition, statement = recorded(command)
         condition = "" if condition == "true" else f" && {condition}"
-        lines += f"  if (hot->recordsVertices{condition})\n    return {statement};\n"
+        lines += f"  if (hot->recorder{condition})\n    return {statement};\n"
     bits = "stale::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
         lines += f"  hot->stale |= {bits};\n"
-    before = {"reads": ("hot->hostIsBehind", "hostReads"), "draws": ("hot->softwarePossible", "hostWrites"),
-              "unknown": ("hot->softwarePossible", "hostDoesUnknown")}.get(way)
+    before = {"reads": ("hot->hostIsBehind", "hostReads"), "draws": ("hot->softwareListens", "hostWrites"),
+              "unknown": ("hot->softwareListens", "hostDoesUnknown")}.get(way)
     if before:
         lines += (f"  if ({before[0]}) [[unlikely]]\n"
                   f"    software::{before[1]}(here(), \"gl{command.name}\");\n")

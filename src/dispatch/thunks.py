@@ -40,7 +40,7 @@ def hides_from_host(table, name):
     """What it does before the host draws."""
     if name in table.draw_commands:
         return ""
-    return f'  if (here().softwarePossible)\n    software::hostWrites(here(), "gl{name}");\n'
+    return f'  if (here().softwareListens)\n    software::hostWrites(here(), "gl{name}");\n'
 
 
 def thunks(table, command, action, symbol):
@@ -56,7 +56,7 @@ def thunks(table, command, action, symbol):
     if action == "handled":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         host_way = call if result != "void" else f"return {call}"
-        return "", lead + stale + f"  if (!t->softwarePossible) [[likely]]\n    {host_way}\n  {ours}\n"
+        return "", lead + stale + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n  {ours}\n"
     if action == "own":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         if result == "void":

@@ -26,11 +26,15 @@ bool keepsBack(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
+  if (context.listMode != 0 && context.list.beginPrimitive(context, mode))
+    return;
   if (software::mayDraw(context) && keepsBack(context, mode))
     return;
   if (context.attention && !beginDraw(context)) [[unlikely]]
     return;
   ++*context.drawCounter;
+  if (context.listMode)
+    context.list.notePixels();
   context.host->Begin(mode);
   if (mode > GL_POLYGON)
     return; // opens nothing
@@ -41,11 +45,15 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
-  if (context.recordsVertices) {
+  if (context.listMode != 0 && context.list.recordsPrimitive())
+    return context.list.endPrimitive(context);
+  if (context.recorder) {
     software::stopRecording(context);
     context.insideBeginEnd = false;
     return software::end(context);
   }
+  if (context.listMode)
+    context.list.notePixels();
   context.host->End();
   if (context.listMode)
     context.list.notePrimitive(Primitive::Closed);

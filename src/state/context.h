@@ -131,6 +131,8 @@ public:
   HostAssembly hostAssembly;
 
   AttribStack attribStack;
+  /// While `host` holds it back: for a primitive that is recorded, or for a list (replay.h).
+  const host::HostTable *trueHost = nullptr;
   ListCompiler list;
   int listDepth = 0; ///< nested calls of lists that hold our commands
 

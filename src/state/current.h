@@ -8,6 +8,9 @@ struct HostTable;
 namespace arbiter::state {
 
 class Context;
+namespace software {
+class ImmediateRecorder;
+}
 
 /// What every generated entry point reads, and nothing else: it leads the Context so that a
 /// passed-on call costs one thread-local load, one test and the host's jump.
@@ -35,8 +38,11 @@ struct ContextHot {
   /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up
   /// to date first (state/software/residency.h).
   bool hostIsBehind = false;
-  /// A primitive is kept back from the host: its vertices go to the recorder.
-  bool recordsVertices = false;
+  /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a
+  /// command means to the rasterizer is of interest.
+  bool softwareListens = false;
+  /// A primitive is kept back from the host: its vertices go here. Null: to the host.
+  software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them (software/stale.h).
   std::uint32_t stale = ~0u;
   /// The counter of the path that draws take at present (host GLSL, host untouched).

@@ -29,13 +29,18 @@ void DisplayListTable::replace(const host::HostTable &host, GLuint name,
   if (!old)
     return;
   for (const DisplayList::Item &item : old->items) {
-    if (item.hostList == 0 || item.hostList == name)
-      continue;
-    host.DeleteLists(item.hostList, 1);
-    const std::lock_guard lock(m_mutex);
-    m_segments.erase(item.hostList);
-    m_free.push_back(item.hostList);
+    if (item.hostList != 0 && item.hostList != name)
+      giveBack(host, item.hostList);
+    if (const GLuint made = item.geometry ? item.geometry->madeHostList() : 0)
+      giveBack(host, made);
   }
+}
+
+void DisplayListTable::giveBack(const host::HostTable &host, GLuint segment) {
+  host.DeleteLists(segment, 1);
+  const std::lock_guard lock(m_mutex);
+  m_segments.erase(segment);
+  m_free.push_back(segment);
 }
 
 GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {

@@ -11,6 +11,7 @@
 #include <GL/gl.h>
 
 #include "state/program_object.h"
+#include "state/software/geometry.h"
 
 namespace arbiter::host {
 struct HostTable;
@@ -32,8 +33,10 @@ struct Command {
     UseProgram,    ///< name
     AttribPushed,  ///< name: mask; the host's segment before it has pushed
     PopAttrib,
-    CallList,    ///< name
-    CallLists,   ///< count, target: type; bytes: the names, ListBase is added when executed
+    CallList,         ///< name
+    CallLists,        ///< count, target: type; bytes: the names, ListBase is added when executed
+    BeginConditional, ///< name: query; target: mode
+    EndConditional,
     CopyTexture, ///< object: a swrast::CopyKind; target, format: internal, count: level,
                  ///< name: border; bytes: a swrast::CopyRegion
   };
@@ -50,12 +53,21 @@ struct Command {
 /// How a run of commands leaves Begin/End: as it was, inside, or outside.
 enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
 
-/// A list as segments: host lists and our commands in turn.
+/// What a segment does when it is called, as far as the rasterizer must know. A list that is
+/// compiled before anybody listens may do anything.
+struct Effects {
+  std::uint32_t stale = ~0u; ///< groups of state (software/stale.h)
+  bool pixels = true;        ///< draws, or reads or writes images
+};
+
+/// A list as segments: host lists, primitives that are ours to draw, and our commands in turn.
 struct DisplayList {
   struct Item {
-    GLuint hostList = 0; ///< 0: a command
+    GLuint hostList = 0; ///< 0: a command, or primitives
     std::unique_ptr<const Command> command;
     Primitive primitive = Primitive::AsBefore; ///< of the host list
+    Effects effects;                           ///< of the host list; `stale` also of a command
+    std::unique_ptr<const software::Geometry> geometry;
   };
   std::vector<Item> items;
 };
@@ -86,6 +98,8 @@ public:
   [[nodiscard]] std::vector<GLuint> segmentsIn(GLuint first, GLsizei count);
 
 private:
+  void giveBack(const host::HostTable &host, GLuint segment);
+
   std::mutex m_mutex;
   std::unordered_map<GLuint, std::shared_ptr<const DisplayList>> m_lists;
   std::unordered_set<GLuint> m_segments;

@@ -1,7 +1,6 @@
 #include "state/list_compiler.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "host/host_table.h"
@@ -9,10 +8,21 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/replay.h"
 #include "state/software/residency.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state {
+
+namespace {
+
+/// Without the groups of commands that are executed at once, also while a list is compiled (5.4).
+std::uint32_t recordable(std::uint32_t stale) {
+  using namespace software::stale;
+  return stale == kAll ? stale : stale & ~kArrays;
+}
+
+} // namespace
 
 void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   // What executes with the list must find its program bound: nothing of ours may be called once the
@@ -24,77 +34,205 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
     invalidateProgram(context);
   }
   m_name = name;
-  m_segment = name;
+  m_segment = 0;
   m_items.clear();
   m_pushes.clear();
   m_primitive = Primitive::AsBefore;
-  m_begun = m_endsFirst = false;
-  context.listMode = std::uint16_t(mode);
+  m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
+  m_geometry.reset();
+  m_stale = 0;
+  m_mode = std::uint16_t(mode);
+  m_keeps = software::keepsLists(context);
+  if (m_keeps) {
+    context.softwareListens = true;
+    return resume(context);
+  }
+  setMode(context, m_mode);
+  m_segment = name;
+  context.host->NewList(name, mode);
+}
+
+/// 0: while our commands run nothing is compiled.
+void ListCompiler::setMode(Context &context, std::uint16_t mode) {
+  context.listMode = mode;
+  if (mode == 0) {
+    context.attention &= ~attention::kList;
+    return;
+  }
   context.attention |= attention::kList;
   if (mode == GL_COMPILE)
     context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
-  context.host->NewList(name, mode);
 }
 
 /// The segment becomes an item, with the pushes in it that wait for an entry of ours.
 void ListCompiler::finishSegment() {
-  m_items.push_back({m_segment, nullptr, std::exchange(m_primitive, Primitive::AsBefore)});
+  DisplayList::Item item;
+  item.hostList = std::exchange(m_segment, 0);
+  item.primitive = std::exchange(m_primitive, Primitive::AsBefore);
+  m_items.push_back(std::move(item));
   for (Push &push : m_pushes)
-    if (!std::exchange(push.noted, true))
-      m_items.push_back({0, std::make_unique<const Command>(
-                                Command{.kind = Command::Kind::AttribPushed, .name = push.mask})});
+    if (!std::exchange(push.noted, true)) {
+      DisplayList::Item pushed;
+      pushed.command = std::make_unique<const Command>(
+          Command{.kind = Command::Kind::AttribPushed, .name = push.mask});
+      pushed.effects.stale = 0;
+      m_items.push_back(std::move(pushed));
+    }
 }
 
+void ListCompiler::finishGeometry() {
+  if (!m_geometry)
+    return;
+  DisplayList::Item item;
+  item.geometry = std::move(m_geometry);
+  m_items.push_back(std::move(item));
+}
+
+/// Our own commands may run: the host compiles nothing, and is called as ever.
 void ListCompiler::closeSegment(Context &context) {
-  context.host->EndList();
-  finishSegment();
-  // While our commands run nothing is compiled.
-  m_mode = std::exchange(context.listMode, std::uint16_t(0));
-  context.attention &= ~attention::kList;
+  settle(context);
+  if (m_segment != 0) {
+    context.host->EndList();
+    const std::size_t at = m_items.size();
+    finishSegment();
+    if (m_keeps)
+      m_items[at].effects = {recordable(context.stale), std::exchange(m_pixels, false)};
+  } else {
+    context.host = context.trueHost;
+    context.recorder = nullptr;
+    finishGeometry();
+  }
+  context.stale |= std::exchange(m_stale, 0);
+  setMode(context, 0);
 }
 
-void ListCompiler::openSegment(Context &context) {
-  if (context.softwarePossible) // our own commands ran: a copy may have been held back
+/// After closeSegment(): the next segment is opened when the host is called.
+void ListCompiler::resume(Context &context) {
+  // A copy of ours may have been held back.
+  if (m_mode == GL_COMPILE_AND_EXECUTE && context.softwarePossible)
     software::hostDoesAnything(context, "glNewList");
+  m_stale = std::exchange(context.stale, 0);
+  setMode(context, m_mode);
+  context.trueHost = context.host;
+  context.host = &software::kRecordingHost;
+}
+
+/// In place of resume()'s table comes the host, compiling.
+void ListCompiler::openSegment(Context &context) {
+  context.host = context.trueHost;
+  context.recorder = nullptr;
+  finishGeometry();
+  setMode(context, 0);
   if (m_mode == GL_COMPILE_AND_EXECUTE)
     validateForList(context);
   m_segment = context.group->lists.takeSegmentName(*context.host);
-  context.listMode = m_mode;
-  context.attention |= attention::kList;
-  if (m_mode == GL_COMPILE)
-    context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
+  setMode(context, m_mode);
   context.host->NewList(m_segment, m_mode);
 }
 
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
-  auto recorded = std::make_unique<const Command>(std::move(command));
-  const Command &reference = *recorded;
+  settle(context);
+  DisplayList::Item item;
+  item.effects.stale =
+      m_keeps ? recordable(context.stale) : 0; // what the command's entry point has said
+  item.command = std::make_unique<const Command>(std::move(command));
+  const Command &reference = *item.command;
   closeSegment(context);
-  m_items.push_back({0, std::move(recorded)});
+  m_items.push_back(std::move(item));
   if (m_mode == GL_COMPILE_AND_EXECUTE)
     execute(context, reference);
+  resume(context);
+}
+
+bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
+  if (!m_keeps || m_recording || m_open || mode > GL_POLYGON || context.insideBeginEnd)
+    return false;
+  if (m_segment != 0) {
+    closeSegment(context);
+    resume(context);
+  }
+  m_recording = true;
+  m_recorder.begin(mode, {});
+  context.recorder = &m_recorder;
+  context.insideBeginEnd = m_mode == GL_COMPILE_AND_EXECUTE;
+  ++*context.drawCounter;
+  return true;
+}
+
+void ListCompiler::endPrimitive(Context &context) {
+  m_recording = false;
+  context.recorder = nullptr;
+  context.insideBeginEnd = false;
+  if (m_recorder.failed())
+    raise(context, GL_OUT_OF_MEMORY, "End: no memory for the list's vertices");
+  if (m_mode == GL_COMPILE_AND_EXECUTE) {
+    closeSegment(context);
+    m_geometry = geometryOf(m_recorder);
+    software::callGeometryOnHost(context, *m_geometry);
+    finishGeometry();
+    return resume(context);
+  }
+  if (m_geometry && append(*m_geometry, m_recorder))
+    return;
+  finishGeometry();
+  m_geometry = geometryOf(m_recorder);
+}
+
+void ListCompiler::giveHost(Context &context) {
+  if (!std::exchange(m_recording, false))
+    return openSegment(context);
+  context.insideBeginEnd = false; // of the host this is still true
   openSegment(context);
+  m_pixels = true;
+  context.stale |= software::stale::kCurrent;
+  software::sendOpen(*context.host, m_recorder);
+  notePrimitive(Primitive::Open);
+  context.insideBeginEnd = m_mode == GL_COMPILE_AND_EXECUTE;
 }
 
 void ListCompiler::end(Context &context) {
-  context.host->EndList();
-  context.listMode = 0;
-  // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
-  const bool leavesOpen = m_primitive == Primitive::Open;
-  const bool pushes =
-      std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
   std::shared_ptr<DisplayList> list;
-  if (!m_items.empty() || leavesOpen || pushes || m_endsFirst) {
-    finishSegment();
+  if (m_keeps) {
+    closeSegment(context);
     list = std::make_shared<DisplayList>();
+  } else {
+    // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
+    const bool watched =
+        m_primitive == Primitive::Open || m_endsFirst || !m_items.empty() ||
+        std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
+    if (m_segment == 0) {
+      context.host = context.trueHost;
+    } else {
+      context.host->EndList();
+      if (watched)
+        finishSegment();
+    }
+    if (watched)
+      list = std::make_shared<DisplayList>();
+    context.stale |= std::exchange(m_stale, 0);
+    setMode(context, 0);
+  }
+  if (list)
     list->items = std::exchange(m_items, {});
+  define(context, std::move(list));
+  m_name = 0;
+  m_segment = 0;
+  m_recorder = {};
+  m_keeps = false;
+  context.softwareListens = context.softwarePossible;
+  invalidateProgram(context);
+  context.attention &= ~attention::kList;
+}
+
+void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> list) {
+  if (m_keeps) {
+    // The host knows the name, and nothing else of the list.
+    context.host->NewList(m_name, GL_COMPILE);
+    context.host->EndList();
   }
   if (list || !context.group->lists.empty())
     context.group->lists.replace(*context.host, m_name, std::move(list));
-  m_name = 0;
-  invalidateProgram(context);
-  context.attention &= ~attention::kList;
 }
 
 bool ListCompiler::notePop() {
@@ -103,233 +241,6 @@ bool ListCompiler::notePop() {
   const bool noted = m_pushes.back().noted;
   m_pushes.pop_back();
   return noted;
-}
-
-namespace {
-
-/// A command of ATI_fragment_shader.
-void executeFragmentShader(Context &context, const Command &command) {
-  if (command.kind == Command::Kind::BindProgram)
-    bindFragmentShader(context, command.name);
-  else
-    setFragmentShaderConstant(context, int(command.name), command.values.front());
-}
-
-/// A command of the program API. Its target was one of ours when it was recorded.
-void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
-  const bool enables =
-      command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
-  if (row.target == Target::AtiApi && !enables)
-    return executeFragmentShader(context, command);
-  const bool named =
-      command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
-  const std::shared_ptr<ProgramObject> object =
-      named ? namedProgram(context, row, command.object) : row.bound;
-  if (!object)
-    return;
-  switch (command.kind) {
-  case Command::Kind::ProgramString:
-  case Command::Kind::NamedString:
-    return loadProgram(context, *object, command.format, command.count, command.bytes.data());
-  case Command::Kind::BindProgram:
-    return bindProgram(context, row, command.name);
-  case Command::Kind::Env:
-    return setEnv(context, row, command.name, command.count, command.values.data());
-  case Command::Kind::Local:
-  case Command::Kind::NamedLocal:
-    return setLocal(context, *object, command.name, command.count, command.values.data());
-  case Command::Kind::Enable:
-  case Command::Kind::Disable:
-    return setEnabled(context, row, command.kind == Command::Kind::Enable);
-  default:
-    return;
-  }
-}
-
-} // namespace
-
-void execute(Context &context, const Command &command) {
-  const bool nested =
-      command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
-  if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))
-    return;
-  switch (command.kind) {
-  case Command::Kind::ProgramString:
-  case Command::Kind::BindProgram:
-  case Command::Kind::Env:
-  case Command::Kind::Local:
-  case Command::Kind::NamedString:
-  case Command::Kind::NamedLocal:
-  case Command::Kind::Enable:
-  case Command::Kind::Disable:
-    if (ProgramTarget *const row = enableRowOf(context, command.target))
-      executeProgram(context, *row, command);
-    return;
-  case Command::Kind::UseProgram:
-    return useProgram(context, command.name);
-  case Command::Kind::AttribPushed:
-    return pushEnables(context, command.name);
-  case Command::Kind::PopAttrib:
-    return popAttrib(context);
-  case Command::Kind::CallList:
-    return callList(context, command.name);
-  case Command::Kind::CallLists:
-    return callLists(context, command.count, command.target, command.bytes.data());
-  case Command::Kind::CopyTexture:
-    return copyTexture(context, command);
-  }
-}
-
-namespace {
-
-/// Nobody knows what a list does.
-void beforeHostLists(Context &context) {
-  if (context.softwarePossible)
-    software::hostDrawsList(context);
-}
-
-/// A host list may draw: the program in force is bound first. Where that is not valid the host is
-/// brought to refuse: the list's other commands must take effect.
-void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore) {
-  if (context.insideBeginEnd) {
-    context.host->CallList(name);
-    context.insideBeginEnd = primitive != Primitive::Closed;
-    return;
-  }
-  noteClipPlanesOfLists(context);
-  beforeHostLists(context);
-  if (context.attention && !validate(context)) {
-    refuseDraws(context);
-    context.host->CallList(name);
-    releaseHostState(context);
-  } else {
-    context.host->CallList(name);
-    context.insideBeginEnd = primitive == Primitive::Open;
-  }
-  context.stale = software::stale::kAll;
-  if (!context.insideBeginEnd)
-    afterHostList(context);
-}
-
-/// A list kept by the host alone may have called one that pushes or pops attributes.
-void followAttribStack(Context &context) {
-  if (context.insideBeginEnd || !context.group->hostListsNest.load(std::memory_order_relaxed))
-    return;
-  GLint depth = 0;
-  context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
-  context.attribStack.resize(std::size_t(depth < 0 ? 0 : depth));
-}
-
-std::size_t elementSize(GLenum type) {
-  switch (type) {
-  case GL_BYTE:
-  case GL_UNSIGNED_BYTE:
-    return 1;
-  case GL_SHORT:
-  case GL_UNSIGNED_SHORT:
-  case GL_2_BYTES:
-    return 2;
-  case GL_3_BYTES:
-    return 3;
-  case GL_INT:
-  case GL_UNSIGNED_INT:
-  case GL_FLOAT:
-  case GL_4_BYTES:
-    return 4;
-  default:
-    return 0;
-  }
-}
-
-template <typename T> T load(const unsigned char *bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-/// Element `i` of CallLists' array (5.4); signed offsets wrap around ListBase.
-GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
-  const unsigned char *const p = bytes + std::size_t(i) * elementSize(type);
-  switch (type) {
-  case GL_BYTE:
-    return GLuint(GLint(load<GLbyte>(p)));
-  case GL_UNSIGNED_BYTE:
-    return p[0];
-  case GL_SHORT:
-    return GLuint(GLint(load<GLshort>(p)));
-  case GL_UNSIGNED_SHORT:
-    return load<GLushort>(p);
-  case GL_FLOAT:
-    return GLuint(GLint64(load<GLfloat>(p)));
-  case GL_2_BYTES:
-    return GLuint(p[0]) << 8 | p[1];
-  case GL_3_BYTES:
-    return GLuint(p[0]) << 16 | GLuint(p[1]) << 8 | p[2];
-  case GL_4_BYTES:
-    return GLuint(p[0]) << 24 | GLuint(p[1]) << 16 | GLuint(p[2]) << 8 | p[3];
-  default:
-    return load<GLuint>(p);
-  }
-}
-
-} // namespace
-
-std::size_t callListsBytes(GLsizei count, GLenum type) {
-  return count > 0 ? std::size_t(count) * elementSize(type) : 0;
-}
-
-void callList(Context &context, GLuint name) {
-  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
-  if (!list) {
-    callHostList(context, name);
-    return followAttribStack(context);
-  }
-  if (context.listDepth >= ListCompiler::kMaxDepth)
-    return;
-  ++context.listDepth;
-  for (const DisplayList::Item &item : list->items) {
-    if (item.command)
-      execute(context, *item.command);
-    else
-      callHostList(context, item.hostList, item.primitive);
-  }
-  --context.listDepth;
-}
-
-void callListIntoHost(Context &context, GLuint name) {
-  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
-  if (!list)
-    return context.host->CallList(name);
-  for (const DisplayList::Item &item : list->items) {
-    if (item.hostList == 0)
-      continue; // ours are errors between Begin and End
-    context.host->CallList(item.hostList);
-    if (item.primitive != Primitive::AsBefore)
-      context.insideBeginEnd = item.primitive == Primitive::Open;
-  }
-}
-
-void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
-  if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
-    if (!context.insideBeginEnd) {
-      noteClipPlanesOfLists(context);
-      beforeHostLists(context);
-    }
-    const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
-    if (refused)
-      refuseDraws(context);
-    context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
-    if (refused)
-      releaseHostState(context);
-    if (!context.insideBeginEnd)
-      afterHostList(context);
-    return followAttribStack(context);
-  }
-  GLint base = 0;
-  if (!context.insideBeginEnd)
-    context.host->GetIntegerv(GL_LIST_BASE, &base);
-  for (GLsizei i = 0; i < count; ++i)
-    callList(context, GLuint(base) + element(type, static_cast<const unsigned char *>(lists), i));
 }
 
 } // namespace arbiter::state

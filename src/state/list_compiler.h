@@ -10,7 +10,11 @@ namespace arbiter::state {
 class Context;
 
 /// The list between NewList and EndList. The host compiles into one host list after another; each
-/// command of ours closes one and opens the next.
+/// command of ours closes one, and the next is opened when the host is called again: until then
+/// ContextHot::host is the table that stands in for it (software/replay.h).
+///
+/// Where the rasterizer may draw (software/context_state.h, keepsLists) primitives are kept from
+/// the host: its lists hold the state between them, and what each changes is noted.
 class ListCompiler {
 public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
@@ -24,7 +28,7 @@ public:
   template <typename Function> void outside(Context &context, Function &&function) {
     closeSegment(context);
     function();
-    openSegment(context);
+    resume(context);
   }
 
   /// Ends a segment: when the list is called, what follows is a draw's look at the state again.
@@ -32,11 +36,33 @@ public:
     outside(context, [] {});
   }
 
+  // --- Primitives that are kept ---
+
+  /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was given
+  /// to the host before (recordsPrimitive()).
+  [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
+  void endPrimitive(Context &context);
+  [[nodiscard]] bool recordsPrimitive() const { return m_recording; }
+  [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
+  /// The host is called: it gets what there is of a primitive, and what follows.
+  void giveHost(Context &context);
+  /// Gives the host a primitive that is recorded, before a command that is an error in it or is
+  /// ours: the state tracker judges by what the host knows.
+  void settle(Context &context) {
+    if (m_recording)
+      giveHost(context);
+  }
+  /// The command that goes to the host now draws, or reads or writes images.
+  void notePixels() { m_pixels = true; }
+  /// Primitives are kept.
+  [[nodiscard]] bool keeps() const { return m_keeps; }
+
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
-  /// The list's Begin or End.
+  /// The list's Begin or End, of the host's.
   void notePrimitive(Primitive primitive) {
     m_endsFirst = m_endsFirst || (primitive == Primitive::Closed && !m_begun);
     m_begun = m_begun || primitive == Primitive::Open;
+    m_open = primitive == Primitive::Open;
     m_primitive = primitive;
   }
   /// PushAttrib is the host's to compile. Our entry of the stack is made where the list is next
@@ -52,17 +78,28 @@ private:
     bool noted; ///< as a command of ours
   };
   void closeSegment(Context &context);
+  void resume(Context &context);
   void openSegment(Context &context);
   void finishSegment();
+  void finishGeometry();
+  void setMode(Context &context, std::uint16_t mode);
+  void define(Context &context, std::shared_ptr<const DisplayList> list);
 
   GLuint m_name = 0;
-  GLuint m_segment = 0;                        ///< the host list being compiled
+  GLuint m_segment = 0; ///< the host list being compiled; 0: none
+  bool m_keeps = false;
+  bool m_recording = false;                    ///< a primitive, since its Begin
   Primitive m_primitive = Primitive::AsBefore; ///< of the segment
-  bool m_begun = false;                        ///< the list has a Begin
+  bool m_open = false;                         ///< a primitive of the host's is
+  bool m_begun = false;                        ///< the host's part of the list has a Begin
   bool m_endsFirst = false;                    ///< its first End has no Begin in it
+  bool m_pixels = false;                       ///< Effects of the segment
+  std::uint32_t m_stale = 0;                   ///< ContextHot::stale without the segment's part
   std::vector<DisplayList::Item> m_items;
+  std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
+  software::ImmediateRecorder m_recorder;
   std::vector<Push> m_pushes;
-  std::uint16_t m_mode = 0; ///< while a segment is closed
+  std::uint16_t m_mode = 0;
 };
 
 /// Runs one recorded command.

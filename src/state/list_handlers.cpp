@@ -6,6 +6,7 @@
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/residency.h"
+#include "state/software/stale.h"
 
 namespace arbiter::state::handlers {
 
@@ -31,19 +32,24 @@ void NewList(Context &context, GLuint list, GLenum mode) {
                      (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
-  // While a list is compiled nothing is ours, so nothing may be held back from the host.
-  if (context.softwarePossible)
+  // While a list is executed as it is compiled nothing is ours. One that is only compiled leaves
+  // pixels alone, but for commands that are executed at once.
+  if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
     software::hostDoesAnything(context, "glNewList");
+  else if (context.softwarePossible)
+    software::synchronise(context, "glNewList");
   context.list.begin(context, list, mode);
 }
 
 void EndList(Context &context) {
+  context.list.settle(context);
   if (context.listMode == 0 || context.insideBeginEnd)
     return context.host->EndList();
   context.list.end(context);
 }
 
 void CallList(Context &context, GLuint list) {
+  context.list.settle(context);
   if (recordsCalls(context) && !context.insideBeginEnd)
     return context.list.record(context, {.kind = Command::Kind::CallList, .name = list});
   if (context.listMode)
@@ -52,6 +58,7 @@ void CallList(Context &context, GLuint list) {
 }
 
 void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
+  context.list.settle(context);
   const std::size_t bytes = callListsBytes(n, type);
   if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
     Command command{.kind = Command::Kind::CallLists, .target = type};
@@ -59,8 +66,11 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
     command.bytes.assign(static_cast<const char *>(lists), bytes);
     return context.list.record(context, std::move(command));
   }
-  if (context.listMode)
+  if (context.listMode) {
+    context.list.notePixels();
+    context.stale = software::stale::kAll;
     return context.host->CallLists(n, type, lists);
+  }
   callLists(context, n, type, lists);
 }
 

@@ -94,6 +94,8 @@ TEST(Lists, SegmentNamesAreReusedAndNamesInUseArePassedOver) {
   const auto compile = [&] {
     handlers::NewList(*context, 1, GL_COMPILE);
     handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 0, 0, 1);
+    handlers::Begin(*context, GL_POINTS);
+    handlers::End(*context);
     handlers::EndList(*context);
   };
   for (int i = 0; i < 10; ++i)

@@ -100,8 +100,8 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
   // plain one does so too where it hands on the first vertex as the provoking one.
-  draw.otherDiagonal =
-      draw.state.polygonStipple != nullptr || clipped || draw.state.provokingIsFirst;
+  draw.otherDiagonal = draw.state.secondDiagonal || draw.state.polygonStipple != nullptr ||
+                       clipped || draw.state.provokingIsFirst;
   if (clipped)
     return; // a vertex that is outside has no place that bounds anything
   const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);

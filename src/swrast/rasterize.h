@@ -59,6 +59,7 @@ struct RasterState {
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
       nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
+  bool secondDiagonal = false; ///< quads are cut from their second corner to the fourth
   /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
   /// 0: roundings and ties then fall as the host's do.
   std::int32_t upsideDownHeight = 0;

@@ -57,6 +57,8 @@ struct VertexSource {
   std::array<Array, kSlots> arrays;
   /// Signed normalised numbers are c / (2^(b-1) - 1), as from OpenGL 4.2 on; else (2c+1)/(2^b-1).
   bool symmetric = false;
+  /// Of a display list: the host cuts quads there from the second corner to the fourth.
+  bool fromList = false;
   std::uint32_t count = 0; ///< vertices that may be read; 0: as many as the indices name
 };
 

@@ -11,7 +11,11 @@ namespace {
 
 /// Nothing of ours can be concerned: the command is an error, or is compiled, or everything is the
 /// host's since the list was begun.
-bool isHosts(const Context &context) { return context.insideBeginEnd || context.listMode != 0; }
+bool isHosts(Context &context) {
+  if (context.listMode != 0)
+    context.list.notePixels();
+  return context.insideBeginEnd || context.listMode != 0;
+}
 
 /// The draw is looked at: it is executed now, programs are valid, and the rasterizer is used.
 bool isTried(Context &context) {
@@ -25,6 +29,8 @@ bool isIndexType(GLenum type) {
 } // namespace
 
 bool draw(Context &context, const DrawCommand &command) {
+  if (isHosts(context))
+    return false;
   if (command.mode > GL_POLYGON || command.count <= 0 || command.first < 0 ||
       (command.indexType != 0 && !isIndexType(command.indexType)))
     return false;
@@ -37,6 +43,8 @@ bool drawRange(Context &context, GLuint start, GLuint end, const DrawCommand &co
 
 bool multiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
                      GLsizei drawCount) {
+  if (isHosts(context))
+    return false;
   if (mode > GL_POLYGON || drawCount <= 0 || !first || !count)
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)
@@ -52,6 +60,8 @@ bool multiDrawArrays(Context &context, GLenum mode, const GLint *first, const GL
 
 bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
                        const void *const *indices, GLsizei drawCount, const GLint *baseVertices) {
+  if (isHosts(context))
+    return false;
   if (mode > GL_POLYGON || drawCount <= 0 || !count || !indices || !isIndexType(type))
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)

@@ -10,9 +10,9 @@ namespace arbiter::state::software {
 // --- Draws that may be ours; true: drawn. Called where mayDraw(), before anything is prepared for
 // --- the host's draw ---
 
-/// The rasterizer is used, or what comes into force now may bring it.
+/// The rasterizer is used or listens, or what comes into force now may bring it.
 [[nodiscard]] inline bool mayDraw(const Context &context) {
-  return context.softwarePossible ||
+  return context.softwareListens ||
          (!context.passThrough && (context.attention & attention::kProgram) != 0);
 }
 /// Arguments that the host raises an error for are the host's.
@@ -37,15 +37,13 @@ void hostDoesUnknown(Context &context, const char *name);
 
 // --- While a primitive is recorded ---
 
-[[nodiscard, gnu::always_inline]] inline ImmediateRecorder &recorder(ContextHot &hot) {
-  return static_cast<Context &>(hot).software->recorder;
-}
 /// A generic attribute; attribute 0 makes a vertex.
-inline void generic(ContextHot &hot, GLuint index, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+inline void generic(ImmediateRecorder &recorder, GLuint index, GLfloat x, GLfloat y, GLfloat z,
+                    GLfloat w) {
   if (index == 0)
-    recorder(hot).vertex(x, y, z, w);
+    recorder.vertex(x, y, z, w);
   else
-    recorder(hot).set(kGeneric0 + int(index), x, y, z, w);
+    recorder.set(kGeneric0 + int(index), x, y, z, w);
 }
 
 } // namespace arbiter::state::software

@@ -5,6 +5,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/share_group.h"
 #include "state/software/outcome.h"
 #include "state/software/residency.h"
 #include "state/software/stale.h"
@@ -41,21 +42,31 @@ bool isSoftwareRenderer(const Context &context) {
          name.find("Software Rasterizer") != name.npos;
 }
 
+bool isPossible(const Context &context) {
+  const Backend backend = settings().backend;
+  return backend != Backend::Host && context.offered && context.numerics != fp::Numerics::Fp24 &&
+         (backend != Backend::Auto || isSoftwareRenderer(context));
+}
+
 } // namespace
 
+bool keepsLists(const Context &context) {
+  if (context.software || context.softwareRefused)
+    return context.software != nullptr;
+  return context.group->programApiUsed.load(std::memory_order_relaxed) && isPossible(context);
+}
+
 void engage(Context &context) {
-  const Backend backend = settings().backend;
   if (context.software || context.softwareRefused)
     return;
   context.softwareRefused = true;
-  if (backend == Backend::Host || !context.offered || context.numerics == fp::Numerics::Fp24 ||
-      (backend == Backend::Auto && !isSoftwareRenderer(context)))
+  if (!isPossible(context))
     return;
   context.software = std::make_unique<ContextState>();
-  context.software->forced = backend == Backend::Swrast;
+  context.software->forced = settings().backend == Backend::Swrast;
   context.software->backOff.setForced(context.software->forced);
   context.stale = stale::kAll;
-  context.softwarePossible = true;
+  context.softwarePossible = context.softwareListens = true;
   enter(context);
 }
 

@@ -45,7 +45,6 @@ struct ContextState {
   std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
-  const host::HostTable *trueHost = nullptr; ///< while a primitive is recorded (replay.h)
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
   /// Turns of the host in this frame that draw what we cannot. Depths of two rasterizers are not
   /// equal to the bit, and passes that compare them for equality meet only if one of the two draws
@@ -65,5 +64,8 @@ struct ContextState {
 /// Makes Context::software where it is to be: when a fragment program of ours first comes into
 /// force. Until then the rasterizer costs nothing.
 void engage(Context &context);
+/// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
+/// be where a fragment program of ours comes into force, and programs are made already.
+[[nodiscard]] bool keepsLists(const Context &context);
 
 } // namespace arbiter::state::software

@@ -117,6 +117,23 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   return true;
 }
 
+bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std::uint32_t count) {
+  Outcome outcome = source ? prepare(context, mode, count) : Outcome(Fallback::Vertices);
+  if (outcome.ok()) {
+    Pipeline &pipeline = pipelineOf(context);
+    Mirror &mirror = context.software->mirror;
+    refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
+    outcome = pipeline.shade(context, *source, {}, 0, count);
+  }
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    return false;
+  }
+  ++context.software->drawn;
+  ++context.draws[std::size_t(Path::Rasterizer)];
+  return true;
+}
+
 bool begin(Context &context, GLenum mode) {
   if (!context.software || context.listMode == GL_COMPILE)
     return false;
@@ -146,7 +163,7 @@ void end(Context &context) {
     context.host->End();
     return;
   }
-  tellCurrentValues(context);
+  tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
   ++state.drawn;
   ++context.draws[std::size_t(Path::Rasterizer)];
 }

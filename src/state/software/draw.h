@@ -28,6 +28,9 @@ struct DrawCommand {
 /// been validated for and brought up to date.
 /// True: drawn. False: the host's; hostDraws() has been called, and the caller goes on.
 [[nodiscard]] bool drawArrays(Context &context, const DrawCommand &command);
+/// The same of the first `count` vertices of `source`; null: they are none that we draw.
+[[nodiscard]] bool drawVertices(Context &context, GLenum mode, const VertexSource *source,
+                                std::uint32_t count);
 /// At Begin: true if the primitive is kept back from the host; then end() draws it, or has the host
 /// draw it after all. False: hostDraws() has been called.
 [[nodiscard]] bool begin(Context &context, GLenum mode);

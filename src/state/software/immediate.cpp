@@ -47,6 +47,7 @@ void ImmediateRecorder::touch(int slot) {
     std::memcpy(to + m_stride, &m_values[std::size_t(slot)], 4 * sizeof(float));
   }
   m_touched |= 1u << slot;
+  m_since[slot] = m_count;
   m_slots[m_slotCount++] = std::uint8_t(slot);
   m_stride = stride;
   m_next = m_data.get() + m_count * stride;

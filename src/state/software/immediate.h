@@ -8,8 +8,8 @@
 #include "state/software/attributes.h"
 
 /// Begin/End kept back from the host: the vertices of one primitive as they come. The generated
-/// entry points of glVertex, glColor and their kin call set() and vertex() while
-/// ContextHot::recordsVertices is set, and the host else.
+/// entry points of glVertex, glColor and their kin call set() and vertex() of ContextHot::recorder,
+/// and the host where there is none.
 namespace arbiter::state::software {
 
 class ImmediateRecorder {
@@ -45,14 +45,23 @@ public:
   /// told.
   [[nodiscard]] std::uint32_t touched() const { return m_touched; }
   [[nodiscard]] const CurrentValues &values() const { return m_values; }
-  /// Vertex `index` of those recorded: calls `set(slot, const float value[4])` of each touched slot
-  /// and then of kPosition.
+  /// Vertex `index` of those recorded: calls `set(slot, const float value[4])` of each slot that
+  /// was touched before it, and then of kPosition.
   template <typename Set> void read(std::uint32_t index, Set &&set) const {
     const float *const from = m_data.get() + std::size_t(index) * m_stride;
     for (unsigned i = 1; i < m_slotCount; ++i)
-      set(int(m_slots[i]), from + 4 * i);
+      if (index >= m_since[m_slots[i]])
+        set(int(m_slots[i]), from + 4 * i);
     set(int(kPosition), from);
   }
+  /// A vertex is so many vec4s, one a slot: the position, then the touched ones in order of first
+  /// use.
+  [[nodiscard]] unsigned slotCount() const { return m_slotCount; }
+  [[nodiscard]] const std::uint8_t *slots() const { return m_slots; }
+  [[nodiscard]] std::uint8_t slot(unsigned i) const { return m_slots[i]; }
+  /// How many vertices there were when the slot was first touched: these have the value of begin().
+  [[nodiscard]] std::uint32_t since(int slot) const { return m_since[slot]; }
+  [[nodiscard]] const float *data() const { return m_data.get(); }
   /// No memory was left: vertices are missing.
   [[nodiscard]] bool failed() const { return m_failed; }
 
@@ -77,6 +86,7 @@ private:
   std::size_t m_stride = 4; ///< floats
   unsigned m_slotCount = 1;
   std::uint8_t m_slots[kSlots] = {};
+  std::uint32_t m_since[kSlots] = {};
 };
 
 } // namespace arbiter::state::software

@@ -323,6 +323,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
+  m_raster.secondDiagonal = source.fromList;
   swrast::draw(m_raster, prepared.shading, m_topology, m_vertices.vertices(), indices.indices, 0,
                count);
   return {};

@@ -13,11 +13,17 @@ namespace {
 
 /// The command is executed now, and is no error for being where it is.
 bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
+/// The same of a command that goes into a list, and changes pixels where the list is called.
+bool changes(Context &context) {
+  if (context.listMode != 0)
+    context.list.notePixels();
+  return executes(context);
+}
 
 } // namespace
 
 void Clear(Context &context, GLbitfield mask) {
-  if (executes(context)) {
+  if (changes(context)) {
     if (context.software)
       software::clearsTarget(context, mask);
     if (software::clear(context, mask))
@@ -71,7 +77,7 @@ void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height)
 
 #define ARBITER_REDEFINES(Name, Parameters, Arguments)                                             \
   void Name Parameters {                                                                           \
-    if (executes(context))                                                                         \
+    if (changes(context))                                                                          \
       software::textureRedefined(context, target);                                                 \
     context.host->Name Arguments;                                                                  \
   }
@@ -136,14 +142,14 @@ ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
 
 void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
                    GLenum format, GLenum type, const void *pixels) {
-  if (executes(context))
+  if (changes(context))
     software::texSubImage(context, target, level, xoffset, 0, 0, width, 1, 1, format, type, pixels);
   context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
 }
 
 void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
-  if (executes(context))
+  if (changes(context))
     software::texSubImage(context, target, level, xoffset, yoffset, 0, width, height, 1, format,
                           type, pixels);
   context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
@@ -152,7 +158,7 @@ void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, 
 void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
                    GLenum type, const void *pixels) {
-  if (executes(context))
+  if (changes(context))
     software::texSubImage(context, target, level, xoffset, yoffset, zoffset, width, height, depth,
                           format, type, pixels);
   context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,

@@ -1,5 +1,6 @@
 // Conditional rendering, which cannot be asked for. One that the host refuses is taken for begun:
-// until its end draws are the host's, which is always right.
+// until its end draws are the host's, which is always right. In a list that we keep it is a command
+// of ours.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
@@ -7,6 +8,13 @@
 namespace arbiter::state::handlers {
 
 namespace {
+
+bool isRecorded(Context &context) {
+  if (context.listMode == 0 || !context.list.keeps())
+    return false;
+  context.list.settle(context);
+  return !context.insideBeginEnd;
+}
 
 void note(Context &context, bool begun) {
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
@@ -18,11 +26,16 @@ void note(Context &context, bool begun) {
 } // namespace
 
 void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
+  if (isRecorded(context))
+    return context.list.record(
+        context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
   context.host->BeginConditionalRender(id, mode);
   note(context, true);
 }
 
 void EndConditionalRender(Context &context) {
+  if (isRecorded(context))
+    return context.list.record(context, {.kind = Command::Kind::EndConditional});
   context.host->EndConditionalRender();
   note(context, false);
 }

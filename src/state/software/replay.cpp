@@ -8,11 +8,9 @@
 
 namespace arbiter::state::software {
 
-namespace {
-
 /// The command that sets an attribute. Three components where the fourth is the default, so that
 /// the host's vertices stay small.
-void tell(const host::HostTable &host, int slot, const float *v) {
+void tellAttribute(const host::HostTable &host, int slot, const float *v) {
   switch (slot) {
   case kPosition:
     return host.Vertex4fv(v);
@@ -33,24 +31,26 @@ void tell(const host::HostTable &host, int slot, const float *v) {
   }
 }
 
-} // namespace
-
 void startRecording(Context &context) {
-  context.software->trueHost = context.host;
+  context.trueHost = context.host;
   context.host = &kRecordingHost;
-  context.recordsVertices = true;
+  context.recorder = &context.software->recorder;
   context.insideBeginEnd = true;
 }
 
 void stopRecording(Context &context) {
-  context.host = context.software->trueHost;
-  context.recordsVertices = false;
+  context.host = context.trueHost;
+  context.recorder = nullptr;
 }
 
 const host::HostTable *handOver() {
   auto &context = static_cast<Context &>(*t_current);
-  if (!context.recordsVertices)
+  if (context.host != &kRecordingHost)
     return context.host; // somebody kept the table of a moment ago
+  if (context.listMode != 0) {
+    context.list.giveHost(context);
+    return context.host;
+  }
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   hostDraws(context, "glBegin");
@@ -60,24 +60,31 @@ const host::HostTable *handOver() {
   return context.host;
 }
 
-void replayToHost(Context &context) {
-  const ImmediateRecorder &recorder = context.software->recorder;
-  const host::HostTable &host = *context.host;
-  ++*context.drawCounter;
-  host.Begin(recorder.mode());
-  for (std::uint32_t i = 0; i < recorder.count(); ++i)
-    recorder.read(i, [&](int slot, const float *value) { tell(host, slot, value); });
-  tellCurrentValues(context);
+void tellAttributes(const host::HostTable &host, const CurrentValues &values, std::uint32_t slots) {
+  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    tellAttribute(host, slot, values[std::size_t(slot)].data());
+  }
 }
 
-void tellCurrentValues(Context &context) {
+void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
+  host.Begin(recorder.mode());
+  for (std::uint32_t i = 0; i < recorder.count(); ++i)
+    recorder.read(i, [&](int slot, const float *value) { tellAttribute(host, slot, value); });
+  tellAttributes(host, recorder.values(), recorder.touched());
+}
+
+void replayToHost(Context &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
-  for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
-    const int slot = std::countr_zero(left);
-    tell(*context.host, slot, recorder.values()[std::size_t(slot)].data());
-  }
-  if (recorder.touched() != 0)
-    noteCurrent(context.software->mirror, recorder.values(), recorder.touched());
+  ++*context.drawCounter;
+  sendOpen(*context.host, recorder);
+  noteCurrent(context.software->mirror, recorder.values(), recorder.touched());
+}
+
+void tellCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched) {
+  tellAttributes(*context.host, values, touched);
+  if (touched != 0 && context.software)
+    noteCurrent(context.software->mirror, values, touched);
 }
 
 } // namespace arbiter::state::software

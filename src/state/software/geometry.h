@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/software/attributes.h"
+#include "state/software/immediate.h"
+
+/// Primitives of a display list (OpenGL 1.4, 5.4) as the application gave them: vertices that stay
+/// where they are from call to call.
+namespace arbiter::state {
+class Context;
+}
+namespace arbiter::host {
+struct HostTable;
+}
+
+namespace arbiter::state::software {
+
+/// One or more primitives of one mode. An attribute that was not set in the list when its vertex
+/// was made has the value that is current when the list is called.
+class Geometry {
+public:
+  GLenum mode = GL_POINTS;
+  std::uint32_t count = 0;  ///< vertices
+  std::vector<float> data;  ///< `count` times `stride` floats
+  std::uint32_t stride = 4; ///< floats: a vec4 for each of `slots`, the position first
+  std::uint32_t slotCount = 1;
+  std::array<std::uint8_t, kSlots> slots{};
+  /// From which vertex on each of them is set.
+  std::array<std::uint32_t, kSlots> since{};
+  bool uniform = true;       ///< all of them from the first vertex on
+  std::uint32_t touched = 0; ///< slots that were set, one bit each
+  CurrentValues values{};    ///< of these, as the primitives leave them behind
+
+  /// The host's list that draws the same, made when it is first asked for; no list is being
+  /// compiled then, and it is outside Begin and End.
+  [[nodiscard]] GLuint hostList(Context &context) const;
+  /// That list, or 0.
+  [[nodiscard]] GLuint madeHostList() const;
+  /// Begin, the attributes and vertices one by one, End.
+  void send(const host::HostTable &host) const;
+  /// The vertices, for as long as this lives.
+  [[nodiscard]] VertexSource source() const;
+
+private:
+  mutable std::mutex m_mutex; ///< contexts of a share group may call the list at the same time
+  mutable GLuint m_hostList = 0;
+};
+
+/// What the recorder has of a primitive that is whole.
+[[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder);
+/// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
+[[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder);
+
+/// While a list is compiled and executed, between its segments: the host draws the primitive.
+void callGeometryOnHost(Context &context, const Geometry &geometry);
+/// The list is called: its primitives are drawn, by us or by the host.
+void callGeometry(Context &context, const Geometry &geometry);
+
+} // namespace arbiter::state::software
