@@ -19,6 +19,7 @@ const Command &commandOf(Random &random) {
     std::vector<Command> all = kDrawCommands;
     all.insert(all.end(), kPixelCommands.begin(), kPixelCommands.end());
     all.insert(all.end(), kStateCommands.begin(), kStateCommands.end());
+    all.insert(all.end(), kListCommands.begin(), kListCommands.end());
     return all;
   }();
   static const int s_sum = [] {

@@ -103,7 +103,7 @@ struct Command {
   int weight;
   void (*run)(World &world, Random &random, const std::string &what);
 };
-extern const std::vector<Command> kDrawCommands, kPixelCommands, kStateCommands;
+extern const std::vector<Command> kDrawCommands, kPixelCommands, kStateCommands, kListCommands;
 
 /// A draw that may be compiled into a list: it samples nothing that can be attached.
 void drawForList(World &world, Random &random);

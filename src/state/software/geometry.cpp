@@ -142,7 +142,12 @@ void callGeometryOnHost(Context &context, const Geometry &geometry) {
     context.software->fellBack(Fallback::List);
     hostDraws(context, "glNewList");
   }
-  drawOnHost(context, geometry);
+  if (context.attention && !handlers::beginDraw(context))
+    return tellCurrentValues(context, geometry.values, geometry.touched);
+  // As the host does with a list that it executes while it is compiled: its quads are cut otherwise
+  // than those of a list that is called.
+  geometry.send(*context.host);
+  context.stale |= stale::kCurrent;
 }
 
 void callGeometry(Context &context, const Geometry &geometry) {
