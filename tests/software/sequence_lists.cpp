@@ -17,7 +17,7 @@ float coordinate(Random &random) { return float(random.between(-2, 60)); }
 /// A rectangle as one of GL's primitives, of one colour: what is between corners is exact. The
 /// colour may be set only within it, behind its first vertex, or before it.
 void primitive(Random &random) {
-  static constexpr GLenum kModes[] = {GL_QUADS,        GL_QUADS,     GL_TRIANGLES, GL_TRIANGLE_FAN,
+  static constexpr GLenum kModes[] = {GL_QUADS,          GL_QUADS,   GL_TRIANGLES,  GL_TRIANGLE_FAN,
                                       GL_TRIANGLE_STRIP, GL_POLYGON, GL_QUAD_STRIP, GL_POINTS};
   const GLenum mode = random.pick(kModes);
   const float x0 = coordinate(random), y0 = coordinate(random);
@@ -53,8 +53,6 @@ void primitive(Random &random) {
       glVertex3f(x0, y1, z);
     }
   }
-  if (random.once(8))
-    glIsTexture(1); // an error there
   glEnd();
 }
 
@@ -111,7 +109,8 @@ void content(World &world, Random &random, int depth) {
       break;
     case 3:
       if (depth == 0) {
-        const GLubyte lists[2] = {GLubyte(random.below(kLists - 1)), GLubyte(random.below(kLists - 1))};
+        const GLubyte lists[2] = {GLubyte(random.below(kLists - 1)),
+                                  GLubyte(random.below(kLists - 1))};
         glListBase(world.context().firstList);
         glCallLists(2, GL_UNSIGNED_BYTE, lists);
       }
