@@ -101,10 +101,20 @@ void beforeHostLists(Context &context) {
     software::hostDrawsList(context);
 }
 
+/// The segment may have called Viewport, which is how an application follows its window's size.
+void noteViewport(Context &context, const Effects &effects) {
+  if (!context.software || (effects.stale & software::stale::kViewport) == 0)
+    return;
+  GLint box[4] = {};
+  context.host->GetIntegerv(GL_VIEWPORT, box);
+  software::drawableMayHaveChanged(context, {box[0], box[1], box[2], box[3]});
+}
+
 /// A segment that sets state and touches no pixel: draws of ours may go on behind it.
 void callStateList(Context &context, GLuint name, const Effects &effects) {
   context.host->CallList(name);
   context.stale |= effects.stale;
+  noteViewport(context, effects);
   noteClipPlanesChange(context);
   afterHostList(context);
 }
@@ -113,8 +123,6 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
 /// brought to refuse: the list's other commands must take effect.
 void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore,
                   const Effects &effects = {}) {
-  if ((effects.stale & software::stale::kViewport) != 0)
-    software::drawableMayHaveChanged(context);
   if (context.insideBeginEnd) {
     context.host->CallList(name);
     context.stale |= effects.stale;
@@ -134,8 +142,10 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
     context.insideBeginEnd = primitive == Primitive::Open;
   }
   context.stale = software::stale::kAll;
-  if (!context.insideBeginEnd)
-    afterHostList(context);
+  if (context.insideBeginEnd)
+    return;
+  noteViewport(context, effects);
+  afterHostList(context);
 }
 
 /// A list kept by the host alone may have called one that pushes or pops attributes.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "state/software/stale.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {
@@ -232,6 +233,83 @@ TEST(Lists, FeedbackCopiesAreCountedWhenExecuted) {
   handlers::CopyTextureSubImage2D(*context, 7, 0, 0, 0, 0, 0, 8, 8);
   handlers::CopyMultiTexSubImage2DEXT(*context, GL_TEXTURE0, GL_TEXTURE_2D, 0, 0, 0, 0, 0, 8, 8);
   EXPECT_EQ(context->feedback.copies(), 5u);
+}
+
+/// The rasterizer is there, so primitives are kept from the host.
+struct KeepingContext : CurrentContext {
+  explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
+    Context &context = **this;
+    use(context, kText);
+    context.software = std::make_unique<software::ContextState>();
+    context.softwarePossible = context.softwareListens = true;
+    context.host->GetError();
+    host.calls.clear();
+  }
+  /// The rasterizer goes: the host draws.
+  void leaveToHost(FakeHost &host) {
+    Context &context = **this;
+    context.software = nullptr;
+    context.softwarePossible = context.softwareListens = false;
+    host.calls.clear();
+  }
+};
+
+void point(Context &context) {
+  handlers::Begin(context, GL_POINTS);
+  if (context.recorder)
+    context.recorder->vertex(1, 2, 0, 1);
+  handlers::End(context);
+}
+
+TEST(Lists, PrimitivesAreKeptFromTheHost) {
+  FakeHost host;
+  KeepingContext context(host);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  point(*context);
+  point(*context);
+  EXPECT_TRUE(host.calls.empty()) << host.calls.front();
+  EXPECT_FALSE(context->insideBeginEnd);
+  handlers::EndList(*context);
+  EXPECT_EQ(host.calls, (std::vector<std::string>{newList(1), "EndList"})) << "the name alone";
+  const auto list = context->group->lists.find(1);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->items.size(), 1u) << "points go together";
+  EXPECT_EQ(list->items[0].geometry->count, 2u);
+
+  context.leaveToHost(host);
+  const std::string top = std::to_string(kTop);
+  for (int i = 0; i < 2; ++i)
+    handlers::CallList(*context, 1);
+  EXPECT_EQ(host.count(newList(kTop)), 1) << "made once";
+  EXPECT_EQ(host.count("CallList " + top), 2);
+  handlers::DeleteLists(*context, 1, 1);
+  EXPECT_TRUE(host.lists.empty()) << "what it was drawn with is deleted too";
+}
+
+TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
+  FakeHost host;
+  const KeepingContext context(host);
+  context->stale = 0;
+  handlers::NewList(*context, 1, GL_COMPILE);
+  point(*context);
+  handlers::Enable(*context, GL_BLEND);
+  point(*context);
+  handlers::EndList(*context);
+  const auto list = context->group->lists.find(1);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->items.size(), 3u);
+  EXPECT_EQ(list->items[1].hostList, kTop);
+  EXPECT_EQ(list->items[1].effects.stale, software::stale::kPixelOps);
+  EXPECT_FALSE(list->items[1].effects.pixels);
+  context->stale = 0;
+  handlers::NewList(*context, 1, GL_COMPILE); // a primitive that is left open is the host's
+  handlers::Begin(*context, GL_LINES);
+  handlers::EndList(*context);
+  const auto open = context->group->lists.find(1);
+  ASSERT_EQ(open->items.size(), 1u);
+  EXPECT_EQ(open->items[0].primitive, Primitive::Open);
+  EXPECT_TRUE(open->items[0].effects.pixels);
+  EXPECT_EQ(context->host, host.table());
 }
 
 } // namespace

@@ -66,6 +66,73 @@ void copyImage(World &world, Random &random, const std::string &) {
   world.fit(); // another framebuffer may have it
 }
 
+/// What an application's pixels can be, and the bytes of one.
+struct PixelKind {
+  GLenum format, type;
+  int bytes;
+};
+constexpr PixelKind kPixelKinds[] = {
+    {GL_RGBA, GL_UNSIGNED_BYTE, 4},
+    {GL_BGRA, GL_UNSIGNED_BYTE, 4},
+    {GL_RGB, GL_UNSIGNED_BYTE, 3},
+    {GL_BGR, GL_UNSIGNED_BYTE, 3},
+    {GL_RED, GL_UNSIGNED_BYTE, 1},
+    {GL_GREEN, GL_UNSIGNED_BYTE, 1},
+    {GL_BLUE, GL_UNSIGNED_BYTE, 1},
+    {GL_ALPHA, GL_UNSIGNED_BYTE, 1},
+    {GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
+    {GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2},
+    {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8, 4},
+    {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8, 4},
+    {GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, 4},
+    {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, 4},
+    {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 2},
+    {GL_RGBA, GL_UNSIGNED_SHORT, 8},
+};
+
+/// By any state of unpacking: rows that are longer than the image, parts that are skipped, scales,
+/// a buffer.
+void subImageAnyhow(World &world, Random &random, const std::string &) {
+  const int texture = random.below(kTextures);
+  const auto level = std::size_t(random.once(5) ? 1 : 0);
+  const Texture &image = world.texture(texture);
+  if (image.width[level] == 0)
+    return;
+  bind(world, texture);
+  const Rectangle to = randomRectangle(image.width[level], image.height[level], random);
+  const PixelKind kind = random.pick(kPixelKinds);
+  const int rowLength = random.once(2) ? 0 : to.width + random.below(5);
+  const int skipRows = random.below(3), skipPixels = random.below(3);
+  const int row = std::max(rowLength, to.width) + skipPixels;
+  const auto bytes = randomBytes(
+      std::size_t(row * kind.bytes + 8) * std::size_t(to.height + skipRows + 1), random);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, rowLength);
+  glPixelStorei(GL_UNPACK_SKIP_ROWS, skipRows);
+  glPixelStorei(GL_UNPACK_SKIP_PIXELS, skipPixels);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1 << random.below(4));
+  glPixelStorei(GL_UNPACK_SWAP_BYTES, random.once(8) ? GL_TRUE : GL_FALSE);
+  const bool scaled = random.once(10), fromBuffer = random.once(8);
+  if (scaled)
+    glPixelTransferf(GL_RED_SCALE, 0);
+  const void *from = bytes.data();
+  if (fromBuffer) {
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, world.context().vertexBuffer);
+    glBufferData(GL_PIXEL_UNPACK_BUFFER, GLsizeiptr(bytes.size()), from, GL_STREAM_DRAW);
+    from = nullptr;
+  }
+  // Now and then outside: an error that changes nothing.
+  const int x = random.once(10) ? to.x + 40 : to.x;
+  glTexSubImage2D(World::targetOf(texture), GLint(level), x, to.y, to.width, to.height, kind.format,
+                  kind.type, from);
+  if (fromBuffer)
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  glPixelTransferf(GL_RED_SCALE, 1);
+  for (const GLenum name :
+       {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES})
+    glPixelStorei(name, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
+
 void subImage(World &world, Random &random, const std::string &) {
   static constexpr GLenum kFormats[] = {GL_RGBA, GL_RGBA, GL_BGRA, GL_RGB, GL_LUMINANCE, GL_ALPHA};
   const int texture = random.below(kTextures);
@@ -214,12 +281,19 @@ void blit(World &world, Random &random, const std::string &) {
 } // namespace
 
 const std::vector<Command> kPixelCommands = {
-    {"CopyTexSubImage", 14, copySubImage}, {"CopyTexImage", 5, copyImage},
-    {"TexSubImage", 6, subImage},          {"TexImage", 4, texImage},
-    {"DeleteTextures", 2, deleteTexture},  {"GenerateMipmap", 2, generateMipmap},
-    {"ReadPixels", 6, readPixels},         {"ReadPixels depth", 2, readDepth},
-    {"GetTexImage", 5, getTexImage},       {"Clear", 7, clear},
-    {"DrawPixels", 4, drawPixels},         {"BlitFramebuffer", 3, blit},
+    {"CopyTexSubImage", 14, copySubImage},
+    {"CopyTexImage", 5, copyImage},
+    {"TexSubImage", 6, subImage},
+    {"TexSubImage anyhow", 6, subImageAnyhow},
+    {"TexImage", 4, texImage},
+    {"DeleteTextures", 2, deleteTexture},
+    {"GenerateMipmap", 2, generateMipmap},
+    {"ReadPixels", 6, readPixels},
+    {"ReadPixels depth", 2, readDepth},
+    {"GetTexImage", 5, getTexImage},
+    {"Clear", 7, clear},
+    {"DrawPixels", 4, drawPixels},
+    {"BlitFramebuffer", 3, blit},
 };
 
 } // namespace software

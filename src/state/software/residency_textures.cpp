@@ -237,7 +237,8 @@ void textureRedefined(Context &context, GLenum target) {
 }
 
 void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
-  if (!windowOf(context) || !names)
+  WindowImages *const window = windowOf(context);
+  if (!window || !names)
     return;
   SharedImages &shared = sharedOf(context);
   const std::lock_guard lock(shared.mutex);
@@ -245,6 +246,10 @@ void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
     const auto found = shared.textures.find(names[i]);
     if (found == shared.textures.end())
       continue;
+    // Its images live on where they are attached to a framebuffer that is not bound.
+    for (const std::unique_ptr<PixelImage> &image : found->second->images)
+      if (image && image->newest == Newest::Shadow)
+        upload(context, *window, *image);
     redefine(context, *found->second);
     std::erase_if(shared.pending,
                   [&](const PixelImage *image) { return image->texture == found->second.get(); });
