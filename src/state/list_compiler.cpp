@@ -42,7 +42,9 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_geometry.reset();
   m_stale = 0;
   m_mode = std::uint16_t(mode);
-  m_keeps = software::keepsLists(context);
+  // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
+  // and what it executes between them must see the host's own list.
+  m_keeps = mode == GL_COMPILE && software::keepsLists(context);
   if (m_keeps) {
     context.softwareListens = true;
     return resume(context);
