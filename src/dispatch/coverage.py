@@ -19,7 +19,7 @@ TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate
 # How the rasterizer sees a command that is otherwise passed on; rows of [software] in reasons.toml.
 SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels",
                    "draws": "Writes to the framebuffer", "stale": "Changes state",
-                   "unknown": "Unknown", "harmless": "Harmless", gl_commands.NO_ENTRY: "OpenGL ES alone"}
+                   "unknown": "Unknown", "listed": "Compiled into lists", "harmless": "Harmless"}
 
 
 class Unexplained(Exception):
@@ -113,7 +113,7 @@ def software_part(table, whys):
         groups.setdefault(", ".join(bit[1:] for bit in table.stale[lead]) or "nothing", []).append(lead)
     for bits, leads in sorted(groups.items()):
         out.append(f"\n{SOFTWARE_TITLES['stale']}, {bits}: " + ", ".join(f"`gl{n}`" for n in leads) + ".")
-    for way in ("record", "reads", "draws", "unknown"):
+    for way in ("record", "reads", "draws", "unknown", "listed"):
         out.append(f"\n{SOFTWARE_TITLES[way]}: " + ", ".join(f"`gl{n}`" for n in of_way[way]) + ".")
-    out.append(f"\n{SOFTWARE_TITLES['harmless']}: all others that are not of OpenGL ES alone.")
+    out.append(f"\n{SOFTWARE_TITLES['harmless']}: all others.")
     return out

@@ -2,7 +2,7 @@
 import re
 import sys
 
-from gl_commands import HEADING, NO_ENTRY
+from gl_commands import HEADING
 
 SLOTS = {"Vertex": "kPosition", "Color": "kColor", "SecondaryColor": "kSecondary",
          "Normal": "kNormal", "TexCoord": "kTexCoord0", "FogCoord": "kFogCoord"}
@@ -12,7 +12,7 @@ ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCo
 
 
 def leads(table):
-    return sorted(lead for lead, way in table.software.items() if way != NO_ENTRY)
+    return sorted(lead for lead, way in table.software.items() if way != "harmless")
 
 
 def recorded(command):

@@ -244,10 +244,8 @@ void callListIntoHost(Context &context, GLuint name) {
   if (!list)
     return context.host->CallList(name);
   for (const DisplayList::Item &item : list->items) {
-    if (item.geometry) {
-      item.geometry->send(*context.host);
-      context.insideBeginEnd = false;
-    }
+    if (item.geometry)
+      context.host->Begin(item.geometry->mode); // an error, as in callGeometry()
     if (item.hostList == 0)
       continue; // ours are errors between Begin and End
     context.host->CallList(item.hostList);

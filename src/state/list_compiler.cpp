@@ -127,7 +127,8 @@ void ListCompiler::openSegment(Context &context) {
   setMode(context, 0);
   if (m_mode == GL_COMPILE_AND_EXECUTE)
     validateForList(context);
-  m_segment = context.group->lists.takeSegmentName(*context.host);
+  // The first one has the list's own name: a list of nothing else is the host's own too.
+  m_segment = m_items.empty() ? m_name : context.group->lists.takeSegmentName(*context.host);
   setMode(context, m_mode);
   context.host->NewList(m_segment, m_mode);
 }
@@ -148,7 +149,7 @@ void ListCompiler::record(Context &context, Command command) {
 }
 
 bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
-  if (!m_keeps || m_recording || m_open || mode > GL_POLYGON || context.insideBeginEnd)
+  if (!m_keeps || m_recording || m_open || mode > GL_POLYGON)
     return false;
   if (m_segment != 0) {
     closeSegment(context);
@@ -157,40 +158,32 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
   m_recording = true;
   m_recorder.begin(mode, {});
   context.recorder = &m_recorder;
-  context.insideBeginEnd = m_mode == GL_COMPILE_AND_EXECUTE;
   ++*context.drawCounter;
   return true;
 }
 
 void ListCompiler::endPrimitive(Context &context) {
-  m_recording = false;
-  context.recorder = nullptr;
-  context.insideBeginEnd = false;
-  if (m_recorder.failed())
-    raise(context, GL_OUT_OF_MEMORY, "End: no memory for the list's vertices");
-  if (m_mode == GL_COMPILE_AND_EXECUTE) {
-    closeSegment(context);
-    m_geometry = geometryOf(m_recorder);
-    software::callGeometryOnHost(context, *m_geometry);
-    finishGeometry();
-    return resume(context);
-  }
+  stopPrimitive(context);
   if (m_geometry && append(*m_geometry, m_recorder))
     return;
   finishGeometry();
   m_geometry = geometryOf(m_recorder);
 }
 
-void ListCompiler::giveHost(Context &context) {
-  if (!std::exchange(m_recording, false))
-    return openSegment(context);
-  context.insideBeginEnd = false; // of the host this is still true
-  openSegment(context);
-  m_pixels = true;
-  context.stale |= software::stale::kCurrent;
-  software::sendOpen(*context.host, m_recorder);
-  notePrimitive(Primitive::Open);
-  context.insideBeginEnd = m_mode == GL_COMPILE_AND_EXECUTE;
+void ListCompiler::stopPrimitive(Context &context) {
+  m_recording = false;
+  context.recorder = nullptr;
+  if (m_recorder.failed())
+    raise(context, GL_OUT_OF_MEMORY, "NewList: no memory for the list's vertices");
+}
+
+void ListCompiler::interruptPrimitive(Context &context) {
+  stopPrimitive(context);
+  finishGeometry();
+  m_geometry = geometryOf(m_recorder);
+  m_geometry->open = true;
+  finishGeometry();
+  m_open = m_begun = true;
 }
 
 void ListCompiler::end(Context &context) {
@@ -228,9 +221,11 @@ void ListCompiler::end(Context &context) {
 }
 
 void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> list) {
-  if (m_keeps) {
-    // The host knows the name, and nothing else of the list.
-    context.host->NewList(m_name, GL_COMPILE);
+  const bool hostHasPart =
+      !m_keeps || std::any_of(list->items.begin(), list->items.end(),
+                              [&](const DisplayList::Item &i) { return i.hostList == m_name; });
+  if (!hostHasPart) {
+    context.host->NewList(m_name, GL_COMPILE); // it knows the name, and nothing else of the list
     context.host->EndList();
   }
   if (list || !context.group->lists.empty())

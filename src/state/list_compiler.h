@@ -38,19 +38,22 @@ public:
 
   // --- Primitives that are kept ---
 
-  /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was given
-  /// to the host before (recordsPrimitive()).
+  /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was
+  /// interrupted before (recordsPrimitive()).
   [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
   void endPrimitive(Context &context);
   [[nodiscard]] bool recordsPrimitive() const { return m_recording; }
   [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
-  /// The host is called: it gets what there is of a primitive, and what follows.
-  void giveHost(Context &context);
-  /// Gives the host a primitive that is recorded, before a command that is an error in it or is
-  /// ours: the state tracker judges by what the host knows.
+  /// The host is called: it compiles what comes. An open segment is the host's already.
+  void giveHost(Context &context) {
+    settle(context);
+    openSegment(context);
+  }
+  /// Before a command that is no part of a primitive that is recorded: it is an item up to here,
+  /// which leaves Begin/End open, and its rest is what comes.
   void settle(Context &context) {
     if (m_recording)
-      giveHost(context);
+      interruptPrimitive(context);
   }
   /// The command that goes to the host now draws, or reads or writes images.
   void notePixels() { m_pixels = true; }
@@ -82,6 +85,8 @@ private:
   void openSegment(Context &context);
   void finishSegment();
   void finishGeometry();
+  void stopPrimitive(Context &context);
+  void interruptPrimitive(Context &context);
   void setMode(Context &context, std::uint16_t mode);
   void define(Context &context, std::shared_ptr<const DisplayList> list);
 
@@ -90,7 +95,7 @@ private:
   bool m_keeps = false;
   bool m_recording = false;                    ///< a primitive, since its Begin
   Primitive m_primitive = Primitive::AsBefore; ///< of the segment
-  bool m_open = false;                         ///< a primitive of the host's is
+  bool m_open = false;                         ///< a primitive is, and not recorded
   bool m_begun = false;                        ///< the host's part of the list has a Begin
   bool m_endsFirst = false;                    ///< its first End has no Begin in it
   bool m_pixels = false;                       ///< Effects of the segment

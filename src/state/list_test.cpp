@@ -301,15 +301,38 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   EXPECT_EQ(list->items[1].hostList, kTop);
   EXPECT_EQ(list->items[1].effects.stale, software::stale::kPixelOps);
   EXPECT_FALSE(list->items[1].effects.pixels);
-  context->stale = 0;
-  handlers::NewList(*context, 1, GL_COMPILE); // a primitive that is left open is the host's
+}
+
+TEST(Lists, APrimitiveThatGoesOnElsewhereIsBegunAsTheApplicationWould) {
+  FakeHost host;
+  KeepingContext context(host);
+  handlers::NewList(*context, 1, GL_COMPILE);
   handlers::Begin(*context, GL_LINES);
+  ASSERT_NE(context->recorder, nullptr);
+  context->recorder->vertex(1, 2, 0, 1);
   handlers::EndList(*context);
+  EXPECT_EQ(context->host, host.table());
+  EXPECT_EQ(context->recorder, nullptr);
   const auto open = context->group->lists.find(1);
   ASSERT_EQ(open->items.size(), 1u);
-  EXPECT_EQ(open->items[0].primitive, Primitive::Open);
-  EXPECT_TRUE(open->items[0].effects.pixels);
-  EXPECT_EQ(context->host, host.table());
+  EXPECT_TRUE(open->items[0].geometry->open);
+  handlers::NewList(*context, 2, GL_COMPILE); // and one that calls another in it
+  handlers::Begin(*context, GL_LINES);
+  handlers::CallList(*context, 1);
+  handlers::End(*context);
+  handlers::EndList(*context);
+  const auto nests = context->group->lists.find(2);
+  ASSERT_EQ(nests->items.size(), 3u);
+  EXPECT_TRUE(nests->items[0].geometry->open);
+  EXPECT_TRUE(nests->items[1].command);
+  EXPECT_EQ(nests->items[2].primitive, Primitive::Closed);
+
+  context.leaveToHost(host);
+  handlers::CallList(*context, 1);
+  EXPECT_TRUE(context->insideBeginEnd);
+  EXPECT_EQ(host.count("Begin " + std::to_string(GL_LINES)), 1) << "the host's lists lose vertices of such primitives";
+  handlers::End(*context);
+  EXPECT_FALSE(context->insideBeginEnd);
 }
 
 } // namespace

@@ -337,6 +337,32 @@ void arraysInLists(Recorder &r) {
   r.picture("as compiled");
 }
 
+/// Along which diagonal quads are cut: those of lists along another than those of immediate mode.
+void quadsInLists(Recorder &r) {
+  usePrograms();
+  gradient(-1, -1, 0, 0);
+  const GLuint list = glGenLists(2);
+  glNewList(list, GL_COMPILE);
+  gradient(0, -1, 1, 0);
+  glBegin(GL_QUAD_STRIP);
+  glColor4f(1, 0, 0, 1), glVertex2f(0, 0);
+  glColor4f(0, 1, 0, 1), glVertex2f(0, 1);
+  glColor4f(0, 0, 1, 1), glVertex2f(0.5f, 0);
+  glColor4f(1, 1, 1, 1), glVertex2f(0.5f, 1);
+  glColor4f(1, 0, 0, 1), glVertex2f(1, 0);
+  glColor4f(0, 1, 1, 1), glVertex2f(1, 1);
+  glEnd();
+  glEndList();
+  glCallList(list);
+  glNewList(list + 1, GL_COMPILE_AND_EXECUTE);
+  gradient(-1, 0, 0, 1);
+  glEndList();
+  r.picture("immediate, called, executed");
+  glClear(GL_COLOR_BUFFER_BIT);
+  glCallList(list + 1);
+  r.picture("executed, then called");
+}
+
 } // namespace
 
 const std::vector<Case> kListCases = {
@@ -355,6 +381,7 @@ const std::vector<Case> kListCases = {
     {"list-pixels", pixelsInLists},
     {"list-evaluators", evaluators},
     {"list-arrays", arraysInLists},
+    {"list-quads", quadsInLists},
 };
 
 } // namespace paths

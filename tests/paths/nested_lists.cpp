@@ -209,6 +209,17 @@ void baseChangesInside(Recorder &r) {
   r.picture("which lists");
 }
 
+/// The same along any diagonal: the bare host cuts quads of a list along the one of its lists or
+/// the one of immediate mode, as lists before it left primitives open or not.
+void plane(float x0, float y0, float x1, float y1) {
+  glBegin(GL_QUADS);
+  glColor4f(0, 0, 1, 1), glVertex2f(x0, y0);
+  glColor4f(1, 0, 1, 1), glVertex2f(x1, y0);
+  glColor4f(1, 1, 1, 1), glVertex2f(x1, y1);
+  glColor4f(0, 1, 1, 1), glVertex2f(x0, y1);
+  glEnd();
+}
+
 /// Begin in one list, vertices in the next, End in a third; commands of ours in other lists.
 void openPrimitive(Recorder &r) {
   usePrograms();
@@ -231,7 +242,7 @@ void openPrimitive(Recorder &r) {
   glCallList(first);
   glCallList(first + 1);
   glCallList(first + 2);
-  gradient(0.5f, 0.5f, 1, 1);
+  plane(0.5f, 0.5f, 1, 1);
   glEndList();
   glCallList(first);
   glCallList(first + 1);
@@ -262,7 +273,7 @@ void nestedInPrimitive(Recorder &r) {
   glCallList(first);
   glEnd();
   tint(1, 1, 0);
-  gradient(-0.2f, -0.2f, 0.2f, 0.2f);
+  plane(-0.2f, -0.2f, 0.2f, 0.2f);
   glEndList();
   glCallList(first + 1);
   r.errors("a list of vertices");

@@ -96,25 +96,14 @@ VertexSource Geometry::source() const {
   return source;
 }
 
-void Geometry::send(const host::HostTable &host) const {
-  host.Begin(mode);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const float *const vertex = data.data() + std::size_t(i) * stride;
-    for (unsigned slot = 1; slot < slotCount; ++slot)
-      if (i >= since[slot])
-        tellAttribute(host, slots[slot], vertex + 4 * slot);
-    tellAttribute(host, kPosition, vertex);
-  }
-  tellAttributes(host, values, touched);
-  host.End();
-}
-
 GLuint Geometry::hostList(Context &context) const {
   const std::lock_guard lock(m_mutex);
   if (m_hostList == 0) {
     m_hostList = context.group->lists.takeSegmentName(*context.host);
     context.host->NewList(m_hostList, GL_COMPILE);
-    send(*context.host);
+    context.host->Begin(mode);
+    read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
+    context.host->End();
     context.host->EndList();
   }
   return m_hostList;
@@ -135,28 +124,28 @@ void drawOnHost(Context &context, const Geometry &geometry) {
   context.stale |= stale::kCurrent;
 }
 
-} // namespace
-
-void callGeometryOnHost(Context &context, const Geometry &geometry) {
-  if (context.software) {
-    context.software->fellBack(Fallback::List);
-    hostDraws(context, "glNewList");
+/// As the application does: whose primitive it is shows when it is whole.
+void beginPrimitive(Context &context, const Geometry &geometry) {
+  handlers::Begin(context, geometry.mode);
+  if (ImmediateRecorder *const to = context.recorder) {
+    return geometry.read([&](int slot, const float *v) {
+      if (slot == kPosition)
+        to->vertex(v[0], v[1], v[2], v[3]);
+      else
+        to->set(slot, v[0], v[1], v[2], v[3]);
+    });
   }
-  if (context.attention && !handlers::beginDraw(context))
-    return tellCurrentValues(context, geometry.values, geometry.touched);
-  // As the host does with a list that it executes while it is compiled: its quads are cut otherwise
-  // than those of a list that is called.
-  geometry.send(*context.host);
+  geometry.read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
   context.stale |= stale::kCurrent;
 }
 
+} // namespace
+
 void callGeometry(Context &context, const Geometry &geometry) {
-  if (context.insideBeginEnd) { // the host's error to raise
-    geometry.send(*context.host);
-    context.insideBeginEnd = false;
-    context.stale |= stale::kCurrent;
-    return;
-  }
+  if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
+    return handlers::Begin(context, geometry.mode);
+  if (geometry.open)
+    return beginPrimitive(context, geometry);
   const bool tried = mayDraw(context) && validatePrograms(context) && context.softwarePossible;
   if (tried && geometry.count != 0) {
     const VertexSource source = geometry.source();

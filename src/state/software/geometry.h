@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <mutex>
 #include <vector>
@@ -20,8 +21,9 @@ struct HostTable;
 
 namespace arbiter::state::software {
 
-/// One or more primitives of one mode. An attribute that was not set in the list when its vertex
-/// was made has the value that is current when the list is called.
+/// One or more primitives of one mode, or the beginning of one: a list may leave it open, or go on
+/// in it with a command that is no vertex (CallList). An attribute that was not set in the list
+/// when its vertex was made has the value that is current when the list is called.
 class Geometry {
 public:
   GLenum mode = GL_POINTS;
@@ -32,6 +34,7 @@ public:
   std::array<std::uint8_t, kSlots> slots{};
   /// From which vertex on each of them is set.
   std::array<std::uint32_t, kSlots> since{};
+  bool open = false;         ///< Begin without End
   bool uniform = true;       ///< all of them from the first vertex on
   std::uint32_t touched = 0; ///< slots that were set, one bit each
   CurrentValues values{};    ///< of these, as the primitives leave them behind
@@ -41,8 +44,19 @@ public:
   [[nodiscard]] GLuint hostList(Context &context) const;
   /// That list, or 0.
   [[nodiscard]] GLuint madeHostList() const;
-  /// Begin, the attributes and vertices one by one, End.
-  void send(const host::HostTable &host) const;
+  /// What is between Begin and End: calls `set(slot, const float value[4])` of each attribute as it
+  /// is set, and of kPosition for a vertex.
+  template <typename Set> void read(Set &&set) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float *const vertex = data.data() + std::size_t(i) * stride;
+      for (unsigned slot = 1; slot < slotCount; ++slot)
+        if (i >= since[slot])
+          set(int(slots[slot]), vertex + 4 * slot);
+      set(int(kPosition), vertex);
+    }
+    for (std::uint32_t left = touched; left != 0; left &= left - 1)
+      set(std::countr_zero(left), values[std::size_t(std::countr_zero(left))].data());
+  }
   /// The vertices, for as long as this lives.
   [[nodiscard]] VertexSource source() const;
 
@@ -51,14 +65,12 @@ private:
   mutable GLuint m_hostList = 0;
 };
 
-/// What the recorder has of a primitive that is whole.
+/// What the recorder has of a primitive.
 [[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder);
 /// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
 [[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder);
 
-/// While a list is compiled and executed, between its segments: the host draws the primitive.
-void callGeometryOnHost(Context &context, const Geometry &geometry);
-/// The list is called: its primitives are drawn, by us or by the host.
+/// The list is called: its primitives are drawn, by us or by the host, or one begins.
 void callGeometry(Context &context, const Geometry &geometry);
 
 } // namespace arbiter::state::software
