@@ -108,18 +108,21 @@ void ListCompiler::closeSegment(Context &context) {
   setMode(context, 0);
 }
 
-/// After closeSegment(): the next segment is opened when the host is called.
+/// After closeSegment(): the next segment is opened; of a list that is kept when the host is
+/// called.
 void ListCompiler::resume(Context &context) {
-  // A copy of ours may have been held back.
-  if (m_mode == GL_COMPILE_AND_EXECUTE && context.softwarePossible)
-    software::hostDoesAnything(context, "glNewList");
+  context.trueHost = context.host;
+  if (!m_keeps) {
+    if (context.softwarePossible) // our own commands ran: a copy may have been held back
+      software::hostDoesAnything(context, "glNewList");
+    return openSegment(context);
+  }
   m_stale = std::exchange(context.stale, 0);
   setMode(context, m_mode);
-  context.trueHost = context.host;
   context.host = &software::kRecordingHost;
 }
 
-/// In place of resume()'s table comes the host, compiling.
+/// The host compiles; of a list that is kept in place of resume()'s table.
 void ListCompiler::openSegment(Context &context) {
   context.host = context.trueHost;
   context.recorder = nullptr;
@@ -196,15 +199,11 @@ void ListCompiler::end(Context &context) {
     const bool watched =
         m_primitive == Primitive::Open || m_endsFirst || !m_items.empty() ||
         std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
-    if (m_segment == 0) {
-      context.host = context.trueHost;
-    } else {
-      context.host->EndList();
-      if (watched)
-        finishSegment();
-    }
-    if (watched)
+    context.host->EndList();
+    if (watched) {
+      finishSegment();
       list = std::make_shared<DisplayList>();
+    }
     context.stale |= std::exchange(m_stale, 0);
     setMode(context, 0);
   }
