@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "state/software/commands.h"
 #include "state/software/stale.h"
 #include "state/testing/current_context.h"
 
@@ -303,6 +304,21 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   EXPECT_FALSE(list->items[1].effects.pixels);
 }
 
+TEST(Lists, RectanglesArePrimitives) {
+  FakeHost host;
+  const KeepingContext context(host);
+  handlers::NewList(*context, 1, GL_COMPILE);
+  EXPECT_TRUE(software::rectangle(*context, 1, 2, 3, 4));
+  EXPECT_TRUE(software::rectangle(*context, 1, 2, 3, 4));
+  handlers::Begin(*context, GL_LINES);
+  EXPECT_FALSE(software::rectangle(*context, 1, 2, 3, 4)) << "an error, and the host's";
+  handlers::EndList(*context);
+  const auto list = context->group->lists.find(1);
+  ASSERT_EQ(list->items.size(), 2u);
+  EXPECT_EQ(list->items[0].geometry->count, 8u);
+  EXPECT_TRUE(list->items[1].geometry->open);
+}
+
 TEST(Lists, APrimitiveThatGoesOnElsewhereIsBegunAsTheApplicationWould) {
   FakeHost host;
   KeepingContext context(host);
@@ -330,7 +346,8 @@ TEST(Lists, APrimitiveThatGoesOnElsewhereIsBegunAsTheApplicationWould) {
   context.leaveToHost(host);
   handlers::CallList(*context, 1);
   EXPECT_TRUE(context->insideBeginEnd);
-  EXPECT_EQ(host.count("Begin " + std::to_string(GL_LINES)), 1) << "the host's lists lose vertices of such primitives";
+  EXPECT_EQ(host.count("Begin " + std::to_string(GL_LINES)), 1)
+      << "the host's lists lose vertices of such primitives";
   handlers::End(*context);
   EXPECT_FALSE(context->insideBeginEnd);
 }

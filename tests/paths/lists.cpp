@@ -352,6 +352,7 @@ void quadsInLists(Recorder &r) {
   glColor4f(1, 0, 0, 1), glVertex2f(1, 0);
   glColor4f(0, 1, 1, 1), glVertex2f(1, 1);
   glEnd();
+  glRectf(-0.5f, -0.5f, 0.25f, 0.25f);
   glEndList();
   glCallList(list);
   glNewList(list + 1, GL_COMPILE_AND_EXECUTE);

@@ -81,14 +81,27 @@ bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLen
   return true;
 }
 
-bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  if (!isTried(context) || !begin(context, GL_POLYGON))
-    return false;
-  ImmediateRecorder &to = context.software->recorder;
-  to.vertex(x1, y1, 0, 1); // in the order of section 2.10
+namespace {
+
+/// In the order of section 2.10.
+void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  to.vertex(x1, y1, 0, 1);
   to.vertex(x2, y1, 0, 1);
   to.vertex(x2, y2, 0, 1);
   to.vertex(x1, y2, 0, 1);
+}
+
+} // namespace
+
+bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  if (context.listMode != 0 && context.list.beginPrimitive(context, GL_QUADS)) {
+    addRectangle(context.list.recorder(), x1, y1, x2, y2);
+    context.list.endPrimitive(context);
+    return true;
+  }
+  if (!isTried(context) || !begin(context, GL_POLYGON))
+    return false;
+  addRectangle(context.software->recorder, x1, y1, x2, y2);
   end(context);
   return true;
 }
