@@ -393,6 +393,9 @@ def run_exports(setting):
     first = setting.layer.parent / "libarbiter_first.so"
     need(exports(first) == {"arbiterReplacedVendor"}, f"{first.name} exports {exports(first)}")
     need("INITFIRST" in dynamic(first), f"{first.name} does not run first")
+    calls = re.findall(r"^ +U (\S+)", subprocess.run(["nm", "-D", str(first)], text=True, check=True,
+                                                     capture_output=True).stdout, re.M)
+    need(not calls, f"{first.name} calls {calls} before any other library is ready")
     libraries = set(re.findall(r"NEEDED.*\[(.*)\]", dynamic(setting.layer) + dynamic(first)))
     allowed = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2",
                first.name}
