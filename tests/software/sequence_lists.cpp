@@ -54,6 +54,10 @@ void primitive(Random &random) {
     }
   }
   glEnd();
+  // Mesa 22.3.6 gives the first vertex of the next primitive of a list the colour before that one,
+  // if it has none of its own.
+  if (when == 1)
+    color(random);
 }
 
 void state(World &world, Random &random) {
