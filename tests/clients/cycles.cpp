@@ -99,7 +99,8 @@ int main(int argc, char **argv) {
     if (i % 4 != 3)
       eglDestroyContext(base.display, context);
   }
-  // What grows with the cycles does so in both halves; a compiler that is first needed late, in one.
+  // What grows with the cycles does so in both halves; a compiler that is first needed late, in
+  // one.
   const long grown = 2 * std::min(between - before, residentKilobytes() - between);
   std::printf("{\"cycles\": %d, \"kilobytes\": %ld, \"wrong\": %d}\n", cycles, grown, wrong);
   closeSurface(egl, base);
