@@ -98,6 +98,17 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   return pipeline.shade(context, compacted, range, first, count);
 }
 
+/// Counts whose draw it was; the host is brought up to date for its own.
+bool conclude(Context &context, const Outcome &outcome) {
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    return false;
+  }
+  ++context.software->drawn;
+  ++context.draws[std::size_t(Path::Rasterizer)];
+  return true;
+}
+
 } // namespace
 
 bool drawArrays(Context &context, const DrawCommand &command) {
@@ -108,13 +119,7 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   Outcome outcome = prepare(context, command.mode, std::uint32_t(command.count));
   if (outcome.ok())
     outcome = drawFromArrays(context, command);
-  if (!outcome.ok()) {
-    giveToHost(context, outcome.reason());
-    return false;
-  }
-  ++context.software->drawn;
-  ++context.draws[std::size_t(Path::Rasterizer)];
-  return true;
+  return conclude(context, outcome);
 }
 
 bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std::uint32_t count) {
@@ -125,13 +130,7 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
     refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
     outcome = pipeline.shade(context, *source, {}, 0, count);
   }
-  if (!outcome.ok()) {
-    giveToHost(context, outcome.reason());
-    return false;
-  }
-  ++context.software->drawn;
-  ++context.draws[std::size_t(Path::Rasterizer)];
-  return true;
+  return conclude(context, outcome);
 }
 
 bool begin(Context &context, GLenum mode) {
