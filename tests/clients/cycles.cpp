@@ -2,7 +2,7 @@
 /// vertex and a fragment program and a list of both; every other context is in the share group of
 /// one that stays, and every fourth is destroyed while it is current.
 /// argv[1]: cycles. Prints {"cycles": n, "kilobytes": growth of the resident set after the
-/// warm-up, at the rate of the half in which it grew less}.
+/// warm-up}.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -78,14 +78,11 @@ int main(int argc, char **argv) {
   CLIENT_EGL_FUNCTIONS(X)
 #undef X
   EglSurface base = openSurface(egl);
-  const int middle = warmUp + (cycles - warmUp) / 2;
-  long before = 0, between = 0;
+  long before = 0;
   int wrong = 0;
   for (int i = 0; i < cycles; ++i) {
     if (i == warmUp)
       before = residentKilobytes();
-    if (i == middle)
-      between = residentKilobytes();
     const bool shared = i % 2 != 0;
     const EGLContext context = eglCreateContext(base.display, base.config,
                                                 shared ? base.context : EGL_NO_CONTEXT, nullptr);
@@ -99,10 +96,8 @@ int main(int argc, char **argv) {
     if (i % 4 != 3)
       eglDestroyContext(base.display, context);
   }
-  // What grows with the cycles does so in both halves; a compiler that is first needed late, in
-  // one.
-  const long grown = 2 * std::min(between - before, residentKilobytes() - between);
-  std::printf("{\"cycles\": %d, \"kilobytes\": %ld, \"wrong\": %d}\n", cycles, grown, wrong);
+  std::printf("{\"cycles\": %d, \"kilobytes\": %ld, \"wrong\": %d}\n", cycles,
+              residentKilobytes() - before, wrong);
   closeSurface(egl, base);
   return wrong != 0;
 }
