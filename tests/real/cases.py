@@ -26,9 +26,9 @@ class Case:
     environment: dict[str, str] = field(default_factory=dict)
     timeout: float = 120.0
     stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
-    # Not the same from run to run: recorded once on the bare host with apitrace, and the record is
-    # replayed both ways, with a snapshot of every so many frames. 0: run it itself each time.
-    replay_every: int = 0
+    # Not the same from run to run, so that only its recording can be compared (recordings/).
+    recorded: bool = False
+    frames: int = 0  # that its recording keeps, from the first; 0: as many as the runner's option says
     maximum: int = 0  # tolerance: largest difference of a channel, of 255
     mean: float = 0.0  # tolerance: mean difference of all channels, of 255
     # More than a Radeon 9700 holds: under a profile with enforced limits the program would be refused

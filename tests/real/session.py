@@ -56,17 +56,19 @@ class XServer:
 
 @dataclass(frozen=True)
 class Mode:
-    """One way to run: name, and the layer's library and profile, if it is in force at all."""
+    """One way to run: name, and the layer's library, profile and back end, if there is a layer."""
 
     name: str
     library: Path | None = None
     profile: str = ""
+    backend: str = "auto"
 
     def environment(self, folder: Path) -> dict[str, str]:
         if self.library is None:
             return {}
         preload = " ".join(filter(None, [str(self.library), os.environ.get("LD_PRELOAD", "")]))
         return {"LD_PRELOAD": preload, "ARBITER_PROFILE": self.profile,
+                "ARBITER_BACKEND": self.backend,
                 "ARBITER_STATS": str(folder / "stats.%p.json")}
 
 
@@ -79,7 +81,6 @@ class Outcome:
     picture: picture.Picture | None
     log: str
     stats: list[dict] = field(default_factory=list)
-    snapshots: list[Path] = field(default_factory=list)  # of a replay, in order
 
 
 def record(case: Case, folder: Path, trace: Path) -> None:
@@ -90,20 +91,6 @@ def record(case: Case, folder: Path, trace: Path) -> None:
     run(replace(case, command=command, output=""), Mode("bare"), folder)
     if not trace.exists():
         raise PrepareError(f"apitrace left no trace; see {folder / 'log.txt'}")
-
-
-def replay(case: Case, mode: Mode, folder: Path, trace: Path) -> Outcome:
-    """Replays a record; the picture is the last snapshot that shows anything."""
-    command = ["glretrace", "-b", "-s", f"{folder}/frame", f"--snapshot-interval={case.replay_every}",
-               str(trace)]
-    outcome = run(Case(case.name, command, output="none", over_limits=case.over_limits), mode,
-                  folder)
-    outcome.snapshots = sorted(folder.glob("frame*.png"))
-    for path in reversed(outcome.snapshots):
-        outcome.picture = picture.read(path)
-        if not outcome.picture.is_blank():
-            break
-    return outcome
 
 
 def run(case: Case, mode: Mode, folder: Path) -> Outcome:
@@ -125,7 +112,7 @@ def run(case: Case, mode: Mode, folder: Path) -> Outcome:
             _feed(process, case.stdin)
             status = _watch(process, case, server, seen)
     return Outcome(status, time.monotonic() - started, _picture(case, folder, seen),
-                   (folder / "log.txt").read_text(errors="replace"), _read_stats(folder))
+                   (folder / "log.txt").read_text(errors="replace"), read_stats(folder))
 
 
 class _Seen:
@@ -186,7 +173,8 @@ def _picture(case: Case, folder: Path, seen: _Seen) -> picture.Picture | None:
         return None
 
 
-def _read_stats(folder: Path) -> list[dict]:
+def read_stats(folder: Path) -> list[dict]:
+    """The statistics of each process that ran with the layer in `folder`."""
     found = []
     for path in sorted(folder.glob("stats.*.json")):
         try:

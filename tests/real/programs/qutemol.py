@@ -9,7 +9,7 @@ from cases import DATA, Case, Program
 class QuteMol(Program):
     def cases(self, work: Path) -> list[Case]:
         return [Case("qutemol", ["qutemol", str(DATA / "molecule.pdb")], stop_after=10.0,
-                     replay_every=1, least_programs=0, refused=2)]
+                     recorded=True, least_programs=0, refused=2)]
 
 
 PROGRAM = QuteMol("qutemol", ("qutemol", "apitrace", "xvfb", "libgl1-mesa-dri"),

@@ -16,7 +16,7 @@ SAVERS = (
 class Savers(Program):
     def cases(self, work: Path) -> list[Case]:
         return [Case(f"savers-{name}", [str(FOLDER / name), "-r", "-y", "0", *options],
-                     stop_after=seconds, replay_every=every)
+                     stop_after=seconds, recorded=True)
                 for name, options, seconds, every in SAVERS]
 
 

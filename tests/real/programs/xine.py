@@ -14,7 +14,7 @@ class Xine(Program):
                    str(clip)])
         command = ["xine", "-V", "opengl", "-A", "none", "-g", "-p", "--no-gui", "--auto-play=q",
                    "-D", str(clip)]
-        return [Case("xine", command, stop_after=20.0, replay_every=5)]
+        return [Case("xine", command, stop_after=20.0, recorded=True)]
 
 
 PROGRAM = Xine("xine", ("xine-ui", "libxine2-bin", "libxine2-x", "ffmpeg", "apitrace", "xvfb",

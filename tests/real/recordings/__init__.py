@@ -1,0 +1,1 @@
+"""Recordings of programs, replayed on the bare host and with the layer, every frame compared."""

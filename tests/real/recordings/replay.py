@@ -1,0 +1,107 @@
+"""Replays a trace one way, on an X server of its own, and hands each frame on as it comes."""
+
+import os
+import shutil
+import signal
+import subprocess
+import threading
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+import session
+from picture import PictureError
+from recordings.frames import Frame, read_frames
+from recordings.traces import Recording
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way of running: where the layer is, if at all, and what its caches hold."""
+
+    mode: session.Mode
+    cold: bool = False  # begins with empty caches; otherwise with what earlier ways left
+
+    @property
+    def name(self) -> str:
+        return self.mode.name
+
+
+@dataclass
+class Run:
+    """What a replay left."""
+
+    status: int  # negative: ended by that signal
+    seconds: float
+    log: str
+    stats: list[dict]
+    problem: str = ""  # why its frames could not be read to their end
+
+
+def ways(library: Path) -> list[Way]:
+    """The four ways, and the default profile, whose limits are reported only: a recording holds no
+    answer to a refusal that it did not meet."""
+    def mode(name: str, backend: str, profile: str = "host") -> session.Mode:
+        return session.Mode(name, library, profile, backend)
+
+    return [Way(mode("auto-cold", "auto"), cold=True), Way(mode("auto-warm", "auto")),
+            Way(mode("swrast", "swrast")), Way(mode("host", "host")),
+            Way(mode("r300", "auto", "r300"))]
+
+
+def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: float,
+           take: Callable[[Frame], None]) -> Run:
+    """Runs glretrace in `folder`; `take` is called with each snapshot. Caches are beside the folder,
+    one for the bare host and one for all ways with the layer."""
+    cache = folder.parent / ("cache" if way.mode.library else "bare-cache")
+    if way.cold:
+        shutil.rmtree(cache, ignore_errors=True)
+    for path in (folder, cache):
+        path.mkdir(parents=True, exist_ok=True)
+    command = ["glretrace", "-b", "-s", "-", "-S", calls, str(recording.trace)]
+    started = time.monotonic()
+    with session.XServer(folder / "screen") as server, open(folder / "log.txt", "wb") as log:
+        environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **recording.environment,
+                       **way.mode.environment(folder), "DISPLAY": server.display,
+                       "XDG_CACHE_HOME": str(cache)}
+        if recording.over_limits or way.mode.profile == "r300":
+            environment["ARBITER_LIMITS"] = "report"
+        process = subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.PIPE,
+                                   stderr=log, stdin=subprocess.DEVNULL, start_new_session=True)
+        problem = _take_all(process, timeout, take)
+    shutil.rmtree(folder / "screen", ignore_errors=True)
+    return Run(process.returncode, time.monotonic() - started,
+               (folder / "log.txt").read_text(errors="replace"), session.read_stats(folder),
+               problem)
+
+
+def _take_all(process: subprocess.Popen, timeout: float, take: Callable[[Frame], None]) -> str:
+    """Hands on the frames until the process ends; what kept it from ending well, or nothing."""
+    late = threading.Event()
+
+    def end() -> None:
+        late.set()
+        _kill(process)
+
+    timer = threading.Timer(timeout, end)
+    timer.start()
+    try:
+        for frame in read_frames(process.stdout):
+            take(frame)
+        problem = ""
+    except (PictureError, ValueError) as error:
+        problem = str(error)
+        _kill(process)
+    finally:
+        process.stdout.close()
+        process.wait()
+        timer.cancel()
+    return f"no end after {timeout:.0f} s" if late.is_set() else problem
+
+
+def _kill(process: subprocess.Popen) -> None:
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass

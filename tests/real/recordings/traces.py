@@ -1,0 +1,86 @@
+"""Traces: made once from a program with apitrace and kept, or files that are given."""
+
+import json
+import re
+import shutil
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import session
+from cases import Case, PrepareError, shell
+
+# What may change a picture without showing it; after the last swap the last of these is looked at.
+_DRAWS = (r"^(gl(Draw|MultiDraw|End(ARB)?$|CallLists?$|Clear$|Rect[dfis]|Bitmap|CopyPixels|"
+          r"ReadPixels)|(glX|egl)SwapBuffers)")
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A trace, and what its replay with the layer must show."""
+
+    name: str
+    trace: Path
+    program: str = ""  # of tests/real/programs; empty for a file that was given
+    environment: dict[str, str] = field(default_factory=dict)
+    over_limits: bool = False
+    least_programs: int = 0  # fragment programs that must have been compiled by the layer
+    refused: int | None = None  # programs that the bare host refuses too; None: not known
+
+
+# Traces that others brought, by file name: the fragment programs that each draws with.
+KNOWN_FILES = {"0ad-terrain.trace": 5, "irrlicht-ex10.trace": 8}
+
+
+def of_file(path: Path, work: Path, frames: int) -> Recording:
+    """A trace that is there already; its first `frames` frames."""
+    if not path.is_file():
+        raise PrepareError(f"{path}: no such trace")
+    return Recording(path.stem, _shortened(path, work, frames),
+                     least_programs=KNOWN_FILES.get(path.name, 0),
+                     refused=0 if path.name in KNOWN_FILES else None)
+
+
+def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
+    """The case's trace under `work`; recorded on the bare host unless it is there."""
+    trace = work / f"{case.name}.trace"
+    if not trace.exists():
+        fresh = work / f"{case.name}.new.trace"
+        session.record(case, work / f"{case.name}.record", fresh)
+        short = _shortened(fresh, work, frames)
+        if short != fresh:
+            fresh.unlink()
+        short.rename(trace)
+        shutil.rmtree(work / f"{case.name}.record" / "screen", ignore_errors=True)
+    return Recording(case.name, trace, program, case.environment, case.over_limits,
+                     case.least_programs, case.refused)
+
+
+def _shortened(trace: Path, work: Path, frames: int) -> Path:
+    """The trace itself, or a copy of its first frames if it has more than that."""
+    if frame_count(trace) <= frames:
+        return trace
+    work.mkdir(parents=True, exist_ok=True)
+    short = work / f"{trace.stem}.first{frames}.trace"
+    if not short.exists() or short.stat().st_mtime < trace.stat().st_mtime:
+        shell(["apitrace", "trim", f"--frames=0-{frames - 1}", "-o", str(short), str(trace)])
+    return short
+
+
+def frame_count(trace: Path) -> int:
+    """How many frames end with a swap; a trace that was cut off is no error."""
+    try:
+        return int(json.loads(shell(["apitrace", "info", str(trace)]))["FramesCount"])
+    except (ValueError, KeyError) as error:
+        raise PrepareError(f"{trace}: apitrace does not read it: {error}") from error
+
+
+def snapshot_calls(trace: Path) -> str:
+    """What glretrace is asked to look at: each frame, and the last draw if no swap follows it, as
+    in programs that draw to a framebuffer object and read it, or that were ended while drawing."""
+    calls = shell(["apitrace", "dump", "--color=never", f"--grep={_DRAWS}", str(trace)])
+    last = None
+    for last in re.finditer(r"^(\d+) (\w+)\(", calls, re.MULTILINE):
+        pass
+    if last is None:
+        raise PrepareError(f"{trace}: draws nothing")
+    return "frame" if "SwapBuffers" in last.group(2) else f"frame,{last.group(1)}"
