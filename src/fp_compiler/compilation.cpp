@@ -3,22 +3,12 @@
 #include <cstring>
 
 #include "fp_compiler/front/diagnostic_ids.h"
+#include "fp_compiler/ir/fields.h"
 #include "fp_compiler/ir/validate.h"
-#include "util/archive.h"
 
 namespace arbiter::fp {
 
-// Members are taken apart by position, so that a new one does not compile here until it has a name
-// in its structure's list and is written too; what the name is does not matter. The functions stand
-// in their types' namespaces, where the archive finds them.
-
-#define FP_FIELDS(Type, ...)                                                                       \
-  template <typename Archive> void fields(Archive &archive, Type &value) {                         \
-    auto &[__VA_ARGS__] = value;                                                                   \
-    archive(__VA_ARGS__);                                                                          \
-  }
-
-FP_FIELDS(Span, begin, end)
+// As in ir/fields.h: a new member does not compile here until it is in its structure's list.
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
           buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs, model,
@@ -31,21 +21,6 @@ FP_FIELDS(GlslAttribute, name, index)
 FP_FIELDS(GlslShader, text, uniforms, samplers, attributes, writesDepth, kills)
 FP_FIELDS(CheckResult, diagnostics, program, counts, nativeCounts, underNative)
 FP_FIELDS(Compilation, check, glsl)
-
-namespace ir {
-FP_FIELDS(Operand, file, index, swizzle, negate, relative, address, offset, span)
-FP_FIELDS(Destination, file, index, mask, saturate, span)
-FP_FIELDS(Instruction, op, dst, src, unit, target, span)
-FP_FIELDS(Attribute, kind, index)
-FP_FIELDS(Output, kind, index)
-FP_FIELDS(StateRef, item, back, index, modifier, row)
-FP_FIELDS(Parameter, kind, constant, index, state)
-FP_FIELDS(Temporary, name)
-FP_FIELDS(Options, fog, precision, shadow, drawBuffers, upperLeft, centerInteger, invariant, sum)
-FP_FIELDS(ParameterArray, name, rows)
-FP_FIELDS(Program, language, options, temporaries, attributes, parameters, outputs, addresses,
-          arrays, code)
-} // namespace ir
 
 /// An ID is a pointer into the table of diagnostics: it is written as text and found again.
 void fields(ArchiveWriter &archive, Diagnostic &value) {
@@ -64,8 +39,6 @@ void fields(ArchiveReader &archive, Diagnostic &value) {
   }
   archive.fail();
 }
-
-#undef FP_FIELDS
 
 Compilation compile(const CompilationInput &input, std::string_view text) {
   Compilation result;

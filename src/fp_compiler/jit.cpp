@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <dlfcn.h>
 
+#include "fp_compiler/jit_client.h"
 #include "util/flags.h"
 
 namespace arbiter::fp::jit {
@@ -23,7 +24,7 @@ std::string folderOfThis() {
 }
 
 struct Opened {
-  MakeEngine make = nullptr;
+  const boundary::Interface *library = nullptr;
   std::string reason;
 };
 
@@ -34,10 +35,11 @@ Opened openFrom(const std::string &path) {
     const char *const error = dlerror();
     return {nullptr, error ? error : path + " does not load"};
   }
-  const auto make = reinterpret_cast<MakeEngine>(dlsym(library, kMakeEngineSymbol));
-  if (!make)
-    return {nullptr, path + " has no " + kMakeEngineSymbol};
-  return {make, {}};
+  const auto get = reinterpret_cast<boundary::GetInterface>(dlsym(library, boundary::kSymbol));
+  const boundary::Interface *const found = get ? get() : nullptr;
+  if (!found || found->version != boundary::kVersion)
+    return {nullptr, path + " is of another build than this"};
+  return {found, {}};
 }
 
 Opened open(const std::string &asked) {
@@ -50,7 +52,7 @@ Opened open(const std::string &asked) {
   Opened first;
   for (const char *const sub : {"", "../fp_compiler/back/llvm/"}) {
     Opened opened = openFrom(folder + sub + kLibrary);
-    if (opened.make)
+    if (opened.library)
       return opened;
     if (first.reason.empty())
       first = std::move(opened);
@@ -62,15 +64,11 @@ Opened open(const std::string &asked) {
 std::unique_ptr<Engine> makeEngine(const EngineOptions &options, std::string &reason) {
   // Never closed: code of it may run until the process ends.
   static const Opened *const s_opened = new Opened(open(options.folder));
-  if (!s_opened->make) {
+  if (!s_opened->library) {
     reason = s_opened->reason;
     return nullptr;
   }
-  std::unique_ptr<Engine> engine(s_opened->make(&options));
-  if (!engine)
-    reason = options.cpu.empty() ? "the processor is of no family that there is code for"
-                                 : "the processor does not run code for " + options.cpu;
-  return engine;
+  return connect(*s_opened->library, options, reason);
 }
 
 } // namespace arbiter::fp::jit

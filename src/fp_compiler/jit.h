@@ -5,11 +5,11 @@
 
 #include "fp_compiler/abi.h"
 #include "fp_compiler/ir/ir.h"
-#include "util/cache_store.h"
 
 /// The JIT back end from outside: programs as machine code of this processor. It lives in a library
 /// of its own (libarbiter_jit.so), because LLVM is mapped only where it is used; this header is all
-/// that the layer and the tools see of it.
+/// that the layer and the tools see of it. None of its types crosses to the library: makeEngine()'s
+/// engine speaks with the library's through jit_boundary.h.
 namespace arbiter::fp::jit {
 
 /// A fragment attribute that a function wants interpolated, in the order of FragmentKey::inputs and
@@ -67,8 +67,9 @@ using FragmentCode = Code<abi::ShadeFunction>;
 using VertexCode = Code<abi::VertexFunction>;
 
 struct EngineOptions {
-  std::string cpu;                   ///< "" this one; else "avx512", "avx2", "sse4", for tests
-  const CacheStore *cache = nullptr; ///< of object code; outlives the engine
+  std::string cpu;         ///< "" this one; else "avx512", "avx2", "sse4", for tests
+  std::string cacheFolder; ///< of object code (util/cache_store.h); "" none
+  std::uint64_t cacheMaxBytes = 0;
   /// Where the library lies, for programs that are not beside it; "" beside the caller's code.
   std::string folder;
 };
@@ -102,10 +103,6 @@ public:
   [[nodiscard]] virtual std::string listing(const VertexProgram &program, Listing what,
                                             std::string &reason) = 0;
 };
-
-/// What the library exports, as `arbiter_jit_engine`.
-using MakeEngine = Engine *(*)(const EngineOptions *options);
-inline constexpr const char *kMakeEngineSymbol = "arbiter_jit_engine";
 
 /// Opens the library beside this one (or the one that ARBITER_JIT_LIBRARY names) at the first call
 /// and makes an engine. Null, with a reason, if it is not there or does not load.

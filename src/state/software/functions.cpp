@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "state/software/compile_thread.h"
+#include "util/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -107,9 +108,10 @@ template <typename Functions> Table<Functions> &table() {
 fp::jit::Engine *engine() {
   static fp::jit::Engine *const s_engine = []() -> fp::jit::Engine * {
     fp::jit::EngineOptions options;
-    if (settings().cache && !cacheFolder().empty())
-      options.cache = new CacheStore(cacheFolder() + "/code", // kept for the life of the engine
-                                     std::uint64_t(settings().cacheMaxMegabytes) << 20);
+    if (settings().cache && !cacheFolder().empty()) {
+      options.cacheFolder = cacheFolder() + "/code";
+      options.cacheMaxBytes = std::uint64_t(settings().cacheMaxMegabytes) << 20;
+    }
     std::string reason;
     std::unique_ptr<fp::jit::Engine> made = fp::jit::makeEngine(options, reason);
     if (made)

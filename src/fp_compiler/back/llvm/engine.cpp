@@ -12,6 +12,7 @@
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/ir/validate.h"
 #include "util/build_id.h"
+#include "util/cache_store.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -39,8 +40,11 @@ template <typename Result, typename F> Result guarded(std::string &reason, F fun
 
 class LlvmEngine final : public jit::Engine {
 public:
-  LlvmEngine(Cpu cpu, const CacheStore *cache)
-      : m_cpu(std::move(cpu)), m_cache(cache), m_build(buildId()) {}
+  LlvmEngine(Cpu cpu, const jit::EngineOptions &options)
+      : m_cpu(std::move(cpu)), m_build(buildId()) {
+    if (!options.cacheFolder.empty())
+      m_cache.emplace(options.cacheFolder, options.cacheMaxBytes);
+  }
 
   [[nodiscard]] int lanes() const override { return m_cpu.lanes(); }
   [[nodiscard]] int blockWidth() const override { return m_cpu.blockWidth(); }
@@ -184,14 +188,14 @@ private:
   }
 
   const Cpu m_cpu;
-  const CacheStore *const m_cache;
+  std::optional<CacheStore> m_cache; ///< of object code
   const std::string m_build;
 };
 } // namespace
 
 std::unique_ptr<jit::Engine> makeEngine(const jit::EngineOptions &options) {
   std::optional<Cpu> cpu = chooseCpu(options.cpu);
-  return cpu ? std::make_unique<LlvmEngine>(std::move(*cpu), options.cache) : nullptr;
+  return cpu ? std::make_unique<LlvmEngine>(std::move(*cpu), options) : nullptr;
 }
 
 } // namespace arbiter::fp::llvm_back

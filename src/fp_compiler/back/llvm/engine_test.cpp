@@ -9,6 +9,7 @@
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/jit.h"
+#include "util/cache_store.h"
 
 namespace arbiter::fp::jit {
 namespace {
@@ -68,7 +69,7 @@ TEST(Engine, SaysWhatItIs) {
   EXPECT_EQ(engine->blockWidth() * engine->blockHeight(), engine->lanes());
   EXPECT_NE(engine->target().find("lanes"), std::string::npos);
   std::string reason;
-  EXPECT_EQ(makeEngine({"a processor of no name", nullptr}, reason), nullptr);
+  EXPECT_EQ(makeEngine({"a processor of no name"}, reason), nullptr);
   EXPECT_NE(reason, "");
 }
 
@@ -213,10 +214,8 @@ protected:
 };
 
 TEST_F(EngineCache, GivesBackWhatWasMade) {
-  const CacheStore store(m_folder + "/objects", 1 << 24);
-  ASSERT_TRUE(store.usable());
   for (int round = 0; round < 2; ++round) {
-    const auto engine = engineFor({"", &store});
+    const auto engine = engineFor({"", m_folder + "/objects", 1 << 24});
     ASSERT_NE(engine, nullptr);
     const auto one = compiled(*engine, scaled(1)), two = compiled(*engine, scaled(2));
     ASSERT_TRUE(one && two);
@@ -228,11 +227,10 @@ TEST_F(EngineCache, GivesBackWhatWasMade) {
 }
 
 TEST_F(EngineCache, KeepsProcessorsApart) {
-  const CacheStore store(m_folder + "/objects", 1 << 24);
   std::string reason;
   std::uint64_t files = 0;
   for (const char *const cpu : {"", "avx512", "avx2", "sse4", "neon"})
-    if (const auto engine = makeEngine({cpu, &store}, reason)) {
+    if (const auto engine = makeEngine({cpu, m_folder + "/objects", 1 << 24}, reason)) {
       const auto code = compiled(*engine, scaled(1));
       ASSERT_NE(code, nullptr);
       EXPECT_EQ(run(*code, 2)[1], 3.0f) << cpu;

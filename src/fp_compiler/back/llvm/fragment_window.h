@@ -20,14 +20,14 @@ inline constexpr int kWidth = 75, kHeight = 9;
 inline std::vector<std::string> cpus() {
   std::vector<std::string> names;
   for (const char *name : {"", "avx512", "avx2", "sse4", "neon"})
-    if (llvm_back::makeEngine({name, nullptr}))
+    if (llvm_back::makeEngine({name}))
       names.emplace_back(name);
   return names;
 }
 
 /// A program over a window whose first input is a texture coordinate.
 struct Scene {
-  explicit Scene(const std::string &cpu) : engine(llvm_back::makeEngine({cpu, nullptr})) {
+  explicit Scene(const std::string &cpu) : engine(llvm_back::makeEngine({cpu})) {
     key.targets[0].format.layout = Layout::U8x4;
   }
 

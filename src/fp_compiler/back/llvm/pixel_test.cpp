@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(Cpus, PixelTest, ::testing::Values("avx512", "avx2", "s
                          [](const auto &cpu) { return std::string(cpu.param); });
 
 TEST_P(PixelTest, RandomStates) {
-  const auto engine = llvm_back::makeEngine({GetParam(), nullptr});
+  const auto engine = llvm_back::makeEngine({GetParam()});
   if (!engine)
     GTEST_SKIP() << "this processor is none of the family";
   for (std::uint32_t seed = 0; seed < 220; ++seed) {

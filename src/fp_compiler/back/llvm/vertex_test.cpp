@@ -50,7 +50,7 @@ protected:
   /// Compiles and runs on kVertices vertices.
   void run(const ir::Program &program, const Arrays &in, Arrays &out,
            const std::vector<Vec4> &rows) {
-    const auto engine = makeEngine({GetParam(), nullptr});
+    const auto engine = makeEngine({GetParam()});
     ASSERT_NE(engine, nullptr);
     const auto prepared = engine->prepareVertex(program, Numerics::Host);
     ASSERT_NE(prepared, nullptr);

@@ -1,0 +1,14 @@
+#pragma once
+#include "fp_compiler/ir/fields.h"
+#include "fp_compiler/jit.h"
+
+/// What a prepared program needs of a draw, as bytes: how it crosses the boundary of the JIT's
+/// library (jit_boundary.h).
+namespace arbiter::fp::jit {
+
+FP_FIELDS(FragmentInput, attribute, components)
+FP_FIELDS(FragmentShape::Sampler, unit, target)
+FP_FIELDS(FragmentShape, inputs, samplers, colorOutputs, writesDepth, kills, needsQuads)
+FP_FIELDS(VertexShape, inputs, outputs)
+
+} // namespace arbiter::fp::jit
