@@ -50,7 +50,8 @@ write_tools() {
 case "\$1" in
   --version) echo 15.0.6 ;;
   --includedir) echo $sysroot/usr/lib/llvm-15/include ;;
-  --libdir) echo $sysroot/usr/lib/$triplet ;;
+  --libdir) echo $sysroot/usr/lib/llvm-15/lib ;;
+  --link-static) exec llvm-config-15 --link-static --libs aarch64 runtimedyld passes ;;
 esac
 TEXT
   cat >"$tree/pkg-config" <<TEXT

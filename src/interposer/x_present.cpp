@@ -6,6 +6,7 @@
 #include "interposer/x_segment.h"
 #include "interposer/x_window.h"
 #include "swrast/image.h"
+#include "util/thread.h"
 
 namespace arbiter::interposer {
 
@@ -56,7 +57,10 @@ void release(void *user) {
   }
 }
 
-bool isRead(void *user, bool wait) { return static_cast<Segment *>(user)->isRead(wait); }
+bool isRead(void *user, bool wait) {
+  const NoCancel scope;
+  return static_cast<Segment *>(user)->isRead(wait);
+}
 
 constexpr swrast::Storage::Owner kOwner = {release, isRead};
 
@@ -75,6 +79,7 @@ Segment *takeIdle(const std::shared_ptr<Connection> &connection, std::size_t byt
 }
 
 std::shared_ptr<swrast::Storage> sharedMemory(const Drawable &drawable, std::size_t bytes) {
+  const NoCancel scope;
   const auto &window = *static_cast<const Window *>(drawable.presenter);
   if (!window.connection->xcb || window.connection->refused)
     return nullptr;
@@ -106,6 +111,7 @@ Segment *segmentOf(const swrast::Image &image) {
 }
 
 bool show(const Drawable &drawable, const swrast::Image &image) {
+  const NoCancel scope;
   auto &window = *static_cast<Window *>(drawable.presenter);
   // The server reads rows from the top down.
   if (window.failed || (image.rowStride > 0 && image.height > 1) || image.width > 0x7FFF ||
@@ -139,6 +145,7 @@ void takeAnswers(const Connection &connection) {
 }
 
 bool sizeOf(const Drawable &drawable, int &width, int &height, bool sure) {
+  const NoCancel scope;
   auto &window = *static_cast<Window *>(drawable.presenter);
   return window.size(width, height, sure, [&] { takeAnswers(*window.connection); });
 }
@@ -204,6 +211,7 @@ std::uint32_t graphicsContextOf(const std::shared_ptr<Connection> &connection, s
 } // namespace
 
 void offerPresenting(void *display, std::uint32_t name, Drawable &drawable) {
+  const NoCancel scope;
   if (!display || !xcb().usable)
     return;
   const std::shared_ptr<Connection> connection = connectionOf(display);

@@ -1,8 +1,8 @@
 #include "swrast/packed.h"
 
 #include <algorithm>
-#include <memory>
-#include <new>
+
+#include "util/per_thread.h"
 
 namespace arbiter::swrast {
 
@@ -21,12 +21,7 @@ struct PackedShader::Storage {
   abi::Block blocks[kMostBlocks + PackedTile::kBlocks + 1];
 };
 
-PackedShader::Storage *PackedShader::storage() {
-  thread_local std::unique_ptr<Storage> instance __attribute__((tls_model("initial-exec")));
-  if (!instance)
-    instance.reset(new (std::nothrow) Storage);
-  return instance.get();
-}
+PackedShader::Storage *PackedShader::storage() { return PerThread<Storage, PackedShader>::get(); }
 
 bool PackedShader::begin(const Rect &tile) {
   m_storage = m_shading.packed ? storage() : nullptr;

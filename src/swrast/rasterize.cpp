@@ -8,6 +8,7 @@
 #include "swrast/direct.h"
 #include "swrast/strokes.h"
 #include "swrast/threads.h"
+#include "util/per_thread.h"
 
 namespace arbiter::swrast {
 namespace {
@@ -45,9 +46,11 @@ struct Scratch {
   Bins bins;
   Strokes strokes;
 };
+using OwnScratch = PerThread<Scratch, Scratch>;
 Scratch &scratch() {
-  thread_local Scratch instance __attribute__((tls_model("initial-exec")));
-  return instance;
+  if (Scratch *const own = OwnScratch::get()) [[likely]]
+    return *own;
+  throw std::bad_alloc();
 }
 
 /// The vertices that the draw uses: from the first to behind the last.
@@ -193,11 +196,15 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
 DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
                     const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
                     std::uint32_t count) {
+  OwnScratch::lend(true); // the other threads read it
+  DrawStatistics statistics;
   try {
-    return drawChecked(state, shading, topology, vertices, indices, first, count);
+    statistics = drawChecked(state, shading, topology, vertices, indices, first, count);
   } catch (const std::bad_alloc &) {
-    return {}; // as GL_OUT_OF_MEMORY allows: what is drawn is undefined
+    // As GL_OUT_OF_MEMORY allows: what is drawn is undefined.
   }
+  OwnScratch::lend(false);
+  return statistics;
 }
 
 } // namespace arbiter::swrast

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
-#include <mutex>
+#include <new>
 #include <pthread.h>
 #include <sched.h>
-#include <system_error>
 #include <thread>
-#include <vector>
 
 #include "util/flags.h"
+#include "util/thread.h"
 
 namespace arbiter::swrast {
 namespace {
 
 constexpr int kMaxThreads = 64;
+/// Room for what a job calls; an application's limit of the stack's size says nothing of ours.
+constexpr std::size_t kWorkerStack = std::size_t(1) << 20;
 /// How long a worker looks for the next job, and a caller for the last worker, before it sleeps:
 /// as long as it takes to wake up again.
 constexpr std::chrono::microseconds kSpin{40};
@@ -61,10 +61,12 @@ using Work = void (*)(void *, std::uint32_t);
 /// caches still. Who is through takes from the others' shares. A share's ticket holds the job's
 /// number and the next index to be taken. Tickets of the job before are taken back before anything
 /// of a new one is written, so that who comes late to a job that is over cannot take an index.
+///
+/// Nothing stops the workers when the process ends, and nothing waits for them: exit() may have
+/// been called by a signal's handler, above a frame that holds a job half done. They end with the
+/// process; what they use is never freed before (the library is not unmapped either).
 class Pool {
 public:
-  ~Pool() { stop(); }
-
   bool run(std::uint32_t count, Work work, void *argument, int threads) {
     if (m_busy.exchange(true, std::memory_order_acquire))
       return false;
@@ -93,48 +95,35 @@ public:
     return true;
   }
 
-  /// Ends the workers, at the process's exit or before the library is unmapped.
-  void stop() {
-    while (m_busy.exchange(true, std::memory_order_acquire))
-      std::this_thread::yield();
-    m_stop.store(true, std::memory_order_relaxed);
-    m_job.fetch_add(1, std::memory_order_release);
-    m_job.notify_all();
-    for (std::thread &worker : m_workers)
-      worker.join();
-    m_workers.clear();
-    m_stop.store(false, std::memory_order_relaxed);
-    m_busy.store(false, std::memory_order_release);
-  }
-
 private:
   void start(int workers) {
-    const int missing = workers - int(m_workers.size());
-    if (missing <= 0 || m_refused)
-      return;
-    sigset_t all, old;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &old);
-    try {
-      for (int i = 0; i < missing; ++i) {
-        const std::uint32_t seen = m_job.load(std::memory_order_relaxed);
-        m_workers.emplace_back([this, seen, index = int(m_workers.size())] { loop(seen, index); });
-        (void)pthread_setname_np(m_workers.back().native_handle(), "arbiter-raster");
-      }
-    } catch (const std::exception &) {
+    for (; m_workers < workers && !m_refused; ++m_workers) {
+      auto *const worker =
+          new (std::nothrow) Worker{this, m_job.load(std::memory_order_relaxed), m_workers};
+      if (worker && startThread("arbiter-raster", kWorkerStack, loop, worker))
+        continue;
+      delete worker;
       m_refused = true; // as many as there are will do
+      return;
     }
-    pthread_sigmask(SIG_SETMASK, &old, nullptr);
   }
 
-  void loop(std::uint32_t seen, int index) {
+  struct Worker {
+    Pool *pool;
+    std::uint32_t seen; ///< the job that was the last when it was started
+    int index;
+  };
+  static void loop(void *argument) {
+    const Worker worker = *static_cast<Worker *>(argument);
+    delete static_cast<Worker *>(argument);
+    worker.pool->loop(worker.seen, worker.index);
+  }
+  [[noreturn]] void loop(std::uint32_t seen, int index) {
     for (;;) {
       const auto changed = [&] { return m_job.load(std::memory_order_acquire) != seen; };
       if (!spinFor(changed))
         m_job.wait(seen, std::memory_order_acquire);
       seen = m_job.load(std::memory_order_acquire);
-      if (m_stop.load(std::memory_order_relaxed))
-        return;
       if (index + 1 < m_threads.load(std::memory_order_relaxed))
         take(seen, index + 1);
     }
@@ -178,7 +167,7 @@ private:
     }
   }
 
-  std::atomic<bool> m_busy{false}, m_stop{false};
+  std::atomic<bool> m_busy{false};
   std::atomic<std::uint32_t> m_job{0};
   alignas(64) std::atomic<std::uint32_t> m_count{0};
   std::atomic<Work> m_work{nullptr};
@@ -191,7 +180,7 @@ private:
   };
   Share m_shares[kMaxThreads];
   bool m_refused = false;
-  std::vector<std::thread> m_workers; ///< of who holds m_busy
+  int m_workers = 0; ///< that were started; of who holds m_busy
 };
 
 std::atomic<int> g_threads{0};
@@ -212,15 +201,6 @@ Pool *pool() {
   (void)s_made;
   return g_pool.load(std::memory_order_acquire);
 }
-
-/// Threads end before the library's code does. The pool itself stays, for who draws at exit.
-struct AtExit {
-  ~AtExit() {
-    g_threads.store(1, std::memory_order_relaxed);
-    if (Pool *const existing = g_pool.load(std::memory_order_acquire))
-      existing->stop();
-  }
-} g_atExit;
 
 } // namespace
 

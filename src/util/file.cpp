@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -32,7 +33,26 @@ int openPrivate(const char *path, OpenMode mode) noexcept {
   return -1;
 }
 
+namespace {
+
+/// A write beyond RLIMIT_FSIZE would end the process (SIGXFSZ), which did nothing of its own.
+bool exceedsLimit(int descriptor, std::size_t bytes) {
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return false;
+  struct stat status = {};
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+    return false;
+  return std::uint64_t(status.st_size) + bytes > limit.rlim_cur;
+}
+
+} // namespace
+
 bool writeAll(int descriptor, std::string_view bytes) noexcept {
+  if (exceedsLimit(descriptor, bytes.size())) {
+    errno = EFBIG;
+    return false;
+  }
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR)

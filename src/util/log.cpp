@@ -10,6 +10,7 @@
 
 #include "util/file.h"
 #include "util/flags.h"
+#include "util/thread.h"
 
 namespace arbiter {
 
@@ -28,7 +29,40 @@ int readLogLevel() noexcept {
 
 namespace {
 
-constinit std::atomic<int> g_descriptor = STDERR_FILENO;
+/// A descriptor and the file that it is of. An application may close what it does not know (those
+/// that become daemons do) and open something else, which then has the number: a line of ours must
+/// not get there.
+struct Sink {
+  int descriptor = -1;
+  dev_t device = 0;
+  ino_t inode = 0;
+
+  static Sink of(int descriptor) {
+    struct stat status = {};
+    if (::fstat(descriptor, &status) != 0)
+      return {};
+    return {descriptor, status.st_dev, status.st_ino};
+  }
+  /// It is still what it was, and there is room: a cap by the file's size, not by our own count, as
+  /// several processes may append to one file. Standard error that was open at first may have been
+  /// redirected since, but not to a connection: that is another's, opened when 2 was free.
+  [[nodiscard]] bool takes() const {
+    struct stat status = {};
+    if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
+      return false;
+    const bool same = status.st_dev == device && status.st_ino == inode;
+    if (descriptor == STDERR_FILENO)
+      return same || !S_ISSOCK(status.st_mode);
+    return same && std::uint64_t(status.st_size) < kMaxLogBytes;
+  }
+};
+
+/// Standard error as it was when the library was loaded, the log's file where there is one. What
+/// is there stays: another thread may be reading it.
+constinit Sink g_standardError, g_file;
+constinit std::atomic<const Sink *> g_sink = &g_standardError;
+
+[[gnu::constructor]] void findStandardError() { g_standardError = Sink::of(STDERR_FILENO); }
 
 const char *levelName(LogLevel level) {
   switch (level) {
@@ -46,18 +80,11 @@ const char *levelName(LogLevel level) {
   return "?";
 }
 
-/// A cap by the file's size, not by our own count: several processes may append to one file.
-bool roomLeft(int descriptor) {
-  if (descriptor == STDERR_FILENO)
-    return true;
-  struct stat status = {};
-  return ::fstat(descriptor, &status) == 0 && std::uint64_t(status.st_size) < kMaxLogBytes;
-}
-
 void write(LogLevel level, const char *room, std::string_view text) noexcept {
   const int savedErrno = errno;
-  const int descriptor = g_descriptor.load(std::memory_order_relaxed);
-  if (roomLeft(descriptor)) {
+  const NoCancel scope;
+  const Sink *const sink = g_sink.load(std::memory_order_acquire);
+  if (sink->takes()) {
     try {
       std::string line =
           "arbiter[" + std::to_string(::getpid()) + "] " + levelName(level) + ": " + room + ": ";
@@ -67,7 +94,8 @@ void write(LogLevel level, const char *room, std::string_view text) noexcept {
       }
       if (line.back() != '\n')
         line += '\n';
-      writeAll(descriptor, line); // one write: lines of several threads and processes stay whole
+      writeAll(sink->descriptor,
+               line); // one write: lines of several threads and processes stay whole
     } catch (...) {
       // Out of memory while logging: the application matters more than the line.
     }
@@ -144,12 +172,16 @@ void logFlag(DebugFlag flag, const char *room, const char *format, ...) noexcept
 }
 
 bool configureLog(LogLevel level, const char *path) noexcept {
-  int descriptor = STDERR_FILENO;
-  if (path != nullptr && *path != '\0')
-    descriptor = openPrivate(path, OpenMode::Append);
-  const bool opened = descriptor >= 0;
+  const bool toFile = path != nullptr && *path != '\0';
+  const int descriptor = toFile ? openPrivate(path, OpenMode::Append) : -1;
+  const bool opened = !toFile || descriptor >= 0;
   // An earlier file stays open: another thread may be writing to it, and there is at most one.
-  g_descriptor.store(opened ? descriptor : STDERR_FILENO, std::memory_order_relaxed);
+  const Sink *sink = &g_standardError;
+  if (descriptor >= 0) {
+    g_file = Sink::of(descriptor);
+    sink = &g_file;
+  }
+  g_sink.store(sink, std::memory_order_release);
   detail::g_logLevel.store(int(level), std::memory_order_relaxed);
   return opened;
 }

@@ -48,6 +48,25 @@ TEST_F(LogTest, WritesWhatTheLevelAllowsAndKeepsErrno) {
   EXPECT_EQ(content(), "arbiter[" + std::to_string(::getpid()) + "] info: state: 3 programs\n");
 }
 
+TEST_F(LogTest, AFileThatGotTheDescriptorsNumberIsLeftAlone) {
+  ASSERT_TRUE(configureLog(LogLevel::Info, m_path.c_str()));
+  logInfo("state", "before");
+  const std::string before = content();
+  for (int i = 3; i < 64; ++i) // as programs do that become daemons
+    ::close(i);
+  const std::string own = m_folder + "/own";
+  int descriptors[8];
+  for (int &descriptor : descriptors)
+    descriptor = ::open(own.c_str(), O_RDWR | O_CREAT, 0600);
+  logInfo("state", "after");
+  struct stat status = {};
+  ASSERT_EQ(::stat(own.c_str(), &status), 0);
+  EXPECT_EQ(status.st_size, 0);
+  EXPECT_EQ(content(), before);
+  for (const int descriptor : descriptors)
+    ::close(descriptor);
+}
+
 TEST_F(LogTest, TheFileIsPrivateAndDoesNotLeakIntoChildren) {
   ASSERT_TRUE(configureLog(LogLevel::Info, m_path.c_str()));
   struct stat status = {};

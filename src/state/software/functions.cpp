@@ -31,13 +31,12 @@ private:
 /// thread, and the host draws meanwhile.
 constexpr std::chrono::milliseconds kWorthWaiting{50};
 
-/// Now, or on the compiling thread. Where there is none what was asked for stays in the making, and
-/// the host draws.
+/// On the compiling thread, as the application's may have a small stack, or an operator new or a
+/// floating-point environment that LLVM is not made for. Where there is no such thread what was
+/// asked for stays in the making, and the host draws.
 template <typename Task> void run(When when, Task task) {
-  if (when == When::Now)
-    task();
-  else if (compileLater(std::move(task)))
-    awaitCompiler(kWorthWaiting);
+  if (compileLater(std::move(task)))
+    awaitCompiler(when == When::Now ? std::nullopt : std::optional(kWorthWaiting));
 }
 
 template <typename Code> void note(const Code &code, const char *what, const std::string &reason) {

@@ -28,7 +28,7 @@ template <typename Function> struct FunctionSlot {
   std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// Whether a caller can wait for good: ARBITER_BACKEND=swrast compiles on the drawing thread.
+/// Whether a caller waits for a while, or until all is compiled (ARBITER_BACKEND=swrast).
 enum class When : std::uint8_t { Later, Now };
 
 /// The functions of one fragment program in one mode. Contexts share it; it lives as long as

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "state/software/residency_host.h"
+#include "util/thread.h"
 
 namespace arbiter::state::software {
 
@@ -222,6 +223,7 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
 } // namespace
 
 bool download(Context &context, WindowImages &window, PixelImage &image) {
+  const NoCancel scope;
   GlFormat gl;
   if (!glFormatOf(image.format, image.base, gl))
     return false;
@@ -247,6 +249,7 @@ bool download(Context &context, WindowImages &window, PixelImage &image) {
 }
 
 void upload(Context &context, WindowImages &window, PixelImage &image) {
+  const NoCancel scope;
   HostErrorScope errors(context);
   if (image.place.kind == Place::Kind::Texture) {
     GlFormat gl;

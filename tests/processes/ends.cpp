@@ -1,0 +1,153 @@
+// Ways to end, each in the midst of draws or of compilations.
+#include <csetjmp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "foreign.h"
+#include "rows.h"
+
+namespace foreign {
+
+namespace {
+
+/// Draws until `end` is called by the alarm.
+template <void (*end)(int)> void drawUntil() {
+  openContext();
+  drawFrame();
+  alarmAfter(someMilliseconds(), end);
+  drawForEver(false);
+}
+template <void (*end)(int)> void compileUntil() {
+  openContext();
+  alarmAfter(someMilliseconds(), end);
+  drawForEver(true);
+}
+
+void callExit(int) { std::exit(7); }
+void callUnderscoreExit(int) { _exit(7); }
+void callQuickExit(int) { std::quick_exit(7); }
+void callAbort(int) { std::abort(); }
+template <int signal> void raiseIt(int) { kill(getpid(), signal); }
+template <int signal> void die() { drawUntil<raiseIt<signal>>(); }
+
+/// `end` on a thread of its own, while this one draws.
+template <void (*end)(int), bool fresh> void endFromThread() {
+  openContext();
+  drawFrame();
+  std::thread([] {
+    usleep(useconds_t(1000 * someMilliseconds()));
+    end(0);
+  }).detach();
+  drawForEver(fresh);
+}
+
+sigjmp_buf g_back;
+void jump(int) { siglongjmp(g_back, 1); }
+/// Out of a draw that is never taken up again; then exit().
+void longjmpThenExit() {
+  openContext();
+  drawFrame();
+  if (sigsetjmp(g_back, 1) == 0) {
+    alarmAfter(someMilliseconds(), jump);
+    drawForEver(false);
+  }
+  std::puts("jumped");
+}
+
+void drawAtExit() {
+  openContext();
+  drawAndPrint();
+  static struct Last {
+    ~Last() { drawAndPrint(); }
+  } s_last;
+  (void)s_last;
+  std::atexit(drawAndPrint);
+}
+
+void returnFromMain() {
+  openContext();
+  for (int i = 0; i < 3; ++i)
+    drawAndPrint();
+}
+
+void exitWhileOtherDraws() {
+  openContext();
+  drawFrame();
+  makeCurrent(false);
+  std::thread([] {
+    makeCurrent(true);
+    drawForEver(false);
+  }).detach();
+  usleep(useconds_t(1000 * someMilliseconds()));
+  std::exit(7);
+}
+
+/// The last thread ends the process.
+void mainEndsFirst() {
+  std::thread([] {
+    usleep(20000);
+    openContext();
+    drawAndPrint();
+    std::exit(5);
+  }).detach();
+  pthread_exit(nullptr);
+}
+
+void fileTooLarge() {
+  openContext();
+  drawFrame();
+  rlimit limit = {4096, 4096};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  drawFrame(true);
+  std::FILE *const file = std::tmpfile();
+  need(file != nullptr, "a file");
+  static char s_block[65536];
+  std::fwrite(s_block, 1, sizeof s_block, file);
+  std::fflush(file); // SIGXFSZ
+}
+
+void brokenPipe() {
+  openContext();
+  drawFrame();
+  int ends[2];
+  need(pipe(ends) == 0, "a pipe");
+  close(ends[0]);
+  const ssize_t written = write(ends[1], "x", 1); // SIGPIPE
+  std::printf("%zd\n", written);
+}
+
+} // namespace
+
+void endRows(void (*add)(Row)) {
+  add({"return-from-main", returnFromMain});
+  add({"exit-in-handler-drawing", drawUntil<callExit>});
+  add({"exit-in-handler-compiling", compileUntil<callExit>});
+  add({"_exit-in-handler-drawing", drawUntil<callUnderscoreExit>});
+  add({"quick_exit-in-handler-drawing", drawUntil<callQuickExit>});
+  add({"abort-in-handler-compiling", compileUntil<callAbort>});
+  add({"exit-in-thread-drawing", endFromThread<callExit, false>});
+  add({"exit-in-thread-compiling", endFromThread<callExit, true>});
+  add({"abort-in-thread-drawing", endFromThread<callAbort, false>});
+  add({"exit-while-other-draws", exitWhileOtherDraws});
+  add({"main-ends-first", mainEndsFirst});
+  add({"longjmp-then-exit", longjmpThenExit});
+  add({"draw-at-exit", drawAtExit});
+  add({"sigint", die<SIGINT>});
+  add({"sigterm", die<SIGTERM>});
+  add({"sighup", die<SIGHUP>});
+  add({"sigpipe", die<SIGPIPE>});
+  add({"sigxfsz", die<SIGXFSZ>});
+  add({"sigsegv", die<SIGSEGV>});
+  add({"sigkill", die<SIGKILL>});
+  add({"sigkill-compiling", compileUntil<raiseIt<SIGKILL>>});
+  add({"file-too-large", fileTooLarge});
+  add({"broken-pipe", brokenPipe});
+}
+
+} // namespace foreign

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+
+/// What the programs of this folder share: a GL context, and a scene whose picture is known.
+namespace foreign {
+
+/// A window (GLX) or, where the environment has FOREIGN_EGL, a pbuffer (EGL) of 64x64 with a
+/// compatibility context, current on this thread. Ends the process with 3 if there is none.
+void openContext();
+/// Makes that context current on this thread, or releases it.
+void makeCurrent(bool current);
+/// Draws a frame with programs of several kinds, each a new one for the compiler where `fresh` is
+/// set, reads its picture, which is the same each time, and shows it.
+void drawFrame(bool fresh = false);
+/// One frame, and of its picture each fourth pixel of each fourth row as "picture HEX".
+void drawAndPrint();
+/// Draws frames for ever.
+[[noreturn]] void drawForEver(bool fresh);
+/// Runs the body on a thread of its own with that much stack, and joins it.
+void onThread(unsigned long stackBytes, const std::function<void()> &body);
+/// "WHAT failed", and the end with status 4, unless `good`.
+void need(bool good, const char *what);
+
+} // namespace foreign

@@ -1,0 +1,118 @@
+// Threads of the application's: small, cancelled, ending with a context; and those of ours.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <thread>
+
+#include <dirent.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "foreign.h"
+#include "rows.h"
+
+namespace foreign {
+
+namespace {
+
+void drawMore() {
+  drawAndPrint();
+  drawFrame(true);
+  drawAndPrint();
+}
+
+template <unsigned long bytes> void smallStack() {
+  openContext();
+  makeCurrent(false);
+  onThread(bytes, [] {
+    makeCurrent(true);
+    drawMore();
+    makeCurrent(false);
+  });
+}
+/// The first draw was made with room, as most programs have it; then a small thread goes on.
+void smallStackLater() {
+  openContext();
+  drawAndPrint();
+  makeCurrent(false);
+  onThread(64 << 10, [] {
+    makeCurrent(true);
+    drawAndPrint();
+    makeCurrent(false);
+  });
+}
+
+void endsWithContext() {
+  openContext();
+  drawAndPrint();
+  makeCurrent(false);
+  for (int i = 0; i < 3; ++i)
+    onThread(1 << 20, [] {
+      makeCurrent(true);
+      drawAndPrint();
+    });
+}
+
+template <bool fresh> void cancelled() {
+  openContext();
+  makeCurrent(false);
+  pthread_t thread;
+  need(pthread_create(
+           &thread, nullptr,
+           [](void *) -> void * {
+             makeCurrent(true);
+             for (;;) {
+               drawFrame(fresh);
+               pthread_testcancel();
+             }
+             return nullptr;
+           },
+           nullptr) == 0,
+       "a thread");
+  usleep(useconds_t(1000 * (100 + someMilliseconds())));
+  pthread_cancel(thread);
+  void *result = nullptr;
+  pthread_join(thread, &result);
+  std::printf("cancelled %d\n", result == PTHREAD_CANCELED);
+  std::fflush(stdout);
+  _exit(0);
+}
+
+/// Threads that the layer started take no signals: an application's handlers run on its own.
+void threadsOfOurs() {
+  openContext();
+  for (int i = 0; i < 4; ++i)
+    drawFrame(i == 1);
+  int open = 0;
+  DIR *const tasks = opendir("/proc/self/task");
+  while (const dirent *const entry = tasks ? readdir(tasks) : nullptr) {
+    char text[4096] = {};
+    const std::string path = std::string("/proc/self/task/") + entry->d_name + "/status";
+    std::FILE *const file = std::fopen(path.c_str(), "r");
+    if (!file)
+      continue;
+    if (std::fread(text, 1, sizeof text - 1, file) && std::strstr(text, "arbiter")) {
+      const char *const blocked = std::strstr(text, "SigBlk:\t");
+      // All but SIGKILL, SIGSTOP and the two that are glibc's own.
+      open += !blocked || (std::strtoull(blocked + 8, nullptr, 16) | 0x180040100ull) != ~0ull;
+    }
+    std::fclose(file);
+  }
+  closedir(tasks);
+  std::printf("threads of ours that take signals: %d\n", open);
+}
+
+} // namespace
+
+void threadRows(void (*add)(Row)) {
+  add({"small-stack", smallStack<64 << 10>});
+  add({"small-stack-128k", smallStack<128 << 10>});
+  add({"small-stack-later", smallStackLater});
+  add({"thread-ends-with-context", endsWithContext});
+  add({"cancelled-drawing", cancelled<false>});
+  add({"cancelled-compiling", cancelled<true>});
+  add({"threads-of-ours", threadsOfOurs});
+}
+
+} // namespace foreign
