@@ -26,10 +26,17 @@ def window(title: str, size=SIZE, more: int = 0) -> int:
 
 
 def play(title: str, prepare, draw, frames: int = FRAMES) -> None:
-    """prepare() gives what draw(frame, prepared) is called with before each swap."""
+    """prepare() gives what draw(frame, prepared) is called with before each swap.
+
+    An empty frame comes first: glretrace makes windows small and gives them their size when a
+    viewport is set, so that the first frame of a recording may be lost on any host.
+    """
     glutInit([])
     window(title)
     glutMainLoopEvent()
+    glViewport(0, 0, *SIZE)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glutSwapBuffers()
     prepared = prepare()
     for frame in range(frames):
         draw(frame, prepared)
@@ -91,13 +98,16 @@ def texture(width: int, height: int, colour, filtering: int = GL_LINEAR,
 
 
 def mipmapped(size: int, colour, filtering: int = GL_LINEAR_MIPMAP_LINEAR) -> int:
-    """A 2D texture with all levels, each made from the colours by itself."""
+    """A 2D texture with all levels, each the mean of the one before."""
     name = texture(size, size, colour, filtering)
-    level, side = 1, size // 2
+    above, side, level = texels(size, size, colour), size // 2, 1
     while side:
-        step = size // side
-        data = texels(side, side, lambda x, y: colour(x * step, y * step))
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, data)
+        row = side * 8
+        above = bytes(
+            (above[y + x] + above[y + x + 4] + above[y + row + x] + above[y + row + x + 4] + 2) // 4
+            for y in range(0, 2 * side * row, 2 * row)
+            for s in range(0, row, 8) for x in range(s, s + 4))
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, above)
         level, side = level + 1, side // 2
     return name
 
