@@ -16,8 +16,8 @@ packages_test=(
   libsdl2-dev libglew-dev chromium vim nodejs libjemalloc2 libtcmalloc-minimal4 locales
 )
 
-# The one real program of `./dev test`.
-packages_openscad=(openscad)
+# The real programs of `./dev test`: openscad, and recordings of clients in Python.
+packages_real_quick=(openscad apitrace python3-opengl libglut3.12)
 
 # `./dev real` asks tests/real/run.py --packages, which knows what each of its programs needs.
 

@@ -28,6 +28,8 @@ class Case:
     stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
     # Not the same from run to run, so that only its recording can be compared (recordings/).
     recorded: bool = False
+    # Of its recorded frames, how many pixels may be off by more than 3 %. More than 60 needs a reason.
+    wrong_pixels: int = 60
     frames: int = 0  # that its recording keeps, from the first; 0: as many as the runner's option says
     maximum: int = 0  # tolerance: largest difference of a channel, of 255
     mean: float = 0.0  # tolerance: mean difference of all channels, of 255
@@ -73,3 +75,12 @@ def shell(command: list[str], cwd: Path | None = None, environment: dict[str, st
     if done.returncode:
         raise PrepareError(f"{' '.join(command)}: status {done.returncode}\n{done.stdout[-2000:]}")
     return done.stdout
+
+
+def build_client(work: Path, source: str, libraries: list[str]) -> Path:
+    """Compiles data/SOURCE against a library's development files, unless that was done; its path."""
+    path = DATA / source
+    binary = work / path.stem
+    if not binary.exists() or binary.stat().st_mtime < path.stat().st_mtime:
+        shell(["g++", "-O1", "-w", "-fPIC", str(path), "-o", str(binary), *libraries])
+    return binary

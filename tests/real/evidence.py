@@ -65,6 +65,7 @@ def summarise(stats: list[dict]) -> dict:
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
         "draws_glsl": draws("host_glsl") + draws("rasterizer"),
+        "draws_recorded": draws("recorded"),
         "draws_untouched": draws("host_untouched"),
         "draws_dropped": draws("dropped"),
         "reasons": dict(reasons),
@@ -79,7 +80,7 @@ def problems(summary: dict, least_programs: int, refused: int = 0) -> list[str]:
                      f"{least_programs} expected")
     if summary["failed_programs"] > refused:
         found.append(f"{summary['failed_programs']} fragment programs refused")
-    if least_programs and not summary["draws_glsl"]:
+    if least_programs and not summary["draws_glsl"] and not summary["draws_recorded"]:
         found.append("no draw through a compiled program")
     if summary["draws_dropped"] and not refused:
         found.append(f"{summary['draws_dropped']} draws dropped: {summary['reasons']}")

@@ -38,6 +38,10 @@ class Frames(unittest.TestCase):
         self.assertEqual([f.call for f in found], [7, 2551])
         self.assertEqual([f.picture for f in found], [_shot(), _shot(3, 9)])
 
+    def test_what_mesa_says_of_extensions_is_no_snapshot(self):
+        said = b"Warning: extension 'GL_ARB_shader_objects' cannot be disabled\n"
+        self.assertEqual([f.call for f in read_frames(io.BytesIO(said + _pnm((7, _shot()))))], [7])
+
     def test_a_stream_that_ends_early_or_is_noise_is_an_error(self):
         for data in (_pnm((7, _shot()))[:-1], b"hello\n" + _pnm((7, _shot()))):
             with self.assertRaises(PictureError):
@@ -45,7 +49,7 @@ class Frames(unittest.TestCase):
 
     def test_wrong_is_more_than_60_pixels_by_more_than_3_percent(self):
         def wrong(pixels: int, by: int) -> bool:
-            return distance(1, _shot(), _shot(pixels, by)).wrong
+            return distance(1, _shot(), _shot(pixels, by)).wrong()
 
         self.assertTrue(wrong(61, 8))
         self.assertFalse(wrong(60, 50))
@@ -53,7 +57,7 @@ class Frames(unittest.TestCase):
         self.assertEqual(distance(1, _shot(), _shot(400, 7)).maximum, 7)
 
     def test_another_size_is_wrong(self):
-        self.assertTrue(distance(1, _shot(), _shot().crop(SIDE - 1, SIDE)).wrong)
+        self.assertTrue(distance(1, _shot(), _shot().crop(SIDE - 1, SIDE)).wrong())
 
 
 class Compared(unittest.TestCase):
@@ -92,6 +96,11 @@ class Compared(unittest.TestCase):
         self.assertEqual([(w["call"], w["pixels"]) for w in row.wrong], [(1, 100)])
         self.assertFalse(row.passed)
         self.assertTrue((self.out / "r" / "layer" / "worst-1.png").exists())
+
+    def test_a_case_may_state_that_more_pixels_are_off(self):
+        for allowed, passed in ((99, False), (100, True)):
+            row = self._compare([_shot()], [_shot()], [_shot(100, 40)], wrong_pixels=allowed)
+            self.assertEqual(row.passed, passed)
 
     def test_a_frame_that_two_bare_runs_do_not_agree_on_does_not_count(self):
         row = self._compare([_shot()] * 3, [_shot(100, 40), _shot(), _shot()],

@@ -1,7 +1,8 @@
 """The real programs, by name. The first four are the acceptance; the others are more evidence."""
 
-from programs import (irrlicht, mplayer, openscad, pyopengl, qutemol, savers, wildmagic, wine,
-                      xine)
+from programs import (clutter, coin, gem, irrlicht, mplayer, openscad, osgfx, pyopengl, qtvideo,
+                      qutemol, savers, wildmagic, wine, xine)
 
-_ALL = (openscad, mplayer, irrlicht, wine, wildmagic, savers, xine, qutemol, pyopengl)
+_ALL = (openscad, mplayer, irrlicht, wine, wildmagic, savers, xine, qutemol, pyopengl, osgfx, coin,
+        gem, clutter, qtvideo)
 PROGRAMS = {module.PROGRAM.name: module.PROGRAM for module in _ALL}

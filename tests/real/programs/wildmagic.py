@@ -22,7 +22,7 @@ class WildMagic(Program):
             raise PrepareError("libwildmagic-examples is not installed")
         environment = {"WM5_PATH": "/usr/share/libwildmagic"}
         return [Case(f"wildmagic-{name}", [str(SAMPLES / name / name)], environment=environment,
-                     stop_after=1.5, recorded=True, least_programs=name not in REFUSED,
+                     stop_after=3.0, recorded=True, frames=30, least_programs=name not in REFUSED,
                      refused=name in REFUSED) for name in NAMES]
 
 

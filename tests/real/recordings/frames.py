@@ -7,10 +7,14 @@ from typing import BinaryIO, Iterator
 
 from picture import Picture, PictureError
 
-# A frame is wrong if more pixels than this are off by more than 3 % in a channel: a program's own
-# seams of a pixel and the last bit of a filter stay below, a lost draw or a moved edge does not.
+# A frame is wrong if more pixels than this are off by more than 3 % in a channel, unless its case says
+# otherwise: seams of a pixel and the last bit of a filter stay below, a lost draw or a moved edge
+# does not.
 WRONG_PIXELS = 60
 STEP = 8  # of 255: the smallest difference over 3 %
+
+# What Mesa says on standard output about MESA_EXTENSION_OVERRIDE.
+_HOSTS_WORDS = b"Warning: extension "
 
 
 @dataclass(frozen=True)
@@ -30,9 +34,8 @@ class Distance:
     maximum: int  # of 255
     same_size: bool = True
 
-    @property
-    def wrong(self) -> bool:
-        return not self.same_size or self.pixels > WRONG_PIXELS
+    def wrong(self, allowed: int = WRONG_PIXELS) -> bool:
+        return not self.same_size or self.pixels > allowed
 
 
 def read_frames(stream: BinaryIO) -> Iterator[Frame]:
@@ -40,6 +43,8 @@ def read_frames(stream: BinaryIO) -> Iterator[Frame]:
     as comment. PictureError if the stream is anything else, or ends within a picture."""
     while head := stream.readline():
         kind = head.strip()
+        if head.startswith(_HOSTS_WORDS):
+            continue
         if kind not in (b"P5", b"P6"):
             raise PictureError(f"no snapshot but {head[:40]!r}")
         call = int(stream.readline().strip().lstrip(b"#") or b"0")
@@ -106,11 +111,11 @@ class Comparison:
     """Takes the frames of a later run in order and compares each with the stored one.
 
     Only the frames whose index is in `steady` count; None: all do. The frame that is furthest off
-    is kept, to be shown.
+    is kept, to be shown. `allowed` is the number of pixels that may be off.
     """
 
-    def __init__(self, store: FrameStore, steady: set[int] | None = None):
-        self._store, self._steady, self._next = store, steady, 0
+    def __init__(self, store: FrameStore, allowed: int, steady: set[int] | None = None):
+        self._store, self._steady, self._allowed, self._next = store, steady, allowed, 0
         self.distances: dict[int, Distance] = {}  # by the frame's index
         self.worst: tuple[Frame, Frame] | None = None  # before, after
         self._worst_pixels = 0
@@ -130,12 +135,12 @@ class Comparison:
         if before.call != frame.call:
             apart = Distance(before.call, apart.pixels, apart.maximum, False)
         self.distances[index] = apart
-        if apart.wrong and apart.pixels > self._worst_pixels:
+        if apart.wrong(self._allowed) and apart.pixels > self._worst_pixels:
             self.worst, self._worst_pixels = (before, frame), apart.pixels
 
     def agreeing(self) -> set[int]:
         """The indices of the frames that are not wrong."""
-        return {index for index, apart in self.distances.items() if not apart.wrong}
+        return {index for index, apart in self.distances.items() if not apart.wrong(self._allowed)}
 
     def wrong(self) -> list[Distance]:
-        return [apart for apart in self.distances.values() if apart.wrong]
+        return [apart for apart in self.distances.values() if apart.wrong(self._allowed)]

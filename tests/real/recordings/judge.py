@@ -59,7 +59,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
 
     try:
         bare = run(Way(session.Mode("bare"), cold=True), store.add)
-        repeat = Comparison(store)
+        repeat = Comparison(store, recording.wrong_pixels)
         again = run(Way(session.Mode("again")), repeat.look)
         steady = repeat.agreeing()
         head = Row(recording.name, recording.program, "bare", len(store), len(steady),
@@ -69,7 +69,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
             show(head)
             return [head]
         for way in ways:
-            seen = Comparison(store, steady)
+            seen = Comparison(store, recording.wrong_pixels, steady)
             row = judge(recording, way, bare, run(way, seen.look), seen, head)
             _draw_worst(seen, out / way.name)
             rows.append(row)

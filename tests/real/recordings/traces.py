@@ -8,6 +8,7 @@ from pathlib import Path
 
 import session
 from cases import Case, PrepareError, shell
+from recordings.frames import WRONG_PIXELS
 
 # What may change a picture without showing it; after the last swap the last of these is looked at.
 _DRAWS = (r"^(gl(Draw|MultiDraw|End(ARB)?$|CallLists?$|Clear$|Rect[dfis]|Bitmap|CopyPixels|"
@@ -23,6 +24,7 @@ class Recording:
     program: str = ""  # of tests/real/programs; empty for a file that was given
     environment: dict[str, str] = field(default_factory=dict)
     over_limits: bool = False
+    wrong_pixels: int = WRONG_PIXELS  # that a frame may have
     least_programs: int = 0  # fragment programs that must have been compiled by the layer
     refused: int | None = None  # programs that the bare host refuses too; None: not known
 
@@ -52,7 +54,7 @@ def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
         short.rename(trace)
         shutil.rmtree(work / f"{case.name}.record" / "screen", ignore_errors=True)
     return Recording(case.name, trace, program, case.environment, case.over_limits,
-                     case.least_programs, case.refused)
+                     case.wrong_pixels, case.least_programs, case.refused)
 
 
 def _shortened(trace: Path, work: Path, frames: int) -> Path:

@@ -88,7 +88,13 @@ std::string Writer::dot(const Components &at) const {
   return "arb_sum(" + product(vec(0, at), vec(1, at), proofs.first) + ")";
 }
 
-std::string Writer::dph() const { return rounded(dot({0, 1, 2}) + " + " + at(1, 3)); }
+/// Of four terms where the host may order them: it orders those of its own parser's DPH as DP4's,
+/// and passes that meet at equal depths rely on that.
+std::string Writer::dph() const {
+  if (plain())
+    return "dot(vec4(" + vec(0, {0, 1, 2}) + ", 1.0), " + vec(1, {0, 1, 2, 3}) + ")";
+  return rounded(dot({0, 1, 2}) + " + " + at(1, 3));
+}
 
 std::string Writer::lrp() const {
   if (plain())
