@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tools/check/cards.h"
 #include "tools/check/compare.h"
 #include "tools/check/find_files.h"
 #include "tools/check/json.h"
@@ -115,6 +116,46 @@ int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
   return summary.exitCode();
 }
 
+/// Every file under every card.
+int checkCards(const CheckArguments &arguments) {
+  if (arguments.profiles.size() != 1 || arguments.compare || arguments.gauges != "auto" ||
+      (arguments.json && arguments.brief) ||
+      (arguments.why && (arguments.json || arguments.brief))) {
+    complain("--profile all takes no other profile, no --compare and no --gauges, and one of "
+             "--brief, --why and --json");
+    return kExitUsage;
+  }
+  const FoundFiles found = findFiles(arguments.files);
+  CardMatrix matrix(arguments.language, arguments.limits == "report" ? fp::LimitPolicy::Report
+                                                                     : fp::LimitPolicy::Enforce);
+  Progress progress(found.paths.size());
+  const auto report = [&](const std::string &fault) {
+    progress.clear();
+    complain(shown(fault));
+  };
+  for (const std::string &fault : found.faults) {
+    matrix.addFault();
+    report(fault);
+  }
+  for (std::size_t i = 0; i < found.paths.size(); ++i) {
+    progress.at(i);
+    if (const std::string fault = matrix.add(found.paths[i]); !fault.empty())
+      report(fault);
+  }
+  progress.clear();
+  const bool reasons = arguments.why || (!arguments.brief && matrix.size() <= kFew);
+  print(arguments.json ? matrix.json() : matrix.text(styleOf("auto"), reasons));
+  return matrix.exitCode();
+}
+
+/// 1 and a complaint if what was printed did not arrive, else the code.
+int afterPrinting(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+    return code;
+  complain("standard output cannot be written");
+  return kExitUsage;
+}
+
 /// Two files under one profile, or one under two.
 int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
   if (arguments.files.size() + profiles.size() != 3) {
@@ -141,6 +182,9 @@ int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
 } // namespace
 
 int check(const CheckArguments &arguments) {
+  const auto &names = arguments.profiles;
+  if (std::find(names.begin(), names.end(), kAllCards) != names.end())
+    return afterPrinting(checkCards(arguments));
   Profiles profiles;
   for (const std::string &name : arguments.profiles) {
     auto profile = fp::hw::loadProfile(name);
@@ -154,13 +198,8 @@ int check(const CheckArguments &arguments) {
     complain("--profile twice is for --compare");
     return kExitUsage;
   }
-  const int code =
-      arguments.compare ? compareTwo(arguments, profiles) : checkAll(arguments, profiles[0]);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    complain("standard output cannot be written");
-    return kExitUsage;
-  }
-  return code;
+  return afterPrinting(arguments.compare ? compareTwo(arguments, profiles)
+                                         : checkAll(arguments, profiles[0]));
 }
 
 } // namespace arbiter::tools

@@ -45,7 +45,9 @@ void addCheck(CLI::App &app, CheckArguments &check) {
   CLI::App *command = app.add_subcommand(
       "check", "Check programs: errors with line and column, counts against limits");
   check.profiles = {settings().profile}; // ARBITER_PROFILE, or the default
-  command->add_option("--profile", check.profiles, kProfileHelp)
+  command
+      ->add_option("--profile", check.profiles,
+                   std::string(kProfileHelp) + "; all: every card, a row a file, a column a card")
       ->allow_extra_args(false)
       ->take_all()
       ->capture_default_str();
@@ -83,6 +85,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
                   "  arbiter check --why shader.fp\n"
                   "  arbiter check --profile nv30 --json *.fp *.vp\n"
                   "  arbiter check shaders/ game.capture/\n"
+                  "  arbiter check --profile all shaders/\n"
                   "  arbiter check --compare before.fp after.fp\n"
                   "  arbiter check --compare --profile r300 --profile nv30 shader.fp\n"
                   "  arbiter check --profile r300-catalyst-2004 - < shader.fp");

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""`arbiter check --profile all` says of each card what --profile says of that card alone.
+
+usage: cards_test.py ARBITER SOURCE_ROOT
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ARBITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+CARDS = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35', 'i915']
+SIMPLE = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
+FOURTH_BUFFER = '!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[3], 1;\nEND\n'
+FIFTH_BUFFER = FOURTH_BUFFER.replace('[3]', '[4]')
+WRONG = '!!ARBfp1.0\nMOV result.colour, 1;\nEND\n'
+# Five reads, each of where the one before led to: one more than the R300 runs.
+DEEP = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord, texture[0], 2D;\n' +
+        'TEX a, a, texture[0], 2D;\n' * 4 + 'MOV result.color, a;\nEND\n')
+
+
+def run(*words, text=None):
+    return subprocess.run([ARBITER, 'check', *map(str, words)], input=text, capture_output=True,
+                          text=True, timeout=60, check=False)
+
+
+class Cards(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix='arbiter-cards-')
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def statuses(self, *files, code, text=None):
+        result = run('--profile', 'all', '--json', *files, text=text)
+        self.assertEqual(result.returncode, code, result.stderr)
+        document = json.loads(result.stdout)
+        self.assertEqual([profile['name'] for profile in document['profiles']], CARDS)
+        return {row['file']: {card['profile']: card for card in row['cards']}
+                for row in document['files']}, document
+
+    def test_each_card_is_as_it_is_alone(self):
+        """Every program of the compiler's tests under every card; the exit code is of the worst."""
+        data = ROOT / 'src' / 'fp_compiler' / 'testdata'
+        files = [path for sub in ('valid', 'invalid') for ending in ('fp', 'vp', 'atifs')
+                 for path in sorted((data / sub).glob('*.' + ending))]
+        self.assertGreater(len(files), 50)
+        answers, document = self.statuses(*files, code=2)
+        for card in CARDS:
+            alone = json.loads(run('--profile', card, '--json', *files).stdout)
+            for entry in alone['files']:
+                cell = answers[entry['file']][card]
+                self.assertEqual(cell['status'], entry['status'], f'{card}: {entry["file"]}')
+                over = {row['resource']: [row['native_used'], row['native_limit']]
+                        for row in cell['over']}
+                counts = entry.get('counts', {})
+                if entry['status'] == 'over-native':
+                    self.assertEqual(over, {name: [count['native_used'], count['native_limit']]
+                                            for name, count in counts.items()
+                                            if count['native_used'] > count['native_limit']})
+            fit = sum(entry['status'] == 'valid' for entry in alone['files'])
+            self.assertEqual(document['summary']['fit'][card], fit)
+        self.assertEqual(document['summary']['files'], len(files))
+
+    def test_a_card_with_four_draw_buffers_refuses_the_fifth(self):
+        fourth, fifth = self.write('4.fp', FOURTH_BUFFER), self.write('5.fp', FIFTH_BUFFER)
+        answers, _ = self.statuses(fourth, fifth, code=2)
+        for card in CARDS:
+            has_four = card.startswith('r')
+            self.assertEqual(answers[str(fourth)][card]['status'], 'valid' if has_four else 'invalid')
+            self.assertEqual(answers[str(fifth)][card]['status'], 'invalid')
+            if has_four:
+                self.assertIn('draw buffer', answers[str(fifth)][card]['why'])
+
+    def test_the_text_is_a_matrix_with_reasons(self):
+        deep = self.write('deep.fp', DEEP)
+        result = run('--profile', 'all', deep, self.write('simple.fp', SIMPLE))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        head, first, second, total, legend, *reasons = result.stdout.splitlines()
+        self.assertEqual(head.split(), CARDS)
+        self.assertEqual(first.split(), [str(deep)] + ['over', 'over', 'over', 'over', 'over',
+                                                       'fits', 'fits', 'over'])
+        self.assertEqual(second.split()[1:], ['fits'] * 8)
+        self.assertEqual(total.split(), 'fit, of 2 1 1 1 1 1 2 2 1'.split())
+        self.assertTrue(legend.startswith('fits:'))
+        self.assertEqual(len(reasons), 6)
+        self.assertIn(f'{deep}: r300: over the native limits: TEX indirections 5 of 4', reasons[0])
+        brief = run('--profile', 'all', '--brief', deep)
+        self.assertEqual(len(brief.stdout.splitlines()), 3)
+
+    def test_columns_stand_below_their_cards(self):
+        lines = run('--profile', 'all', self.write('a.fp', SIMPLE)).stdout.splitlines()
+        for card in CARDS:
+            at = lines[0].index(' ' + card + ' ' if card != 'i915' else ' i915') + 1
+            self.assertEqual(lines[1][at:at + 4], 'fits')
+
+    def test_exit_codes(self):
+        self.statuses(self.write('a.fp', SIMPLE), code=0)
+        self.statuses(self.write('b.fp', WRONG), code=2)
+        self.assertEqual(run('--profile', 'all', self.folder / 'none.fp').returncode, 1)
+        self.assertEqual(run('--profile', 'all', self.folder / 'a.fp', self.folder / 'none.fp')
+                         .returncode, 1)
+        # More than any card's instructions of its own, and no card's limit of the API is asked.
+        long = '!!ARBfp1.0\nTEMP a;\n' + 'ADD a, a, fragment.color;\n' * 2000 + \
+               'MOV result.color, a;\nEND\n'
+        answers, _ = self.statuses('--limits', 'report', self.write('c.fp', long), code=3)
+        self.assertEqual({cell['status'] for row in answers.values() for cell in row.values()},
+                         {'over-native'})
+
+    def test_standard_input_is_read_once(self):
+        answers, _ = self.statuses('-', code=0, text=SIMPLE)
+        self.assertEqual({cell['status'] for cell in answers['<stdin>'].values()}, {'valid'})
+
+    def test_what_it_does_not_go_with(self):
+        path = self.write('a.fp', SIMPLE)
+        for words in (['--profile', 'r300'], ['--compare'], ['--gauges', 'always'],
+                      ['--why', '--json'], ['--why', '--brief'], ['--brief', '--json']):
+            result = run('--profile', 'all', *words, path)
+            self.assertEqual(result.returncode, 1, words)
+            self.assertTrue(result.stderr, words)
+
+
+if __name__ == '__main__':
+    unittest.main(argv=[sys.argv[0]])
