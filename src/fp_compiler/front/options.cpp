@@ -104,8 +104,7 @@ void Parser::refuseOption(const Token &token) {
               ? "remove it; a fragment program keeps the rasterizer's position"
               : "remove it");
   else if (name.starts_with("NV_"))
-    error(DiagnosticId::UnsupportedOption, token.span,
-          option + " is on the road map and not offered yet",
+    error(DiagnosticId::UnsupportedOption, token.span, option + " is not offered",
           "this implementation offers ARB_fragment_program and ARB_vertex_program as published; "
           "use a path of the application that needs no NV option");
   else

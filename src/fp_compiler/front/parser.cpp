@@ -132,7 +132,7 @@ bool Parser::unknownStatement(const Token &first) {
       m_symbols.declare(text(m_tokens.peek()), {});
   } else if (isNvInstruction(word, m_language) || isNvVariant(word)) {
     error(DiagnosticId::NvOnly, first.span,
-          quote(word) + " belongs to the " + m_language.nvOptions + " options, " + kNotOfferedYet,
+          quote(word) + " belongs to the " + m_language.nvOptions + " options, " + kNotOffered,
           isNvVariant(word) ? "write " + std::string(word.substr(0, 3)) : "");
   } else if (word == "KIL_SAT" && m_language.saturates) {
     error(DiagnosticId::UnknownInstruction, first.span, "KIL writes nothing and takes no _SAT",

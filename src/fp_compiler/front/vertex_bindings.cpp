@@ -57,7 +57,7 @@ bool Parser::parseVertexResult(ir::Output &output) {
   }
   if (atWord(0, "clip")) {
     error(DiagnosticId::NvOnly, m_tokens.peek().span,
-          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOfferedYet,
+          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
   }
