@@ -32,7 +32,7 @@ void main() {
   a0 = arb_address(t1.y);
   t2.x = dot(t0.xyz, t1.xyz);
   t2.y = dot(t0, t1);
-  t2.z = dot(t0.xyz, t1.xyz) + t1.w;
+  t2.z = dot(vec4(t0.xyz, 1.0), t1);
   t2.w = t1.w;
   t0.x = exp2(t2.x);
   t0.y = fract(t2.y);
