@@ -57,6 +57,11 @@ class Program:
         """Ends what the program leaves running."""
 
 
+# For cases that look up a texture where another one says. llvmpipe filters textures of bytes with weights
+# of 8 bits to 8 bits, and the second lookup enlarges that to noise; told to filter as it does other formats,
+# in floats, it and the rasterizer agree.
+HOST_FILTERS_IN_FLOATS = {"GALLIVM_PERF": "no_aos_sampling"}
+
 DATA = Path(__file__).resolve().parent / "data"
 
 

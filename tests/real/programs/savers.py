@@ -2,19 +2,16 @@
 
 from pathlib import Path
 
-from cases import Case, Program
+from cases import HOST_FILTERS_IN_FLOATS, Case, Program
 
 FOLDER = Path("/usr/libexec/xscreensaver")
-# hyperspace reflects at normals that it reads from a cube map. llvmpipe filters those to 8 bits with
-# weights of 8 bits, which its next lookup enlarges to noise of half a colour; told to filter as
-# it does other formats, in floats, it and the rasterizer agree but for the levels of detail of a last
-# cube map at those directions: 2,676 of 786,432 pixels in the worst of 40 frames, none without
-# mipmaps.
-IN_FLOATS = {"GALLIVM_PERF": "no_aos_sampling"}
+# hyperspace reflects at normals that it reads from a cube map. With the host's filter in floats what differs
+# are the levels of detail of the cube map that it then looks up: 2,676 of 786,432 pixels in the
+# worst of 40 frames, none without mipmaps.
 # Name, options, seconds, environment. hyperspace draws few frames a second on a processor, and the
 # first twenty prepare what its programs read.
 SAVERS = (
-    ("hyperspace", ("-S", "100", "-R", "4", "-d", "3"), 30.0, IN_FLOATS),
+    ("hyperspace", ("-S", "100", "-R", "4", "-d", "3"), 30.0, HOST_FILTERS_IN_FLOATS),
     ("drempels", (), 4.0, {}),
 )
 
