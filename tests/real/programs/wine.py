@@ -1,7 +1,7 @@
-"""Wine's Direct3D 9 over its ARB back end: pixel shaders 1.1, 1.4, 2.0 and the fixed function.
+"""Wine's Direct3D 8 and 9 over its ARB back end: pixel shaders 1.1, 1.4, 2.0 and the fixed function.
 
-data/tiles.cpp is a small Direct3D program of ours; Wine translates what it asks for into vertex and
-fragment programs.
+data/tiles.cpp and data/stages.cpp are small Direct3D programs of ours; Wine translates what they ask
+for into vertex and fragment programs.
 """
 
 import os
@@ -24,12 +24,20 @@ class Wine(Program):
                       environment=environment)
             shell(["wineserver", "-w"], environment=environment)
             (work / "prefix" / "ready").touch()
-        binary, source = work / "tiles.exe", DATA / "tiles.cpp"
+        tiles = self._compiled(work, "tiles", ["-ld3d9", "-ld3dx9_43"])
+        stages = self._compiled(work, "stages", [])
+        return [Case("wine-d3d9", ["wine", str(tiles)], output="o.ppm", environment=environment,
+                     least_programs=6),
+                Case("wine-d3d8", ["wine", str(stages)], environment=environment, recorded=True,
+                     least_programs=4)]
+
+    @staticmethod
+    def _compiled(work: Path, name: str, libraries: list[str]) -> Path:
+        binary, source = work / f"{name}.exe", DATA / f"{name}.cpp"
         if not binary.exists() or binary.stat().st_mtime < source.stat().st_mtime:
             shell(["x86_64-w64-mingw32-g++", "-O1", "-static", "-o", str(binary), str(source),
-                   "-ld3d9", "-ld3dx9_43"])
-        return [Case("wine-d3d9", ["wine", str(binary)], output="o.ppm", environment=environment,
-                     least_programs=6)]
+                   *libraries])
+        return binary
 
     def finish(self, work: Path) -> None:
         # Its status says only whether a server was there to end.
@@ -44,4 +52,4 @@ class Wine(Program):
 
 
 PROGRAM = Wine("wine", ("wine", "wine64", "g++-mingw-w64-x86-64", "xvfb", "libgl1-mesa-dri"),
-               "a Direct3D 9 program of ours through Wine's ARB shader back end")
+               "Direct3D 8 and 9 programs of ours through Wine's ARB shader back end")
