@@ -13,6 +13,7 @@
 #include "state/replacement.h"
 #include "state/share_group.h"
 #include "state/software/frame.h"
+#include "state/software/neighbours.h"
 #include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/statistics.h"
@@ -83,11 +84,13 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
         Target(i) == Target::Vertex ? attention::kVertexParameters : attention::kFragmentParameters;
   }
   group->contexts.fetch_add(1);
+  software::addNeighbour(*this);
 }
 
 Context::~Context() {
   if (!group)
     return;
+  software::removeNeighbour(*this);
   VariantCache::Names names = variants.abandon();
   group->addGarbage({std::move(names.programs), std::move(names.shaders), samplerOverride.abandon(),
                      hostAssembly.abandon()});
@@ -160,6 +163,9 @@ void release(Context *context) {
 } // namespace
 
 Context *createContext(Provider provider, const host::HostTable *table, Context *share) {
+  // What was finished before there was another context to see it must be with the host, too.
+  if (share && currentContext() && currentContext()->group == share->group)
+    exchange(Exchange::Read, "a context is made that shares");
   auto *const context =
       new Context(provider, table, share ? share->group : std::make_shared<ShareGroup>());
   noteContextCreated(*context);
@@ -198,13 +204,15 @@ bool exchange(Exchange what, const char *name) {
 void makeCurrent(Context *context, const software::Drawable *drawable) {
   Context *const old = currentContext();
   if (old != context) {
+    bool leaves = false;
     {
       const std::lock_guard lock(g_lifecycle);
       if (context)
         ++context->currentCount;
-      if (old)
-        --old->currentCount;
+      leaves = old && --old->currentCount == 0;
     }
+    if (leaves)
+      software::ceasesToBeCurrent(*old);
     t_current = context ? context : &nullContext();
     if (context)
       logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);
@@ -212,6 +220,12 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
       logFlag(DebugFlag::Contexts, "state", "no context is current");
     if (old)
       release(old);
+  } else if (context) {
+    software::ceasesToBeCurrent(*context); // it may have another drawable
+  }
+  if (context) {
+    software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
+    software::becomesCurrent(*context);
   }
   if (context && !context->initialised)
     initialise(*context);
@@ -219,7 +233,10 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     collectGarbage(*context);
   if (!context)
     return;
-  software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
+  // A context that was made since may load programs that are bound here.
+  if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
+      (context->attention & attention::kShared) == 0)
+    invalidateProgram(*context);
   software::enter(*context);
 }
 

@@ -23,6 +23,7 @@
 #include "state/program_object.h"
 #include "state/sampler_override.h"
 #include "state/software/context_state.h"
+#include "state/software/neighbours.h"
 #include "state/software/residency.h"
 #include "state/target.h"
 #include "state/variant.h"
@@ -142,7 +143,7 @@ public:
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
   software::Drawable drawable;  ///< as of the last make-current
-  bool countedCurrent = false;  ///< in the group's count of current contexts
+  software::Neighbours neighbours;
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

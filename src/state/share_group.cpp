@@ -1,11 +1,10 @@
 #include "state/share_group.h"
-#include "state/software/residency_images.h"
 
 #include <utility>
 
 namespace arbiter::state {
 
-ShareGroup::ShareGroup() : m_softwareImages(std::make_unique<software::SharedImages>()) {
+ShareGroup::ShareGroup() {
   for (std::size_t i = 0; i < m_defaults.size(); ++i)
     m_defaults[i] = std::make_shared<ProgramObject>(0, Target(i));
 }

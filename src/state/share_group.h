@@ -14,10 +14,6 @@
 
 namespace arbiter::state {
 
-namespace software {
-struct SharedImages;
-}
-
 /// What contexts that share display lists have in common (AFP 3953-3974): the name space of program
 /// objects, display lists that hold our commands, and host objects that a dead context left behind.
 ///
@@ -98,11 +94,7 @@ public:
   /// The state of ARBITER_REPLACE's folder that the group's programs were compiled from.
   std::atomic<std::uint64_t> replacementsSeen{0};
 
-  /// The rasterizer's shadows of textures and renderbuffers (software/residency.h).
-  [[nodiscard]] software::SharedImages &softwareImages() const { return *m_softwareImages; }
-
 private:
-  std::unique_ptr<software::SharedImages> m_softwareImages;
   std::mutex m_mutex;
   std::unordered_map<GLuint, std::shared_ptr<ProgramObject>> m_objects;
   std::array<std::shared_ptr<ProgramObject>, kTargetCount> m_defaults;

@@ -49,7 +49,7 @@ Outcome judge(Context &context) {
     return Fallback::NoFragmentProgram;
   if (context.path == Path::NoProgram && applicationShades(context))
     return Fallback::NoFragmentProgram;
-  if (!aloneInGroup(context))
+  if (!settle(context))
     return Fallback::Shared;
   if (!context.software->backOff.engaged())
     return Fallback::BackedOff;
@@ -61,10 +61,7 @@ Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
     return Fallback::Vertices;
   if (const Outcome outcome = judge(context); !outcome.ok())
     return outcome;
-  Pipeline &pipeline = pipelineOf(context);
-  if (!pipeline.knowsImages(context)) [[unlikely]]
-    settle(context);
-  return pipeline.choose(context, {mode, count});
+  return pipelineOf(context).choose(context, {mode, count});
 }
 
 /// What a draw wants of the current values: unfilled polygons have edge flags too.

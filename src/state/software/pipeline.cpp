@@ -97,10 +97,6 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, 
           kind.mode,          kind.count >= kManyVertices, context.software->wholeFrames};
 }
 
-bool Pipeline::knowsImages(const Context &context) const {
-  return imagesVersion(context) == m_basis.images;
-}
-
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
   Mirror &mirror = context.software->mirror;
   refresh(context, mirror);

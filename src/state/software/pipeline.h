@@ -41,8 +41,6 @@ public:
   [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
   [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
   [[nodiscard]] ArraySource &arrays() { return m_arrays; }
-  /// Nothing has moved images since the last choice.
-  [[nodiscard]] bool knowsImages(const Context &context) const;
 
 private:
   /// What decides about a choice, beside groups of state.

@@ -24,22 +24,19 @@ void uploadList(Context &context, WindowImages &window, std::vector<PixelImage *
 }
 
 void uploadAll(Context &context, WindowImages &window) {
-  uploadList(context, window, sharedOf(context).pending);
+  uploadList(context, window, objectsOf(context).pending);
   uploadList(context, window, window.pending);
   context.hostIsBehind = false;
 }
 
-/// Under the lock; false where there is nothing of ours.
-bool hasImages(Context &context) { return windowOf(context) && sharedOf(context).valid != 0; }
-
 void dropObjects(Context &context) {
-  SharedImages &shared = sharedOf(context);
-  shared.absent.fill(-1);
-  for (const auto &[name, texture] : shared.textures)
+  ObjectImages &objects = objectsOf(context);
+  objects.absent.fill(-1);
+  for (const auto &[name, texture] : objects.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image)
         dropShadow(context, *image);
-  for (const auto &[name, image] : shared.renderbuffers)
+  for (const auto &[name, image] : objects.renderbuffers)
     dropShadow(context, *image);
 }
 
@@ -63,49 +60,73 @@ void dropFramebuffer(Context &context, WindowImages &window) {
 }
 
 void dropAll(Context &context, WindowImages &window) {
-  SharedImages &shared = sharedOf(context);
-  for (const auto &[name, texture] : shared.textures)
+  ObjectImages &objects = objectsOf(context);
+  for (const auto &[name, texture] : objects.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image) {
         dropShadow(context, *image);
         image->described = false;
       }
-  for (const auto &[name, image] : shared.renderbuffers) {
+  for (const auto &[name, image] : objects.renderbuffers) {
     dropShadow(context, *image);
     image->described = false;
   }
   dropShadow(context, window.color);
   dropShadow(context, window.depthStencil);
-  shared.redefined();
+  objects.redefined();
   context.stale = ~0u;
+}
+
+/// Nothing is known of any object; nothing is pending.
+void forget(WindowImages &window) {
+  ObjectImages &objects = window.objects;
+  objects.textures.clear();
+  objects.renderbuffers.clear();
+  objects.pending.clear();
+  objects.way = {};
+  objects.absent.fill(-1);
+  window.framebuffers = {};
 }
 
 } // namespace
 
-void settle(Context &context, WindowImages &window) {
-  SharedImages &shared = sharedOf(context);
-  if (window.turn == shared.turn) [[likely]]
-    return;
-  uploadAll(context, window);
-  dropAll(context, window);
-  window.turn = shared.turn;
+WindowImages *settledWindowOf(Context &context) {
+  WindowImages *const window = windowOf(context);
+  if (!window)
+    return nullptr;
+  const std::uint64_t epoch = context.neighbours.epoch();
+  if (window->epoch == epoch) [[likely]]
+    return window;
+  uploadAll(context, *window);
+  dropAll(context, *window);
+  forget(*window);
+  window->epoch = Neighbours::isCrowded(epoch) ? 0 : epoch;
+  return window;
 }
 
-void settle(Context &context) {
-  if (WindowImages *const window = windowOf(context)) {
-    const std::lock_guard lock(sharedOf(context).mutex);
-    settle(context, *window);
-  }
+WindowImages *undisturbedWindowOf(Context &context) {
+  WindowImages *const window = settledWindowOf(context);
+  return window && window->epoch != 0 ? window : nullptr;
+}
+
+bool settle(Context &context) { return undisturbedWindowOf(context) != nullptr; }
+
+void forgetImages(Context &context) {
+  WindowImages *const window =
+      context.software ? static_cast<WindowImages *>(context.software->images.get()) : nullptr;
+  if (!window || context.hostIsBehind)
+    return; // it left in the middle of a list or a primitive
+  dropAll(context, *window);
+  forget(*window);
 }
 
 void synchronise(Context &context, const char *why) {
   if (!context.hostIsBehind)
     return;
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = settledWindowOf(context);
   if (!window)
     return;
   logDebug("residency", "the host is brought up to date: %s", why);
-  const std::lock_guard lock(sharedOf(context).mutex);
   uploadAll(context, *window);
 }
 
@@ -117,12 +138,9 @@ void hostDraws(Context &context, const char *why) {
 
 void hostTakesTargets(Context &context, const char *why) {
   synchronise(context, why);
-  SharedImages *const shared = context.software ? &sharedOf(context) : nullptr;
-  if (!shared)
-    return;
-  const std::lock_guard lock(shared->mutex);
-  if (hasImages(context))
-    dropFramebuffer(context, *windowOf(context));
+  WindowImages *const window = settledWindowOf(context);
+  if (window && window->objects.valid != 0)
+    dropFramebuffer(context, *window);
 }
 
 void hostDrawsList(Context &context) {
@@ -136,7 +154,6 @@ void hostDoesAnything(Context &context, const char *why) {
   WindowImages *const window = windowOf(context);
   if (!window)
     return;
-  const std::lock_guard lock(sharedOf(context).mutex);
   dropAll(context, *window);
 }
 
@@ -161,19 +178,18 @@ void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
 
 void forgetSize(Context &context, WindowImages &window) {
   window.sizeKnown = false;
-  sharedOf(context).changed();
+  objectsOf(context).changed();
 }
 
 std::uint64_t imagesVersion(const Context &context) {
-  return context.group->softwareImages().version.load(std::memory_order_relaxed);
-}
-
-bool aloneInGroup(const Context &context) {
-  return context.group->softwareImages().current.load(std::memory_order_relaxed) <= 1;
+  const auto *const window = static_cast<const WindowImages *>(context.software->images.get());
+  return window ? window->objects.version : 0;
 }
 
 ResidencyStatistics residencyStatistics(const Context &context) {
-  ResidencyStatistics statistics = context.group->softwareImages().statistics;
+  ResidencyStatistics statistics;
+  if (context.software && context.software->images)
+    statistics = static_cast<const WindowImages &>(*context.software->images).objects.statistics;
   statistics.shadowBytes = swrast::Storage::totalBytes();
   return statistics;
 }

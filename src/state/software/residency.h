@@ -38,8 +38,8 @@ struct DrawTargets {
 /// `reason` a row of reasons.def.
 [[nodiscard]] const DrawTargets *describeTargets(Context &context, const char *&reason);
 /// Moves on when what describeTargets() or acquireTexture() told may be otherwise now. While it
-/// stands, no other context has been current, and no command has marked stale::kFramebuffer, they
-/// need not be called again.
+/// stands, settle() found nothing, and no command has marked stale::kFramebuffer, they need not be
+/// called again.
 [[nodiscard]] std::uint64_t imagesVersion(const Context &context);
 /// While the targets are as described: true if the shadows are the place to draw to already, as
 /// after acquireTargets() and with nothing in between that moved pixels; they are drawn to then.
@@ -158,12 +158,13 @@ void setDrawable(Context &context, const Drawable &drawable);
 /// rectangle that is new says that the application heard of one.
 void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport);
 
-/// True while this context is the only one of its group that is current on any thread: only then
-/// are draws ours. Else what is pending is given to the host at the next Flush, Finish or leave().
-[[nodiscard]] bool aloneInGroup(const Context &context);
-/// Before a draw looks at state: where another context of the group was current since, all that is
-/// known of shared objects is forgotten.
-void settle(Context &context);
+/// Before a draw looks at state: where a neighbour (neighbours.h) was current since, all that is
+/// known of images and of the host's state is forgotten. False while one is current: the draw is
+/// the host's, and so is every image.
+[[nodiscard]] bool settle(Context &context);
+/// Gives the memory back of what is not good any more. The context is current to no thread, and
+/// does not become so meanwhile.
+void forgetImages(Context &context);
 /// The host's Flush or Finish, and around it what others can see of our pixels by then
 /// (single-buffered windows, the application's memory of OSMesa, textures of several contexts).
 void flush(Context &context, bool finish);

@@ -114,12 +114,10 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
 } // namespace
 
 const void *wholeTargetCleared(Context &context, GLbitfield mask) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!window || (mask & kBoth) != kBoth)
     return nullptr;
-  const std::lock_guard lock(sharedOf(context).mutex);
-  settle(context, *window);
   const Framebuffers &f = framebuffersOf(context, *window);
   if (f.reason || !f.depthStencil)
     return nullptr;
@@ -130,15 +128,13 @@ const void *wholeTargetCleared(Context &context, GLbitfield mask) {
 }
 
 bool clear(Context &context, GLbitfield mask) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   constexpr GLbitfield kOurs = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   if (!window || mask == 0 || (mask & ~kOurs) != 0)
     return false;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  settle(context, *window);
+  ObjectImages &objects = objectsOf(context);
   // The mode of an application that never draws by us costs nothing.
-  if (shared.valid == 0 && !shared.drawn)
+  if (objects.valid == 0 && !objects.drawn)
     return false;
   const GLbitfield done = clearOurs(context, *window, mask);
   if (done == mask)

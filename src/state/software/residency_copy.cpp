@@ -39,7 +39,7 @@ PixelImage *destination(Context &context, const CopyToTexture &copy) {
   context.host->GetIntegerv(binding, &name);
   if (name == 0)
     return nullptr;
-  Texture &texture = textureOf(sharedOf(context), GLuint(name));
+  Texture &texture = textureOf(objectsOf(context), GLuint(name));
   PixelImage *const image = levelOf(context, texture, copy.target, copy.level);
   if (!image || image->base == 0)
     return nullptr;
@@ -100,16 +100,16 @@ bool copyPixelsOurs(Context &context, WindowImages &window, const CopyToTexture 
   if (source.empty())
     return false;
   const bool whole = source.width == to->width && source.height == to->height && to->depth == 1;
-  SharedImages &shared = sharedOf(context);
+  ObjectImages &objects = objectsOf(context);
   if (whole && from != to && worthSharing(from->shadow, source)) {
     to->shadow = partOf(from->shadow, source);
     to->shadow.format = view;
-    shared.changed();
-    ++shared.statistics.copiesShared;
+    objects.changed();
+    ++objects.statistics.copiesShared;
   } else {
     if (!copyInMemory(context, window, *to, *from, copy, source, whole))
       return false;
-    ++shared.statistics.copiesInMemory;
+    ++objects.statistics.copiesInMemory;
   }
   setNewest(context, *to, Newest::Shadow);
   return true;
@@ -118,14 +118,12 @@ bool copyPixelsOurs(Context &context, WindowImages &window, const CopyToTexture 
 } // namespace
 
 bool copyToTexture(Context &context, const CopyToTexture &copy) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   if (!window)
     return false;
-  SharedImages &shared = sharedOf(context);
+  ObjectImages &objects = objectsOf(context);
   {
-    const std::lock_guard lock(shared.mutex);
-    settle(context, *window);
-    if (shared.valid == 0)
+    if (objects.valid == 0)
       return false;
     if (copyPixelsOurs(context, *window, copy))
       return true;

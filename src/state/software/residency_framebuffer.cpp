@@ -35,12 +35,15 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
     return nullptr;
   const auto name = GLuint(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   PixelImage *image = nullptr;
+  // What is deleted lives on where it is attached, without a name: to bind that would make another
+  // object of it.
   if (type == GL_RENDERBUFFER) {
-    image = &renderbufferOf(context, name);
-  } else if (type == GL_TEXTURE) {
+    if (host.IsRenderbuffer(name))
+      image = &renderbufferOf(context, name);
+  } else if (type == GL_TEXTURE && host.IsTexture(name)) {
     const GLint level = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
     const auto face = GLenum(ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE));
-    Texture &texture = textureOf(sharedOf(context), name);
+    Texture &texture = textureOf(objectsOf(context), name);
     const GLenum target = face != 0 ? face : findTarget(context, texture);
     if (target == GL_TEXTURE_3D)
       slice = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER);
@@ -237,9 +240,9 @@ void describeRead(Context &context, WindowImages &window, Framebuffers &f) {
 
 const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
   Framebuffers &f = window.framebuffers;
-  SharedImages &shared = sharedOf(context);
+  ObjectImages &objects = objectsOf(context);
   const bool sizeWanted = !window.sizeKnown && (f.drawName == 0 || f.readName == 0);
-  if ((context.stale & stale::kFramebuffer) == 0 && f.generation == shared.generation &&
+  if ((context.stale & stale::kFramebuffer) == 0 && f.generation == objects.generation &&
       !sizeWanted) [[likely]]
     return f;
   context.stale &= ~stale::kFramebuffer;
@@ -263,8 +266,8 @@ const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
   else
     describeDrawObject(context, f);
   describeRead(context, window, f);
-  f.generation = shared.generation;
-  shared.changed(); // the mark is gone, whoever it was that asked
+  f.generation = objects.generation;
+  objects.changed(); // the mark is gone, whoever it was that asked
   return f;
 }
 

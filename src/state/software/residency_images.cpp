@@ -66,7 +66,7 @@ int faceOf(GLenum imageTarget) {
 
 } // namespace
 
-SharedImages &sharedOf(Context &context) { return context.group->softwareImages(); }
+ObjectImages &objectsOf(Context &context) { return windowOf(context)->objects; }
 
 WindowImages *windowOf(Context &context) {
   if (!context.software)
@@ -76,8 +76,8 @@ WindowImages *windowOf(Context &context) {
   return static_cast<WindowImages *>(context.software->images.get());
 }
 
-Texture &textureOf(SharedImages &shared, GLuint name) {
-  std::unique_ptr<Texture> &texture = shared.textures[name];
+Texture &textureOf(ObjectImages &objects, GLuint name) {
+  std::unique_ptr<Texture> &texture = objects.textures[name];
   if (!texture) {
     texture = std::make_unique<Texture>();
     texture->name = name;
@@ -151,7 +151,7 @@ PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget, GLin
 }
 
 PixelImage &renderbufferOf(Context &context, GLuint name) {
-  std::unique_ptr<PixelImage> &image = sharedOf(context).renderbuffers[name];
+  std::unique_ptr<PixelImage> &image = objectsOf(context).renderbuffers[name];
   if (!image) {
     image = std::make_unique<PixelImage>();
     image->place = {Place::Kind::Renderbuffer, name, GL_RENDERBUFFER, 0};
@@ -243,10 +243,10 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
 }
 
 void setNewest(Context &context, PixelImage &image, Newest newest) {
-  SharedImages &shared = sharedOf(context);
+  ObjectImages &objects = objectsOf(context);
   if ((image.newest == Newest::Host) != (newest == Newest::Host)) {
-    shared.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
-    shared.changed();
+    objects.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
+    objects.changed();
   }
   image.newest = newest;
   image.shown = false;
@@ -259,7 +259,7 @@ void setNewest(Context &context, PixelImage &image, Newest newest) {
   if (image.place.kind == Place::Kind::Window)
     windowOf(context)->pending.push_back(&image);
   else
-    shared.pending.push_back(&image);
+    objects.pending.push_back(&image);
 }
 
 void dropShadow(Context &context, PixelImage &image) {
@@ -295,7 +295,7 @@ bool makeOwn(Context &context, PixelImage &image, bool keep) {
   const bool read = fits && shadow.storage->isRead();
   if (fits && !shadow.shared() && !read)
     return true;
-  sharedOf(context).changed();
+  objectsOf(context).changed();
   const bool isWindow = image.place.kind == Place::Kind::Window;
   // Other memory is there sooner than the window system has read this; but a copy is no sooner.
   const bool taken = shadow.shared() || (!keep && read);

@@ -1,9 +1,7 @@
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <unordered_map>
 #include <vector>
 
@@ -63,22 +61,19 @@ struct Texture {
   std::array<abi::TextureLevel, 6 * abi::kMaxLevels> levels;
 };
 
-/// What the contexts of a group share; in the ShareGroup.
-struct SharedImages {
-  std::mutex mutex;
+/// A context's images of what its group shares. Each context keeps its own, so that none touches
+/// what another thread draws with; neighbours.h says for how long they are good.
+struct ObjectImages {
   std::unordered_map<GLuint, std::unique_ptr<Texture>> textures;
   std::unordered_map<GLuint, std::unique_ptr<PixelImage>> renderbuffers;
   std::vector<PixelImage *> pending; ///< textures and renderbuffers
   /// Moves on when an image may be another than a framebuffer's description says.
   std::uint64_t generation = 1;
   /// Moves on when what describeTargets() or acquireTexture() told may be otherwise now: an image
-  /// has other memory, another format or size, or its pixels are the host's. Read without the lock
-  /// by the one context that is current.
-  std::atomic<std::uint64_t> version{1};
-  /// Whoever gives a PixelImage another shadow calls this.
-  void changed() {
-    version.store(version.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-  }
+  /// has other memory, another format or size, or its pixels are the host's.
+  std::uint64_t version = 1;
+  /// To be called where a PixelImage gets another shadow.
+  void changed() { ++version; }
   /// Images whose shadow counts, windows' included: while there are none, nothing is to be done.
   std::size_t valid = 0;
   /// An image may be another than it was described as.
@@ -87,15 +82,12 @@ struct SharedImages {
     changed();
   }
   bool drawn = false; ///< by us, ever
-  /// Moves on when another context of the group becomes current: shadows of before may be old.
-  std::uint64_t turn = 1;
-  std::uint32_t lastTurn = 0;  ///< serial of the context whose turn it is
-  std::atomic<int> current{0}; ///< contexts that are current on some thread
   ResidencyStatistics statistics;
   /// By abi::Dimension: the base level that texture 0 does not have, as the host said, which makes
   /// it incomplete; -1 where that is not known.
   std::array<GLint, 5> absent{-1, -1, -1, -1, -1};
-  /// What the texture of ours is that pixels go through on their way to other images.
+  /// What the texture of ours is that pixels go through on their way to other images; the group has
+  /// one.
   struct Way {
     GLint width = 0, height = 0, format = 0;
     bool operator==(const Way &) const = default;
@@ -105,7 +97,7 @@ struct SharedImages {
 
 /// The draw and read framebuffers, as the host tells.
 struct Framebuffers {
-  std::uint64_t generation = 0; ///< of SharedImages when it was asked; 0: never
+  std::uint64_t generation = 0; ///< of ObjectImages when it was asked; 0: never
   GLuint drawName = 0, readName = 0;
   const char *reason = nullptr; ///< why the draw framebuffer is not ours
   std::array<PixelImage *, abi::kMaxColorTargets> color{};
@@ -130,12 +122,13 @@ struct PixelModes {
   bool transfersDepth = false;
 };
 
-/// A context's own part.
+/// All that a context keeps.
 struct WindowImages final : ContextImages {
   Drawable drawable;
   bool sizeKnown = false, sizeSure = true;
   std::array<swrast::Rect, 4> viewports; ///< that the application used last, the newest first
-  std::uint64_t turn = 0;                ///< of SharedImages, when this context last looked
+  std::uint64_t epoch = 0; ///< of Context::neighbours, that all images are good for; 0: none
+  ObjectImages objects;
   bool doubleBuffered = false;
   PixelImage color, depthStencil;
   int depthBits = 0, stencilBits = 0;
@@ -145,19 +138,22 @@ struct WindowImages final : ContextImages {
   PixelModes modes;
 };
 
-[[nodiscard]] SharedImages &sharedOf(Context &context);
+/// Where the rasterizer is used.
+[[nodiscard]] ObjectImages &objectsOf(Context &context);
 /// Null where the rasterizer is not used.
 [[nodiscard]] WindowImages *windowOf(Context &context);
 
 // --- residency.cpp ---
-/// Under the lock, before shadows are used: if another context had its turn since, what it wrote is
-/// unknown, and the host has it.
-void settle(Context &context, WindowImages &window);
+/// windowOf(), with images that are good now: what neighbours may have changed since is the host's,
+/// which was given what was pending. Each command looks through this first.
+[[nodiscard]] WindowImages *settledWindowOf(Context &context);
+/// The same of a command that the host does as well: null also while a neighbour is current.
+[[nodiscard]] WindowImages *undisturbedWindowOf(Context &context);
 /// The window may have another size: it is asked for before the next use.
 void forgetSize(Context &context, WindowImages &window);
 
 // --- residency_images.cpp ---
-[[nodiscard]] Texture &textureOf(SharedImages &shared, GLuint name);
+[[nodiscard]] Texture &textureOf(ObjectImages &objects, GLuint name);
 /// The level's image, its description asked for; null for a target or level that there is not.
 [[nodiscard]] PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget,
                                   GLint level);

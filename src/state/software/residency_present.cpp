@@ -18,7 +18,7 @@ void give(Context &context, WindowImages &window, PixelImage &image) {
 
 void updateBehind(Context &context, const WindowImages &window) {
   bool behind = false;
-  for (const PixelImage *image : sharedOf(context).pending)
+  for (const PixelImage *image : objectsOf(context).pending)
     behind = behind || image->newest == Newest::Shadow;
   for (const PixelImage *image : window.pending)
     behind = behind || image->newest == Newest::Shadow;
@@ -45,10 +45,9 @@ void copyToMemory(WindowImages &window) {
 } // namespace
 
 bool present(Context &context) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = settledWindowOf(context);
   if (!window)
     return false;
-  const std::lock_guard lock(sharedOf(context).mutex);
   // Nobody sees a pbuffer, and swapping it does nothing to it.
   if (window->drawable.kind != Drawable::Kind::Window)
     return false;
@@ -65,11 +64,6 @@ bool present(Context &context) {
 }
 
 void leave(Context &context) {
-  SharedImages &shared = sharedOf(context);
-  if (context.countedCurrent) {
-    context.countedCurrent = false;
-    shared.current.fetch_sub(1);
-  }
   if (!context.software || !context.software->images || context.insideBeginEnd ||
       context.listMode != 0)
     return;
@@ -78,23 +72,11 @@ void leave(Context &context) {
   // The host wrote to its own copy of the application's memory.
   if (window.drawable.kind == Drawable::Kind::Memory && window.color.newest != Newest::Host)
     context.host->Flush();
-  const std::lock_guard lock(shared.mutex);
   dropShadow(context, window.color);
   dropShadow(context, window.depthStencil);
 }
 
 void enter(Context &context) {
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  if (!context.countedCurrent) {
-    context.countedCurrent = true;
-    shared.current.fetch_add(1);
-  }
-  if (shared.lastTurn != context.serial + 1) {
-    shared.lastTurn = context.serial + 1;
-    ++shared.turn;
-    shared.changed();
-  }
   WindowImages *const window = windowOf(context);
   if (!window)
     return;
@@ -114,7 +96,7 @@ void flush(Context &context, bool finish) {
   if (window) {
     const bool visible = window->drawable.kind == Drawable::Kind::Window &&
                          !window->doubleBuffered && window->color.newest == Newest::Shadow;
-    if (visible || context.group->contexts.load(std::memory_order_relaxed) > 1)
+    if (visible || sharesObjects(context))
       synchronise(context, "flush");
   }
   if (finish)

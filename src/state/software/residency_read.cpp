@@ -105,14 +105,12 @@ void writeApplicationRows(const Image &image, GLenum format, std::uint8_t *to,
 
 bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, void *pixels) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   ByteFormat bytes;
   if (!window || !pixels || width <= 0 || height <= 0 || !byteFormat(format, type, bytes))
     return false;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  settle(context, *window);
-  if (shared.valid == 0)
+  ObjectImages &objects = objectsOf(context);
+  if (objects.valid == 0)
     return false;
   const PixelImage *const image = framebuffersOf(context, *window).read;
   if (!image || image->newest == Newest::Host)
@@ -128,20 +126,18 @@ bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
 
 bool getTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
                  void *pixels) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   const GLenum binding = bindingOf(target);
   ByteFormat bytes;
   if (!window || !pixels || binding == 0 || !byteFormat(format, type, bytes))
     return false;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  settle(context, *window);
-  if (shared.valid == 0)
+  ObjectImages &objects = objectsOf(context);
+  if (objects.valid == 0)
     return false;
   GLint name = 0;
   context.host->GetIntegerv(binding, &name);
-  const auto found = shared.textures.find(GLuint(name));
-  if (found == shared.textures.end())
+  const auto found = objects.textures.find(GLuint(name));
+  if (found == objects.textures.end())
     return false;
   const PixelImage *const image = levelOf(context, *found->second, target, level);
   // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is

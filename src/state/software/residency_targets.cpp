@@ -23,7 +23,7 @@ bool restoreFormat(Context &context, PixelImage &image) {
   for (int z = 0; z < image.depth; ++z)
     swrast::copyPixels(own, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
   image.shadow = std::move(own);
-  sharedOf(context).changed();
+  objectsOf(context).changed();
   return true;
 }
 
@@ -34,7 +34,7 @@ bool acquire(Context &context, WindowImages &window, PixelImage &image, bool kee
   if (!makeOwn(context, image, keep))
     return false;
   setNewest(context, image, Newest::Shadow);
-  sharedOf(context).drawn = true;
+  objectsOf(context).drawn = true;
   image.drawnHere = true;
   return true;
 }
@@ -42,12 +42,10 @@ bool acquire(Context &context, WindowImages &window, PixelImage &image, bool kee
 } // namespace
 
 const DrawTargets *describeTargets(Context &context, const char *&reason) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = settledWindowOf(context);
   reason = "target";
   if (!window)
     return nullptr;
-  const std::lock_guard lock(sharedOf(context).mutex);
-  settle(context, *window);
   const Framebuffers &f = framebuffersOf(context, *window);
   if (f.reason) {
     reason = f.reason;
@@ -97,7 +95,6 @@ bool acquireTargets(Context &context, const swrast::Rect &overwritten, bool dept
   WindowImages *const window = windowOf(context);
   if (!window)
     return false;
-  const std::lock_guard lock(sharedOf(context).mutex);
   const Framebuffers &f = framebuffersOf(context, *window);
   if (f.reason)
     return false;

@@ -137,7 +137,7 @@ private:
     for (int z = 0; z < image.depth; ++z)
       swrast::copyPixels(made, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
     image.shadow = std::move(made);
-    sharedOf(context).changed();
+    objectsOf(context).changed();
     return true;
   }
 
@@ -150,9 +150,9 @@ const TextureImages kIncomplete;
 
 /// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
 /// image. Where it has one it is not ours: its name tells it not from those of other targets.
-bool zeroIsAbsent(Context &context, SharedImages &shared, abi::Dimension dimension) {
+bool zeroIsAbsent(Context &context, ObjectImages &objects, abi::Dimension dimension) {
   const LevelRange range = rangeOf(context, 0, dimension);
-  GLint &absent = shared.absent[std::size_t(dimension)];
+  GLint &absent = objects.absent[std::size_t(dimension)];
   if (absent == range.base)
     return true;
   if (range.base < 0 || range.base >= abi::kMaxLevels)
@@ -179,11 +179,10 @@ const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimensio
   const GLenum target = targetOf(dimension);
   if (!window)
     return nullptr;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
+  ObjectImages &objects = objectsOf(context);
   if (name == 0)
-    return zeroIsAbsent(context, shared, dimension) ? &kIncomplete : nullptr;
-  Texture &texture = textureOf(shared, name);
+    return zeroIsAbsent(context, objects, dimension) ? &kIncomplete : nullptr;
+  Texture &texture = textureOf(objects, name);
   if (!Completeness(context, *window, texture)
            .gather(target, rangeOf(context, name, dimension), mipmapped, reason))
     return nullptr;
@@ -205,13 +204,12 @@ void redefine(Context &context, Texture &texture) {
 } // namespace
 
 void textureRedefined(Context &context, GLenum target) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   if (!window)
     return;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  shared.absent.fill(-1);
-  if (shared.textures.empty())
+  ObjectImages &objects = objectsOf(context);
+  objects.absent.fill(-1);
+  if (objects.textures.empty())
     return;
   GLuint name = 0;
   if (target != 0) {
@@ -223,7 +221,7 @@ void textureRedefined(Context &context, GLenum target) {
     context.host->GetIntegerv(binding, &bound);
     name = GLuint(bound);
   }
-  for (const auto &[key, texture] : shared.textures) {
+  for (const auto &[key, texture] : objects.textures) {
     if (target != 0 && key != name)
       continue;
     for (const std::unique_ptr<PixelImage> &image : texture->images)
@@ -233,28 +231,27 @@ void textureRedefined(Context &context, GLenum target) {
       }
     redefine(context, *texture);
   }
-  shared.redefined();
+  objects.redefined();
 }
 
 void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   if (!window || !names)
     return;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
+  ObjectImages &objects = objectsOf(context);
   for (GLsizei i = 0; i < n; ++i) {
-    const auto found = shared.textures.find(names[i]);
-    if (found == shared.textures.end())
+    const auto found = objects.textures.find(names[i]);
+    if (found == objects.textures.end())
       continue;
     // Its images live on where they are attached to a framebuffer that is not bound.
     for (const std::unique_ptr<PixelImage> &image : found->second->images)
       if (image && image->newest == Newest::Shadow)
         upload(context, *window, *image);
     redefine(context, *found->second);
-    std::erase_if(shared.pending,
+    std::erase_if(objects.pending,
                   [&](const PixelImage *image) { return image->texture == found->second.get(); });
-    shared.textures.erase(found);
-    shared.redefined();
+    objects.textures.erase(found);
+    objects.redefined();
   }
 }
 

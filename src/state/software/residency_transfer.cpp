@@ -1,5 +1,6 @@
 // Pixels between the host and the shadows.
 #include <algorithm>
+#include <cstdint>
 
 #include "state/software/residency_host.h"
 #include "util/thread.h"
@@ -89,14 +90,41 @@ private:
   bool m_window = false;
 };
 
-void readTexture(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
+/// The bound texture's level is still of the size that the image was described with. What moves
+/// pixels relies on it, and asks: to bind a name that is free would make a texture of it, too.
+bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    host.GetTexLevelParameteriv(image.place.target, image.place.level, pname, &value);
+    return value;
+  };
+  return get(GL_TEXTURE_WIDTH) == image.width && get(GL_TEXTURE_HEIGHT) == image.height &&
+         get(GL_TEXTURE_DEPTH) == image.depth &&
+         get(GL_TEXTURE_INTERNAL_FORMAT) == image.internalFormat;
+}
+
+/// False: the texture is not what it was described as.
+bool readTexture(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
                  const GlFormat &gl) {
+  const host::HostTable &host = *context.host;
+  if (!host.IsTexture(image.place.name))
+    return false;
   const Rows rows = rowsOf(to);
-  const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
-                               image.place.name);
+  const TextureBinding binding(host, textureTargetOf(image.place.target), image.place.name);
+  if (!isAsDescribed(host, image))
+    return false;
   const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength,
                            imageHeightOf(to));
-  context.host->GetTexImage(image.place.target, image.place.level, gl.format, gl.type, rows.data);
+  // A neighbour that keeps to no order may give it another size even now: the robust Get writes no
+  // more than it is told.
+  const std::ptrdiff_t room = to.storage->data() + to.storage->bytes() - rows.data;
+  const auto bufferSize = GLsizei(std::min(room, std::ptrdiff_t(INT32_MAX)));
+  if (context.caps.has("GL_ARB_robustness"))
+    host.GetnTexImageARB(image.place.target, image.place.level, gl.format, gl.type, bufferSize,
+                         rows.data);
+  else
+    host.GetTexImage(image.place.target, image.place.level, gl.format, gl.type, rows.data);
+  return true;
 }
 
 void readBuffer(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
@@ -191,9 +219,9 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
                    image.height);
   const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
-  SharedImages &shared = sharedOf(context);
-  const SharedImages::Way way = {image.width, image.height, internalFormat};
-  if (shared.way != way) {
+  ObjectImages &objects = objectsOf(context);
+  const ObjectImages::Way way = {image.width, image.height, internalFormat};
+  if (objects.way != way) {
     const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, 0, 0);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -201,7 +229,7 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
     // The order of the components is a hint of how the host is to keep them.
     host.TexImage2D(GL_TEXTURE_2D, 0, internalFormat, image.width, image.height, 0, gl.format,
                     gl.format == GL_BGRA ? GL_UNSIGNED_INT_8_8_8_8_REV : gl.type, nullptr);
-    shared.way = way;
+    objects.way = way;
   }
   writeTexture(context, window, GL_TEXTURE_2D, 0, from, gl);
 
@@ -233,16 +261,17 @@ bool download(Context &context, WindowImages &window, PixelImage &image) {
   Image to = makeShadow(image, image.format, topRowFirst);
   if (to.empty())
     return false;
+  bool read = true;
   if (image.place.kind == Place::Kind::Texture)
-    readTexture(context, window, image, to, gl);
+    read = readTexture(context, window, image, to, gl);
   else
     readBuffer(context, window, image, to, gl);
-  if (errors.failed())
+  if (!read || errors.failed())
     return false;
   image.shadow = std::move(to);
-  sharedOf(context).changed();
+  objectsOf(context).changed();
   setNewest(context, image, Newest::Both);
-  ResidencyStatistics &statistics = sharedOf(context).statistics;
+  ResidencyStatistics &statistics = objectsOf(context).statistics;
   ++statistics.downloads;
   statistics.downloadedBytes += bytesOf(image);
   return true;
@@ -252,6 +281,9 @@ void upload(Context &context, WindowImages &window, PixelImage &image) {
   const NoCancel scope;
   HostErrorScope errors(context);
   if (image.place.kind == Place::Kind::Texture) {
+    // One that a neighbour deleted or gave another size is the neighbour's.
+    if (!context.host->IsTexture(image.place.name))
+      return;
     GlFormat gl;
     const Image from = plain(image, false, gl);
     if (from.empty())
@@ -259,16 +291,18 @@ void upload(Context &context, WindowImages &window, PixelImage &image) {
                      image.height);
     const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
                                  image.place.name);
+    if (!isAsDescribed(*context.host, image))
+      return;
     writeTexture(context, window, image.place.target, image.place.level, from, gl);
   } else {
     writeBuffer(context, window, image);
   }
   if (errors.failed()) {
-    sharedOf(context).way = {};
+    objectsOf(context).way = {};
     logWarn("residency", "the host took no pixels of an image of %d x %d", image.width,
             image.height);
   }
-  ResidencyStatistics &statistics = sharedOf(context).statistics;
+  ResidencyStatistics &statistics = objectsOf(context).statistics;
   ++statistics.uploads;
   statistics.uploadedBytes += bytesOf(image);
 }

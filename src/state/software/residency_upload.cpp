@@ -150,7 +150,7 @@ bool writableShadow(Context &context, PixelImage &image, const ByteSource &sourc
     image.shadow.format = order;
     image.shadow.storage.reset();
   }
-  sharedOf(context).changed();
+  objectsOf(context).changed();
   return makeOwn(context, image, !whole);
 }
 
@@ -185,18 +185,17 @@ bool write(Context &context, WindowImages &window, PixelImage &image, const Rect
 void texSubImage(Context &context, GLenum target, GLint level, GLint x, GLint y, GLint z,
                  GLsizei width, GLsizei height, GLsizei, GLenum format, GLenum type,
                  const void *pixels) {
-  WindowImages *const window = windowOf(context);
+  WindowImages *const window = undisturbedWindowOf(context);
   const GLenum binding = bindingOf(target);
   if (!window || binding == 0)
     return;
-  SharedImages &shared = sharedOf(context);
-  const std::lock_guard lock(shared.mutex);
-  if (shared.valid == 0)
+  ObjectImages &objects = objectsOf(context);
+  if (objects.valid == 0)
     return;
   GLint name = 0;
   context.host->GetIntegerv(binding, &name);
-  const auto found = shared.textures.find(GLuint(name));
-  if (found == shared.textures.end())
+  const auto found = objects.textures.find(GLuint(name));
+  if (found == objects.textures.end())
     return;
   PixelImage *const image = levelOf(context, *found->second, target, level);
   if (!image || image->newest == Newest::Host ||
