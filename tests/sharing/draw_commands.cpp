@@ -1,0 +1,211 @@
+// Clears and draws, with programs and without.
+#include "world.h"
+
+namespace sharing {
+
+namespace {
+
+bool chance(Random &random, int of) { return random.once(of); }
+
+void clear(World &world, Random &random, const std::string &) {
+  int width = 0, height = 0;
+  float rgba[4];
+  for (float &component : rgba)
+    component = float(random.below(256)) / 255.0f;
+  const bool part = chance(random, 2), depth = chance(random, 2);
+  if (!world.ready(width, height))
+    return;
+  if (part) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(random.below(8), random.below(8), random.between(1, width),
+              random.between(1, height));
+  }
+  glClearColor(rgba[0], rgba[1], rgba[2], rgba[3]);
+  glClear(GL_COLOR_BUFFER_BIT | (depth ? GLbitfield(GL_DEPTH_BUFFER_BIT) : 0u));
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// The programs of one draw, bound anew; returns the texture that it samples, or -1.
+class Programs {
+public:
+  Programs(World &world, Random &random) {
+    Group &group = world.group();
+    const bool fragment = !random.once(8), vertex = random.once(3);
+    Program &shades = group.fragments[std::size_t(random.below(kFragmentPrograms))];
+    Program &places = group.vertices[std::size_t(random.below(kVertexPrograms))];
+    const int texture = random.below(kTextures);
+    const float env[] = {float(random.below(256)) / 255.0f, 0.2f, 0.6f, 1};
+    m_possible = !world.isAttached(texture);
+    if (!m_possible)
+      return;
+    glBindTexture(GL_TEXTURE_2D, world.texture(texture).name);
+    if (fragment) {
+      world.bind(GL_FRAGMENT_PROGRAM_ARB, shades);
+      glProgramEnvParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, 1, env);
+      glEnable(GL_FRAGMENT_PROGRAM_ARB);
+    }
+    if (vertex) {
+      world.bind(GL_VERTEX_PROGRAM_ARB, places);
+      glEnable(GL_VERTEX_PROGRAM_ARB);
+    }
+  }
+  ~Programs() {
+    glDisable(GL_FRAGMENT_PROGRAM_ARB);
+    glDisable(GL_VERTEX_PROGRAM_ARB);
+  }
+  Programs(const Programs &) = delete;
+  Programs &operator=(const Programs &) = delete;
+  [[nodiscard]] bool possible() const { return m_possible; }
+
+private:
+  bool m_possible = false;
+};
+
+/// Depths are far apart, so that no comparison is of equal ones.
+class Depth {
+public:
+  Depth(World &world, Random &random) {
+    if (!random.once(3))
+      return;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(random.once(2) ? GL_LESS : GL_ALWAYS);
+    static_cast<void>(world);
+  }
+  ~Depth() { glDisable(GL_DEPTH_TEST); }
+  Depth(const Depth &) = delete;
+  Depth &operator=(const Depth &) = delete;
+};
+
+void vertexAt(const Vertex &vertex) {
+  glColor4ubv(vertex.rgba);
+  glTexCoord2f(vertex.u, vertex.v);
+  glVertex3f(vertex.x, vertex.y, vertex.z);
+}
+
+void drawImmediate(World &world, Random &random, const std::string &) {
+  const std::vector<Vertex> quads = randomQuads(random.between(1, 3), random);
+  int width = 0, height = 0;
+  if (!world.readyToDraw(width, height))
+    return;
+  const Programs programs(world, random);
+  if (!programs.possible())
+    return;
+  const Depth depth(world, random);
+  glBegin(GL_QUADS);
+  for (const Vertex &vertex : quads)
+    vertexAt(vertex);
+  glEnd();
+}
+
+/// A quad over all of the target that shows the whole texture, texel by pixel.
+void drawTexture(World &world, Random &random, const std::string &) {
+  const int index = random.below(kTextures);
+  const Texture &texture = world.texture(index);
+  const int sampling = random.below(kFragmentPrograms);
+  int width = 0, height = 0;
+  if (!world.readyToDraw(width, height) || world.isAttached(index))
+    return;
+  Program &program = world.group().fragments[std::size_t(sampling)];
+  glBindTexture(GL_TEXTURE_2D, texture.name);
+  world.bind(GL_FRAGMENT_PROGRAM_ARB, program);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  // A quarter of a texel from its border.
+  const float u0 = -0.25f / float(texture.width), v0 = -0.25f / float(texture.height);
+  const float u1 = u0 + float(width) / float(texture.width);
+  const float v1 = v0 + float(height) / float(texture.height);
+  const float z = float(random.between(-50, 50)) / 64.0f;
+  glColor4f(1, 0, 1, 1);
+  glBegin(GL_QUADS);
+  glTexCoord2f(u0, v0), glVertex3f(-1, -1, z);
+  glTexCoord2f(u1, v0), glVertex3f(1, -1, z);
+  glTexCoord2f(u1, v1), glVertex3f(1, 1, z);
+  glTexCoord2f(u0, v1), glVertex3f(-1, 1, z);
+  glEnd();
+  glDisable(GL_FRAGMENT_PROGRAM_ARB);
+}
+
+void pointTo(const Vertex *base) {
+  const auto *const at = reinterpret_cast<const char *>(base);
+  glVertexPointer(3, GL_FLOAT, sizeof(Vertex), at + offsetof(Vertex, x));
+  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), at + offsetof(Vertex, u));
+  glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), at + offsetof(Vertex, rgba));
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY})
+    glEnableClientState(array);
+}
+
+void endArrays() {
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY})
+    glDisableClientState(array);
+}
+
+void drawBuffer(World &world, Random &random, const std::string &) {
+  const Buffer &buffer = world.group().buffers[std::size_t(random.below(kBuffers))];
+  const int times = random.between(1, 3); // small buffers that are drawn from again are copied
+  int width = 0, height = 0;
+  if (buffer.mapped || !world.readyToDraw(width, height))
+    return;
+  const Programs programs(world, random);
+  if (!programs.possible())
+    return;
+  const Depth depth(world, random);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name);
+  pointTo(nullptr);
+  for (int i = 0; i < times; ++i)
+    glDrawArrays(GL_QUADS, 0, 4 * buffer.quads);
+  endArrays();
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void drawArrays(World &world, Random &random, const std::string &) {
+  const std::vector<Vertex> quads = randomQuads(random.between(1, 3), random);
+  int width = 0, height = 0;
+  if (!world.readyToDraw(width, height))
+    return;
+  const Programs programs(world, random);
+  if (!programs.possible())
+    return;
+  pointTo(quads.data());
+  glDrawArrays(GL_QUADS, 0, GLsizei(quads.size()));
+  endArrays();
+}
+
+void makeList(World &world, Random &random, const std::string &) {
+  GLuint &list = world.group().lists[std::size_t(random.below(kLists))];
+  const std::vector<Vertex> quads = randomQuads(random.between(1, 2), random);
+  if (list != 0 && random.once(3)) {
+    glDeleteLists(list, 1);
+    list = 0;
+  }
+  if (list == 0)
+    list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glBegin(GL_QUADS);
+  for (const Vertex &vertex : quads)
+    vertexAt(vertex);
+  glEnd();
+  glEndList();
+}
+
+void callList(World &world, Random &random, const std::string &) {
+  const GLuint list = world.group().lists[std::size_t(random.below(kLists))];
+  int width = 0, height = 0;
+  if (list == 0 || !world.readyToDraw(width, height))
+    return;
+  const Programs programs(world, random);
+  if (programs.possible())
+    glCallList(list);
+}
+
+} // namespace
+
+const std::vector<Command> kDrawCommands = {
+    {"Clear", 7, clear},
+    {"Begin and End", 10, drawImmediate},
+    {"texture quad", 14, drawTexture},
+    {"draw from a buffer", 10, drawBuffer},
+    {"draw from arrays", 3, drawArrays},
+    {"NewList", 2, makeList},
+    {"CallList", 3, callList},
+};
+
+} // namespace sharing
