@@ -13,7 +13,7 @@ packages_build=(
 # `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
   libgtest-dev libgmock-dev glslang-tools xvfb xauth piglit
-  libsdl2-dev libglew-dev chromium vim nodejs libjemalloc2 libtcmalloc-minimal4 locales
+  libsdl2-dev libglew-dev chromium vim nodejs libjemalloc2 libtcmalloc-minimal4 locales valgrind
 )
 
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.

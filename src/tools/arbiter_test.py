@@ -481,7 +481,7 @@ class Draw(Temporary):
     def test_parameters(self):
         _, _, rows = self.pixels(
             '!!ARBfp1.0\nADD result.color, program.local[2], program.env[1];\nEND',
-            '--local', '2=0.2,0,0.4,0.5', '--env', '1=0.2,0.6', '--local', '0=1,1,1,1')
+            '--local', '2=0.2,0,0.4,0.5', '--env', '1=0.2,0.6')
         self.assertEqual(list(rows[0][:4]), [102, 153, 102, 128])
 
     def test_a_texture_is_upright(self):
@@ -506,6 +506,72 @@ class Draw(Temporary):
         self.assertIn('^', result.stderr)
         self.assertFalse(self.output.exists())
 
+    def test_a_vertex_program_moves_a_mesh(self):
+        vertex = self.path('half.vp', '!!ARBvp1.0\nMUL result.position, vertex.position, {0.5, 1, 1, 1};\n'
+                                      'MOV result.color, program.local[3];\nEND\n')
+        for words in ((vertex,), ('--mesh', 'grid', '-', vertex)):
+            local = ('--local', ('vp:' if '-' in words else '') + '3=0,1,0,1')
+            result = arbiter('draw', *self.words, '--size', '8x4', *local, *words, '-o',
+                             self.path('out.png'), text=GOOD)
+            self.assertEqual((result.returncode, result.stderr), (0, ''))
+            _, _, rows = read_png(self.path('out.png'))
+            row = [rows[1][4 * x:4 * x + 3] for x in range(8)]
+            self.assertEqual(row, [b'\0\0\0'] * 2 + [b'\0\xff\0'] * 4 + [b'\0\0\0'] * 2)
+
+    def test_attributes(self):
+        vertex = self.path('a.vp', '!!ARBvp1.0\nMOV result.position, vertex.attrib[0];\n'
+                                   'MAD result.color, vertex.attrib[8], {1, 1, 0, 0}, vertex.attrib[6];\nEND\n')
+        result = arbiter('draw', *self.words, '--size', '4x2', '--attrib', '6=0,0,0.2,1', vertex, '-o',
+                         self.path('out.png'))
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
+        _, _, rows = read_png(self.path('out.png'))
+        self.assertEqual(list(rows[0][:4]), [32, 191, 51, 255])
+
+    def test_a_sphere_is_round(self):
+        _, _, rows = self.pixels(GOOD, '--mesh', 'sphere', size='16x16')
+        self.assertEqual(rows[0][:3], b'\0\0\0')
+        middle = rows[8][4 * 8:4 * 8 + 3]
+        self.assertTrue(abs(middle[0] - 128) < 12 and abs(middle[1] - 128) < 12, list(middle))
+
+    def test_what_has_no_effect_is_an_error(self):
+        sampling = '!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[0], {};\nEND\n'
+        for text, options, said in (
+                (GOOD, ('--texture', '3=checker'),
+                 '--texture 3=checker has no effect: no program samples a texture'),
+                (sampling.format('2D'), ('--texture', '1=noise'),
+                 '--texture 1=noise has no effect: <stdin> samples texture[0] as 2D'),
+                (sampling.format('CUBE'), ('--texture', '0=checker'),
+                 '--texture 0=checker: <stdin> samples texture[0] as CUBE, and this is a 2D image'),
+                (sampling.format('RECT'), ('--feedback', '0', '--frames', '2'),
+                 '--feedback 0: <stdin> samples texture[0] as RECT, and this is a 2D image'),
+                (sampling.format('2D'), ('--feedback', '0'), '--feedback 0 has no effect on one frame'),
+                (GOOD, ('--local', '0=1'), '--local 0=1 has no effect: no program reads program.local[0]'),
+                (GOOD, ('--env', 'vp:2=1'),
+                 '--env vp:2=1 has no effect: no vertex program reads program.env[2]'),
+                (GOOD, ('--attrib', '1=1'), 'no program reads vertex.attrib[1]'),
+                (GOOD, ('--mesh', 'grid'), '--mesh grid has no effect without a vertex program'),
+                (sampling.format('2D'), ('--texture', '0=noise', '--texture', '0=checker'),
+                 '--texture 0 is given twice')):
+            result = self.draw(text, *options)
+            self.assertEqual(result.returncode, 1, (options, result.stderr))
+            self.assertIn(said, result.stderr)
+            self.assertFalse(self.output.exists())
+
+    def test_a_sample_without_an_image_is_said(self):
+        result = self.draw('!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[2], CUBE;\nEND\n')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, 'arbiter: <stdin>: texture[2] (CUBE) has no image, so its '
+                                        'samples are black\n')
+
+    def test_two_programs_of_one_stage(self):
+        first, second = self.path('a.fp', GOOD), self.path('b.fp', GOOD)
+        result = arbiter('draw', *self.words, first, second, '-o', self.path('out.png'))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('are both programs of fragments', result.stderr)
+        result = arbiter('draw', *self.words, first, '-o', first)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(first.read_text(), GOOD)
+
     def test_usage_errors(self):
         for options in (('--texture', '0'), ('--texture', 'x=checker'), ('--texture', '0=/none.png'),
                         ('--local', '0=1,2,3,4,5'), ('--local', '0=a'), ('--env', '0:1'),
@@ -521,7 +587,8 @@ class Draw(Temporary):
 
 class Capture(Temporary):
     def capture(self, *words):
-        return subprocess.run([os.path.abspath(ARBITER), 'capture', '--library', FAKE, *map(str, words)],
+        library = () if '--index-only' in words else ('--library', FAKE)
+        return subprocess.run([os.path.abspath(ARBITER), 'capture', *library, *map(str, words)],
                               capture_output=True, text=True, timeout=60, env=clean_environment(),
                               cwd=self.folder.name)
 
@@ -596,6 +663,19 @@ class Layered(Draw):
             self.assertEqual(counts.pop('address_registers'), 0)
             self.assertEqual(list(counts.values()),
                              [row['used'] for row in checked['counts'].values()], program)
+
+    def test_an_ati_shader(self):
+        image = self.path('in.png')
+        write_png(image, 1, 1, [b'\x10\x20\x30\xff'])
+        text = '!!ATIfs1.0\nStartOutputPass;\nSampleMap r0, t0.str;\nMOV r0, r0;\nEndPass;\n'
+        _, _, rows = self.pixels(text, '--texture', f'0={image}', size='2x2')
+        self.assertEqual(rows[0][:4], b'\x10\x20\x30\xff')
+
+    def test_a_refused_vertex_program_is_named(self):
+        vertex = self.path('bad.vp', '!!ARBvp1.0\nMOV result.position, q;\nEND\n')
+        result = arbiter('draw', *self.words, '-', vertex, '-o', self.path('out.png'), text=GOOD)
+        self.assertEqual(result.returncode, 2)
+        self.assertTrue(result.stderr.startswith(f'{vertex}:2:22: error: '), result.stderr)
 
     def test_never_the_bare_hosts_picture(self):
         result = arbiter('draw', '--in-layer', '-', '-o', self.path('x.png'), text=GOOD)

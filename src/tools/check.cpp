@@ -56,10 +56,6 @@ public:
         m_many(found.folders || found.paths.size() > kFew),
         m_full(!m_brief && (!m_many || arguments.why || arguments.gauges == "always")) {}
 
-  /// Whether add() wants the file explained.
-  [[nodiscard]] bool wantsReasons(const CheckedFile &file) const {
-    return m_full || (!m_brief && file.status == FileStatus::OverNative);
-  }
   [[nodiscard]] std::string of(const CheckedFile &file) const {
     return m_full ? fullText(file, m_profile, m_options) : briefText(file);
   }
@@ -82,7 +78,7 @@ private:
 
 int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
   const FoundFiles found = findFiles(arguments.files);
-  Summary summary;
+  Summary summary(arguments.brief ? Summary::Detail::Counts : Summary::Detail::Tables);
   Progress progress(found.paths.size());
   const auto report = [&](const std::string &fault) {
     progress.clear();
@@ -97,8 +93,6 @@ int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
   for (std::size_t i = 0; i < found.paths.size(); ++i) {
     progress.at(i);
     CheckedFile file = checkOne(found.paths[i], arguments, profile);
-    if (arguments.json || text.wantsReasons(file))
-      explain(file);
     summary.add(file);
     if (file.status == FileStatus::Unreadable)
       report(file.fault);
@@ -162,13 +156,17 @@ int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
     complain("--compare takes two files, or one file and --profile twice");
     return kExitUsage;
   }
+  if (arguments.files.size() == 2 ? isSameFile(arguments.files[0], arguments.files[1])
+                                  : arguments.profiles[0] == arguments.profiles[1]) {
+    complain("--compare: both sides are the same");
+    return kExitUsage;
+  }
   std::vector<Side> sides;
-  Summary summary;
+  Summary summary(Summary::Detail::Counts);
   for (std::size_t i = 0; i < 2; ++i) {
     const fp::hw::Profile &profile = profiles[profiles.size() == 2 ? i : 0];
     CheckedFile file =
         checkOne(arguments.files[arguments.files.size() == 2 ? i : 0], arguments, profile);
-    explain(file);
     summary.add(file);
     if (file.status == FileStatus::Unreadable)
       complain(shown(file.fault));

@@ -1,12 +1,10 @@
-// The only file that knows CLI11: the command line becomes the structures of commands.h.
-#include <CLI/CLI.hpp>
+// With options.cpp and effects.cpp all that knows CLI11: the command line becomes the structures of
+// commands.h.
 #include <GL/arbiter.h>
 #include <algorithm>
 
-#include "tools/commands.h"
 #include "tools/input.h"
-#include "tools/language.h"
-#include "util/flags.h"
+#include "tools/options.h"
 #include "util/suggest.h"
 
 namespace arbiter::tools {
@@ -17,264 +15,6 @@ namespace {
 #define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
 constexpr const char *kVersion = "arbiter " ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
     ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
-
-/// Everything that a command line can ask for.
-struct Arguments {
-  CheckArguments check;
-  CompileArguments compile;
-  DrawArguments draw;
-  RunArguments run;
-  CaptureArguments capture;
-  ReportArguments report;
-  ProfilesArguments profiles;
-  CacheArguments cache;
-  LspArguments lsp;
-};
-
-constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
-
-void addLanguage(CLI::App &command, std::string &language) {
-  command
-      .add_option("--language", language,
-                  "auto: as the header says; or the language to hold the program to")
-      ->check(CLI::IsMember(languageNames()))
-      ->capture_default_str();
-}
-
-void addCheck(CLI::App &app, CheckArguments &check) {
-  CLI::App *command = app.add_subcommand(
-      "check", "Check programs: errors with line and column, counts against limits");
-  check.profiles = {settings().profile}; // ARBITER_PROFILE, or the default
-  command
-      ->add_option("--profile", check.profiles,
-                   std::string(kProfileHelp) + "; all: every card, a row a file, a column a card")
-      ->allow_extra_args(false)
-      ->take_all()
-      ->capture_default_str();
-  command
-      ->add_option("--limits", check.limits,
-                   "a program over the API limits: enforce: invalid; report: a warning")
-      ->check(CLI::IsMember({"enforce", "report"}))
-      ->capture_default_str();
-  addLanguage(*command, check.language);
-  command->add_flag("--json", check.json, "one JSON document for all files");
-  CLI::Option *brief =
-      command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
-  CLI::Option *why = command->add_flag(
-      "--why", check.why, "every reason, texture node, dependent read and cost, for every file");
-  command
-      ->add_flag("--compare", check.compare,
-                 "two files side by side, or one under two profiles (--profile twice)")
-      ->excludes(brief)
-      ->excludes(why);
-  command
-      ->add_option("--gauges", check.gauges,
-                   "auto: blocks on a UTF-8 terminal; always: into a file too, and a table for "
-                   "each of many files; never: numbers alone")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
-  command
-      ->add_option("FILE", check.files,
-                   "program texts, or folders of them and of captures; - is standard input")
-      ->required();
-  command->footer("Up to eight files get a table each; more, or a folder, the lines of what is "
-                  "wrong and a summary.\n"
-                  "Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "
-                  "over the native limits; 4 internal error. The worst file decides.\n"
-                  "Examples:\n"
-                  "  arbiter check --why shader.fp\n"
-                  "  arbiter check --profile nv30 --json *.fp *.vp\n"
-                  "  arbiter check shaders/ game.capture/\n"
-                  "  arbiter check --profile all shaders/\n"
-                  "  arbiter check --compare before.fp after.fp\n"
-                  "  arbiter check --compare --profile r300 --profile nv30 shader.fp\n"
-                  "  arbiter check --profile r300-catalyst-2004 - < shader.fp");
-}
-
-void addCompile(CLI::App &app, CompileArguments &compile) {
-  CLI::App *command = app.add_subcommand("compile", "Show what the compiler makes of a program");
-  compile.profile = settings().profile;
-  command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
-  command
-      ->add_option("--emit", compile.emit,
-                   "tokens, ir (checked program), assembly (plain text), glsl (1.20), native "
-                   "(as the profile's card runs it), llvm or machine (the rasterizer's code)")
-      ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl", "native", "llvm", "machine"}))
-      ->capture_default_str();
-  addLanguage(*command, compile.language);
-  command->add_flag("--optimise,-O", compile.optimise, "ir, assembly: after the passes");
-  command
-      ->add_option("--numerics", compile.numerics,
-                   "glsl, llvm, machine, and the passes: for this arithmetic")
-      ->check(CLI::IsMember({"host", "legacy", "fp24"}))
-      ->capture_default_str();
-  command->add_option("-o,--output", compile.output, "file to write; - is standard output")
-      ->capture_default_str();
-  command->add_option("FILE", compile.file, "a program text; - is standard input")->required();
-  command->footer("Exit code: as for check, without 3.\n"
-                  "Examples:\n"
-                  "  arbiter compile --emit glsl shader.fp\n"
-                  "  arbiter compile --emit ir -O shader.fp -o shader.ir");
-}
-
-void addLayer(CLI::App &command, LayerArguments &layer) {
-  command.add_option("--profile", layer.profile, kProfileHelp);
-  command
-      .add_option("--limits", layer.limits,
-                  "programs over the API limits: enforce refuses them, report loads them")
-      ->check(CLI::IsMember({"enforce", "report"}));
-  command
-      .add_option("--identity", layer.identity,
-                  "whom GL says it is: the host, or the profile's card and driver")
-      ->check(CLI::IsMember({"host", "profile"}));
-  command
-      .add_option("--numerics", layer.numerics,
-                  "how programs compute: as the host; legacy: 0 times infinity is 0; fp24: 24-bit "
-                  "floats")
-      ->check(CLI::IsMember({"host", "legacy", "fp24"}));
-  command
-      .add_option("--backend", layer.backend,
-                  "who draws with programs: auto; the host; swrast, Arbiter's own rasterizer")
-      ->check(CLI::IsMember({"auto", "host", "swrast"}));
-  command
-      .add_option("--extensions-max-year", layer.extensionsMaxYear,
-                  "announce no extension of a later year")
-      ->check(CLI::Range(1992, 9999));
-  command
-      .add_option("--extensions-max-length", layer.extensionsMaxLength,
-                  "cut the extension string to at most this many bytes, oldest first")
-      ->check(CLI::Range(1, 1048576));
-  command.add_option("--stats", layer.stats,
-                     "write statistics as JSON at exit; %p becomes the process id");
-  command.add_option("--log", layer.log, "off, error, warn, info, debug, FILE or LEVEL:FILE");
-  command.add_option("--debug", layer.debug, "debug flags, separated by commas; help lists them");
-  command.add_option("--replace", layer.replace,
-                     "a folder of texts named by hash (as capture writes them) that are loaded in "
-                     "place of the application's, and again when a file changes");
-  command.add_option("--host-vendor", layer.hostVendor,
-                     "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
-  command.add_option("--library", layer.library, "the layer's library, where it is not beside us");
-}
-
-void addDraw(CLI::App &app, DrawArguments &draw) {
-  CLI::App *command = app.add_subcommand(
-      "draw", "Draw a program on a quad through the layer, with no display, into a PNG");
-  addLayer(*command, draw.layer);
-  command->add_option("--size", draw.size, "WxH in pixels")->capture_default_str();
-  command
-      ->add_option("--texture", draw.textures,
-                   "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
-      ->allow_extra_args(false)
-      ->take_all();
-  command->add_option("--local", draw.locals, "N=x,y,z,w: program.local[N] (repeatable)")
-      ->allow_extra_args(false)
-      ->take_all();
-  command->add_option("--env", draw.envs, "N=x,y,z,w: program.env[N] (repeatable)")
-      ->allow_extra_args(false)
-      ->take_all();
-  command->add_option("--frames", draw.frames, "draw this many times; the last picture is kept")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  command
-      ->add_option("--feedback", draw.feedback,
-                   "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
-      ->check(CLI::Range(0, 31));
-  command->add_option("-o,--output", draw.output, "the PNG to write")->required();
-  command->add_flag("--bare", draw.bare, "without the layer: the host's own implementation");
-  command->add_flag("--in-layer", draw.inLayer)->group(""); // what draw passes to itself
-  command->add_option("FILE", draw.file, "a program text; - is standard input")->required();
-  command->footer("The quad fills the picture; every texture coordinate set runs from 0 to 1 with "
-                  "y up, the primary colour is (s, t, 0, 1).\n"
-                  "Exit code: 0 drawn; 1 usage or a file; 2 the program is invalid; 4 no GL.\n"
-                  "Examples:\n"
-                  "  arbiter draw shader.fp -o out.png\n"
-                  "  arbiter draw --texture 0=photo.png --local 0=0.5,1,0,0 shader.fp -o out.png\n"
-                  "  arbiter draw --size 256x256 --texture 0=noise --feedback 0 --frames 100 "
-                  "life.fp -o life.png");
-}
-
-void addRun(CLI::App &app, RunArguments &run) {
-  CLI::App *command =
-      app.add_subcommand("run", "Run a command, and all that it starts, under the layer:\n"
-                                "arbiter run [OPTIONS] [--] COMMAND [ARGUMENTS...]");
-  addLayer(*command, run.layer);
-  command->add_flag("--print-environment", run.printEnvironment,
-                    "print the variables for a shell in place of running a command");
-  command->prefix_command();
-  command->footer("Exit code: that of COMMAND; 1 usage; 126 COMMAND cannot be executed; 127 there "
-                  "is no such command.\n"
-                  "Examples:\n"
-                  "  arbiter run -- glxgears -info\n"
-                  "  arbiter run --profile nv30 --stats stats-%p.json -- wine game.exe\n"
-                  "  eval \"$(arbiter run --print-environment --limits report)\"");
-}
-
-void addCapture(CLI::App &app, CaptureArguments &capture) {
-  CLI::App *command = app.add_subcommand(
-      "capture", "Run a command under the layer and keep each program that it loads:\n"
-                 "arbiter capture [-o DIR] [OPTIONS] [--] COMMAND [ARGUMENTS...]");
-  command->add_option("-o,--output", capture.folder,
-                      "the folder to write; COMMAND.capture by default");
-  command->add_flag("--index-only", capture.indexOnly,
-                    "run nothing: make the index of the folder anew");
-  addLayer(*command, capture.layer);
-  command->prefix_command();
-  command->footer("The folder gets HASH.fp, .vp or .atifs for each text, its GLSL, a shader_test "
-                  "for piglit, index.json and index.html. Edit a text there, and\n"
-                  "  arbiter run --replace DIR -- COMMAND\n"
-                  "loads it in place of the application's, while it runs too.\n"
-                  "Exit code: that of COMMAND, or 128 and the signal that ended it; 1 usage or a "
-                  "file; 126 COMMAND cannot be executed; 127 there is no such command.\n"
-                  "Examples:\n"
-                  "  arbiter capture -o game.capture -- ./game\n"
-                  "  arbiter capture --index-only -o game.capture");
-}
-
-void addReport(CLI::App &app, ReportArguments &report) {
-  CLI::App *command = app.add_subcommand(
-      "report", "Write one HTML page about a set of programs: what fits, what not, and why");
-  command->add_option("-o,--output", report.output, "the page to write; - is standard output")
-      ->capture_default_str();
-  command->add_option("--profile", report.profile,
-                      std::string(kProfileHelp) + "; by default the capture's, or as for check");
-  command->add_option("--json", report.json, "write the same as JSON too; - is standard output");
-  command
-      ->add_option("FILE", report.operands,
-                   "program texts, folders of them, or the folder of one capture")
-      ->required();
-  command->footer("The page needs nothing beside it and asks nothing of a network. Its address "
-                  "keeps how the table is sorted and filtered: page.html#sort=cycles&filter=water\n"
-                  "Exit code: 0 written, whatever the programs are; 1 usage, no program, or a file "
-                  "that cannot be read or written; 4 internal error.\n"
-                  "Examples:\n"
-                  "  arbiter report shaders -o shaders.html\n"
-                  "  arbiter report game.capture --profile nv30 -o game.html --json game.json");
-}
-
-void addProfiles(CLI::App &app, ProfilesArguments &profiles) {
-  CLI::App *command =
-      app.add_subcommand("profiles", "List the hardware profiles, or print one with its sources");
-  command->add_option("NAME", profiles.name, "a name, or a TOML file");
-  command->footer("Examples:\n  arbiter profiles\n  arbiter profiles r300 > mine.toml");
-}
-
-void addCache(CLI::App &app, CacheArguments &cache) {
-  CLI::App *command =
-      app.add_subcommand("cache", "Show where compiled programs are kept on disk, and how many");
-  command->add_flag("--clear", cache.clear, "remove them");
-  command->footer("ARBITER_CACHE and ARBITER_CACHE_MAX_MB rule the cache; see arbiter(7).\n"
-                  "Examples:\n  arbiter cache\n  arbiter cache --clear");
-}
-
-void addLsp(CLI::App &app, LspArguments &lsp) {
-  CLI::App *command = app.add_subcommand(
-      "lsp", "A language server for editors, on standard input and output (LSP 3.17)");
-  lsp.profile = settings().profile;
-  command->add_option("--profile", lsp.profile, kProfileHelp)->capture_default_str();
-  command->footer("An editor starts it; docs/editors.md says how. The profile can be changed while "
-                  "it runs, by the setting arbiter.profile.\n"
-                  "Exit code: 0 after shutdown and exit; 1 otherwise.");
-}
 
 /// What stands behind the first "--" of `run` and `capture` is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
@@ -372,15 +112,7 @@ int interpret(int argc, char **argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", kVersion);
   app.set_help_all_flag("--help-all", "help of all subcommands");
-  addCheck(app, arguments.check);
-  addCompile(app, arguments.compile);
-  addDraw(app, arguments.draw);
-  addRun(app, arguments.run);
-  addCapture(app, arguments.capture);
-  addReport(app, arguments.report);
-  addProfiles(app, arguments.profiles);
-  addCache(app, arguments.cache);
-  addLsp(app, arguments.lsp);
+  addVerbs(app, arguments);
   app.footer("See arbiter(1), and arbiter(7) for the environment variables.");
 
   const std::vector<std::string> all(argv, argv + argc);
@@ -393,6 +125,11 @@ int interpret(int argc, char **argv) {
     app.parse(words);
   } catch (const CLI::ParseError &error) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  const CLI::App &verb = *app.get_subcommands().front();
+  if (const std::string fault = withoutEffect(verb); !fault.empty()) {
+    complain(fault + " (arbiter " + verb.get_name() + " --help)");
+    return kExitUsage;
   }
   return dispatch(app, arguments, std::move(command), all);
 }

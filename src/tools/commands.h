@@ -85,11 +85,13 @@ struct ReportArguments {
 
 struct DrawArguments {
   LayerArguments layer;
-  std::string file;
+  std::vector<std::string> files; ///< a program of vertices, one of fragments, or both
   std::string size = "512x512";
+  std::string mesh = "quad";         ///< or "grid", "sphere"
   std::vector<std::string> textures; ///< "N=IMG.png|checker|noise"
-  std::vector<std::string> locals;   ///< "N=x,y,z,w"
+  std::vector<std::string> locals;   ///< "[vp:|fp:]N=x,y,z,w"
   std::vector<std::string> envs;
+  std::vector<std::string> attribs; ///< "N=x,y,z,w"
   int frames = 1;
   int feedback = -1; ///< a texture unit that gets each frame's picture, or -1
   std::string output;

@@ -91,6 +91,10 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
 } // namespace
 
 int compile(const CompileArguments &arguments) {
+  if (arguments.output != "-" && isSameFile(arguments.output, arguments.file)) {
+    complain(arguments.output + ": is the program itself");
+    return kExitUsage;
+  }
   const auto profile = fp::hw::loadProfile(arguments.profile);
   if (!profile) {
     complain(profile.error().message);

@@ -3,12 +3,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace arbiter::tools {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxInputBytes = 64u << 20;
 
@@ -48,6 +52,26 @@ std::string writeOutput(const std::string &name, std::string_view bytes) {
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   good = std::fflush(file.get()) == 0 && good;
   return good ? std::string() : name + ": " + std::strerror(errno);
+}
+
+bool isSameFile(const std::string &a, const std::string &b) {
+  if (a == "-" || b == "-")
+    return a == b;
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error)
+    return true;
+  return fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+}
+
+std::string whyNotWritable(const std::string &path) {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    return path + ": " + std::strerror(EISDIR);
+  const fs::path folder = fs::absolute(path, error).parent_path();
+  const bool there = fs::exists(path, error);
+  if (::access(there ? path.c_str() : folder.c_str(), W_OK) != 0)
+    return path + ": " + std::strerror(errno);
+  return {};
 }
 
 void complain(const std::string &text) { std::fprintf(stderr, "arbiter: %s\n", text.c_str()); }

@@ -18,6 +18,13 @@ struct FileError {
 /// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writeOutput(const std::string &name, std::string_view bytes);
 
+/// Both name one file, or one path where there is none yet; "-" is only itself.
+[[nodiscard]] bool isSameFile(const std::string &a, const std::string &b);
+
+/// Why a file cannot be written there, as "name: reason", found out without making it; empty if it
+/// can. For what another process writes when it is too late to say so.
+[[nodiscard]] std::string whyNotWritable(const std::string &path);
+
 /// "arbiter: text" on standard error.
 void complain(const std::string &text);
 

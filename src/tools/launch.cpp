@@ -9,6 +9,7 @@
 
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
+#include "util/flags.h"
 
 namespace arbiter::tools {
 
@@ -95,6 +96,27 @@ std::string absoluteLog(const std::string &log) {
   return log.substr(0, colon + 1) + absolutePath(log.substr(colon + 1));
 }
 
+/// What the layer would not follow, or could not write: it would say so in a log that few read, or
+/// when the application has ended. Empty if there is nothing.
+std::string whyNotFollowed(const std::vector<Assignment> &environment) {
+  std::vector<std::string> warnings;
+  const Settings parsed = parseSettings(
+      [&](const char *name) -> const char * {
+        for (const Assignment &assignment : environment)
+          if (assignment.name == name)
+            return assignment.value.c_str();
+        return nullptr;
+      },
+      warnings);
+  if (!warnings.empty())
+    return warnings.front().substr(0, warnings.front().rfind("; ignored"));
+  for (const std::string &path : {parsed.statsPath, parsed.logPath})
+    if (!path.empty())
+      if (std::string fault = whyNotWritable(path); !fault.empty())
+        return fault;
+  return {};
+}
+
 } // namespace
 
 Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
@@ -165,6 +187,8 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
     environment.push_back({ARBITER_ENV_DEBUG, arguments.debug});
   if (!arguments.hostVendor.empty())
     environment.push_back({ARBITER_ENV_HOST_VENDOR, arguments.hostVendor});
+  if (std::string fault = whyNotFollowed(environment); !fault.empty())
+    return LaunchError{std::move(fault)};
   return environment;
 }
 

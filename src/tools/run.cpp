@@ -30,6 +30,10 @@ int run(const RunArguments &arguments) {
     return kExitUsage;
   }
   if (arguments.printEnvironment) {
+    if (!arguments.command.empty()) {
+      complain(arguments.command[0] + " has no effect with --print-environment");
+      return kExitUsage;
+    }
     for (const Assignment &assignment : environment.value())
       std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
     return kExitOk;

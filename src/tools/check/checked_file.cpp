@@ -1,5 +1,7 @@
 #include "tools/check/checked_file.h"
 
+#include <cassert>
+
 #include "tools/input.h"
 #include "tools/language.h"
 
@@ -40,10 +42,11 @@ CheckedFile checkFile(const std::string &path, const std::string &language, fp::
   return file;
 }
 
-void explain(CheckedFile &file) {
-  if (file.counted() && !file.native)
-    file.native =
-        fp::hw::explainNative(*file.result.program, file.result.counts, file.limits, file.text);
+const fp::hw::NativeReport &CheckedFile::native() const {
+  assert(counted());
+  if (!m_native)
+    m_native = fp::hw::explainNative(*result.program, result.counts, limits, text);
+  return *m_native;
 }
 
 } // namespace arbiter::tools

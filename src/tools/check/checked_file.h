@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/native.h"
@@ -14,7 +15,8 @@ enum class FileStatus { Valid, OverNative, Invalid, Unreadable };
 /// "valid", "over-native", "invalid", "unreadable"; part of the JSON.
 [[nodiscard]] const char *name(FileStatus status);
 
-struct CheckedFile {
+class CheckedFile {
+public:
   std::string name; ///< as given; "-" is shown as "<stdin>"
   std::string text;
   fp::ir::Language language = fp::ir::Language::ArbFragment;
@@ -22,21 +24,25 @@ struct CheckedFile {
   std::string fault; ///< Unreadable: why
   fp::CheckResult result;
   fp::Limits limits; ///< of its language under the profile
-  /// Why the native counts are what they are; by explain().
-  std::optional<fp::hw::NativeReport> native;
 
   /// There is a program, and it has counts.
   [[nodiscard]] bool counted() const {
     return status == FileStatus::Valid || status == FileStatus::OverNative;
   }
+  /// Why the native counts of a file that is counted() are what they are. Made when it is first
+  /// asked for, as it costs more than the check itself: nothing is shown of most files.
+  [[nodiscard]] const fp::hw::NativeReport &native() const;
+  [[nodiscard]] fp::hw::NativeReport &native() {
+    return const_cast<fp::hw::NativeReport &>(std::as_const(*this).native());
+  }
+
+private:
+  mutable std::optional<fp::hw::NativeReport> m_native;
 };
 
 /// Reads and checks one file; "-" is standard input.
 /// \param language "auto", or a name of languageRows()
 [[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
                                     fp::LimitPolicy policy, const fp::hw::Profile &profile);
-
-/// Fills `native` of a file that has counts. Slower than the check itself: for what is shown.
-void explain(CheckedFile &file);
 
 } // namespace arbiter::tools

@@ -46,15 +46,15 @@ std::optional<double> when(bool has, double number) {
 constexpr ModelRow kModelRows[] = {
     {"nodes", "texture nodes",
      [](const CheckedFile &file) {
-       return when(!file.native->nodes.empty(), double(file.native->nodes.size()));
+       return when(!file.native().nodes.empty(), double(file.native().nodes.size()));
      }},
     {"dependent_reads", "dependent reads",
      [](const CheckedFile &file) {
-       return when(!file.native->costs.empty(), dependentReads(file));
+       return when(!file.native().costs.empty(), dependentReads(file));
      }},
     {"cycles", "cycles",
      [](const CheckedFile &file) {
-       return when(!file.native->cycles.bound.empty(), file.native->cycles.cycles);
+       return when(!file.native().cycles.bound.empty(), file.native().cycles.cycles);
      }},
 };
 
@@ -119,7 +119,7 @@ std::string row(const Line &line, const Style &style) {
 }
 
 std::string boundOf(const CheckedFile &file) {
-  return file.native->cycles.bound.empty() ? "-" : file.native->cycles.bound;
+  return file.native().cycles.bound.empty() ? "-" : file.native().cycles.bound;
 }
 
 void writeNumber(JsonWriter &json, const std::optional<double> &number) {

@@ -7,7 +7,7 @@
 namespace arbiter::tools {
 
 struct Side {
-  CheckedFile file; ///< after explain()
+  CheckedFile file;
   const fp::hw::Profile *profile = nullptr;
 };
 

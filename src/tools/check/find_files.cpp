@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "fp_compiler/compiler.h"
 
@@ -54,6 +55,23 @@ void search(const fs::path &folder, FoundFiles &found) {
     found.faults.push_back(folder.native() + ": " + error.message());
 }
 
+/// Leaves out, with a fault each, the paths that name a file a second time: by another operand, or
+/// by a folder that holds it. What is read twice would be counted twice, and standard input is
+/// empty the second time.
+void leaveOutRepeated(FoundFiles &found) {
+  std::set<fs::path> seen;
+  std::vector<std::string> once;
+  for (std::string &path : found.paths) {
+    std::error_code error;
+    if (seen.insert(path == "-" ? fs::path(path) : fs::absolute(path, error).lexically_normal())
+            .second)
+      once.push_back(std::move(path));
+    else
+      found.faults.push_back(path + ": given twice");
+  }
+  found.paths = std::move(once);
+}
+
 } // namespace
 
 FoundFiles findFiles(std::span<const std::string> operands) {
@@ -73,6 +91,7 @@ FoundFiles findFiles(std::span<const std::string> operands) {
     if (found.paths.size() == first && found.faults.size() == faults)
       found.faults.push_back(operand + ": no programs in this folder");
   }
+  leaveOutRepeated(found);
   return found;
 }
 

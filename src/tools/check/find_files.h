@@ -8,7 +8,8 @@ namespace arbiter::tools {
 
 struct FoundFiles {
   std::vector<std::string> paths;
-  /// "path: reason": a folder that cannot be listed, or that has no program in it.
+  /// "path: reason": a folder that cannot be listed, or that has no program in it; a file that is
+  /// named twice, which `paths` has once.
   std::vector<std::string> faults;
   bool folders = false; ///< at least one operand was a folder
 };

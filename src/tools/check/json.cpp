@@ -63,7 +63,8 @@ void writeCounts(JsonWriter &json, const CheckedFile &file) {
 class NativeWriter {
 public:
   NativeWriter(JsonWriter &json, const CheckedFile &file, const SourceText &source)
-      : m_json(json), m_report(*file.native), m_code(file.result.program->code), m_source(source) {}
+      : m_json(json), m_report(file.native()), m_code(file.result.program->code), m_source(source) {
+  }
 
   void write() {
     m_json.beginObject();
@@ -189,7 +190,7 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
   json.endArray();
   if (file.counted())
     writeCounts(json, file);
-  if (file.native) {
+  if (file.counted()) {
     json.key("native");
     NativeWriter(json, file, source).write();
   }

@@ -44,7 +44,8 @@ const ResourceRow *overRow(const CheckedFile &file) {
   for (const ResourceRow &row : resourceRows()) {
     if (file.result.nativeCounts.*row.member <= file.limits.native.*row.member)
       continue;
-    if (row.member != &fp::ResourceCounts::instructions && reasonFor(*file.native, &row) != nullptr)
+    if (row.member != &fp::ResourceCounts::instructions &&
+        reasonFor(file.native(), &row) != nullptr)
       return &row;
     if (found == nullptr)
       found = &row;
@@ -56,6 +57,8 @@ const ResourceRow *overRow(const CheckedFile &file) {
 
 void Summary::add(const CheckedFile &file) {
   ++m_counts[std::size_t(file.status)];
+  if (m_detail == Detail::Counts)
+    return;
   if (file.counted()) {
     ++m_programs[std::size_t(file.language)];
     addFullest(file);
@@ -96,7 +99,7 @@ void Summary::addMisfit(const CheckedFile &file) {
     misfit.used = file.result.nativeCounts.*misfit.row->member;
     misfit.limit = file.limits.native.*misfit.row->member;
   }
-  if (const fp::hw::Reason *reason = reasonFor(*file.native, misfit.row)) {
+  if (const fp::hw::Reason *reason = reasonFor(file.native(), misfit.row)) {
     misfit.why = reason->text;
     misfit.amount = reason->amount;
   }

@@ -15,7 +15,9 @@ namespace arbiter::tools {
 /// not fit, with the first reason.
 class Summary {
 public:
-  /// Requires explain() of a file that is over the native limits.
+  /// Counts: only line(), exitCode() and the numbers of each status will be asked for.
+  enum class Detail { Counts, Tables };
+  explicit Summary(Detail detail = Detail::Tables) : m_detail(detail) {}
   void add(const CheckedFile &file);
   /// A folder that could not be searched, or had nothing in it: an unreadable operand.
   void addFault() { ++m_faults; }
@@ -55,6 +57,7 @@ private:
   [[nodiscard]] std::string misfitTable() const;
   [[nodiscard]] std::size_t count(FileStatus status) const { return m_counts[std::size_t(status)]; }
 
+  Detail m_detail;
   std::array<std::size_t, 4> m_counts = {}; ///< by FileStatus
   std::size_t m_faults = 0;
   std::array<std::size_t, kLanguages> m_programs = {}; ///< with counts, by ir::Language

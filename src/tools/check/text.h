@@ -15,7 +15,7 @@ struct TextOptions {
 [[nodiscard]] std::string briefText(const CheckedFile &file);
 
 /// Diagnostics with source, caret and hint; the verdict; for a program that has counts a gauge for
-/// each resource, with its reasons where it is over. Requires explain() of such a file.
+/// each resource, with its reasons where it is over.
 [[nodiscard]] std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                                    const TextOptions &options);
 

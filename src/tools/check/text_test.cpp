@@ -56,7 +56,7 @@ CheckedFile overFile() {
                    "sample takes, nor memory"};
   file.result.nativeCounts = report.counts;
   file.result.underNativeLimits = false;
-  file.native = std::move(report);
+  file.native() = std::move(report);
   return file;
 }
 
@@ -114,7 +114,7 @@ TEST(Text, WhyShowsNodesChainCyclesAndCosts) {
 
 TEST(Text, ACardWithoutNodesHasNoColumnOfThem) {
   CheckedFile file = overFile();
-  file.native->nodes.clear();
+  file.native().nodes.clear();
   const std::string text = fullText(file, r300(), {ascii(), true});
   EXPECT_NE(text.find("(1 read):\n    *     3 | TEX a"), std::string::npos) << text;
   EXPECT_NE(text.find("   slots  TEX\n       0    1     3 | TEX a"), std::string::npos) << text;
@@ -123,7 +123,7 @@ TEST(Text, ACardWithoutNodesHasNoColumnOfThem) {
 
 TEST(Text, MoreIndirectionsThanFitAreDrawn) {
   CheckedFile file = overFile();
-  file.native->counts.texIndirections = file.result.nativeCounts.texIndirections = 5;
+  file.native().counts.texIndirections = file.result.nativeCounts.texIndirections = 5;
   const std::string text = fullText(file, r300(), {ascii(), false});
   EXPECT_NE(text.find("[#########>]  over the native limit\n       1  TEX reads b"),
             std::string::npos)
@@ -142,7 +142,7 @@ TEST(Text, OverBothLimitsSaysBoth) {
 
 TEST(Text, OverByWhatNoCountShowsGivesEveryReason) {
   CheckedFile file = overFile();
-  file.native->counts = file.result.nativeCounts = file.result.counts;
+  file.native().counts = file.result.nativeCounts = file.result.counts;
   const std::string text = fullText(file, r300(), {ascii(), false});
   EXPECT_EQ(text.find("over the native limit\n"), std::string::npos);
   EXPECT_NE(text.find("SIN is a polynomial"), std::string::npos);
@@ -150,8 +150,8 @@ TEST(Text, OverByWhatNoCountShowsGivesEveryReason) {
 
 TEST(Text, TheTotalIsOverByItsParts) {
   CheckedFile file = overFile();
-  file.native->counts = file.result.nativeCounts = file.result.counts;
-  file.native->counts.instructions = file.result.nativeCounts.instructions = 97;
+  file.native().counts = file.result.nativeCounts = file.result.counts;
+  file.native().counts.instructions = file.result.nativeCounts.instructions = 97;
   const std::string text = fullText(file, r300(), {ascii(), false});
   EXPECT_NE(text.find("  over the native limit\n  ALU instructions"), std::string::npos) << text;
   EXPECT_NE(text.find("SIN is a polynomial"), std::string::npos);
@@ -165,22 +165,22 @@ TEST(Text, TheTotalIsOverByItsParts) {
 TEST(Text, AnEmptyReportIsDocumentedNumbers) {
   CheckedFile file = overFile();
   file.status = FileStatus::Valid;
-  file.native = fp::hw::NativeReport{};
-  file.result.nativeCounts = file.native->counts = file.result.counts;
+  file.native() = fp::hw::NativeReport{};
+  file.result.nativeCounts = file.native().counts = file.result.counts;
   const std::string text = fullText(file, r300(), {ascii(), true});
   EXPECT_TRUE(text.ends_with(
       "  native: documented, not modelled: the card's limits, the counts of the API\n"))
       << text;
-  file.native->model = fp::NativeModel::Nv30;
+  file.native().model = fp::NativeModel::Nv30;
   EXPECT_TRUE(fullText(file, r300(), {ascii(), true}).ends_with("  native: modelled (nv30)\n"));
 }
 
 TEST(Text, LongListsAreCutUnlessAskedFor) {
   CheckedFile file = overFile();
-  file.native->reasons.clear();
+  file.native().reasons.clear();
   for (std::uint32_t i = 0; i < 11; ++i)
-    file.native->reasons.push_back({&ResourceCounts::aluInstructions, 20 - i, "a cause", {}});
-  file.native->reasons[0].instructions = {0, 1, 2, 3, 4, 5};
+    file.native().reasons.push_back({&ResourceCounts::aluInstructions, 20 - i, "a cause", {}});
+  file.native().reasons[0].instructions = {0, 1, 2, 3, 4, 5};
   const std::string some = fullText(file, r300(), {ascii(), false});
   EXPECT_NE(some.find("              and 3 more (--why)\n"), std::string::npos) << some;
   EXPECT_NE(some.find("          and 3 reasons more (--why)\n"), std::string::npos) << some;
@@ -189,9 +189,9 @@ TEST(Text, LongListsAreCutUnlessAskedFor) {
 
 TEST(Text, AnIndexPastTheProgramIsNoCrash) {
   CheckedFile file = overFile();
-  file.native->reasons[0].instructions = {99};
-  file.native->chain = {0, 99};
-  file.native->nodes[1].textures = {99};
+  file.native().reasons[0].instructions = {99};
+  file.native().chain = {0, 99};
+  file.native().nodes[1].textures = {99};
   EXPECT_NE(fullText(file, r300(), {ascii(), true}).find("SIN is a polynomial"), std::string::npos);
 }
 
@@ -273,7 +273,7 @@ do not fit:
 
 TEST(Summary, AReasonThatPointsSomewhereIsThere) {
   CheckedFile file = overFile();
-  auto &reasons = file.native->reasons;
+  auto &reasons = file.native().reasons;
   reasons.insert(reasons.begin(), {&ResourceCounts::aluInstructions, 90, "the whole program", {}});
   const auto misfits = [&] {
     Summary summary;
@@ -293,7 +293,7 @@ TEST(Compare, CountsAndDifferences) {
   Side b{overFile(), fp::hw::findBuiltin("nv30")};
   b.file.limits = b.profile->fragment;
   b.file.status = FileStatus::Valid;
-  b.file.native = fp::hw::NativeReport{};
+  b.file.native() = fp::hw::NativeReport{};
   b.file.result.nativeCounts = b.file.result.counts;
   const std::string text = Comparison(a, b).text(ascii());
   EXPECT_NE(text.find("A: deep.fp: valid, but over the native limits of r300\n"
@@ -308,8 +308,8 @@ TEST(Compare, CountsAndDifferences) {
             std::string::npos)
       << text;
   // A model without nodes has dependent reads and cycles all the same.
-  b.file.native = a.file.native;
-  b.file.native->nodes.clear();
+  b.file.native() = a.file.native();
+  b.file.native().nodes.clear();
   const std::string other = Comparison(a, b).text(ascii());
   EXPECT_NE(other.find("  texture nodes     " + std::string(46, ' ') + "2            -\n"),
             std::string::npos)

@@ -54,15 +54,15 @@ std::string decimal(double number) {
 
 std::uint32_t dependentReads(const CheckedFile &file) {
   const fp::ir::Program &program = *file.result.program;
-  const auto samples =
-      std::count_if(file.native->chain.begin(), file.native->chain.end(), [&](std::uint32_t index) {
+  const auto samples = std::count_if(
+      file.native().chain.begin(), file.native().chain.end(), [&](std::uint32_t index) {
         return index < program.code.size() && info(program.code[index].op).has(fp::ir::Texture);
       });
   return std::uint32_t(std::max<std::ptrdiff_t>(samples - 1, 0));
 }
 
 Why::Why(const CheckedFile &file, const Style &style, bool all)
-    : m_file(file), m_report(*file.native), m_source(file.text), m_style(style), m_all(all) {}
+    : m_file(file), m_report(file.native()), m_source(file.text), m_style(style), m_all(all) {}
 
 /// "  14 | TEX r0, fragment.texcoord[0], texture[0], 2D"
 std::string Why::place(std::uint32_t instruction) const {

@@ -9,8 +9,8 @@
 namespace arbiter::tools {
 
 /// Why a program takes what it takes: a NativeReport as text, each part pointing into the source.
-/// A part that the report lacks is an empty text. Requires a file with `native`; it must outlive
-/// this.
+/// A part that the report lacks is an empty text. Requires a file that is counted(); it must
+/// outlive this.
 class Why {
 public:
   /// \param all every reason with every instruction, not the largest few

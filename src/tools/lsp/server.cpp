@@ -205,7 +205,10 @@ int serve(const LspArguments &arguments) {
   }
   std::signal(SIGPIPE, SIG_IGN); // a client that goes is an error of write()
   lsp::Transport transport(STDIN_FILENO, STDOUT_FILENO);
-  return lsp::Server(transport, std::move(profile).value()).run();
+  const int code = lsp::Server(transport, std::move(profile).value()).run();
+  if (code != kExitOk)
+    complain("the input ended without shutdown and exit");
+  return code;
 }
 
 } // namespace arbiter::tools

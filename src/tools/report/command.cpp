@@ -30,10 +30,17 @@ bool write(const std::string &name, const std::string &text) {
 } // namespace
 
 int report(const ReportArguments &arguments) {
-  if (arguments.output == "-" && arguments.json == "-") {
-    complain("the page and the JSON cannot both go to standard output");
+  if (!arguments.json.empty() && isSameFile(arguments.output, arguments.json)) {
+    complain("the page and the JSON cannot both go to " +
+             (arguments.output == "-" ? "standard output" : arguments.output));
     return kExitUsage;
   }
+  for (const std::string &operand : arguments.operands)
+    for (const std::string &written : {arguments.output, arguments.json})
+      if (written != "-" && isSameFile(written, operand)) {
+        complain(written + ": is one of the programs");
+        return kExitUsage;
+      }
   const auto profile = fp::hw::loadProfile(profileName(arguments));
   if (!profile) {
     complain(profile.error().message);

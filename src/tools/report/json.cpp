@@ -43,7 +43,7 @@ void writeHistograms(JsonWriter &json, const ProgramSet &set) {
 void writeLines(JsonWriter &json, const CheckedFile &file) {
   json.key("lines").beginArray();
   const std::vector<LineCost> lines =
-      lineCosts(SourceText(file.text), *file.result.program, *file.native);
+      lineCosts(SourceText(file.text), *file.result.program, file.native());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const LineCost &line = lines[i];
     if (line.instructions == 0)
@@ -84,7 +84,7 @@ void writeProgram(JsonWriter &json, const ProgramSet &set, const ReportedProgram
   json.key("refused").value(program.refused);
   if (program.captured >= 0)
     writeCaptured(json, set.capture.programs[std::size_t(program.captured)]);
-  if (program.file.native)
+  if (program.file.counted())
     writeLines(json, program.file);
   json.key("check");
   writeFile(json, program.file);

@@ -70,9 +70,9 @@ std::string countCells(const CheckedFile &file) {
     else
       html += numberCell(used);
   }
-  if (!file.native || file.native->cycles.bound.empty())
+  if (!file.counted() || file.native().cycles.bound.empty())
     return html + emptyCells(1);
-  return html + "<td class=n>" + decimal(file.native->cycles.cycles) + "</td>";
+  return html + "<td class=n>" + decimal(file.native().cycles.cycles) + "</td>";
 }
 
 /// The name in the table; of a captured program as much of its hash as tells it from others.
@@ -122,16 +122,16 @@ std::string modelText(const ProgramSet &set) {
   for (const LanguageRow &language : languageRows()) {
     const auto program =
         std::find_if(set.programs.begin(), set.programs.end(), [&](const auto &each) {
-          return each.file.native && each.file.language == language.language;
+          return each.file.counted() && each.file.language == language.language;
         });
     if (program == set.programs.end())
       continue;
     html += std::string(" Native counts of ") + (language.header + 2) + " programs are ";
-    if (program->file.native->model == fp::NativeModel::Documented)
+    if (program->file.native().model == fp::NativeModel::Documented)
       html += "the API's, held to documented limits: the chip is not modelled.";
     else
       html +=
-          std::string("those of a model of the chip (") + name(program->file.native->model) + ").";
+          std::string("those of a model of the chip (") + name(program->file.native().model) + ").";
   }
   return html;
 }
@@ -152,7 +152,7 @@ std::string captureText(const ProgramSet &set) {
 std::string largestReasons(const ProgramSet &set, std::size_t index, const ResourceRow &resource) {
   std::string html;
   std::size_t shown = 0, more = 0;
-  for (const fp::hw::Reason &reason : set.programs[index].file.native->reasons) {
+  for (const fp::hw::Reason &reason : set.programs[index].file.native().reasons) {
     if (reason.resource != resource.member)
       continue;
     if (shown == kMostReasons) {

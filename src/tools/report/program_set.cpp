@@ -114,7 +114,6 @@ ProgramSet readPrograms(const std::vector<std::string> &operands, const fp::hw::
     program.file = checkFile(wanted[i].path, wanted[i].language, fp::LimitPolicy::Enforce, profile);
     admitRefused(program);
     program.file.name = std::move(wanted[i].name);
-    explain(program.file);
     program.verdict = verdictOf(program);
     program.captured = set.fromCapture ? int(i) : -1;
     if (program.verdict == Verdict::Unreadable)

@@ -54,7 +54,7 @@ ProgramSet modelled() {
   set.source = "folder";
   set.profile = profile();
   ReportedProgram &program = set.programs.emplace_back(programOf("water.fp", kText));
-  fp::hw::NativeReport &native = program.file.native.emplace();
+  fp::hw::NativeReport &native = program.file.native() = {};
   native.model = fp::NativeModel::R300;
   native.counts = program.file.result.counts;
   native.counts.aluInstructions = 70;
@@ -147,7 +147,7 @@ TEST(LineCosts, FollowTheStatements) {
   const ProgramSet set = modelled();
   const CheckedFile &file = set.programs[0].file;
   const SourceText source(file.text);
-  const std::vector<LineCost> lines = lineCosts(source, *file.result.program, *file.native);
+  const std::vector<LineCost> lines = lineCosts(source, *file.result.program, file.native());
   ASSERT_EQ(lines.size(), 9u); // the last is empty, behind the last line end
   EXPECT_EQ(lines[2].textures, 1u);
   EXPECT_EQ(lines[3].slots, 1.5);
@@ -193,7 +193,7 @@ TEST(Section, ShowsEveryPart) {
 
 TEST(Section, LeavesOutWhatAReportLacks) {
   ProgramSet set = modelled();
-  set.programs[0].file.native.emplace();
+  set.programs[0].file.native() = {};
   const std::string html = programSection(set, 0);
   for (const char *part :
        {"Why", "Texture nodes", "chain", "Cycles", "Disassembly", "slots", "gone"})
@@ -203,7 +203,7 @@ TEST(Section, LeavesOutWhatAReportLacks) {
 
 TEST(Section, NumbersThatAreNoInstructionsAreLeftOut) {
   ProgramSet set = modelled();
-  fp::hw::NativeReport &native = *set.programs[0].file.native;
+  fp::hw::NativeReport &native = set.programs[0].file.native();
   native.reasons[0].instructions = {1000};
   native.chain = {0, 1000, 3};
   native.nodes[1].textures = {1000};
@@ -257,7 +257,7 @@ TEST(Verdict, OfWhatTheDriverRefuses) {
 TEST(Page, TheLargestReasonsOfWhatDoesNotFit) {
   ProgramSet set = modelled();
   for (std::uint32_t i = 0; i < 10; ++i)
-    set.programs[0].file.native->reasons.push_back(
+    set.programs[0].file.native().reasons.push_back(
         {&ResourceCounts::aluInstructions, 1, "small " + std::to_string(i), {}});
   std::string html = reportPage(set);
   html = html.substr(0, html.find("<h2>Program by program"));

@@ -41,7 +41,7 @@ private:
   [[nodiscard]] std::string cycles() const;
   [[nodiscard]] std::string captured() const;
   [[nodiscard]] const NativeReport *native() const {
-    return m_file.native ? &*m_file.native : nullptr;
+    return m_file.counted() ? &m_file.native() : nullptr;
   }
 
   const ProgramSet &m_set;

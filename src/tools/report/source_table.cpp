@@ -87,11 +87,11 @@ std::string diagnosticRow(const Diagnostic &diagnostic, std::string_view line, s
 std::string sourceTable(const CheckedFile &file, const std::string &prefix) {
   const SourceText source(file.text);
   std::vector<LineCost> costs;
-  if (file.native)
-    costs = lineCosts(source, *file.result.program, *file.native);
+  if (file.counted())
+    costs = lineCosts(source, *file.result.program, file.native());
   Columns columns;
   columns.costs = !costs.empty();
-  columns.nodes = columns.costs && !file.native->nodes.empty();
+  columns.nodes = columns.costs && !file.native().nodes.empty();
   for (const LineCost &cost : costs)
     columns.dearest = std::max(columns.dearest, cost.slots);
 

@@ -1,0 +1,292 @@
+#!/usr/bin/env python3
+"""Runs each verb of `arbiter` with each option, and with each pair of its options, on several files.
+
+usage: options_test.py ARBITER FAKE_LAYER [--valgrind] [--draw LAYER] [--sample N/M] [--verb VERB]
+
+The verbs and their options are read from `arbiter --help`, so that a new one is covered by itself;
+a new option with a value of its own kind fails the test until VALUES has one for it.
+
+Every run must end with a status that the verb's help documents (never 4, an internal error, and
+never a signal), say why on standard error where it is no success, write something where it is, and
+give JSON that parses. An option that is taken must have an effect: for `check`, `compile` and
+`report` some file's output must differ from what it is without. --valgrind also wants no error of
+memory; --sample runs one of M runs, the Nth.
+"""
+
+import argparse
+import concurrent.futures
+import dataclasses
+import itertools
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+GOOD = '!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, program.local[0];\nMOV result.color, a;\nEND\n'
+DEPENDENT = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n' +
+             'TEX a, a, texture[0], 2D;\n' * 5 + 'MOV result.color, a;\nEND\n')
+def added(header, source, result, count):
+    return (f'{header}\nTEMP a;\nMOV a, {source};\n' + 'ADD a, a, a;\n' * count +
+            f'MOV result.{result}, a;\nEND\n')
+
+
+FILES = {
+    'good.fp': GOOD,
+    'dependent.fp': DEPENDENT,
+    'long.fp': added('!!ARBfp1.0', 'fragment.color', 'color', 63),
+    'huge.fp': added('!!ARBfp1.0', 'fragment.color', 'color', 1100),
+    'huge.vp': added('!!ARBvp1.0', 'vertex.position', 'position', 300),
+    'infinite.fp': '!!ARBfp1.0\nTEMP a;\nRCP a, fragment.color.x;\nMUL a, a, fragment.texcoord[0];\n'
+                   'MUL result.color, a, 0.0;\nEND\n',
+    'wasteful.fp': '!!ARBfp1.0\nTEMP a, b;\nMUL b, fragment.color, 2.0;\nMOV a, fragment.color;\n'
+                   'ADD a, a, a;\nMOV result.color, a;\nEND\n',
+    'bad.fp': '!!ARBfp1.0\nMOV result.color, q;\nEND\n',
+    'good.vp': '!!ARBvp1.0\nMOV result.position, vertex.position;\n'
+               'MUL result.color, vertex.color, program.local[1];\nEND\n',
+    'good.atifs': '!!ATIfs1.0\nStartOutputPass;\nSampleMap r0, t0.str;\nMUL r0, r0, color0;\nEndPass;\n',
+    'two.vp': '!!ARBvp1.0\nADDRESS a, b;\nPARAM p[2] = { program.env[0..1] };\n'
+              'ARL a.x, vertex.color.x;\nARL b.x, vertex.color.y;\n'
+              'ADD result.position, p[a.x], p[b.x];\nEND\n',
+    'empty.fp': '',
+}
+# Two of each that are not the default; options whose help lists their values need no row.
+VALUES = {
+    ('*', '--profile'): ['nv30', 'r300-catalyst-2004'],
+    ('*', '--output'): ['@out'],
+    ('report', '--json'): ['@json'],
+    ('*', '--extensions-max-year'): ['2003'],
+    ('*', '--extensions-max-length'): ['4095'],
+    ('*', '--stats'): ['@stats.json'],
+    ('*', '--log'): ['error', 'info:@log'],
+    ('*', '--debug'): ['host'],
+    ('*', '--replace'): ['@texts'],
+    ('*', '--host-vendor'): ['mesa'],
+    ('*', '--library'): ['@library'],
+    ('draw', '--size'): ['16x8'],
+    ('draw', '--texture'): ['0=checker', '0=noise'],
+    ('draw', '--local'): ['0=1,0.5', 'fp:0=0.25,1,0,1'],
+    ('draw', '--env'): ['0=1'],
+    ('draw', '--attrib'): ['3=1,0,0,1'],
+    ('draw', '--frames'): ['3'],
+    ('draw', '--feedback'): ['0'],
+}
+EFFECTS = ('check', 'compile', 'report')
+# Taken though they change nothing, and why.
+NO_EFFECT = {
+    ('check', '--limits', '--language=atifs'): 'a shader that loads fits: the language has no limits',
+    ('compile', '--profile', '--language=atifs'): 'likewise',
+    ('compile', '--profile', '--language=arbvp'): 'two profiles may have the same limits of vertices',
+}
+# What the verbs are run on: words after the options.
+OPERANDS = {
+    'check': [['good.fp'], ['dependent.fp'], ['long.fp'], ['bad.fp'], ['good.vp'], ['good.atifs'],
+              ['huge.fp'], ['huge.vp'], ['.'], ['none.fp'], ['good.fp', 'dependent.fp'],
+              ['good.vp', 'long.fp'], ['good.fp', 'huge.fp']],
+    'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
+                ['two.vp'], ['good.atifs']],
+    'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],
+    'run': [[], ['--', 'true'], ['--', './none']],
+    'capture': [[], ['--', 'true']],
+    'report': [['good.fp', 'dependent.fp', 'bad.fp', 'good.vp'], ['.'], ['none.fp']],
+    'profiles': [[], ['r300'], ['none']],
+    'cache': [[]],
+    'lsp': [[]],
+}
+# Statuses of the command that is run beside those of the verb.
+BESIDE = {'run': {126, 127}, 'capture': {126, 127}}
+
+
+@dataclasses.dataclass(frozen=True)
+class Option:
+    name: str
+    value: str = None  # None: a flag
+
+    def words(self):
+        return (self.name,) if self.value is None else (self.name, self.value)
+
+
+class Verb:
+    """One verb as its help describes it."""
+
+    def __init__(self, arbiter, name):
+        self.name = name
+        text = subprocess.run([arbiter, name, '--help'], capture_output=True, text=True,
+                              check=True).stdout
+        self.options = list(self.options_of(text))
+        statuses = re.search(r'Exit code:(.*?)(?:\n[A-Z]|\Z)', text, re.S)
+        self.statuses = {int(each) for each in re.findall(r'\b\d+\b', statuses.group(1))} \
+            if statuses else {0, 1}
+        if 'as for check' in text:
+            self.statuses |= {0, 1, 2, 4}
+        self.statuses |= {0, 1} | BESIDE.get(name, set())
+
+    def options_of(self, text):
+        for match in re.finditer(r'^  (-\S+)(?: (\S.*?))?(?: {2,}.*)?$', text, re.M):
+            names, rest = match.group(1).split(','), match.group(2) or ''
+            name = next(each for each in names if each.startswith('--'))
+            if name in ('--help', '--help-all'):
+                continue
+            if not rest.startswith(('TEXT', 'INT', 'UINT', 'FLOAT')):
+                yield Option(name)
+                continue
+            choices = re.search(r'\{([^}]*)\}', rest)
+            default = re.search(r'(?:=|\[)([\w-]+)\]?(?: |$)', rest.split('}')[-1])
+            if choices:
+                values = [each for each in choices.group(1).split(',')
+                          if not default or each != default.group(1)]
+            else:
+                values = VALUES.get((self.name, name)) or VALUES.get(('*', name))
+                if not values:
+                    raise AssertionError(f'arbiter {self.name} {name}: VALUES has none for it')
+            for value in values:
+                yield Option(name, value)
+
+
+def verbs_of(arbiter):
+    text = subprocess.run([arbiter, '--help'], capture_output=True, text=True, check=True).stdout
+    names = re.findall(r'^  ([a-z]+)  ', text[text.index('Subcommands:'):], re.M)
+    assert set(OPERANDS) == set(names), f'verbs {names}; OPERANDS has {sorted(OPERANDS)}'
+    return [Verb(arbiter, name) for name in names]
+
+
+class Place:
+    """A folder of its own for one run."""
+
+    def __init__(self, root, number):
+        self.folder = pathlib.Path(root) / str(number)
+        (self.folder / 'texts').mkdir(parents=True)
+        for name, text in FILES.items():
+            (self.folder / name).write_text(text)
+        self.before = set(self.folder.iterdir())
+
+    def written(self):
+        """What the run wrote, by name; the page of a report has no times in it."""
+        return {path.name: path.read_bytes() for path in sorted(self.folder.iterdir())
+                if path not in self.before and path.is_file()}
+
+
+class Runner:
+    def __init__(self, arguments, root):
+        self.arguments, self.root = arguments, root
+        self.count = itertools.count()
+
+    def run(self, verb, options, operands):
+        """(status, standard output, standard error, files written)"""
+        place = Place(self.root, next(self.count))
+        at = {'@library': os.path.abspath(self.library(verb)), '@texts': 'texts', '@out': 'out',
+              '@json': 'out.json', '@stats.json': 'stats.json'}
+        words = [at.get(word, word.replace('@log', './log')) for option in options
+                 for word in option.words()]
+        given = {option.name for option in options}
+        if verb.name in ('run', 'capture', 'draw') and '--library' not in given and \
+                not given & {'--bare', '--index-only'}:
+            words += ['--library', at['@library']]
+        if verb.name == 'draw' and '--output' not in given:
+            words += ['--output', 'out']
+        prefix = ['valgrind', '-q', '--error-exitcode=99', '--leak-check=no'] \
+            if self.arguments.valgrind else []
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith('ARBITER_') and name != 'LD_PRELOAD'}
+        environment.update(XDG_CACHE_HOME=str(place.folder / 'texts'), LC_ALL='C.UTF-8',
+                           LIBGL_ALWAYS_SOFTWARE='1')
+        done = subprocess.run([*prefix, self.arguments.arbiter, verb.name, *words, *operands],
+                              cwd=place.folder, capture_output=True, stdin=subprocess.DEVNULL,
+                              env=environment, timeout=300)
+        return done.returncode, done.stdout, done.stderr, place.written()
+
+    def library(self, verb):
+        return self.arguments.draw if verb.name == 'draw' else self.arguments.fake_layer
+
+
+def faults_of(verb, options, operands, result):
+    status, out, err, written = result
+    if status not in verb.statuses or status == 4:
+        yield f'status {status}: {err.decode(errors="replace")[-400:]}'
+        return
+    if status == 1 and not err:
+        yield 'status 1 and nothing said'
+    names = {option.name for option in options}
+    quiet = ('--' in operands or '--brief' in names or '--library' in names and verb.name == 'run'
+             or verb.name == 'lsp')
+    if status == 0 and not quiet and not out and not written:
+        yield 'success, and nothing written'
+    texts = [out] if '--json' in names and verb.name == 'check' and status != 1 else []
+    texts += [written[name] for name in written if name.endswith('.json')]
+    for text in texts:
+        try:
+            json.loads(text)
+        except ValueError as error:
+            yield f'no JSON: {error}'
+
+
+def combinations(verb):
+    """No option, each option, each pair of two different ones."""
+    yield ()
+    for option in verb.options:
+        yield (option,)
+    for pair in itertools.combinations(verb.options, 2):
+        if pair[0].name != pair[1].name:
+            yield pair
+
+
+def without_effect(verb, results):
+    """Pairs and single options whose outputs are, on every file, those without one of them."""
+    by_options = {}
+    for options, operands, result in results:
+        by_options.setdefault(options, {})[tuple(operands)] = result
+    for options, outputs in by_options.items():
+        for option in options:
+            less = tuple(each for each in options if each != option)
+            base = by_options.get(less)
+            if not base or all(result[0] == 1 for result in outputs.values()):
+                continue
+            if any((verb.name, option.name, '='.join(other.words())) in NO_EFFECT
+                   for other in options):
+                continue
+            if all(outputs[operands] == base[operands] for operands in outputs):
+                yield options, option
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('arbiter', type=os.path.abspath)
+    parser.add_argument('fake_layer', type=os.path.abspath)
+    parser.add_argument('--valgrind', action='store_true')
+    parser.add_argument('--draw', type=os.path.abspath, help='the layer, to draw with too')
+    parser.add_argument('--sample', default='1/1')
+    parser.add_argument('--verb', help='this one alone')
+    arguments = parser.parse_args()
+    part, parts = map(int, arguments.sample.split('/'))
+    verbs = [verb for verb in verbs_of(arguments.arbiter)
+             if verb.name == (arguments.verb or verb.name) and
+             (verb.name != 'draw' or arguments.draw)]
+    failed = total = 0
+    with tempfile.TemporaryDirectory(prefix='arbiter-options-') as root:
+        runner = Runner(arguments, root)
+        for verb in verbs:
+            jobs = [(options, operands) for options in combinations(verb)
+                    for operands in OPERANDS[verb.name]][part - 1::parts]
+            with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+                results = list(pool.map(lambda job: (*job, runner.run(verb, *job)), jobs))
+            lines = [(options, operands, fault) for options, operands, result in results
+                     for fault in faults_of(verb, options, operands, result)]
+            if verb.name in EFFECTS and parts == 1 and not arguments.valgrind:
+                lines += [(options, [], f'{" ".join(option.words())} has no effect')
+                          for options, option in without_effect(verb, results)]
+            for options, operands, fault in lines:
+                words = [word for option in options for word in option.words()]
+                print(f'arbiter {verb.name} {" ".join([*words, *operands])}: {fault}')
+            print(f'{verb.name}: {len(verb.options)} options with their values, {len(jobs)} runs, '
+                  f'{len(lines)} faults', flush=True)
+            failed += len(lines)
+            total += len(jobs)
+    print(f'{total} runs, {failed} faults')
+    return 1 if failed or not total else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
