@@ -6,7 +6,8 @@ printed: that path with the compiler's own text of each program; layer: the same
 layer in front, whose statistics must show that it compiled them. vertex-...: likewise of vertex
 programs. ati-glsl, ati-text, ati-api: ATI fragment shaders as GLSL, and the same shaders with the
 layer in front through ATI_text_fragment_shader and through ATI_fragment_shader. legacy-..., fp24-...:
-the same under those modes of arithmetic; wild: programs that multiply infinities by zeros.
+the same under those modes of arithmetic; wild: programs that multiply infinities by zeros;
+unwritten: programs that read what nothing wrote and leave results, or a position, unwritten.
 swrast-...: the layer's rasterizer draws, by machine code of each program; its statistics must show
 that it drew every one of them and gave the host nothing.
 """
@@ -108,7 +109,12 @@ def main():
     software = {**in_front, "ARBITER_BACKEND": "swrast"}
     legacy = {**software, "ARBITER_NUMERICS": "legacy"}
     of_legacy = ["--numerics", "legacy", "--mode"]
+    unwritten = ["--unwritten", "1"]
+    ways += [("unwritten", count, [*unwritten, "--mode", "arb"], in_front),
+             ("v-unwritten", count, [*unwritten, *vertex, "arb"], in_front)]
     drawn = [("", ["--mode", "arb"], software),
+             ("unwritten", [*unwritten, "--mode", "arb"], software),
+             ("v-unwritten", [*unwritten, *vertex, "arb"], software),
              ("wild", ["--mode", "arb", "--wild", "1"], software),
              ("edges", ["--mode", "arb", "--suite", "edges"], software),
              ("ati-text", [*ati, "arb"], software),

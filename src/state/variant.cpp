@@ -7,6 +7,7 @@
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/share_group.h"
+#include "state/undefined_results.h"
 #include "util/log.h"
 
 namespace arbiter::state {
@@ -30,14 +31,14 @@ std::string infoLog(GLuint object, GetIv getIv, GetLog getLog) {
 bool isVertex(const CompiledProgram &compiled) { return compiled.target == Target::Vertex; }
 
 /// 0 if the host does not compile it.
-GLuint compileShader(Context &context, const CompiledProgram &compiled) {
+GLuint compileShader(Context &context, const CompiledProgram &compiled, const std::string &glsl) {
   const host::HostTable &host = *context.host;
   const GLuint shader =
       host.CreateShader(isVertex(compiled) ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
   if (shader == 0)
     return 0;
-  const GLchar *const text = compiled.glsl.text.c_str();
-  const auto length = GLint(compiled.glsl.text.size());
+  const GLchar *const text = glsl.c_str();
+  const auto length = GLint(glsl.size());
   host.ShaderSource(shader, 1, &text, &length);
   host.CompileShader(shader);
   GLint status = GL_FALSE;
@@ -128,7 +129,7 @@ const VariantCache::Shader *
 VariantCache::shaderOf(Context &context, const std::shared_ptr<const CompiledProgram> &compiled) {
   const auto [it, isNew] = m_maps->shaders.try_emplace(compiled.get());
   if (isNew) {
-    it->second = {compiled, compileShader(context, *compiled)};
+    it->second = {compiled, compileShader(context, *compiled, compiled->glsl.text)};
     if (it->second.name != 0)
       context.group->addHostProgram(it->second.name);
   }
@@ -149,7 +150,13 @@ std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair
     if (shader == 0)
       return variant;
   }
-  variant->hostProgram = linkProgram(context, pair, shaders[0], shaders[1]);
+  // A shader of this pair's own where the two do not fit each other: rare.
+  const std::string whole =
+      pair.vertex && pair.fragment ? withMissingResults(*pair.vertex, *pair.fragment) : "";
+  const GLuint own = whole.empty() ? 0 : compileShader(context, *pair.vertex, whole);
+  variant->hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
+  if (own != 0)
+    context.host->DeleteShader(own);
   if (variant->hostProgram == 0)
     return variant;
   context.group->addHostProgram(variant->hostProgram);

@@ -3,7 +3,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "edges.h"
 #include "suite.h"
@@ -16,7 +18,8 @@ namespace fp = arbiter::fp;
 
 constexpr const char *kHelp =
     "usage: differential [--mode MODE] [--language arb|vertex|ati] [--suite S] [--count N]\n"
-    "                    [--numerics N] [--wild 0|1] [--seed S] [--json FILE] [--failures DIR]\n"
+    "                    [--numerics N] [--wild 0|1] [--unwritten 0|1] [--seed S]\n"
+    "                    [--program FILE]... [--json FILE] [--failures DIR]\n"
     "\n"
     "Draws N (500) generated programs, 16 x 16 fragments or vertices each into float buffers, and\n"
     "compares every pixel with the reference interpreter, within tolerances stated per opcode.\n"
@@ -34,6 +37,12 @@ constexpr const char *kHelp =
     "  --numerics host|legacy|fp24   the arithmetic; where the layer is to follow it,\n"
     "               ARBITER_NUMERICS must say the same. fp24 is not for vertex programs\n"
     "  --wild 1     arb: programs with infinities, and operands outside of functions' domains\n"
+    "  --unwritten 1   arb, vertex: programs that read and leave what nothing wrote, which is zero "
+    "on\n"
+    "               the layer's paths, and undefined on others\n"
+    "  --program FILE   this text in place of generated ones (arb, vertex: as its header says); "
+    "may\n"
+    "               be given several times; a failure's seed is the number of the file, from 1\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
@@ -47,21 +56,25 @@ struct WayRow {
   const char *language;
   const char *mode;
   std::unique_ptr<Backend> (*create)(fp::Numerics);
-  Subject (*subject)(std::uint64_t seed); ///< of runSuite()
+  Subject (*subject)(std::uint64_t seed);
+  Subject (*unwritten)(std::uint64_t seed); ///< null: there are none
   Report (*random)(Backend &, const SuiteOptions &);
   Report (*edges)(Backend &, const SuiteOptions &); ///< null: there are none
 };
 constexpr WayRow kWays[] = {
-    {"arb", "glsl", glslBackend, arbSubject, runSuite, runEdges},
-    {"arb", "arb", calls<arbBackend>, arbSubject, runSuite, runEdges},
-    {"arb", "assembly", calls<assemblyBackend>, arbSubject, runSuite, runEdges},
-    {"vertex", "glsl", glslBackend, nullptr, runVertexSuite, runVertexEdges},
-    {"vertex", "arb", calls<arbBackend>, nullptr, runVertexSuite, runVertexEdges},
-    {"vertex", "assembly", calls<assemblyBackend>, nullptr, runVertexSuite, runVertexEdges},
-    {"ati", "glsl", glslBackend, atiSubject, runSuite, nullptr},
-    {"ati", "arb", calls<atiTextBackend>, atiSubjectOfHost, runSuite, nullptr},
-    {"ati", "api", calls<atiApiBackend>, atiSubjectOfHost, runSuite, nullptr},
-    {"ati", "peer", calls<atiApiBackend>, atiSubjectOfPeer, runSuite, nullptr},
+    {"arb", "glsl", glslBackend, arbSubject, unwrittenSubject, runSuite, runEdges},
+    {"arb", "arb", calls<arbBackend>, arbSubject, unwrittenSubject, runSuite, runEdges},
+    {"arb", "assembly", calls<assemblyBackend>, arbSubject, unwrittenSubject, runSuite, runEdges},
+    {"vertex", "glsl", glslBackend, vertexSubject, unwrittenVertexSubject, runVertexSuite,
+     runVertexEdges},
+    {"vertex", "arb", calls<arbBackend>, vertexSubject, unwrittenVertexSubject, runVertexSuite,
+     runVertexEdges},
+    {"vertex", "assembly", calls<assemblyBackend>, vertexSubject, unwrittenVertexSubject,
+     runVertexSuite, runVertexEdges},
+    {"ati", "glsl", glslBackend, atiSubject, nullptr, runSuite, nullptr},
+    {"ati", "arb", calls<atiTextBackend>, atiSubjectOfHost, nullptr, runSuite, nullptr},
+    {"ati", "api", calls<atiApiBackend>, atiSubjectOfHost, nullptr, runSuite, nullptr},
+    {"ati", "peer", calls<atiApiBackend>, atiSubjectOfPeer, nullptr, runSuite, nullptr},
 };
 
 const WayRow *findWay(const std::string &language, const std::string &mode) {
@@ -78,6 +91,8 @@ struct Arguments {
   const WayRow *way = nullptr;
   bool edges = false;
   bool wild = false;
+  bool unwritten = false;
+  std::vector<std::string> programs; ///< texts of files
   SuiteOptions suite;
 };
 
@@ -96,6 +111,42 @@ std::string numericsFault(const Arguments &arguments) {
 bool isSuite(const char *name) {
   return !std::strcmp(name, "random") || !std::strcmp(name, "edges") ||
          !std::strcmp(name, "mutants");
+}
+
+/// The header decides the language of all. False, with a complaint, for a file that cannot be read.
+bool readProgram(const char *path, Arguments &arguments) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file) {
+    std::fprintf(stderr, "differential: %s cannot be read\n", path);
+    return false;
+  }
+  arguments.programs.push_back(std::move(text).str());
+  if (fp::languageOfText(arguments.programs.back()) == fp::ir::Language::ArbVertex)
+    arguments.language = "vertex";
+  return true;
+}
+
+/// What is drawn for each seed. False where the way has no such programs.
+bool chooseSubjects(Arguments &arguments) {
+  SuiteOptions &suite = arguments.suite;
+  const WayRow &way = *arguments.way;
+  suite.subject = way.subject;
+  if (arguments.wild && way.subject == arbSubject)
+    suite.subject = wildSubject;
+  if (arguments.unwritten)
+    suite.subject = way.unwritten;
+  if (arguments.programs.empty())
+    return !arguments.unwritten || way.unwritten;
+  const auto language =
+      arguments.language == "vertex" ? fp::ir::Language::ArbVertex : fp::ir::Language::ArbFragment;
+  suite.firstSeed = 1;
+  suite.count = int(arguments.programs.size());
+  suite.subject = [&programs = arguments.programs, language](std::uint64_t seed) {
+    return subjectOf(language, programs[seed - 1]);
+  };
+  return arguments.language != "ati" && !arguments.edges && !suite.mutate;
 }
 
 bool parse(int argc, char **argv, Arguments &arguments) {
@@ -119,7 +170,12 @@ bool parse(int argc, char **argv, Arguments &arguments) {
       arguments.suite.numerics = *fp::numericsNamed(value);
     else if (name == "--wild")
       arguments.wild = !std::strcmp(value, "1");
-    else if (name == "--json")
+    else if (name == "--unwritten")
+      arguments.unwritten = !std::strcmp(value, "1");
+    else if (name == "--program") {
+      if (!readProgram(value, arguments))
+        return false;
+    } else if (name == "--json")
       arguments.json = value;
     else if (name == "--failures")
       arguments.suite.failures = value;
@@ -129,10 +185,7 @@ bool parse(int argc, char **argv, Arguments &arguments) {
   arguments.way = findWay(arguments.language, arguments.mode);
   if (!arguments.way)
     return false;
-  arguments.suite.subject = arguments.way->subject;
-  if (arguments.wild && arguments.suite.subject == arbSubject)
-    arguments.suite.subject = wildSubject;
-  return arguments.way->edges || !arguments.edges;
+  return (arguments.way->edges || !arguments.edges) && chooseSubjects(arguments);
 }
 
 void writeJson(const std::string &path, const std::string &mode, fp::Numerics numerics,

@@ -132,9 +132,29 @@ fp::Limits suiteLimits() {
   return limits;
 }
 
+Subject subjectOf(fp::ir::Language language, std::string text) {
+  return checked(language, std::move(text), suiteLimits());
+}
+
 Subject arbSubject(std::uint64_t seed) {
-  return checked(fp::ir::Language::ArbFragment,
-                 fp::testing::spell(fp::testing::randomProgram(seed), seed), suiteLimits());
+  return subjectOf(Language::ArbFragment,
+                   fp::testing::spell(fp::testing::randomProgram(seed), seed));
+}
+
+Subject vertexSubject(std::uint64_t seed) {
+  return subjectOf(Language::ArbVertex,
+                   fp::testing::spell(fp::testing::randomVertexProgram(seed), seed));
+}
+
+Subject unwrittenSubject(std::uint64_t seed) {
+  return subjectOf(Language::ArbFragment,
+                   fp::testing::spell(fp::testing::randomProgram(seed, {.unwritten = true}), seed));
+}
+
+Subject unwrittenVertexSubject(std::uint64_t seed) {
+  return subjectOf(
+      Language::ArbVertex,
+      fp::testing::spell(fp::testing::randomVertexProgram(seed, {.unwritten = true}), seed));
 }
 
 Subject wildSubject(std::uint64_t seed) {

@@ -18,8 +18,19 @@ struct Subject {
 /// Limits under which the programs of the suite are checked: wide, the programs are small.
 [[nodiscard]] fp::Limits suiteLimits();
 
+/// A program of anywhere.
+[[nodiscard]] Subject subjectOf(fp::ir::Language language, std::string text);
+
 /// An ARB fragment program.
 [[nodiscard]] Subject arbSubject(std::uint64_t seed);
+
+/// An ARB vertex program.
+[[nodiscard]] Subject vertexSubject(std::uint64_t seed);
+
+/// The same with registers that nothing wrote, results written in part or not at all, and vertices
+/// without a whole position: undefined by the specifications, zero on every path of ours.
+[[nodiscard]] Subject unwrittenSubject(std::uint64_t seed);
+[[nodiscard]] Subject unwrittenVertexSubject(std::uint64_t seed);
 
 /// The same with operands outside of functions' domains, which make infinities and NaNs. Nothing is
 /// sampled but at attributes: where a texture is read at an infinity is the host's affair.

@@ -120,7 +120,7 @@ private:
     const Subject subject = m_options.subject(seed);
     const std::string &text = subject.text;
     if (!subject.program)
-      return fail(seed, "generated program refused: " + subject.error);
+      return fail(seed, "refused: " + subject.error);
     const Program &program = *subject.program;
     std::vector<const std::vector<float> *> attributes;
     for (const Attribute &attribute : program.attributes)

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 namespace arbiter::differential {
 
 struct SuiteOptions {
-  Subject (*subject)(std::uint64_t seed) = arbSubject;
+  std::function<Subject(std::uint64_t seed)> subject = arbSubject;
   fp::Numerics numerics = fp::Numerics::Host; ///< that the interpreter follows, and the backend
   int count = 500;
   std::uint64_t firstSeed = 1;

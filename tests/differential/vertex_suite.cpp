@@ -4,6 +4,7 @@
 
 #include "expectation.h"
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/random.h"
 #include "mutate.h"
 #include "scene_data.h"
@@ -36,26 +37,50 @@ public:
 private:
   void one(std::uint64_t seed) {
     ++m_report.programs;
-    const std::string text = fp::testing::spell(fp::testing::randomVertexProgram(seed), seed);
-    const fp::CheckResult checked =
-        fp::checkProgram(Language::ArbVertex, text, {suiteLimits(), fp::LimitPolicy::Enforce});
-    if (!checked.ok())
-      return fail(seed, text, "generated program refused: " + checked.errorString(text));
-    const Program &program = *checked.program;
+    const Subject subject = m_options.subject(seed);
+    const std::string &text = subject.text;
+    if (!subject.program)
+      return fail(seed, text, "refused: " + subject.error);
+    const Program &program = *subject.program;
     const Reader reader(program);
     std::string problem = reader.draw(m_backend, text, program, m_target);
     if (!problem.empty())
       return fail(seed, text, problem);
     const Program expected = m_options.mutate ? mutant(program, seed, m_options.numerics) : program;
-    const Verdict worst = compare(seed, reader, reader.shown(expected));
+    const Verdict worst = compare(seed, program, reader, reader.shown(expected));
     if (worst.error > 1)
       return fail(seed, text,
                   worst.what + "\n" + fp::emitGlsl(program, {}, m_options.numerics).text);
     m_report.worst = std::max(m_report.worst, worst.error);
   }
 
-  Verdict compare(std::uint64_t seed, const Reader &reader, const Program &program) {
+  /// Every component of the position is written. Without a w nothing is drawn.
+  static bool hasPosition(const Program &program) {
+    unsigned written = program.options.positionInvariant ? 0xF : 0;
+    for (const Instruction &instruction : program.code)
+      if (instruction.dst.file == File::Output &&
+          program.outputs[instruction.dst.index].kind == OutputKind::Position)
+        written |= writeMask(instruction);
+    return written == 0xF;
+  }
+
+  Verdict nothing(const Drawn &drawn) {
+    Verdict verdict;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x, ++verdict.compared)
+        if (drawn.color(0, x, y) != Vec4{kUntouched, kUntouched, kUntouched, kUntouched}) {
+          verdict.error = 2;
+          verdict.what = "drawn without a position";
+        }
+    m_report.compared += std::uint64_t(verdict.compared);
+    return verdict;
+  }
+
+  Verdict compare(std::uint64_t seed, const Program &drawnProgram, const Reader &reader,
+                  const Program &program) {
     const Drawn drawn(m_target);
+    if (!hasPosition(drawnProgram))
+      return nothing(drawn);
     Verdict worst;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {

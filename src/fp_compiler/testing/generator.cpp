@@ -72,7 +72,7 @@ Generator::Picked Generator::parameter() {
 std::optional<std::size_t> Generator::readableTemporary() {
   for (int tries = 0; tries < 4; ++tries) {
     const auto index = std::size_t(m_random.below(int(m_temporaries.size())));
-    if (m_written[index] || (m_options.wild && m_random.chance(10)))
+    if (m_written[index] || ((m_options.wild || m_options.unwritten) && m_random.chance(10)))
       return index;
   }
   return {};
@@ -84,7 +84,7 @@ Generator::Picked Generator::operand(bool scalar, bool extended) {
   const auto index = m_random.chance(60) ? readableTemporary() : std::nullopt;
   if (index) {
     picked = {m_temporaries[*index].read(), m_ranges[*index]};
-    readable = m_options.wild ? 0xF : m_written[*index];
+    readable = m_options.wild || m_options.unwritten ? 0xF : m_written[*index];
   } else {
     picked = m_random.chance(45) ? attribute() : parameter();
   }

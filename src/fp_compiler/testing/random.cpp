@@ -79,12 +79,16 @@ private:
     record(dst, result);
   }
 
-  /// Every colour is written whole, so that nothing that reaches a pixel is undefined.
+  /// Every colour is written whole, so that nothing that reaches a pixel is undefined; or in part.
   void finish() {
     const int colors = m_builder.options().drawBuffers ? 2 : 1;
     for (int i = 0; i < colors; ++i) {
       const Target color = m_builder.color(i);
-      if (m_random.chance(50)) {
+      if (m_options.unwritten && m_random.chance(50)) {
+        Target part = color;
+        part.Destination::mask = std::uint8_t(1 + m_random.below(14));
+        m_builder.op(Opcode::Mov, part, {operand(false, false).source});
+      } else if (m_random.chance(50)) {
         m_builder.op(Opcode::Mov, color, {operand(false, false).source});
       } else {
         m_builder.op(

@@ -30,6 +30,9 @@ struct RandomOptions {
   /// Special values, reads of unwritten registers, operands outside a function's domain. Without,
   /// nothing in the program is undefined by the specification and values stay moderate.
   bool wild = false;
+  /// Reads of registers that nothing wrote, results written in part or not at all, and of vertices
+  /// the position: each zero wherever the layer draws. Values stay moderate.
+  bool unwritten = false;
   bool kills = true;
   bool options = true; ///< fog, shadow, draw buffers, coordinate conventions, hints
 };

@@ -27,6 +27,7 @@ TEST(RandomProgram, IsValidAndReproducible) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     RandomOptions options;
     options.wild = seed & 1;
+    options.unwritten = seed & 2;
     const ir::Program program = randomProgram(seed, options);
     for (const std::string &problem : ir::validate(program))
       ADD_FAILURE() << "seed " << seed << ": " << problem;
@@ -43,6 +44,7 @@ TEST(RandomProgram, VertexProgramsTooAndTheyUseAddresses) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     RandomOptions options;
     options.wild = seed & 1;
+    options.unwritten = seed & 2;
     const ir::Program program = randomVertexProgram(seed, options);
     for (const std::string &problem : ir::validate(program))
       ADD_FAILURE() << "seed " << seed << ": " << problem;

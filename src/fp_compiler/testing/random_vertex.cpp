@@ -159,15 +159,19 @@ private:
   }
 
   /// The position that the vertex came with, one or two results in full, and in wild programs more.
+  /// Under `unwritten` less of each.
   void finish() {
     if (!m_builder.options().positionInvariant)
-      m_builder.op(Opcode::Mov, m_builder.result(OutputKind::Position), {slotAttribute(0)});
+      position();
     constexpr std::array kKinds = {OutputKind::FrontPrimary, OutputKind::FrontSecondary,
                                    OutputKind::FogCoord, OutputKind::TexCoord,
                                    OutputKind::TexCoord};
     for (int i = 1 + m_random.below(2); i > 0; --i) {
       const OutputKind kind = kKinds[std::size_t(m_random.below(int(kKinds.size())))];
-      write(m_builder.result(kind, kind == OutputKind::TexCoord ? m_random.below(8) : 0));
+      Target result = m_builder.result(kind, kind == OutputKind::TexCoord ? m_random.below(8) : 0);
+      if (m_options.unwritten && m_random.chance(50))
+        result.Destination::mask = std::uint8_t(1 + m_random.below(15));
+      write(result);
     }
     if (!m_options.wild)
       return;
@@ -176,6 +180,17 @@ private:
     Target partly = m_builder.result(kMore[std::size_t(m_random.below(int(kMore.size())))], 0);
     partly.Destination::mask = std::uint8_t(1 + m_random.below(15));
     write(partly);
+  }
+
+  /// Under `unwritten` often none, or one without a w, with which no vertex is inside.
+  void position() {
+    const bool whole = !m_options.unwritten || m_random.chance(60);
+    if (!whole && m_random.chance(50))
+      return;
+    Target written = m_builder.result(OutputKind::Position);
+    if (!whole)
+      written.Destination::mask = std::uint8_t(1 + m_random.below(7));
+    m_builder.op(Opcode::Mov, written, {slotAttribute(0)});
   }
 
   void write(const Target &target) {

@@ -68,7 +68,7 @@ Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
 std::uint32_t slotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
-  return pipeline.slots() | (unfilled ? 1u << kEdgeFlag : 0u);
+  return pipeline.currentSlots() | (unfilled ? 1u << kEdgeFlag : 0u);
 }
 
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {

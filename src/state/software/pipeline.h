@@ -39,6 +39,7 @@ public:
                 std::uint32_t first, std::uint32_t count);
   /// The attributes that the chosen vertex function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
+  [[nodiscard]] std::uint32_t currentSlots() const { return m_vertices.currentSlots(); }
   [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
   [[nodiscard]] ArraySource &arrays() { return m_arrays; }
 

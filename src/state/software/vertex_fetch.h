@@ -47,6 +47,9 @@ public:
   /// there. Float arrays of the current value are kept from draw to draw.
   [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current,
                            std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  /// The current value of a slot for every vertex of the last fetch(), whatever it fetched for it:
+  /// component() gives it. False if there is no memory.
+  [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
   /// Component c of a fetched slot: `count` floats, padded to a multiple of 16 that may be read;
   /// aligned to 64 bytes.
   [[nodiscard]] const float *component(int slot, int c) const {
@@ -81,7 +84,6 @@ private:
   };
   [[nodiscard]] const float *constant(Constant &constant, float value);
   [[nodiscard]] bool fetchArray(const VertexSource &source, int slot, std::uint32_t first);
-  [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
 
   std::uint32_t m_count = 0, m_padded = 0;
   std::array<std::array<const float *, 4>, kSlots> m_components{};

@@ -94,7 +94,37 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
   m_shape = &prepared->shape();
   m_slots = slotsOf(m_shape->inputs);
   m_connected = false;
+  findUnwritten(context);
   return {};
+}
+
+void VertexStage::findUnwritten(const Context &context) {
+  m_unwritten.clear();
+  if (!m_compiled || context.variant->fragment.compiled)
+    return;
+  const auto &results = m_shape->outputs;
+  for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {
+    const fp::ir::Attribute &attribute = m_fragments->inputs[i].attribute;
+    if (std::find(results.begin(), results.end(), resultOf(attribute, false)) == results.end())
+      m_unwritten.push_back({std::uint8_t(i), std::uint8_t(slotOf(attribute))});
+  }
+}
+
+bool VertexStage::connectUnwritten(const Mirror &mirror) {
+  for (const Unwritten &each : m_unwritten) {
+    if (!m_fetcher.fetchCurrent(mirror.current[each.slot], each.slot))
+      return false;
+    for (int c = 0; c < 4; ++c)
+      m_vertices.inputs[each.input][c] = m_fetcher.component(each.slot, c);
+  }
+  return true;
+}
+
+std::uint32_t VertexStage::currentSlots() const {
+  std::uint32_t slots = m_slots;
+  for (const Unwritten &each : m_unwritten)
+    slots |= 1u << each.slot;
+  return slots;
 }
 
 void VertexStage::transform(const abi::VertexData &data, std::uint32_t count) const {
@@ -134,6 +164,8 @@ Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &s
     m_connected = true;
     m_connectedTo = m_fetcher.outputsVersion();
   }
+  if (!m_unwritten.empty() && !connectUnwritten(mirror)) [[unlikely]]
+    return Fallback::Memory;
   m_vertices.count = count;
   m_vertices.edgeFlags = edgeFlags ? m_fetcher.edgeFlags() : nullptr;
   return {};

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "fp_compiler/jit.h"
 #include "state/software/attributes.h"
@@ -29,6 +30,8 @@ public:
                  const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, When when);
   /// The slots that the function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_slots; }
+  /// Those, and the others whose current values are wanted.
+  [[nodiscard]] std::uint32_t currentSlots() const;
 
   /// Transforms vertices [first, first + count) of the source.
   Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
@@ -46,6 +49,8 @@ private:
   };
   void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, When when);
   void connect(float *const *outputs);
+  void findUnwritten(const Context &context);
+  [[nodiscard]] bool connectUnwritten(const Mirror &mirror);
   void transform(const abi::VertexData &data, std::uint32_t count) const;
 
   const CompiledProgram *m_compiled = nullptr;
@@ -62,6 +67,13 @@ private:
   VertexFetcher m_fetcher;
   const fp::jit::VertexShape *m_shape = nullptr; ///< of m_program
   swrast::Vertices m_vertices;
+  /// Fragment inputs of fixed function that the application's program does not write. They are
+  /// undefined; hosts take the vertex's current values, and some applications count on it.
+  struct Unwritten {
+    std::uint8_t input = 0; ///< of swrast::Vertices::inputs
+    std::uint8_t slot = 0;
+  };
+  std::vector<Unwritten> m_unwritten;
   bool m_connected = false;        ///< m_vertices points at the outputs of m_shape ..
   std::uint32_t m_connectedTo = 0; ///< .. at this VertexFetcher::outputsVersion()
 };

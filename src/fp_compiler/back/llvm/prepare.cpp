@@ -72,6 +72,17 @@ jit::FragmentShape shapeOf(const ir::Program &program) {
   return shape;
 }
 
+/// Every vertex has a position, as what follows takes it for granted: where the program writes none
+/// the function stores zeros, as it does for components that are not written. With a w of 0 nothing
+/// is drawn.
+ir::Program withPosition(ir::Program program) {
+  const ir::Output position = {ir::OutputKind::Position, 0};
+  auto &outputs = program.outputs;
+  if (std::find(outputs.begin(), outputs.end(), position) == outputs.end())
+    outputs.push_back(position);
+  return program;
+}
+
 jit::VertexShape vertexShapeOf(const ir::Program &program) {
   const Live live = liveOf(program);
   jit::VertexShape shape;
@@ -79,7 +90,7 @@ jit::VertexShape vertexShapeOf(const ir::Program &program) {
     if (live.attributes[i] != 0)
       shape.inputs.push_back(program.attributes[i]);
   for (std::size_t i = 0; i < program.outputs.size(); ++i)
-    if (live.outputs[i] != 0)
+    if (live.outputs[i] != 0 || program.outputs[i].kind == ir::OutputKind::Position)
       shape.outputs.push_back(program.outputs[i]);
   return shape;
 }
@@ -90,7 +101,7 @@ PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)
       m_shape(shapeOf(m_program)) {}
 
 PreparedVertex::PreparedVertex(ir::Program program, Numerics numerics)
-    : m_program(optimised(std::move(program), numerics)), m_numerics(numerics),
+    : m_program(withPosition(optimised(std::move(program), numerics))), m_numerics(numerics),
       m_shape(vertexShapeOf(m_program)) {}
 
 } // namespace arbiter::fp::llvm_back

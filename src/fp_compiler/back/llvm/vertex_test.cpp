@@ -93,7 +93,7 @@ TEST_P(VertexTest, RelativeOperandsReadTheirRowsOrZero) {
     std::vector<Vec4> rows;
     for (std::size_t i = 0; i < program.parameters.size(); ++i)
       rows.push_back({float(i) + 1, float(i) + 10, float(i) + 100, float(i) + 1000});
-    Arrays in(1), out(3);
+    Arrays in(1), out(4); // and the position
     for (std::size_t i = 0; i < kVertices; ++i)
       in.component(0, 0)[i] = kAddresses[i % std::size(kAddresses)];
     run(program, in, out, rows);
@@ -122,17 +122,19 @@ TEST_P(VertexTest, ShapeListsWhatIsReadAndWritten) {
        {b.attribute(ir::AttributeKind::FogCoord)});
   b.op(Opcode::Mov, b.result(ir::OutputKind::TexCoord, 3).mask("y"),
        {b.attribute(ir::AttributeKind::FogCoord).swz("x")});
-  Arrays in(1), out(2);
+  Arrays in(1), out(3);
   for (std::size_t i = 0; i < kVertices; ++i)
     in.component(0, 0)[i] = float(i);
   run(b.program(), in, out, {});
   ASSERT_EQ(m_shape.inputs.size(), 1u);
   EXPECT_EQ(m_shape.inputs[0].kind, ir::AttributeKind::FogCoord);
-  ASSERT_EQ(m_shape.outputs.size(), 2u);
+  ASSERT_EQ(m_shape.outputs.size(), 3u);
   EXPECT_EQ(m_shape.outputs[0].kind, ir::OutputKind::FogCoord);
   EXPECT_EQ(m_shape.outputs[1].kind, ir::OutputKind::TexCoord);
+  EXPECT_EQ(m_shape.outputs[2].kind, ir::OutputKind::Position) << "every vertex has one";
   EXPECT_EQ(out.at(0, 7), (Vec4{7, -99, -99, -99})); // only x counts
   EXPECT_EQ(out.at(1, 7), (Vec4{0, 7, 0, 0}));
+  EXPECT_EQ(out.at(2, 7), (Vec4{}));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, VertexTest, ::testing::ValuesIn(testedCpus()), [](const auto &param) {
