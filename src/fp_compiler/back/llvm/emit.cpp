@@ -57,6 +57,17 @@ struct Listener final : llvm::DiagnosticHandler {
   std::string &text;
 };
 
+/// Code of ours is called by address: where the processor checks that such calls arrive at a
+/// landing pad, and returns where they came from, it stands the check.
+void setControlFlow(llvm::Module &module) {
+#if defined(__x86_64__)
+  module.addModuleFlag(llvm::Module::Override, "cf-protection-branch", 1);
+  module.addModuleFlag(llvm::Module::Override, "cf-protection-return", 1);
+#else
+  module.addModuleFlag(llvm::Module::Override, "branch-target-enforcement", 1);
+#endif
+}
+
 void setAttributes(llvm::Function &function, const Cpu &cpu) {
   function.addFnAttr(llvm::Attribute::NoUnwind);
   function.addFnAttr("target-cpu", cpu.name);
@@ -158,6 +169,7 @@ llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &
   llvm::Module module("arbiter", context);
   module.setTargetTriple(machine->getTargetTriple().str());
   module.setDataLayout(machine->createDataLayout());
+  setControlFlow(module);
 
   llvm::IRBuilder<> ir(context);
   llvm::SmallVector<llvm::Type *, 4> parameters(std::size_t(pointers), ir.getPtrTy());
