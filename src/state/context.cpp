@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 
 #include "fp_compiler/ati/limits.h"
@@ -40,10 +41,16 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   clamp(limits.textureUnits, caps.maxTextureUnits);
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
-  clamp(limits.drawBuffers, caps.maxDrawBuffers);
   clamp(limits.vertexAttribs, caps.maxVertexAttribs);
-  // MAX_CLIP_PLANES is the host's to answer, and a program must be able to bind what it promises.
-  limits.clipPlanes = std::uint32_t(std::max(caps.maxClipPlanes, 0));
+  // These are limits of all drawing, so that the host answers for them unless the card is asked to
+  // (cardValue() in gets.cpp). A program may use what the query promises, no more and no less.
+  if (!settings().identityOfProfile)
+    limits.drawBuffers = limits.clipPlanes = UINT32_MAX;
+  clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  clamp(limits.clipPlanes, caps.maxClipPlanes);
+  // GLSL has no names for them, so that no program could read them.
+  limits.paletteMatrices = 0;
+  limits.vertexUnits = 1;
   return limits;
 }
 

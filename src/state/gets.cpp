@@ -11,6 +11,7 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/software/residency.h"
+#include "util/flags.h"
 #include "util/log.h"
 
 namespace arbiter::state {
@@ -46,6 +47,36 @@ bool fragmentShaderValue(const ProgramTarget &row, GLenum pname, GLint &value) {
     value = kComponents;
   }
   return row.offered;
+}
+
+/// Limits of more than programs, which are the card's only under ARBITER_IDENTITY=profile: a newer
+/// application that draws without programs would lose by them. The context's rows are no higher
+/// than what the host can do.
+bool cardValue(const Context &context, GLenum pname, GLint &value) {
+  if (!settings().identityOfProfile || !context.offered)
+    return false;
+  const fp::Limits &fragment = context.row(Target::Fragment).limits;
+  const fp::Limits &vertex = context.row(Target::Vertex).limits;
+  const auto give = [&](std::uint32_t limit) {
+    value = GLint(limit);
+    return true;
+  };
+  switch (pname) {
+  case GL_MAX_DRAW_BUFFERS:
+    return give(fragment.drawBuffers);
+  case GL_MAX_CLIP_PLANES:
+    return give(fragment.clipPlanes);
+  case GL_MAX_LIGHTS:
+    return give(fragment.lights);
+  case GL_MAX_PROGRAM_MATRICES_ARB:
+    return give(fragment.programMatrices);
+  case GL_MAX_PROGRAM_MATRIX_STACK_DEPTH_ARB:
+    return give(fragment.programMatrixStackDepth);
+  case GL_MAX_VERTEX_ATTRIBS:
+    return give(vertex.vertexAttribs);
+  default:
+    return false;
+  }
 }
 
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
@@ -118,7 +149,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
       releaseSamplers(context);
     return false;
   default:
-    return false;
+    return cardValue(context, pname, value);
   }
 }
 

@@ -17,6 +17,14 @@ ROW = re.compile(r'^PROFILE_ROW\((\w+), (\w+), (\w+), ([\w.]+), "([\w: ]+)", (\d
 CHOICE = re.compile(r'^PROFILE_CHOICE\((\w+), (\w+), ([\w.]+), (\w+), "([\w|]+)", "(.+)"\)$')
 MODEL = 'model'  # the table that has choices
 
+# Who answers a row of the state tables: glGet from the profile always, or only under
+# ARBITER_IDENTITY=profile, or never; the other rows are glGetProgramiv's. tests/clients/card_limits.py
+# asks.
+ALWAYS = {'texture_coords', 'texture_image_units', 'texture_units'}
+WITH_IDENTITY = {'program_matrices', 'program_matrix_stack_depth', 'lights', 'draw_buffers',
+                 'clip_planes', 'generic_attribs'}
+NOT_OFFERED = {'palette_matrices', 'vertex_units'}
+
 # The keys of [identity], in the order of profile.cpp.
 IDENTITY = ['vendor', 'renderer', 'version', 'shading_language_version', 'extensions', 'year']
 
@@ -244,23 +252,42 @@ whatever was inherited.
 API limits are what `glGetProgramivARB` answers and what a program is refused for; native limits
 decide `GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB` and never refuse a program. With `from_host = true` the
 layer asks the host's driver for every number it can give.
+
+Which rows an application is answered, in a compatibility context:
+
+| answered | rows |
+|---|---|
+| always | by `glGetProgramivARB`: `api`, `native`, `vertex_api`, `vertex_native`, and the local and env parameters; by `glGet`: @ALWAYS@ |
+| with identity | by `glGet` only under `ARBITER_IDENTITY=profile`: @WITH_IDENTITY@. Without it the host answers, for these are limits of all drawing, and a program may use as many as the host says |
+| no | @NOT_OFFERED@: no host has the extension or the layer the means, so `glGet` raises `GL_INVALID_ENUM` and no program can name one, whatever the row says |
+
+An answer of `glGet` is never above the host's own: what a row has more could not be drawn with. What
+GL calls a limit and has no row (texture sizes, vertex texture units, anisotropy, ...) is the host's.
+`arbiter check`, which has no host, goes by the rows alone: a program that uses `result.color[4]` is
+not valid under a profile with 4 draw buffers.
 '''
 
 
 def as_markdown(rows, profiles):
-    out = [DOC_HEAD]
+    def listed(keys):
+        return ', '.join(f'`{row["key"]}`' for row in rows if row['key'] in keys)
+
+    out = [DOC_HEAD.replace('@ALWAYS@', listed(ALWAYS)).replace('@NOT_OFFERED@', listed(NOT_OFFERED))
+           .replace('@WITH_IDENTITY@', listed(WITH_IDENTITY))]
     names = [profile['name'] for profile in profiles]
     out.append('## All profiles\n')
-    out.append('| row | GL name | ' + ' | '.join(names) + ' | least | most |')
-    out.append('|---|---|' + '---:|' * (len(names) + 2))
+    out.append('| row | GL name | answered | ' + ' | '.join(names) + ' | least | most |')
+    out.append('|---|---|---|' + '---:|' * (len(names) + 2))
     for row in rows:
         cells = [str(profile['rows'][row['name']][0]) for profile in profiles]
         gl = row['gl'] if row['gl'].startswith('none') else f'`GL_{row["gl"]}`'
-        out.append(f'| {row["table"]}.{row["key"]} | {gl} | ' + ' | '.join(cells) +
+        answered = ('no' if row['gl'].startswith('none') or row['key'] in NOT_OFFERED
+                    else 'with identity' if row['key'] in WITH_IDENTITY else 'always')
+        out.append(f'| {row["table"]}.{row["key"]} | {gl} | {answered} | ' + ' | '.join(cells) +
                    f' | {row["least"]} | {row["most"]} |')
     for choice in read_choices():
         cells = [profile['choices'][choice['name']][0] for profile in profiles]
-        out.append(f'| {MODEL}.{choice["key"]} | none | ' + ' | '.join(cells) + ' | | |')
+        out.append(f'| {MODEL}.{choice["key"]} | none | no | ' + ' | '.join(cells) + ' | | |')
     out.append('\nLeast: what the specification guarantees; a profile may go below it. Most: what '
                'Arbiter can hold.\n')
     for choice in read_choices():

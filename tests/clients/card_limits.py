@@ -1,0 +1,224 @@
+#!/usr/bin/env python3
+"""Under ARBITER_IDENTITY=profile every row of a profile that has a GL name is what GL answers.
+
+Runs itself as the client, with EGL (surfaceless) and with OSMesa, under each built-in profile, and
+asks each row by every function that answers it. A row above what the host can do is the host's; so
+is a row of the profile `host`. What a program may use is held to the same answers: the last draw
+buffer and the last clip plane load, the next does not. Without the identity only the limits of
+programs and texture units are the card's.
+"""
+import argparse
+import ctypes
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+import identity
+from identity import GL_XML, Failure, expect
+
+HW = pathlib.Path(__file__).resolve().parents[2] / 'src' / 'fp_compiler' / 'hw'
+sys.path.insert(0, str(HW))
+import generate_profiles  # noqa: E402
+
+FRAGMENT, VERTEX, ASCII = 0x8804, 0x8620, 0x8875
+INVALID_ENUM = 0x500
+PROGRAM_TABLES = {'api': FRAGMENT, 'native': FRAGMENT, 'vertex_api': VERTEX, 'vertex_native': VERTEX}
+PARAMETERS = ('local_parameters', 'env_parameters')
+# How GL is asked, and how a number is answered in that type.
+GETTERS = {'glGetIntegerv': (ctypes.c_int, int), 'glGetFloatv': (ctypes.c_float, float),
+           'glGetDoublev': (ctypes.c_double, float), 'glGetInteger64v': (ctypes.c_int64, int),
+           'glGetBooleanv': (ctypes.c_ubyte, lambda value: int(value != 0))}
+
+
+def queries():
+    """{row: (enum, program target or None)} of the rows that have a GL name."""
+    numbers = {node.get('name'): int(node.get('value'), 0)
+               for node in ET.parse(GL_XML).getroot().iter('enum') if node.get('value')}
+    rows, _ = generate_profiles.read_all()
+    asked = {}
+    for row in rows:
+        if row['gl'].startswith('none'):
+            continue
+        target = PROGRAM_TABLES.get(row['table'])
+        if row['key'] in PARAMETERS:
+            target = VERTEX if row['table'] == 'vertex_state' else FRAGMENT
+        asked[f'{row["table"]}.{row["key"]}'] = (numbers['GL_' + row['gl']], target)
+    return asked
+
+
+# --- The client ---
+
+def client(kind):
+    find = {'egl': identity.egl_context, 'osmesa': identity.osmesa_context}[kind](False)
+    if find is None:
+        return 77
+    uint, pointer = ctypes.c_uint, ctypes.c_void_p
+
+    def function(name, result, *arguments):
+        return ctypes.CFUNCTYPE(result, *arguments)(find(name.encode()))
+
+    get_error = function('glGetError', uint)
+    get_program = function('glGetProgramivARB', None, uint, uint, pointer)
+    program_string = function('glProgramStringARB', None, uint, uint, ctypes.c_int, ctypes.c_char_p)
+    getters = {name: (function(name, None, uint, pointer), kind_of)
+               for name, (kind_of, _) in GETTERS.items()}
+
+    def answer(call, kind_of):
+        value = kind_of(77)
+        call(ctypes.byref(value))
+        error = get_error()
+        return {'error': error} if error else {'value': value.value}
+
+    answers = {}
+    for row, (enum, target) in queries().items():
+        if target:
+            answers[row] = {'glGetProgramivARB': answer(
+                lambda place, t=target, e=enum: get_program(t, e, place), ctypes.c_int)}
+            continue
+        answers[row] = {name: answer(lambda place, c=call, e=enum: c(e, place), kind_of)
+                        for name, (call, kind_of) in getters.items()}
+
+    def loads(target, text):
+        program_string(target, ASCII, len(text), text.encode())
+        return get_error() == 0
+
+    def count(holds):
+        """How many of 0, 1, 2 ... hold."""
+        return next((i for i in range(64) if not holds(i)), 64)
+
+    programs = {
+        'state.draw_buffers': count(lambda i: loads(
+            FRAGMENT, f'!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[{i}], 1;\nEND')),
+        'state.clip_planes': count(lambda i: loads(
+            VERTEX, f'!!ARBvp1.0\nMOV result.position, state.clip[{i}].plane;\nEND')),
+        'state.lights': count(lambda i: loads(
+            VERTEX, f'!!ARBvp1.0\nMOV result.position, state.light[{i}].position;\nEND')),
+        'state.program_matrices': count(lambda i: loads(
+            VERTEX, f'!!ARBvp1.0\nMOV result.position, state.matrix.program[{i}].row[0];\nEND')),
+        'state.texture_image_units': count(lambda i: loads(
+            FRAGMENT, f'!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[{i}], 2D;\nEND')),
+        'state.texture_coords': count(lambda i: loads(
+            FRAGMENT, f'!!ARBfp1.0\nMOV result.color, fragment.texcoord[{i}];\nEND')),
+        'vertex_state.generic_attribs': count(lambda i: loads(
+            VERTEX, f'!!ARBvp1.0\nMOV result.position, vertex.attrib[{i}];\nEND')),
+    }
+    print(json.dumps({'answers': answers, 'programs': programs}))
+    return 0
+
+
+# --- The harness ---
+
+def ask(options, kind, arguments):
+    """None: the client cannot run here. No arguments: the bare host."""
+    command = [sys.executable, str(pathlib.Path(__file__).resolve()), '--client', kind]
+    if arguments is not None:
+        command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
+    environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
+    environment.update(LIBGL_ALWAYS_SOFTWARE='1', EGL_PLATFORM='surfaceless')
+    result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
+                            check=False)
+    if result.returncode == 77:
+        return None
+    expect(result.returncode == 0, f'{command}: exit {result.returncode}\n{result.stderr}')
+    return json.loads(result.stdout)
+
+
+def answered(value):
+    return {name: {'value': shown(value)} for name, (_, shown) in GETTERS.items()}
+
+
+def host_value(bare, row):
+    """What the host answers to Get; None where it does not know the name."""
+    return bare['answers'][row].get('glGetIntegerv', {}).get('value')
+
+
+def wanted(row, value, bare, from_host, is_program):
+    """The answers that a row is to have, by function."""
+    if is_program:
+        return bare['answers'][row] if from_host else {'glGetProgramivARB': {'value': value}}
+    host = host_value(bare, row)
+    if host is None:  # a host without the extension has no answer, and no program can use it
+        return {name: {'error': INVALID_ENUM} for name in GETTERS}
+    return answered(host if from_host else min(value, host))
+
+
+def check_card(options, kind, bare, profile):
+    """\\return how many answers were compared, and the rows in which the host can do less"""
+    asked = ask(options, kind, ['--identity', 'profile', '--profile', profile['name']])
+    compared, lower = 0, []
+    for row, (_, target) in queries().items():
+        value = profile['rows'][profile['names'][row]][0]
+        want = wanted(row, value, bare, profile['from_host'], target is not None)
+        expect(asked['answers'][row] == want,
+               f'{kind}, {profile["name"]}, {row} is {value}: {asked["answers"][row]}, not {want}')
+        compared += len(want)
+        host = host_value(bare, row)
+        if target is None and host is not None and host < value:
+            lower.append(row)
+    for row, count in asked['programs'].items():
+        want = asked['answers'][row]['glGetIntegerv']['value']
+        expect(count == want, f'{kind}, {profile["name"]}: programs may use {count} of {row}, '
+                              f'and GL answers {want}')
+    return compared, lower
+
+
+def check_plain(options, kind, bare, r300):
+    """Without the identity programs' limits and units are the card's, all else the host's."""
+    asked = ask(options, kind, [])
+    for row, (_, target) in queries().items():
+        value = r300['rows'][r300['names'][row]][0]
+        cards = target is not None or row.split('.')[1] in generate_profiles.ALWAYS
+        want = wanted(row, value, bare, False, target is not None) if cards else bare['answers'][row]
+        expect(asked['answers'][row] == want,
+               f'{kind}, no identity, {row}: {asked["answers"][row]}, not {want}')
+    for row, count in asked['programs'].items():
+        want = asked['answers'][row]['glGetIntegerv']['value']
+        expect(count == want, f'{kind}, no identity: programs may use {count} of {row}, and GL '
+                              f'answers {want}')
+
+
+def profiles():
+    rows, read = generate_profiles.read_all()
+    names = {f'{row["table"]}.{row["key"]}': row['name'] for row in rows}
+    return [{**profile, 'names': names} for profile in read]
+
+
+def check_kind(options, kind):
+    bare = ask(options, kind, None)
+    if bare is None:
+        return False
+    cards = profiles()
+    total, lower = 0, {}
+    for profile in cards:
+        compared, less = check_card(options, kind, bare, profile)
+        total += compared
+        lower.update({row: profile['name'] for row in less})
+    check_plain(options, kind, bare, next(p for p in cards if p['name'] == 'r300'))
+    print(f'{kind}: {total} answers of {len(cards)} profiles; the host can do less in: '
+          f'{", ".join(sorted(lower)) or "none"}')
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--client', help='be the client: egl or osmesa')
+    parser.add_argument('--arbiter')
+    parser.add_argument('--library')
+    options = parser.parse_args()
+    if options.client:
+        return client(options.client)
+    if not os.path.exists(GL_XML):
+        return 77
+    try:
+        ran = [check_kind(options, 'egl'), check_kind(options, 'osmesa')]
+    except Failure as failure:
+        print(f'card_limits: {failure}', file=sys.stderr)
+        return 1
+    return 0 if any(ran) else 77
+
+
+if __name__ == '__main__':
+    sys.exit(main())
