@@ -76,7 +76,8 @@ void addCompile(CLI::App &app, CompileArguments &compile) {
   command
       ->add_option("--emit", compile.emit,
                    "tokens, ir (checked program), assembly (plain text), glsl (1.20), native "
-                   "(as the profile's card runs it), llvm or machine (the rasterizer's code)")
+                   "(as the profile's card runs it, where that is modelled), llvm or machine "
+                   "(the rasterizer's code)")
       ->check(CLI::IsMember({"tokens", "ir", "assembly", "glsl", "native", "llvm", "machine"}))
       ->capture_default_str();
   addLanguage(*command, compile.language);
@@ -104,7 +105,7 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
       ->check(CLI::IsMember({"enforce", "report"}));
   command
       .add_option("--identity", layer.identity,
-                  "whom GL says it is: the host, or the profile's card and driver")
+                  "whom GL says it is: the host, or the profile's card and driver, with its limits")
       ->check(CLI::IsMember({"host", "profile"}));
   command
       .add_option("--numerics", layer.numerics,
@@ -121,7 +122,7 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
       ->check(CLI::Range(1992, 9999));
   command
       .add_option("--extensions-max-length", layer.extensionsMaxLength,
-                  "cut the extension string to at most this many bytes, oldest first")
+                  "keep the oldest extensions, as many as fit into this many bytes of the string")
       ->check(CLI::Range(1, 1048576));
   command.add_option("--stats", layer.stats,
                      "write statistics as JSON at exit; %p becomes the process id");
