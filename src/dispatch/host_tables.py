@@ -2,6 +2,11 @@
 from gl_commands import HEADING
 
 
+# A table has a part that is filled later (`further`), so that the compiler would leave a constant one
+# writable too; these have no lookup and are never written.
+CONSTANT = '[[gnu::section(".data.rel.ro.arbiter")]] constinit'
+
+
 def header(table):
     out = [HEADING, "#pragma once\n", "#include <cstddef>\n\n", "#include <GL/gl.h>\n",
            "#include <GL/glext.h>\n\n", "namespace arbiter::host {\n\nusing GetProc = void *(*)(const char *name);\n\n",
@@ -88,17 +93,17 @@ def null_table(table):
     """The table of the null context: each function looks for the next definition when called."""
     out = [HEADING, '#include "host/null_host.h"\n\n',
            "namespace arbiter::host {\n\nnamespace {\n\n"]
-    for name in table.members:
+    for index, name in enumerate(table.members):
         command = table.commands[name]
         root = table.entry_names(name)[0]
         give = "" if command.result == "void" else "return "
         out.append(f"{command.result} null{name}({command.declare()}) {{\n"
-                   f'  static constinit NextFunction s_next{{"{root}"}};\n'
-                   f"  const NullCall call(s_next);\n  if (call.function())\n"
+                   f'  const NullCall call("{root}", {index});\n'
+                   f"  if (call.function())\n"
                    f"    {give}reinterpret_cast<{command.result} (*)({command.types()})>"
                    f"(call.function())({command.arguments()});\n"
                    + ("" if command.result == "void" else "  return {};\n") + "}\n")
-    out.append("\n} // namespace\n\nconstinit const HostTable kNullHost = {\n")
+    out.append(f"\n}} // namespace\n\n{CONSTANT} const HostTable kNullHost = {{\n")
     out += [f"    .{name} = null{name},\n" for name in table.members]
     out.append("};\n\n} // namespace arbiter::host\n")
     return "".join(out)
@@ -117,7 +122,7 @@ def recording_table(table):
         give = "" if command.result == "void" else "return "
         out.append(f"{command.result} recording{name}({command.declare()}) {{\n"
                    f"  {give}handOver()->{name}({command.arguments()});\n}}\n")
-    out.append("\n} // namespace\n\nconstinit const host::HostTable kRecordingHost = {\n")
+    out.append(f"\n}} // namespace\n\n{CONSTANT} const host::HostTable kRecordingHost = {{\n")
     out += [f"    .{name} = recording{name},\n" for name in table.members]
     out.append("    .instead = handOver,\n};\n\n} // namespace arbiter::state::software\n")
     return "".join(out)

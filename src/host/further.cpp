@@ -1,17 +1,22 @@
 #include "host/further.h"
 
-#include <array>
 #include <cstring>
 #include <iterator>
+
+#include "util/sealed.h"
 
 namespace arbiter::host {
 
 namespace {
 
-constexpr std::size_t kFurther = std::size(HostTable{}.further);
-
-/// What follows in the process, for the null context.
-constinit std::array<std::atomic<void *>, kFurther> g_next{};
+/// A table that cannot be written at this moment finds the function again at the next call. A
+/// constant one has no lookup and does not come here.
+void keep(const HostTable &host, std::size_t index, void *function) {
+  if (!isSealed(&host))
+    return __atomic_store_n(&host.further[index], function, __ATOMIC_RELAXED);
+  if (const UnsealedPages open(&host, sizeof host); open)
+    __atomic_store_n(&host.further[index], function, __ATOMIC_RELAXED);
+}
 
 void *find(const HostTable &table, std::size_t index) {
   const HostTable &host = table.instead ? *table.instead() : table;
@@ -22,7 +27,7 @@ void *find(const HostTable &table, std::size_t index) {
     function = host.lookup(name);
   if (!function)
     function = detail::missingFunction();
-  __atomic_store_n(&host.further[index], function, __ATOMIC_RELAXED);
+  keep(host, index, function);
   return function;
 }
 
@@ -30,6 +35,6 @@ void *find(const HostTable &table, std::size_t index) {
 
 FurtherCall::FurtherCall(const HostTable &table, std::size_t index)
     : m_function(find(table, index)),
-      m_null(m_function ? nullptr : furtherNames(index), g_next[index]) {}
+      m_null(m_function ? nullptr : furtherNames(index), kFunctions + index) {}
 
 } // namespace arbiter::host

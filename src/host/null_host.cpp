@@ -1,6 +1,10 @@
 #include "host/null_host.h"
 
+#include <array>
 #include <dlfcn.h>
+#include <iterator>
+
+#include "util/sealed.h"
 
 namespace arbiter::host {
 
@@ -8,6 +12,9 @@ namespace {
 
 /// The calling thread is inside a call to the next definition.
 constinit thread_local bool t_insideNullCall __attribute__((tls_model("initial-exec"))) = false;
+
+/// The functions after ours in the order of lookup, each once it is found.
+constinit Sealed<std::array<void *, kFunctions + std::size(HostTable{}.further)>> g_next;
 
 bool inThisLibrary(const void *function) {
   Dl_info theirs, ours;
@@ -28,13 +35,16 @@ void *resolve(const char *name) {
 
 } // namespace
 
-NullCall::NullCall(const char *name, std::atomic<void *> &next) {
+NullCall::NullCall(const char *name, std::size_t index) {
   if (!name || t_insideNullCall)
     return;
-  void *function = next.load(std::memory_order_acquire);
+  void *function = __atomic_load_n(&(*g_next)[index], __ATOMIC_ACQUIRE);
   if (!function) {
     function = resolve(name);
-    next.store(function, std::memory_order_release);
+    // Where it cannot be kept now it is found again at the next call.
+    if (function)
+      (void)g_next.amend(
+          [&](auto &next) { __atomic_store_n(&next[index], function, __ATOMIC_RELEASE); });
   }
   if (function) {
     t_insideNullCall = true;

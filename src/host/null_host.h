@@ -1,5 +1,5 @@
 #pragma once
-#include <atomic>
+#include <cstddef>
 
 #include "host/host_table.h"
 
@@ -8,19 +8,13 @@
 /// or nowhere. Resolved at the first call of each, because that library may be loaded late.
 namespace arbiter::host {
 
-/// The function after ours in the order of lookup, once found.
-struct NextFunction {
-  const char *name;
-  std::atomic<void *> function{nullptr};
-};
-
 /// One call on its way to the next definition. function() is null where there is none, and in a
 /// call that came back to us: libGL's own stub may lead here.
 class NullCall {
 public:
-  explicit NullCall(NextFunction &next) : NullCall(next.name, next.function) {}
   /// A null name: no call at all.
-  NullCall(const char *name, std::atomic<void *> &next);
+  /// \param index of a member of HostTable, or kFunctions and the number of a further function
+  NullCall(const char *name, std::size_t index);
   ~NullCall();
   NullCall(const NullCall &) = delete;
   NullCall &operator=(const NullCall &) = delete;

@@ -23,35 +23,37 @@ namespace {
 
 using state::Provider;
 
-__EGLapiImports g_host;
+/// The host's functions of EGL.
+struct EglHost {
+  __EGLapiImports imports;
+  HostFunction<decltype(eglCreateContext)> createContext;
+  HostFunction<decltype(eglDestroyContext)> destroyContext;
+  HostFunction<decltype(eglMakeCurrent)> makeCurrent;
+  HostFunction<decltype(eglSwapBuffers)> swapBuffers;
+  HostFunction<EGLBoolean(EGLDisplay, EGLSurface, const EGLint *, EGLint)> swapDamageKhr,
+      swapDamageExt;
+  HostFunction<decltype(eglTerminate)> terminate;
+  HostFunction<decltype(eglReleaseThread)> releaseThread;
+  HostFunction<void *(const char *)> getProcAddress;
+  HostFunction<decltype(eglQuerySurface)> querySurface;
+  HostFunction<EGLBoolean(EGLDisplay, EGLSurface, EGLint, EGLint, EGLint, EGLint)> postSubBuffer;
+  HostFunction<EGLBoolean(EGLDisplay, EGLSurface, EGLint, const EGLint *)> swapRegion;
+  HostFunction<decltype(eglWaitClient)> waitClient, waitGl;
+  HostFunction<decltype(eglCopyBuffers)> copyBuffers;
+  HostFunction<decltype(eglBindTexImage)> bindTexImage, releaseTexImage;
+  HostFunction<decltype(eglCreateImage)> createImage;
+  HostFunction<EGLImageKHR(EGLDisplay, EGLContext, EGLenum, EGLClientBuffer, const EGLint *)>
+      createImageKhr;
+};
+constinit Sealed<EglHost> g_host;
+constinit Sealed<host::HostTable> g_table;
 
-void *hostLookup(const char *name) { return checked(name, g_host.getProcAddress(name)); }
+void *hostLookup(const char *name) { return checked(name, g_host->imports.getProcAddress(name)); }
 
 const host::HostTable &table() {
-  static const host::HostTable *const s_table = [] {
-    auto *made = new host::HostTable;
-    const std::size_t found = host::loadHostTable(*made, hostLookup);
-    logDebug("layer", "EGL: the host has %zu of the functions asked for", found);
-    return made;
-  }();
-  return *s_table;
+  static const host::HostTable &s_table = loadTable(g_table, hostLookup, "EGL");
+  return s_table;
 }
-
-template <typename Function> struct Host {
-  void *function = nullptr;
-  template <typename... Arguments> auto operator()(Arguments... arguments) const {
-    return reinterpret_cast<Function *>(function)(arguments...);
-  }
-};
-
-Host<decltype(eglCreateContext)> g_createContext;
-Host<decltype(eglDestroyContext)> g_destroyContext;
-Host<decltype(eglMakeCurrent)> g_makeCurrent;
-Host<decltype(eglSwapBuffers)> g_swapBuffers;
-Host<EGLBoolean(EGLDisplay, EGLSurface, const EGLint *, EGLint)> g_swapDamageKhr, g_swapDamageExt;
-Host<decltype(eglTerminate)> g_terminate;
-Host<decltype(eglReleaseThread)> g_releaseThread;
-Host<void *(const char *)> g_getProcAddress;
 
 registry::Key key(EGLDisplay display, EGLContext context) {
   return {Provider::Egl, display, context};
@@ -59,7 +61,7 @@ registry::Key key(EGLDisplay display, EGLContext context) {
 
 EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext share,
                          const EGLint *attributes) {
-  const EGLContext context = g_createContext(display, config, share, attributes);
+  const EGLContext context = g_host->createContext(display, config, share, attributes);
   if (context != EGL_NO_CONTEXT)
     registry::created(key(display, context), table(), share);
   return context;
@@ -67,14 +69,12 @@ EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext share,
 
 EGLBoolean destroyContext(EGLDisplay display, EGLContext context) {
   registry::destroyed(key(display, context));
-  return g_destroyContext(display, context);
+  return g_host->destroyContext(display, context);
 }
-
-Host<decltype(eglQuerySurface)> g_querySurface;
 
 EGLint queried(EGLDisplay display, EGLSurface surface, EGLint attribute, EGLint otherwise) {
   EGLint value = otherwise;
-  return g_querySurface(display, surface, attribute, &value) ? value : otherwise;
+  return g_host->querySurface(display, surface, attribute, &value) ? value : otherwise;
 }
 
 bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
@@ -88,7 +88,7 @@ bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, 
 state::software::Drawable drawableOf(EGLDisplay display, EGLSurface draw, EGLSurface read) {
   using state::software::Drawable;
   Drawable drawable;
-  if (draw == EGL_NO_SURFACE || !g_querySurface.function)
+  if (draw == EGL_NO_SURFACE || !g_host->querySurface.function)
     return drawable;
   // Only a pbuffer has an answer to this; for others the value stays as it was (EGL 1.5, 3.5.6).
   const bool isPbuffer = queried(display, draw, EGL_LARGEST_PBUFFER, -1) != -1;
@@ -106,7 +106,7 @@ constinit thread_local EGLSurface t_surface __attribute__((tls_model("initial-ex
 
 EGLBoolean makeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
   state::leaveCurrent();
-  const EGLBoolean ok = g_makeCurrent(display, draw, read, context);
+  const EGLBoolean ok = g_host->makeCurrent(display, draw, read, context);
   if (!ok)
     return ok;
   const state::software::Drawable drawable = drawableOf(display, draw, read);
@@ -131,25 +131,25 @@ void frameEnds(EGLSurface surface) {
 
 EGLBoolean swapBuffers(EGLDisplay display, EGLSurface surface) {
   frameEnds(surface);
-  return g_swapBuffers(display, surface);
+  return g_host->swapBuffers(display, surface);
 }
 
 EGLBoolean swapDamageKhr(EGLDisplay display, EGLSurface surface, const EGLint *rects,
                          EGLint count) {
   frameEnds(surface);
-  return g_swapDamageKhr(display, surface, rects, count);
+  return g_host->swapDamageKhr(display, surface, rects, count);
 }
 
 EGLBoolean swapDamageExt(EGLDisplay display, EGLSurface surface, const EGLint *rects,
                          EGLint count) {
   frameEnds(surface);
-  return g_swapDamageExt(display, surface, rects, count);
+  return g_host->swapDamageExt(display, surface, rects, count);
 }
 
 /// A display that tracks references (EGL_KHR_display_reference) lives on after this, and so do its
 /// contexts: it then still answers queries.
 EGLBoolean terminate(EGLDisplay display) {
-  const EGLBoolean ok = g_terminate(display);
+  const EGLBoolean ok = g_host->terminate(display);
   auto *const query =
       reinterpret_cast<const char *(*)(EGLDisplay, EGLint)>(hostLookup("eglQueryString"));
   if (!ok)
@@ -165,94 +165,89 @@ EGLBoolean terminate(EGLDisplay display) {
 
 EGLBoolean releaseThread() {
   state::leaveCurrent();
-  const EGLBoolean ok = g_releaseThread();
+  const EGLBoolean ok = g_host->releaseThread();
   if (ok)
     registry::madeCurrent(key(nullptr, nullptr), table());
   return ok;
 }
 
-Host<EGLBoolean(EGLDisplay, EGLSurface, EGLint, EGLint, EGLint, EGLint)> g_postSubBuffer;
-Host<EGLBoolean(EGLDisplay, EGLSurface, EGLint, const EGLint *)> g_swapRegion;
-Host<decltype(eglWaitClient)> g_waitClient, g_waitGl;
-Host<decltype(eglCopyBuffers)> g_copyBuffers;
-Host<decltype(eglBindTexImage)> g_bindTexImage, g_releaseTexImage;
-Host<decltype(eglCreateImage)> g_createImage;
-Host<EGLImageKHR(EGLDisplay, EGLContext, EGLenum, EGLClientBuffer, const EGLint *)>
-    g_createImageKhr;
-
 EGLBoolean postSubBuffer(EGLDisplay display, EGLSurface surface, EGLint x, EGLint y, EGLint width,
                          EGLint height) {
   exchanges(state::Exchange::Read, "eglPostSubBufferNV");
-  return g_postSubBuffer(display, surface, x, y, width, height);
+  return g_host->postSubBuffer(display, surface, x, y, width, height);
 }
 
 EGLBoolean swapRegion(EGLDisplay display, EGLSurface surface, EGLint count, const EGLint *rects) {
   exchanges(state::Exchange::Read, "eglSwapBuffersRegionNOK");
-  return g_swapRegion(display, surface, count, rects);
+  return g_host->swapRegion(display, surface, count, rects);
 }
 
 EGLBoolean waitClient() {
   exchanges(state::Exchange::Flush, "eglWaitClient");
-  return g_waitClient();
+  return g_host->waitClient();
 }
 
 EGLBoolean waitGl() {
   exchanges(state::Exchange::Flush, "eglWaitGL");
-  return g_waitGl();
+  return g_host->waitGl();
 }
 
 EGLBoolean copyBuffers(EGLDisplay display, EGLSurface surface, EGLNativePixmapType target) {
   exchanges(state::Exchange::Read, "eglCopyBuffers");
-  return g_copyBuffers(display, surface, target);
+  return g_host->copyBuffers(display, surface, target);
 }
 
 EGLBoolean bindTexImage(EGLDisplay display, EGLSurface surface, EGLint buffer) {
   exchanges(state::Exchange::Change, "eglBindTexImage");
-  return g_bindTexImage(display, surface, buffer);
+  return g_host->bindTexImage(display, surface, buffer);
 }
 
 EGLBoolean releaseTexImage(EGLDisplay display, EGLSurface surface, EGLint buffer) {
   exchanges(state::Exchange::Change, "eglReleaseTexImage");
-  return g_releaseTexImage(display, surface, buffer);
+  return g_host->releaseTexImage(display, surface, buffer);
 }
 
 EGLImage createImage(EGLDisplay display, EGLContext context, EGLenum target, EGLClientBuffer buffer,
                      const EGLAttrib *attributes) {
   exchanges(state::Exchange::Change, "eglCreateImage");
-  return g_createImage(display, context, target, buffer, attributes);
+  return g_host->createImage(display, context, target, buffer, attributes);
 }
 
 EGLImageKHR createImageKhr(EGLDisplay display, EGLContext context, EGLenum target,
                            EGLClientBuffer buffer, const EGLint *attributes) {
   exchanges(state::Exchange::Change, "eglCreateImageKHR");
-  return g_createImageKhr(display, context, target, buffer, attributes);
+  return g_host->createImageKhr(display, context, target, buffer, attributes);
 }
 
 void *getProcAddress(const char *name);
 
-template <typename Function> void *address(Function *function) {
-  return reinterpret_cast<void *>(function);
-}
-
+// Casts alone: a call would have the table filled at run time, in memory that may be written.
 const Hook kHooks[] = {
-    {"eglCreateContext", address(createContext), &g_createContext.function},
-    {"eglDestroyContext", address(destroyContext), &g_destroyContext.function},
-    {"eglMakeCurrent", address(makeCurrent), &g_makeCurrent.function},
-    {"eglSwapBuffers", address(swapBuffers), &g_swapBuffers.function},
-    {"eglSwapBuffersWithDamageKHR", address(swapDamageKhr), &g_swapDamageKhr.function},
-    {"eglSwapBuffersWithDamageEXT", address(swapDamageExt), &g_swapDamageExt.function},
-    {"eglPostSubBufferNV", address(postSubBuffer), &g_postSubBuffer.function},
-    {"eglSwapBuffersRegionNOK", address(swapRegion), &g_swapRegion.function},
-    {"eglWaitClient", address(waitClient), &g_waitClient.function},
-    {"eglWaitGL", address(waitGl), &g_waitGl.function},
-    {"eglCopyBuffers", address(copyBuffers), &g_copyBuffers.function},
-    {"eglBindTexImage", address(bindTexImage), &g_bindTexImage.function},
-    {"eglReleaseTexImage", address(releaseTexImage), &g_releaseTexImage.function},
-    {"eglCreateImage", address(createImage), &g_createImage.function},
-    {"eglCreateImageKHR", address(createImageKhr), &g_createImageKhr.function},
-    {"eglTerminate", address(terminate), &g_terminate.function},
-    {"eglReleaseThread", address(releaseThread), &g_releaseThread.function},
-    {"eglGetProcAddress", address(getProcAddress), &g_getProcAddress.function},
+    {"eglCreateContext", reinterpret_cast<void *>(createContext), &g_host->createContext.function},
+    {"eglDestroyContext", reinterpret_cast<void *>(destroyContext),
+     &g_host->destroyContext.function},
+    {"eglMakeCurrent", reinterpret_cast<void *>(makeCurrent), &g_host->makeCurrent.function},
+    {"eglSwapBuffers", reinterpret_cast<void *>(swapBuffers), &g_host->swapBuffers.function},
+    {"eglSwapBuffersWithDamageKHR", reinterpret_cast<void *>(swapDamageKhr),
+     &g_host->swapDamageKhr.function},
+    {"eglSwapBuffersWithDamageEXT", reinterpret_cast<void *>(swapDamageExt),
+     &g_host->swapDamageExt.function},
+    {"eglPostSubBufferNV", reinterpret_cast<void *>(postSubBuffer),
+     &g_host->postSubBuffer.function},
+    {"eglSwapBuffersRegionNOK", reinterpret_cast<void *>(swapRegion), &g_host->swapRegion.function},
+    {"eglWaitClient", reinterpret_cast<void *>(waitClient), &g_host->waitClient.function},
+    {"eglWaitGL", reinterpret_cast<void *>(waitGl), &g_host->waitGl.function},
+    {"eglCopyBuffers", reinterpret_cast<void *>(copyBuffers), &g_host->copyBuffers.function},
+    {"eglBindTexImage", reinterpret_cast<void *>(bindTexImage), &g_host->bindTexImage.function},
+    {"eglReleaseTexImage", reinterpret_cast<void *>(releaseTexImage),
+     &g_host->releaseTexImage.function},
+    {"eglCreateImage", reinterpret_cast<void *>(createImage), &g_host->createImage.function},
+    {"eglCreateImageKHR", reinterpret_cast<void *>(createImageKhr),
+     &g_host->createImageKhr.function},
+    {"eglTerminate", reinterpret_cast<void *>(terminate), &g_host->terminate.function},
+    {"eglReleaseThread", reinterpret_cast<void *>(releaseThread), &g_host->releaseThread.function},
+    {"eglGetProcAddress", reinterpret_cast<void *>(getProcAddress),
+     &g_host->getProcAddress.function},
 };
 
 void *getProcAddress(const char *name) {
@@ -268,18 +263,21 @@ void *getProcAddress(const char *name) {
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
 bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) {
-  if (g_host.getProcAddress)
+  if (g_host->imports.getProcAddress)
     return false;
   for (const std::string &library : eglCandidates()) {
     void *const main = openHostLibrary(library, __EGL_MAIN_PROTO_NAME);
     if (!main)
       continue;
-    g_host = {};
-    if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &g_host) &&
-        g_host.getProcAddress) {
+    __EGLapiImports imports = {};
+    if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &imports) &&
+        imports.getProcAddress) {
       logInfo("layer", "EGL: in front of %s", library.c_str());
-      loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
-      g_querySurface.function = hostLookup("eglQuerySurface");
+      g_host.fill([&](EglHost &host) {
+        host.imports = imports; // hostLookup asks it
+        loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
+        host.querySurface.function = hostLookup("eglQuerySurface");
+      });
       return true;
     }
   }
@@ -297,7 +295,7 @@ __egl_Main(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInf
   using namespace arbiter::interposer;
   if (!loadHost(version, exports, vendor))
     return EGL_FALSE;
-  *imports = g_host;
+  *imports = g_host->imports;
   if (!layerAllowed())
     return EGL_TRUE;
   imports->getProcAddress = getProcAddress;

@@ -33,20 +33,43 @@ namespace {
 
 using state::Provider;
 
-__GLXapiImports g_host;
+/// The host's functions of GLX.
+struct GlxHost {
+  __GLXapiImports imports;
+  HostFunction<decltype(glXCreateContext)> createContext;
+  HostFunction<decltype(glXCreateNewContext)> createNewContext;
+  HostFunction<GLXContext(Display *, GLXFBConfig, GLXContext, Bool, const int *)>
+      createContextAttribs;
+  HostFunction<GLXContext(Display *, GLXFBConfig, int, GLXContext, Bool)> createContextWithConfig;
+  HostFunction<GLXContext(Display *, GLXContextID)> importContext;
+  HostFunction<void(Display *, GLXContext)> freeContext;
+  HostFunction<decltype(glXDestroyContext)> destroyContext;
+  HostFunction<decltype(glXCopyContext)> copyContext;
+  HostFunction<decltype(glXMakeCurrent)> makeCurrent;
+  HostFunction<decltype(glXMakeContextCurrent)> makeContextCurrent;
+  HostFunction<Bool(Display *, GLXDrawable, GLXDrawable, GLXContext)> makeCurrentRead;
+  HostFunction<decltype(glXSwapBuffers)> swapBuffers;
+  HostFunction<std::int64_t(Display *, GLXDrawable, std::int64_t, std::int64_t, std::int64_t)>
+      swapBuffersMsc;
+  HostFunction<void *(const GLubyte *)> getProcAddress, getProcAddressArb;
+  HostFunction<decltype(glXQueryDrawable)> queryDrawable;
+  HostFunction<decltype(glXCreateWindow)> createWindow;
+  HostFunction<decltype(glXDestroyWindow)> destroyWindow;
+  HostFunction<void(Display *, GLXDrawable, int, int, int, int)> copySubBuffer;
+  HostFunction<decltype(glXWaitGL)> waitGl;
+  HostFunction<void(Display *, GLXDrawable, int, const int *)> bindTexImage;
+  HostFunction<void(Display *, GLXDrawable, int)> releaseTexImage;
+};
+constinit Sealed<GlxHost> g_host;
+constinit Sealed<host::HostTable> g_table;
 
 void *hostLookup(const char *name) {
-  return checked(name, g_host.getProcAddress(reinterpret_cast<const GLubyte *>(name)));
+  return checked(name, g_host->imports.getProcAddress(reinterpret_cast<const GLubyte *>(name)));
 }
 
 const host::HostTable &table() {
-  static const host::HostTable *const s_table = [] {
-    auto *made = new host::HostTable;
-    const std::size_t found = host::loadHostTable(*made, hostLookup);
-    logDebug("layer", "GLX: the host has %zu of the functions asked for", found);
-    return made;
-  }();
-  return *s_table;
+  static const host::HostTable &s_table = loadTable(g_table, hostLookup, "GLX");
+  return s_table;
 }
 
 registry::Key key(Display *display, GLXContext context) {
@@ -59,22 +82,38 @@ int displayCloses(Display *display, XExtCodes *) {
   return 0;
 }
 
-/// Asks Xlib to say when the display is closed. Xlib is the application's; it is not linked.
+/// Of Xlib, which is the application's and not linked.
+struct Xlib {
+  decltype(&XAddExtension) addExtension;
+  decltype(&XESetCloseDisplay) setCloseDisplay;
+};
+constinit Sealed<Xlib> g_xlib;
+
+const Xlib &xlib() {
+  static const Xlib &s_xlib = g_xlib.fill([](Xlib &x) {
+    const auto find = [](auto &function, const char *name) {
+      function =
+          reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(RTLD_DEFAULT, name));
+    };
+    find(x.addExtension, "XAddExtension");
+    find(x.setCloseDisplay, "XESetCloseDisplay");
+  });
+  return s_xlib;
+}
+
+/// Asks Xlib to say when the display is closed.
 void watch(Display *display) {
   static std::mutex *const s_mutex = new std::mutex;
-  static auto *const s_addExtension =
-      reinterpret_cast<decltype(&XAddExtension)>(dlsym(RTLD_DEFAULT, "XAddExtension"));
-  static auto *const s_setCloseDisplay =
-      reinterpret_cast<decltype(&XESetCloseDisplay)>(dlsym(RTLD_DEFAULT, "XESetCloseDisplay"));
-  if (!display || !s_addExtension || !s_setCloseDisplay)
+  const Xlib &x = xlib();
+  if (!display || !x.addExtension || !x.setCloseDisplay)
     return;
   const std::lock_guard lock(*s_mutex);
   // Found again in the display's own list of extensions, which dies with it.
   for (const _XExtension *e = display->ext_procs; e; e = e->next)
     if (e->close_display == displayCloses)
       return;
-  if (const XExtCodes *codes = s_addExtension(display))
-    s_setCloseDisplay(display, codes->extension, displayCloses);
+  if (const XExtCodes *codes = x.addExtension(display))
+    x.setCloseDisplay(display, codes->extension, displayCloses);
 }
 
 GLXContext remember(Display *display, GLXContext context, GLXContext share) {
@@ -85,77 +124,53 @@ GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   return context;
 }
 
-template <typename Function> struct Host {
-  void *function = nullptr;
-  template <typename... Arguments> auto operator()(Arguments... arguments) const {
-    return reinterpret_cast<Function *>(function)(arguments...);
-  }
-};
-
-Host<decltype(glXCreateContext)> g_createContext;
-Host<decltype(glXCreateNewContext)> g_createNewContext;
-Host<GLXContext(Display *, GLXFBConfig, GLXContext, Bool, const int *)> g_createContextAttribs;
-Host<GLXContext(Display *, GLXFBConfig, int, GLXContext, Bool)> g_createContextWithConfig;
-Host<GLXContext(Display *, GLXContextID)> g_importContext;
-Host<void(Display *, GLXContext)> g_freeContext;
-Host<decltype(glXDestroyContext)> g_destroyContext;
-Host<decltype(glXCopyContext)> g_copyContext;
-Host<decltype(glXMakeCurrent)> g_makeCurrent;
-Host<decltype(glXMakeContextCurrent)> g_makeContextCurrent;
-Host<Bool(Display *, GLXDrawable, GLXDrawable, GLXContext)> g_makeCurrentRead;
-Host<decltype(glXSwapBuffers)> g_swapBuffers;
-Host<std::int64_t(Display *, GLXDrawable, std::int64_t, std::int64_t, std::int64_t)>
-    g_swapBuffersMsc;
-Host<void *(const GLubyte *)> g_getProcAddress, g_getProcAddressArb;
-
 GLXContext createContext(Display *display, XVisualInfo *visual, GLXContext share, Bool direct) {
-  return remember(display, g_createContext(display, visual, share, direct), share);
+  return remember(display, g_host->createContext(display, visual, share, direct), share);
 }
 
 GLXContext createNewContext(Display *display, GLXFBConfig config, int type, GLXContext share,
                             Bool direct) {
-  return remember(display, g_createNewContext(display, config, type, share, direct), share);
+  return remember(display, g_host->createNewContext(display, config, type, share, direct), share);
 }
 
 GLXContext createContextAttribs(Display *display, GLXFBConfig config, GLXContext share, Bool direct,
                                 const int *attributes) {
-  return remember(display, g_createContextAttribs(display, config, share, direct, attributes),
+  return remember(display, g_host->createContextAttribs(display, config, share, direct, attributes),
                   share);
 }
 
 GLXContext createContextWithConfig(Display *display, GLXFBConfig config, int type, GLXContext share,
                                    Bool direct) {
-  return remember(display, g_createContextWithConfig(display, config, type, share, direct), share);
+  return remember(display, g_host->createContextWithConfig(display, config, type, share, direct),
+                  share);
 }
 
 GLXContext importContext(Display *display, GLXContextID id) {
-  return remember(display, g_importContext(display, id), nullptr);
+  return remember(display, g_host->importContext(display, id), nullptr);
 }
 
 void freeContext(Display *display, GLXContext context) {
   registry::destroyed(key(display, context));
-  g_freeContext(display, context);
+  g_host->freeContext(display, context);
 }
 
 void destroyContext(Display *display, GLXContext context) {
   registry::destroyed(key(display, context));
-  g_destroyContext(display, context);
+  g_host->destroyContext(display, context);
 }
 
 void copyContext(Display *display, GLXContext from, GLXContext to, unsigned long mask) {
-  g_copyContext(display, from, to, mask);
+  g_host->copyContext(display, from, to, mask);
   registry::copied(key(display, from), key(display, to), mask);
 }
-
-Host<decltype(glXQueryDrawable)> g_queryDrawable;
 
 /// The server's answer for windows of GLX, windows of X and pixmaps alike.
 bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, bool) {
   auto *const display = const_cast<Display *>(static_cast<const Display *>(drawable.display));
   const auto name = GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw));
   unsigned int w = 0, h = 0;
-  g_queryDrawable(display, name, GLX_WIDTH, &w);
-  g_queryDrawable(display, name, GLX_HEIGHT, &h);
+  g_host->queryDrawable(display, name, GLX_WIDTH, &w);
+  g_host->queryDrawable(display, name, GLX_HEIGHT, &h);
   width = int(w);
   height = int(h);
   return w != 0 && h != 0;
@@ -188,11 +203,8 @@ XID windowOf(GLXDrawable drawable) {
   return drawable;
 }
 
-Host<decltype(glXCreateWindow)> g_createWindow;
-Host<decltype(glXDestroyWindow)> g_destroyWindow;
-
 GLXWindow createWindow(Display *display, GLXFBConfig config, Window window, const int *attributes) {
-  const GLXWindow made = g_createWindow(display, config, window, attributes);
+  const GLXWindow made = g_host->createWindow(display, config, window, attributes);
   if (made && made != window) {
     WindowNames &n = windowNames();
     const std::lock_guard lock(n.mutex);
@@ -207,7 +219,7 @@ void destroyWindow(Display *display, GLXWindow window) {
     const std::lock_guard lock(n.mutex);
     std::erase_if(n.names, [window](const WindowNames::Name &name) { return name.glx == window; });
   }
-  g_destroyWindow(display, window);
+  g_host->destroyWindow(display, window);
 }
 
 Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
@@ -215,8 +227,8 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
   if (!ok)
     return ok;
   using state::software::Drawable;
-  Drawable drawable = {.kind = draw && g_queryDrawable.function ? Drawable::Kind::Window
-                                                                : Drawable::Kind::None,
+  Drawable drawable = {.kind = draw && g_host->queryDrawable.function ? Drawable::Kind::Window
+                                                                      : Drawable::Kind::None,
                        .display = display,
                        .draw = reinterpret_cast<const void *>(std::uintptr_t(draw)),
                        .sameRead = draw == read,
@@ -230,19 +242,20 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
 
 Bool makeCurrent(Display *display, GLXDrawable drawable, GLXContext context) {
   state::leaveCurrent();
-  return madeCurrent(g_makeCurrent(display, drawable, context), display, drawable, drawable,
+  return madeCurrent(g_host->makeCurrent(display, drawable, context), display, drawable, drawable,
                      context);
 }
 
 Bool makeContextCurrent(Display *display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
   state::leaveCurrent();
-  return madeCurrent(g_makeContextCurrent(display, draw, read, context), display, draw, read,
+  return madeCurrent(g_host->makeContextCurrent(display, draw, read, context), display, draw, read,
                      context);
 }
 
 Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
   state::leaveCurrent();
-  return madeCurrent(g_makeCurrentRead(display, draw, read, context), display, draw, read, context);
+  return madeCurrent(g_host->makeCurrentRead(display, draw, read, context), display, draw, read,
+                     context);
 }
 
 /// The drawable that is shown may be another one than the current context's: nothing of ours is in
@@ -264,7 +277,7 @@ void exchanges(state::Exchange what, const char *name) {
 
 void swapBuffers(Display *display, GLXDrawable drawable) {
   if (!frameEnds(drawable))
-    g_swapBuffers(display, drawable);
+    g_host->swapBuffers(display, drawable);
 }
 
 std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t target,
@@ -274,63 +287,66 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
     if (state::Context *const context = state::currentContext())
       state::frameEnd(context);
   exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
-  return g_swapBuffersMsc(display, drawable, target, divisor, remainder);
+  return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
-
-Host<void(Display *, GLXDrawable, int, int, int, int)> g_copySubBuffer;
-Host<decltype(glXWaitGL)> g_waitGl;
-Host<void(Display *, GLXDrawable, int, const int *)> g_bindTexImage;
-Host<void(Display *, GLXDrawable, int)> g_releaseTexImage;
 
 void copySubBuffer(Display *display, GLXDrawable drawable, int x, int y, int width, int height) {
   exchanges(state::Exchange::Read, "glXCopySubBufferMESA");
-  g_copySubBuffer(display, drawable, x, y, width, height);
+  g_host->copySubBuffer(display, drawable, x, y, width, height);
 }
 
 void waitGl() {
   exchanges(state::Exchange::Flush, "glXWaitGL");
-  g_waitGl();
+  g_host->waitGl();
 }
 
 void bindTexImage(Display *display, GLXDrawable drawable, int buffer, const int *attributes) {
   exchanges(state::Exchange::Change, "glXBindTexImageEXT");
-  g_bindTexImage(display, drawable, buffer, attributes);
+  g_host->bindTexImage(display, drawable, buffer, attributes);
 }
 
 void releaseTexImage(Display *display, GLXDrawable drawable, int buffer) {
   exchanges(state::Exchange::Change, "glXReleaseTexImageEXT");
-  g_releaseTexImage(display, drawable, buffer);
+  g_host->releaseTexImage(display, drawable, buffer);
 }
 
 void *getProcAddress(const GLubyte *name);
 
-template <typename Function> void *address(Function *function) {
-  return reinterpret_cast<void *>(function);
-}
-
+// Casts alone: a call would have the table filled at run time, in memory that may be written.
 const Hook kHooks[] = {
-    {"glXCreateContext", address(createContext), &g_createContext.function},
-    {"glXCreateNewContext", address(createNewContext), &g_createNewContext.function},
-    {"glXCreateContextAttribsARB", address(createContextAttribs), &g_createContextAttribs.function},
-    {"glXCreateContextWithConfigSGIX", address(createContextWithConfig),
-     &g_createContextWithConfig.function},
-    {"glXImportContextEXT", address(importContext), &g_importContext.function},
-    {"glXFreeContextEXT", address(freeContext), &g_freeContext.function},
-    {"glXDestroyContext", address(destroyContext), &g_destroyContext.function},
-    {"glXCopyContext", address(copyContext), &g_copyContext.function},
-    {"glXMakeCurrent", address(makeCurrent), &g_makeCurrent.function},
-    {"glXMakeContextCurrent", address(makeContextCurrent), &g_makeContextCurrent.function},
-    {"glXMakeCurrentReadSGI", address(makeCurrentRead), &g_makeCurrentRead.function},
-    {"glXCreateWindow", address(createWindow), &g_createWindow.function},
-    {"glXDestroyWindow", address(destroyWindow), &g_destroyWindow.function},
-    {"glXSwapBuffers", address(swapBuffers), &g_swapBuffers.function},
-    {"glXSwapBuffersMscOML", address(swapBuffersMsc), &g_swapBuffersMsc.function},
-    {"glXCopySubBufferMESA", address(copySubBuffer), &g_copySubBuffer.function},
-    {"glXWaitGL", address(waitGl), &g_waitGl.function},
-    {"glXBindTexImageEXT", address(bindTexImage), &g_bindTexImage.function},
-    {"glXReleaseTexImageEXT", address(releaseTexImage), &g_releaseTexImage.function},
-    {"glXGetProcAddress", address(getProcAddress), &g_getProcAddress.function},
-    {"glXGetProcAddressARB", address(getProcAddress), &g_getProcAddressArb.function},
+    {"glXCreateContext", reinterpret_cast<void *>(createContext), &g_host->createContext.function},
+    {"glXCreateNewContext", reinterpret_cast<void *>(createNewContext),
+     &g_host->createNewContext.function},
+    {"glXCreateContextAttribsARB", reinterpret_cast<void *>(createContextAttribs),
+     &g_host->createContextAttribs.function},
+    {"glXCreateContextWithConfigSGIX", reinterpret_cast<void *>(createContextWithConfig),
+     &g_host->createContextWithConfig.function},
+    {"glXImportContextEXT", reinterpret_cast<void *>(importContext),
+     &g_host->importContext.function},
+    {"glXFreeContextEXT", reinterpret_cast<void *>(freeContext), &g_host->freeContext.function},
+    {"glXDestroyContext", reinterpret_cast<void *>(destroyContext),
+     &g_host->destroyContext.function},
+    {"glXCopyContext", reinterpret_cast<void *>(copyContext), &g_host->copyContext.function},
+    {"glXMakeCurrent", reinterpret_cast<void *>(makeCurrent), &g_host->makeCurrent.function},
+    {"glXMakeContextCurrent", reinterpret_cast<void *>(makeContextCurrent),
+     &g_host->makeContextCurrent.function},
+    {"glXMakeCurrentReadSGI", reinterpret_cast<void *>(makeCurrentRead),
+     &g_host->makeCurrentRead.function},
+    {"glXCreateWindow", reinterpret_cast<void *>(createWindow), &g_host->createWindow.function},
+    {"glXDestroyWindow", reinterpret_cast<void *>(destroyWindow), &g_host->destroyWindow.function},
+    {"glXSwapBuffers", reinterpret_cast<void *>(swapBuffers), &g_host->swapBuffers.function},
+    {"glXSwapBuffersMscOML", reinterpret_cast<void *>(swapBuffersMsc),
+     &g_host->swapBuffersMsc.function},
+    {"glXCopySubBufferMESA", reinterpret_cast<void *>(copySubBuffer),
+     &g_host->copySubBuffer.function},
+    {"glXWaitGL", reinterpret_cast<void *>(waitGl), &g_host->waitGl.function},
+    {"glXBindTexImageEXT", reinterpret_cast<void *>(bindTexImage), &g_host->bindTexImage.function},
+    {"glXReleaseTexImageEXT", reinterpret_cast<void *>(releaseTexImage),
+     &g_host->releaseTexImage.function},
+    {"glXGetProcAddress", reinterpret_cast<void *>(getProcAddress),
+     &g_host->getProcAddress.function},
+    {"glXGetProcAddressARB", reinterpret_cast<void *>(getProcAddress),
+     &g_host->getProcAddressArb.function},
 };
 
 void *getProcAddress(const GLubyte *name) {
@@ -347,18 +363,21 @@ void *getProcAddress(const GLubyte *name) {
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) {
-  if (g_host.getProcAddress)
+  if (g_host->imports.getProcAddress)
     return false;
   for (const std::string &library : glxCandidates()) {
     void *const main = openHostLibrary(library, __GLX_MAIN_PROTO_NAME);
     if (!main)
       continue;
-    g_host = {};
-    if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &g_host) &&
-        g_host.getProcAddress) {
+    __GLXapiImports imports = {};
+    if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &imports) &&
+        imports.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
-      loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
-      g_queryDrawable.function = hostLookup("glXQueryDrawable");
+      g_host.fill([&](GlxHost &host) {
+        host.imports = imports; // hostLookup asks it
+        loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
+        host.queryDrawable.function = hostLookup("glXQueryDrawable");
+      });
       return true;
     }
   }
@@ -377,7 +396,7 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
   using namespace arbiter::interposer;
   if (!loadHost(version, exports, vendor))
     return False;
-  *imports = g_host;
+  *imports = g_host->imports;
   if (!layerAllowed())
     return True;
   imports->getProcAddress = getProcAddress;

@@ -64,9 +64,11 @@ void *openLibrary(const char *path) {
   return nullptr;
 }
 
+constinit Sealed<RealOsMesa> g_real;
+constinit Sealed<host::HostTable> g_table;
+
 const RealOsMesa &real() {
-  static const RealOsMesa s_real = [] {
-    RealOsMesa r;
+  static const RealOsMesa &s_real = g_real.fill([](RealOsMesa &r) {
     r.library = libraryAfterUs();
     // The file that the front library was made for, by absolute path: its name alone may be ours.
     if (!r.library && !settings().hostOsmesa.empty())
@@ -75,7 +77,7 @@ const RealOsMesa &real() {
       r.library = openLibrary(ARBITER_OSMESA_LIBRARY);
     if (!r.library) {
       logError("layer", "OSMesa: no real libOSMesa found (ARBITER_HOST_OSMESA names one)");
-      return r;
+      return;
     }
     const auto get = [&](auto &function, const char *name) {
       function =
@@ -88,8 +90,7 @@ const RealOsMesa &real() {
     get(r.makeCurrent, "OSMesaMakeCurrent");
     get(r.getProcAddress, "OSMesaGetProcAddress");
     get(r.getInteger, "OSMesaGetIntegerv");
-    return r;
-  }();
+  });
   return s_real;
 }
 
@@ -100,13 +101,8 @@ void *hostLookup(const char *name) {
 }
 
 const host::HostTable &table() {
-  static const host::HostTable *const s_table = [] {
-    auto *made = new host::HostTable;
-    const std::size_t found = host::loadHostTable(*made, hostLookup);
-    logDebug("layer", "OSMesa: the host has %zu of the functions asked for", found);
-    return made;
-  }();
-  return *s_table;
+  static const host::HostTable &s_table = loadTable(g_table, hostLookup, "OSMesa");
+  return s_table;
 }
 
 registry::Key key(OSMesaContext context) { return {Provider::OsMesa, nullptr, context}; }

@@ -6,6 +6,7 @@
 #include "dispatch/entry_points.h"
 #include "interposer/process.h"
 #include "util/flags.h"
+#include "util/log.h"
 
 namespace arbiter::interposer {
 
@@ -30,9 +31,17 @@ void *resolveGl(const char *name, HostLookup host) {
   return software ? software : theirs;
 }
 
+const host::HostTable &loadTable(Sealed<host::HostTable> &table, HostLookup host,
+                                 const char *provider) {
+  return table.fill([&](host::HostTable &made) {
+    const std::size_t found = host::loadHostTable(made, host);
+    logDebug("layer", "%s: the host has %zu of the functions asked for", provider, found);
+  });
+}
+
 void loadHooks(const Hook *begin, const Hook *end, HostLookup host) {
   for (const Hook *hook = begin; hook != end; ++hook)
-    *hook->host = host(hook->name);
+    *const_cast<void **>(hook->host) = host(hook->name);
 }
 
 const Hook *findHook(const Hook *begin, const Hook *end, const char *name) {

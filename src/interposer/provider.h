@@ -1,5 +1,6 @@
 #pragma once
 #include "host/host_table.h"
+#include "util/sealed.h"
 
 namespace arbiter::interposer {
 
@@ -14,14 +15,28 @@ using HostLookup = void *(*)(const char *name);
 /// Ends the process if `function` is one of the layer's own.
 void *checked(const char *name, void *function);
 
-/// One hook of a window-system interface: our function under a name, the host's beside it.
+/// Fills the host's table through its GetProcAddress and seals it.
+/// \param provider for the log
+const host::HostTable &loadTable(Sealed<host::HostTable> &table, HostLookup host,
+                                 const char *provider);
+
+/// A function of the host's window-system interface.
+template <typename Function> struct HostFunction {
+  void *function = nullptr;
+  template <typename... Arguments> auto operator()(Arguments... arguments) const {
+    return reinterpret_cast<Function *>(function)(arguments...);
+  }
+};
+
+/// One hook of a window-system interface: our function under a name, and the place of the host's.
 struct Hook {
   const char *name;
   void *ours;
-  void **host;
+  void *const *host;
 };
 
-/// Fills in the host's functions, once, before any thread can call a hook.
+/// Fills in the host's functions, once, before any thread can call a hook and before their pages
+/// are sealed.
 void loadHooks(const Hook *begin, const Hook *end, HostLookup host);
 
 /// The hook of that name; null if there is none.

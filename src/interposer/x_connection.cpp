@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include "util/sealed.h"
+
 namespace arbiter::interposer {
 
 namespace {
@@ -11,8 +13,9 @@ template <typename Function> bool find(void *library, const char *name, Function
   return function != nullptr;
 }
 
-Xcb load() {
-  Xcb xcb = {};
+constinit Sealed<Xcb> g_xcb;
+
+void load(Xcb &xcb) {
   xcb.handle = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
   xcb.bridge = dlopen("libX11-xcb.so.1", RTLD_LAZY | RTLD_LOCAL);
   xcb.usable = find(xcb.bridge, "XGetXCBConnection", xcb.connectionOf);
@@ -20,7 +23,6 @@ Xcb load() {
   ARBITER_XCB_FUNCTIONS(ARBITER_XCB_FIND)
 #undef ARBITER_XCB_FIND
   (void)find(xcb.handle, "xcb_total_read", xcb.xcb_total_read);
-  return xcb;
 }
 
 } // namespace
@@ -60,7 +62,7 @@ void Connection::listen(const std::function<void()> &takeOurs) {
 }
 
 const Xcb &xcb() {
-  static const Xcb s_xcb = load();
+  static const Xcb &s_xcb = g_xcb.fill(load);
   return s_xcb;
 }
 

@@ -1,0 +1,270 @@
+#!/usr/bin/env python3
+"""What a process looks like that draws with the rasterizer: no memory is writable and executable at
+once, at no moment, and no table of functions of the layer's is writable once it is filled.
+
+Runs itself as the client, with OSMesa, with EGL (surfaceless) and, where there is a display, with
+GLX. `inside.py --plant` has a client that makes such memory: it must be found.
+"""
+import argparse
+import collections
+import ctypes
+import json
+import mmap
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / 'clients'))
+import identity  # noqa: E402
+import process  # noqa: E402
+from properties import is_writable_table  # noqa: E402
+
+PROGRAMS = 12
+SIZE = 64
+FRAGMENT, VERTEX, ASCII = 0x8804, 0x8620, 0x8875
+TABLE = 16  # functions in a row are a table
+# What Mesa maps with all rights, by size: how many of them, and for what.
+HOSTS = {4096: (1, 'stubs of libglapi for functions that it learns of'),
+         10485760: (1, 'vertex code of rtasm')}
+
+
+# --- The client ---
+
+def glx_context(_):
+    x, gl = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libGL.so.1')
+    pointer, word = ctypes.c_void_p, ctypes.c_ulong
+    x.XOpenDisplay.restype = gl.glXChooseVisual.restype = gl.glXCreateContext.restype = pointer
+    gl.glXGetProcAddress.restype = pointer
+    x.XRootWindow.restype = x.XCreateSimpleWindow.restype = word
+    display = pointer(x.XOpenDisplay(None))
+    if not display.value:
+        return None
+    visual = pointer(gl.glXChooseVisual(display, 0, (ctypes.c_int * 4)(4, 5, 12, 0)))
+    context = pointer(gl.glXCreateContext(display, visual, None, 1))
+    window = word(x.XCreateSimpleWindow(display, word(x.XRootWindow(display, 0)), 0, 0, SIZE, SIZE,
+                                        0, word(0), word(0)))
+    x.XMapWindow(display, window)
+    if not gl.glXMakeCurrent(display, window, context):
+        return None
+    glx_context.swap = lambda: gl.glXSwapBuffers(display, window)
+    return lambda name: gl.glXGetProcAddress(name)
+
+
+CONTEXTS = {'osmesa': identity.osmesa_context, 'egl': identity.egl_context, 'glx': glx_context}
+
+
+class Watch:
+    """Looks at the rights of all memory while the other thread draws."""
+
+    def __init__(self):
+        self.both, self.looks, self.done = {}, 0, threading.Event()
+        self.thread = threading.Thread(target=self.watch)
+
+    def watch(self):
+        while not self.done.is_set():
+            self.look()
+
+    def look(self):
+        self.looks += 1
+        seen = collections.Counter(m.end - m.begin for m in process.mappings()
+                                   if m.writable and m.is_code)
+        self.both.update({size: max(count, self.both.get(size, 0)) for size, count in seen.items()})
+
+
+def draw(find, turn):
+    """A program that was not seen before, with a vertex program beside it at times."""
+    uint, single = ctypes.c_uint, ctypes.c_float
+
+    def call(name, *arguments):
+        ctypes.CFUNCTYPE(None, *(type(a) for a in arguments))(find(name.encode()))(*arguments)
+
+    def program(target, text):
+        call('glProgramStringARB', uint(target), uint(ASCII), ctypes.c_int(len(text)),
+             ctypes.c_char_p(text.encode()))
+        call('glEnable', uint(target))
+
+    program(FRAGMENT, f'!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, {turn + 1}.25;\n'
+                      f'FRC result.color, a;\nEND')
+    if turn % 2:
+        program(VERTEX, f'!!ARBvp1.0\nADD result.position, vertex.position, {{0, 0, 0.0{turn}, 0}};'
+                        f'\nMOV result.color, vertex.color;\nEND')
+    call('glRectf', single(-1), single(-1), single(1), single(1))
+    call('glFinish')
+
+
+def surface(find):
+    """Somewhere to draw where there is no window: a texture."""
+    def call(name, *arguments):
+        ctypes.CFUNCTYPE(None, *(type(a) for a in arguments))(find(name.encode()))(*arguments)
+
+    uint, number = ctypes.c_uint, ctypes.c_int
+    names = (uint * 2)()
+    call('glGenTextures', number(1), ctypes.c_void_p(ctypes.addressof(names)))
+    call('glBindTexture', uint(0xDE1), uint(names[0]))
+    call('glTexImage2D', uint(0xDE1), number(0), number(0x8058), number(SIZE), number(SIZE),
+         number(0), uint(0x1908), uint(0x1401), ctypes.c_void_p(None))
+    call('glGenFramebuffers', number(1), ctypes.c_void_p(ctypes.addressof(names) + 4))
+    call('glBindFramebuffer', uint(0x8D40), uint(names[1]))
+    call('glFramebufferTexture2D', uint(0x8D40), uint(0x8CE0), uint(0xDE1), uint(names[0]),
+         number(0))
+    call('glViewport', number(0), number(0), number(SIZE), number(SIZE))
+
+
+def is_layer(path):
+    name = os.path.basename(path)
+    return name.startswith(('libGLX_arbiter', 'libarbiter_')) or '/osmesa/libOSMesa' in path
+
+
+def real_osmesa():
+    """The addresses of the host's gl functions, where OSMesa is the host."""
+    library = os.environ.get('HARDENING_OSMESA')
+    loaded = {os.path.realpath(m.path): m for m in reversed(process.mappings())
+              if m.path.startswith('/')}
+    mapping = loaded.get(os.path.realpath(library)) if library else None
+    if not mapping:
+        return []
+    elf = process.Elf(mapping.path)
+    return [mapping.begin + s.value for s in elf.symbols(11)
+            if s.section and s.name.startswith('gl') and s.type == 2]
+
+
+def plant():
+    """Memory with all rights, and a table of functions that may be written."""
+    plant.memory = mmap.mmap(-1, 12345 * 4096, prot=mmap.PROT_READ | mmap.PROT_WRITE | mmap.PROT_EXEC)
+    functions = real_osmesa()[:2 * TABLE]
+    plant.table = (ctypes.c_uint64 * len(functions))(*functions)
+
+
+def client(kind, planted):
+    find = CONTEXTS[kind](False)
+    if find is None:
+        return 77
+    if kind != 'glx':
+        surface(find)
+    watch = Watch()
+    watch.look()
+    watch.thread.start()
+    if planted:
+        plant()
+    for turn in range(PROGRAMS):
+        draw(find, turn)
+        if kind == 'glx':
+            glx_context.swap()
+    watch.done.set()
+    watch.thread.join()
+    watch.look()
+    maps = process.mappings()
+    written, looked = process.writable_functions(is_layer)
+    functions = real_osmesa() if kind == 'osmesa' and looked else []
+    print(json.dumps({
+        'looks': watch.looks, 'both': sorted(watch.both.items()),
+        'code': sum(m.is_code and not m.path for m in maps),
+        'written': [(os.path.basename(library), name, count) for (library, name), count in
+                    collections.Counter((w.library, w.name) for w in written).items()],
+        'looked': [os.path.basename(path) for path in looked],
+        'functions': len(functions),
+        'tables': process.tables_of(functions, TABLE) if functions else [],
+    }))
+    return 0
+
+
+# --- The harness ---
+
+def ask(options, kind, layered=True, planted=False):
+    """The client's answers, and what the layer's statistics say."""
+    with tempfile.TemporaryDirectory(prefix='arbiter-inside-') as folder:
+        stats = pathlib.Path(folder) / 'stats.json'
+        command = [sys.executable, str(HERE / 'inside.py'), '--client', kind]
+        if planted:
+            command.append('--plant')
+        if layered:
+            command = [options.arbiter, 'run', '--library', options.library, '--backend', 'swrast',
+                       '--stats', str(stats), '--', *command]
+        environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
+        environment.update(LIBGL_ALWAYS_SOFTWARE='1', ARBITER_CACHE='0',
+                           HARDENING_OSMESA=options.osmesa)
+        if kind == 'egl':
+            environment['EGL_PLATFORM'] = 'surfaceless'
+        result = subprocess.run(command, env=environment, capture_output=True, text=True,
+                                timeout=240, check=False)
+        if result.returncode == 77:
+            return None, None
+        if result.returncode != 0:
+            raise SystemExit(f'{kind}: exit {result.returncode}\n{result.stderr}')
+        return json.loads(result.stdout), json.loads(stats.read_text()) if layered else None
+
+
+def complaints(answers, drawn, bare):
+    """Texts; empty where all is well."""
+    hosts = {size: count for size, (count, _) in HOSTS.items()}
+    for size, count in bare['both']:
+        hosts[size] = max(count, hosts.get(size, 0))
+    found = [f'{count} mappings of {size} bytes are writable and executable'
+             for size, count in answers['both'] if count > hosts.get(size, 0)]
+    found += [f'{count} pointers to functions may be written in {library}: {name}'
+              for library, name, count in answers['written'] if is_writable_table(library, name, count)]
+    found += [f'{count} functions of the host in a row may be written at {place:#x} ({where})'
+              for place, count, where in answers['tables']]
+    # What would make the answers worth nothing.
+    if drawn < PROGRAMS:
+        found.append(f'the rasterizer drew {drawn} of {PROGRAMS}')
+    if answers['code'] <= bare['code']:
+        found.append('no machine code of the layer is there')
+    if answers['looks'] < PROGRAMS or not {'libarbiter_jit.so'} <= set(answers['looked']):
+        found.append(f'looked {answers["looks"]} times, at {answers["looked"]}')
+    return found
+
+
+def check_kind(options, kind):
+    bare, _ = ask(options, kind, layered=False)
+    if bare is None:
+        print(f'{kind}: not here')
+        return None
+    answers, stats = ask(options, kind)
+    drawn = stats['draws']['rasterizer']
+    found = complaints(answers, drawn, bare)
+    for text in found[:40]:
+        print(f'{kind}: {text}')
+    print(f'{kind}: {answers["looks"]} looks, {len(answers["looked"])} libraries, '
+          f'{answers["functions"]} functions of the host, {drawn} draws: {len(found)} complaints')
+    return not found
+
+
+def check_plant(options):
+    """The client's own bad memory is found."""
+    bare, _ = ask(options, 'osmesa', layered=False)
+    if bare is None:
+        return True
+    answers, stats = ask(options, 'osmesa', planted=True)
+    found = complaints(answers, stats['draws']['rasterizer'], bare)
+    wanted = ['are writable and executable'] + (['in a row may be written'] if answers['functions']
+                                                else [])
+    lacking = [text for text in wanted if not any(text in line for line in found)]
+    print(f'planted: {"not found: " + ", ".join(lacking) if lacking else "found"}')
+    return not lacking
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--client', choices=CONTEXTS)
+    parser.add_argument('--plant', action='store_true')
+    parser.add_argument('--arbiter')
+    parser.add_argument('--library')
+    parser.add_argument('--osmesa', default='', help='the real libOSMesa, by its path')
+    options = parser.parse_args()
+    if options.client:
+        return client(options.client, options.plant)
+    kinds = ['osmesa', 'egl'] + (['glx'] if os.environ.get('DISPLAY') else [])
+    results = [check_kind(options, kind) for kind in kinds]
+    if not any(result is not None for result in results):
+        return 77
+    return 0 if check_plant(options) and all(result is not False for result in results) else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
