@@ -142,6 +142,9 @@ def control_flow_lands_on_pads(elf):
 PROPERTIES = [full_relro, binds_now, stack_holds_no_code, nothing_is_writable_and_code,
               code_lies_apart, text_is_not_relocated, lies_anywhere, guards_stacks, checks_buffers,
               functions_are_not_written, control_flow_is_marked, control_flow_lands_on_pads]
+# What the compiler's options give, which a tree has with -Dhardening=true.
+COMPILED = {check.__name__ for check in (guards_stacks, checks_buffers, control_flow_is_marked,
+                                         control_flow_lands_on_pads)}
 
 
 def complaints(elf):
