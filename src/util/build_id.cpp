@@ -49,10 +49,12 @@ int lookInObject(dl_phdr_info *object, std::size_t, void *data) {
 }
 } // namespace
 
-std::string buildId() {
-  BuildId id{reinterpret_cast<std::uintptr_t>(&lookInObject), {}};
+std::string buildIdAt(const void *address) {
+  BuildId id{reinterpret_cast<std::uintptr_t>(address), {}};
   dl_iterate_phdr(lookInObject, &id);
   return id.bytes;
 }
+
+std::string buildId() { return buildIdAt(reinterpret_cast<const void *>(&lookInObject)); }
 
 } // namespace arbiter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "util/cache_key.h"
 #include "util/file.h"
 #include "util/hash.h"
 
@@ -22,7 +24,7 @@ namespace arbiter {
 namespace {
 
 constexpr unsigned kShards = 64;
-constexpr char kMagic[8] = {'A', 'R', 'B', 'C', 'A', 'C', 'H', '1'};
+constexpr char kMagic[8] = {'A', 'R', 'B', 'C', 'A', 'C', 'H', '2'};
 constexpr const char *kTemporary = ".tmp";
 /// A hit moves the time of last use on if it is older than this: not a write for each read.
 constexpr std::time_t kTouchSeconds = 600;
@@ -34,7 +36,7 @@ struct Header {
   char magic[8];
   std::uint64_t keyBytes;
   std::uint64_t valueBytes;
-  Hash128 hash; ///< of key and value
+  KeyedHash signature; ///< of all else in the file, this being zero
 };
 
 /// "/folder/2a", for names whose first two digits are 2a, 6a, aa or ea.
@@ -45,15 +47,6 @@ std::string shardPath(const std::string &folder, unsigned shard) {
 }
 std::string shardOf(const std::string &folder, const std::string &name) {
   return shardPath(folder, unsigned(std::strtoul(name.substr(0, 2).c_str(), nullptr, 16)));
-}
-
-bool makeFolders(const std::string &path) {
-  for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
-    ::mkdir(path.substr(0, at).c_str(), 0700); // those that are there are left as they are
-  ::mkdir(path.c_str(), 0700);
-  struct stat status = {};
-  return ::lstat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
-         status.st_uid == ::geteuid() && (status.st_mode & 022) == 0;
 }
 
 /// A descriptor that closes itself.
@@ -68,6 +61,21 @@ struct Descriptor {
   Descriptor &operator=(const Descriptor &) = delete;
 };
 
+/// The folder is there, is a folder and not a link, is the user's own, and others neither read nor
+/// write what is in it. One that others could only read is taken from them.
+bool makeFolders(const std::string &path) {
+  for (std::size_t at = path.find('/', 1); at != std::string::npos; at = path.find('/', at + 1))
+    ::mkdir(path.substr(0, at).c_str(), 0700); // those that are there are left as they are
+  ::mkdir(path.c_str(), 0700);
+  const Descriptor folder(
+      ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY));
+  struct stat status = {};
+  if (folder.number < 0 || ::fstat(folder.number, &status) != 0 || status.st_uid != ::geteuid() ||
+      (status.st_mode & 022) != 0)
+    return false;
+  return (status.st_mode & 077) == 0 || ::fchmod(folder.number, 0700) == 0;
+}
+
 bool readAll(int descriptor, std::string &bytes) {
   std::size_t at = 0;
   while (at < bytes.size()) {
@@ -81,8 +89,14 @@ bool readAll(int descriptor, std::string &bytes) {
   return true;
 }
 
-/// The value in a file's bytes, if they are whole and of this key.
-std::optional<std::string> valueIn(const std::string &bytes, std::string_view key) {
+KeyedHash signatureOf(const HashKey &secret, std::string bytes) {
+  std::fill_n(bytes.begin() + offsetof(Header, signature), sizeof(KeyedHash), '\0');
+  return keyedHash(secret, bytes);
+}
+
+/// The value in a file's bytes, if they are whole, signed, and of this key.
+std::optional<std::string> valueIn(const std::string &bytes, std::string_view key,
+                                   const HashKey &secret) {
   Header header;
   if (bytes.size() < sizeof header)
     return std::nullopt;
@@ -90,7 +104,7 @@ std::optional<std::string> valueIn(const std::string &bytes, std::string_view ke
   const std::string_view rest = std::string_view(bytes).substr(sizeof header);
   if (std::memcmp(header.magic, kMagic, sizeof kMagic) != 0 || header.keyBytes != key.size() ||
       header.keyBytes > rest.size() || header.valueBytes != rest.size() - header.keyBytes ||
-      rest.substr(0, key.size()) != key || !(hashBytes(rest) == header.hash))
+      rest.substr(0, key.size()) != key || signatureOf(secret, bytes) != header.signature)
     return std::nullopt;
   return std::string(rest.substr(key.size()));
 }
@@ -144,14 +158,14 @@ void evict(const std::string &shard, std::uint64_t share) {
   }
 }
 
-std::string entryBytes(std::string_view key, std::string_view value) {
+std::string entryBytes(std::string_view key, std::string_view value, const HashKey &secret) {
   Header header = {};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
   header.keyBytes = key.size();
   header.valueBytes = value.size();
-  std::string bytes(sizeof header, '\0');
+  std::string bytes(reinterpret_cast<const char *>(&header), sizeof header);
   bytes.append(key).append(value);
-  header.hash = hashBytes(std::string_view(bytes).substr(sizeof header));
+  header.signature = signatureOf(secret, bytes);
   std::memcpy(bytes.data(), &header, sizeof header);
   return bytes;
 }
@@ -161,7 +175,12 @@ std::string entryBytes(std::string_view key, std::string_view value) {
 CacheStore::CacheStore(std::string folder, std::uint64_t maxBytes) noexcept
     : m_folder(std::move(folder)), m_shardBytes(maxBytes / kShards) {
   try {
-    m_usable = !m_folder.empty() && m_folder[0] == '/' && makeFolders(m_folder);
+    if (m_folder.empty() || m_folder[0] != '/' || !makeFolders(m_folder))
+      return;
+    if (const std::optional<HashKey> secret = cacheKeyOf(m_folder)) {
+      m_secret = *secret;
+      m_usable = true;
+    }
   } catch (...) { // out of memory: then without
   }
 }
@@ -180,8 +199,8 @@ std::optional<std::string> CacheStore::find(std::string_view key) const noexcept
       return std::nullopt;
     std::string bytes(std::size_t(status.st_size), '\0');
     std::optional<std::string> value;
-    if (readAll(file.number, bytes))
-      value = valueIn(bytes, key);
+    if ((status.st_mode & 077) == 0 && readAll(file.number, bytes))
+      value = valueIn(bytes, key, m_secret);
     if (!value)
       ::unlink(path.c_str());
     else if (std::time(nullptr) - status.st_mtime > kTouchSeconds)
@@ -196,7 +215,7 @@ bool CacheStore::store(std::string_view key, std::string_view value) const noexc
   if (!m_usable)
     return false;
   try {
-    const std::string bytes = entryBytes(key, value);
+    const std::string bytes = entryBytes(key, value, m_secret);
     if (bytes.size() > m_shardBytes / 2)
       return false;
     const std::string name = toHex(hashBytes(key));

@@ -33,7 +33,7 @@ protected:
   std::vector<fs::path> files() const {
     std::vector<fs::path> found;
     for (const auto &entry : fs::recursive_directory_iterator(m_folder))
-      if (entry.is_regular_file())
+      if (entry.is_regular_file() && entry.path() != m_folder + "/key")
         found.push_back(entry.path());
     return found;
   }
@@ -42,8 +42,10 @@ protected:
     text << std::ifstream(path, std::ios::binary).rdbuf();
     return text.str();
   }
+  /// Open to its owner alone, so that it is the content that is judged.
   static void write(const fs::path &path, const std::string &bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
   }
 
   std::string m_top, m_folder;
@@ -74,6 +76,76 @@ TEST_F(Cache, FilesAndFoldersAreTheOwnersOnly) {
   EXPECT_EQ(fs::status(files()[0]).permissions(), fs::perms(0600));
   EXPECT_EQ(fs::status(files()[0].parent_path()).permissions(), fs::perms(0700));
   EXPECT_EQ(fs::status(m_folder).permissions(), fs::perms(0700));
+  EXPECT_EQ(fs::status(m_folder + "/key").permissions(), fs::perms(0600));
+  EXPECT_EQ(fs::file_size(m_folder + "/key"), 16u);
+}
+
+TEST_F(Cache, AFolderThatOthersMayReadIsTakenFromThem) {
+  fs::create_directories(m_folder);
+  ASSERT_EQ(::chmod(m_folder.c_str(), 0755), 0);
+  EXPECT_TRUE(CacheStore(m_folder, kMegabyte).usable());
+  EXPECT_EQ(fs::status(m_folder).permissions(), fs::perms(0700));
+}
+
+TEST_F(Cache, AFileThatOthersMayReadOrWriteIsAMissAndGoes) {
+  const CacheStore store(m_folder, kMegabyte);
+  for (const unsigned mode : {0640u, 0604u, 0620u, 0602u}) {
+    ASSERT_TRUE(store.store("key", "value"));
+    ASSERT_EQ(store.find("key"), "value");
+    ASSERT_EQ(::chmod(files().at(0).c_str(), mode), 0);
+    EXPECT_EQ(store.find("key"), std::nullopt) << mode;
+    EXPECT_TRUE(files().empty()) << mode;
+  }
+}
+
+// A whole entry of the right key, made elsewhere: by another user, on another machine, for another
+// folder.
+TEST_F(Cache, AnEntryThatAnotherSecretSignedIsAMiss) {
+  const CacheStore store(m_folder, kMegabyte), foreign(m_top + "/foreign", kMegabyte);
+  ASSERT_TRUE(store.store("key", "value"));
+  ASSERT_TRUE(foreign.store("key", "planted"));
+  const fs::path here = files().at(0);
+  const fs::path there = fs::path(m_top + "/foreign") / fs::relative(here, m_folder);
+  const std::string own = bytesOf(here);
+  write(here, bytesOf(there));
+  EXPECT_EQ(store.find("key"), std::nullopt);
+  EXPECT_FALSE(fs::exists(here));
+  // With its secret it would be an entry.
+  ASSERT_TRUE(store.store("key", "value"));
+  write(here, bytesOf(there));
+  write(m_folder + "/key", bytesOf(m_top + "/foreign/key"));
+  EXPECT_EQ(CacheStore(m_folder, kMegabyte).find("key"), "planted");
+}
+
+TEST_F(Cache, ASecretThatIsNoneIsReplacedAndSignsNothing) {
+  const std::string secret = m_folder + "/key";
+  for (const char *const what : {"gone", "short", "long", "open", "link", "folder"}) {
+    ASSERT_TRUE(CacheStore(m_folder, kMegabyte).store("key", "value"));
+    const std::string before = bytesOf(secret);
+    if (what == std::string("gone"))
+      fs::remove(secret);
+    else if (what == std::string("short"))
+      write(secret, before.substr(1));
+    else if (what == std::string("long"))
+      write(secret, before + "x");
+    else if (what == std::string("open"))
+      ASSERT_EQ(::chmod(secret.c_str(), 0644), 0);
+    else {
+      fs::rename(secret, m_top + "/moved");
+      if (what == std::string("link"))
+        fs::create_symlink(m_top + "/moved", secret);
+      else
+        fs::create_directory(secret);
+    }
+    const CacheStore store(m_folder, kMegabyte);
+    EXPECT_EQ(store.usable(), what != std::string("folder")) << what;
+    EXPECT_EQ(store.find("key"), std::nullopt) << what;
+    EXPECT_EQ(store.store("key", "new"), store.usable()) << what;
+    if (!store.usable())
+      continue;
+    EXPECT_NE(bytesOf(secret), before) << what;
+    EXPECT_EQ(CacheStore(m_folder, kMegabyte).find("key"), "new") << what;
+  }
 }
 
 TEST_F(Cache, EveryTruncationAndEveryFlippedBitIsAMissAndRemovesTheFile) {
@@ -109,6 +181,14 @@ TEST_F(Cache, AFileOfAnotherKeyIsNotTaken) {
     write(file, ofOne);
   EXPECT_EQ(store.find("two"), std::nullopt);
   EXPECT_EQ(store.find("one"), "1");
+  // Two entries that changed places.
+  ASSERT_TRUE(store.store("two", "2"));
+  const fs::path a = files().at(0), b = files().at(1);
+  const std::string ofA = bytesOf(a);
+  write(a, bytesOf(b));
+  write(b, ofA);
+  EXPECT_EQ(store.find("one"), std::nullopt);
+  EXPECT_EQ(store.find("two"), std::nullopt);
 }
 
 TEST_F(Cache, StaysWithinItsSizeAndKeepsWhatWasUsedLast) {

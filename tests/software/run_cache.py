@@ -24,7 +24,8 @@ def start(client, layer, folder, display):
     sides.run([client, SCENE],
               sides.environment(layer, "swrast", {"DISPLAY": display, "XDG_CACHE_HOME": str(folder),
                                                 "ARBITER_STATS": str(stats)}))
-    objects = {path: path.stat().st_ino for path in folder.glob("**/code/**/*") if path.is_file()}
+    objects = {path: path.stat().st_ino for path in folder.glob("**/code/**/*")
+               if path.is_file() and path.name != "key"}
     return sides.software_statistics(stats), objects
 
 
