@@ -14,6 +14,7 @@
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Target/TargetMachine.h>
 
+#include "fp_compiler/back/llvm/failures.h"
 #include "fp_compiler/back/llvm/passes.h"
 
 namespace arbiter::fp::llvm_back {
@@ -139,36 +140,52 @@ void writeEntry(llvm::IRBuilder<> &ir, llvm::Function *entry, llvm::Function *bo
   ir.CreateRetVoid();
 }
 
-llvm::SmallVector<char, 0> written(llvm::Module &module, llvm::TargetMachine &machine, Emit what,
-                                   std::string &reason) {
+/// What LLVM works on. The last is destroyed first.
+struct Workspace {
+  explicit Workspace(MachinePtr of) : machine(std::move(of)) {}
+  MachinePtr machine;
+  std::string problem;
+  llvm::LLVMContext context;
+  llvm::Module module{"arbiter", context};
   llvm::SmallVector<char, 0> bytes;
-  llvm::raw_svector_ostream stream(bytes);
-  if (what == Emit::Ir) {
-    module.print(stream, nullptr);
-    return bytes;
-  }
+  llvm::raw_svector_ostream stream{bytes};
   llvm::legacy::PassManager passes;
-  const auto type = what == Emit::Object ? llvm::CGFT_ObjectFile : llvm::CGFT_AssemblyFile;
-  if (machine.addPassesToEmitFile(passes, stream, nullptr, type)) {
-    reason = "LLVM writes no objects for this processor";
-    return {};
+};
+
+/// False where nothing can be written.
+bool write(Workspace &space, Emit what, std::string &reason) {
+  if (what == Emit::Ir) {
+    space.module.print(space.stream, nullptr);
+    return true;
   }
-  passes.run(module);
-  return bytes;
+  const auto type = what == Emit::Object ? llvm::CGFT_ObjectFile : llvm::CGFT_AssemblyFile;
+  if (space.machine->addPassesToEmitFile(space.passes, space.stream, nullptr, type)) {
+    reason = "LLVM writes no objects for this processor";
+    return false;
+  }
+  space.passes.run(space.module);
+  return true;
 }
 } // namespace
 
 llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &writeBody,
                                 Emit what, std::string &reason) {
-  const MachinePtr machine = makeMachine(cpu, reason);
+  MachinePtr machine;
+  try {
+    machine = makeMachine(cpu, reason);
+  } catch (...) {
+    noteFailure(); // in the middle of its tables of targets
+    throw;
+  }
   if (!machine)
     return {};
-  std::string problem;
-  llvm::LLVMContext context;
+  const Kept<Workspace> space(std::move(machine));
+  std::string &problem = space->problem;
+  llvm::LLVMContext &context = space->context;
   context.setDiagnosticHandler(std::make_unique<Listener>(problem));
-  llvm::Module module("arbiter", context);
-  module.setTargetTriple(machine->getTargetTriple().str());
-  module.setDataLayout(machine->createDataLayout());
+  llvm::Module &module = space->module;
+  module.setTargetTriple(space->machine->getTargetTriple().str());
+  module.setDataLayout(space->machine->createDataLayout());
   setControlFlow(module);
 
   llvm::IRBuilder<> ir(context);
@@ -193,13 +210,14 @@ llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &
     reason = "the function is not well-formed: " + problem;
     return {};
   }
-  optimise(*body, *machine);
-  llvm::SmallVector<char, 0> bytes = written(module, *machine, what, reason);
+  optimise(*body, *space->machine);
+  if (!write(*space, what, reason))
+    return {};
   if (!problem.empty()) {
     reason = problem;
     return {};
   }
-  return bytes;
+  return std::move(space->bytes);
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -2,8 +2,11 @@
 
 #include <exception>
 
+#include <llvm/Config/llvm-config.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include "fp_compiler/back/llvm/budget.h"
+#include "fp_compiler/back/llvm/failures.h"
 #include "fp_compiler/back/llvm/fragment.h"
 #include "fp_compiler/back/llvm/linked.h"
 #include "fp_compiler/back/llvm/prepare.h"
@@ -26,8 +29,13 @@ template <typename Function> struct LinkedCode final : jit::Code<Function> {
 };
 
 /// Nothing leaves the library as an exception; the containers of ours and LLVM's may run out of
-/// memory.
+/// memory, and LLVM has errors that would end the process.
 template <typename Result, typename F> Result guarded(std::string &reason, F function) {
+  if (hasFailed()) {
+    reason = "LLVM has failed before in this process";
+    return {};
+  }
+  const FailureScope scope;
   try {
     return function();
   } catch (const std::exception &error) {
@@ -38,10 +46,19 @@ template <typename Result, typename F> Result guarded(std::string &reason, F fun
   return {};
 }
 
+/// Which code makes objects: this library, and the LLVM that is mapped, of which a distribution may
+/// install a mended build without ours being built again. Empty if either cannot be told.
+std::string makerOfObjects() {
+  const auto *const inLlvm = reinterpret_cast<const void *>(&llvm::MemoryBuffer::getMemBufferCopy);
+  const std::string own = buildId(), llvms = buildIdAt(inLlvm);
+  return own.empty() || llvms.empty() ? std::string()
+                                      : own + " LLVM " LLVM_VERSION_STRING " " + llvms;
+}
+
 class LlvmEngine final : public jit::Engine {
 public:
   LlvmEngine(Cpu cpu, const jit::EngineOptions &options)
-      : m_cpu(std::move(cpu)), m_build(buildId()) {
+      : m_cpu(std::move(cpu)), m_build(makerOfObjects()) {
     if (!options.cacheFolder.empty())
       m_cache.emplace(options.cacheFolder, options.cacheMaxBytes);
   }
@@ -70,7 +87,7 @@ public:
   std::unique_ptr<jit::FragmentCode> compile(const jit::FragmentProgram &program,
                                              const abi::FragmentKey &key,
                                              std::string &reason) override {
-    if (!sameNumerics(program, key, reason))
+    if (!sameNumerics(program, key, reason) || !isWithinBudget(program.program(), &key, reason))
       return nullptr;
     return make<abi::ShadeFunction>("fragment", program.program(),
                                     {reinterpret_cast<const char *>(&key), sizeof key},
@@ -79,6 +96,8 @@ public:
 
   std::unique_ptr<jit::VertexCode> compile(const jit::VertexProgram &program,
                                            std::string &reason) override {
+    if (!isWithinBudget(program.program(), nullptr, reason))
+      return nullptr;
     const char numerics = char(static_cast<const PreparedVertex &>(program).numerics());
     return make<abi::VertexFunction>("vertex", program.program(), {&numerics, 1}, kVertexPointers,
                                      bodyOf(program), reason);
@@ -99,6 +118,15 @@ private:
   static constexpr int kFragmentPointers = 3; ///< parameters of abi::ShadeFunction before the count
   static constexpr int kVertexPointers = 1;   ///< of abi::VertexFunction
 
+  static bool isWithinBudget(const ir::Program &program, const abi::FragmentKey *key,
+                             std::string &reason) {
+    const double expected = expectedMilliseconds(program, key);
+    if (expected <= kMostMilliseconds)
+      return true;
+    reason = "its " + std::to_string(program.code.size()) + " instructions would take some " +
+             std::to_string(long(expected)) + " ms to compile";
+    return false;
+  }
   /// What a program was optimised for is part of what it means.
   static bool sameNumerics(const jit::FragmentProgram &program, const abi::FragmentKey &key,
                            std::string &reason) {
@@ -133,7 +161,10 @@ private:
   std::unique_ptr<Prepared> prepare(const ir::Program &program, Numerics numerics) {
     std::string reason;
     return guarded<std::unique_ptr<Prepared>>(reason, [&]() -> std::unique_ptr<Prepared> {
-      if (!ir::validate(program).empty())
+      // The passes too take their time; they may shorten a program, but not to so small a part.
+      constexpr double kShortened = 8;
+      if (expectedMilliseconds(program, nullptr) > kShortened * kMostMilliseconds ||
+          !ir::validate(program).empty())
         return nullptr;
       return std::make_unique<Prepared>(program, numerics);
     });

@@ -2,10 +2,14 @@
 
 #include <cfenv>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <sstream>
 #include <sys/mman.h>
 #include <thread>
 #include <utility>
+
+#include <llvm/Config/llvm-config.h>
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/jit.h"
@@ -43,7 +47,7 @@ std::unique_ptr<VertexCode> compiled(Engine &engine, const ir::Program &program)
 /// Runs code of scaled() on `count` vertices with x, y, z, w = i, 1, 2, 3 times 2.
 std::vector<float> run(const VertexCode &code, std::uint32_t count) {
   constexpr std::size_t kRoom = 64;
-  alignas(64) static thread_local float in[4][kRoom], out[4][kRoom];
+  alignas(64) static thread_local float in[4][kRoom], out[4][kRoom], position[4][kRoom];
   for (std::size_t i = 0; i < kRoom; ++i) {
     in[0][i] = float(i);
     for (std::size_t c = 1; c < 4; ++c)
@@ -53,7 +57,9 @@ std::vector<float> run(const VertexCode &code, std::uint32_t count) {
   }
   const float parameters[2][4] = {{2, 2, 2, 2}, {}};
   const float *const inputs[] = {in[0], in[1], in[2], in[3]};
-  float *const outputs[] = {out[0], out[1], out[2], out[3]};
+  // The position, which the program does not write, is a result all the same.
+  float *const outputs[] = {out[0],      out[1],      out[2],      out[3],
+                            position[0], position[1], position[2], position[3]};
   abi::VertexData data;
   data.parameters = parameters;
   data.inputs = inputs;
@@ -224,6 +230,56 @@ TEST_F(EngineCache, GivesBackWhatWasMade) {
     // The second round found what the first has left, and added nothing.
     EXPECT_EQ(cacheUsage(m_folder + "/objects").files, 2u);
   }
+}
+
+// Object code is run: what is not to the last byte what was stored is made again.
+TEST_F(EngineCache, MakesAnewWhatIsDamaged) {
+  namespace fs = std::filesystem;
+  const auto engine = engineFor({"", m_folder + "/objects", 1 << 24});
+  ASSERT_NE(engine, nullptr);
+  ASSERT_NE(compiled(*engine, scaled(1)), nullptr);
+  std::vector<fs::path> entries;
+  for (const auto &entry : fs::recursive_directory_iterator(m_folder + "/objects"))
+    if (entry.is_regular_file() && entry.path().filename() != "key")
+      entries.push_back(entry.path());
+  ASSERT_EQ(entries.size(), 1u);
+  const auto bytesOf = [](const fs::path &path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  const std::string good = bytesOf(entries[0]);
+  const auto meets = [&](const std::string &bad, std::size_t at) {
+    std::ofstream(entries[0], std::ios::binary) << bad; // keeps the file's rights
+    const auto code = compiled(*engine, scaled(1));
+    ASSERT_NE(code, nullptr) << at;
+    EXPECT_EQ(run(*code, 2)[1], 3.0f) << at;
+    EXPECT_EQ(bytesOf(entries[0]), good) << at; // stored again
+  };
+  constexpr std::size_t kPlaces = 48;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const std::size_t at = (good.size() - 1) * i / (kPlaces - 1);
+    std::string bad = good;
+    bad[at] = char(bad[at] ^ (1 << (i % 8)));
+    meets(bad, at);
+    if (i % 4 == 0)
+      meets(good.substr(0, at), at);
+  }
+}
+
+// The library's build says which LLVM is in it; where that is one that is mapped beside it, its own
+// build does. In either case its version is in the key.
+TEST_F(EngineCache, KeepsVersionsOfLlvmApart) {
+  const auto engine = engineFor({"", m_folder + "/objects", 1 << 24});
+  ASSERT_NE(engine, nullptr);
+  ASSERT_NE(compiled(*engine, scaled(1)), nullptr);
+  int entries = 0;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(m_folder + "/objects")) {
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    entries += text.str().find(" LLVM " LLVM_VERSION_STRING " ") != std::string::npos;
+  }
+  EXPECT_EQ(entries, 1);
 }
 
 TEST_F(EngineCache, KeepsProcessorsApart) {

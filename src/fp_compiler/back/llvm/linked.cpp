@@ -6,6 +6,8 @@
 #include <llvm/ExecutionEngine/RuntimeDyld.h>
 #include <llvm/Object/ObjectFile.h>
 
+#include "fp_compiler/back/llvm/failures.h"
+
 namespace arbiter::fp::llvm_back {
 
 namespace {
@@ -39,7 +41,8 @@ std::unique_ptr<Linked> Linked::link(llvm::MemoryBufferRef object, const char *s
   }
   std::unique_ptr<Linked> linked(new Linked);
   Resolver resolver;
-  llvm::RuntimeDyld linker(linked->m_memory, resolver);
+  const Kept<llvm::RuntimeDyld> kept(linked->m_memory, resolver);
+  llvm::RuntimeDyld &linker = *kept;
   linker.loadObject(**file);
   if (!linker.hasError())
     linker.resolveRelocations();

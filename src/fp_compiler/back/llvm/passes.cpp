@@ -10,21 +10,31 @@
 #include <llvm/Transforms/Scalar/LoopPassManager.h>
 #include <llvm/Transforms/Scalar/SimplifyCFG.h>
 
+#include "fp_compiler/back/llvm/failures.h"
+
 namespace arbiter::fp::llvm_back {
 
-void optimise(llvm::Function &function, llvm::TargetMachine &machine) {
+namespace {
+struct Passes {
+  explicit Passes(llvm::TargetMachine &machine) : builder(&machine) {
+    builder.registerModuleAnalyses(modules);
+    builder.registerCGSCCAnalyses(components);
+    builder.registerFunctionAnalyses(functions);
+    builder.registerLoopAnalyses(loops);
+    builder.crossRegisterProxies(loops, functions, components, modules);
+  }
   llvm::LoopAnalysisManager loops;
   llvm::FunctionAnalysisManager functions;
   llvm::CGSCCAnalysisManager components;
   llvm::ModuleAnalysisManager modules;
-  llvm::PassBuilder builder(&machine);
-  builder.registerModuleAnalyses(modules);
-  builder.registerCGSCCAnalyses(components);
-  builder.registerFunctionAnalyses(functions);
-  builder.registerLoopAnalyses(loops);
-  builder.crossRegisterProxies(loops, functions, components, modules);
-
+  llvm::PassBuilder builder;
   llvm::FunctionPassManager passes;
+};
+} // namespace
+
+void optimise(llvm::Function &function, llvm::TargetMachine &machine) {
+  const Kept<Passes> space(machine);
+  llvm::FunctionPassManager &passes = space->passes;
   passes.addPass(llvm::EarlyCSEPass());
   passes.addPass(llvm::InstCombinePass());
   passes.addPass(llvm::SimplifyCFGPass());
@@ -32,7 +42,7 @@ void optimise(llvm::Function &function, llvm::TargetMachine &machine) {
                                                        /*UseMemorySSA=*/true));
   passes.addPass(llvm::EarlyCSEPass());
   passes.addPass(llvm::DCEPass());
-  passes.run(function, functions);
+  passes.run(function, space->functions);
 }
 
 } // namespace arbiter::fp::llvm_back
