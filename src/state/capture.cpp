@@ -8,6 +8,7 @@
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/unit_scope.h"
+#include "util/exit_lock.h"
 
 namespace arbiter::state {
 
@@ -26,7 +27,9 @@ Live &live() {
 
 void finishAtExit() {
   Live &l = live();
-  const std::lock_guard lock(l.mutex);
+  const std::unique_lock lock = lockAtExit(l.mutex);
+  if (!lock)
+    return; // what was written a second ago stays
   for (Context *context : l.contexts)
     captureLeave(*context);
   CaptureRecord::instance()->finish();

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "state/active_profile.h"
+#include "util/exit_lock.h"
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/json.h"
@@ -166,7 +167,9 @@ void CaptureRecord::writeNowAndThen() {
 }
 
 void CaptureRecord::finish() {
-  const std::lock_guard lock(m_mutex);
+  const std::unique_lock lock = lockAtExit(m_mutex);
+  if (!lock)
+    return;
   afterFork();
   if (m_contexts != 0 || !m_order.empty())
     write(true);

@@ -234,9 +234,10 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
     software::becomesCurrent(*context);
   }
-  if (context && !context->initialised)
+  if (context && !context->initialised) {
     initialise(*context);
-  else if (context && context->group->hasGarbage() && !context->listMode)
+    noteProgress(*context);
+  } else if (context && context->group->hasGarbage() && !context->listMode)
     collectGarbage(*context);
   if (!context)
     return;
@@ -271,6 +272,7 @@ void frameEnd(Context *context) {
     return;
   captureFrame(*context);
   ++context->frames;
+  noteProgress(*context);
   refreshReplacements(*context);
 }
 

@@ -3,47 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
-#include <memory>
 #include <mutex>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <pthread.h>
 #include <vector>
 
-#include "state/active_profile.h"
 #include "state/context.h"
 #include "state/program_cache.h"
 #include "state/software/report.h"
+#include "state/statistics_text.h"
+#include "util/exit_lock.h"
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/hash.h"
-#include "util/json.h"
+#include "util/live_record.h"
 #include "util/log.h"
 
 namespace arbiter::state {
 
 namespace {
-
-/// Programs beyond this are counted and not listed: an application may load them for ever.
-constexpr std::size_t kMaxPrograms = 4096;
-
-struct ProgramRow {
-  std::uint32_t context = 0;
-  unsigned name = 0;
-  Hash128 hash;
-  const char *target = "";
-  std::string language;
-  bool counted = false;
-  fp::ResourceCounts counts;
-  fp::ResourceCounts nativeCounts;
-  bool underNativeLimits = false;
-  std::int32_t errorPosition = -1;
-  std::string error;
-  std::string warning; ///< of a program that loaded
-};
 
 /// The counters of a context, or of several.
 struct Totals {
@@ -67,49 +46,21 @@ struct Totals {
   }
 };
 
-struct ContextRow {
-  std::uint32_t serial = 0;
-  Provider provider = Provider::Glx;
-  bool offered = false;
-  const char *obstacle = nullptr;
-  fp::Numerics numerics = fp::Numerics::Host;
-  const Context *live = nullptr;
-};
-
 struct Registry {
   std::mutex mutex;
   std::vector<ContextRow> contexts;
   Totals gone;
-  std::vector<ProgramRow> programs;
-  std::uint64_t programsNotListed = 0;
+  LiveRecord *record = nullptr; ///< made with the first context
   std::uint32_t nextSerial = 1;
-  pid_t process = getpid();
-  timespec began{};
 };
 
 /// Never freed: contexts may die after static destructors began.
 Registry &registry() {
-  static Registry *const s_registry = [] {
-    auto *const r = new Registry;
-    clock_gettime(CLOCK_REALTIME, &r->began);
-    return r;
-  }();
+  static Registry *const s_registry = new Registry;
   return *s_registry;
 }
 
 bool wanted() { return !settings().statsPath.empty(); }
-
-const char *providerName(Provider provider) {
-  switch (provider) {
-  case Provider::Glx:
-    return "glx";
-  case Provider::Egl:
-    return "egl";
-  case Provider::OsMesa:
-    return "osmesa";
-  }
-  return "";
-}
 
 /// "!!ARBfp1.0" without the marks: the first word of the text, as far as it is one.
 std::string languageOf(std::string_view text) {
@@ -125,103 +76,80 @@ std::string languageOf(std::string_view text) {
   return name.empty() ? "unknown" : name;
 }
 
-void addProgram(ProgramRow row) {
+void renewFrame(Registry &r) {
+  const FrameText text = frameText(r.contexts);
+  r.record->setFrame(text.before, text.after);
+}
+
+/// The counters as they are now. Allocates nothing, as it is done at exit too.
+void renewCounters(Registry &r) {
+  Totals totals = r.gone;
+  for (const ContextRow &row : r.contexts)
+    if (row.live)
+      totals.add(*row.live);
+  std::uint64_t *const to = r.record->counters();
+  const auto draws = [&](Path path) { return totals.draws[std::size_t(path)]; };
+  std::copy(totals.draws.begin(), totals.draws.end(), to + kDraws);
+  to[kUntouched] = draws(Path::NoProgram) + draws(Path::ApplicationGlsl) +
+                   draws(Path::ApplicationPipeline) + draws(Path::ApplicationStageGlsl) +
+                   draws(Path::NotOffered);
+  to[kDropped] = draws(Path::InvalidProgram) + draws(Path::HostRefused);
+  to[kCopies] = to[kPixels] = 0;
+  for (int i = 0; i < swrast::kCopyKindCount; ++i) {
+    to[kKinds + unsigned(i)] = totals.copies[std::size_t(i)].copies;
+    to[kCopies] += totals.copies[std::size_t(i)].copies;
+    to[kPixels] += totals.copies[std::size_t(i)].pixels;
+  }
+  to[kBytes] = to[kPixels] * 4; // the format of the copy is the host's own business
+  to[kReadBuffers] = totals.readBuffers;
+  to[kFrames] = totals.frames;
+  const ProgramCacheCounters cache = programCacheCounters();
+  to[kCacheHits] = cache.hits;
+  to[kCacheMisses] = cache.misses;
+  to[kCacheStored] = cache.stored;
+  std::uint64_t figures[software::kFigureCount];
+  software::store(totals.software, figures);
+  std::copy(std::begin(figures), std::end(figures), to + kSoftware);
+}
+
+void addProgram(const ProgramRow &row) {
+  const std::string text = rowText(row);
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
-  if (r.programs.size() < kMaxPrograms)
-    r.programs.push_back(std::move(row));
-  else
-    ++r.programsNotListed;
+  if (!r.record)
+    return;
+  if (!r.record->addRow(text))
+    ++r.record->counters()[kProgramsNotListed];
+  renewCounters(r);
 }
 
-void writeCounts(JsonWriter &json, const char *key, const fp::ResourceCounts &counts) {
-  json.key(key).beginObject();
-  json.key("instructions").value(counts.instructions);
-  json.key("alu").value(counts.aluInstructions);
-  json.key("tex").value(counts.texInstructions);
-  json.key("indirections").value(counts.texIndirections);
-  json.key("temporaries").value(counts.temporaries);
-  json.key("parameters").value(counts.parameters);
-  json.key("attribs").value(counts.attribs);
-  json.key("address_registers").value(counts.addressRegisters);
-  json.endObject();
-}
-
-void writeProgram(JsonWriter &json, const ProgramRow &row) {
-  json.beginObject();
-  json.key("context").value(row.context);
-  json.key("name").value(row.name);
-  json.key("hash").value(toHex(row.hash));
-  json.key("target").value(row.target);
-  json.key("language").value(row.language);
-  if (row.counted) {
-    writeCounts(json, "counts", row.counts);
-    writeCounts(json, "native_counts", row.nativeCounts);
-    json.key("under_native_limits").value(row.underNativeLimits);
+/// What became known of a context since it was made. \return something did
+bool renewContext(Registry &r, const Context &context) {
+  for (auto row = r.contexts.rbegin(); row != r.contexts.rend(); ++row) {
+    if (row->live != &context)
+      continue;
+    if (row->offered == context.offered && row->numerics == context.numerics &&
+        row->obstacle == context.caps.obstacle())
+      return false;
+    row->offered = context.offered;
+    row->numerics = context.numerics;
+    row->obstacle = context.caps.obstacle();
+    return true;
   }
-  if (row.error.empty()) {
-    json.key("error").null();
-    if (!row.warning.empty())
-      json.key("warning").value(row.warning);
-  } else {
-    json.key("error").beginObject();
-    json.key("position").value(row.errorPosition);
-    json.key("text").value(row.error);
-    json.endObject();
-  }
-  json.endObject();
+  return false;
 }
 
-bool isFallback(Path path) {
-  return path != Path::HostGlsl && path != Path::Rasterizer && path != Path::Recorded;
-}
-
-void writeDraws(JsonWriter &json, const Totals &totals) {
-  std::uint64_t untouched = 0;
-  for (const Path path : {Path::NoProgram, Path::ApplicationGlsl, Path::ApplicationPipeline,
-                          Path::ApplicationStageGlsl, Path::NotOffered})
-    untouched += totals.draws[std::size_t(path)];
-  const std::uint64_t dropped = totals.draws[std::size_t(Path::InvalidProgram)] +
-                                totals.draws[std::size_t(Path::HostRefused)];
-  json.key("draws").beginObject();
-  json.key("host_glsl").value(totals.draws[std::size_t(Path::HostGlsl)]);
-  json.key("rasterizer").value(totals.draws[std::size_t(Path::Rasterizer)]);
-  json.key("host_assembly").value(totals.draws[std::size_t(Path::HostAssembly)]);
-  json.key("host_untouched").value(untouched);
-  json.key("recorded").value(totals.draws[std::size_t(Path::Recorded)]);
-  json.key("dropped").value(dropped);
-  json.key("reasons").beginObject();
-  for (int i = 0; i < kPathCount; ++i)
-    if (isFallback(Path(i)) && totals.draws[std::size_t(i)] != 0)
-      json.key(pathName(Path(i))).value(totals.draws[std::size_t(i)]);
-  json.endObject().endObject();
-}
-
-void writeFeedback(JsonWriter &json, const Totals &totals) {
-  std::uint64_t copies = 0, pixels = 0;
-  for (const auto &kind : totals.copies) {
-    copies += kind.copies;
-    pixels += kind.pixels;
-  }
-  json.key("feedback").beginObject();
-  json.key("copies").value(copies);
-  json.key("pixels").value(pixels);
-  // Four bytes a pixel: the format of the copy is the host's own business.
-  json.key("bytes").value(pixels * 4);
-  json.key("read_buffer_calls").value(totals.readBuffers);
-  json.key("kinds").beginObject();
-  for (int i = 0; i < swrast::kCopyKindCount; ++i)
-    json.key(swrast::copyKindName(swrast::CopyKind(i))).value(totals.copies[std::size_t(i)].copies);
-  json.endObject().endObject();
-}
-
-/// A file that another process replaced since this one began holds figures of that process.
-bool writtenByOther(const char *path, const timespec &began) {
-  struct stat info {};
-  if (lstat(path, &info) != 0)
-    return false;
-  return info.st_mtim.tv_sec > began.tv_sec ||
-         (info.st_mtim.tv_sec == began.tv_sec && info.st_mtim.tv_nsec > began.tv_nsec);
+/// With the first context: the record, and what becomes of it at the end and in a child.
+void begin(Registry &r) {
+  const std::string &pattern = settings().statsPath;
+  r.record = LiveRecord::make(expandPid(pattern), pattern.find("%p") != std::string::npos);
+  if (!r.record)
+    return;
+  std::atexit(writeStatistics);
+  pthread_atfork(nullptr, nullptr, [] {
+    if (registry().record)
+      registry().record->afterFork();
+  });
 }
 
 } // namespace
@@ -232,14 +160,16 @@ void noteContextCreated(Context &context) {
   context.serial = r.nextSerial++;
   if (!wanted())
     return;
-  static bool s_registered = false;
-  if (!s_registered)
-    s_registered = std::atexit(writeStatistics) == 0;
+  if (!r.record)
+    begin(r);
+  if (!r.record)
+    return;
   ContextRow row;
   row.serial = context.serial;
   row.provider = context.provider;
   row.live = &context;
   r.contexts.push_back(row);
+  renewFrame(r);
 }
 
 void noteContextDestroyed(const Context &context) {
@@ -247,15 +177,27 @@ void noteContextDestroyed(const Context &context) {
     return;
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
+  if (!r.record)
+    return;
+  renewContext(r, context);
   r.gone.add(context);
-  for (ContextRow &row : r.contexts) {
-    if (row.live != &context)
-      continue;
-    row.live = nullptr;
-    row.offered = context.offered;
-    row.obstacle = context.caps.obstacle();
-    row.numerics = context.numerics;
-  }
+  for (ContextRow &row : r.contexts)
+    if (row.live == &context)
+      row.live = nullptr;
+  renewFrame(r);
+  renewCounters(r);
+}
+
+void noteProgress(const Context &context) {
+  if (!wanted())
+    return;
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  if (!r.record)
+    return;
+  if (renewContext(r, context))
+    renewFrame(r);
+  renewCounters(r);
 }
 
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
@@ -274,7 +216,7 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
   row.underNativeLimits = result.underNativeLimits;
   row.errorPosition = result.errorPosition();
   (result.ok() ? row.warning : row.error) = context.errorString;
-  addProgram(std::move(row));
+  addProgram(row);
 }
 
 void noteFragmentShader(const Context &context, const ProgramObject &object,
@@ -288,70 +230,37 @@ void noteFragmentShader(const Context &context, const ProgramObject &object,
   if (compiled)
     row.hash = compiled->hash;
   row.error = error;
-  addProgram(std::move(row));
+  addProgram(row);
 }
 
 std::string statisticsJson() {
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
-  Totals totals = r.gone;
-  JsonWriter json;
-  json.beginObject();
-  json.key("schema").value(kStatisticsSchema);
-  json.key("process").value(std::int64_t(getpid()));
-  json.key("profile").value(settings().profile);
-  json.key("numerics").value(nameOf(activeNumerics()));
-  json.key("identity").value(settings().identityOfProfile ? "profile" : "host");
-  json.key("contexts").beginArray();
-  for (const ContextRow &row : r.contexts) {
-    if (row.live)
-      totals.add(*row.live);
-    json.beginObject();
-    json.key("id").value(row.serial);
-    json.key("provider").value(providerName(row.provider));
-    json.key("offered").value(row.live ? row.live->offered : row.offered);
-    const char *const obstacle = row.live ? row.live->caps.obstacle() : row.obstacle;
-    if (obstacle)
-      json.key("obstacle").value(obstacle);
-    json.key("numerics").value(nameOf(row.live ? row.live->numerics : row.numerics));
-    json.key("destroyed").value(row.live == nullptr);
-    json.endObject();
-  }
-  json.endArray();
-  json.key("programs").beginArray();
-  for (const ProgramRow &row : r.programs)
-    writeProgram(json, row);
-  json.endArray();
-  json.key("programs_not_listed").value(r.programsNotListed);
-  const ProgramCacheCounters cache = programCacheCounters();
-  json.key("program_cache").beginObject();
-  json.key("hits").value(cache.hits);
-  json.key("misses").value(cache.misses);
-  json.key("stored").value(cache.stored);
-  json.endObject();
-  writeDraws(json, totals);
-  writeFeedback(json, totals);
-  json.key("software");
-  software::write(json, totals.software);
-  json.key("frames").value(totals.frames);
-  json.endObject();
-  return json.take();
+  std::string text;
+  if (!r.record)
+    r.record = LiveRecord::inMemory();
+  if (!r.record)
+    return text;
+  renewFrame(r);
+  renewCounters(r);
+  r.record->write({&text, [](void *to, const char *bytes, std::size_t size) {
+                     static_cast<std::string *>(to)->append(bytes, size);
+                     return true;
+                   }});
+  return text;
 }
 
 void writeStatistics() {
-  if (!wanted())
+  Registry &r = registry();
+  if (!wanted() || !r.record)
     return;
-  const Registry &r = registry();
-  const std::string &pattern = settings().statsPath;
-  std::string path = expandPid(pattern);
-  const bool named = pattern.find("%p") != std::string::npos;
-  static bool s_written = false; // our own earlier file may be replaced
-  if (!named && (getpid() != r.process || (!s_written && writtenByOther(path.c_str(), r.began))))
-    path += "." + std::to_string(getpid());
-  if (replacePrivateFile(path, statisticsJson()))
-    s_written = true;
-  else
-    logWarn("state", "cannot write statistics to %s: %s", path.c_str(), std::strerror(errno));
+  // The frame below may hold the lock, where a signal's handler called exit(): the counters are
+  // those of the last frame then.
+  if (const std::unique_lock lock = lockAtExit(r.mutex))
+    renewCounters(r);
+  if (!r.record->finish())
+    logWarn("state", "cannot write statistics to %s: %s", settings().statsPath.c_str(),
+            std::strerror(errno));
 }
 
 } // namespace arbiter::state

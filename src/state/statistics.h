@@ -4,8 +4,10 @@
 
 #include "fp_compiler/compiler.h"
 
-/// The statistics of the process (ARBITER_STATS, `arbiter run --stats`), written at exit as JSON:
-/// contexts, programs, draws by path with the reason where they are not ours, feedback copies.
+/// The statistics of the process (ARBITER_STATS, `arbiter run --stats`) as JSON: contexts,
+/// programs, draws by path with the reason where they are not ours, feedback copies. Written at
+/// exit; until then they lie in a record that outlives the process (util/live_record.h), brought up
+/// to date at each frame's end and at what is rare.
 namespace arbiter::state {
 
 class Context;
@@ -18,6 +20,8 @@ inline constexpr int kStatisticsSchema = 1;
 void noteContextCreated(Context &context);
 /// Adds the context's counters to those of contexts that are gone. It is about to be freed.
 void noteContextDestroyed(const Context &context);
+/// A frame of the context's ended, or it is current for the first time.
+void noteProgress(const Context &context);
 /// A program string was given to our compiler. Kept only if statistics are asked for.
 void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
                        const fp::CheckResult &result);
@@ -25,14 +29,16 @@ void noteLoadedProgram(const Context &context, const ProgramObject &object, std:
 void noteFragmentShader(const Context &context, const ProgramObject &object,
                         const CompiledProgram *compiled, std::string_view error);
 
-/// The statistics up to now.
+/// The statistics up to now, whether or not they were asked for; programs only if they were.
 [[nodiscard]] std::string statisticsJson();
 
 /// Writes them to the file of ARBITER_STATS, if there is one. A new file takes the old one's place
 /// in one step, mode 0600; a symbolic link is not followed. A process that was forked from the one
 /// that the variable was meant for writes to FILE.PID instead, as does one that finds the file
 /// written by another process since it began: the first one's figures are not lost. `%p` in the
-/// name is the process id. Called at exit; safe to call more than once.
+/// name is the process id. Called at exit; safe to call more than once. Allocates nothing and waits
+/// for no lock, as exit() may have been called by a signal's handler above a frame of ours or of
+/// the allocator's.
 void writeStatistics();
 
 } // namespace arbiter::state

@@ -1,18 +1,17 @@
 #include "tools/capture_index.h"
 
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "tools/capture_page.h"
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/launch.h"
 #include "tools/shader_test.h"
+#include "tools/supervise.h"
 #include "util/file.h"
 
 namespace arbiter::tools {
@@ -50,54 +49,6 @@ std::string prepareFolder(const std::string &folder) {
         name.starts_with("process-") && name.ends_with(".json"))
       return folder + " holds a capture; name another folder with -o, or remove it";
   return error ? folder + ": " + error.message() : std::string();
-}
-
-volatile std::sig_atomic_t g_child = 0;
-
-void forward(int signal) {
-  if (g_child > 0)
-    ::kill(pid_t(g_child), signal);
-}
-
-/// Runs the command and waits for it: its exit code, or 128 and the signal that ended it. What a
-/// terminal sends to the whole group is left to the command; what is sent to us alone is passed on.
-int runAndWait(const std::vector<Assignment> &environment,
-               const std::vector<std::string> &command) {
-  // Held back until there is a child to pass them on to: a signal that came between the fork and
-  // the handlers would end us and leave the command running.
-  sigset_t passed, before;
-  ::sigemptyset(&passed);
-  ::sigaddset(&passed, SIGTERM);
-  ::sigaddset(&passed, SIGHUP);
-  ::sigprocmask(SIG_BLOCK, &passed, &before);
-  struct sigaction ignore = {}, pass = {};
-  ignore.sa_handler = SIG_IGN;
-  pass.sa_handler = forward;
-  struct sigaction interrupt = {}, quit = {};
-  ::sigaction(SIGINT, &ignore, &interrupt);
-  ::sigaction(SIGQUIT, &ignore, &quit);
-  const pid_t child = ::fork();
-  if (child < 0) {
-    const int reason = errno;
-    ::sigprocmask(SIG_SETMASK, &before, nullptr);
-    complain(std::string("fork: ") + std::strerror(reason));
-    return kExitInternal;
-  }
-  if (child == 0) {
-    ::sigaction(SIGINT, &interrupt, nullptr);
-    ::sigaction(SIGQUIT, &quit, nullptr);
-    ::sigprocmask(SIG_SETMASK, &before, nullptr);
-    ::_exit(execute(environment, command));
-  }
-  g_child = child;
-  ::sigaction(SIGTERM, &pass, nullptr);
-  ::sigaction(SIGHUP, &pass, nullptr);
-  ::sigprocmask(SIG_SETMASK, &before, nullptr);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  g_child = 0;
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 bool write(const std::string &path, const std::string &text) {
@@ -158,7 +109,10 @@ int capture(const CaptureArguments &arguments) {
     complain(fault);
     return kExitUsage;
   }
-  const int code = runAndWait(environment.value(), arguments.command);
+  const int status = supervise(environment.value(), arguments.command, [] {});
+  if (status < 0)
+    return kExitInternal;
+  const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   if (fs::remove(layer.capture, error)) { // it was empty
     complain("nothing was captured: no process made a GL context that the layer saw");
     return code;

@@ -85,6 +85,8 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return profiles(arguments.profiles);
   if (app.got_subcommand("report"))
     return report(arguments.report);
+  if (app.got_subcommand("stats"))
+    return stats(arguments.stats);
   if (app.got_subcommand("capture"))
     return captureCommand(app, arguments.capture, std::move(command));
   return runCommand(app, arguments.run, std::move(command));

@@ -65,6 +65,12 @@ struct RunArguments {
 };
 [[nodiscard]] int run(const RunArguments &arguments);
 
+struct StatsArguments {
+  std::string file; ///< as ARBITER_STATS had it, %p and all
+};
+/// Makes the statistics of processes that were killed where nobody else did.
+[[nodiscard]] int stats(const StatsArguments &arguments);
+
 struct CaptureArguments {
   LayerArguments layer;
   std::string folder;     ///< empty: named for the command

@@ -202,12 +202,25 @@ void addRun(CLI::App &app, RunArguments &run) {
   command->add_flag("--print-environment", run.printEnvironment,
                     "print the variables for a shell in place of running a command");
   command->prefix_command();
-  command->footer("Exit code: that of COMMAND; 1 usage; 126 COMMAND cannot be executed; 127 there "
+  command->footer("Exit code: that of COMMAND, which ends by a signal where COMMAND does; 1 usage; "
+                  "126 COMMAND cannot be executed; 127 there "
                   "is no such command.\n"
                   "Examples:\n"
                   "  arbiter run -- glxgears -info\n"
                   "  arbiter run --profile nv30 --stats stats-%p.json -- wine game.exe\n"
                   "  eval \"$(arbiter run --print-environment --limits report)\"");
+}
+
+void addStats(CLI::App &app, StatsArguments &stats) {
+  CLI::App *command = app.add_subcommand(
+      "stats", "Make the statistics of processes that were killed, from what they left behind");
+  command
+      ->add_option("FILE", stats.file, "what ARBITER_STATS was; %p stands for any process's number")
+      ->required();
+  command->footer("What `arbiter run` starts needs no such step. Prints how many were made.\n"
+                  "Exit code: 0 some were; 1 usage, or there was nothing to be made.\n"
+                  "Example:\n"
+                  "  arbiter stats /tmp/stats-%p.json");
 }
 
 void addCapture(CLI::App &app, CaptureArguments &capture) {
@@ -284,6 +297,7 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addCompile(app, arguments.compile);
   addDraw(app, arguments.draw);
   addRun(app, arguments.run);
+  addStats(app, arguments.stats);
   addCapture(app, arguments.capture);
   addReport(app, arguments.report);
   addProfiles(app, arguments.profiles);

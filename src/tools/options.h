@@ -12,6 +12,7 @@ struct Arguments {
   CompileArguments compile;
   DrawArguments draw;
   RunArguments run;
+  StatsArguments stats;
   CaptureArguments capture;
   ReportArguments report;
   ProfilesArguments profiles;

@@ -92,6 +92,7 @@ OPERANDS = {
     'capture': [[], ['--', 'true']],
     'report': [['good.fp', 'dependent.fp', 'bad.fp', 'good.vp'], ['.'], ['none.fp']],
     'profiles': [[], ['r300'], ['none']],
+    'stats': [['none.json'], ['none/none-%p.json']],
     'cache': [[]],
     'lsp': [[]],
 }

@@ -1,8 +1,12 @@
+#include <GL/arbiter.h>
 #include <cstdio>
+#include <cstdlib>
 
 #include "tools/commands.h"
 #include "tools/input.h"
 #include "tools/launch.h"
+#include "tools/supervise.h"
+#include "util/live_record.h"
 
 namespace arbiter::tools {
 
@@ -14,6 +18,15 @@ std::string shellQuoted(const std::string &text) {
   for (const char c : text)
     quoted += c == '\'' ? "'\\''" : std::string(1, c);
   return quoted + "'";
+}
+
+/// Where processes of the command write statistics, %p for their numbers; empty: nowhere.
+std::string recordPattern(const std::vector<Assignment> &environment) {
+  for (const Assignment &assignment : environment)
+    if (assignment.name == ARBITER_ENV_STATS)
+      return assignment.value;
+  const char *const inherited = std::getenv(ARBITER_ENV_STATS);
+  return inherited ? inherited : "";
 }
 
 } // namespace
@@ -38,7 +51,15 @@ int run(const RunArguments &arguments) {
       std::printf("export %s=%s\n", assignment.name.c_str(), shellQuoted(assignment.value).c_str());
     return kExitOk;
   }
-  return execute(environment.value(), arguments.command);
+  const std::string records = recordPattern(environment.value());
+  if (records.empty())
+    return execute(environment.value(), arguments.command);
+  // Statistics of processes that were killed are made by who outlives them.
+  const int status = supervise(environment.value(), arguments.command,
+                               [&] { static_cast<void>(completeRecords(records)); });
+  if (status < 0)
+    return kExitInternal;
+  endAs(status);
 }
 
 } // namespace arbiter::tools

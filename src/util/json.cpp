@@ -123,6 +123,12 @@ JsonWriter &JsonWriter::value(std::string_view text) {
   return *this;
 }
 
+JsonWriter &JsonWriter::raw(std::string_view json) {
+  separate();
+  m_text += json;
+  return *this;
+}
+
 JsonWriter &JsonWriter::value(bool truth) {
   separate();
   m_text += truth ? "true" : "false";

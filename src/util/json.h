@@ -36,6 +36,8 @@ public:
   JsonWriter &value(std::int64_t number);
   JsonWriter &value(std::uint64_t number);
   JsonWriter &null();
+  /// A value that is JSON already, or becomes it later (record_text.h).
+  JsonWriter &raw(std::string_view json);
 
   /// The whole text, ended by a newline. Requires every object and array closed.
   [[nodiscard]] std::string take();

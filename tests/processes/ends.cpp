@@ -25,6 +25,7 @@ template <void (*end)(int)> void drawUntil() {
 }
 template <void (*end)(int)> void compileUntil() {
   openContext();
+  drawFrame();
   alarmAfter(someMilliseconds(), end);
   drawForEver(true);
 }
@@ -88,6 +89,16 @@ void exitWhileOtherDraws() {
   std::exit(7);
 }
 
+/// Until it is killed from outside.
+void drawForEverSaying() {
+  openContext();
+  for (int i = 0; i < 3; ++i)
+    drawFrame();
+  std::printf("drawing %d\n", int(getpid()));
+  std::fflush(stdout);
+  drawForEver(false);
+}
+
 /// The last thread ends the process.
 void mainEndsFirst() {
   std::thread([] {
@@ -136,6 +147,7 @@ void endRows(void (*add)(Row)) {
   add({"abort-in-thread-drawing", endFromThread<callAbort, false>});
   add({"exit-while-other-draws", exitWhileOtherDraws});
   add({"main-ends-first", mainEndsFirst});
+  add({"draw-for-ever", drawForEverSaying});
   add({"longjmp-then-exit", longjmpThenExit});
   add({"draw-at-exit", drawAtExit});
   add({"sigint", die<SIGINT>});

@@ -59,6 +59,8 @@ def all_rows(build, scratch):
     listing = subprocess.run([build / "tests/processes/foreign"], capture_output=True, text=True, check=True)
     rows, skipped = [], []
     for mode in listing.stdout.split():
+        if mode == "draw-for-ever":  # statistics.py's
+            continue
         if mode == "comma-locale":
             folder = comma_locale(scratch)
             if not folder:
@@ -139,6 +141,10 @@ def gave_up(result):
     return result[0] in ("hangs", "SIGSEGV", "SIGABRT", "SIGBUS", "SIGILL", "SIGFPE", "exit 4")
 
 
+# The host's destructors wait for its threads, which a child of fork() has not, and hang now and then.
+HOST_MAY_HANG = ("fork-child-exits",)
+
+
 def expected_end(mode):
     """A row that is to end so is not given up by the bare host because it does."""
     return mode.startswith(("abort", "sigsegv"))
@@ -153,6 +159,10 @@ def run_row(row, build, display, scratch, seeds):
         for way in WAYS:
             layer = run_once(row, way, build, display, scratch, seed)
             worse = difference(bare, layer)
+            for _ in range(3 if row.mode in HOST_MAY_HANG else 0):
+                if layer[0] == "hangs":
+                    layer = run_once(row, way, build, display, scratch, seed)
+                    worse = difference(bare, layer)
             if worse and gave_up(bare) and not expected_end(row.mode):
                 continue
             if worse:

@@ -1,8 +1,11 @@
 #include "state/software/report.h"
 
+#include <vector>
+
 #include "state/context.h"
 #include "state/software/functions.h"
 #include "util/json.h"
+#include "util/record_text.h"
 
 namespace arbiter::state::software {
 
@@ -26,33 +29,78 @@ void Figures::add(const Context &context) {
   residency.shadowBytes += moved.shadowBytes;
 }
 
-void write(JsonWriter &json, const Figures &figures) {
-  json.beginObject();
-  json.key("contexts").value(figures.contexts);
-  json.key("drawn").value(figures.drawn);
-  json.key("given_to_host").beginObject();
-  for (int i = 0; i < kFallbackCount; ++i)
-    if (figures.fallbacks[std::size_t(i)] != 0)
-      json.key(fallbackName(Fallback(i))).value(figures.fallbacks[std::size_t(i)]);
-  json.endObject();
-  json.key("back_off").beginObject();
-  json.key("trials").value(figures.trials);
-  json.key("frames_on_host").value(figures.framesBackedOff);
-  json.endObject();
+namespace {
+/// Where a figure lies among the counters, after those of the reasons.
+enum Figure : unsigned {
+  Contexts = kFallbackCount,
+  Drawn,
+  Trials,
+  FramesBackedOff,
+  CopiesShared,
+  CopiesInMemory,
+  Downloads,
+  DownloadedBytes,
+  Uploads,
+  UploadedBytes,
+  ShadowBytes,
+  Functions,
+  FunctionsFailed,
+  CodeBytes,
+  CompileMicroseconds,
+  FigureCount,
+};
+static_assert(FigureCount == kFigureCount);
+} // namespace
+
+void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]) {
+  for (std::size_t i = 0; i < figures.fallbacks.size(); ++i)
+    counters[i] = figures.fallbacks[i];
+  counters[Contexts] = figures.contexts;
+  counters[Drawn] = figures.drawn;
+  counters[Trials] = figures.trials;
+  counters[FramesBackedOff] = figures.framesBackedOff;
   const ResidencyStatistics &moved = figures.residency;
-  json.key("copies_shared").value(moved.copiesShared);
-  json.key("copies_in_memory").value(moved.copiesInMemory);
-  json.key("downloads").value(moved.downloads);
-  json.key("downloaded_bytes").value(moved.downloadedBytes);
-  json.key("uploads").value(moved.uploads);
-  json.key("uploaded_bytes").value(moved.uploadedBytes);
-  json.key("shadow_bytes").value(moved.shadowBytes);
+  counters[CopiesShared] = moved.copiesShared;
+  counters[CopiesInMemory] = moved.copiesInMemory;
+  counters[Downloads] = moved.downloads;
+  counters[DownloadedBytes] = moved.downloadedBytes;
+  counters[Uploads] = moved.uploads;
+  counters[UploadedBytes] = moved.uploadedBytes;
+  counters[ShadowBytes] = moved.shadowBytes;
   const CompileStatistics compiled = compileStatistics();
+  counters[Functions] = compiled.functions;
+  counters[FunctionsFailed] = compiled.failed;
+  counters[CodeBytes] = compiled.codeBytes;
+  counters[CompileMicroseconds] = std::uint64_t(compiled.milliseconds * 1000.0);
+}
+
+void write(JsonWriter &json, unsigned first) {
+  const auto counter = [&](const char *key, Figure slot) {
+    json.key(key).raw(counterPlace(first + slot));
+  };
+  json.beginObject();
+  counter("contexts", Contexts);
+  counter("drawn", Drawn);
+  std::vector<NamedCounter> reasons;
+  for (int i = 0; i < kFallbackCount; ++i)
+    reasons.push_back({fallbackName(Fallback(i)), first + unsigned(i)});
+  json.key("given_to_host").raw(nonZeroPlace(reasons, 3));
+  json.key("back_off").beginObject();
+  counter("trials", Trials);
+  counter("frames_on_host", FramesBackedOff);
+  json.endObject();
+  counter("copies_shared", CopiesShared);
+  counter("copies_in_memory", CopiesInMemory);
+  counter("downloads", Downloads);
+  counter("downloaded_bytes", DownloadedBytes);
+  counter("uploads", Uploads);
+  counter("uploaded_bytes", UploadedBytes);
+  counter("shadow_bytes", ShadowBytes);
   json.key("machine_code").beginObject();
-  json.key("functions").value(compiled.functions);
-  json.key("failed").value(compiled.failed);
-  json.key("bytes").value(compiled.codeBytes);
-  json.key("compile_microseconds").value(std::uint64_t(compiled.milliseconds * 1000.0));
+  counter("functions", Functions);
+  counter("failed", FunctionsFailed);
+  counter("bytes", CodeBytes);
+  counter("compile_microseconds", CompileMicroseconds);
   json.endObject();
   json.endObject();
 }

@@ -23,7 +23,11 @@ struct Figures {
   void add(const Context &context);
 };
 
-/// The value of the key "software".
-void write(JsonWriter &json, const Figures &figures);
+/// The figures as a run of counters, machine code's among them.
+inline constexpr unsigned kFigureCount = kFallbackCount + 15;
+void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]);
+/// The value of the key "software", with places for the counters from `first` on
+/// (util/record_text.h).
+void write(JsonWriter &json, unsigned first);
 
 } // namespace arbiter::state::software

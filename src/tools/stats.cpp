@@ -1,0 +1,24 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "util/live_record.h"
+
+namespace arbiter::tools {
+
+int stats(const StatsArguments &arguments) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(arguments.file, error);
+  if (error || !std::filesystem::is_directory(absolute.parent_path(), error)) {
+    complain(arguments.file + ": no such folder");
+    return kExitUsage;
+  }
+  const int made = completeRecords(absolute.lexically_normal());
+  std::printf("%d\n", made);
+  if (made == 0)
+    complain("no process that was killed left a record of " + arguments.file);
+  return made == 0 ? kExitUsage : kExitOk;
+}
+
+} // namespace arbiter::tools
