@@ -3,6 +3,7 @@
 /// host's.
 // Before Xlib's macros.
 #include "state/software/residency.h"
+#include "state/software/window_frames.h"
 
 #include <cstring>
 #include <iterator>
@@ -176,6 +177,11 @@ bool sizeOf(const state::software::Drawable &drawable, int &width, int &height, 
   return w != 0 && h != 0;
 }
 
+void swapHost(const state::software::Drawable &drawable) {
+  g_host->swapBuffers(const_cast<Display *>(static_cast<const Display *>(drawable.display)),
+                      GLXDrawable(reinterpret_cast<std::uintptr_t>(drawable.draw)));
+}
+
 /// What the context that is current on the thread draws to.
 constinit thread_local GLXDrawable t_drawable __attribute__((tls_model("initial-exec"))) = 0;
 
@@ -287,6 +293,9 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
     if (state::Context *const context = state::currentContext())
       state::frameEnd(context);
   exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
+  if (registry::isCurrent(Provider::Glx))
+    if (state::Context *const context = state::currentContext())
+      state::software::hostSwaps(*context);
   return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 
@@ -378,6 +387,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
         host.queryDrawable.function = hostLookup("glXQueryDrawable");
       });
+      state::software::setWindowFrames({hostMissedFrames, swapHost});
       return true;
     }
   }

@@ -129,7 +129,10 @@ bool show(const Drawable &drawable, const swrast::Image &image) {
                            .rowPixels = std::uint16_t(stride / 4),
                            .offset =
                                std::size_t(image.pixel(0, image.height - 1) - segment->memory())};
-  return segment->show(picture, window.failed);
+  const bool shown = segment->show(picture, window.failed);
+  if (shown)
+    window.hostMissedFrames = true;
+  return shown;
 }
 
 /// All answers of the connection that are there.
@@ -209,6 +212,11 @@ std::uint32_t graphicsContextOf(const std::shared_ptr<Connection> &connection, s
 }
 
 } // namespace
+
+bool hostMissedFrames(const state::software::Drawable &drawable, bool forget) {
+  auto &window = *static_cast<Window *>(drawable.presenter);
+  return forget ? window.hostMissedFrames.exchange(false) : window.hostMissedFrames.load();
+}
 
 void offerPresenting(void *display, std::uint32_t name, Drawable &drawable) {
   const NoCancel scope;

@@ -13,6 +13,9 @@ namespace arbiter::interposer {
 /// \param window  an X window; anything else is found out, and left alone
 void offerPresenting(void *display, std::uint32_t window, state::software::Drawable &drawable);
 
+/// state::software::WindowFrames::hostMissed of such a window.
+bool hostMissedFrames(const state::software::Drawable &drawable, bool forget);
+
 /// The display is about to be closed: no request goes to it any more.
 void presentingDisplayCloses(const void *display);
 

@@ -19,6 +19,7 @@ public:
   const std::uint32_t window, gc;
   const std::uint8_t depth;
   std::atomic<bool> failed = false; ///< the server refused a picture: the host is to show them
+  std::atomic<bool> hostMissedFrames = false; ///< that were shown since it last looked at the size
 
   /// Asks for the size. Waits for the answer if it may be another one than was last told, or if
   /// `sure`; else the answer counts for a later call, since other clients may change the size too.

@@ -24,6 +24,8 @@ void uploadList(Context &context, WindowImages &window, std::vector<PixelImage *
 }
 
 void uploadAll(Context &context, WindowImages &window) {
+  if (!window.pending.empty())
+    lookAtWindow(context, window);
   uploadList(context, window, objectsOf(context).pending);
   uploadList(context, window, window.pending);
   context.hostIsBehind = false;
@@ -139,6 +141,8 @@ void hostDraws(Context &context, const char *why) {
 void hostTakesTargets(Context &context, const char *why) {
   synchronise(context, why);
   WindowImages *const window = settledWindowOf(context);
+  if (window && hostMissedFrames(*window))
+    lookAtWindow(context, *window);
   if (window && window->objects.valid != 0)
     dropFramebuffer(context, *window);
 }
@@ -166,7 +170,6 @@ void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
   if (!context.software || !context.software->images)
     return;
   WindowImages &window = *windowOf(context);
-  forgetSize(context, window);
   auto &recent = window.viewports;
   const auto known = std::find(recent.begin(), recent.end(), viewport);
   if (known != recent.end())

@@ -67,17 +67,12 @@ PixelImage *windowBuffer(WindowImages &window, GLenum buffer, bool &foreign) {
   return nullptr;
 }
 
-/// The window's buffers: sizes from the window system, formats from the host, to which framebuffer
-/// 0 is bound as `framebuffer`.
-void describeWindow(Context &context, WindowImages &window) {
+} // namespace
+
+void describeWindow(Context &context, WindowImages &window, int width, int height) {
   const host::HostTable &host = *context.host;
   Drawable &drawable = window.drawable;
   PixelImage &color = window.color;
-  int width = drawable.width, height = drawable.height;
-  if (drawable.size && !drawable.size(drawable, width, height, window.sizeSure))
-    width = height = 0;
-  window.sizeKnown = true;
-  window.sizeSure = false;
   if (color.described && color.width == width && color.height == height)
     return;
   for (PixelImage *image : {&window.color, &window.depthStencil}) {
@@ -138,6 +133,8 @@ void describeWindow(Context &context, WindowImages &window) {
   window.depthBits = depthFormat.depth;
   window.stencilBits = depthFormat.stencil;
 }
+
+namespace {
 
 void describeDrawWindow(Context &context, WindowImages &window, Framebuffers &f) {
   const host::HostTable &host = *context.host;
@@ -251,16 +248,8 @@ const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
   f = {};
   f.drawName = GLuint(get(host, GL_DRAW_FRAMEBUFFER_BINDING));
   f.readName = GLuint(get(host, GL_READ_FRAMEBUFFER_BINDING));
-  if (f.drawName == 0 || f.readName == 0) {
-    // Bits and double buffering are told of the draw framebuffer that is bound.
-    if (!window.sizeKnown || !window.color.described) {
-      if (f.drawName != 0)
-        host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, 0);
-      describeWindow(context, window);
-      if (f.drawName != 0)
-        host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, f.drawName);
-    }
-  }
+  if (f.drawName == 0 || f.readName == 0)
+    lookAtWindow(context, window);
   if (f.drawName == 0)
     describeDrawWindow(context, window, f);
   else

@@ -195,6 +195,16 @@ struct GlFormat {
 
 // --- residency_framebuffer.cpp ---
 [[nodiscard]] const Framebuffers &framebuffersOf(Context &context, WindowImages &window);
+/// Of the window's buffers all but their size; framebuffer 0 is bound to draw to.
+void describeWindow(Context &context, WindowImages &window, int width, int height);
+
+// --- residency_window.cpp ---
+/// Before the host reads or writes the window's buffers, the first time since it was bound or a
+/// frame ended: describes them, with the size that the host's have. Pixels of another size are
+/// gone, as they are from the host.
+void lookAtWindow(Context &context, WindowImages &window);
+/// The host does not know that the window may have another size since.
+[[nodiscard]] bool hostMissedFrames(const WindowImages &window);
 
 // --- residency_read.cpp ---
 /// All of an 8-bit image, in rows of `stride` bytes of the application's.

@@ -10,6 +10,8 @@ namespace {
 
 /// One image of the window given to the host, if it is newer.
 void give(Context &context, WindowImages &window, PixelImage &image) {
+  if (image.newest == Newest::Shadow)
+    lookAtWindow(context, window);
   if (image.newest != Newest::Shadow)
     return;
   upload(context, window, image);
@@ -52,15 +54,17 @@ bool present(Context &context) {
   if (window->drawable.kind != Drawable::Kind::Window)
     return false;
   PixelImage &color = window->color;
-  forgetSize(context, *window);
-  if (window->doubleBuffered && window->drawable.show && color.newest == Newest::Shadow &&
-      window->drawable.show(window->drawable, color.shadow)) {
+  const bool shown = window->doubleBuffered && window->drawable.show &&
+                     color.newest == Newest::Shadow &&
+                     window->drawable.show(window->drawable, color.shadow);
+  if (shown) {
     color.shown = true;
-    return true;
+  } else {
+    give(context, *window, color);
+    updateBehind(context, *window);
   }
-  give(context, *window, color);
-  updateBehind(context, *window);
-  return false;
+  forgetSize(context, *window);
+  return shown;
 }
 
 void leave(Context &context) {
@@ -88,6 +92,8 @@ void enter(Context &context) {
   window->sizeSure = true;
   window->drawable = context.drawable;
   context.stale = ~0u;
+  if (hostMissedFrames(*window) && !context.insideBeginEnd && context.listMode == 0)
+    lookAtWindow(context, *window);
   updateBehind(context, *window);
 }
 
@@ -103,6 +109,9 @@ void flush(Context &context, bool finish) {
     context.host->Finish();
   else
     context.host->Flush();
+  // A host that shows its front buffer swaps, in a way.
+  if (window && window->drawable.kind == Drawable::Kind::Window && !window->doubleBuffered)
+    forgetSize(context, *window);
   // After the host, which writes its own, older pixels there.
   if (window && window->drawable.kind == Drawable::Kind::Memory)
     copyToMemory(*window);

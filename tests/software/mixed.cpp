@@ -1,0 +1,289 @@
+// Frames that the rasterizer and the host draw together: software-mixed SEED COUNT. Each seed is a
+// sequence of frames in two windows, in which draws that the host must make and draws of programs
+// meet at every position, while windows are resized, mapped late, shown twice or not at all, and
+// programs are new in the middle of a frame. What is shown and what is read is written out, to be
+// compared between two sides. Every frame begins with something that covers all of it, since a
+// window's pixels are undefined after it was resized.
+#include <cstdio>
+#include <cstdlib>
+
+#include <X11/Xutil.h>
+
+#include "surface.h"
+
+namespace software {
+namespace {
+
+constexpr int kFrames = 14, kReadWide = 300, kReadHigh = 220;
+
+[[noreturn]] void fail(const char *what) {
+  std::fprintf(stderr, "mixed: %s\n", what);
+  std::exit(2);
+}
+
+struct Place {
+  Window window = 0;
+  int width = 0, height = 0; ///< as last asked for
+  bool mapped = false;
+};
+
+class Sequence {
+public:
+  Sequence(Display *own, Display *other, int seed)
+      : m_display(own), m_other(other), m_seed(seed), m_random(std::uint64_t(seed)) {
+    const int wanted[] = {GLX_DRAWABLE_TYPE,
+                          GLX_WINDOW_BIT,
+                          GLX_RED_SIZE,
+                          8,
+                          GLX_GREEN_SIZE,
+                          8,
+                          GLX_BLUE_SIZE,
+                          8,
+                          GLX_ALPHA_SIZE,
+                          8,
+                          GLX_DEPTH_SIZE,
+                          24,
+                          GLX_STENCIL_SIZE,
+                          8,
+                          GLX_DOUBLEBUFFER,
+                          True,
+                          None};
+    int count = 0;
+    GLXFBConfig *const configs =
+        glXChooseFBConfig(m_display, DefaultScreen(m_display), wanted, &count);
+    if (!configs || count == 0)
+      fail("no GLX configuration");
+    m_config = configs[0];
+    XFree(configs);
+    m_context = glXCreateNewContext(m_display, m_config, GLX_RGBA_TYPE, nullptr, True);
+    m_places[0] = make(0, true);
+    m_places[1] = make(400, m_random.once(2));
+    use(0);
+    setUp();
+  }
+  ~Sequence() {
+    glXMakeCurrent(m_display, None, nullptr);
+    glXDestroyContext(m_display, m_context);
+    for (const Place &place : m_places)
+      XDestroyWindow(m_display, place.window);
+    XSync(m_display, False);
+  }
+  Sequence(const Sequence &) = delete;
+  Sequence &operator=(const Sequence &) = delete;
+
+  void run() {
+    for (m_frame = 0; m_frame < kFrames; ++m_frame) {
+      change();
+      cover();
+      for (int i = m_random.below(6); i > 0; --i)
+        step();
+      show();
+    }
+  }
+
+private:
+  Place make(int x, bool mapped) {
+    XVisualInfo *const visual = glXGetVisualFromFBConfig(m_display, m_config);
+    const Window root = DefaultRootWindow(m_display);
+    XSetWindowAttributes set = {};
+    set.colormap = XCreateColormap(m_display, root, visual->visual, AllocNone);
+    Place place{0, m_random.between(16, 200), m_random.between(16, 160), mapped};
+    place.window = XCreateWindow(m_display, root, x, 0, unsigned(place.width),
+                                 unsigned(place.height), 0, visual->depth, InputOutput,
+                                 visual->visual, CWColormap | CWBorderPixel | CWBackPixel, &set);
+    XFree(visual);
+    if (mapped)
+      XMapWindow(m_display, place.window);
+    XSync(m_display, False);
+    return place;
+  }
+  void use(int place) {
+    m_place = place;
+    if (!glXMakeCurrent(m_display, m_places[m_place].window, m_context))
+      fail("the context does not become current");
+  }
+  void setUp() {
+    const unsigned char texels[] = {40, 90, 200, 255, 250, 10, 60, 255,
+                                    0,  30, 90,  255, 70,  70, 7,  255};
+    glGenTextures(2, m_textures);
+    for (const GLuint texture : m_textures) {
+      glBindTexture(GL_TEXTURE_2D, texture);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    }
+    // The rasterizer leaves anisotropic filters to the host.
+    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 4);
+    glGenTextures(1, &m_copy);
+    glDisable(GL_DITHER);
+    glDepthFunc(GL_LEQUAL);
+    if (m_random.once(2))
+      glEnable(GL_DEPTH_TEST);
+    newProgram();
+  }
+  /// A text of its own, so that its machine code is made while a frame is drawn.
+  void newProgram() {
+    // Of numbers above 1 llvmpipe does not calculate with bytes.
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "!!ARBfp1.0\nTEMP t;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
+                  "MAD t, t, {%g}, program.local[0];\nMUL result.color, t, 0.5;\nEND\n",
+                  double(m_seed % 64 * kFrames + m_frame) / 512);
+    m_program = makeProgram(GL_FRAGMENT_PROGRAM_ARB, text);
+  }
+  [[nodiscard]] Place &place() { return m_places[m_place]; }
+
+  /// Between frames, and within them.
+  void change() {
+    if (m_random.once(3))
+      resize(m_random.once(2) ? m_display : m_other);
+    if (m_random.once(4)) {
+      use(1 - m_place);
+      cover();
+    }
+    if (!place().mapped && m_random.once(3)) {
+      XMapWindow(m_display, place().window);
+      XSync(m_display, False);
+      place().mapped = true;
+    }
+    if (m_random.once(3))
+      glViewport(0, 0, place().width, place().height);
+  }
+  void resize(Display *by) {
+    Place &what = m_places[m_random.once(4) ? 1 - m_place : m_place];
+    what.width = m_random.between(16, 260);
+    what.height = m_random.between(16, 200);
+    XResizeWindow(by, what.window, unsigned(what.width), unsigned(what.height));
+    XSync(by, False);
+    XSync(m_display, False);
+  }
+
+  void quad(float left, float bottom, float right, float top) {
+    const auto part = [&] { return 1 + float(m_random.below(64)) / 63; };
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, part(), part(), part(), 2);
+    glBegin(GL_QUADS);
+    glTexCoord2f(0.25F, 0.25F), glVertex3f(left, bottom, m_depth);
+    glTexCoord2f(0.25F, 0.25F), glVertex3f(right, bottom, m_depth);
+    glTexCoord2f(0.25F, 0.25F), glVertex3f(right, top, m_depth);
+    glTexCoord2f(0.25F, 0.25F), glVertex3f(left, top, m_depth);
+    glEnd();
+  }
+  /// \param anisotropic the host draws it
+  void draw(bool anisotropic, bool whole) {
+    glBindTexture(GL_TEXTURE_2D, m_textures[anisotropic]);
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+    const auto at = [&] { return float(m_random.below(16)) / 8 - 1; };
+    const float left = at(), bottom = at();
+    if (whole)
+      quad(-1, -1, 1, 1);
+    else
+      quad(left, bottom, left + 0.75F, bottom + 0.75F);
+    glDisable(GL_FRAGMENT_PROGRAM_ARB);
+  }
+  /// Everything that was undefined is defined.
+  void cover() {
+    glClearColor(float(m_random.below(16)) / 15, float(m_random.below(16)) / 15, 0.25F, 1);
+    m_depth = 0;
+    const int way = m_random.below(3);
+    glClear(GL_DEPTH_BUFFER_BIT | (way == 0 ? GL_COLOR_BUFFER_BIT : 0));
+    if (way != 0) {
+      GLint viewport[4];
+      glGetIntegerv(GL_VIEWPORT, viewport);
+      glViewport(0, 0, 512, 512); // covers windows of every size
+      draw(way == 1, true);
+      glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    }
+  }
+  void step() {
+    m_depth = float(m_random.between(-8, 8)) / 16;
+    switch (m_random.below(10)) {
+    case 0:
+    case 1:
+    case 2:
+      return draw(false, false);
+    case 3:
+    case 4:
+      return draw(true, false);
+    case 5: {
+      const std::vector<unsigned char> bytes(16 * 8 * 4, static_cast<unsigned char>(m_frame * 9));
+      glWindowPos2i(m_random.below(40), m_random.below(40));
+      return glDrawPixels(16, 8, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    }
+    case 6:
+      return newProgram();
+    case 7:
+      return change();
+    case 8:
+      glBindTexture(GL_TEXTURE_2D, m_copy);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      return glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 0, 0, 8, 8, 0);
+    default:
+      return read();
+    }
+  }
+  /// More than there is: what lies beyond the window's buffers stays as it was.
+  void read() {
+    std::vector<unsigned char> bytes(std::size_t(kReadWide) * kReadHigh * 4, 0x5A);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, kReadWide, kReadHigh, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    record(name("read"), bytes);
+  }
+  void show() {
+    if (m_random.once(8))
+      glFlush();
+    if (m_random.once(3))
+      read();
+    for (int i = m_random.once(6) ? 2 : 1; i > 0; --i)
+      glXSwapBuffers(m_display, place().window);
+    if (place().mapped)
+      grab();
+  }
+  void grab() {
+    std::vector<unsigned char> bytes;
+    XImage *const image = XGetImage(m_display, place().window, 0, 0, unsigned(place().width),
+                                    unsigned(place().height), AllPlanes, ZPixmap);
+    for (int y = 0; image && y < place().height; ++y)
+      for (int x = 0; x < place().width; ++x) {
+        const unsigned long pixel = XGetPixel(image, x, y);
+        for (const int shift : {16, 8, 0})
+          bytes.push_back(static_cast<unsigned char>(pixel >> shift));
+        bytes.push_back(255);
+      }
+    if (image)
+      XDestroyImage(image);
+    record(name("shown"), bytes);
+  }
+  [[nodiscard]] std::string name(const char *what) {
+    return "seed " + std::to_string(m_seed) + " frame " + std::to_string(m_frame) + " " + what +
+           " window " + std::to_string(m_place) + takeErrors();
+  }
+
+  Display *m_display, *m_other;
+  int m_seed;
+  Random m_random;
+  GLXFBConfig m_config = nullptr;
+  GLXContext m_context = nullptr;
+  Place m_places[2];
+  int m_place = 0, m_frame = 0;
+  GLuint m_textures[2] = {}, m_copy = 0, m_program = 0;
+  float m_depth = 0;
+};
+
+} // namespace
+} // namespace software
+
+int main(int argc, char **argv) {
+  if (argc != 3)
+    return 1;
+  Display *const own = XOpenDisplay(nullptr), *const other = XOpenDisplay(nullptr);
+  if (!own || !other)
+    software::fail("no X display");
+  for (int i = 0; i < std::atoi(argv[2]); ++i)
+    software::Sequence(own, other, std::atoi(argv[1]) + i).run();
+  XCloseDisplay(other);
+  XCloseDisplay(own);
+  return 0;
+}

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Frames that the rasterizer and the host draw together, in windows that change: random sequences, shown
+and read, on the bare host and under the layer, with the server's MIT-SHM and without. Fresh memory of the
+layer holds a pattern, so that what was never defined is seen.
+
+  run_mixed.py --build build [--first SEED] [--count N]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import sides
+from x_server import XServer
+
+SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
+POISON = ("85", "170", "157")  # what fresh memory holds: of two bare runs, and of the layer's
+
+
+def defined(first, second):
+    """Of two bare runs what they agree on: a host without MIT-SHM shows memory of nobody's where a
+    window has grown since its buffers were made."""
+    return [a if a == b else None for a, b in zip(first, second)]
+
+
+def judge(bare, layer, backend, part):
+    """Lines of what is wrong."""
+    if len(bare) != len(layer):
+        return [f"{len(layer)} records for {len(bare)}"]
+    kept = [(a, b) for a, b in zip(bare, layer) if a]
+    wrong = sides.differences(*zip(*kept))
+    if len(kept) < len(bare) * 3 // 4:
+        wrong.append(f"only {len(kept)} of {len(bare)} pictures are defined")
+    if backend == "host":
+        return wrong
+    if not part.get("drawn"):
+        wrong.append("the rasterizer drew nothing")
+    if not part.get("given_to_host"):
+        wrong.append("the host drew nothing")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--count", type=int, default=25)
+    args = parser.parse_args()
+    build = args.build.resolve()
+    command = [build / "tests/software/software-mixed", args.first, args.count]
+    passed = failed = 0
+    for server, options in SERVERS.items():
+        runs = []
+        for poison in POISON[:2]:
+            with XServer(options=options) as display:
+                runs.append(sides.run(command, sides.environment(
+                    extra={"DISPLAY": display, "MALLOC_PERTURB_": poison})))
+        bare = defined(*runs)
+        for backend in ("auto", "swrast", "host"):
+            with tempfile.TemporaryDirectory(prefix="arbiter-mixed-") as scratch, \
+                    XServer(options=options) as display:
+                stats = pathlib.Path(scratch) / "stats.json"
+                env = sides.environment(sides.layer_of(build), backend,
+                                        {"DISPLAY": display, "XDG_CACHE_HOME": scratch,
+                                         "ARBITER_STATS": str(stats), "MALLOC_PERTURB_": POISON[2]})
+                try:
+                    layer = sides.run(command, env)
+                except (sides.Died, subprocess.TimeoutExpired) as death:
+                    wrong = [str(death)]
+                else:
+                    wrong = judge(bare, layer, backend, sides.software_statistics(stats))
+            passed, failed = passed + (not wrong), failed + bool(wrong)
+            print(f"{'FAIL' if wrong else 'pass'} {backend}, {server}: {args.count} sequences from seed "
+                  f"{args.first}, {len(bare)} pictures", flush=True)
+            for line in wrong[:12]:
+                print(f"     {line}")
+    print(f"{passed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
