@@ -6,6 +6,7 @@
 #include "state/feedback.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/commands.h"
 #include "state/software/residency.h"
 
 namespace arbiter::state {
@@ -187,7 +188,18 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
       context.feedback.forget(textures[i]);
   if (context.softwarePossible && !context.insideBeginEnd)
     software::texturesDeleted(context, n, textures);
+  if (!context.insideBeginEnd)
+    context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
   context.host->DeleteTextures(n, textures);
+}
+
+void DeleteRenderbuffers(Context &context, GLsizei n, const GLuint *renderbuffers) {
+  if (context.softwareListens)
+    software::hostDoesUnknown(context, "glDeleteRenderbuffers");
+  if (!context.insideBeginEnd)
+    context.group->deletedNames.add(DeletedNames::Kind::Renderbuffer, n, renderbuffers,
+                                    context.serial);
+  context.host->DeleteRenderbuffers(n, renderbuffers);
 }
 
 } // namespace handlers

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "state/application_glsl.h"
+#include "state/deleted_names.h"
 #include "state/display_list.h"
 #include "state/fragment_shaders.h"
 #include "state/program_object.h"
@@ -50,6 +51,8 @@ public:
 
   /// Shader objects of ATI_fragment_shader, under a lock of their own.
   FragmentShaderTable fragmentShaders;
+
+  DeletedNames deletedNames;
 
   // --- Host objects to delete ---
 

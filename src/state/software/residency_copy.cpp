@@ -37,7 +37,7 @@ PixelImage *destination(Context &context, const CopyToTexture &copy) {
     return nullptr;
   GLint name = 0;
   context.host->GetIntegerv(binding, &name);
-  if (name == 0)
+  if (name == 0 || !isNamedAsBound(context, GLuint(name)))
     return nullptr;
   Texture &texture = textureOf(objectsOf(context), GLuint(name));
   PixelImage *const image = levelOf(context, texture, copy.target, copy.level);

@@ -1,6 +1,7 @@
 // What the draw and read framebuffers are made of, as the host says.
 #include <algorithm>
 
+#include "state/share_group.h"
 #include "state/software/residency_host.h"
 
 namespace arbiter::state::software {
@@ -36,7 +37,18 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
   const auto name = GLuint(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   PixelImage *image = nullptr;
   // What is deleted lives on where it is attached, without a name: to bind that would make another
-  // object of it.
+  // object of it, or find one that has the name now.
+  const auto kind =
+      type == GL_RENDERBUFFER ? DeletedNames::Kind::Renderbuffer : DeletedNames::Kind::Texture;
+  if (!context.group->deletedNames.none()) {
+    const GLint bound = get(host, framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING
+                                                                     : GL_DRAW_FRAMEBUFFER_BINDING);
+    if (!context.group->deletedNames.isAttached(context.serial, GLuint(bound), attachment, kind,
+                                                name)) {
+      foreign = true;
+      return nullptr;
+    }
+  }
   if (type == GL_RENDERBUFFER) {
     if (host.IsRenderbuffer(name))
       image = &renderbufferOf(context, name);

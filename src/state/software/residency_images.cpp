@@ -76,6 +76,11 @@ WindowImages *windowOf(Context &context) {
   return static_cast<WindowImages *>(context.software->images.get());
 }
 
+bool isNamedAsBound(const Context &context, GLuint name) {
+  return context.group->deletedNames.isUniqueWhereBound(DeletedNames::Kind::Texture, name,
+                                                        context.serial);
+}
+
 Texture &textureOf(ObjectImages &objects, GLuint name) {
   std::unique_ptr<Texture> &texture = objects.textures[name];
   if (!texture) {

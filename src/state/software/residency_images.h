@@ -158,6 +158,9 @@ void forgetSize(Context &context, WindowImages &window);
 [[nodiscard]] PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget,
                                   GLint level);
 [[nodiscard]] PixelImage &renderbufferOf(Context &context, GLuint name);
+/// A texture that is bound under that name has it still. Else a neighbour deleted it, and the name
+/// may be another one's: it is the host's.
+[[nodiscard]] bool isNamedAsBound(const Context &context, GLuint name);
 /// The texture's own target of one of an image: GL_TEXTURE_CUBE_MAP for its faces.
 [[nodiscard]] GLenum textureTargetOf(GLenum imageTarget);
 /// Finds out a texture's target where only its name is known. 0: none that we know.

@@ -137,7 +137,7 @@ bool getTexImage(Context &context, GLenum target, GLint level, GLenum format, GL
   GLint name = 0;
   context.host->GetIntegerv(binding, &name);
   const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end())
+  if (found == objects.textures.end() || !isNamedAsBound(context, GLuint(name)))
     return false;
   const PixelImage *const image = levelOf(context, *found->second, target, level);
   // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is

@@ -182,6 +182,9 @@ const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimensio
   ObjectImages &objects = objectsOf(context);
   if (name == 0)
     return zeroIsAbsent(context, objects, dimension) ? &kIncomplete : nullptr;
+  // One that a neighbour deleted is still sampled here; its name may be another one's.
+  if (!isNamedAsBound(context, name))
+    return nullptr;
   Texture &texture = textureOf(objects, name);
   if (!Completeness(context, *window, texture)
            .gather(target, rangeOf(context, name, dimension), mipmapped, reason))

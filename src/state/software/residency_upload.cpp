@@ -195,7 +195,7 @@ void texSubImage(Context &context, GLenum target, GLint level, GLint x, GLint y,
   GLint name = 0;
   context.host->GetIntegerv(binding, &name);
   const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end())
+  if (found == objects.textures.end() || !isNamedAsBound(context, GLuint(name)))
     return;
   PixelImage *const image = levelOf(context, *found->second, target, level);
   if (!image || image->newest == Newest::Host ||
