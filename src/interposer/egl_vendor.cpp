@@ -15,6 +15,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "state/escape.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {
@@ -210,12 +211,14 @@ EGLBoolean releaseTexImage(EGLDisplay display, EGLSurface surface, EGLint buffer
 EGLImage createImage(EGLDisplay display, EGLContext context, EGLenum target, EGLClientBuffer buffer,
                      const EGLAttrib *attributes) {
   exchanges(state::Exchange::Change, "eglCreateImage");
+  state::imagesEscape();
   return g_host->createImage(display, context, target, buffer, attributes);
 }
 
 EGLImageKHR createImageKhr(EGLDisplay display, EGLContext context, EGLenum target,
                            EGLClientBuffer buffer, const EGLint *attributes) {
   exchanges(state::Exchange::Change, "eglCreateImageKHR");
+  state::imagesEscape();
   return g_host->createImageKhr(display, context, target, buffer, attributes);
 }
 

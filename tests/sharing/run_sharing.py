@@ -39,10 +39,13 @@ class Sides:
     def __init__(self, args, displays, scratch):
         self.client = args.build / "tests/sharing/sharing-model"
         self.commands, self.displays = args.commands, displays
-        self.environments = {"bare": sides.environment(extra={"XDG_CACHE_HOME": str(scratch / "host")})}
+        # Images are of a tile or two: more threads of the host's only wait for one another.
+        extra = {"LP_NUM_THREADS": "1"}
+        self.environments = {
+            "bare": sides.environment(extra={**extra, "XDG_CACHE_HOME": str(scratch / "host")})}
         for name in args.backend or BACKENDS:
             self.environments[name] = sides.environment(
-                sides.layer_of(args.build), name, {"XDG_CACHE_HOME": str(scratch / name)})
+                sides.layer_of(args.build), name, {**extra, "XDG_CACHE_HOME": str(scratch / name)})
 
     def words(self, windows, first, count, only=None, names=False):
         kept = [",".join(map(str, only))] if only is not None else []

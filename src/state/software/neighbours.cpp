@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "state/context.h"
+#include "state/escape.h"
 #include "state/share_group.h"
 #include "state/software/residency.h"
 
@@ -27,6 +28,7 @@ public:
   void add(Context &context) {
     const std::lock_guard lock(m_mutex);
     m_all.push_back(&context);
+    count(context);
   }
 
   void remove(Context &context) {
@@ -62,6 +64,13 @@ public:
       count(*other);
   }
 
+  void escape() {
+    const std::lock_guard lock(m_mutex);
+    m_escaped = true;
+    for (Context *context : m_all)
+      count(*context);
+  }
+
 private:
   static bool areNeighbours(const Context &a, const Context &b) {
     return a.group == b.group || (a.neighbours.m_current && b.neighbours.m_current &&
@@ -72,9 +81,10 @@ private:
 
   /// The epoch's lowest bit: whether a neighbour is current.
   void count(Context &context) {
-    const bool crowded = std::any_of(m_all.begin(), m_all.end(), [&](const Context *other) {
+    const auto crowds = [&](const Context *other) {
       return other != &context && other->neighbours.m_current && areNeighbours(*other, context);
-    });
+    };
+    const bool crowded = m_escaped || std::any_of(m_all.begin(), m_all.end(), crowds);
     const std::uint64_t epoch = context.neighbours.epoch();
     if (crowded != Neighbours::isCrowded(epoch))
       set(context, epoch + 1);
@@ -86,6 +96,7 @@ private:
 
   std::mutex m_mutex;
   std::vector<Context *> m_all;
+  bool m_escaped = false; ///< as if a neighbour of each were current for good
 };
 
 namespace {
@@ -108,3 +119,9 @@ bool sharesObjects(const Context &context) {
 }
 
 } // namespace arbiter::state::software
+
+namespace arbiter::state {
+
+void imagesEscape() { software::table().escape(); }
+
+} // namespace arbiter::state

@@ -102,7 +102,7 @@ void flush(Context &context, bool finish) {
   if (window) {
     const bool visible = window->drawable.kind == Drawable::Kind::Window &&
                          !window->doubleBuffered && window->color.newest == Newest::Shadow;
-    if (visible || sharesObjects(context))
+    if (visible || sharesObjects(context) || Neighbours::isCrowded(context.neighbours.epoch()))
       synchronise(context, "flush");
   }
   if (finish)
