@@ -29,6 +29,15 @@ def handlers_header(table):
     return "".join(out)
 
 
+def guarded(command, statements):
+    """The statements, which may run out of memory: no exception reaches the application. Costs
+    nothing while none is thrown, but that a call in them is no jump."""
+    give = "return;" if command.result == "void" else "return {};"
+    return (f"  try {{\n{statements}"
+            f'  }} catch (const std::exception &) {{\n    arbiter::state::outOfMemory(here(), "gl{command.name}");\n'
+            f"    {give}\n  }}\n")
+
+
 def draws_itself(table, name):
     """What a draw's slow way asks before anything is prepared for the host: a line, "" for nothing."""
     if name not in table.draw_commands:
@@ -56,19 +65,21 @@ def thunks(table, command, action, symbol):
     if action == "handled":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         host_way = call if result != "void" else f"return {call}"
-        return "", lead + stale + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n  {ours}\n"
+        return "", (lead + stale + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
+                    + guarded(command, f"  {ours}\n"))
     if action == "own":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        ours = stale + guarded(command, f"  {ours}\n")
         if result == "void":
             return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
-                               f"    {call}\n    return;\n  }}\n{stale}  {ours}\n")
-        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{stale}  {ours}\n"
+                               f"    {call}\n    return;\n  }}\n{ours}")
+        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{ours}"
     if action == "guard":
-        guarded = [n for t, n, kind in command.params
-                   if kind in ("program", "shader", "handle") and "*" not in t]
-        if not guarded:
+        names = [n for t, n, kind in command.params
+                 if kind in ("program", "shader", "handle") and "*" not in t]
+        if not names:
             sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
-        lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in guarded)
+        lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in names)
         if stale:
             lines += lead + stale
         return "", lines + f"  {give}t_current->host->{name}({command.arguments()});\n"
@@ -85,7 +96,7 @@ def thunks(table, command, action, symbol):
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
-             f"{slow}{lead}{count}{stale}  {call}\n}}\n")
+             f"{guarded(command, slow)}{lead}{count}{stale}  {call}\n}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
     if result == "void":
         turn = "{\n    " + turn + "\n    return;\n  }\n"
@@ -96,9 +107,9 @@ def thunks(table, command, action, symbol):
 
 def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
-           '#include <cstring>\n#include <iterator>\n\n'
+           '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
-           '#include "state/context.h"\n#include "state/software/commands.h"\n'
+           '#include "state/context.h"\n#include "state/memory.h"\n#include "state/software/commands.h"\n'
            '#include "state/software/stale.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"

@@ -63,9 +63,10 @@ registry::Key key(EGLDisplay display, EGLContext context) {
 EGLContext createContext(EGLDisplay display, EGLConfig config, EGLContext share,
                          const EGLint *attributes) {
   const EGLContext context = g_host->createContext(display, config, share, attributes);
-  if (context != EGL_NO_CONTEXT)
-    registry::created(key(display, context), table(), share);
-  return context;
+  if (context == EGL_NO_CONTEXT || registry::created(key(display, context), table(), share))
+    return context;
+  g_host->destroyContext(display, context);
+  return EGL_NO_CONTEXT;
 }
 
 EGLBoolean destroyContext(EGLDisplay display, EGLContext context) {
@@ -112,8 +113,11 @@ EGLBoolean makeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGL
     return ok;
   const state::software::Drawable drawable = drawableOf(display, draw, read);
   t_surface = draw;
-  registry::madeCurrent(key(display, context), table(), &drawable);
-  return ok;
+  if (registry::madeCurrent(key(display, context), table(), &drawable))
+    return ok;
+  g_host->makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  t_surface = EGL_NO_SURFACE;
+  return EGL_FALSE;
 }
 
 void exchanges(state::Exchange what, const char *name) {
@@ -167,9 +171,7 @@ EGLBoolean terminate(EGLDisplay display) {
 EGLBoolean releaseThread() {
   state::leaveCurrent();
   const EGLBoolean ok = g_host->releaseThread();
-  if (ok)
-    registry::madeCurrent(key(nullptr, nullptr), table());
-  return ok;
+  return ok && registry::madeCurrent(key(nullptr, nullptr), table()) ? ok : EGL_FALSE;
 }
 
 EGLBoolean postSubBuffer(EGLDisplay display, EGLSurface surface, EGLint x, EGLint y, EGLint width,
@@ -226,30 +228,43 @@ void *getProcAddress(const char *name);
 
 // Casts alone: a call would have the table filled at run time, in memory that may be written.
 const Hook kHooks[] = {
-    {"eglCreateContext", reinterpret_cast<void *>(createContext), &g_host->createContext.function},
-    {"eglDestroyContext", reinterpret_cast<void *>(destroyContext),
+    {"eglCreateContext", reinterpret_cast<void *>(registry::Guarded<createContext>::call),
+     &g_host->createContext.function},
+    {"eglDestroyContext", reinterpret_cast<void *>(registry::Guarded<destroyContext>::call),
      &g_host->destroyContext.function},
-    {"eglMakeCurrent", reinterpret_cast<void *>(makeCurrent), &g_host->makeCurrent.function},
-    {"eglSwapBuffers", reinterpret_cast<void *>(swapBuffers), &g_host->swapBuffers.function},
-    {"eglSwapBuffersWithDamageKHR", reinterpret_cast<void *>(swapDamageKhr),
+    {"eglMakeCurrent", reinterpret_cast<void *>(registry::Guarded<makeCurrent>::call),
+     &g_host->makeCurrent.function},
+    {"eglSwapBuffers", reinterpret_cast<void *>(registry::Guarded<swapBuffers>::call),
+     &g_host->swapBuffers.function},
+    {"eglSwapBuffersWithDamageKHR",
+     reinterpret_cast<void *>(registry::Guarded<swapDamageKhr>::call),
      &g_host->swapDamageKhr.function},
-    {"eglSwapBuffersWithDamageEXT", reinterpret_cast<void *>(swapDamageExt),
+    {"eglSwapBuffersWithDamageEXT",
+     reinterpret_cast<void *>(registry::Guarded<swapDamageExt>::call),
      &g_host->swapDamageExt.function},
-    {"eglPostSubBufferNV", reinterpret_cast<void *>(postSubBuffer),
+    {"eglPostSubBufferNV", reinterpret_cast<void *>(registry::Guarded<postSubBuffer>::call),
      &g_host->postSubBuffer.function},
-    {"eglSwapBuffersRegionNOK", reinterpret_cast<void *>(swapRegion), &g_host->swapRegion.function},
-    {"eglWaitClient", reinterpret_cast<void *>(waitClient), &g_host->waitClient.function},
-    {"eglWaitGL", reinterpret_cast<void *>(waitGl), &g_host->waitGl.function},
-    {"eglCopyBuffers", reinterpret_cast<void *>(copyBuffers), &g_host->copyBuffers.function},
-    {"eglBindTexImage", reinterpret_cast<void *>(bindTexImage), &g_host->bindTexImage.function},
-    {"eglReleaseTexImage", reinterpret_cast<void *>(releaseTexImage),
+    {"eglSwapBuffersRegionNOK", reinterpret_cast<void *>(registry::Guarded<swapRegion>::call),
+     &g_host->swapRegion.function},
+    {"eglWaitClient", reinterpret_cast<void *>(registry::Guarded<waitClient>::call),
+     &g_host->waitClient.function},
+    {"eglWaitGL", reinterpret_cast<void *>(registry::Guarded<waitGl>::call),
+     &g_host->waitGl.function},
+    {"eglCopyBuffers", reinterpret_cast<void *>(registry::Guarded<copyBuffers>::call),
+     &g_host->copyBuffers.function},
+    {"eglBindTexImage", reinterpret_cast<void *>(registry::Guarded<bindTexImage>::call),
+     &g_host->bindTexImage.function},
+    {"eglReleaseTexImage", reinterpret_cast<void *>(registry::Guarded<releaseTexImage>::call),
      &g_host->releaseTexImage.function},
-    {"eglCreateImage", reinterpret_cast<void *>(createImage), &g_host->createImage.function},
-    {"eglCreateImageKHR", reinterpret_cast<void *>(createImageKhr),
+    {"eglCreateImage", reinterpret_cast<void *>(registry::Guarded<createImage>::call),
+     &g_host->createImage.function},
+    {"eglCreateImageKHR", reinterpret_cast<void *>(registry::Guarded<createImageKhr>::call),
      &g_host->createImageKhr.function},
-    {"eglTerminate", reinterpret_cast<void *>(terminate), &g_host->terminate.function},
-    {"eglReleaseThread", reinterpret_cast<void *>(releaseThread), &g_host->releaseThread.function},
-    {"eglGetProcAddress", reinterpret_cast<void *>(getProcAddress),
+    {"eglTerminate", reinterpret_cast<void *>(registry::Guarded<terminate>::call),
+     &g_host->terminate.function},
+    {"eglReleaseThread", reinterpret_cast<void *>(registry::Guarded<releaseThread>::call),
+     &g_host->releaseThread.function},
+    {"eglGetProcAddress", reinterpret_cast<void *>(registry::Guarded<getProcAddress>::call),
      &g_host->getProcAddress.function},
 };
 
@@ -265,7 +280,7 @@ void *getProcAddress(const char *name) {
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
-bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) {
+bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return false;
   for (const std::string &library : eglCandidates()) {
@@ -286,6 +301,8 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
   }
   logError("layer", "EGL: no host vendor loads");
   return false;
+} catch (const std::exception &) { // no memory
+  return false;
 }
 
 } // namespace
@@ -301,7 +318,7 @@ __egl_Main(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInf
   *imports = g_host->imports;
   if (!layerAllowed())
     return EGL_TRUE;
-  imports->getProcAddress = getProcAddress;
+  imports->getProcAddress = registry::Guarded<getProcAddress>::call;
   // They would write the host's addresses into libglvnd's stubs, past its dispatch table and us.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;

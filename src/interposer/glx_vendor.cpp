@@ -6,6 +6,7 @@
 #include "state/software/window_frames.h"
 
 #include <cstring>
+#include <exception>
 #include <iterator>
 #include <mutex>
 #include <vector>
@@ -118,11 +119,13 @@ void watch(Display *display) {
 }
 
 GLXContext remember(Display *display, GLXContext context, GLXContext share) {
-  if (context) {
-    watch(display);
-    registry::created(key(display, context), table(), share);
-  }
-  return context;
+  if (!context)
+    return nullptr;
+  watch(display);
+  if (registry::created(key(display, context), table(), share))
+    return context;
+  g_host->destroyContext(display, context);
+  return nullptr;
 }
 
 GLXContext createContext(Display *display, XVisualInfo *visual, GLXContext share, Bool direct) {
@@ -240,10 +243,16 @@ Bool madeCurrent(Bool ok, Display *display, GLXDrawable draw, GLXDrawable read,
                        .sameRead = draw == read,
                        .size = sizeOf};
   if (drawable.kind == Drawable::Kind::Window && context)
-    offerPresenting(display, std::uint32_t(windowOf(draw)), drawable);
+    try {
+      offerPresenting(display, std::uint32_t(windowOf(draw)), drawable);
+    } catch (const std::exception &) { // then the host shows what is drawn
+    }
   t_drawable = context ? draw : 0;
-  registry::madeCurrent(key(display, context), table(), &drawable);
-  return ok;
+  if (registry::madeCurrent(key(display, context), table(), &drawable))
+    return ok;
+  g_host->makeContextCurrent(display, 0, 0, nullptr);
+  t_drawable = 0;
+  return False;
 }
 
 Bool makeCurrent(Display *display, GLXDrawable drawable, GLXContext context) {
@@ -292,10 +301,7 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
   if (registry::isCurrent(Provider::Glx))
     if (state::Context *const context = state::currentContext())
       state::frameEnd(context);
-  exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
-  if (registry::isCurrent(Provider::Glx))
-    if (state::Context *const context = state::currentContext())
-      state::software::hostSwaps(*context);
+  exchanges(state::Exchange::Swap, "glXSwapBuffersMscOML");
   return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 
@@ -323,38 +329,49 @@ void *getProcAddress(const GLubyte *name);
 
 // Casts alone: a call would have the table filled at run time, in memory that may be written.
 const Hook kHooks[] = {
-    {"glXCreateContext", reinterpret_cast<void *>(createContext), &g_host->createContext.function},
-    {"glXCreateNewContext", reinterpret_cast<void *>(createNewContext),
+    {"glXCreateContext", reinterpret_cast<void *>(registry::Guarded<createContext>::call),
+     &g_host->createContext.function},
+    {"glXCreateNewContext", reinterpret_cast<void *>(registry::Guarded<createNewContext>::call),
      &g_host->createNewContext.function},
-    {"glXCreateContextAttribsARB", reinterpret_cast<void *>(createContextAttribs),
+    {"glXCreateContextAttribsARB",
+     reinterpret_cast<void *>(registry::Guarded<createContextAttribs>::call),
      &g_host->createContextAttribs.function},
-    {"glXCreateContextWithConfigSGIX", reinterpret_cast<void *>(createContextWithConfig),
+    {"glXCreateContextWithConfigSGIX",
+     reinterpret_cast<void *>(registry::Guarded<createContextWithConfig>::call),
      &g_host->createContextWithConfig.function},
-    {"glXImportContextEXT", reinterpret_cast<void *>(importContext),
+    {"glXImportContextEXT", reinterpret_cast<void *>(registry::Guarded<importContext>::call),
      &g_host->importContext.function},
-    {"glXFreeContextEXT", reinterpret_cast<void *>(freeContext), &g_host->freeContext.function},
-    {"glXDestroyContext", reinterpret_cast<void *>(destroyContext),
+    {"glXFreeContextEXT", reinterpret_cast<void *>(registry::Guarded<freeContext>::call),
+     &g_host->freeContext.function},
+    {"glXDestroyContext", reinterpret_cast<void *>(registry::Guarded<destroyContext>::call),
      &g_host->destroyContext.function},
-    {"glXCopyContext", reinterpret_cast<void *>(copyContext), &g_host->copyContext.function},
-    {"glXMakeCurrent", reinterpret_cast<void *>(makeCurrent), &g_host->makeCurrent.function},
-    {"glXMakeContextCurrent", reinterpret_cast<void *>(makeContextCurrent),
+    {"glXCopyContext", reinterpret_cast<void *>(registry::Guarded<copyContext>::call),
+     &g_host->copyContext.function},
+    {"glXMakeCurrent", reinterpret_cast<void *>(registry::Guarded<makeCurrent>::call),
+     &g_host->makeCurrent.function},
+    {"glXMakeContextCurrent", reinterpret_cast<void *>(registry::Guarded<makeContextCurrent>::call),
      &g_host->makeContextCurrent.function},
-    {"glXMakeCurrentReadSGI", reinterpret_cast<void *>(makeCurrentRead),
+    {"glXMakeCurrentReadSGI", reinterpret_cast<void *>(registry::Guarded<makeCurrentRead>::call),
      &g_host->makeCurrentRead.function},
-    {"glXCreateWindow", reinterpret_cast<void *>(createWindow), &g_host->createWindow.function},
-    {"glXDestroyWindow", reinterpret_cast<void *>(destroyWindow), &g_host->destroyWindow.function},
-    {"glXSwapBuffers", reinterpret_cast<void *>(swapBuffers), &g_host->swapBuffers.function},
-    {"glXSwapBuffersMscOML", reinterpret_cast<void *>(swapBuffersMsc),
+    {"glXCreateWindow", reinterpret_cast<void *>(registry::Guarded<createWindow>::call),
+     &g_host->createWindow.function},
+    {"glXDestroyWindow", reinterpret_cast<void *>(registry::Guarded<destroyWindow>::call),
+     &g_host->destroyWindow.function},
+    {"glXSwapBuffers", reinterpret_cast<void *>(registry::Guarded<swapBuffers>::call),
+     &g_host->swapBuffers.function},
+    {"glXSwapBuffersMscOML", reinterpret_cast<void *>(registry::Guarded<swapBuffersMsc>::call),
      &g_host->swapBuffersMsc.function},
-    {"glXCopySubBufferMESA", reinterpret_cast<void *>(copySubBuffer),
+    {"glXCopySubBufferMESA", reinterpret_cast<void *>(registry::Guarded<copySubBuffer>::call),
      &g_host->copySubBuffer.function},
-    {"glXWaitGL", reinterpret_cast<void *>(waitGl), &g_host->waitGl.function},
-    {"glXBindTexImageEXT", reinterpret_cast<void *>(bindTexImage), &g_host->bindTexImage.function},
-    {"glXReleaseTexImageEXT", reinterpret_cast<void *>(releaseTexImage),
+    {"glXWaitGL", reinterpret_cast<void *>(registry::Guarded<waitGl>::call),
+     &g_host->waitGl.function},
+    {"glXBindTexImageEXT", reinterpret_cast<void *>(registry::Guarded<bindTexImage>::call),
+     &g_host->bindTexImage.function},
+    {"glXReleaseTexImageEXT", reinterpret_cast<void *>(registry::Guarded<releaseTexImage>::call),
      &g_host->releaseTexImage.function},
-    {"glXGetProcAddress", reinterpret_cast<void *>(getProcAddress),
+    {"glXGetProcAddress", reinterpret_cast<void *>(registry::Guarded<getProcAddress>::call),
      &g_host->getProcAddress.function},
-    {"glXGetProcAddressARB", reinterpret_cast<void *>(getProcAddress),
+    {"glXGetProcAddressARB", reinterpret_cast<void *>(registry::Guarded<getProcAddress>::call),
      &g_host->getProcAddressArb.function},
 };
 
@@ -371,7 +388,7 @@ void *getProcAddress(const GLubyte *name) {
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
-bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) {
+bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
     return false;
   for (const std::string &library : glxCandidates()) {
@@ -393,6 +410,8 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
   }
   logError("layer", "GLX: no host vendor loads");
   return false;
+} catch (const std::exception &) { // no memory
+  return false;
 }
 
 } // namespace
@@ -409,7 +428,7 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
   *imports = g_host->imports;
   if (!layerAllowed())
     return True;
-  imports->getProcAddress = getProcAddress;
+  imports->getProcAddress = registry::Guarded<getProcAddress>::call;
   // They would write the host's addresses into libglvnd's stubs, past its dispatch table and us.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;

@@ -143,9 +143,10 @@ template <typename Create> OSMesaContext remembered(OSMesaContext share, Create 
   t_creating = true;
   const OSMesaContext context = create();
   t_creating = false;
-  if (context)
-    registry::created(key(context), table(), share);
-  return context;
+  if (!context || registry::created(key(context), table(), share))
+    return context;
+  real().destroyContext(context);
+  return nullptr;
 }
 
 } // namespace
@@ -189,7 +190,7 @@ ARBITER_EXPORT void OSMesaDestroyContext(OSMesaContext context) {
   registry::destroyed(key(context));
   real().destroyContext(context);
   if (unbinds)
-    registry::madeCurrent(key(nullptr), table());
+    (void)registry::madeCurrent(key(nullptr), table());
 }
 
 ARBITER_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext context, void *buffer, GLenum type,
@@ -203,8 +204,10 @@ ARBITER_EXPORT GLboolean OSMesaMakeCurrent(OSMesaContext context, void *buffer, 
   if (!ok)
     return ok;
   const arbiter::state::software::Drawable drawable = memoryOf(buffer, type, width, height);
-  registry::madeCurrent(key(context), table(), &drawable);
-  return ok;
+  if (registry::madeCurrent(key(context), table(), &drawable))
+    return ok;
+  real().makeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  return GL_FALSE;
 }
 
 ARBITER_EXPORT OSMESAproc OSMesaGetProcAddress(const char *name) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -105,7 +106,12 @@ void selectArbiter() {
   }
 }
 
-[[gnu::constructor]] void constructed() { selectArbiter(); }
+[[gnu::constructor]] void constructed() {
+  try {
+    selectArbiter();
+  } catch (const std::exception &) { // no memory even now: the process does without the layer
+  }
+}
 
 } // namespace
 

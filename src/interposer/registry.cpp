@@ -1,6 +1,7 @@
 #include "interposer/registry.h"
 
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <vector>
 
@@ -58,13 +59,14 @@ void setCurrent(const void *value) { pthread_setspecific(registry().current, val
 
 } // namespace
 
-void created(const Key &key, const host::HostTable &table, const void *shareHandle) {
+bool created(const Key &key, const host::HostTable &table, const void *shareHandle) try {
   Registry &r = registry();
   const std::lock_guard lock(r.mutex);
   state::Context *share = nullptr;
   if (shareHandle)
     if (const Entry *entry = find(r, {key.provider, key.display, shareHandle}))
       share = entry->context;
+  r.entries.reserve(r.entries.size() + 1); // what is made must be found
   state::Context *const context = state::createContext(key.provider, &table, share);
   if (Entry *stale = find(r, key)) {
     state::destroyContext(stale->context);
@@ -72,6 +74,9 @@ void created(const Key &key, const host::HostTable &table, const void *shareHand
   } else {
     r.entries.push_back({key, context});
   }
+  return true;
+} catch (const std::exception &) {
+  return false;
 }
 
 void destroyed(const Key &key) {
@@ -85,14 +90,14 @@ void destroyed(const Key &key) {
   r.entries.pop_back();
 }
 
-void madeCurrent(const Key &key, const host::HostTable &table,
-                 const state::software::Drawable *drawable) {
+bool madeCurrent(const Key &key, const host::HostTable &table,
+                 const state::software::Drawable *drawable) try {
   if (!key.handle) {
     if (isCurrent(key.provider)) {
       state::makeCurrent(nullptr, nullptr);
       setCurrent(nullptr);
     }
-    return;
+    return true;
   }
   state::Context *context = nullptr;
   {
@@ -100,6 +105,7 @@ void madeCurrent(const Key &key, const host::HostTable &table,
     const std::lock_guard lock(r.mutex);
     Entry *entry = find(r, key);
     if (!entry) {
+      r.entries.reserve(r.entries.size() + 1);
       r.entries.push_back({key, state::createContext(key.provider, &table, nullptr)});
       entry = &r.entries.back();
     }
@@ -107,6 +113,11 @@ void madeCurrent(const Key &key, const host::HostTable &table,
   }
   state::makeCurrent(context, drawable);
   setCurrent(mark(key.provider));
+  return true;
+} catch (const std::exception &) {
+  state::makeCurrent(nullptr, nullptr); // allocates nothing
+  setCurrent(nullptr);
+  return false;
 }
 
 void copied(const Key &from, const Key &to, unsigned long mask) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <exception>
+
 #include "state/lifecycle.h"
 
 /// Which of the state tracker's contexts a host's handle stands for. Locked in create, destroy and
@@ -15,7 +17,8 @@ struct Key {
 };
 
 /// The host made a context. A key in use by a context that was never seen destroyed is taken over.
-void created(const Key &key, const host::HostTable &table, const void *shareHandle);
+/// \return false if there is no memory: then it is not known here, and the host's must go
+[[nodiscard]] bool created(const Key &key, const host::HostTable &table, const void *shareHandle);
 
 /// The host destroyed a context: the key is free again, the context lives on while it is current.
 /// Call before the host does, or another thread may meet the handle in its next life.
@@ -24,14 +27,30 @@ void destroyed(const Key &key);
 /// The host made the context current on this thread; one never seen before is adopted. A null
 /// handle un-binds, if what is current is the provider's own.
 /// \param drawable null: unknown
-void madeCurrent(const Key &key, const host::HostTable &table,
-                 const state::software::Drawable *drawable = nullptr);
+/// \return false if there is no memory: then no context of ours is current, and the host's must be
+///         un-bound too
+[[nodiscard]] bool madeCurrent(const Key &key, const host::HostTable &table,
+                               const state::software::Drawable *drawable = nullptr);
 
 /// The host copied attribute groups from one context to another of the same display.
 void copied(const Key &from, const Key &to, unsigned long mask);
 
 /// A display is gone: all its contexts are destroyed.
 void displayClosed(Provider provider, const void *display);
+
+/// A function of the window system as the application calls it: where there is no memory for what
+/// the layer does it returns a zero of its result, and no exception leaves it.
+template <auto Function> struct Guarded;
+template <typename Result, typename... Arguments, Result (*Function)(Arguments...)>
+struct Guarded<Function> {
+  static Result call(Arguments... arguments) noexcept {
+    try {
+      return Function(arguments...);
+    } catch (const std::exception &) {
+      return Result();
+    }
+  }
+};
 
 /// True if a context of the provider is current on this thread.
 [[nodiscard]] bool isCurrent(Provider provider);

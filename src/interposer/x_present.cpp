@@ -1,6 +1,7 @@
 #include "interposer/x_present.h"
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
 #include "interposer/x_segment.h"
@@ -51,7 +52,11 @@ void release(void *user) {
       const Segment &segment = *t.segments[i];
       if (segment.used || (segment.connection()->xcb && ++idle <= kIdleSegments))
         continue;
-      leaving.push_back(std::move(t.segments[i]));
+      try {
+        leaving.push_back(std::move(t.segments[i]));
+      } catch (const std::bad_alloc &) { // it stays, for this time
+        break;
+      }
       t.segments.erase(t.segments.begin() + std::ptrdiff_t(i));
     }
   }

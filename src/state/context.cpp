@@ -10,6 +10,7 @@
 #include "state/active_profile.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
+#include "state/memory.h"
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
@@ -90,18 +91,21 @@ Context::Context(Provider contextProvider, const host::HostTable *table,
     targets[i].parameterBits =
         Target(i) == Target::Vertex ? attention::kVertexParameters : attention::kFragmentParameters;
   }
+  software::addNeighbour(*this); // or there is no memory, and no context
   group->contexts.fetch_add(1);
-  software::addNeighbour(*this);
 }
 
 Context::~Context() {
   if (!group)
     return;
   software::removeNeighbour(*this);
-  VariantCache::Names names = variants.abandon();
-  group->addGarbage({std::move(names.programs), std::move(names.shaders), samplerOverride.abandon(),
-                     hostAssembly.abandon()});
   group->contexts.fetch_sub(1);
+  try {
+    VariantCache::Names names = variants.abandon();
+    group->addGarbage({std::move(names.programs), std::move(names.shaders),
+                       samplerOverride.abandon(), hostAssembly.abandon()});
+  } catch (const std::exception &) { // they stay in the host until the share group is gone
+  }
 }
 
 void initialise(Context &context) {
@@ -149,6 +153,17 @@ void collectGarbage(Context &context) {
 
 namespace {
 
+/// A context that is half made is none: the next make-current tries again.
+void initialiseWhole(Context &context) {
+  try {
+    initialise(context);
+  } catch (const std::exception &) {
+    context.initialised = context.offered = false;
+    context.passThrough = true;
+    throw;
+  }
+}
+
 /// Guards currentCount and destroyed of all contexts; taken by create, destroy and make-current
 /// only.
 std::mutex g_lifecycle;
@@ -162,8 +177,11 @@ void release(Context *context) {
   if (!dead)
     return;
   logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
-  noteContextDestroyed(*context);
-  captureContextGone(*context);
+  try {
+    noteContextDestroyed(*context);
+    captureContextGone(*context);
+  } catch (const std::exception &) { // neither can be told of all of it
+  }
   delete context;
 }
 
@@ -173,39 +191,44 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
   // What was finished before there was another context to see it must be with the host, too.
   if (share && currentContext() && currentContext()->group == share->group)
     exchange(Exchange::Read, "a context is made that shares");
-  auto *const context =
-      new Context(provider, table, share ? share->group : std::make_shared<ShareGroup>());
+  auto context = std::make_unique<Context>(provider, table,
+                                           share ? share->group : std::make_shared<ShareGroup>());
   noteContextCreated(*context);
-  captureContextMade(*context);
+  if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
+    context->pendingError = GL_NO_ERROR; // a capture without this context, and no error of its own
   logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
           share ? ", shared" : "");
-  return context;
+  return context.release();
 }
 
 void leaveCurrent() {
   Context *const context = currentContext();
   if (context)
-    software::leave(*context);
+    withinMemory(*context, "MakeCurrent", [&] { software::leave(*context); });
 }
 
 bool exchange(Exchange what, const char *name) {
   Context *const context = currentContext();
   if (!context || !context->softwarePossible || context->insideBeginEnd || context->listMode != 0)
     return false;
-  switch (what) {
-  case Exchange::Present:
-    return software::presentFrame(*context);
-  case Exchange::Flush:
-    software::flush(*context, false);
-    break;
-  case Exchange::Read:
-    software::synchronise(*context, name);
-    break;
-  case Exchange::Change:
-    software::hostDoesAnything(*context, name);
-    break;
-  }
-  return false;
+  bool isShown = false;
+  withinMemory(*context, name, [&] {
+    switch (what) {
+    case Exchange::Present:
+      isShown = software::presentFrame(*context);
+      break;
+    case Exchange::Flush:
+      software::flush(*context, false);
+      break;
+    case Exchange::Read:
+      software::synchronise(*context, name);
+      break;
+    case Exchange::Change:
+      software::hostDoesAnything(*context, name);
+      break;
+    }
+  });
+  return isShown;
 }
 
 void makeCurrent(Context *context, const software::Drawable *drawable) {
@@ -235,7 +258,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     software::becomesCurrent(*context);
   }
   if (context && !context->initialised) {
-    initialise(*context);
+    initialiseWhole(*context);
     noteProgress(*context);
   } else if (context && context->group->hasGarbage() && !context->listMode)
     collectGarbage(*context);
@@ -270,10 +293,12 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
 void frameEnd(Context *context) {
   if (!context)
     return;
-  captureFrame(*context);
-  ++context->frames;
-  noteProgress(*context);
-  refreshReplacements(*context);
+  withinMemory(*context, "SwapBuffers", [&] {
+    captureFrame(*context);
+    ++context->frames;
+    noteProgress(*context);
+    refreshReplacements(*context);
+  });
 }
 
 } // namespace arbiter::state

@@ -1,5 +1,7 @@
 #include "state/display_list.h"
 
+#include <new>
+
 #include "host/host_table.h"
 
 namespace arbiter::state {
@@ -40,7 +42,10 @@ void DisplayListTable::giveBack(const host::HostTable &host, GLuint segment) {
   host.DeleteLists(segment, 1);
   const std::lock_guard lock(m_mutex);
   m_segments.erase(segment);
-  m_free.push_back(segment);
+  try {
+    m_free.push_back(segment);
+  } catch (const std::bad_alloc &) { // there are more
+  }
 }
 
 GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
@@ -55,7 +60,7 @@ GLuint DisplayListTable::takeSegmentName(const host::HostTable &host) {
       m_free.pop_back();
     }
   }
-  m_segments.insert(name);
+  m_segments.insert(name); // without memory the name is lost, and no more
   m_used.store(true, std::memory_order_release);
   return name;
 }

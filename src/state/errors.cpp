@@ -3,6 +3,9 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/memory.h"
+#include "state/program_api.h"
+#include "state/software/stale.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
@@ -78,6 +81,17 @@ bool HostErrorScope::failed() {
   if (drainHost(m_context) != GL_NO_ERROR)
     m_failed = true;
   return m_failed;
+}
+
+void outOfMemory(Context &context, const char *name) noexcept {
+  raise(context, GL_OUT_OF_MEMORY, name);
+  if (context.passThrough)
+    return;
+  context.stale = software::stale::kAll;
+  invalidateProgram(context);
+  // What was chosen before is not what a draw that failed half-way has left.
+  if (context.software)
+    context.software->draws.reset();
 }
 
 namespace handlers {

@@ -172,16 +172,15 @@ void BeginFragmentShaderATI(Context &context) {
 void EndFragmentShaderATI(Context &context) {
   if (!offered(context))
     return context.host->EndFragmentShaderATI();
-  const AtiRecorder *const recorder =
-      insidePair(context, "EndFragmentShader without BeginFragmentShader");
-  if (!recorder)
+  if (!insidePair(context, "EndFragmentShader without BeginFragmentShader"))
     return;
+  // An error closes the pair too, and so does memory that runs out.
+  const std::unique_ptr<AtiRecorder> recorder = std::move(context.atiRecorder);
   const AtiRecorder::Verdict verdict = recorder->end();
   const bool valid = verdict.error == GL_NO_ERROR;
   auto compiled = valid ? compileShader(context, recorder->shader()) : nullptr;
   noteFragmentShader(context, *shaderRow(context).bound, compiled.get(), verdict.why);
   replaceShader(context, std::move(compiled));
-  context.atiRecorder = nullptr; // an error closes the pair too
   judge(context, verdict);
 }
 

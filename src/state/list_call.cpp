@@ -24,6 +24,16 @@ void executeFragmentShader(Context &context, const Command &command) {
     setFragmentShaderConstant(context, int(command.name), command.values.front());
 }
 
+/// The command's bind, and those that followed it.
+void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
+  bindProgram(context, row, command.name);
+  for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
+    GLuint name = 0;
+    std::memcpy(&name, command.bytes.data() + at, sizeof name);
+    bindProgram(context, row, name);
+  }
+}
+
 /// A command of the program API. Its target was one of ours when it was recorded.
 void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
   const bool enables =
@@ -41,7 +51,7 @@ void executeProgram(Context &context, ProgramTarget &row, const Command &command
   case Command::Kind::NamedString:
     return loadProgram(context, *object, command.format, command.count, command.bytes.data());
   case Command::Kind::BindProgram:
-    return bindProgram(context, row, command.name);
+    return bindPrograms(context, row, command);
   case Command::Kind::Env:
     return setEnv(context, row, command.name, command.count, command.values.data());
   case Command::Kind::Local:

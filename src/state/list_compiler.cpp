@@ -6,6 +6,7 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/memory.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/replay.h"
@@ -20,6 +21,26 @@ namespace {
 std::uint32_t recordable(std::uint32_t stale) {
   using namespace software::stale;
   return stale == kAll ? stale : stale & ~kArrays;
+}
+
+/// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
+/// millions. Each of them makes its object and may be an error, so none is left out.
+bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t stale) {
+  if (!last.command || last.command->kind != Command::Kind::BindProgram ||
+      command.kind != Command::Kind::BindProgram || last.command->target != command.target ||
+      command.target == infoOf(Target::AtiApi).name)
+    return false;
+  // Of this list alone until it is defined, and made by record(), as what may be changed.
+  const_cast<Command &>(*last.command)
+      .bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
+  last.effects.stale |= stale;
+  return true;
+}
+
+/// Room for so many more items: what is added then cannot fail half-way.
+void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
+  if (items.capacity() - items.size() < more)
+    items.reserve(std::max(items.size() + more, 2 * items.capacity()));
 }
 
 } // namespace
@@ -66,25 +87,29 @@ void ListCompiler::setMode(Context &context, std::uint16_t mode) {
     context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
 }
 
-/// The segment becomes an item, with the pushes in it that wait for an entry of ours.
+/// The segment, which the host has closed, becomes an item, with the pushes in it that wait for an
+/// entry of ours.
 void ListCompiler::finishSegment() {
   DisplayList::Item item;
   item.hostList = std::exchange(m_segment, 0);
   item.primitive = std::exchange(m_primitive, Primitive::AsBefore);
+  makeRoom(m_items, 1 + m_pushes.size());
   m_items.push_back(std::move(item));
   for (Push &push : m_pushes)
-    if (!std::exchange(push.noted, true)) {
+    if (!push.noted) {
       DisplayList::Item pushed;
       pushed.command = std::make_unique<const Command>(
           Command{.kind = Command::Kind::AttribPushed, .name = push.mask});
       pushed.effects.stale = 0;
       m_items.push_back(std::move(pushed));
+      push.noted = true;
     }
 }
 
 void ListCompiler::finishGeometry() {
   if (!m_geometry)
     return;
+  makeRoom(m_items, 1);
   DisplayList::Item item;
   item.geometry = std::move(m_geometry);
   m_items.push_back(std::move(item));
@@ -96,13 +121,13 @@ void ListCompiler::closeSegment(Context &context) {
   if (m_segment != 0) {
     context.host->EndList();
     const std::size_t at = m_items.size();
-    finishSegment();
-    if (m_keeps)
+    withinMemory(context, "NewList", [&] { finishSegment(); });
+    if (m_keeps && m_items.size() > at)
       m_items[at].effects = {recordable(context.stale), std::exchange(m_pixels, false)};
   } else {
     context.host = context.trueHost;
     context.recorder = nullptr;
-    finishGeometry();
+    withinMemory(context, "NewList", [&] { finishGeometry(); });
   }
   context.stale |= std::exchange(m_stale, 0);
   setMode(context, 0);
@@ -114,7 +139,7 @@ void ListCompiler::resume(Context &context) {
   context.trueHost = context.host;
   if (!m_keeps) {
     if (context.softwarePossible) // our own commands ran: a copy may have been held back
-      software::hostDoesAnything(context, "glNewList");
+      withinMemory(context, "NewList", [&] { software::hostDoesAnything(context, "glNewList"); });
     return openSegment(context);
   }
   m_stale = std::exchange(context.stale, 0);
@@ -126,28 +151,38 @@ void ListCompiler::resume(Context &context) {
 void ListCompiler::openSegment(Context &context) {
   context.host = context.trueHost;
   context.recorder = nullptr;
-  finishGeometry();
   setMode(context, 0);
-  if (m_mode == GL_COMPILE_AND_EXECUTE)
-    validateForList(context);
-  // The first one has the list's own name: a list of nothing else is the host's own too.
-  m_segment = m_items.empty() ? m_name : context.group->lists.takeSegmentName(*context.host);
+  // The first one has the list's own name: a list of nothing else is the host's own too. So has one
+  // that there is no memory for: what the list holds is undefined then, but it is a list.
+  GLuint segment = m_name;
+  withinMemory(context, "NewList", [&] {
+    finishGeometry();
+    if (m_mode == GL_COMPILE_AND_EXECUTE)
+      validateForList(context);
+    if (!m_items.empty())
+      segment = context.group->lists.takeSegmentName(*context.host);
+  });
+  m_segment = segment;
   setMode(context, m_mode);
   context.host->NewList(m_segment, m_mode);
 }
 
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
+  const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
+  if (follows && joinBinds(m_items.back(), command, recordable(context.stale)))
+    return;
+  makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
   settle(context);
   DisplayList::Item item;
   item.effects.stale =
       m_keeps ? recordable(context.stale) : 0; // what the command's entry point has said
-  item.command = std::make_unique<const Command>(std::move(command));
+  item.command = std::make_unique<Command>(std::move(command)); // joinBinds() may change it
   const Command &reference = *item.command;
   closeSegment(context);
   m_items.push_back(std::move(item));
   if (m_mode == GL_COMPILE_AND_EXECUTE)
-    execute(context, reference);
+    withinMemory(context, "a command of a list", [&] { execute(context, reference); });
   resume(context);
 }
 
@@ -182,18 +217,24 @@ void ListCompiler::stopPrimitive(Context &context) {
 
 void ListCompiler::interruptPrimitive(Context &context) {
   stopPrimitive(context);
-  finishGeometry();
-  m_geometry = geometryOf(m_recorder);
-  m_geometry->open = true;
-  finishGeometry();
   m_open = m_begun = true;
+  withinMemory(context, "NewList", [&] {
+    finishGeometry();
+    m_geometry = geometryOf(m_recorder);
+    m_geometry->open = true;
+    finishGeometry();
+  });
 }
 
 void ListCompiler::end(Context &context) {
-  std::shared_ptr<DisplayList> list;
+  std::shared_ptr<DisplayList> made, list;
+  withinMemory(context, "EndList", [&] {
+    made = std::make_shared<DisplayList>();
+    makeRoom(m_items, 3 + m_pushes.size());
+  });
   if (m_keeps) {
     closeSegment(context);
-    list = std::make_shared<DisplayList>();
+    list = made;
   } else {
     // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
     const bool watched =
@@ -201,15 +242,15 @@ void ListCompiler::end(Context &context) {
         std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
     context.host->EndList();
     if (watched) {
-      finishSegment();
-      list = std::make_shared<DisplayList>();
+      withinMemory(context, "EndList", [&] { finishSegment(); });
+      list = made;
     }
     context.stale |= std::exchange(m_stale, 0);
     setMode(context, 0);
   }
   if (list)
     list->items = std::exchange(m_items, {});
-  define(context, std::move(list));
+  withinMemory(context, "EndList", [&] { define(context, std::move(list)); });
   m_name = 0;
   m_segment = 0;
   m_recorder = {};
@@ -221,8 +262,9 @@ void ListCompiler::end(Context &context) {
 
 void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> list) {
   const bool hostHasPart =
-      !m_keeps || std::any_of(list->items.begin(), list->items.end(),
-                              [&](const DisplayList::Item &i) { return i.hostList == m_name; });
+      !m_keeps || !list ||
+      std::any_of(list->items.begin(), list->items.end(),
+                  [&](const DisplayList::Item &i) { return i.hostList == m_name; });
   if (!hostHasPart) {
     context.host->NewList(m_name, GL_COMPILE); // it knows the name, and nothing else of the list
     context.host->EndList();

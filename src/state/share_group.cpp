@@ -20,12 +20,11 @@ std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
 std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, Target target,
                                                         std::size_t localParameters) {
   const std::lock_guard lock(m_mutex);
-  std::shared_ptr<ProgramObject> &slot = m_objects[name];
-  if (!slot) {
-    slot = std::make_shared<ProgramObject>(name, target);
-    slot->locals.resize(localParameters);
-  }
-  return slot;
+  if (const auto it = m_objects.find(name); it != m_objects.end())
+    return it->second;
+  auto made = std::make_shared<ProgramObject>(name, target); // whole before it can be found
+  made->locals.resize(localParameters);
+  return m_objects.emplace(name, std::move(made)).first->second;
 }
 
 std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {

@@ -116,6 +116,25 @@ bool isPlain(fp::ir::TexTarget target) {
          target != TexTarget::ShadowRect;
 }
 
+/// The host's program becomes current, and its uniforms are found.
+void setUp(Context &context, const ProgramPair &pair, Variant &variant) {
+  context.host->UseProgram(variant.hostProgram);
+  context.hostProgramIsOurs = true;
+  for (VariantStage *stage : {&variant.vertex, &variant.fragment}) {
+    if (!stage->compiled)
+      continue;
+    findParameters(context, variant.hostProgram, *stage);
+    variant.readsState |= stage->readsState;
+  }
+  if (!pair.fragment)
+    return;
+  setSamplers(context, variant);
+  const auto &samplers = pair.fragment->glsl.samplers;
+  variant.hasPlainSamplers = std::any_of(samplers.begin(), samplers.end(), [](const auto &sampler) {
+    return isPlain(sampler.target);
+  });
+}
+
 void destroy(Context &context, const Variant &variant) {
   if (variant.hostProgram == 0)
     return;
@@ -128,11 +147,20 @@ void destroy(Context &context, const Variant &variant) {
 const VariantCache::Shader *
 VariantCache::shaderOf(Context &context, const std::shared_ptr<const CompiledProgram> &compiled) {
   const auto [it, isNew] = m_maps->shaders.try_emplace(compiled.get());
-  if (isNew) {
-    it->second = {compiled, compileShader(context, *compiled, compiled->glsl.text)};
-    if (it->second.name != 0)
-      context.group->addHostProgram(it->second.name);
+  if (!isNew)
+    return &it->second;
+  GLuint name = 0;
+  try {
+    name = compileShader(context, *compiled, compiled->glsl.text);
+    if (name != 0)
+      context.group->addHostProgram(name);
+  } catch (...) { // no memory: none was made
+    if (name != 0)
+      context.host->DeleteShader(name);
+    m_maps->shaders.erase(it);
+    throw;
   }
+  it->second = {compiled, name};
   return &it->second;
 }
 
@@ -159,21 +187,12 @@ std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair
     context.host->DeleteShader(own);
   if (variant->hostProgram == 0)
     return variant;
-  context.group->addHostProgram(variant->hostProgram);
-  context.host->UseProgram(variant->hostProgram);
-  context.hostProgramIsOurs = true;
-  for (VariantStage *stage : {&variant->vertex, &variant->fragment}) {
-    if (!stage->compiled)
-      continue;
-    findParameters(context, variant->hostProgram, *stage);
-    variant->readsState |= stage->readsState;
-  }
-  if (pair.fragment) {
-    setSamplers(context, *variant);
-    const auto &samplers = pair.fragment->glsl.samplers;
-    variant->hasPlainSamplers =
-        std::any_of(samplers.begin(), samplers.end(),
-                    [](const auto &sampler) { return isPlain(sampler.target); });
+  try {
+    context.group->addHostProgram(variant->hostProgram);
+    setUp(context, pair, *variant);
+  } catch (...) { // no memory
+    destroy(context, *variant);
+    throw;
   }
   return variant;
 }
@@ -187,7 +206,14 @@ Variant *VariantCache::get(Context &context, const ProgramPair &pair) {
     return it->second.get();
   if (m_maps->shaders.size() >= m_sweepAt)
     sweep(context);
-  return m_maps->variants.emplace(key, build(context, pair)).first->second.get();
+  std::unique_ptr<Variant> &made = m_maps->variants[key]; // its place first: a program is costlier
+  try {
+    made = build(context, pair);
+  } catch (...) {
+    m_maps->variants.erase(key);
+    throw;
+  }
+  return made.get();
 }
 
 void VariantCache::drop(Context &context, const CompiledProgram *compiled) {

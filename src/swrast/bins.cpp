@@ -175,7 +175,7 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
     try {
       setUp(draw, chunk, first + i * kChunk, first + std::min(count, (i + 1) * kChunk));
       chunk.usable = true;
-    } catch (const std::bad_alloc &) { // on a thread that has nobody to tell: it is not drawn
+    } catch (const std::bad_alloc &) { // on a thread with nobody to tell: it is not drawn, and said
     }
   };
   parallel(m_used, setUpChunk);
@@ -188,8 +188,10 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
   };
   parallel(std::uint32_t(m_tilesX) * std::uint32_t(m_tilesY), tile);
   statistics.pixels += pixels.load(std::memory_order_relaxed);
-  for (std::uint32_t i = 0; i < m_used; ++i)
+  for (std::uint32_t i = 0; i < m_used; ++i) {
     statistics.primitives += m_chunks[i].usable ? m_chunks[i].records.size() : 0;
+    statistics.incomplete = statistics.incomplete || !m_chunks[i].usable;
+  }
 }
 
 } // namespace arbiter::swrast

@@ -201,7 +201,7 @@ DrawStatistics draw(const RasterState &state, const Shading &shading, Topology t
   try {
     statistics = drawChecked(state, shading, topology, vertices, indices, first, count);
   } catch (const std::bad_alloc &) {
-    // As GL_OUT_OF_MEMORY allows: what is drawn is undefined.
+    statistics = {.incomplete = true};
   }
   OwnScratch::lend(false);
   return statistics;

@@ -58,7 +58,7 @@ struct RasterState {
   std::uint16_t lineStipple = 0xFFFF;
   std::int32_t lineStippleFactor = 0; ///< 0: off
   const std::uint8_t *polygonStipple =
-      nullptr; ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
+      nullptr;                 ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
   bool secondDiagonal = false; ///< quads are cut from their second corner to the fourth
   /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
   /// 0: roundings and ties then fall as the host's do.
@@ -100,6 +100,7 @@ struct Shading {
 struct DrawStatistics {
   std::uint64_t primitives = 0; ///< after clipping and culling
   std::uint64_t pixels = 0;     ///< given to shading
+  bool incomplete = false;      ///< there was no memory for some of it, or for all
 };
 
 /// Draws `count` vertices, by `indices` or (null) from `first` on. An index beyond the vertices is

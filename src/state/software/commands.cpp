@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/draw.h"
+#include "state/memory.h"
 #include "state/software/replay.h"
 #include "state/software/residency.h"
 
@@ -107,22 +108,28 @@ bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2)
 }
 
 void hostReads(Context &context, const char *name) {
-  if (!isHosts(context))
-    synchronise(context, name);
+  withinMemory(context, name, [&] {
+    if (!isHosts(context))
+      synchronise(context, name);
+  });
 }
 
 void hostWrites(Context &context, const char *name) {
-  if (!isHosts(context))
-    hostDraws(context, name);
+  withinMemory(context, name, [&] {
+    if (!isHosts(context))
+      hostDraws(context, name);
+  });
 }
 
 void hostDoesUnknown(Context &context, const char *name) {
-  if (isHosts(context))
-    return;
-  hostDoesAnything(context, name);
-  // It may draw, too.
-  if ((context.attention & attention::kParameters) != 0)
-    (void)validate(context);
+  withinMemory(context, name, [&] {
+    if (isHosts(context))
+      return;
+    hostDoesAnything(context, name);
+    // It may draw, too.
+    if ((context.attention & attention::kParameters) != 0)
+      (void)validate(context);
+  });
 }
 
 } // namespace arbiter::state::software

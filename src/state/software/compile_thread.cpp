@@ -57,7 +57,10 @@ private:
       m_tasks.pop_front();
       m_busy = true;
       lock.unlock();
-      task();
+      try {
+        task();
+      } catch (const std::exception &) { // no memory, and nobody here to tell
+      }
       lock.lock();
       m_busy = false;
       m_idle.notify_all();

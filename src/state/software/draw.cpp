@@ -1,9 +1,14 @@
 #include "state/software/draw.h"
 
+#include <exception>
+
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/draw.h"
+#include "state/errors.h"
+#include "state/memory.h"
 #include "state/software/array_source.h"
+#include "state/software/large_draw.h"
 #include "state/software/pipeline.h"
 #include "state/software/replay.h"
 #include "state/software/residency.h"
@@ -71,6 +76,15 @@ std::uint32_t slotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   return pipeline.currentSlots() | (unfilled ? 1u << kEdgeFlag : 0u);
 }
 
+/// All of a source's vertices, by a pipeline that has chosen.
+Outcome shadeAll(Context &context, const VertexSource &source, std::uint32_t count) {
+  Pipeline &pipeline = pipelineOf(context);
+  const VertexSequence sequence = {.count = count};
+  if (isLarge(sequence)) [[unlikely]]
+    return drawInParts(context, pipeline, source, sequence);
+  return pipeline.shade(context, source, {}, 0, count);
+}
+
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
@@ -81,6 +95,10 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   const OpenArrays open(context, arrays);
   if (!arrays.open(context, mirror, slots, command))
     return Fallback::Vertices;
+  const VertexSequence sequence = {std::uint32_t(command.first), std::uint32_t(command.count),
+                                   command.indexType, arrays.indices(), command.baseVertex};
+  if (isLarge(sequence)) [[unlikely]]
+    return drawInParts(context, pipeline, arrays.source(), sequence);
   IndexRange range;
   if (command.indexType != 0 &&
       !pipeline.fetcher().decodeIndices(command.indexType, arrays.indices(),
@@ -125,7 +143,7 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
     Pipeline &pipeline = pipelineOf(context);
     Mirror &mirror = context.software->mirror;
     refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
-    outcome = pipeline.shade(context, *source, {}, 0, count);
+    outcome = shadeAll(context, *source, count);
   }
   return conclude(context, outcome);
 }
@@ -152,11 +170,18 @@ void end(Context &context) {
   if (state.recorder.failed())
     outcome = Fallback::Memory;
   else if (count != 0)
-    outcome = pipelineOf(context).shade(context, source, {}, 0, count);
+    try {
+      outcome = shadeAll(context, source, count);
+    } catch (const std::exception &) { // the attributes have been set whatever was drawn
+      tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
+      throw;
+    }
   if (!outcome.ok()) {
-    giveToHost(context, outcome.reason());
+    withinMemory(context, "End", [&] { giveToHost(context, outcome.reason()); });
     replayToHost(context);
     context.host->End();
+    if (state.recorder.failed())
+      raise(context, GL_OUT_OF_MEMORY, "End: no memory for the primitive's vertices");
     return;
   }
   tellCurrentValues(context, state.recorder.values(), state.recorder.touched());

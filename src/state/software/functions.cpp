@@ -1,6 +1,7 @@
 #include "state/software/functions.h"
 
 #include <chrono>
+#include <exception>
 
 #include "state/software/compile_thread.h"
 #include "util/cache_store.h"
@@ -47,6 +48,14 @@ template <typename Code> void note(const Code &code, const char *what, const std
   }
   ++g_failed;
   logInfo("software", "a %s program stays with the host: %s", what, reason.c_str());
+}
+
+/// What finds no memory here makes no function: the program stays with the host.
+template <typename Work> void withoutMemory(Work work) noexcept {
+  try {
+    work();
+  } catch (const std::exception &) {
+  }
 }
 
 /// The objects by program and mode. An entry whose program nobody else holds is dropped when the
@@ -124,9 +133,10 @@ fp::jit::Engine *engine() {
 
 void FragmentFunctions::prepare() {
   const Stopwatch stopwatch;
-  fp::jit::Engine *const jit = engine();
-  if (jit)
-    m_owned = jit->prepareFragment(*m_source, m_numerics);
+  withoutMemory([&] {
+    if (fp::jit::Engine *const jit = engine())
+      m_owned = jit->prepareFragment(*m_source, m_numerics);
+  });
   m_prepared.store(m_owned.get(), std::memory_order_release);
   m_progress.store(m_owned ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }
@@ -134,7 +144,7 @@ void FragmentFunctions::prepare() {
 void FragmentFunctions::compile(const abi::FragmentKey &key, Slot &slot) {
   const Stopwatch stopwatch;
   std::string reason;
-  slot.code = engine()->compile(*m_owned, key, reason);
+  withoutMemory([&] { slot.code = engine()->compile(*m_owned, key, reason); });
   note(slot.code, "fragment", reason);
   if (slot.code)
     slot.function.store(slot.code->function, std::memory_order_release);
@@ -152,20 +162,28 @@ FragmentFunctions::Slot &FragmentFunctions::slot(const abi::FragmentKey &key, Wh
       entry = std::make_unique<Slot>();
     slot = entry.get();
   }
-  if (made)
+  if (!made)
+    return *slot;
+  try {
     run(when, [self = shared_from_this(), key, slot] { self->compile(key, *slot); });
+  } catch (const std::exception &) { // nobody will make it
+    slot->progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
   return *slot;
 }
 
 void VertexFunctions::make() {
   const Stopwatch stopwatch;
   std::string reason = "it cannot be prepared";
-  if (fp::jit::Engine *const jit = engine()) {
-    m_owned = jit->prepareVertex(*m_source, m_numerics);
-    if (m_owned)
-      m_code = jit->compile(*m_owned, reason);
-    note(m_code, "vertex", reason);
-  }
+  withoutMemory([&] {
+    if (fp::jit::Engine *const jit = engine()) {
+      m_owned = jit->prepareVertex(*m_source, m_numerics);
+      if (m_owned)
+        m_code = jit->compile(*m_owned, reason);
+    }
+  });
+  note(m_code, "vertex", reason);
   m_prepared.store(m_code ? m_owned.get() : nullptr, std::memory_order_release);
   m_progress.store(m_code ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }
@@ -175,8 +193,14 @@ fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Num
                   When when) {
   bool made = false;
   auto functions = table<FragmentFunctions>().find(program, numerics, made);
-  if (made)
+  if (!made)
+    return functions;
+  try {
     run(when, [functions] { functions->prepare(); });
+  } catch (const std::exception &) {
+    functions->m_progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
   return functions;
 }
 
@@ -185,8 +209,14 @@ vertexFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numer
                 When when) {
   bool made = false;
   auto functions = table<VertexFunctions>().find(program, numerics, made);
-  if (made)
+  if (!made)
+    return functions;
+  try {
     run(when, [functions] { functions->make(); });
+  } catch (const std::exception &) {
+    functions->m_progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
   return functions;
 }
 

@@ -76,6 +76,9 @@ bool append(Geometry &to, const ImmediateRecorder &recorder) {
   if (!std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots()))
     return false;
   const std::uint32_t whole = to.count - to.count % size; // the rest makes no primitive
+  const std::size_t floats = std::size_t(whole + recorder.count()) * to.stride;
+  if (to.data.capacity() < floats) // before anything changes, as there may be no memory
+    to.data.reserve(std::max(floats, 2 * to.data.capacity()));
   to.data.resize(std::size_t(whole) * to.stride);
   to.data.insert(to.data.end(), recorder.data(),
                  recorder.data() + std::size_t(recorder.count()) * to.stride);

@@ -38,8 +38,10 @@ bool ImmediateRecorder::grow() {
 
 void ImmediateRecorder::touch(int slot) {
   const std::size_t stride = m_stride + 4;
-  if (m_count != 0 && m_data.get() + m_count * stride > m_end && !reserve(m_count * stride * 2))
+  if (m_count != 0 && m_data.get() + m_count * stride > m_end && !reserve(m_count * stride * 2)) {
+    m_touched |= 1u << slot; // the current value is set all the same
     return;
+  }
   // From the last one on, as the places of the later ones lie behind those of the earlier.
   for (std::size_t i = m_count; i-- > 0;) {
     float *const to = m_data.get() + i * stride;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "state/context.h"
 #include "state/software/residency.h"
@@ -269,32 +270,33 @@ void Pipeline::fillData(const Mirror &mirror) {
 
 /// The targets become ours to write to.
 Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
-                          bool opaque) {
+                          bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;
   if (targetsHeld(context, depth.depthTest != 0 || depth.stencilTest != 0))
     return {};
   swrast::Rect overwritten;
   if (opaque)
-    overwritten = swrast::surelyCovered(m_raster, m_topology, m_vertices.vertices(),
-                                        indices.indices, 0, count);
+    overwritten =
+        swrast::surelyCovered(m_raster, topology, m_vertices.vertices(), indices.indices, 0, count);
   if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
     return Fallback::Memory;
   return {};
 }
 
-Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
-                        std::uint32_t first, std::uint32_t count) {
+Outcome Pipeline::transform(Context &context, const VertexSource &source, const IndexRange &indices,
+                            std::uint32_t first, std::uint32_t count) {
   const Mirror &mirror = context.software->mirror;
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
   const bool indexed = indices.indices != nullptr;
   const std::uint32_t begin = indexed ? indices.minimum : first;
   const std::uint32_t fetched = indexed ? indices.maximum - indices.minimum + 1 : count;
-  if (const Outcome outcome =
-          m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled);
-      !outcome.ok())
-    return outcome;
-  const bool affine = swrast::isAffine(m_vertices.vertices());
+  return m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled);
+}
+
+Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
+                            std::uint32_t count, bool affine, swrast::Topology topology) {
+  const Mirror &mirror = context.software->mirror;
   const Prepared &prepared = m_prepared[affine ? 1 : 0];
   if (!prepared.ready)
     if (const Outcome outcome = chooseFunctions(mirror, affine); !outcome.ok())
@@ -306,7 +308,7 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
   const std::uint32_t changed = m_filled ? mirror.clock.changedSince(m_filledSeen) : stale::kAll;
   if ((changed & kRasterGroups) != 0)
     fillRaster(mirror);
-  if (const Outcome outcome = acquire(context, indices, count, prepared.shading.opaque);
+  if (const Outcome outcome = acquire(context, indices, count, prepared.shading.opaque, topology);
       !outcome.ok())
     return outcome;
   // Only now: to acquire an image may give it other memory.
@@ -320,9 +322,26 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
   m_raster.secondDiagonal = source.fromList;
-  swrast::draw(m_raster, prepared.shading, m_topology, m_vertices.vertices(), indices.indices, 0,
-               count);
+  if (swrast::draw(m_raster, prepared.shading, topology, m_vertices.vertices(), indices.indices, 0,
+                   count)
+          .incomplete)
+    throw std::bad_alloc();
   return {};
+}
+
+Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
+                        std::uint32_t first, std::uint32_t count) {
+  if (const Outcome outcome = transform(context, source, indices, first, count); !outcome.ok())
+    return outcome;
+  return rasterize(context, source, indices, count, swrast::isAffine(m_vertices.vertices()),
+                   m_topology);
+}
+
+Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
+                            std::uint32_t first, std::uint32_t count, swrast::Topology topology) {
+  if (const Outcome outcome = transform(context, source, indices, first, count); !outcome.ok())
+    return outcome;
+  return rasterize(context, source, indices, count, false, topology);
 }
 
 } // namespace arbiter::state::software

@@ -37,6 +37,11 @@ public:
   /// Draws vertices [first, first + count) of the source, or those that indices name.
   Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
                 std::uint32_t first, std::uint32_t count);
+  /// The same of a part of a draw (large_draw.h), whose primitives are `topology`. Inputs are never
+  /// taken for affine, so that all parts have the functions of the first.
+  Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t first, std::uint32_t count, swrast::Topology topology);
+  [[nodiscard]] swrast::Topology topology() const { return m_topology; }
   /// The attributes that the chosen vertex function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
   [[nodiscard]] std::uint32_t currentSlots() const { return m_vertices.currentSlots(); }
@@ -56,6 +61,10 @@ private:
   };
   [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
                                      const Kind &kind);
+  Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t first, std::uint32_t count);
+  Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t count, bool affine, swrast::Topology topology);
   Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);
   void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   Outcome makeKey(Context &context, Mirror &mirror);
@@ -65,7 +74,8 @@ private:
   void choosePacked(bool levels, swrast::Shading &shading, Fallback &why);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;
-  Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque);
+  Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque,
+                  swrast::Topology topology);
   void fillRaster(const Mirror &mirror);
   void fillData(const Mirror &mirror);
 

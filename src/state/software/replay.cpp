@@ -4,6 +4,7 @@
 
 #include "state/context.h"
 #include "state/draw.h"
+#include "state/memory.h"
 #include "state/software/residency.h"
 
 namespace arbiter::state::software {
@@ -53,8 +54,10 @@ const host::HostTable *handOver() {
   }
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
-  hostDraws(context, "glBegin");
-  (void)validate(context);
+  withinMemory(context, "glBegin", [&] {
+    hostDraws(context, "glBegin");
+    (void)validate(context);
+  });
   replayToHost(context);
   context.insideBeginEnd = true;
   return context.host;

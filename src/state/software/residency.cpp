@@ -13,14 +13,16 @@ namespace arbiter::state::software {
 namespace {
 
 void uploadList(Context &context, WindowImages &window, std::vector<PixelImage *> &list) {
-  for (PixelImage *const image : list) {
+  // One by one: what finds no memory stays in the list, as its shadow is what counts.
+  while (!list.empty()) {
+    PixelImage *const image = list.back();
+    if (image->newest == Newest::Shadow) {
+      upload(context, window, *image);
+      setNewest(context, *image, Newest::Both);
+    }
     image->listed = false;
-    if (image->newest != Newest::Shadow)
-      continue;
-    upload(context, window, *image);
-    setNewest(context, *image, Newest::Both);
+    list.pop_back();
   }
-  list.clear();
 }
 
 void uploadAll(Context &context, WindowImages &window) {

@@ -82,12 +82,12 @@ bool isNamedAsBound(const Context &context, GLuint name) {
 }
 
 Texture &textureOf(ObjectImages &objects, GLuint name) {
-  std::unique_ptr<Texture> &texture = objects.textures[name];
-  if (!texture) {
-    texture = std::make_unique<Texture>();
-    texture->name = name;
-  }
-  return *texture;
+  const auto found = objects.textures.find(name);
+  if (found != objects.textures.end())
+    return *found->second;
+  auto made = std::make_unique<Texture>();
+  made->name = name;
+  return *objects.textures.emplace(name, std::move(made)).first->second;
 }
 
 GLenum textureTargetOf(GLenum imageTarget) {
@@ -156,11 +156,14 @@ PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget, GLin
 }
 
 PixelImage &renderbufferOf(Context &context, GLuint name) {
-  std::unique_ptr<PixelImage> &image = objectsOf(context).renderbuffers[name];
-  if (!image) {
-    image = std::make_unique<PixelImage>();
-    image->place = {Place::Kind::Renderbuffer, name, GL_RENDERBUFFER, 0};
+  auto &renderbuffers = objectsOf(context).renderbuffers;
+  auto found = renderbuffers.find(name);
+  if (found == renderbuffers.end()) {
+    auto made = std::make_unique<PixelImage>();
+    made->place = {Place::Kind::Renderbuffer, name, GL_RENDERBUFFER, 0};
+    found = renderbuffers.emplace(name, std::move(made)).first;
   }
+  PixelImage *const image = found->second.get();
   if (image->described)
     return *image;
   const host::HostTable &host = *context.host;
@@ -249,6 +252,10 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
 
 void setNewest(Context &context, PixelImage &image, Newest newest) {
   ObjectImages &objects = objectsOf(context);
+  const bool isPending = newest == Newest::Shadow && !image.listed;
+  if (isPending) // first, as it may find no memory
+    (image.place.kind == Place::Kind::Window ? windowOf(context)->pending : objects.pending)
+        .push_back(&image);
   if ((image.newest == Newest::Host) != (newest == Newest::Host)) {
     objects.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
     objects.changed();
@@ -258,13 +265,7 @@ void setNewest(Context &context, PixelImage &image, Newest newest) {
   if (newest != Newest::Shadow)
     return;
   context.hostIsBehind = true;
-  if (image.listed)
-    return;
   image.listed = true;
-  if (image.place.kind == Place::Kind::Window)
-    windowOf(context)->pending.push_back(&image);
-  else
-    objects.pending.push_back(&image);
 }
 
 void dropShadow(Context &context, PixelImage &image) {

@@ -1,6 +1,7 @@
 // Pixels between the host and the shadows.
 #include <algorithm>
 #include <cstdint>
+#include <new>
 
 #include "state/software/residency_host.h"
 #include "util/thread.h"
@@ -215,8 +216,7 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
   GlFormat gl;
   const Image from = plain(image, flipped, gl);
   if (from.empty())
-    return logWarn("residency", "no memory to give the host an image of %d x %d", image.width,
-                   image.height);
+    throw std::bad_alloc(); // the shadow stays the newest
   const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
   ObjectImages &objects = objectsOf(context);
@@ -287,8 +287,7 @@ void upload(Context &context, WindowImages &window, PixelImage &image) {
     GlFormat gl;
     const Image from = plain(image, false, gl);
     if (from.empty())
-      return logWarn("residency", "no memory to give the host a texture of %d x %d", image.width,
-                     image.height);
+      throw std::bad_alloc();
     const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
                                  image.place.name);
     if (!isAsDescribed(*context.host, image))

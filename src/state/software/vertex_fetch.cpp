@@ -170,57 +170,101 @@ const std::uint8_t *VertexFetcher::edgeFlags() {
 
 namespace {
 
-template <typename T>
-void widen(const void *from, std::uint32_t count, std::uint32_t *to, std::uint32_t &minimum,
-           std::uint32_t &maximum) {
+/// The lowest and the highest of what was widened so far.
+struct Extremes {
   std::uint32_t low = ~0u, high = 0;
-  const auto *const bytes = static_cast<const std::uint8_t *>(from);
+  void add(std::uint32_t value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+template <typename T>
+void widen(const void *from, std::uint32_t first, std::uint32_t count, std::uint32_t *to,
+           Extremes &extremes) {
+  const auto *const bytes =
+      static_cast<const std::uint8_t *>(from) + std::size_t(first) * sizeof(T);
+  Extremes own = extremes;
   for (std::uint32_t i = 0; i < count; ++i) {
     T value;
-    std::memcpy(&value, bytes + i * sizeof(T), sizeof(T));
+    std::memcpy(&value, bytes + std::size_t(i) * sizeof(T), sizeof(T));
     to[i] = value;
-    low = std::min(low, to[i]);
-    high = std::max(high, to[i]);
+    own.add(value);
   }
-  minimum = low;
-  maximum = high;
+  extremes = own;
+}
+
+/// Indices [first, first + count) as 32 bits; of type 0 the places themselves.
+bool widen(GLenum type, const void *from, std::uint32_t first, std::uint32_t count,
+           std::uint32_t *to, Extremes &extremes) {
+  switch (type) {
+  case 0:
+    for (std::uint32_t i = 0; i < count; ++i)
+      to[i] = first + i;
+    extremes.add(first);
+    extremes.add(first + count - 1);
+    return true;
+  case GL_UNSIGNED_BYTE:
+    widen<std::uint8_t>(from, first, count, to, extremes);
+    return true;
+  case GL_UNSIGNED_SHORT:
+    widen<std::uint16_t>(from, first, count, to, extremes);
+    return true;
+  case GL_UNSIGNED_INT:
+    widen<std::uint32_t>(from, first, count, to, extremes);
+    return true;
+  default:
+    return false;
+  }
 }
 
 } // namespace
 
+bool boundsOf(GLenum type, const void *indices, std::uint32_t count, IndexBounds &bounds) {
+  constexpr std::uint32_t kStep = 4096;
+  std::uint32_t block[kStep];
+  Extremes extremes;
+  for (std::uint32_t first = 0; first < count; first += kStep)
+    if (!widen(type, indices, first, std::min(kStep, count - first), block, extremes))
+      return false;
+  bounds = {extremes.low, extremes.high};
+  return true;
+}
+
+bool VertexFetcher::reserveIndices(std::uint32_t count) {
+  if (m_indexCapacity >= count)
+    return true;
+  m_indexCapacity = 0;
+  m_indices.reset(new (std::nothrow) std::uint32_t[count]);
+  if (!m_indices)
+    return false;
+  m_indexCapacity = count;
+  return true;
+}
+
 bool VertexFetcher::decodeIndices(GLenum type, const void *indices, std::uint32_t count,
                                   std::int32_t baseVertex, IndexRange &out) {
   out = {};
-  if (count == 0)
-    return true;
-  if (m_indexCapacity < count) {
-    m_indexCapacity = 0;
-    m_indices.reset(new (std::nothrow) std::uint32_t[count]);
-    if (!m_indices)
-      return false;
-    m_indexCapacity = count;
-  }
-  std::uint32_t minimum = 0, maximum = 0;
-  switch (type) {
-  case GL_UNSIGNED_BYTE:
-    widen<std::uint8_t>(indices, count, m_indices.get(), minimum, maximum);
-    break;
-  case GL_UNSIGNED_SHORT:
-    widen<std::uint16_t>(indices, count, m_indices.get(), minimum, maximum);
-    break;
-  case GL_UNSIGNED_INT:
-    widen<std::uint32_t>(indices, count, m_indices.get(), minimum, maximum);
-    break;
-  default:
+  return count == 0 || (type != 0 && decodePart(type, indices, {0, count}, baseVertex, out));
+}
+
+bool VertexFetcher::decodePart(GLenum type, const void *indices, const SequencePart &part,
+                               std::int32_t baseVertex, IndexRange &out) {
+  out = {};
+  const std::uint32_t lead = part.pivots ? 1 : 0, count = part.count + lead;
+  if (!reserveIndices(count))
     return false;
-  }
-  const std::int64_t low = std::int64_t(minimum) + baseVertex;
-  const std::int64_t high = std::int64_t(maximum) + baseVertex;
+  Extremes extremes;
+  if ((part.pivots && !widen(type, indices, part.pivot, 1, m_indices.get(), extremes)) ||
+      !widen(type, indices, part.begin, part.count, m_indices.get() + lead, extremes))
+    return false;
+  const std::int64_t low = std::int64_t(extremes.low) + baseVertex;
+  const std::int64_t high = std::int64_t(extremes.high) + baseVertex;
   if (low < 0 || high > std::int64_t(UINT32_MAX))
     return false;
-  if (minimum != 0)
+  if (extremes.low != 0)
     for (std::uint32_t i = 0; i < count; ++i)
-      m_indices[i] -= minimum;
+      m_indices[i] -= extremes.low;
   out = {m_indices.get(), count, std::uint32_t(low), std::uint32_t(high)};
   return true;
 }

@@ -22,6 +22,21 @@ struct IndexRange {
   std::uint32_t minimum = 0, maximum = 0; ///< baseVertex added
 };
 
+/// Places in a draw's sequence of vertices: [begin, begin + count), with `pivot` before them where
+/// that is set.
+struct SequencePart {
+  std::uint32_t begin = 0, count = 0;
+  bool pivots = false;
+  std::uint32_t pivot = 0;
+};
+
+struct IndexBounds {
+  std::int64_t minimum = 0, maximum = 0;
+};
+/// Of `count` indices, at least one; false for a type that DrawElements does not have.
+[[nodiscard]] bool boundsOf(GLenum type, const void *indices, std::uint32_t count,
+                            IndexBounds &bounds);
+
 /// Memory of a context for the vertices of one draw; grows and is kept.
 class VertexFetcher {
 public:
@@ -34,6 +49,10 @@ public:
   /// DrawElements; `indices` need not be aligned.
   [[nodiscard]] bool decodeIndices(GLenum type, const void *indices, std::uint32_t count,
                                    std::int32_t baseVertex, IndexRange &out);
+
+  /// The same of a part of them, which is not empty; a `type` of 0: the places are the indices.
+  [[nodiscard]] bool decodePart(GLenum type, const void *indices, const SequencePart &part,
+                                std::int32_t baseVertex, IndexRange &out);
 
   /// Indices name few vertices of a wide range: compact() pays.
   [[nodiscard]] static bool isSparse(const IndexRange &range);
@@ -82,6 +101,7 @@ private:
     float value = 0;
     std::uint32_t filled = 0;
   };
+  [[nodiscard]] bool reserveIndices(std::uint32_t count);
   [[nodiscard]] const float *constant(Constant &constant, float value);
   [[nodiscard]] bool fetchArray(const VertexSource &source, int slot, std::uint32_t first);
 

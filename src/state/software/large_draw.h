@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+
+#include "state/software/outcome.h"
+#include "state/software/pipeline.h"
+
+/// Draws of so many vertices that arrays for all of them at once would be most of the process's
+/// memory: drawn in parts, each with what its primitives share with the part before.
+namespace arbiter::state::software {
+
+/// The sequence of vertices of a draw: `count` of them from `first` on, or (type not 0) those that
+/// `count` indices name, with `baseVertex` added.
+struct VertexSequence {
+  std::uint32_t first = 0, count = 0;
+  GLenum indexType = 0;
+  const void *indices = nullptr;
+  std::int32_t baseVertex = 0;
+};
+
+/// Whether a draw goes in parts. Indices mostly name vertices many times, which are worth
+/// transforming once.
+[[nodiscard]] constexpr bool isLarge(const VertexSequence &sequence) {
+  return sequence.count > (sequence.indexType != 0 ? 1u << 20 : 1u << 18);
+}
+
+/// Not ok: nothing has been drawn, and the host must. Throws std::bad_alloc where memory runs out
+/// after the first part.
+Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &source,
+                    const VertexSequence &sequence);
+
+} // namespace arbiter::state::software

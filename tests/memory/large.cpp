@@ -1,0 +1,189 @@
+// One thing that is large: software-large WHAT COUNT. Draws COUNT vertices of client arrays as one
+// primitive's kind, or records COUNT binds of programs in a display list and calls it. Records the
+// picture, and then the milliseconds that it took and the most memory that the process ever had, in
+// KiB: "figures MILLISECONDS KIB".
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+
+#include "../software/surface.h"
+
+namespace {
+
+using software::record;
+
+constexpr int kSide = 128;
+
+struct Vertex {
+  float x, y;
+  unsigned char color[4];
+};
+
+/// How far apart the places are where primitives are seen. Wherever a draw is cut in parts, at a
+/// multiple of this, the primitives on both sides are large and have colours of their own, so that
+/// one that is missing, doubled, wound the other way, or given another's provoking vertex shows.
+constexpr std::size_t kStep = 65536;
+constexpr std::size_t kSeen = 9; ///< vertices on each side of such a place
+
+/// The vertices of a sequence: most of them one point, so that their primitives have no area.
+std::vector<Vertex> sequenceOf(std::size_t count) {
+  std::vector<Vertex> vertices(count, Vertex{0.97f, -0.97f, {0, 0, 0, 255}});
+  for (std::size_t place = 0; place * kStep <= count; ++place) {
+    const double x = double(place * 5 % 8) / 4 - 0.9, y = double(place * 3 % 7) / 3.5 - 0.9;
+    const std::size_t middle = place * kStep;
+    for (std::size_t i = middle < kSeen ? 0 : middle - kSeen; i < middle + kSeen && i < count;
+         ++i) {
+      const double angle = double(i % 6) * 1.0472 + double(i % 5) * 0.11;
+      vertices[i] = {float(x + 0.22 * std::cos(angle)),
+                     float(y + 0.22 * std::sin(angle)),
+                     {static_cast<unsigned char>(i * 53 % 256),
+                      static_cast<unsigned char>(i * 97 % 256),
+                      static_cast<unsigned char>(place * 40 % 256), 255}};
+    }
+  }
+  return vertices;
+}
+
+/// The same sequence by indices, of vertices that lie in another order.
+std::vector<unsigned> shuffle(std::vector<Vertex> &vertices) {
+  const std::size_t count = vertices.size();
+  std::size_t factor = 7919; // no divisor of the counts that the runner asks for
+  std::vector<unsigned> indices(count);
+  std::vector<Vertex> shuffled(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    indices[i] = unsigned(i * factor % count);
+    shuffled[indices[i]] = vertices[i];
+  }
+  vertices = std::move(shuffled);
+  return indices;
+}
+
+long peakKib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0)
+      return std::atol(line.c_str() + 6);
+  return 0;
+}
+
+struct Kind {
+  const char *name;
+  GLenum mode;
+  bool indexed;
+  bool flat;
+};
+constexpr Kind kKinds[] = {
+    {"points", GL_POINTS, false, false},
+    {"lines", GL_LINES, false, false},
+    {"line-strip", GL_LINE_STRIP, false, true},
+    {"line-loop", GL_LINE_LOOP, false, true},
+    {"triangles", GL_TRIANGLES, false, false},
+    {"triangle-strip", GL_TRIANGLE_STRIP, false, true},
+    {"triangle-fan", GL_TRIANGLE_FAN, false, true},
+    {"quads", GL_QUADS, false, true},
+    {"quad-strip", GL_QUAD_STRIP, false, true},
+    {"polygon", GL_POLYGON, false, true},
+    {"elements", GL_TRIANGLES, true, false},
+    {"element-strip", GL_TRIANGLE_STRIP, true, true},
+    {"element-fan", GL_TRIANGLE_FAN, true, true},
+    {"element-loop", GL_LINE_LOOP, true, true},
+};
+
+void drawLarge(const Kind &kind, std::size_t count) {
+  std::vector<Vertex> vertices = sequenceOf(count);
+  const std::vector<unsigned> indices = kind.indexed ? shuffle(vertices) : std::vector<unsigned>();
+  glShadeModel(kind.flat ? GL_FLAT : GL_SMOOTH);
+  // Sides that the windings tell apart.
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  for (const GLenum front : {GL_CCW, GL_CW}) {
+    glFrontFace(front);
+    glVertexPointer(2, GL_FLOAT, sizeof(Vertex), &vertices[0].x);
+    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), vertices[0].color);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    if (kind.indexed)
+      glDrawElements(kind.mode, GLsizei(count), GL_UNSIGNED_INT, indices.data());
+    else
+      glDrawArrays(kind.mode, 0, GLsizei(count));
+    if (front == GL_CCW)
+      glTranslatef(0.1f, 0.05f, 0);
+  }
+}
+
+void quad() {
+  glBegin(GL_QUADS);
+  glColor3f(0.9f, 0.5f, 0.1f);
+  for (const float corner : {0.0f, 1.0f, 2.0f, 3.0f})
+    glVertex2f(corner == 1 || corner == 2 ? 0.8f : -0.7f, corner >= 2 ? 0.9f : -0.6f);
+  glEnd();
+}
+
+void bindMany(std::size_t count, const GLuint *programs) {
+  glNewList(1, GL_COMPILE);
+  for (std::size_t i = 0; i < count; ++i)
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, programs[i % 2]);
+  quad();
+  glEndList();
+  glCallList(1);
+}
+
+/// Draws with a program of so many instructions, each of which needs the one before.
+void drawLong(std::size_t count) {
+  std::string text =
+      "!!ARBfp1.0\nTEMP t, u;\nMOV t, fragment.color;\nMOV u, { 0.5, 0.25, 0.75, 1 };\n";
+  for (std::size_t i = 0; i < count; ++i)
+    text += i % 2 ? "MAD t, t, u, u.yzwx;\n" : "MAD_SAT u, u, t.yxzw, -t;\n";
+  (void)software::makeProgram(GL_FRAGMENT_PROGRAM_ARB, text + "MOV result.color, u;\nEND\n");
+  quad();
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const Kind *kind = nullptr;
+  for (const Kind &known : kKinds)
+    if (argc == 3 && !std::strcmp(argv[1], known.name))
+      kind = &known;
+  const bool binds = argc == 3 && !std::strcmp(argv[1], "binds");
+  const bool instructions = argc == 3 && !std::strcmp(argv[1], "instructions");
+  if (argc == 2 && !std::strcmp(argv[1], "--list")) {
+    for (const Kind &known : kKinds)
+      std::printf("%s\n", known.name);
+    return 0;
+  }
+  software::Screen screen;
+  if ((!kind && !binds && !instructions) || !screen.open())
+    return 2;
+  screen.makeCurrent(screen.makePbuffer(kSide, kSide), screen.makeContext());
+  glDisable(GL_DITHER);
+  const GLuint programs[] = {
+      software::makeProgram(GL_FRAGMENT_PROGRAM_ARB,
+                            "!!ARBfp1.0\nMOV result.color, fragment.color.zyxw;\nEND\n"),
+      software::makeProgram(
+          GL_FRAGMENT_PROGRAM_ARB,
+          "!!ARBfp1.0\nMUL result.color, fragment.color, { 0.9, 0.8, 1, 1 };\nEND\n")};
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glClear(GL_COLOR_BUFFER_BIT);
+  quad(); // what is made once is made
+  glFinish();
+  glClear(GL_COLOR_BUFFER_BIT);
+  const auto count = std::size_t(std::atoll(argv[2]));
+  const auto begin = std::chrono::steady_clock::now();
+  if (binds)
+    bindMany(count, programs);
+  else if (instructions)
+    drawLong(count);
+  else
+    drawLarge(*kind, count);
+  glFinish();
+  const auto time = std::chrono::steady_clock::now() - begin;
+  record("picture" + software::takeErrors(), software::readRgba(0, 0, kSide, kSide));
+  const long ms = long(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
+  const std::string figures = std::to_string(ms) + " " + std::to_string(peakKib());
+  record("figures", {figures.begin(), figures.end()});
+  return 0;
+}
