@@ -9,8 +9,9 @@ from cases import DATA, HOST_FILTERS_IN_FLOATS, Case, Program
 
 # Name, the fragment programs that it draws with, and those that are mistakes.
 CLIENTS = (("feedback", 2, 0), ("lists", 1, 0), ("buffers", 1, 0), ("framebuffers", 3, 0),
-           ("targets", 4, 0), ("mixed", 2, 0), ("windows", 1, 0), ("texts", 47, 13))
-DEPENDENT = ("texts",)
+           ("targets", 4, 0), ("mixed", 2, 0), ("windows", 1, 0), ("texts", 47, 13),
+           ("parallax", 1, 0))
+DEPENDENT = ("texts", "parallax")
 
 
 class PyOpenGl(Program):
@@ -26,4 +27,4 @@ class PyOpenGl(Program):
 
 PROGRAM = PyOpenGl("pyopengl", ("python3-opengl", "libglut3.12", "apitrace", "xvfb",
                                 "libgl1-mesa-dri"),
-                   "eight clients of ours: feedback, lists, buffers, framebuffers, contexts, every opcode")
+                   "nine clients of ours: feedback, lists, buffers, framebuffers, contexts, every opcode")

@@ -1,5 +1,7 @@
 #include "fp_compiler/back/llvm/fragment_hooks.h"
 
+#include "fp_compiler/back/llvm/quads.h"
+
 #include <algorithm>
 
 namespace arbiter::fp::llvm_back {
@@ -43,11 +45,32 @@ std::size_t FragmentHooks::nextTexture() {
   return m_next++;
 }
 
+namespace {
+
+/// How many coordinates say how much of a texture a pixel covers.
+int coordinatesOf(abi::Dimension dimension) {
+  if (dimension == abi::Dimension::Tex1D)
+    return 1;
+  return dimension == abi::Dimension::Tex3D || dimension == abi::Dimension::Cube ? 3 : 2;
+}
+
+/// Hosts take a quad's change along x from its first row in memory, and coordinates that a program
+/// computes change otherwise in each row. Memory begins with the upper one where rows go downwards,
+/// as those of windows do.
+Value *takesUpperRow(Code &code, const Places &places, Value *data) {
+  return writeIn(code, places.entry, [&] {
+    Value *const stride =
+        code.field(code.ir.getInt64Ty(), data,
+                   offsetof(abi::FragmentData, targets) + offsetof(abi::Target, rowStride));
+    return code.ir.CreateICmpSLT(stride, code.ir.getInt64(0));
+  });
+}
+
+} // namespace
+
 void FragmentHooks::addDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  const int dimensions = key.dimension == abi::Dimension::Tex1D   ? 1
-                         : key.dimension == abi::Dimension::Tex3D ? 3
-                                                                  : 2;
+  const int dimensions = coordinatesOf(key.dimension);
   const AffineFlow::Axes *const axes = m_flow ? m_flow->coordinate(index) : nullptr;
   const bool projected = m_program.program().code[index].op == ir::Opcode::Txp;
   m_refused |= !axes || projected || key.dimension == abi::Dimension::Cube;
@@ -92,8 +115,13 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   if (m_path == SamplePath::Consecutive && m_samples->has(index))
     at.texels = m_samples->texels(index, m_place.column);
   const bool hasLevels = key.mip != abi::MipFilter::None || key.magnify != key.minify;
-  if (hasLevels && m_place.lanes == abi::Lanes::Row && key.format.layout != abi::Layout::None)
-    addDerivatives(at, index, key);
+  if (hasLevels && key.format.layout != abi::Layout::None) {
+    if (m_place.lanes == abi::Lanes::Row)
+      addDerivatives(at, index, key);
+    else
+      addQuadDerivatives(m_code, at, coordinatesOf(key.dimension),
+                         takesUpperRow(m_code, m_places, m_data));
+  }
   Value *const view = writeIn(m_code, m_places.entry, [&] {
     return m_code.field(ir.getPtrTy(), m_data,
                         offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);

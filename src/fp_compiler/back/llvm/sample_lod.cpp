@@ -1,16 +1,12 @@
 #include "fp_compiler/back/llvm/math.h"
+#include "fp_compiler/back/llvm/quads.h"
 #include "fp_compiler/back/llvm/sample_parts.h"
 
 #include <llvm/IR/Intrinsics.h>
 
 /// 3.8.8: from derivatives to levels.
 namespace arbiter::fp::llvm_back {
-namespace {
 
-/// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
-constexpr float kMaxBias = 16;
-
-/// Each lane's value at a corner of its 2x2 quad.
 Value *atCorner(Code &code, Value *value, int dx, int dy) {
   const int width = code.cpu.blockWidth();
   llvm::SmallVector<int, 16> from;
@@ -19,20 +15,36 @@ Value *atCorner(Code &code, Value *value, int dx, int dy) {
   return code.ir.CreateShuffleVector(value, from);
 }
 
+void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper) {
+  const int width = code.cpu.blockWidth();
+  llvm::SmallVector<int, 16> otherRow;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    otherRow.push_back((lane / width ^ 1) * width + lane % width);
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    Value *value = at.coordinate[i];
+    if (upper)
+      value = code.ir.CreateSelect(upper, code.ir.CreateShuffleVector(value, otherRow), value);
+    Value *const here = atCorner(code, value, 0, 0);
+    at.dx[i] = code.ir.CreateFSub(atCorner(code, value, 1, 0), here);
+    at.dy[i] = code.ir.CreateFSub(atCorner(code, value, 0, 1), here);
+  }
+}
+
+namespace {
+
+/// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
+constexpr float kMaxBias = 16;
+
 struct Derivatives {
   std::array<Value *, 3> dx = {}, dy = {};
 };
 /// Null where there are none.
 Derivatives derivativesOf(Code &code, abi::Lanes lanes, const SampleAt &at, int count) {
-  Derivatives result = {at.dx, at.dy};
   if (lanes == abi::Lanes::Row || at.dx[0])
-    return result;
-  for (std::size_t i = 0; i < std::size_t(count); ++i) {
-    Value *const here = atCorner(code, at.coordinate[i], 0, 0);
-    result.dx[i] = code.ir.CreateFSub(atCorner(code, at.coordinate[i], 1, 0), here);
-    result.dy[i] = code.ir.CreateFSub(atCorner(code, at.coordinate[i], 0, 1), here);
-  }
-  return result;
+    return {at.dx, at.dy};
+  SampleAt quads = at;
+  addQuadDerivatives(code, quads, count, nullptr);
+  return {quads.dx, quads.dy};
 }
 
 int dimensionsOf(abi::Dimension dimension) {
