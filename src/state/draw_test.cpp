@@ -130,7 +130,7 @@ TEST(Draw, PathsAreCountedWithTheirReason) {
   EXPECT_EQ(host.count("Enable"), 0) << "the host has a fragment program target of its own";
 }
 
-TEST(Draw, AContextOfTheGroupSeesAReloadOnlyWhenItLooks) {
+TEST(Draw, AContextOfTheGroupSeesAReloadWhenItIsMadeCurrent) {
   FakeHost host;
   const CurrentContext first(host);
   const GLuint name = use(*first, kThree);
@@ -141,7 +141,7 @@ TEST(Draw, AContextOfTheGroupSeesAReloadOnlyWhenItLooks) {
     load(*second, kFour);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->fragment.compiled->text, kThree) << "its attention was clear";
+    EXPECT_EQ(first->variant->fragment.compiled->text, kFour) << "it selects programs anew";
     handlers::BindProgramARB(*first, kFragment, name);
     ASSERT_TRUE(draw(*first));
     EXPECT_EQ(first->variant->fragment.compiled->text, kFour);
