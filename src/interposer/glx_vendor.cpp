@@ -301,7 +301,10 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
   if (registry::isCurrent(Provider::Glx))
     if (state::Context *const context = state::currentContext())
       state::frameEnd(context);
-  exchanges(state::Exchange::Swap, "glXSwapBuffersMscOML");
+  exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
+  if (registry::isCurrent(Provider::Glx))
+    if (state::Context *const context = state::currentContext())
+      state::software::hostSwaps(*context);
   return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 
