@@ -46,33 +46,32 @@ double distanceOf(const Plane &plane, const ClipVertex &vertex) {
 }
 
 /// Always from the inside to the outside, so that two triangles cut their common side alike.
-ClipVertex between(const ClipVertex &inside, const ClipVertex &outside, double inner,
-                   double outer) {
+void between(const ClipVertex &inside, const ClipVertex &outside, double inner, double outer,
+             bool userPlanes, ClipVertex &result) {
   const double t = inner / (inner - outer);
   const auto mix = [t](double a, double b) { return a + t * (b - a); };
-  ClipVertex result;
   for (int i = 0; i < 4; ++i)
     result.position[i] = mix(inside.position[i], outside.position[i]);
   for (int i = 0; i < 3; ++i)
     result.weight[i] = mix(inside.weight[i], outside.weight[i]);
-  for (int i = 0; i < 8; ++i)
-    result.user[i] = mix(inside.user[i], outside.user[i]);
+  if (userPlanes)
+    for (int i = 0; i < 8; ++i)
+      result.user[i] = mix(inside.user[i], outside.user[i]);
   result.window.outcode = kOutW; // its window position is still to be made
   result.side = 0;
-  return result;
 }
 
-ClipVertex original(const Viewport &viewport, const Vertices &vertices, std::uint32_t index,
-                    int which) {
-  ClipVertex result{};
+void takeOriginal(const Viewport &viewport, const Vertices &vertices, std::uint32_t index,
+                  const WindowVertex &window, int which, ClipVertex &result) {
   for (int i = 0; i < 4; ++i)
     result.position[i] = vertices.position[i][index];
-  result.weight[which] = 1;
+  for (int i = 0; i < 3; ++i)
+    result.weight[i] = i == which ? 1 : 0;
   result.side = which;
-  for (int i = 0; i < 8; ++i)
-    result.user[i] = vertices.clipDistance[i] ? vertices.clipDistance[i][index] : 0;
-  result.window = windowVertex(viewport, vertices, index);
-  return result;
+  if (viewport.userPlanes != 0)
+    for (int i = 0; i < 8; ++i)
+      result.user[i] = vertices.clipDistance[i] ? vertices.clipDistance[i][index] : 0;
+  result.window = window;
 }
 
 void finish(const Viewport &viewport, ClipVertex &vertex) {
@@ -86,16 +85,17 @@ void finish(const Viewport &viewport, ClipVertex &vertex) {
 } // namespace
 
 void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
-                  ClippedPolygon &polygon) {
+                  const WindowVertex corner[3], ClippedPolygon &polygon) {
+  const bool userPlanes = viewport.userPlanes != 0;
   ClippedPolygon other;
   ClippedPolygon *in = &polygon, *out = &other;
   for (int i = 0; i < 3; ++i)
-    in->vertex[std::size_t(i)] = original(viewport, vertices, index[i], i);
+    takeOriginal(viewport, vertices, index[i], corner[i], i, in->vertex[std::size_t(i)]);
   in->count = 3;
   Plane planes[16];
   const int planeCount = planesOf(viewport, smallestW(in->vertex.data(), 3), planes);
   for (int p = 0; p < planeCount; ++p) {
-    double distance[20] = {};
+    double distance[20];
     bool allInside = true;
     for (int i = 0; i < in->count; ++i) {
       distance[i] = distanceOf(planes[p], in->vertex[std::size_t(i)]);
@@ -113,8 +113,10 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
       if (aInside == bInside)
         continue;
       ClipVertex &cut = out->vertex[std::size_t(out->count++)];
-      cut = aInside ? between(a, b, distance[i], distance[next])
-                    : between(b, a, distance[next], distance[i]);
+      if (aInside)
+        between(a, b, distance[i], distance[next], userPlanes, cut);
+      else
+        between(b, a, distance[next], distance[i], userPlanes, cut);
       cut.side = !aInside ? a.side : planes[p].user >= 0 ? kOnUserPlane : kOnPlane + p;
     }
     std::swap(in, out);
@@ -127,14 +129,26 @@ void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std:
   }
   for (int i = 0; i < in->count; ++i)
     finish(viewport, in->vertex[std::size_t(i)]);
-  if (in != &polygon)
-    polygon = *in;
+  if (in == &polygon)
+    return;
+  polygon.count = in->count;
+  std::copy_n(in->vertex.begin(), in->count, polygon.vertex.begin());
+}
+
+bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]) {
+  const auto same = [&](std::uint32_t a, std::uint32_t b) {
+    const float *const *const position = vertices.position;
+    return position[0][a] == position[0][b] && position[1][a] == position[1][b] &&
+           position[2][a] == position[2][b] && position[3][a] == position[3][b];
+  };
+  return same(index[0], index[1]) || same(index[1], index[2]) || same(index[2], index[0]);
 }
 
 bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[2],
-              ClipVertex end[2]) {
+              const WindowVertex corner[2], ClipVertex end[2]) {
+  const bool userPlanes = viewport.userPlanes != 0;
   for (int i = 0; i < 2; ++i)
-    end[i] = original(viewport, vertices, index[i], i);
+    takeOriginal(viewport, vertices, index[i], corner[i], i, end[i]);
   Plane planes[16];
   const int planeCount = planesOf(viewport, smallestW(end, 2), planes);
   for (int p = 0; p < planeCount; ++p) {
@@ -142,9 +156,9 @@ bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uin
     if (!(first >= 0) && !(second >= 0))
       return false;
     if (!(first >= 0))
-      end[0] = between(end[1], end[0], second, first);
+      between(end[1], ClipVertex(end[0]), second, first, userPlanes, end[0]);
     else if (!(second >= 0))
-      end[1] = between(end[0], end[1], first, second);
+      between(end[0], ClipVertex(end[1]), first, second, userPlanes, end[1]);
   }
   finish(viewport, end[0]);
   finish(viewport, end[1]);

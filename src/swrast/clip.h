@@ -24,11 +24,15 @@ struct ClippedPolygon {
   std::array<ClipVertex, 20> vertex;
   int count = 0;
 };
+/// `corner` is where the vertices are in the window.
 void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
-                  ClippedPolygon &polygon);
+                  const WindowVertex corner[3], ClippedPolygon &polygon);
+/// Two vertices of the triangle have one place: nothing of its inside is left by any cut.
+[[nodiscard]] bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]);
 
 /// False if nothing of the line is left.
 [[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
-                            const std::uint32_t index[2], ClipVertex end[2]);
+                            const std::uint32_t index[2], const WindowVertex corner[2],
+                            ClipVertex end[2]);
 
 } // namespace arbiter::swrast

@@ -108,7 +108,7 @@ bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, 
   const float wanted = draw.state.lineWidth;
   const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // 1 of what is no number
   const int half = int(width + 0.5f) * kSubpixels / 2;
-  WindowVertex corner[4]; // the start's two, the finish's two
+  WindowVertex corner[4]{}; // the start's two, the finish's two
   const auto place = [&](const WindowVertex &end, float offset, WindowVertex &low,
                          WindowVertex &high) {
     const float shift = offset * caps.slope();

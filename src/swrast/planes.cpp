@@ -170,6 +170,31 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients
   }
 }
 
+void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
+                     abi::Primitive &primitive) {
+  const WindowVertex &at = point.corner[0];
+  primitive.originX = originX;
+  primitive.originY = originY;
+  primitive.backFacing = point.backFacing ? 1 : 0;
+  primitive.z = {at.z, 0, 0};
+  if (plan.wantsW)
+    primitive.inverseW = {at.inverseW, 0, 0};
+  const int face = point.backFacing ? 1 : 0;
+  for (int i = 0; i < plan.count; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    const float *const values = source.values[face];
+    const std::uint32_t mask = source.mask[face];
+    double value = 0;
+    for (int k = 0; k < 3; ++k)
+      value += point.weight[0][k] * double(values[point.vertex[k] & mask]);
+    if (i < plan.linearFrom)
+      value *= double(at.inverseW);
+    else if (i >= plan.flatFrom)
+      value = values[point.provoking & mask];
+    primitive.inputs[source.input][source.component] = {float(value), 0, 0};
+  }
+}
+
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive) {
   const Gradients g = gradientsOf(state, triangle.corner, originX, originY);

@@ -53,20 +53,13 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
     return false;
   shape.edgeCount = 0;
   shape.stippled = false;
-  // Three corners with one vertex's inputs: nothing varies.
-  Triangle plane;
-  double weight[3][3];
-  for (int k = 0; k < 3; ++k) {
-    plane.corner[k] = at.window;
-    plane.vertex[k] = stroke.vertex[k];
-    std::copy(at.weight, at.weight + 3, weight[k]);
-  }
-  plane.corner[1].x += 1;
-  plane.corner[2].y += 1;
-  plane.weight = weight;
-  plane.provoking = stroke.provoking;
-  plane.backFacing = stroke.backFacing;
-  makePlanes(state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);
+  Triangle point;
+  point.corner[0] = at.window;
+  std::copy(stroke.vertex, stroke.vertex + 3, point.vertex);
+  point.weight = &at.weight;
+  point.provoking = stroke.provoking;
+  point.backFacing = stroke.backFacing;
+  makePointPlanes(draw.plan, point, shape.left, shape.bottom, shape.primitive);
   for (std::uint32_t i = 0; i < draw.shading.inputCount; ++i) {
     if (!((state.spriteInputs >> i) & 1u))
       continue;

@@ -6,6 +6,7 @@
 
 #include "swrast/bins.h"
 #include "swrast/direct.h"
+#include "swrast/place.h"
 #include "swrast/strokes.h"
 #include "swrast/threads.h"
 #include "util/per_thread.h"
@@ -17,31 +18,10 @@ namespace {
 constexpr std::uint32_t kDirectTriangles = 32;
 constexpr std::uint32_t kVertexChunk = 1024;
 
-/// What a chunk of vertices is like.
-struct ChunkBounds {
-  std::uint32_t outcodes = 0;
-  std::int32_t minX = INT32_MAX, minY = INT32_MAX, maxX = INT32_MIN, maxY = INT32_MIN;
-
-  void add(const WindowVertex &vertex) {
-    outcodes |= vertex.outcode;
-    minX = std::min(minX, vertex.fixedX);
-    minY = std::min(minY, vertex.fixedY);
-    maxX = std::max(maxX, vertex.fixedX);
-    maxY = std::max(maxY, vertex.fixedY);
-  }
-  void add(const ChunkBounds &other) {
-    outcodes |= other.outcodes;
-    minX = std::min(minX, other.minX);
-    minY = std::min(minY, other.minY);
-    maxX = std::max(maxX, other.maxX);
-    maxY = std::max(maxY, other.maxY);
-  }
-};
-
 /// Kept by each thread that draws, so that a draw like the last one allocates nothing.
 struct Scratch {
   std::vector<WindowVertex> window;
-  std::vector<ChunkBounds> bounds;
+  std::vector<PlacedBounds> bounds;
   std::vector<Shape> shapes;
   Bins bins;
   Strokes strokes;
@@ -75,7 +55,7 @@ void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
 
 /// Window positions of the vertices that are used, and what can be seen of their primitives.
 void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
-                   std::vector<ChunkBounds> &bounds) {
+                   std::vector<PlacedBounds> &bounds) {
   std::uint32_t begin = 0, end = 0;
   usedVertices(draw, begin, end);
   draw.visible = intersect(draw.state.clip, draw.viewport.pixels);
@@ -86,19 +66,15 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
     return;
   const std::uint32_t chunks = (end - begin + kVertexChunk - 1) / kVertexChunk;
   bounds.assign(chunks, {});
+  const PlaceVertices place = choosePlaceVertices();
   auto chunk = [&](std::uint32_t number) {
     const std::uint32_t from = begin + number * kVertexChunk;
-    const std::uint32_t to = std::min(end, from + kVertexChunk);
-    ChunkBounds own;
-    for (std::uint32_t i = from; i < to; ++i) {
-      window[i] = windowVertex(draw.viewport, draw.vertices, i);
-      own.add(window[i]);
-    }
-    bounds[number] = own;
+    bounds[number] = place(draw.viewport, draw.vertices, from, std::min(end, from + kVertexChunk),
+                           window.data());
   };
   parallel(chunks, chunk);
-  ChunkBounds all;
-  for (const ChunkBounds &part : bounds)
+  PlacedBounds all;
+  for (const PlacedBounds &part : bounds)
     all.add(part);
   const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The

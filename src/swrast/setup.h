@@ -34,12 +34,13 @@ inline constexpr std::uint32_t kOutsideMask = 0xFF3F;
 inline constexpr std::uint32_t kClipMask = 0xFFFF;
 inline constexpr std::uint32_t kOutSides = 15; ///< left, right, bottom, top
 
-struct WindowVertex {
-  float x = 0;
-  float y = 0; ///< from the top down where RasterState::upsideDownHeight is set
-  float z = 0, inverseW = 0;
-  std::int32_t fixedX = 0, fixedY = 0;
-  std::uint32_t outcode = 0;
+/// Without initial values: there are arrays of them where few are used. Two vectors of 16 bytes.
+struct alignas(16) WindowVertex {
+  float x;
+  float y; ///< from the top down where RasterState::upsideDownHeight is set
+  float z, inverseW;
+  std::int32_t fixedX, fixedY;
+  std::uint32_t outcode;
 };
 
 /// Clip space to window, once a draw.
@@ -161,6 +162,9 @@ void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients
 /// `offset`: of depth.
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
+/// Of a point: nothing varies, all is as at corner 0 of `point`, which has weights.
+void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
+                     abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).
 [[nodiscard]] float depthOffset(const RasterState &state,
                                 const std::array<WindowVertex, 3> &corner);

@@ -177,8 +177,9 @@ void Strokes::addLines(const Draw &draw) {
       addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
       continue;
     }
+    const WindowVertex corner[2] = {a, b};
     ClipVertex end[2];
-    if (clipLine(draw.viewport, draw.vertices, index, end))
+    if (clipLine(draw.viewport, draw.vertices, index, corner, end))
       addLine(draw, stroke, endOf(end[0]), endOf(end[1]));
   }
 }
@@ -232,7 +233,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     return;
   ClippedPolygon polygon;
   if (any & kClipMask) {
-    clipTriangle(draw.viewport, draw.vertices, triangle.vertex, polygon);
+    clipTriangle(draw.viewport, draw.vertices, triangle.vertex, triangle.corner, polygon);
     m_stipple = 0; // what is cut stands alone
   } else {
     polygon.count = 3;

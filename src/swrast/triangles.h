@@ -37,8 +37,10 @@ namespace arbiter::swrast {
 /// What is left of a triangle that leaves the view volume, as one shape where it has no more sides
 /// than a shape has edges, else as triangles; calls `take(triangle, shape)` for each.
 template <typename Take> void clipAndTake(const Draw &draw, Triangle &triangle, Take take) {
+  if (hasTwins(draw.vertices, triangle.vertex))
+    return;
   ClippedPolygon polygon;
-  clipTriangle(draw.viewport, draw.vertices, triangle.vertex, polygon);
+  clipTriangle(draw.viewport, draw.vertices, triangle.vertex, triangle.corner, polygon);
   if (polygon.count < 3)
     return;
   // The triangle of the fan that is largest says best how inputs vary.

@@ -79,7 +79,7 @@ WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, st
   const float clip[4] = {vertices.position[0][index], vertices.position[1][index],
                          vertices.position[2][index], vertices.position[3][index]};
   const float w = clip[3];
-  WindowVertex vertex;
+  WindowVertex vertex{};
   std::uint32_t out = 0;
   out |= clip[0] < -w ? kOutLeft : 0u;
   out |= clip[0] > w ? kOutRight : 0u;

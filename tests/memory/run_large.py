@@ -19,7 +19,6 @@ import sides  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 RATIO = 1.3
-SLACK_KIB = 96 << 10  # what the layer has beside any draw: LLVM, code, images
 WAIT_US = 600_000
 PIXELS = 0.02  # of the picture may differ: the rasterizers' lines and points are not each other's
 
@@ -76,7 +75,7 @@ def main():
             wrong = []
             if far > PIXELS * len(bare[0]) / 4:
                 wrong.append(f"{far} pixels differ, by up to {worst}")
-            if ours[2] > RATIO * bare[2] + SLACK_KIB:
+            if ours[2] > RATIO * bare[2]:
                 wrong.append(f"{ours[2]} KiB against {bare[2]}")
             if arguments.time and ours[1] > RATIO * bare[1]:
                 wrong.append(f"{ours[1]} ms against {bare[1]}")

@@ -104,6 +104,8 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
       !pipeline.fetcher().decodeIndices(command.indexType, arrays.indices(),
                                         std::uint32_t(command.count), command.baseVertex, range))
     return Fallback::Vertices;
+  if (isLarge(range)) [[unlikely]]
+    return drawInParts(context, pipeline, arrays.source(), sequence);
   const auto first = std::uint32_t(command.first), count = std::uint32_t(command.count);
   if (!VertexFetcher::isSparse(range)) [[likely]]
     return pipeline.shade(context, arrays.source(), range, first, count);

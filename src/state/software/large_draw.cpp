@@ -12,8 +12,9 @@ namespace {
 using swrast::Topology;
 
 /// Vertices of a part: a multiple of those of all primitives, and even, so that each part of a
-/// strip begins with a triangle that is wound as the first one is.
-constexpr std::uint32_t kPart = 3u << 16;
+/// strip begins with a triangle that is wound as the first one is. So few that what the stages hand
+/// on to each other stays in a processor's cache.
+constexpr std::uint32_t kPart = 3u << 13;
 
 /// How primitives of a topology go on from one part to the next.
 struct Joint {
@@ -83,7 +84,7 @@ private:
 
 /// All vertices of the sequence are there, as far as is known where the arrays end.
 bool isWithin(const VertexSource &source, const VertexSequence &sequence) {
-  IndexBounds bounds{sequence.first, std::uint64_t(sequence.first) + sequence.count - 1};
+  IndexBounds bounds{sequence.first, std::int64_t(sequence.first) + sequence.count - 1};
   if (sequence.indexType != 0) {
     if (!boundsOf(sequence.indexType, sequence.indices, sequence.count, bounds))
       return false;

@@ -17,10 +17,17 @@ struct VertexSequence {
   std::int32_t baseVertex = 0;
 };
 
-/// Whether a draw goes in parts. Indices mostly name vertices many times, which are worth
-/// transforming once.
+/// Vertices at once; more take more memory than they are worth.
+inline constexpr std::uint32_t kMostAtOnce = 1u << 18;
+
+/// Whether a draw goes in parts, as far as its counts say. Indices mostly name vertices many times,
+/// which are worth transforming once.
 [[nodiscard]] constexpr bool isLarge(const VertexSequence &sequence) {
-  return sequence.count > (sequence.indexType != 0 ? 1u << 20 : 1u << 18);
+  return sequence.count > (sequence.indexType != 0 ? 4 * kMostAtOnce : kMostAtOnce);
+}
+/// Whether it does for what the indices name.
+[[nodiscard]] constexpr bool isLarge(const IndexRange &range) {
+  return range.count > kMostAtOnce && range.maximum - range.minimum >= kMostAtOnce;
 }
 
 /// Not ok: nothing has been drawn, and the host must. Throws std::bad_alloc where memory runs out

@@ -1,6 +1,7 @@
 #include "state/software/vertex_convert.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -51,6 +52,14 @@ template <Rule rule> float fixedPoint(double value, int bits, bool isSigned) {
   return float((2.0 * value + 1.0) / double((std::uint64_t(1) << bits) - 1));
 }
 
+/// Fractions of 255: a division costs more than all else of a colour.
+constexpr auto kByteFractions = [] {
+  std::array<float, 256> fractions{};
+  for (std::size_t i = 0; i < fractions.size(); ++i)
+    fractions[i] = float(i) / 255.0f;
+  return fractions;
+}();
+
 template <typename T, Rule rule> float number(T value) {
   if constexpr (std::is_same_v<T, Half>)
     return fromHalf(value.bits);
@@ -58,6 +67,8 @@ template <typename T, Rule rule> float number(T value) {
     return float(double(value.bits) / 65536.0);
   else if constexpr (rule == Rule::Plain || std::is_floating_point_v<T>)
     return float(value);
+  else if constexpr (std::is_same_v<T, std::uint8_t>)
+    return kByteFractions[value];
   else if constexpr (sizeof(T) < 4 && rule == Rule::Symmetric)
     return std::max(float(value) / float(std::numeric_limits<T>::max()), -1.0f);
   else if constexpr (sizeof(T) < 4 && std::is_signed_v<T>)
