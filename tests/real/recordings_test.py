@@ -1,6 +1,7 @@
 """Tests of the comparison of recordings: each way of being wrong must be seen, in any frame."""
 
 import io
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -10,8 +11,9 @@ from unittest import mock
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import session
+from cases import Case
 from picture import Picture, PictureError
-from recordings import judge, traces
+from recordings import judge, replay, traces
 from recordings.frames import Comparison, Frame, FrameStore, distance, read_frames
 from recordings.replay import Run, Way
 from recordings.traces import Recording
@@ -69,16 +71,16 @@ class Compared(unittest.TestCase):
         self._folder.cleanup()
 
     def _compare(self, bare: list[Picture], again: list[Picture], layer: list[Picture],
-                 statuses=(0, 0, 0), stats=None, **recording) -> judge.Row:
+                 statuses=(0, 0, 0), stats=None, cut_off=False, **recording) -> judge.Row:
         """The row of the one way, with replays that give these pictures and statuses."""
-        runs = iter(zip((bare, again, layer), statuses))
+        runs = iter(zip((bare, again, layer), statuses, (False, False, cut_off)))
 
         def replay(_recording, _calls, _way, folder, _timeout, take):
             folder.mkdir(parents=True)
-            shots, status = next(runs)
+            shots, status, late = next(runs)
             for call, shot in enumerate(shots):
                 take(Frame(call, shot))
-            return Run(status, 1.0, "last words", stats or [])
+            return Run(status, 1.0, "last words", stats or [], "cut off" if late else "", late)
 
         with mock.patch.object(judge, "replay", replay), \
                 mock.patch.object(traces, "snapshot_calls", lambda _: "frame"):
@@ -120,6 +122,10 @@ class Compared(unittest.TestCase):
         # A program that ends badly on the bare host may do so with the layer.
         self.assertTrue(self._compare([_shot()], [_shot()], [_shot()], statuses=(1, 1, 1)).passed)
 
+    def test_of_a_run_that_was_cut_off_no_frame_is_compared(self):
+        row = self._compare([_shot()] * 2, [_shot()] * 2, [_shot(100, 40)], cut_off=True)
+        self.assertEqual((row.passed, row.wrong, row.problems), (False, [], ["cut off"]))
+
     def test_a_layer_that_did_not_draw_proves_nothing(self):
         row = self._compare([_shot()], [_shot()], [_shot()], least_programs=2, refused=0)
         self.assertIn("0 fragment programs compiled, 2 expected", row.reason)
@@ -128,7 +134,37 @@ class Compared(unittest.TestCase):
                                       least_programs=2, refused=0).passed)
 
 
+class Replayed(unittest.TestCase):
+    def test_a_process_that_does_not_end_is_cut_off(self):
+        picture = _pnm((7, _shot())).hex()
+        script = ("import sys, time; sys.stdout.buffer.write(bytes.fromhex(sys.argv[1])); "
+                  "sys.stdout.flush(); time.sleep(float(sys.argv[2]))")
+        for lasts, expected in (("60", True), ("0", False)):
+            process = subprocess.Popen([sys.executable, "-c", script, picture, lasts],
+                                       stdout=subprocess.PIPE, start_new_session=True)
+            taken = []
+            problem, cut_off = replay._take_all(process, 3.0 if expected else 60.0, taken.append)
+            self.assertEqual((cut_off, "cut off" in problem), (expected, expected))
+
+
 class Traces(unittest.TestCase):
+    def test_a_recording_without_a_draw_is_made_again_with_more_time(self):
+        case, times = Case("c", ["c"], stop_after=1.0), []
+
+        def record(case, _folder, trace):
+            times.append(case.stop_after)
+            trace.write_text("draws" if case.stop_after > 2 else "")
+
+        def shell(command):
+            return "12 glEnd()\n" if Path(command[-1]).read_text() else ""
+
+        with tempfile.TemporaryDirectory() as folder, \
+                mock.patch.object(session, "record", record), \
+                mock.patch.object(traces, "shell", shell), \
+                mock.patch.object(traces, "frame_count", lambda _: 1):
+            self.assertEqual(traces.of_case("p", case, Path(folder), 9).trace.read_text(), "draws")
+        self.assertEqual(times, [1.0, 2.0, 4.0])
+
     def test_the_last_draw_is_looked_at_if_no_swap_follows(self):
         swap, draw = "9 glXSwapBuffers(dpy = 0x1)\n", "12 glEnd()\n"
         for dump, expected in ((draw + swap, "frame"), (swap + draw, "frame,12"),

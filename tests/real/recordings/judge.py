@@ -71,7 +71,8 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
         for way in ways:
             seen = Comparison(store, recording.wrong_pixels, steady)
             row = judge(recording, way, bare, run(way, seen.look), seen, head)
-            _draw_worst(seen, out / way.name)
+            if row.wrong:
+                _draw_worst(seen, out / way.name)
             rows.append(row)
             show(row)
     finally:
@@ -94,7 +95,12 @@ def _unfit(bare: Run, again: Run, store: FrameStore, steady: set[int]) -> list[s
 
 def judge(recording: Recording, way: Way, bare: Run, run: Run, seen: Comparison,
           head: Row) -> Row:
-    """What is wrong with a run: its end, its frames, or what it drew them with."""
+    """What is wrong with a run: its end, its frames, or what it drew them with. Of one that was cut
+    off nothing else is said, as its last frame may be half a one."""
+    if run.cut_off:
+        return Row(recording.name, recording.program, way.name, head.frames, head.steady,
+                   status=run.status, bare_status=bare.status,
+                   seconds=[round(bare.seconds, 2), round(run.seconds, 2)], problems=[run.problem])
     summary = evidence.summarise(run.stats)
     row = Row(recording.name, recording.program, way.name, head.frames, head.steady,
               [asdict(each) for each in seen.wrong()],

@@ -15,6 +15,11 @@ from picture import PictureError
 from recordings.frames import Frame, read_frames
 from recordings.traces import Recording
 
+# glretrace reads pictures of the size that it takes a window to have; where the host's buffers are
+# smaller it shows what malloc gave it. Filled with the same byte by every run, such memory is no
+# difference, and what the layer writes there is one.
+_FILLED = {"MALLOC_PERTURB_": "85"}
+
 
 @dataclass(frozen=True)
 class Way:
@@ -37,6 +42,7 @@ class Run:
     log: str
     stats: list[dict]
     problem: str = ""  # why its frames could not be read to their end
+    cut_off: bool = False  # ended by the time limit: its frames are no evidence of anything
 
 
 def ways(library: Path) -> list[Way]:
@@ -62,22 +68,24 @@ def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: fl
     command = ["glretrace", "-b", "-s", "-", "-S", calls, str(recording.trace)]
     started = time.monotonic()
     with session.XServer(folder / "screen") as server, open(folder / "log.txt", "wb") as log:
-        environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **recording.environment,
-                       **way.mode.environment(folder), "DISPLAY": server.display,
+        environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **_FILLED,
+                       **recording.environment, **way.mode.environment(folder), "DISPLAY": server.display,
                        "XDG_CACHE_HOME": str(cache)}
         if recording.over_limits or way.mode.profile == "r300":
             environment["ARBITER_LIMITS"] = "report"
         process = subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.PIPE,
                                    stderr=log, stdin=subprocess.DEVNULL, start_new_session=True)
-        problem = _take_all(process, timeout, take)
+        problem, cut_off = _take_all(process, timeout, take)
     shutil.rmtree(folder / "screen", ignore_errors=True)
     return Run(process.returncode, time.monotonic() - started,
                (folder / "log.txt").read_text(errors="replace"), session.read_stats(folder),
-               problem)
+               problem, cut_off)
 
 
-def _take_all(process: subprocess.Popen, timeout: float, take: Callable[[Frame], None]) -> str:
-    """Hands on the frames until the process ends; what kept it from ending well, or nothing."""
+def _take_all(process: subprocess.Popen, timeout: float,
+              take: Callable[[Frame], None]) -> tuple[str, bool]:
+    """Hands on the frames until the process ends; what kept it from ending well, or nothing, and
+    whether that was the time limit."""
     late = threading.Event()
 
     def end() -> None:
@@ -97,7 +105,9 @@ def _take_all(process: subprocess.Popen, timeout: float, take: Callable[[Frame],
         process.stdout.close()
         process.wait()
         timer.cancel()
-    return f"no end after {timeout:.0f} s" if late.is_set() else problem
+    if late.is_set():
+        return f"cut off after {timeout:.0f} s: see --timeout", True
+    return problem, False
 
 
 def _kill(process: subprocess.Popen) -> None:

@@ -3,7 +3,7 @@
 import json
 import re
 import shutil
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import session
@@ -46,15 +46,27 @@ def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
     """The case's trace under `work`; recorded on the bare host unless it is there."""
     trace = work / f"{case.name}.trace"
     if not trace.exists():
-        fresh = work / f"{case.name}.new.trace"
-        session.record(case, work / f"{case.name}.record", fresh)
-        short = _shortened(fresh, work, frames)
-        if short != fresh:
-            fresh.unlink()
-        short.rename(trace)
-        shutil.rmtree(work / f"{case.name}.record" / "screen", ignore_errors=True)
+        _record(case, work, frames, trace)
     return Recording(case.name, trace, program, case.environment, case.over_limits,
                      case.wrong_pixels, case.least_programs, case.refused)
+
+
+def _record(case: Case, work: Path, frames: int, trace: Path) -> None:
+    """Records until something is drawn: a busy machine may take longer than `stop_after` to start
+    the program, and a trace without a draw, kept, would fail for ever."""
+    fresh = work / f"{case.name}.new.trace"
+    for attempt in range(4):
+        session.record(replace(case, stop_after=case.stop_after * 2**attempt),
+                       work / f"{case.name}.record", fresh)
+        shutil.rmtree(work / f"{case.name}.record" / "screen", ignore_errors=True)
+        if _last_draw(fresh):
+            break
+    else:
+        raise PrepareError(f"{case.name}: draws nothing while it is recorded")
+    short = _shortened(fresh, work, frames)
+    if short != fresh:
+        fresh.unlink()
+    short.rename(trace)
 
 
 def _shortened(trace: Path, work: Path, frames: int) -> Path:
@@ -79,10 +91,16 @@ def frame_count(trace: Path) -> int:
 def snapshot_calls(trace: Path) -> str:
     """What glretrace is asked to look at: each frame, and the last draw if no swap follows it, as
     in programs that draw to a framebuffer object and read it, or that were ended while drawing."""
+    last = _last_draw(trace)
+    if last is None:
+        raise PrepareError(f"{trace}: draws nothing")
+    return "frame" if "SwapBuffers" in last.group(2) else f"frame,{last.group(1)}"
+
+
+def _last_draw(trace: Path) -> re.Match | None:
+    """The number and name of the last call that may change a picture."""
     calls = shell(["apitrace", "dump", "--color=never", f"--grep={_DRAWS}", str(trace)])
     last = None
     for last in re.finditer(r"^(\d+) (\w+)\(", calls, re.MULTILINE):
         pass
-    if last is None:
-        raise PrepareError(f"{trace}: draws nothing")
-    return "frame" if "SwapBuffers" in last.group(2) else f"frame,{last.group(1)}"
+    return last
