@@ -7,17 +7,15 @@ is a row of the profile `host`. What a program may use is held to the same answe
 buffer and the last clip plane load, the next does not. Without the identity only the limits of
 programs and texture units are the card's.
 """
-import argparse
 import ctypes
 import json
 import os
 import pathlib
-import subprocess
 import sys
 import xml.etree.ElementTree as ET
 
-import identity
-from identity import GL_XML, Failure, expect
+import self_client
+from self_client import GL_XML, egl_context, expect, osmesa_context
 
 HW = pathlib.Path(__file__).resolve().parents[2] / 'src' / 'fp_compiler' / 'hw'
 sys.path.insert(0, str(HW))
@@ -52,7 +50,7 @@ def queries():
 # --- The client ---
 
 def client(kind):
-    find = {'egl': identity.egl_context, 'osmesa': identity.osmesa_context}[kind](False)
+    find = {'egl': egl_context, 'osmesa': osmesa_context}[kind](False)
     if find is None:
         return 77
     uint, pointer = ctypes.c_uint, ctypes.c_void_p
@@ -112,18 +110,8 @@ def client(kind):
 # --- The harness ---
 
 def ask(options, kind, arguments):
-    """None: the client cannot run here. No arguments: the bare host."""
-    command = [sys.executable, str(pathlib.Path(__file__).resolve()), '--client', kind]
-    if arguments is not None:
-        command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
-    environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
-    environment.update(LIBGL_ALWAYS_SOFTWARE='1', EGL_PLATFORM='surfaceless')
-    result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
-                            check=False)
-    if result.returncode == 77:
-        return None
-    expect(result.returncode == 0, f'{command}: exit {result.returncode}\n{result.stderr}')
-    return json.loads(result.stdout)
+    """Its answers; without arguments (None) the bare host's."""
+    return self_client.ask(__file__, options, kind, arguments)
 
 
 def answered(value):
@@ -202,23 +190,11 @@ def check_kind(options, kind):
     return True
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--client', help='be the client: egl or osmesa')
-    parser.add_argument('--arbiter')
-    parser.add_argument('--library')
-    options = parser.parse_args()
-    if options.client:
-        return client(options.client)
+def check(options):
     if not os.path.exists(GL_XML):
-        return 77
-    try:
-        ran = [check_kind(options, 'egl'), check_kind(options, 'osmesa')]
-    except Failure as failure:
-        print(f'card_limits: {failure}', file=sys.stderr)
-        return 1
-    return 0 if any(ran) else 77
+        return False
+    return any([check_kind(options, 'egl'), check_kind(options, 'osmesa')])
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(self_client.main('card_limits', client, check))

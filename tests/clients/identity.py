@@ -4,51 +4,21 @@
 Runs itself as the client, with EGL (surfaceless) and with OSMesa, under `arbiter run` with the
 identity options: strings, glGetStringi, GL_NUM_EXTENSIONS and GetProcAddress must agree.
 """
-import argparse
 import ctypes
 import json
 import os
-import pathlib
-import subprocess
 import sys
 import xml.etree.ElementTree as ET
+
+import self_client
+from self_client import GL_XML, egl_context, expect, osmesa_context
 
 GL_NAMES = {'vendor': 0x1F00, 'renderer': 0x1F01, 'version': 0x1F02, 'extensions': 0x1F03,
             'shading': 0x8B8C}
 GL_NUM_EXTENSIONS, GL_MAJOR_VERSION, GL_MINOR_VERSION = 0x821D, 0x821B, 0x821C
-GL_XML = '/usr/share/khronos-api/gl.xml'
 
 
 # --- The client ---
-
-def egl_context(core):
-    """A current context without a surface; how its functions are found."""
-    egl = ctypes.CDLL('libEGL.so.1')
-    for name in ('eglGetPlatformDisplay', 'eglCreateContext', 'eglGetProcAddress'):
-        getattr(egl, name).restype = ctypes.c_void_p
-    display = ctypes.c_void_p(egl.eglGetPlatformDisplay(0x31DD, None, None))
-    if not egl.eglInitialize(display, None, None):
-        return None
-    egl.eglBindAPI(0x30A2)
-    attributes = (ctypes.c_int * 7)(0x3098, 4, 0x30FB, 5, 0x30FD, 1, 0x3038)
-    context = ctypes.c_void_p(egl.eglCreateContext(display, None, None,
-                                                   attributes if core else None))
-    if not context.value or not egl.eglMakeCurrent(display, None, None, context):
-        return None
-    return lambda name: egl.eglGetProcAddress(name)
-
-
-def osmesa_context(_):
-    library = ctypes.CDLL('libOSMesa.so.8')
-    library.OSMesaCreateContext.restype = ctypes.c_void_p
-    library.OSMesaGetProcAddress.restype = ctypes.c_void_p
-    context = ctypes.c_void_p(library.OSMesaCreateContext(0x1908, None))
-    picture = ctypes.create_string_buffer(16 * 16 * 4)
-    if not library.OSMesaMakeCurrent(context, picture, 0x1401, 16, 16):
-        return None
-    library.kept = picture
-    return lambda name: library.OSMesaGetProcAddress(name)
-
 
 def client(kind):
     find = {'egl': egl_context, 'core': egl_context, 'osmesa': osmesa_context}[kind](kind == 'core')
@@ -99,27 +69,9 @@ def missing_functions(names, find):
 
 # --- The harness ---
 
-class Failure(Exception):
-    """What was seen, and what should have been."""
-
-
-def expect(holds, text):
-    if not holds:
-        raise Failure(text)
-
-
-def ask(options, kind, arguments, bare=False):
-    command = [sys.executable, str(pathlib.Path(__file__).resolve()), '--client', kind]
-    if not bare:
-        command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
-    environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
-    environment.update(LIBGL_ALWAYS_SOFTWARE='1', EGL_PLATFORM='surfaceless')
-    result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
-                            check=False)
-    if result.returncode == 77:
-        return None
-    expect(result.returncode == 0, f'{command}: exit {result.returncode}\n{result.stderr}')
-    return json.loads(result.stdout)
+def ask(options, kind, arguments):
+    """Its answers; without arguments (None) the bare host's."""
+    return self_client.ask(__file__, options, kind, arguments)
 
 
 def check_agreement(answers):
@@ -133,7 +85,7 @@ def check_agreement(answers):
 
 
 def check_kind(options, kind):
-    bare = ask(options, kind, [], bare=True)
+    bare = ask(options, kind, None)
     if bare is None:
         return False
     plain = ask(options, kind, [])
@@ -179,7 +131,7 @@ def check_kind(options, kind):
 
 def check_core(options):
     """Core contexts are as the host has them, whatever the settings."""
-    bare = ask(options, 'core', [], bare=True)
+    bare = ask(options, 'core', None)
     if bare is None:
         return False
     asked = ask(options, 'core', ['--identity', 'profile', '--extensions-max-year', '2003'])
@@ -188,21 +140,9 @@ def check_core(options):
     return True
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--client', help='be the client: egl, core or osmesa')
-    parser.add_argument('--arbiter')
-    parser.add_argument('--library')
-    options = parser.parse_args()
-    if options.client:
-        return client(options.client)
-    try:
-        ran = [check_kind(options, 'egl'), check_kind(options, 'osmesa'), check_core(options)]
-    except Failure as failure:
-        print(f'identity: {failure}', file=sys.stderr)
-        return 1
-    return 0 if any(ran) else 77
+def check(options):
+    return any([check_kind(options, 'egl'), check_kind(options, 'osmesa'), check_core(options)])
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    sys.exit(self_client.main('identity', client, check))

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <set>
 
+#include "../software/random_commands.h"
 #include "world.h"
 
 namespace {
@@ -23,36 +24,7 @@ const Command &commandOf(Random &random) {
       all.insert(all.end(), some->begin(), some->end());
     return all;
   }();
-  static const int s_sum = [] {
-    int sum = 0;
-    for (const Command &command : s_all)
-      sum += command.weight;
-    return sum;
-  }();
-  int at = random.below(s_sum);
-  for (const Command &command : s_all) {
-    if (at < command.weight)
-      return command;
-    at -= command.weight;
-  }
-  return s_all.back();
-}
-
-/// Of command `number` alone, so that others can be left out.
-Random randomOf(std::uint64_t seed, int number) {
-  Random random(seed * 1000003u + std::uint64_t(number));
-  random.bits();
-  return random;
-}
-
-std::set<int> chosen(const char *list) {
-  std::set<int> numbers;
-  for (const char *at = list; *at;) {
-    char *end = nullptr;
-    numbers.insert(int(std::strtol(at, &end, 10)));
-    at = *end == ',' ? end + 1 : "";
-  }
-  return numbers;
+  return software::pickByWeight(s_all, random);
 }
 
 struct Options {
@@ -72,7 +44,7 @@ void runSequence(Platform &platform, Workers &workers, std::uint64_t seed, const
   for (int number = 0; number < options.commands; ++number) {
     if (!options.all && !options.only.contains(number))
       continue;
-    Random random = randomOf(seed, number);
+    Random random = software::randomOf(seed, number);
     const Command &command = commandOf(random);
     const std::string what = prefix + std::to_string(number) + " " + command.name;
     if (command.ofContexts)
@@ -102,7 +74,7 @@ void printNames(std::uint64_t seed, const Options &options) {
   for (int number = 0; number < options.commands; ++number) {
     if (!options.all && !options.only.contains(number))
       continue;
-    Random random = randomOf(seed, number);
+    Random random = software::randomOf(seed, number);
     std::printf("%d %s\n", number, commandOf(random).name);
   }
 }
@@ -129,7 +101,7 @@ int main(int argc, char **argv) {
   options.commands = std::atoi(argv[at + 2]);
   options.all = argc == at + 3;
   if (!options.all)
-    options.only = chosen(argv[at + 3]);
+    options.only = software::numbersOf(argv[at + 3]);
   if (options.names) {
     printNames(first, options);
     return 0;

@@ -1,9 +1,6 @@
 #include "platform.h"
 
-#include <epoxy/gl.h>
-#include <epoxy/glx.h>
-
-#include <X11/Xutil.h>
+#include "../software/glx_windows.h"
 
 namespace sharing {
 
@@ -17,35 +14,9 @@ public:
     m_display = XOpenDisplay(nullptr);
     if (!m_display)
       die("no X display");
-    const int wanted[] = {GLX_DRAWABLE_TYPE,
-                          GLX_WINDOW_BIT,
-                          GLX_RENDER_TYPE,
-                          GLX_RGBA_BIT,
-                          GLX_RED_SIZE,
-                          8,
-                          GLX_GREEN_SIZE,
-                          8,
-                          GLX_BLUE_SIZE,
-                          8,
-                          GLX_ALPHA_SIZE,
-                          8,
-                          GLX_DEPTH_SIZE,
-                          24,
-                          GLX_STENCIL_SIZE,
-                          8,
-                          GLX_DOUBLEBUFFER,
-                          True,
-                          None};
-    int count = 0;
-    GLXFBConfig *const configs =
-        glXChooseFBConfig(m_display, DefaultScreen(m_display), wanted, &count);
-    if (!configs || count == 0)
+    m_config = software::chooseGlxConfig(m_display, GLX_WINDOW_BIT);
+    if (!m_config)
       die("no GLX configuration of RGBA8 with depth and stencil");
-    m_config = configs[0];
-    XFree(configs);
-    m_visual = glXGetVisualFromFBConfig(m_display, m_config);
-    m_colormap =
-        XCreateColormap(m_display, DefaultRootWindow(m_display), m_visual->visual, AllocNone);
   }
 
   void *makeContext(void *share) override {
@@ -60,16 +31,8 @@ public:
   }
   /// Beside the others, so that none hides another.
   void *makeDrawable(Size size) override {
-    XSetWindowAttributes attributes = {};
-    attributes.colormap = m_colormap;
-    attributes.override_redirect = True;
-    const int at = 130 * (m_windows++ % 4);
-    const Window window =
-        XCreateWindow(m_display, DefaultRootWindow(m_display), at, 0, unsigned(size.width),
-                      unsigned(size.height), 0, m_visual->depth, InputOutput, m_visual->visual,
-                      CWColormap | CWBorderPixel | CWOverrideRedirect, &attributes);
-    XMapWindow(m_display, window);
-    XSync(m_display, False);
+    const Window window = software::makeWindow(m_display, m_config, size.width, size.height,
+                                               {.x = 130 * (m_windows++ % 4)});
     return reinterpret_cast<void *>(window);
   }
   void destroyDrawable(void *drawable) override {
@@ -90,26 +53,12 @@ public:
   std::vector<unsigned char> grab(void *drawable, Size size) override {
     glXWaitGL();
     XSync(m_display, False);
-    std::vector<unsigned char> bytes;
-    XImage *const image = XGetImage(m_display, Window(drawable), 0, 0, unsigned(size.width),
-                                    unsigned(size.height), AllPlanes, ZPixmap);
-    for (int y = size.height - 1; image && y >= 0; --y)
-      for (int x = 0; x < size.width; ++x) {
-        const unsigned long pixel = XGetPixel(image, x, y);
-        for (const int shift : {16, 8, 0})
-          bytes.push_back(static_cast<unsigned char>(pixel >> shift));
-        bytes.push_back(255);
-      }
-    if (image)
-      XDestroyImage(image);
-    return bytes;
+    return software::grabWindow(m_display, Window(drawable), size.width, size.height);
   }
 
 private:
   Display *m_display = nullptr;
   GLXFBConfig m_config = nullptr;
-  XVisualInfo *m_visual = nullptr;
-  Colormap m_colormap = 0;
   int m_windows = 0;
 };
 

@@ -1,14 +1,14 @@
 // Frames that the rasterizer and the host draw together: software-mixed SEED COUNT. Each seed is a
 // sequence of frames in two windows, in which draws that the host must make and draws of programs
 // meet at every position, while windows are resized, mapped late, shown twice or not at all, and
-// programs are new in the middle of a frame. What is shown and what is read is written out, to be
-// compared between two sides. Every frame begins with something that covers all of it, since a
-// window's pixels are undefined after it was resized.
+// programs are new in the middle of a frame, and passes over one shape meet at equal depths. What
+// is shown and what is read is written out, to be compared between two sides. Every frame begins
+// with something that covers all of it, since a window's pixels are undefined after it was resized.
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
-#include <X11/Xutil.h>
-
+#include "glx_windows.h"
 #include "surface.h"
 
 namespace software {
@@ -31,30 +31,9 @@ class Sequence {
 public:
   Sequence(Display *own, Display *other, int seed)
       : m_display(own), m_other(other), m_seed(seed), m_random(std::uint64_t(seed)) {
-    const int wanted[] = {GLX_DRAWABLE_TYPE,
-                          GLX_WINDOW_BIT,
-                          GLX_RED_SIZE,
-                          8,
-                          GLX_GREEN_SIZE,
-                          8,
-                          GLX_BLUE_SIZE,
-                          8,
-                          GLX_ALPHA_SIZE,
-                          8,
-                          GLX_DEPTH_SIZE,
-                          24,
-                          GLX_STENCIL_SIZE,
-                          8,
-                          GLX_DOUBLEBUFFER,
-                          True,
-                          None};
-    int count = 0;
-    GLXFBConfig *const configs =
-        glXChooseFBConfig(m_display, DefaultScreen(m_display), wanted, &count);
-    if (!configs || count == 0)
+    m_config = chooseGlxConfig(m_display, GLX_WINDOW_BIT);
+    if (!m_config)
       fail("no GLX configuration");
-    m_config = configs[0];
-    XFree(configs);
     m_context = glXCreateNewContext(m_display, m_config, GLX_RGBA_TYPE, nullptr, True);
     m_places[0] = make(0, true);
     // Apart, and within the screen at any size: what is outside of it cannot be read.
@@ -84,18 +63,9 @@ public:
 
 private:
   Place make(int x, bool mapped) {
-    XVisualInfo *const visual = glXGetVisualFromFBConfig(m_display, m_config);
-    const Window root = DefaultRootWindow(m_display);
-    XSetWindowAttributes set = {};
-    set.colormap = XCreateColormap(m_display, root, visual->visual, AllocNone);
     Place place{0, m_random.between(16, 200), m_random.between(16, 160), mapped};
-    place.window = XCreateWindow(m_display, root, x, 0, unsigned(place.width),
-                                 unsigned(place.height), 0, visual->depth, InputOutput,
-                                 visual->visual, CWColormap | CWBorderPixel | CWBackPixel, &set);
-    XFree(visual);
-    if (mapped)
-      XMapWindow(m_display, place.window);
-    XSync(m_display, False);
+    place.window = makeWindow(m_display, m_config, place.width, place.height,
+                              {.x = x, .mapped = mapped, .cleared = true});
     return place;
   }
   void use(int place) {
@@ -123,6 +93,22 @@ private:
     if (m_random.once(2))
       glEnable(GL_DEPTH_TEST);
     newProgram();
+    m_vertexPrograms[0] = makeProgram(GL_VERTEX_PROGRAM_ARB, R"(!!ARBvp1.0
+PARAM m[4] = { state.matrix.mvp };
+DP4 result.position.x, m[0], vertex.position;
+DP4 result.position.y, m[1], vertex.position;
+DP4 result.position.z, m[2], vertex.position;
+DP4 result.position.w, m[3], vertex.position;
+MOV result.texcoord[0], vertex.texcoord[0];
+MOV result.color, vertex.color;
+END
+)");
+    m_vertexPrograms[1] = makeProgram(GL_VERTEX_PROGRAM_ARB, R"(!!ARBvp1.0
+OPTION ARB_position_invariant;
+MOV result.texcoord[0], vertex.texcoord[0];
+MOV result.color, vertex.color;
+END
+)");
   }
   /// A text of its own, so that its machine code is made while a frame is drawn.
   void newProgram() {
@@ -198,9 +184,69 @@ private:
       glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
     }
   }
+  /// How a pass over a shape is drawn, with the fragment program.
+  struct Pass {
+    int vertex;       ///< of m_vertexPrograms; -1: fixed function
+    bool anisotropic; ///< which the host draws
+  };
+  void draw(const Pass &pass, const std::array<float, 9> &corners) {
+    glBindTexture(GL_TEXTURE_2D, m_textures[pass.anisotropic]);
+    if (pass.vertex >= 0) {
+      glBindProgramARB(GL_VERTEX_PROGRAM_ARB, m_vertexPrograms[pass.vertex]);
+      glEnable(GL_VERTEX_PROGRAM_ARB);
+    }
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 0.61F, 0.73F, 0.37F, 2);
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+    glColor4f(0.25F, 0.5F, 0.125F, 1);
+    glBegin(GL_TRIANGLES);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+      glTexCoord2f(0.25F, 0.25F), glVertex3fv(corners.data() + i);
+    glEnd();
+    glDisable(GL_VERTEX_PROGRAM_ARB);
+    glDisable(GL_FRAGMENT_PROGRAM_ARB);
+  }
+  /// A triangle, and the same again where its depths are met, by programs whose positions are
+  /// equal. All passes are the rasterizer's or all the host's: depths of the two are not equal to
+  /// the bit. Before each there may be a new program, whose machine code is not there yet.
+  void passes() {
+    std::array<float, 9> corners{};
+    for (float &corner : corners)
+      corner = float(m_random.between(-99, 99)) / 50;
+    const bool anisotropic = m_random.once(4), explicitly = m_random.once(2);
+    const auto angle = [&] { return float(m_random.below(3600)) / 10; };
+    glPushAttrib(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT | GL_TRANSFORM_BIT);
+    // Not a power of two anywhere, so that each sum is rounded.
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glFrustum(-0.31, 0.29, -0.33, 0.27, 0.9, 7.3);
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glTranslatef(0.05F, 0.03F, -3.1F);
+    glRotatef(angle(), 0.3F, 0.9F, 0.1F);
+    glRotatef(angle(), 0.8F, -0.2F, 0.5F);
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT); // where other draws' depths are met hangs on the last bit
+    for (int i = m_random.between(2, 3); i > 0; --i) {
+      if (m_random.once(2))
+        newProgram();
+      draw({explicitly ? 0 : m_random.once(2) ? 1 : -1, anisotropic}, corners);
+      glDepthFunc(GL_EQUAL);
+      glEnable(GL_BLEND);
+      glBlendFunc(GL_ONE, GL_ONE);
+    }
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glPopMatrix();
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glPopAttrib();
+  }
   void step() {
     m_depth = float(m_random.between(-8, 8)) / 16;
-    switch (m_random.below(10)) {
+    switch (m_random.below(12)) {
+    case 10:
+    case 11:
+      return passes();
     case 0:
     case 1:
     case 2:
@@ -243,19 +289,7 @@ private:
       grab();
   }
   void grab() {
-    std::vector<unsigned char> bytes;
-    XImage *const image = XGetImage(m_display, place().window, 0, 0, unsigned(place().width),
-                                    unsigned(place().height), AllPlanes, ZPixmap);
-    for (int y = 0; image && y < place().height; ++y)
-      for (int x = 0; x < place().width; ++x) {
-        const unsigned long pixel = XGetPixel(image, x, y);
-        for (const int shift : {16, 8, 0})
-          bytes.push_back(static_cast<unsigned char>(pixel >> shift));
-        bytes.push_back(255);
-      }
-    if (image)
-      XDestroyImage(image);
-    record(name("shown"), bytes);
+    record(name("shown"), grabWindow(m_display, place().window, place().width, place().height));
   }
   [[nodiscard]] std::string name(const char *what) {
     return "seed " + std::to_string(m_seed) + " frame " + std::to_string(m_frame) + " " + what +
@@ -269,6 +303,7 @@ private:
   GLXContext m_context = nullptr;
   Place m_places[2];
   int m_place = 0, m_frame = 0;
+  GLuint m_vertexPrograms[2] = {};
   GLuint m_textures[2] = {}, m_copy = 0, m_program = 0;
   float m_depth = 0;
 };

@@ -6,8 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include <X11/Xutil.h>
-
+#include "glx_windows.h"
 #include "surface.h"
 
 namespace software {
@@ -43,16 +42,7 @@ public:
   [[nodiscard]] Display *display() const { return m_display; }
 
   Window makeWindow(int x, int width, int height) {
-    XVisualInfo *const visual = glXGetVisualFromFBConfig(m_display, m_config);
-    const Window root = DefaultRootWindow(m_display);
-    XSetWindowAttributes set = {};
-    set.colormap = XCreateColormap(m_display, root, visual->visual, AllocNone);
-    const Window window =
-        XCreateWindow(m_display, root, x, 0, unsigned(width), unsigned(height), 0, visual->depth,
-                      InputOutput, visual->visual, CWColormap | CWBorderPixel, &set);
-    XMapWindow(m_display, window);
-    XSync(m_display, False);
-    XFree(visual);
+    const Window window = software::makeWindow(m_display, m_config, width, height, {.x = x});
     return window;
   }
   void use(GLXDrawable drawable) {
@@ -82,19 +72,8 @@ public:
 
   /// What the window shows now; no request before it but those that the scene made.
   void grab(const char *what, int number, Window window, int width = kWide, int height = kHigh) {
-    std::vector<unsigned char> bytes;
-    XImage *const image =
-        XGetImage(m_display, window, 0, 0, unsigned(width), unsigned(height), AllPlanes, ZPixmap);
-    for (int y = 0; image && y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const unsigned long pixel = XGetPixel(image, x, y);
-        for (const int shift : {16, 8, 0})
-          bytes.push_back(static_cast<unsigned char>(pixel >> shift));
-        bytes.push_back(255);
-      }
-    if (image)
-      XDestroyImage(image);
-    record(std::string(what) + " " + std::to_string(number) + takeErrors(), bytes);
+    record(std::string(what) + " " + std::to_string(number) + takeErrors(),
+           grabWindow(m_display, window, width, height));
   }
   void resize(Window window, int width, int height) {
     XResizeWindow(m_display, window, unsigned(width), unsigned(height));

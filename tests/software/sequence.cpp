@@ -3,6 +3,7 @@
 //   software-sequence SEED COUNT 3,17,20    only those of them
 //   software-sequence --names SEED COUNT    what they are
 // What was read comes out as records: a line "what TAB bytes", then the bytes.
+#include "random_commands.h"
 #include "world.h"
 
 #include <cstdio>
@@ -22,40 +23,11 @@ const Command &commandOf(Random &random) {
     all.insert(all.end(), kListCommands.begin(), kListCommands.end());
     return all;
   }();
-  static const int s_sum = [] {
-    int sum = 0;
-    for (const Command &command : s_all)
-      sum += command.weight;
-    return sum;
-  }();
-  int at = random.below(s_sum);
-  for (const Command &command : s_all) {
-    if (at < command.weight)
-      return command;
-    at -= command.weight;
-  }
-  return s_all.back();
-}
-
-/// Of command `number` alone, so that others can be left out.
-Random randomOf(std::uint64_t seed, int number) {
-  Random random(seed * 1000003u + std::uint64_t(number));
-  random.bits();
-  return random;
+  return pickByWeight(s_all, random);
 }
 
 std::string nameOf(int number, const Command &command) {
   return std::to_string(number) + " " + command.name;
-}
-
-std::set<int> chosen(const char *list) {
-  std::set<int> numbers;
-  for (const char *at = list; *at;) {
-    char *end = nullptr;
-    numbers.insert(int(std::strtol(at, &end, 10)));
-    at = *end == ',' ? end + 1 : "";
-  }
-  return numbers;
 }
 
 } // namespace
@@ -70,7 +42,7 @@ int main(int argc, char **argv) {
   const std::uint64_t seed = std::strtoull(argv[first], nullptr, 10);
   const int count = std::atoi(argv[first + 1]);
   const bool all = argc <= first + 2;
-  const std::set<int> only = all ? std::set<int>() : chosen(argv[first + 2]);
+  const std::set<int> only = all ? std::set<int>() : numbersOf(argv[first + 2]);
   World world;
   if (!names && !world.open())
     return 1;

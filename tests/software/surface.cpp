@@ -1,9 +1,9 @@
 #include "surface.h"
 
-#include <X11/Xutil.h>
-
 #include <cstdio>
 #include <cstdlib>
+
+#include "glx_windows.h"
 
 namespace software {
 
@@ -13,48 +13,16 @@ bool Screen::open() {
     std::fprintf(stderr, "software: no X display\n");
     return false;
   }
-  const int wanted[] = {GLX_DRAWABLE_TYPE,
-                        GLX_PBUFFER_BIT | GLX_WINDOW_BIT,
-                        GLX_RENDER_TYPE,
-                        GLX_RGBA_BIT,
-                        GLX_RED_SIZE,
-                        8,
-                        GLX_GREEN_SIZE,
-                        8,
-                        GLX_BLUE_SIZE,
-                        8,
-                        GLX_ALPHA_SIZE,
-                        8,
-                        GLX_DEPTH_SIZE,
-                        24,
-                        GLX_STENCIL_SIZE,
-                        8,
-                        GLX_DOUBLEBUFFER,
-                        True,
-                        None};
-  int count = 0;
-  GLXFBConfig *const configs =
-      glXChooseFBConfig(m_display, DefaultScreen(m_display), wanted, &count);
-  if (!configs || count == 0) {
+  m_config = chooseGlxConfig(m_display, GLX_PBUFFER_BIT | GLX_WINDOW_BIT);
+  if (!m_config) {
     std::fprintf(stderr, "software: no GLX configuration of RGBA8 with depth and stencil\n");
     return false;
   }
-  m_config = configs[0];
-  XFree(configs);
   return true;
 }
 
 GLXDrawable Screen::makeWindow(int width, int height) {
-  XVisualInfo *const visual = glXGetVisualFromFBConfig(m_display, m_config);
-  const Window root = DefaultRootWindow(m_display);
-  XSetWindowAttributes attributes = {};
-  attributes.colormap = XCreateColormap(m_display, root, visual->visual, AllocNone);
-  m_window =
-      XCreateWindow(m_display, root, 0, 0, unsigned(width), unsigned(height), 0, visual->depth,
-                    InputOutput, visual->visual, CWColormap | CWBorderPixel, &attributes);
-  XMapWindow(m_display, m_window);
-  XSync(m_display, False);
-  XFree(visual);
+  m_window = software::makeWindow(m_display, m_config, width, height);
   return glXCreateWindow(m_display, m_config, m_window, nullptr);
 }
 
@@ -89,20 +57,7 @@ void Screen::swap(GLXDrawable drawable) { glXSwapBuffers(m_display, drawable); }
 std::vector<unsigned char> Screen::grab(int width, int height) {
   glXWaitGL();
   XSync(m_display, False);
-  std::vector<unsigned char> bytes;
-  XImage *const image =
-      XGetImage(m_display, m_window, 0, 0, unsigned(width), unsigned(height), AllPlanes, ZPixmap);
-  for (int y = height - 1; image && y >= 0; --y) {
-    for (int x = 0; x < width; ++x) {
-      const unsigned long pixel = XGetPixel(image, x, y);
-      for (const int shift : {16, 8, 0})
-        bytes.push_back(static_cast<unsigned char>(pixel >> shift));
-      bytes.push_back(255);
-    }
-  }
-  if (image)
-    XDestroyImage(image);
-  return bytes;
+  return grabWindow(m_display, m_window, width, height);
 }
 
 void record(const std::string &text, const std::vector<unsigned char> &bytes) {
