@@ -8,6 +8,7 @@ and goes on to the next such line; lines that begin with # before the first are 
 accept or refuse; REASON is the specification's section or rule. A WORD is one of
 
     undefined            the specification leaves open what is drawn: bare hosts are not compared
+    exact                all ways draw the same to the bit, the bare host's own path included
     show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
     bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
     bare refuse: WHY
@@ -35,6 +36,7 @@ class Case:
     accepted: bool
     reason: str
     undefined: bool = False
+    exact: bool = False
     shown: str = 'primary'
     bare_accepted: bool = None
     bare_reason: str = ''
@@ -81,8 +83,8 @@ def stage_of(path, text):
 
 def with_words(case, words):
     for word in words:
-        if word == 'undefined':
-            case.undefined = True
+        if word in ('undefined', 'exact'):
+            setattr(case, word, True)
         elif word.startswith('show '):
             case.shown = word[5:]
         elif word.startswith('bare ') and ': ' in word:

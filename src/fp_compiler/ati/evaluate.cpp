@@ -119,10 +119,10 @@ private:
       return a(2, i) < 0.0f ? a(1, i) : a(0, i);
     case Op::Dot2Add:
       return flush(flush(product(0) + product(1)) + a(2, 2));
-    case Op::Dot3:
-      return flush(flush(product(0) + product(1)) + product(2));
+    case Op::Dot3: // in the order of ir/semantics.h
+      return flush(flush(product(2) + product(1)) + product(0));
     case Op::Dot4:
-      return flush(flush(flush(product(0) + product(1)) + product(2)) + product(3));
+      return flush(flush(flush(product(3) + product(2)) + product(1)) + product(0));
     }
     return 0.0f;
   }

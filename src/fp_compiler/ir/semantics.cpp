@@ -33,6 +33,9 @@ constexpr auto kReciprocalRoot = [](auto x) { return 1 / std::sqrt(std::fabs(x))
 struct Host {
   static float product(float a, float b) { return flushed(a * b); }
   static float sum(float a, float b) { return flushed(a + b); }
+  static float sum(float x, float y, float z) { return sum(sum(z, y), x); }
+  static float sum(float x, float y, float z, float w) { return sum(sum(sum(w, z), y), x); }
+  static float homogeneous(float x, float y, float z, float w) { return sum(sum(x, sum(z, w)), y); }
   static float result(float value) { return flushed(value); }
   template <typename F> static float of(F function, float x) { return function(x); }
   /// a > 0, b != 0. One rounding: hosts have pow() as one function.
@@ -55,6 +58,9 @@ struct Legacy : Host {
 struct Fp24 : Legacy {
   static float product(float a, float b) { return fp24::rounded(Legacy::product(a, b)); }
   static float sum(float a, float b) { return fp24::rounded(a + b); }
+  static float sum(float x, float y, float z) { return sum(sum(x, y), z); }
+  static float sum(float x, float y, float z, float w) { return sum(sum(x, y, z), w); }
+  static float homogeneous(float x, float y, float z, float w) { return sum(x, y, z, w); }
   static float result(float value) { return fp24::rounded(value); }
   /// Through a double, so that the single is the right one: the mode is to the bit.
   template <typename F> static float of(F function, float x) {
@@ -95,9 +101,11 @@ Vec4 logarithm(float value) {
 
 /// The opcodes in a mode's operations. Its results need no rounding but result().
 template <typename Mode> struct Unit {
-  static float dot3(const Vec4 &a, const Vec4 &b) {
-    return Mode::sum(Mode::sum(Mode::product(a[0], b[0]), Mode::product(a[1], b[1])),
-                     Mode::product(a[2], b[2]));
+  static Vec4 products(const Vec4 &a, const Vec4 &b) { return zip(a, b, Mode::product); }
+  static float dot3(const Vec4 &p) { return Mode::sum(p[0], p[1], p[2]); }
+  static float dot4(const Vec4 &p) { return Mode::sum(p[0], p[1], p[2], p[3]); }
+  static float homogeneous(const Vec4 &p, float w) {
+    return Mode::homogeneous(p[0], p[1], p[2], w);
   }
 
   static float power(float a, float b) {
@@ -136,17 +144,17 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Abs:
     return map(a, [](float x) { return std::fabs(x); });
   case Opcode::Add:
-    return zip(a, b, Mode::sum);
+    return zip(a, b, [](float x, float y) { return Mode::sum(x, y); });
   case Opcode::Cmp:
     return zip(a, b, c, [](float x, float y, float z) { return x < 0.0f ? y : z; });
   case Opcode::Cos:
     return all(Mode::of(kCosine, a[0]));
   case Opcode::Dp3:
-    return all(dot3(a, b));
+    return all(dot3(products(a, b)));
   case Opcode::Dp4:
-    return all(Mode::sum(dot3(a, b), Mode::product(a[3], b[3])));
+    return all(dot4(products(a, b)));
   case Opcode::Dph:
-    return all(Mode::sum(dot3(a, b), b[3]));
+    return all(homogeneous(products(a, b), b[3]));
   case Opcode::Dst:
     return {1.0f, Mode::product(a[1], b[1]), a[2], b[3]};
   case Opcode::Ex2:

@@ -10,7 +10,7 @@
 /// else.
 ///
 /// Numbers. IEEE single precision, round to nearest, each operation rounded by itself (MAD, LRP,
-/// dot products: products first, sums from left to right). A denormal, read or produced, counts as
+/// dot products: products first, then their sums). A denormal, read or produced, counts as
 /// zero of its sign. NaN and infinities spread as IEEE says, unless a rule below stops them. NaNs
 /// are not told apart.
 ///
@@ -26,7 +26,9 @@
 /// ARL      floor(a), as an integer; beyond +-2^31, or of NaN, an index that no array has.
 /// CMP      a < 0 ? b : c; so NaN and -0 choose c.
 /// COS SIN  any angle; an infinite one gives NaN.
-/// DP3 DP4 DPH           sums from x to w; DPH adds b.w last.
+/// DP3 DP4  the last two products are added first, then towards x: ((w + z) + y) + x.
+/// DPH      (x + (z + b.w)) + y. Both orders are Mesa's, for its own parser's programs: what one
+///          pass draws with the host and the next with machine code meets at equal depths.
 /// DST      (1, a.y*b.y, a.z, b.w)
 /// EXP      (2^floor(a), a - floor(a), 2^a, 1)
 /// EX2      2^a; overflows to infinity, underflows to 0.
@@ -75,7 +77,7 @@
 ///             constants, env, local and state rows are fp24::truncated.
 ///   Steps     Each single operation is done on singles as above, and its result is
 ///             fp24::rounded: each product, each sum (also those inside of MAD, LRP, XPD and the
-///             dot products, from left to right), 1-a of LRP, a - FLR(a). That it is rounded twice
+///             dot products, ((x + y) + z) + w), 1-a of LRP, a - FLR(a). That it is rounded twice
 ///             is the definition. Where the single result is a tie of the 24-bit grid only because
 ///             of its own rounding, one rounding would differ by a unit of the last place.
 ///   Functions COS EX2 LG2 RCP RSQ SCS SIN: the exact result to a single, then fp24::rounded.

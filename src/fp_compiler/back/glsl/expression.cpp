@@ -81,19 +81,20 @@ struct Writer {
   std::string cross() const;
 };
 
-/// Products first, then sums from x to w.
+/// dot() is taken to sum in the order of ir/semantics.h, as Mesa's does.
 std::string Writer::dot(const Components &at) const {
   if (plain())
     return "dot(" + vec(0, at) + ", " + vec(1, at) + ")";
   return "arb_sum(" + product(vec(0, at), vec(1, at), proofs.first) + ")";
 }
 
-/// Of four terms where the host may order them: it orders those of its own parser's DPH as DP4's,
-/// and passes that meet at equal depths rely on that.
+/// As Mesa orders it for its own parser's DPH: passes that meet at equal depths rely on that.
 std::string Writer::dph() const {
-  if (plain())
-    return "dot(vec4(" + vec(0, {0, 1, 2}) + ", 1.0), " + vec(1, {0, 1, 2, 3}) + ")";
-  return rounded(dot({0, 1, 2}) + " + " + at(1, 3));
+  if (!plain())
+    return "arb_sum(" + product(vec(0, {0, 1, 2}), vec(1, {0, 1, 2}), proofs.first) + ", " +
+           at(1, 3) + ")";
+  const auto term = [&](int i) { return at(0, i) + " * " + at(1, i); };
+  return "(" + term(0) + " + (" + term(2) + " + " + at(1, 3) + ")) + " + term(1);
 }
 
 std::string Writer::lrp() const {

@@ -96,15 +96,13 @@ constexpr const char *kPower =
     "  float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));\n"
     "  return b == 0.0 ? 1.0 : a > 0.0 ? power : 0.0;\n}\n";
 
-std::string sums(Numerics numerics) {
-  const bool rounds = numerics == Numerics::Fp24;
-  const auto sum = [&](const char *text) {
-    return rounds ? "arb_round(" + std::string(text) + ")" : std::string(text);
-  };
-  return "float arb_sum(vec3 p) { return " +
-         (rounds ? sum("arb_round(p.x + p.y) + p.z") : "p.x + p.y + p.z") +
-         "; }\nfloat arb_sum(vec4 p) { return " + sum("arb_sum(p.xyz) + p.w") + "; }\n";
-}
+constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
+                         "float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }\n"
+                         "float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }\n";
+constexpr char kRoundedSums[] =
+    "float arb_sum(vec3 p) { return arb_round(arb_round(p.x + p.y) + p.z); }\n"
+    "float arb_sum(vec3 p, float w) { return arb_round(arb_sum(p) + w); }\n"
+    "float arb_sum(vec4 p) { return arb_sum(p.xyz, p.w); }\n";
 
 struct Helper {
   std::string name, text;
@@ -124,7 +122,7 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
                       forVectors("arb_mul", 2)},
       {"arb_mulz", product("arb_mulz(float z, float x)", "z == 0.0", "z * x", exact) +
                        forVectors("arb_mulz", 2)},
-      {"arb_sum", sums(numerics)},
+      {"arb_sum", numerics == Numerics::Fp24 ? kRoundedSums : kSums},
       {"arb_pow", kPower},
   };
   std::string text;

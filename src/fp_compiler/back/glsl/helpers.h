@@ -10,7 +10,7 @@ namespace arbiter::fp::glsl {
 /// modes of arithmetic:
 ///   arb_mul(a, b)   a product of which either factor may be a zero beside an infinity or NaN
 ///   arb_mulz(z, x)  one of which only z may
-///   arb_sum(v)      the components' sum, from x to w
+///   arb_sum(v)      the components' sum, and arb_sum(v, w) DPH's, in the order of ir/semantics.h
 ///   arb_round(x)    fp24::rounded(), arb_truncate(x) fp24::truncated(), arb_colour(x)
 ///                   fp24::colour(), arb_pow(a, b) POW's three steps
 /// \param numerics that the program follows

@@ -56,7 +56,14 @@ private:
   }
   Value *product(std::size_t i) { return product(m_a[i], m_b[i], m_proofs.first); }
 
-  Value *dot3() { return sum(sum(product(0), product(1)), product(2)); }
+  /// From the last of the products to the first (ir/semantics.h).
+  Value *dot(std::size_t terms) {
+    Value *all = product(terms - 1);
+    for (std::size_t i = terms - 1; i-- > 0;)
+      all = sum(all, product(i));
+    return all;
+  }
+  Value *homogeneous() { return sum(sum(product(0), sum(product(2), m_b[3])), product(1)); }
 
   Value *truth(llvm::CmpInst::Predicate predicate, std::size_t i) {
     return m_code.select(m_ir.CreateFCmp(predicate, m_a[i], m_b[i]), one(), zero());
@@ -147,11 +154,11 @@ Vec Unit::compute(Opcode op) {
   case Opcode::Cos:
     return all(sineCosine(m_code, m_a[0]).cosine);
   case Opcode::Dp3:
-    return all(dot3());
+    return all(dot(3));
   case Opcode::Dp4:
-    return all(sum(dot3(), product(3)));
+    return all(dot(4));
   case Opcode::Dph:
-    return all(sum(dot3(), m_b[3]));
+    return all(homogeneous());
   case Opcode::Dst:
     return of([&] { return one(); }, [&] { return product(1); }, [&] { return m_a[2]; },
               [&] { return m_b[3]; });

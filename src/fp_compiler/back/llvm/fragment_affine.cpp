@@ -116,10 +116,15 @@ std::optional<Affine> AffineFlow::result(const ir::Instruction &instruction, int
 
 std::optional<Affine> AffineFlow::dot(const ir::Instruction &instruction, int terms,
                                       bool homogeneous) {
-  std::optional<Affine> sum = multiply(read(instruction.src[0], 0), read(instruction.src[1], 0));
-  for (int c = 1; c < terms; ++c)
-    sum = add(sum, multiply(read(instruction.src[0], c), read(instruction.src[1], c)));
-  return homogeneous ? add(sum, read(instruction.src[1], 3)) : sum;
+  const auto term = [&](int c) {
+    return multiply(read(instruction.src[0], c), read(instruction.src[1], c));
+  };
+  if (homogeneous) // the order of the sums is that of ir/semantics.h
+    return add(add(term(0), add(term(2), read(instruction.src[1], 3))), term(1));
+  std::optional<Affine> sum = term(terms - 1);
+  for (int c = terms - 2; c >= 0; --c)
+    sum = add(sum, term(c));
+  return sum;
 }
 
 std::optional<Affine> AffineFlow::add(const std::optional<Affine> &a,

@@ -27,7 +27,8 @@ vec2 arb_mul(vec2 a, vec2 b) { return vec2(arb_mul(a.x, b.x), arb_mul(a.y, b.y))
 vec3 arb_mul(vec3 a, vec3 b) { return vec3(arb_mul(a.x, b.x), arb_mul(a.y, b.y), arb_mul(a.z, b.z)); }
 vec4 arb_mul(vec4 a, vec4 b) { return vec4(arb_mul(a.x, b.x), arb_mul(a.y, b.y), arb_mul(a.z, b.z), arb_mul(a.w, b.w)); }
 float arb_sum(vec3 p) { return arb_round(arb_round(p.x + p.y) + p.z); }
-float arb_sum(vec4 p) { return arb_round(arb_sum(p.xyz) + p.w); }
+float arb_sum(vec3 p, float w) { return arb_round(arb_sum(p) + w); }
+float arb_sum(vec4 p) { return arb_sum(p.xyz, p.w); }
 float arb_pow(float a, float b) {
   float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));
   return b == 0.0 ? 1.0 : a > 0.0 ? power : 0.0;
@@ -42,7 +43,7 @@ void main() {
   t0 = arb_round(arb_round(arb_mul(t1, i0)) + t0);
   t1.x = arb_sum(arb_round(arb_mul(t0.xyz, s0.xyz)));
   t1.y = arb_sum(arb_round(arb_mul(t0, s0)));
-  t1.z = arb_round(arb_sum(arb_round(arb_mul(t0.xyz, s0.xyz))) + s0.w);
+  t1.z = arb_sum(arb_round(arb_mul(t0.xyz, s0.xyz)), s0.w);
   t0.xyz = arb_round(arb_round(arb_mul(s0.xyz, t1.xyz)) + arb_round(arb_mul(arb_round(1.0 - s0.xyz), i0.xyz)));
   t1.xyz = arb_round((arb_round(arb_mul(t0.yzx, s0.zxy)) - arb_round(arb_mul(t0.zxy, s0.yzx))));
   t1.w = arb_pow(1.0, s0.y);

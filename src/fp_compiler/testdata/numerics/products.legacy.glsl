@@ -5,8 +5,9 @@ float arb_mul(float a, float b) { float p = a * b; return p != p && (a == 0.0 ||
 vec2 arb_mul(vec2 a, vec2 b) { return vec2(arb_mul(a.x, b.x), arb_mul(a.y, b.y)); }
 vec3 arb_mul(vec3 a, vec3 b) { return vec3(arb_mul(a.x, b.x), arb_mul(a.y, b.y), arb_mul(a.z, b.z)); }
 vec4 arb_mul(vec4 a, vec4 b) { return vec4(arb_mul(a.x, b.x), arb_mul(a.y, b.y), arb_mul(a.z, b.z), arb_mul(a.w, b.w)); }
-float arb_sum(vec3 p) { return p.x + p.y + p.z; }
-float arb_sum(vec4 p) { return arb_sum(p.xyz) + p.w; }
+float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }
+float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }
+float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }
 void main() {
   vec4 t0;
   vec4 t1;
@@ -15,7 +16,7 @@ void main() {
   t0 = arb_mul(t1, gl_TexCoord[0]) + t0;
   t1.x = arb_sum(arb_mul(t0.xyz, arb_param[0].xyz));
   t1.y = arb_sum(arb_mul(t0, arb_param[0]));
-  t1.z = arb_sum(arb_mul(t0.xyz, arb_param[0].xyz)) + arb_param[0].w;
+  t1.z = arb_sum(arb_mul(t0.xyz, arb_param[0].xyz), arb_param[0].w);
   t0.xyz = arb_mul(arb_param[0].xyz, t1.xyz) + arb_mul((1.0 - arb_param[0].xyz), gl_TexCoord[0].xyz);
   t1.xyz = (arb_mul(t0.yzx, arb_param[0].zxy) - arb_mul(t0.zxy, arb_param[0].yzx));
   t1.w = (arb_param[0].y == 0.0 || 1.0 == 1.0 ? 1.0 : (1.0 > 0.0 ? pow(1.0, arb_param[0].y) : 0.0));

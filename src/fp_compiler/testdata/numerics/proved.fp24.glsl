@@ -24,7 +24,8 @@ vec2 arb_mulz(vec2 a, vec2 b) { return vec2(arb_mulz(a.x, b.x), arb_mulz(a.y, b.
 vec3 arb_mulz(vec3 a, vec3 b) { return vec3(arb_mulz(a.x, b.x), arb_mulz(a.y, b.y), arb_mulz(a.z, b.z)); }
 vec4 arb_mulz(vec4 a, vec4 b) { return vec4(arb_mulz(a.x, b.x), arb_mulz(a.y, b.y), arb_mulz(a.z, b.z), arb_mulz(a.w, b.w)); }
 float arb_sum(vec3 p) { return arb_round(arb_round(p.x + p.y) + p.z); }
-float arb_sum(vec4 p) { return arb_round(arb_sum(p.xyz) + p.w); }
+float arb_sum(vec3 p, float w) { return arb_round(arb_sum(p) + w); }
+float arb_sum(vec4 p) { return arb_sum(p.xyz, p.w); }
 void main() {
   vec4 i0 = arb_colour(gl_Color);
   vec4 i1 = arb_round(gl_TexCoord[1]);

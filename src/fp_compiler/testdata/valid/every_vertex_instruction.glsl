@@ -32,7 +32,7 @@ void main() {
   a0 = arb_address(t1.y);
   t2.x = dot(t0.xyz, t1.xyz);
   t2.y = dot(t0, t1);
-  t2.z = dot(vec4(t0.xyz, 1.0), t1);
+  t2.z = (t0.x * t1.x + (t0.z * t1.z + t1.w)) + t0.y * t1.y;
   t2.w = t1.w;
   t0.x = exp2(t2.x);
   t0.y = fract(t2.y);
