@@ -18,6 +18,9 @@ import sides
 from x_server import XServer
 
 SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
+# Machine code that is late: passes of one frame must meet all the same.
+WAYS = {"auto": ("auto", {}), "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
+        "swrast": ("swrast", {}), "host": ("host", {})}
 POISON = ("85", "170", "157")  # what fresh memory holds: of two bare runs, and of the layer's
 
 
@@ -61,13 +64,14 @@ def main():
                 runs.append(sides.run(command, sides.environment(
                     extra={"DISPLAY": display, "MALLOC_PERTURB_": poison})))
         bare = defined(*runs)
-        for backend in ("auto", "swrast", "host"):
+        for way, (backend, extra) in WAYS.items():
             with tempfile.TemporaryDirectory(prefix="arbiter-mixed-") as scratch, \
                     XServer(options=options) as display:
                 stats = pathlib.Path(scratch) / "stats.json"
                 env = sides.environment(sides.layer_of(build), backend,
                                         {"DISPLAY": display, "XDG_CACHE_HOME": scratch,
-                                         "ARBITER_STATS": str(stats), "MALLOC_PERTURB_": POISON[2]})
+                                         "ARBITER_STATS": str(stats), "MALLOC_PERTURB_": POISON[2],
+                                         **extra})
                 try:
                     layer = sides.run(command, env)
                 except (sides.Died, subprocess.TimeoutExpired) as death:
@@ -75,7 +79,7 @@ def main():
                 else:
                     wrong = judge(bare, layer, backend, sides.software_statistics(stats))
             passed, failed = passed + (not wrong), failed + bool(wrong)
-            print(f"{'FAIL' if wrong else 'pass'} {backend}, {server}: {args.count} sequences from seed "
+            print(f"{'FAIL' if wrong else 'pass'} {way}, {server}: {args.count} sequences from seed "
                   f"{args.first}, {len(bare)} pictures", flush=True)
             for line in wrong[:12]:
                 print(f"     {line}")

@@ -5,10 +5,12 @@
 #include <deque>
 #include <mutex>
 #include <new>
+#include <thread>
 
 #include <pthread.h>
 #include <unistd.h>
 
+#include "util/flags.h"
 #include "util/thread.h"
 
 namespace arbiter::state::software {
@@ -18,6 +20,8 @@ namespace {
 /// LLVM recurses by the depth of a program's dependencies. Pages that are not reached are not
 /// there.
 constexpr std::size_t kStack = std::size_t(16) << 20;
+/// Longer than a draw waits that can do without (functions.cpp).
+constexpr std::chrono::milliseconds kLate{60};
 
 class Compiler {
 public:
@@ -57,6 +61,8 @@ private:
       m_tasks.pop_front();
       m_busy = true;
       lock.unlock();
+      if (debugFlag(DebugFlag::LateCode))
+        std::this_thread::sleep_for(kLate);
       try {
         task();
       } catch (const std::exception &) { // no memory, and nobody here to tell

@@ -46,11 +46,17 @@ struct ContextState {
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
-  /// Turns of the host in this frame that draw what we cannot. Depths of two rasterizers are not
-  /// equal to the bit, and passes that compare them for equality meet only if one of the two draws
-  /// all: under auto depth is tested by us only after a frame that was ours as a whole.
+  /// Turns of the host in this frame that draw what the rasterizer cannot. Depths of two
+  /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
+  /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
-  bool wholeFrames = false;          ///< the last frame had none
+  bool wholeFrames = false;  ///< the last frame had none
+  bool hostDrew = false;     ///< in this frame, for whatever reason
+  bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
+  /// Whether the rasterizer may test depth or stencil now.
+  [[nodiscard]] bool mayTestDepth() const {
+    return forced || (wholeFrames && !hostDrew && hostTurns == 0);
+  }
   std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
   bool presents = false;             ///< a window was shown
   bool finishes = false;             ///< Finish was called, and no window shown

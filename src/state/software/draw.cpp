@@ -8,6 +8,7 @@
 #include "state/errors.h"
 #include "state/memory.h"
 #include "state/software/array_source.h"
+#include "state/software/compile_thread.h"
 #include "state/software/large_draw.h"
 #include "state/software/pipeline.h"
 #include "state/software/replay.h"
@@ -21,6 +22,7 @@ namespace {
 /// what it draws to is its own from here on.
 void giveToHost(Context &context, Fallback reason) {
   context.software->fellBack(reason);
+  context.software->hostDrew = true;
   // What will be ours later, or is not ours for this alone, says nothing about the frame.
   const bool says =
       reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
@@ -69,6 +71,27 @@ Outcome prepare(Context &context, GLenum mode, std::uint32_t count) {
   return pipelineOf(context).choose(context, {mode, count});
 }
 
+/// Whether a draw must meet depths that the rasterizer wrote in this frame.
+bool meetsOurDepths(const ContextState &state) {
+  const abi::DepthStencilKey &depth = state.mirror.pixelOps.depthStencil;
+  return state.depthsTested && (depth.depthTest != 0 || depth.stencilTest != 0);
+}
+
+/// What a draw comes to. Where the host would draw it only because its machine code is still in the
+/// making, and its depths would then not meet those of earlier passes, the code is waited for; what
+/// takes longer than a part of a second is not in the making (fp_compiler's budget).
+template <typename Attempt> Outcome settled(Context &context, Attempt attempt) {
+  Outcome outcome = attempt();
+  // A program is prepared, then its vertex and its fragment function are made: one after the other.
+  for (int step = 0; step < 4 && !outcome.ok() && outcome.reason() == Fallback::Compiling &&
+                     meetsOurDepths(*context.software);
+       ++step) {
+    awaitCompiler(std::nullopt);
+    outcome = attempt();
+  }
+  return outcome;
+}
+
 /// What a draw wants of the current values: unfilled polygons have edge flags too.
 std::uint32_t slotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
@@ -115,14 +138,20 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   return pipeline.shade(context, compacted, range, first, count);
 }
 
+void noteDrawn(Context &context) {
+  ContextState &state = *context.software;
+  ++state.drawn;
+  state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
+  ++context.draws[std::size_t(Path::Rasterizer)];
+}
+
 /// Counts whose draw it was; the host is brought up to date for its own.
 bool conclude(Context &context, const Outcome &outcome) {
   if (!outcome.ok()) {
     giveToHost(context, outcome.reason());
     return false;
   }
-  ++context.software->drawn;
-  ++context.draws[std::size_t(Path::Rasterizer)];
+  noteDrawn(context);
   return true;
 }
 
@@ -133,27 +162,29 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE ||
       command.count <= 0 || command.first < 0)
     return false;
-  Outcome outcome = prepare(context, command.mode, std::uint32_t(command.count));
-  if (outcome.ok())
-    outcome = drawFromArrays(context, command);
-  return conclude(context, outcome);
+  return conclude(context, settled(context, [&] {
+                    const Outcome outcome =
+                        prepare(context, command.mode, std::uint32_t(command.count));
+                    return outcome.ok() ? drawFromArrays(context, command) : outcome;
+                  }));
 }
 
 bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std::uint32_t count) {
-  Outcome outcome = source ? prepare(context, mode, count) : Outcome(Fallback::Vertices);
-  if (outcome.ok()) {
-    Pipeline &pipeline = pipelineOf(context);
-    Mirror &mirror = context.software->mirror;
-    refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
-    outcome = shadeAll(context, *source, count);
-  }
-  return conclude(context, outcome);
+  return conclude(context, settled(context, [&] {
+                    const Outcome outcome =
+                        source ? prepare(context, mode, count) : Outcome(Fallback::Vertices);
+                    if (!outcome.ok())
+                      return outcome;
+                    Mirror &mirror = context.software->mirror;
+                    refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
+                    return shadeAll(context, *source, count);
+                  }));
 }
 
 bool begin(Context &context, GLenum mode) {
   if (!context.software || context.listMode == GL_COMPILE)
     return false;
-  const Outcome outcome = prepare(context, mode, 0);
+  const Outcome outcome = settled(context, [&] { return prepare(context, mode, 0); });
   if (!outcome.ok()) {
     giveToHost(context, outcome.reason());
     return false;
@@ -173,7 +204,7 @@ void end(Context &context) {
     outcome = Fallback::Memory;
   else if (count != 0)
     try {
-      outcome = shadeAll(context, source, count);
+      outcome = settled(context, [&] { return shadeAll(context, source, count); });
     } catch (const std::exception &) { // the attributes have been set whatever was drawn
       tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
       throw;
@@ -187,8 +218,7 @@ void end(Context &context) {
     return;
   }
   tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
-  ++state.drawn;
-  ++context.draws[std::size_t(Path::Rasterizer)];
+  noteDrawn(context);
 }
 
 } // namespace arbiter::state::software

@@ -22,6 +22,7 @@ std::uint64_t workOf(const ContextState &state) {
 
 void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
+  state.hostDrew = state.depthsTested = false;
   // A frame in which nothing was drawn says nothing about the next one.
   if (workOf(state) != state.workSeen) {
     state.wholeFrames = state.hostTurns == 0;

@@ -73,7 +73,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     depth.stencilTest = 0;
   if (!depth.depthTest && !depth.stencilTest)
     depth = {};
-  else if (!context.software->forced && !context.software->wholeFrames)
+  else if (!context.software->mayTestDepth())
     return Fallback::Mixed;
   for (int i = 0; i < abi::kMaxColorTargets; ++i) {
     abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
@@ -95,7 +95,7 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
 
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {
   return {context.selections, imagesVersion(context),      mirror.vertex.version,
-          kind.mode,          kind.count >= kManyVertices, context.software->wholeFrames};
+          kind.mode,          kind.count >= kManyVertices, context.software->mayTestDepth()};
 }
 
 Outcome Pipeline::choose(Context &context, const Kind &kind) {

@@ -42,6 +42,10 @@ public:
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
   [[nodiscard]] swrast::Topology topology() const { return m_topology; }
+  /// The chosen draw tests depth or stencil.
+  [[nodiscard]] bool testsDepth() const {
+    return m_key.depthStencil.depthTest != 0 || m_key.depthStencil.stencilTest != 0;
+  }
   /// The attributes that the chosen vertex function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
   [[nodiscard]] std::uint32_t currentSlots() const { return m_vertices.currentSlots(); }
@@ -56,7 +60,7 @@ private:
     std::uint32_t vertexState = 0; ///< VertexState::version
     GLenum mode = 0;
     bool many = false;
-    bool wholeFrames = false; ///< ContextState::wholeFrames
+    bool mayTestDepth = false; ///< ContextState::mayTestDepth()
     bool operator==(const Basis &) const = default;
   };
   [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
