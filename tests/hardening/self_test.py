@@ -22,11 +22,11 @@ using Function = int (*)(int);
 static int twice(int n) { return 2 * n; }
 static int thrice(int n) { return 3 * n; }
 SEEN int call(int at, int n) {
-  TABLE Function s_table[] = {twice, thrice};
+  TABLE Function s_table[] = {twice, thrice, twice, thrice, twice, thrice, twice, thrice};
 #ifdef WRITES
   if (n == 77) s_table[0] = s_table[1];
 #endif
-  return s_table[at & 1](n);
+  return s_table[at & 7](n);
 }
 SEEN int length(const char *text) {
   char copy[64];

@@ -159,7 +159,7 @@ TEST_F(Coverage, ShortAndLevelLines) {
   for (int round = 0; round < 300; ++round) {
     Scene s = scene(Topology::Lines);
     for (int i = 0; i < 10; ++i) {
-      const double x = place(1, s.width - 1), y = place(1, s.height - 1);
+      const double x = place(1, std::max(s.width - 1, 1)), y = place(1, std::max(s.height - 1, 1));
       s.add(x, y);
       s.add(round % 3 == 0 ? x : place(x - 1, x + 1), round % 3 == 1 ? y : place(y - 1, y + 1));
     }
