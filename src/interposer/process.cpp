@@ -14,6 +14,7 @@
 
 #include "interposer/first.h"
 #include "util/log.h"
+#include "util/unwinder.h"
 
 namespace arbiter::interposer {
 
@@ -108,6 +109,7 @@ void selectArbiter() {
 
 [[gnu::constructor]] void constructed() {
   try {
+    prepareUnwinder();
     selectArbiter();
   } catch (const std::exception &) { // no memory even now: the process does without the layer
   }

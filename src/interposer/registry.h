@@ -39,11 +39,12 @@ void copied(const Key &from, const Key &to, unsigned long mask);
 void displayClosed(Provider provider, const void *display);
 
 /// A function of the window system as the application calls it: where there is no memory for what
-/// the layer does it returns a zero of its result, and no exception leaves it.
+/// the layer does it returns a zero of its result. Not noexcept: a thread that is cancelled while
+/// the host waits for the X server is unwound through this.
 template <auto Function> struct Guarded;
 template <typename Result, typename... Arguments, Result (*Function)(Arguments...)>
 struct Guarded<Function> {
-  static Result call(Arguments... arguments) noexcept {
+  static Result call(Arguments... arguments) {
     try {
       return Function(arguments...);
     } catch (const std::exception &) {

@@ -13,9 +13,10 @@ class Context;
 void outOfMemory(Context &context, const char *name) noexcept;
 
 /// Runs `work`; where it finds no memory, raises the error in the name of the command `name`. For
-/// steps of a command that goes on whatever becomes of them.
-/// \return false if it was not carried out to its end
-template <typename Work> bool withinMemory(Context &context, const char *name, Work work) noexcept {
+/// steps of a command that goes on whatever becomes of them. Not noexcept, as `work` may ask the
+/// host: a thread that is cancelled there is unwound through this. \return false if it was not
+/// carried out to its end
+template <typename Work> bool withinMemory(Context &context, const char *name, Work work) {
   try {
     work();
     return true;

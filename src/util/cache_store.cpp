@@ -18,6 +18,7 @@
 #include "util/cache_key.h"
 #include "util/file.h"
 #include "util/hash.h"
+#include "util/thread.h"
 
 namespace arbiter {
 
@@ -174,6 +175,7 @@ std::string entryBytes(std::string_view key, std::string_view value, const HashK
 
 CacheStore::CacheStore(std::string folder, std::uint64_t maxBytes) noexcept
     : m_folder(std::move(folder)), m_shardBytes(maxBytes / kShards) {
+  const NoCancel scope;
   try {
     if (m_folder.empty() || m_folder[0] != '/' || !makeFolders(m_folder))
       return;
@@ -188,6 +190,7 @@ CacheStore::CacheStore(std::string folder, std::uint64_t maxBytes) noexcept
 std::optional<std::string> CacheStore::find(std::string_view key) const noexcept {
   if (!m_usable)
     return std::nullopt;
+  const NoCancel scope;
   try {
     const std::string name = toHex(hashBytes(key));
     const std::string path = shardOf(m_folder, name) + "/" + name;
@@ -214,6 +217,7 @@ std::optional<std::string> CacheStore::find(std::string_view key) const noexcept
 bool CacheStore::store(std::string_view key, std::string_view value) const noexcept {
   if (!m_usable)
     return false;
+  const NoCancel scope;
   try {
     const std::string bytes = entryBytes(key, value, m_secret);
     if (bytes.size() > m_shardBytes / 2)

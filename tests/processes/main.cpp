@@ -49,6 +49,8 @@ int main(int count, char **arguments) {
   g_wanted = g_list ? "" : arguments[1];
   for (void (*const rows)(void (*)(Row)) : {endRows, surroundingRows, forkRows, threadRows})
     rows(add);
+  if (watchedRows)
+    watchedRows(add);
   if (g_list)
     return 0;
   if (!g_run) {

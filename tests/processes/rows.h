@@ -14,6 +14,8 @@ void endRows(void (*add)(Row));
 void surroundingRows(void (*add)(Row));
 void forkRows(void (*add)(Row));
 void threadRows(void (*add)(Row));
+/// In the program whose malloc is its own (foreign_watched) only.
+[[gnu::weak]] void watchedRows(void (*add)(Row));
 
 /// Milliseconds by FOREIGN_SEED, so that what comes from aside comes at any point of a frame.
 int someMilliseconds();

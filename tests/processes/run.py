@@ -2,8 +2,10 @@
 """The matrix of foreign processes: each row is something that programs do to themselves (ends.cpp,
 surroundings.cpp, forks.cpp, threads.cpp), run on the bare host and under the layer with each back end.
 None may be worse than bare: the same end, the same output, the same picture within a step, in time.
+Where the bare host itself fails now and then, the layer may not fail more often (rates.py).
 
   tests/processes/run.py --build build                     all
+  tests/processes/run.py --build build --quick --repeat 1  as ./dev test
   tests/processes/run.py --build build --only exit         rows that have "exit" in their name
   tests/processes/run.py --build build --repeat 20         each row that comes from aside 20 times
   tests/processes/run.py --build build --seed 1234         as a failure named it
@@ -24,10 +26,16 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "clients"))
+import rates  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 WAYS = ("host", "auto", "swrast")
 TIMEOUT = 60
+TIMEOUT_OF_RATES = 25
+# What the bare host does not always stand, by its own locks and destructors: rates are compared, which
+# takes minutes, and is left to the whole matrix. The rows of watched.cpp ask the same of the layer alone.
+BY_CHANCE = ("exit-in-handler-", "exit-in-thread-compiling", "exit-while-other-draws", "longjmp-then-exit",
+             "fork-child-exits")
 # Rows in which something comes at any time, by the seed.
 FROM_ASIDE = ("drawing", "compiling", "draws", "longjmp", "sig")
 ALLOCATORS = {"jemalloc": "libjemalloc.so.2", "tcmalloc": "libtcmalloc_minimal.so.4"}
@@ -69,6 +77,8 @@ def all_rows(build, scratch):
             rows.append(Row(mode, mode, environment={"LOCPATH": str(folder), "FOREIGN_LOCALE": "de_DE.UTF-8"}))
         else:
             rows.append(Row(mode, mode))
+    watched = subprocess.run([build / "tests/processes/foreign_watched"], capture_output=True, text=True, check=True)
+    rows += [Row(m, m, client="foreign_watched") for m in watched.stdout.split() if "-layer-" in m]
     for mode in ("plain", "exit-in-handler-compiling", "fork-child-exits", "thread-ends-with-context"):
         rows.append(Row(f"own-allocator:{mode}", mode, client="foreign_own_allocator"))
     for name, file in ALLOCATORS.items():
@@ -101,14 +111,14 @@ def environment_of(row, way, build, display, scratch, seed):
     return env
 
 
-def run_once(row, way, build, display, scratch, seed):
+def run_once(row, way, build, display, scratch, seed, timeout=TIMEOUT):
     """How the process ended ("exit 7", "SIGTERM", "hangs"), its lines of output, its errors."""
     command = [*row.wrapper, build / "tests/processes" / row.client, row.mode]
     process = subprocess.Popen(command, env=environment_of(row, way, build, display, scratch, seed),
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, errors="replace", start_new_session=True, cwd=scratch)
     try:
-        out, err = process.communicate(timeout=TIMEOUT)
+        out, err = process.communicate(timeout=timeout)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         out, err = process.communicate()
@@ -137,13 +147,8 @@ def difference(bare, layer):
 
 
 def gave_up(result):
-    """The bare host itself does not stand the row: nothing can be worse."""
+    """No end that a program asks for: the bare host may have it too."""
     return result[0] in ("hangs", "SIGSEGV", "SIGABRT", "SIGBUS", "SIGILL", "SIGFPE", "exit 4")
-
-
-# The host's destructors wait for its threads, which a child of fork() has not, and hang now and then;
-# and they destroy what another thread still compiles with: bare, one run of 16 ends by SIGSEGV.
-HOST_MAY_FAIL = {"fork-child-exits": "hangs", "exit-in-thread-compiling": "SIGSEGV"}
 
 
 def expected_end(mode):
@@ -151,24 +156,49 @@ def expected_end(mode):
     return mode.startswith(("abort", "sigsegv"))
 
 
+def bare_of(row, build, display, scratch, seed):
+    """A bare run that ends as the row says, if any of five does; and how those ended that did not."""
+    failed = []
+    for attempt in range(5):
+        bare = run_once(row, "bare", build, display, scratch, seed + 1_000_000 * attempt)
+        if not gave_up(bare) or expected_end(row.mode):
+            return bare, failed
+        failed.append(bare[0])
+    return None, failed
+
+
+def in_layer(row, layer):
+    """Rows of exit() in the layer's own code say that it was there."""
+    return None if "-layer-" not in row.mode or "interrupted the layer" in layer[2] else "never in the layer's code"
+
+
 def run_row(row, build, display, scratch, seeds):
     begin = time.monotonic()
-    problems, bare_ends = [], set()
+    problems, rates_seen, bare_ends, stood = [], [], set(), False
     for seed in seeds if row.repeats else seeds[:1]:
-        bare = run_once(row, "bare", build, display, scratch, seed)
+        bare, failed = bare_of(row, build, display, scratch, seed)
+        bare_ends.update(failed)
+        if not bare:  # the bare host does not stand the row: nothing can be worse
+            continue
         bare_ends.add(bare[0])
+        stood = True
         for way in WAYS:
             layer = run_once(row, way, build, display, scratch, seed)
-            worse = difference(bare, layer)
-            for _ in range(3 if row.mode in HOST_MAY_FAIL else 0):
-                if layer[0] == HOST_MAY_FAIL[row.mode]:
-                    layer = run_once(row, way, build, display, scratch, seed)
-                    worse = difference(bare, layer)
-            if worse and gave_up(bare) and not expected_end(row.mode):
-                continue
+            worse = difference(bare, layer) or in_layer(row, layer)
+            if worse and gave_up(layer) and not expected_end(row.mode):
+                seeds_of_rates = iter(range(seed + 1, seed + 10_000_000))
+
+                def ended(one_way):
+                    result = run_once(row, one_way, build, display, scratch, next(seeds_of_rates),
+                                      TIMEOUT_OF_RATES)
+                    return result[0] if difference(bare, result) else None
+                is_worse, words = rates.compare(layer[0], lambda: ended("bare"), lambda: ended(way))
+                rates_seen.append(f"{way}: {words}")
+                worse = words if is_worse else None
             if worse:
                 problems.append({"way": way, "seed": seed, "worse": worse})
-    return {"row": row.name, "result": "FAIL" if problems else "pass", "bare": sorted(bare_ends),
+    result = "FAIL" if problems else "pass" if stood else "bare"
+    return {"row": row.name, "result": result, "bare": sorted(bare_ends), "rates": rates_seen,
             "problems": problems, "seconds": round(time.monotonic() - begin, 2)}
 
 
@@ -176,6 +206,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--build", type=Path, default=Path("build"))
     parser.add_argument("--only", action="append", help="part of a row's name; may be repeated")
+    parser.add_argument("--quick", action="store_true", help="without rows that the bare host fails now and then")
     parser.add_argument("--repeat", type=int, default=2)
     parser.add_argument("--seed", type=int, help="the first seed; by chance if it is not given")
     parser.add_argument("--jobs", type=int, default=2)
@@ -189,6 +220,8 @@ def main():
             concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         scratch = Path(folder)
         rows, skipped = all_rows(build, scratch)
+        if arguments.quick:
+            rows = [r for r in rows if not r.mode.startswith(BY_CHANCE)]
         if arguments.only:
             rows = [r for r in rows if any(o in r.name for o in arguments.only)]
             if not rows:
@@ -198,14 +231,17 @@ def main():
             results.append(result)
             print(f"{result['result']:5} {result['row']:34} {result['seconds']:6.2f} s  bare: "
                   f"{', '.join(result['bare'])}", flush=True)
+            for words in result["rates"]:
+                print(f"        {words}", flush=True)
             for problem in result["problems"]:
                 print(f"        {problem['way']}, seed {problem['seed']}: {problem['worse']}", flush=True)
+    skipped += [(r["row"], "the bare host does not stand it") for r in results if r["result"] == "bare"]
     for name, why in skipped:
         print(f"skip  {name:34} {why}")
-    failed = sum(r["result"] == "FAIL" for r in results)
-    print(f"processes: {len(results) - failed} passed, {failed} failed, {len(skipped)} skipped; seed {first}")
+    passed, failed = (sum(r["result"] == kind for r in results) for kind in ("pass", "FAIL"))
+    print(f"processes: {passed} passed, {failed} failed, {len(skipped)} skipped; seed {first}")
     if arguments.json:
-        arguments.json.write_text(json.dumps({"seed": first, "repeat": arguments.repeat, "passed": len(results) - failed,
+        arguments.json.write_text(json.dumps({"seed": first, "repeat": arguments.repeat, "passed": passed,
                                               "failed": failed, "skipped": [s[0] for s in skipped],
                                               "rows": results}, indent=2))
     return 1 if failed else 0

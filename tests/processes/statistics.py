@@ -35,7 +35,8 @@ class Case:
         self.env.update(DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", XDG_CACHE_HOME=str(scratch / "cache"))
 
     def foreign(self, mode):
-        return [str(self.build / "tests/processes/foreign"), mode]
+        client = "foreign_watched" if "-layer-" in mode else "foreign"
+        return [str(self.build / "tests/processes" / client), mode]
 
     def start(self, command, stats=None):
         self.env["FOREIGN_SEED"] = str(int(time.time() * 1000) % 100000)
@@ -159,10 +160,12 @@ def no_command(c):
 
 
 CASES = {
-    "return": ended_by("return-from-main", 0), "exit-in-handler": ended_by("exit-in-handler-drawing", 7),
-    "exit-in-handler-compiling": ended_by("exit-in-handler-compiling", 7),
+    "return": ended_by("return-from-main", 0), "exit-in-handler": ended_by("exit-in-layer-drawing", 7),
+    "exit-in-handler-compiling": ended_by("exit-in-layer-compiling", 7),
     "_exit": ended_by("_exit-in-handler-drawing", 7), "quick_exit": ended_by("quick_exit-in-handler-drawing", 7),
-    "exit-in-thread": ended_by("exit-in-thread-drawing", 7), "abort": ended_by("abort-in-thread-drawing", -signal.SIGABRT),
+    "exit-in-thread": ended_by("exit-beside-layer-drawing", 7),
+    "exit-in-thread-compiling": ended_by("exit-beside-layer-compiling", 7),
+    "abort": ended_by("abort-in-thread-drawing", -signal.SIGABRT),
     "sigkill-compiling": ended_by("sigkill-compiling", -signal.SIGKILL),
     **{f"own-{s.name}": ended_by(s.name.lower(), -s) for s in (
         signal.SIGINT, signal.SIGTERM, signal.SIGPIPE, signal.SIGXFSZ, signal.SIGKILL, signal.SIGSEGV)},

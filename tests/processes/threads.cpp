@@ -54,6 +54,32 @@ void endsWithContext() {
     });
 }
 
+/// A thread that is asked to end in the midst of a frame, at its first wait: the host's or the
+/// layer's. What the host had locked then stays so, and the process ends without destructors.
+template <bool first> void cancelledInFrame() {
+  openContext();
+  makeCurrent(false);
+  pthread_t thread;
+  need(pthread_create(
+           &thread, nullptr,
+           [](void *) -> void * {
+             makeCurrent(true);
+             if (!first)
+               drawFrame();
+             pthread_cancel(pthread_self());
+             drawFrame();
+             pthread_testcancel();
+             return nullptr;
+           },
+           nullptr) == 0,
+       "a thread");
+  void *result = nullptr;
+  pthread_join(thread, &result);
+  std::printf("cancelled %d\n", result == PTHREAD_CANCELED);
+  std::fflush(stdout);
+  _exit(0);
+}
+
 template <bool fresh> void cancelled() {
   openContext();
   makeCurrent(false);
@@ -110,6 +136,8 @@ void threadRows(void (*add)(Row)) {
   add({"small-stack-128k", smallStack<128 << 10>});
   add({"small-stack-later", smallStackLater});
   add({"thread-ends-with-context", endsWithContext});
+  add({"cancelled-in-first-frame", cancelledInFrame<true>});
+  add({"cancelled-in-frame", cancelledInFrame<false>});
   add({"cancelled-drawing", cancelled<false>});
   add({"cancelled-compiling", cancelled<true>});
   add({"threads-of-ours", threadsOfOurs});

@@ -7,6 +7,7 @@
 #include "util/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
+#include "util/thread.h"
 
 namespace arbiter::state::software {
 
@@ -51,7 +52,7 @@ template <typename Code> void note(const Code &code, const char *what, const std
 }
 
 /// What finds no memory here makes no function: the program stays with the host.
-template <typename Work> void withoutMemory(Work work) noexcept {
+template <typename Work> void withoutMemory(Work work) {
   try {
     work();
   } catch (const std::exception &) {
@@ -115,6 +116,7 @@ template <typename Functions> Table<Functions> &table() {
 
 fp::jit::Engine *engine() {
   static fp::jit::Engine *const s_engine = []() -> fp::jit::Engine * {
+    const NoCancel scope; // files are read, and LLVM is started
     fp::jit::EngineOptions options;
     if (settings().cache && !cacheFolder().empty()) {
       options.cacheFolder = cacheFolder() + "/code";

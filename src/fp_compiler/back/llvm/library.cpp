@@ -7,6 +7,7 @@
 #include "fp_compiler/back/llvm/engine.h"
 #include "fp_compiler/jit_boundary.h"
 #include "fp_compiler/jit_fields.h"
+#include "util/unwinder.h"
 
 namespace arbiter::fp::jit::boundary {
 
@@ -195,5 +196,6 @@ constexpr Interface kInterface = {
 
 extern "C" __attribute__((visibility("default"))) const arbiter::fp::jit::boundary::Interface *
 arbiter_jit_interface() {
+  arbiter::prepareUnwinder();
   return &arbiter::fp::jit::boundary::kInterface;
 }

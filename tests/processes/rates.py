@@ -1,0 +1,37 @@
+"""Rows in which the bare host itself ends badly now and then, as exit() in a handler that interrupted
+malloc does: whether the layer's runs do so more often. Nothing is taken for the host's fault that the
+bare host was not seen to do, in the same way, in runs of its own.
+"""
+import math
+
+AT_MOST = 240  # bare runs, until one ends in the way that the layer's did
+AT_LEAST = 60  # runs of each
+DOUBT = 0.01   # how improbable the layer's number must be before it is called worse
+
+
+def chance(bare_failures, bare_runs, layer_failures, layer_runs):
+    """How probable so many or more of the failures are the layer's if the two are alike (Fisher)."""
+    failures, runs = bare_failures + layer_failures, bare_runs + layer_runs
+    return sum(math.comb(layer_runs, k) * math.comb(bare_runs, failures - k)
+               for k in range(layer_failures, min(failures, layer_runs) + 1)) / math.comb(runs, failures)
+
+
+def compare(end, bare_run, layer_run):
+    """`bare_run` and `layer_run` make a run with a seed of its own and return how it ended, or None
+    where it was as it should be; `end` is how one of the layer's did. Returns (worse, words)."""
+    again = sum(layer_run() is not None for _ in range(6))
+    if again >= 5:  # that is no chance
+        return True, f"{end}, and {again} of 6 more runs fail"
+    bare = []
+    while len(bare) < AT_MOST and (end not in bare or len(bare) < AT_LEAST):
+        bare.append(bare_run())
+    failures = sum(e is not None for e in bare)
+    if end not in bare:
+        return True, f"{end}, and never in {len(bare)} bare runs"
+    layer = [layer_run() for _ in range(len(bare))]
+    others = sorted({e for e in layer if e is not None and e not in bare})
+    ours = sum(e is not None for e in layer)
+    words = f"fails in {ours} of {len(layer)} runs, bare {failures} of {len(bare)} ({end})"
+    if others:
+        return True, f"{words}; {', '.join(others)} never bare"
+    return chance(failures, len(bare), ours, len(layer)) < DOUBT, words

@@ -1,0 +1,98 @@
+// exit() where a handler interrupted the layer's own code, at any place of it: it may hold any lock
+// of the layer's, and none of the host's or malloc's (watch.h). A program of its own, as its malloc
+// is.
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include <sys/time.h>
+#include <unistd.h>
+
+#include "foreign.h"
+#include "rows.h"
+#include "watch.h"
+
+namespace foreign {
+
+namespace {
+
+/// Alarms, one a millisecond, of which the first so many wait for code of the layer's: on the bare
+/// host none, which takes the program's own code.
+int g_alarmsForLayer = 0;
+volatile sig_atomic_t g_alarms = 0;
+volatile sig_atomic_t g_stopped = 0;
+
+/// run.py wants this line of each process that has the layer.
+void tell(bool inLayer) {
+  static constexpr char kText[] = "foreign: interrupted the layer\n";
+  if (inLayer && write(2, kText, sizeof kText - 1) < 0)
+    _exit(3);
+}
+
+bool isPlaceWanted() {
+  g_alarms = g_alarms + 1;
+  const bool inLayer = interruptedInLayer();
+  const bool wanted = inLayer || (g_alarms > g_alarmsForLayer && interruptedOutsideHost());
+  if (wanted)
+    tell(inLayer);
+  return wanted;
+}
+
+void exitThere(int) {
+  if (!isPlaceWanted())
+    return;
+  watchLayer();
+  std::exit(7);
+}
+
+void stopThere(int) {
+  if (!isPlaceWanted())
+    return;
+  g_stopped = 1;
+  for (;;)
+    pause();
+}
+
+void drawInterruptedBy(void (*handler)(int), bool fresh) {
+  prepareWatch();
+  openContext();
+  g_alarmsForLayer = isLayerLoaded() ? 10000 : 0;
+  drawFrame();
+  alarmAfter(someMilliseconds(), handler);
+  itimerval timer = {{0, 1000}, {0, 1000 * someMilliseconds()}};
+  setitimer(ITIMER_REAL, &timer, nullptr);
+  for (;;) {
+    drawFrame(fresh);
+    if (g_alarms > g_alarmsForLayer)
+      usleep(1000);
+  }
+}
+
+template <bool fresh> void exitInLayer() { drawInterruptedBy(exitThere, fresh); }
+
+/// The thread that draws stands still in the midst while another ends the process.
+template <bool fresh> void exitBesideLayer() {
+  std::thread([] {
+    sigset_t alarm;
+    sigemptyset(&alarm);
+    sigaddset(&alarm, SIGALRM);
+    pthread_sigmask(SIG_BLOCK, &alarm, nullptr);
+    while (!g_stopped)
+      usleep(500);
+    watchLayer();
+    std::exit(7);
+  }).detach();
+  drawInterruptedBy(stopThere, fresh);
+}
+
+} // namespace
+
+void watchedRows(void (*add)(Row)) {
+  add({"exit-in-layer-drawing", exitInLayer<false>});
+  add({"exit-in-layer-compiling", exitInLayer<true>});
+  add({"exit-beside-layer-drawing", exitBesideLayer<false>});
+  add({"exit-beside-layer-compiling", exitBesideLayer<true>});
+}
+
+} // namespace foreign
