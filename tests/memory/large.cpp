@@ -131,13 +131,39 @@ void bindMany(std::size_t count, const GLuint *programs) {
   glCallList(1);
 }
 
-/// Draws with a program of so many instructions, each of which needs the one before.
-void drawLong(std::size_t count) {
+/// Programs that are long, by what they repeat; each instruction needs the one before.
+struct Chain {
+  const char *name;
+  const char *even, *odd;
+};
+constexpr Chain kChains[] = {
+    {"mad", "MAD_SAT u, u, t.yxzw, -t;\n", "MAD t, t, u, u.yzwx;\n"},
+    {"tex", "TEX t, t, texture[0], 2D;\n", "TEX t, t.yxzw, texture[0], 2D;\n"},
+    {"pow", "POW_SAT t.x, u.y, t.x;\n", "POW_SAT u.y, t.x, u.z;\n"},
+    {"mixture", "TEX t, u, texture[0], 2D;\nMAD_SAT u, t, u.yzwx, t;\n",
+     "POW_SAT u.x, t.y, u.z;\nDP3_SAT t.w, u, t;\n"},
+};
+
+void makeTexture() {
+  unsigned char texels[4 * 4 * 4];
+  for (std::size_t i = 0; i < sizeof texels; ++i)
+    texels[i] = static_cast<unsigned char>(40 + i * 37 % 200);
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void drawLong(const Chain &chain, std::size_t count) {
   std::string text =
       "!!ARBfp1.0\nTEMP t, u;\nMOV t, fragment.color;\nMOV u, { 0.5, 0.25, 0.75, 1 };\n";
-  for (std::size_t i = 0; i < count; ++i)
-    text += i % 2 ? "MAD t, t, u, u.yzwx;\n" : "MAD_SAT u, u, t.yxzw, -t;\n";
-  (void)software::makeProgram(GL_FRAGMENT_PROGRAM_ARB, text + "MOV result.color, u;\nEND\n");
+  const std::size_t each = std::string(chain.name) == "mixture" ? 2 : 1; // instructions of a line
+  for (std::size_t i = 0; i < count / each; ++i)
+    text += i % 2 ? chain.odd : chain.even;
+  makeTexture();
+  (void)software::makeProgram(GL_FRAGMENT_PROGRAM_ARB, text + "ADD result.color, t, u;\nEND\n");
   quad();
 }
 
@@ -149,14 +175,17 @@ int main(int argc, char **argv) {
     if (argc == 3 && !std::strcmp(argv[1], known.name))
       kind = &known;
   const bool binds = argc == 3 && !std::strcmp(argv[1], "binds");
-  const bool instructions = argc == 3 && !std::strcmp(argv[1], "instructions");
+  const Chain *chain = nullptr;
+  for (const Chain &known : kChains)
+    if (argc == 3 && argv[1] == std::string("long-") + known.name)
+      chain = &known;
   if (argc == 2 && !std::strcmp(argv[1], "--list")) {
     for (const Kind &known : kKinds)
       std::printf("%s\n", known.name);
     return 0;
   }
   software::Screen screen;
-  if ((!kind && !binds && !instructions) || !screen.open())
+  if ((!kind && !binds && !chain) || !screen.open())
     return 2;
   screen.makeCurrent(screen.makePbuffer(kSide, kSide), screen.makeContext());
   glDisable(GL_DITHER);
@@ -175,8 +204,8 @@ int main(int argc, char **argv) {
   const auto begin = std::chrono::steady_clock::now();
   if (binds)
     bindMany(count, programs);
-  else if (instructions)
-    drawLong(count);
+  else if (chain)
+    drawLong(*chain, count);
   else
     drawLarge(*kind, count);
   glFinish();

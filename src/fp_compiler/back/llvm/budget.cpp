@@ -8,12 +8,12 @@ namespace {
 
 /// Of one sample: much code of its own, which its neighbours do not make dearer.
 double sampleMilliseconds(const abi::SamplerKey &sampler) {
-  const double face = sampler.dimension == abi::Dimension::Cube ? 1.5 : 1;
+  const double face = sampler.dimension == abi::Dimension::Cube ? 1.2 : 1;
   if (sampler.mip != abi::MipFilter::None)
-    return 15 * face;
+    return 12 * face;
   const bool filtered =
       sampler.magnify == abi::Filter::Linear || sampler.minify == abi::Filter::Linear;
-  return (filtered ? 4 : 2) * face;
+  return (filtered ? 8 : 5) * face;
 }
 
 /// Of one instruction, in instructions of a component: a vec4's ADD is 4.
@@ -28,12 +28,12 @@ double workOf(const ir::Instruction &instruction) {
   case Opcode::Lit:
   case Opcode::Log:
   case Opcode::Exp:
-    return 32;
+    return 24;
   case Opcode::Ex2:
   case Opcode::Lg2:
   case Opcode::Rsq:
   case Opcode::Rcp:
-    return 16;
+    return 10;
   case Opcode::Mad:
   case Opcode::Cmp:
   case Opcode::Frc:
@@ -62,7 +62,7 @@ double expectedMilliseconds(const ir::Program &program, const abi::FragmentKey *
     if (key && ir::info(instruction.op).has(ir::Texture))
       samples += sampleMilliseconds(key->samplers[instruction.unit]);
   }
-  constexpr double kBase = 5, kEach = 0.03, kSquare = 40e-6;
+  constexpr double kBase = 5, kEach = 0.035, kSquare = 10e-6;
   return kBase + samples + kEach * work + kSquare * work * work;
 }
 
