@@ -12,6 +12,7 @@ accept or refuse; REASON is the specification's section or rule. A WORD is one o
     show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
     bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
     bare refuse: WHY
+    bare draws: WHY      what the bare host draws hangs on memory that it never wrote: not compared
 
 @{A;B;C} in a text or in the words stands for one case each with A, B and C, every combination of
 several; braces nest.
@@ -40,6 +41,7 @@ class Case:
     shown: str = 'primary'
     bare_accepted: bool = None
     bare_reason: str = ''
+    bare_varies: bool = False
 
 
 def pieces(text):
@@ -89,7 +91,10 @@ def with_words(case, words):
             case.shown = word[5:]
         elif word.startswith('bare ') and ': ' in word:
             verdict, case.bare_reason = word[5:].split(': ', 1)
-            case.bare_accepted = {'accept': True, 'refuse': False}[verdict]
+            if verdict == 'draws':
+                case.bare_varies = True
+            else:
+                case.bare_accepted = {'accept': True, 'refuse': False}[verdict]
         else:
             raise ValueError(f'what is "{word}"?')
     return case

@@ -33,6 +33,10 @@ class Files(unittest.TestCase):
         self.assertEqual((case.bare_accepted, case.bare_reason), (True, 'why'))
         self.assertEqual(case.text, '!!ARBvp1.0\nEND\n')
 
+    def test_a_host_that_varies(self):
+        [case] = self.read('=== n | accept | r | bare draws: why\n!!ARBfp1.0\nEND\n')
+        self.assertEqual((case.bare_varies, case.bare_accepted, case.bare_reason), (True, None, 'why'))
+
     def test_the_header_is_the_stage_elsewhere(self):
         [case] = self.read('=== n | accept | r\n!!ARBvp1.0\nEND\n', 'x.cases')
         self.assertEqual(case.stage, 'vertex')

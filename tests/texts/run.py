@@ -131,7 +131,7 @@ def faults_of(case, results, folders, index):
     for way in ('auto', 'swrast'):
         if difference := differs(drawn['host'], drawn[way], case.exact):
             yield f'host and {way}: {difference}'
-    if 'bare' in drawn and not case.undefined:
+    if 'bare' in drawn and not case.undefined and not case.bare_varies:
         if difference := differs(drawn['bare'], drawn['host'], case.exact):
             yield f'bare and host: {difference}'
 

@@ -38,14 +38,11 @@ std::string read(const std::string &path) {
 int load(GLenum target, const std::string &text) {
   static GLuint names[2] = {};
   GLuint &name = names[target == GL_VERTEX_PROGRAM_ARB];
-  const GLuint last = name;
+  if (name)
+    glDeleteProgramsARB(1, &name);
   glGenProgramsARB(1, &name);
   glBindProgramARB(target, name);
   glProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
-  // Not before: Mesa's own path tells programs apart by their address, and where malloc gives the
-  // new one that of the one it drew with last, it goes on with that one's texture swizzles.
-  if (last)
-    glDeleteProgramsARB(1, &last);
   const bool refused = glGetError() == GL_INVALID_OPERATION;
   GLint position = -1;
   glGetIntegerv(GL_PROGRAM_ERROR_POSITION_ARB, &position);
