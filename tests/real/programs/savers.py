@@ -20,7 +20,7 @@ class Savers(Program):
     def cases(self, work: Path) -> list[Case]:
         return [Case(f"savers-{name}", [str(FOLDER / name), "-r", "-y", "0", *options],
                      environment=environment, stop_after=seconds, recorded=True,
-                     wrong_pixels=4000 if environment else 60)
+                     wrong_pixels=2400 if environment else 60)
                 for name, options, seconds, environment in SAVERS]
 
 
