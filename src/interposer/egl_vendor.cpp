@@ -291,6 +291,7 @@ bool loadHost(std::uint32_t version, const __EGLapiExports *exports, __EGLvendor
     if (reinterpret_cast<__PFNEGLMAINPROC>(main)(version, exports, vendor, &imports) &&
         imports.getProcAddress) {
       logInfo("layer", "EGL: in front of %s", library.c_str());
+      keepLibraryOf(reinterpret_cast<void *>(exports->getCurrentVendor));
       g_host.fill([&](EglHost &host) {
         host.imports = imports; // hostLookup asks it
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);

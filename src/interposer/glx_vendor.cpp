@@ -402,6 +402,7 @@ bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendor
     if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &imports) &&
         imports.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
+      keepLibraryOf(reinterpret_cast<void *>(exports->getDynDispatch));
       g_host.fill([&](GlxHost &host) {
         host.imports = imports; // hostLookup asks it
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);

@@ -152,4 +152,11 @@ void *openHostLibrary(const std::string &name, const char *entry) {
   return function;
 }
 
+void keepLibraryOf(void *function) {
+  Dl_info found;
+  if (!dladdr(function, &found) || !found.dli_fname ||
+      !dlopen(found.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE))
+    logWarn("layer", "libglvnd cannot be kept: GL works until it is closed");
+}
+
 } // namespace arbiter::interposer

@@ -20,4 +20,10 @@ namespace arbiter::interposer {
 /// `entry` in it. Null if it cannot be loaded, lacks the entry, or is this library itself.
 [[nodiscard]] void *openHostLibrary(const std::string &name, const char *entry);
 
+/// Keeps the library that `function` is of, libglvnd's, until the process ends. An application that
+/// closes libGL and opens it again would else have a new libGLX, which asks for its vendors anew,
+/// and a host vendor that remembers the old one's functions, as neither the host's library nor this
+/// one goes. Kept, it knows both.
+void keepLibraryOf(void *function);
+
 } // namespace arbiter::interposer

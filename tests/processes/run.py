@@ -32,6 +32,9 @@ from x_server import XServer  # noqa: E402
 WAYS = ("host", "auto", "swrast")
 TIMEOUT = 60
 TIMEOUT_OF_RATES = 25
+TIMEOUT_OF_VALGRIND = 300
+# Of a block that one operator new gave and another delete took, it says "Mismatched free".
+VALGRIND = ("valgrind", "--undef-value-errors=no", "--leak-check=no", "--show-mismatched-frees=yes")
 # What the bare host does not always stand, by its own locks and destructors: rates are compared, which
 # takes minutes, and is left to the whole matrix. The rows of watched.cpp ask the same of the layer alone.
 BY_CHANCE = ("exit-in-handler-", "exit-in-thread-compiling", "exit-while-other-draws", "longjmp-then-exit",
@@ -42,8 +45,8 @@ ALLOCATORS = {"jemalloc": "libjemalloc.so.2", "tcmalloc": "libtcmalloc_minimal.s
 
 
 class Row:
-    def __init__(self, name, mode, client="foreign", preload=None, wrapper=(), environment=None):
-        self.name, self.mode, self.client = name, mode, client
+    def __init__(self, name, mode, client="foreign", preload=None, wrapper=(), environment=None, without_layer=False):
+        self.name, self.mode, self.client, self.without_layer = name, mode, client, without_layer
         self.preload, self.wrapper, self.environment = preload, wrapper, environment or {}
         self.repeats = any(word in mode for word in FROM_ASIDE) and mode != "handler-draws"
 
@@ -60,6 +63,19 @@ def comma_locale(scratch):
                            str(scratch / "de_DE.UTF-8")], capture_output=True) \
         if shutil.which("localedef") else None
     return scratch if made and (scratch / "de_DE.UTF-8").is_dir() else None
+
+
+def other_users(build, scratch):
+    """The client as a set-user-ID program of another user's, or None and why it cannot be made."""
+    path = scratch / "foreign_other_user"
+    if os.geteuid() != 0:
+        return None, "only root makes a program of another user's"
+    if os.statvfs(scratch).f_flag & os.ST_NOSUID:
+        return None, "set-user-ID has no effect in the temporary folder"
+    shutil.copy(build / "tests/processes/foreign", path)
+    os.chown(path, 65534, 65534)
+    path.chmod(0o4755)
+    return path, None
 
 
 def all_rows(build, scratch):
@@ -87,10 +103,24 @@ def all_rows(build, scratch):
             rows.append(Row(f"{name}:plain", "plain", preload=path))
         else:
             skipped.append((name, f"{file} is not installed"))
+    path, why = other_users(build, scratch)
+    if path:  # the loader preloads nothing by its path there: not even the layer's own check is asked
+        rows.append(Row("set-user-id", "plain", client=path, without_layer=True))
+    else:
+        skipped.append(("set-user-id", why))
+    if shutil.which("valgrind"):
+        rows.append(Row("valgrind:own-allocator", "plain", client="foreign_own_allocator", wrapper=VALGRIND))
+    else:
+        skipped.append(("valgrind:own-allocator", "no valgrind"))
+    rows.append(Row("reopens-libgl", "plain", client="foreign_reopens"))
     rows.append(Row("egl:plain", "plain", environment={"FOREIGN_EGL": "1"}))
     rows.append(Row("no-home", "plain", environment={"HOME": None, "XDG_CACHE_HOME": None}))
     rows.append(Row("read-only-home", "plain", environment={"HOME": "/proc", "XDG_CACHE_HOME": None}))
     return rows, skipped
+
+
+def stats_file(row, way, scratch, seed):
+    return scratch / f"stats-{row.name}-{way}-{seed}.json"
 
 
 def environment_of(row, way, build, display, scratch, seed):
@@ -101,7 +131,7 @@ def environment_of(row, way, build, display, scratch, seed):
     if way != "bare":
         preload.insert(0, str(build / "src/interposer/libGLX_arbiter.so.0"))
         env.update(ARBITER_BACKEND=way, ARBITER_THREADS="3",
-                   ARBITER_STATS=str(scratch / f"stats-{row.name.replace('/', '_')}-{way}-{seed}.json"))
+                   ARBITER_STATS=str(stats_file(row, way, scratch, seed)))
     if preload:
         env["LD_PRELOAD"] = ":".join(preload)
     for name, value in row.environment.items():
@@ -118,7 +148,7 @@ def run_once(row, way, build, display, scratch, seed, timeout=TIMEOUT):
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, errors="replace", start_new_session=True, cwd=scratch)
     try:
-        out, err = process.communicate(timeout=timeout)
+        out, err = process.communicate(timeout=TIMEOUT_OF_VALGRIND if row.wrapper else timeout)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         out, err = process.communicate()
@@ -167,9 +197,20 @@ def bare_of(row, build, display, scratch, seed):
     return None, failed
 
 
-def in_layer(row, layer):
-    """Rows of exit() in the layer's own code say that it was there."""
-    return None if "-layer-" not in row.mode or "interrupted the layer" in layer[2] else "never in the layer's code"
+def not_shown(row, way, layer, scratch, seed):
+    """None, or what the output does not show: that the run asked what its row is for, and memory."""
+    if "-layer-" in row.mode and "interrupted the layer" not in layer[2]:
+        return "never in the layer's code"
+    for words in ("Mismatched free", "Invalid free"):
+        if words in layer[2]:
+            at = layer[2].index(words)
+            return layer[2][at:at + 300]
+    present = stats_file(row, way, scratch, seed).exists()
+    if row.without_layer and present:
+        return "the layer is in a set-user-ID process"
+    if row.name == "reopens-libgl" and not present:
+        return "the layer is not in the process"
+    return None
 
 
 def run_row(row, build, display, scratch, seeds):
@@ -184,7 +225,7 @@ def run_row(row, build, display, scratch, seeds):
         stood = True
         for way in WAYS:
             layer = run_once(row, way, build, display, scratch, seed)
-            worse = difference(bare, layer) or in_layer(row, layer)
+            worse = difference(bare, layer) or not_shown(row, way, layer, scratch, seed)
             if worse and gave_up(layer) and not expected_end(row.mode):
                 seeds_of_rates = iter(range(seed + 1, seed + 10_000_000))
 
@@ -206,7 +247,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--build", type=Path, default=Path("build"))
     parser.add_argument("--only", action="append", help="part of a row's name; may be repeated")
-    parser.add_argument("--quick", action="store_true", help="without rows that the bare host fails now and then")
+    parser.add_argument("--quick", action="store_true", help="without valgrind, and rows that the bare host fails now and then")
     parser.add_argument("--repeat", type=int, default=2)
     parser.add_argument("--seed", type=int, help="the first seed; by chance if it is not given")
     parser.add_argument("--jobs", type=int, default=2)
@@ -221,7 +262,7 @@ def main():
         scratch = Path(folder)
         rows, skipped = all_rows(build, scratch)
         if arguments.quick:
-            rows = [r for r in rows if not r.mode.startswith(BY_CHANCE)]
+            rows = [r for r in rows if not r.mode.startswith(BY_CHANCE) and not r.wrapper]
         if arguments.only:
             rows = [r for r in rows if any(o in r.name for o in arguments.only)]
             if not rows:
