@@ -177,11 +177,15 @@ void release(Context *context) {
   if (!dead)
     return;
   logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
-  try {
-    noteContextDestroyed(*context);
-    captureContextGone(*context);
-  } catch (const std::exception &) { // neither can be told of all of it
-  }
+  // Neither can be told of all of it, and one that fails must not keep the other from forgetting.
+  const auto tell = [&](void (*note)(Context &)) {
+    try {
+      note(*context);
+    } catch (const std::exception &) {
+    }
+  };
+  tell([](Context &gone) { noteContextDestroyed(gone); });
+  tell([](Context &gone) { captureContextGone(gone); });
   delete context;
 }
 

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <mutex>
 #include <pthread.h>
 #include <vector>
@@ -160,16 +161,19 @@ void noteContextCreated(Context &context) {
   context.serial = r.nextSerial++;
   if (!wanted())
     return;
-  if (!r.record)
-    begin(r);
-  if (!r.record)
-    return;
-  ContextRow row;
-  row.serial = context.serial;
-  row.provider = context.provider;
-  row.live = &context;
-  r.contexts.push_back(row);
-  renewFrame(r);
+  try {
+    if (!r.record)
+      begin(r);
+    if (!r.record)
+      return;
+    ContextRow row;
+    row.serial = context.serial;
+    row.provider = context.provider;
+    row.live = &context;
+    r.contexts.push_back(row);
+    renewFrame(r);
+  } catch (const std::exception &) { // a context is not refused for what is told of it
+  }
 }
 
 void noteContextDestroyed(const Context &context) {
@@ -181,7 +185,7 @@ void noteContextDestroyed(const Context &context) {
     return;
   renewContext(r, context);
   r.gone.add(context);
-  for (ContextRow &row : r.contexts)
+  for (ContextRow &row : r.contexts) // before anything that may find no memory
     if (row.live == &context)
       row.live = nullptr;
   renewFrame(r);
