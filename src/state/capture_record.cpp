@@ -1,5 +1,6 @@
 #include "state/capture_record.h"
 
+#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -67,12 +68,13 @@ CaptureRow *CaptureRecord::rowOf(Target target, const Hash128 &hash) {
     ++m_notListed;
     return nullptr;
   }
-  std::unique_ptr<CaptureRow> &slot = m_rows[name];
-  slot = std::make_unique<CaptureRow>();
-  slot->target = target;
-  slot->hash = toHex(hash);
-  m_order.push_back(slot.get());
-  return slot.get();
+  auto made = std::make_unique<CaptureRow>();
+  made->target = target;
+  made->hash = toHex(hash);
+  m_order.reserve(std::bit_ceil(m_order.size() + 1)); // before anything changes
+  CaptureRow *const row = m_rows.emplace(name, std::move(made)).first->second.get();
+  m_order.push_back(row);
+  return row;
 }
 
 void CaptureRecord::writeFile(const std::string &name, std::string_view text, bool keep) {

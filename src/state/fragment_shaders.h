@@ -23,12 +23,12 @@ public:
   /// The object of that name, which is not 0; made at first use.
   [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name) {
     const std::lock_guard lock(m_mutex);
-    std::shared_ptr<ProgramObject> &slot = m_objects[name];
-    if (!slot) {
-      m_names.reserve(name);
-      slot = std::make_shared<ProgramObject>(name, Target::AtiApi);
-    }
-    return slot;
+    if (const auto it = m_objects.find(name); it != m_objects.end())
+      return it->second;
+    auto object = std::make_shared<ProgramObject>(name, Target::AtiApi);
+    m_names.reserve(name);
+    m_objects.emplace(name, object);
+    return object;
   }
 
   /// Frees the name; the object lives on where it is bound. Null if it had none.

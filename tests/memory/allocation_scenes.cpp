@@ -57,13 +57,17 @@ GLuint makeTexture(int side, int seed) {
   return name;
 }
 
+/// Added to texture coordinates, so that no pixel samples where two texels meet: the host, which a
+/// program is left to where memory runs out, and the rasterizer may each take another one there.
+constexpr float kOff = 0.007f;
+
 void quad(float left = -1, float right = 1) {
   glBegin(GL_QUADS);
   glColor4f(1, 0.9f, 0.8f, 1);
-  glTexCoord2f(0, 0), glVertex2f(left, -1);
-  glTexCoord2f(1, 0), glVertex2f(right, -1);
-  glTexCoord2f(1, 1), glVertex2f(right, 1);
-  glTexCoord2f(0, 1), glVertex2f(left, 1);
+  glTexCoord2f(kOff, kOff), glVertex2f(left, -1);
+  glTexCoord2f(1 + kOff, kOff), glVertex2f(right, -1);
+  glTexCoord2f(1 + kOff, 1 + kOff), glVertex2f(right, 1);
+  glTexCoord2f(kOff, 1 + kOff), glVertex2f(left, 1);
   glEnd();
 }
 
@@ -123,8 +127,31 @@ Pixels programs(Surface &window, int round) {
   return picture;
 }
 
+/// A program whose machine code is not there yet: what it compares with is another number each
+/// time. The picture is not.
+Pixels compiles(Surface &window, int round) {
+  reset();
+  const std::string body = "TEMP t, u;\nTEX t, fragment.texcoord[0], texture[0], 2D;\n"
+                           "SLT u, fragment.texcoord[0], { -" +
+                           std::to_string(round + 2) +
+                           " };\nMAD t, t, program.env[1], program.local[2];\n"
+                           "ADD_SAT result.color, t, u;\n";
+  const GLuint fragment = load(GL_FRAGMENT_PROGRAM_ARB, fresh(body, "!!ARBfp1.0", round));
+  setParameters();
+  glBindTexture(GL_TEXTURE_2D, g_kept.texture);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  quad(-1, 0.4f);
+  glFinish();
+  quad(-0.2f, 0.8f);
+  takeErrorOf(window);
+  Pixels picture = readPixels();
+  glDeleteProgramsARB(1, &fragment);
+  return picture;
+}
+
 Pixels draws(Surface &, int) {
-  static constexpr float kArray[] = {-1, -1, 0, 1, -1, 1, 1, 1, 1, -1, 1, 0};
+  static constexpr float kArray[] = {-1,       -1,       kOff, 1 + kOff, -1,       1,
+                                     1 + kOff, 1 + kOff, 1,    -1,       1 + kOff, kOff};
   static constexpr GLushort kIndices[] = {0, 1, 2};
   reset();
   useKept();
@@ -412,6 +439,7 @@ Pixels named(Surface &, int round) {
 
 const std::vector<Scene> kScenes = {
     {"programs", makeKept, programs},
+    {"compiles", makeKept, compiles},
     {"draws", makeKept, draws},
     {"triangles", makeKept, manyTriangles},
     {"lists", makeKept, lists},

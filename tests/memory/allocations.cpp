@@ -10,6 +10,7 @@
 
 #include <dlfcn.h>
 
+#include "../software/glx_windows.h"
 #include "allocations.h"
 #include "failing_memory.h"
 
@@ -117,32 +118,11 @@ bool Surface::open() {
   display = XOpenDisplay(nullptr);
   if (!display)
     return false;
-  const int wanted[] = {GLX_DRAWABLE_TYPE,
-                        GLX_PBUFFER_BIT | GLX_WINDOW_BIT,
-                        GLX_RED_SIZE,
-                        8,
-                        GLX_ALPHA_SIZE,
-                        8,
-                        GLX_DEPTH_SIZE,
-                        24,
-                        GLX_DOUBLEBUFFER,
-                        True,
-                        None};
-  int count = 0;
-  GLXFBConfig *const configs = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
-  if (!configs || count == 0)
+  // One that the rasterizer can draw to: what the host lists first may have another layout.
+  config = software::chooseGlxConfig(display, GLX_PBUFFER_BIT | GLX_WINDOW_BIT);
+  if (!config)
     return false;
-  config = configs[0];
-  XFree(configs);
-  XVisualInfo *const visual = glXGetVisualFromFBConfig(display, config);
-  const ::Window root = DefaultRootWindow(display);
-  XSetWindowAttributes set = {};
-  set.colormap = XCreateColormap(display, root, visual->visual, AllocNone);
-  x = XCreateWindow(display, root, 0, 0, kSide, kSide, 0, visual->depth, InputOutput,
-                    visual->visual, CWColormap | CWBorderPixel, &set);
-  XMapWindow(display, x);
-  XSync(display, False);
-  XFree(visual);
+  x = software::makeWindow(display, config, kSide, kSide);
   drawable = glXCreateWindow(display, config, x, nullptr);
   context = glXCreateNewContext(display, config, GLX_RGBA_TYPE, nullptr, True);
   return context && use(drawable, context);

@@ -171,6 +171,13 @@ EXPORTED void *aligned_alloc(std::size_t alignment, std::size_t bytes) noexcept 
   return nullptr;
 }
 
+/// As what is above is glibc's: who asks whether both are of one library finds them so.
+EXPORTED std::size_t malloc_usable_size(void *block) noexcept {
+  using Function = std::size_t (*)(void *);
+  static const auto s_next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "malloc_usable_size"));
+  return s_next(block);
+}
+
 /// Memory that is shared with the X server.
 EXPORTED int shmget(key_t key, std::size_t bytes, int flags) noexcept {
   using Function = int (*)(key_t, std::size_t, int);

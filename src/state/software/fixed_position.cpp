@@ -156,11 +156,11 @@ ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_
     return found->second.extended;
   if (m_programs.size() >= m_sweepAt)
     sweep();
-  Entry &entry = m_programs[key];
+  Entry entry;
   entry.program = program;
   entry.extended =
       std::make_shared<const Program>(withFixedPosition(*program, clipPlanes, clampsColors));
-  return entry.extended;
+  return m_programs.emplace(key, std::move(entry)).first->second.extended;
 }
 
 /// Programs that nobody else holds any more.

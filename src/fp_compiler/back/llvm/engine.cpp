@@ -10,6 +10,7 @@
 #include "fp_compiler/back/llvm/fragment.h"
 #include "fp_compiler/back/llvm/linked.h"
 #include "fp_compiler/back/llvm/prepare.h"
+#include "fp_compiler/back/llvm/reserve.h"
 #include "fp_compiler/back/llvm/vertex.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/semantics.h"
@@ -33,6 +34,10 @@ template <typename Function> struct LinkedCode final : jit::Code<Function> {
 template <typename Result, typename F> Result guarded(std::string &reason, F function) {
   if (hasFailed()) {
     reason = "LLVM has failed before in this process";
+    return {};
+  }
+  if (reserve::isLow()) {
+    reason = "memory has run out";
     return {};
   }
   const FailureScope scope;
@@ -215,6 +220,8 @@ private:
   static std::unique_ptr<Linked> link(std::string_view bytes, std::string &reason) {
     // A string's bytes may lie at any address: ELF's structures may not.
     const auto copy = llvm::MemoryBuffer::getMemBufferCopy({bytes.data(), bytes.size()}, "object");
+    if (!copy)
+      throw std::bad_alloc();
     return Linked::link(copy->getMemBufferRef(), kEntrySymbol, reason);
   }
 
