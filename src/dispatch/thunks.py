@@ -30,11 +30,13 @@ def handlers_header(table):
 
 
 def guarded(command, statements):
-    """The statements, which may run out of memory: no exception reaches the application. Costs
-    nothing while none is thrown, but that a call in them is no jump."""
+    """The statements, which may run out of memory: no exception of ours reaches the application, and
+    one of its own does, thrown in what the host calls back. Costs nothing while none is thrown, but
+    that a call in them is no jump."""
     give = "return;" if command.result == "void" else "return {};"
     return (f"  try {{\n{statements}"
-            f'  }} catch (const std::exception &) {{\n    arbiter::state::outOfMemory(here(), "gl{command.name}");\n'
+            f'  }} catch (const std::exception &error) {{\n    arbiter::passOn(error);\n'
+            f'    arbiter::state::outOfMemory(here(), "gl{command.name}");\n'
             f"    {give}\n  }}\n")
 
 

@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "state/lifecycle.h"
+#include "util/own_exception.h"
 
 /// Which of the state tracker's contexts a host's handle stands for. Locked in create, destroy and
 /// make-current only; no GL command comes here.
@@ -47,7 +48,8 @@ struct Guarded<Function> {
   static Result call(Arguments... arguments) {
     try {
       return Function(arguments...);
-    } catch (const std::exception &) {
+    } catch (const std::exception &error) {
+      passOn(error);
       return Result();
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 #include <exception>
 
+#include "util/own_exception.h"
+
 /// What becomes of a command that finds no memory of the layer's. Commands allocate as any code of
 /// ours does, and what they throw is caught where they were entered: by the generated entry points,
 /// and by the window system's.
@@ -20,7 +22,8 @@ template <typename Work> bool withinMemory(Context &context, const char *name, W
   try {
     work();
     return true;
-  } catch (const std::exception &) {
+  } catch (const std::exception &error) {
+    passOn(error);
     outOfMemory(context, name);
     return false;
   }

@@ -8,8 +8,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <string>
 
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/glx.h>
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -231,6 +236,45 @@ void commaLocale() {
   drawTwo();
 }
 
+/// Exceptions of an application's own, by what they derive from.
+struct Refused : std::exception {};
+struct Odd {};
+
+/// A debug callback that throws is called in the midst of a command of the host's, and the
+/// application catches what it threw around the command.
+template <typename Exception> void callbackThrows() {
+  openContext();
+  drawAndPrint();
+  const auto listen = reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKPROC>(
+      glXGetProcAddressARB(reinterpret_cast<const GLubyte *>("glDebugMessageCallback")));
+  glEnable(GL_DEBUG_OUTPUT);
+  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  listen([](GLenum, GLenum, GLuint, GLenum, GLsizei, const GLchar *,
+            const void *) { throw Exception(); },
+         nullptr);
+  void (*const wrong[])() = {
+      [] { glTexImage2D(GL_TEXTURE_2D, -1, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+      [] { glCopyTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, 4, 4); },
+      [] { glDrawArrays(0x7777, 0, 3); },
+      [] { glBindTexture(0x7777, 1); },
+      [] { glReadPixels(0, 0, -1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+      [] { glBindFramebuffer(0x7777, 0); },
+      [] { glDeleteTextures(-1, nullptr); },
+  };
+  for (void (*const command)() : wrong) {
+    bool caught = false;
+    try {
+      command();
+    } catch (const Exception &) {
+      caught = true;
+    }
+    std::printf("caught %d, error %#x\n", caught, glGetError());
+  }
+  listen(nullptr, nullptr);
+  drawFrame(true);
+  drawAndPrint();
+}
+
 } // namespace
 
 void surroundingRows(void (*add)(Row)) {
@@ -249,6 +293,8 @@ void surroundingRows(void (*add)(Row)) {
   add({"handler-draws", handlerDraws});
   add({"own-faults", ownFaults});
   add({"signals-as-before", signalsAsBefore});
+  add({"callback-throws", callbackThrows<Refused>});
+  add({"callback-throws-odd", callbackThrows<Odd>});
   add({"chroot", chrooted});
   add({"no-environment", noEnvironment});
   add({"umask", noWritesAllowed});
