@@ -82,6 +82,9 @@ def _options() -> argparse.Namespace:
 def _compare_all(options: argparse.Namespace, chosen: list[Way]) -> list[Row]:
     out = (options.out or options.work / "recordings").absolute()
     everything = not options.names and not options.trace
+    if everything and not any(SHARED.glob("*.trace")):
+        print(f"recordings: there are no traces in {SHARED}: they are left out (name them with --trace)",
+              file=sys.stderr)
     rows: list[Row] = []
     for make in _recordings(options, everything):
         try:
