@@ -2,6 +2,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 #include "swrast/place.h"
 
 /// The inside of place.h, compiled once for each instruction set: include it only where its
@@ -75,16 +79,29 @@ inline Floats scaled(const Floats &value, float scale, float translate) {
   return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
 }
 
-/// To 1/256 of a pixel, ties to even: a sum with so great a number has no fraction left.
-inline Ints snapped(const Floats &value) {
-  Floats fixed = (value - 0.5f) * float(kSubpixels);
-  const Floats size = (Floats)((Ints)fixed & 0x7FFFFFFF);
-  fixed = chosen(size < 1e9f, fixed, Floats{});
+/// To whole numbers, ties to even, of what is not beyond 1e9.
+inline Ints rounded(const Floats &value) {
+#if defined(__AVX512F__)
+  return (Ints)_mm512_cvtps_epi32((__m512)value);
+#elif defined(__AVX2__)
+  return (Ints)_mm256_cvtps_epi32((__m256)value);
+#elif defined(__SSE2__)
+  return (Ints)_mm_cvtps_epi32((__m128)value);
+#else
+  // A sum with so great a number has no fraction left.
   const auto half = [](const HalfFloats &values) {
     const Doubles wide = __builtin_convertvector(values, Doubles);
     return __builtin_convertvector((Longs)(wide + 0x1.8p52), HalfInts);
   };
-  return HalfLanes::joined(half(HalfLanes::low(fixed)), half(HalfLanes::high(fixed)));
+  return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
+#endif
+}
+
+/// To 1/256 of a pixel.
+inline Ints snapped(const Floats &value) {
+  const Floats fixed = (value - 0.5f) * float(kSubpixels);
+  const Floats size = (Floats)((Ints)fixed & 0x7FFFFFFF);
+  return rounded(chosen(size < 1e9f, fixed, Floats{}));
 }
 
 /// As toWindow() says, of vertices that can be placed; 0 of the others.
