@@ -111,7 +111,8 @@ bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &curre
     return false;
   const std::uint32_t shares = (count + kShare - 1) / kShare;
   if (shares <= 1) {
-    convert(0, count);
+    for (unsigned i = 0; i < m_jobCount; ++i)
+      m_jobs[i].convert(m_jobs[i].conversion);
     return true;
   }
   auto work = [&](std::uint32_t share) {
