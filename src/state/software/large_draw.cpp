@@ -14,7 +14,7 @@ using swrast::Topology;
 /// Vertices of a part: a multiple of those of all primitives, and even, so that each part of a
 /// strip begins with a triangle that is wound as the first one is. So few that what the stages hand
 /// on to each other stays in a processor's cache.
-constexpr std::uint32_t kPart = 3u << 13;
+constexpr std::uint32_t kPart = 3u << 12;
 static_assert(kMostOpen > kPart + 3 && kMostOpen < kMostAtOnce);
 
 /// How primitives of a topology go on from one part to the next.

@@ -21,7 +21,7 @@ struct VertexSequence {
 inline constexpr std::uint32_t kMostAtOnce = 1u << 18;
 
 /// Vertices that a primitive is recorded to once parts of it have been drawn.
-inline constexpr std::uint32_t kMostOpen = 1u << 15;
+inline constexpr std::uint32_t kMostOpen = 1u << 14;
 
 /// Whether a draw goes in parts, as far as its counts say. Indices mostly name vertices many times,
 /// which are worth transforming once.
