@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstring>
 #include <new>
 
 #include "swrast/small.h"
@@ -29,6 +31,41 @@ TileTest testTile(const Shape &shape, const Rect &tile) {
                shape.bottom <= tile.y && shape.top >= tile.y + tile.height;
   return result;
 }
+
+/// What can be said of a triangle at a look at its corners.
+class Sight {
+public:
+  explicit Sight(const Rect &clip)
+      : m_first{clip.x, clip.y, 0, 0}, m_last{clip.x + clip.width - 1, clip.y + clip.height - 1, 0,
+                                              0} {}
+  /// False of one that is beyond a plane as a whole, or that has no pixel's centre of the clip
+  /// rectangle within its bounds: what fetchTriangle() and setBounds() would say.
+  [[nodiscard]] bool mayShow(const WindowVertex &a, const WindowVertex &b,
+                             const WindowVertex &c) const {
+    const std::uint32_t any = a.outcode | b.outcode | c.outcode;
+    if (any != 0)
+      return !(a.outcode & b.outcode & c.outcode & kOutsideMask);
+    const Four p = placeOf(a), q = placeOf(b), r = placeOf(c);
+    const Four least = lesser(lesser(p, q), r), most = greater(greater(p, q), r);
+    const Four from = (least + (kSubpixels - 1)) >> kSubpixelBits, to = most >> kSubpixelBits;
+    const Four none = (from > to) | (from > m_last) | (to < m_first);
+    return (none[0] | none[1]) == 0;
+  }
+
+private:
+  using Four = std::int32_t __attribute__((vector_size(16)));
+  /// x and y, and something else.
+  static Four placeOf(const WindowVertex &vertex) {
+    Four place;
+    static_assert(sizeof(WindowVertex) == 32 && offsetof(WindowVertex, fixedX) == 16);
+    std::memcpy(&place, reinterpret_cast<const char *>(&vertex) + 16, sizeof place);
+    return place;
+  }
+  static Four lesser(const Four &a, const Four &b) { return a < b ? a : b; }
+  static Four greater(const Four &a, const Four &b) { return a > b ? a : b; }
+
+  Four m_first, m_last; ///< pixels
+};
 
 } // namespace
 
@@ -102,18 +139,52 @@ void Bins::add(const Draw &draw, Chunk &chunk, Triangle &triangle, bool clip) {
       link(chunk, x, y, false);
 }
 
+template <Topology kTopology>
+void Bins::setUpAs(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end) {
+  const bool provokingIsFirst = provokesFirst(draw.state, kTopology);
+  const Sight sight(m_clip);
+  for (std::uint32_t i = first; i < end; ++i) {
+    const TriangleCorners corners =
+        triangleAt(kTopology, draw.count, i, provokingIsFirst, draw.otherDiagonal);
+    std::uint32_t vertex[3];
+    bool isThere = true;
+    for (int k = 0; k < 3; ++k) {
+      vertex[k] = draw.vertexAt(corners.corner[k]);
+      isThere = isThere && vertex[k] < draw.vertices.count;
+    }
+    if (!isThere ||
+        !sight.mayShow(draw.window[vertex[0]], draw.window[vertex[1]], draw.window[vertex[2]]))
+      continue;
+    Triangle triangle;
+    std::uint32_t any = 0;
+    if (fetchTriangle(draw, corners, triangle, any))
+      add(draw, chunk, triangle, (any & kClipMask) != 0);
+  }
+}
+
 void Bins::setUp(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end) {
   chunk.records.clear();
   chunk.shapes.clear();
   chunk.links.clear();
   chunk.tiles.assign(std::size_t(m_tilesX) * std::size_t(m_tilesY), List());
-  for (std::uint32_t i = first; i < end; ++i) {
-    const TriangleCorners corners = triangleAt(
-        draw.topology, draw.count, i, provokesFirst(draw.state, draw.topology), draw.otherDiagonal);
-    Triangle triangle;
-    std::uint32_t any = 0;
-    if (fetchTriangle(draw, corners, triangle, any))
-      add(draw, chunk, triangle, (any & kClipMask) != 0);
+  switch (draw.topology) {
+  case Topology::Triangles:
+    return setUpAs<Topology::Triangles>(draw, chunk, first, end);
+  case Topology::TriangleStrip:
+    return setUpAs<Topology::TriangleStrip>(draw, chunk, first, end);
+  case Topology::TriangleFan:
+    return setUpAs<Topology::TriangleFan>(draw, chunk, first, end);
+  case Topology::Quads:
+    return setUpAs<Topology::Quads>(draw, chunk, first, end);
+  case Topology::QuadStrip:
+    return setUpAs<Topology::QuadStrip>(draw, chunk, first, end);
+  case Topology::Polygon:
+    return setUpAs<Topology::Polygon>(draw, chunk, first, end);
+  case Topology::Points:
+  case Topology::Lines:
+  case Topology::LineLoop:
+  case Topology::LineStrip:
+    return; // no triangles
   }
 }
 

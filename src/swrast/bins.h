@@ -42,6 +42,8 @@ private:
   };
 
   void setUp(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end);
+  template <Topology kTopology>
+  void setUpAs(const Draw &draw, Chunk &chunk, std::uint32_t first, std::uint32_t end);
   void add(const Draw &draw, Chunk &chunk, Triangle &triangle, bool clip);
   void addShape(const Draw &draw, Chunk &chunk, const Triangle &triangle, Shape &shape);
   void link(Chunk &chunk, int tileX, int tileY, bool covers);

@@ -189,7 +189,24 @@ void Emitter::block(int x, int y, unsigned mask) {
   m_pixels += bitsOf(mask);
 }
 
+void Emitter::rectangleBlocks(int left, int bottom, int right, int top) {
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  const auto bits = [](int from, int to) { return (1u << to) - (1u << from); };
+  for (int y = bottom & ~(height - 1); y < top; y += height) {
+    const int firstRow = std::max(bottom - y, 0), lastRow = std::min(top - y, height);
+    for (int x = left & ~(width - 1); x < right; x += width) {
+      const unsigned row = bits(std::max(left - x, 0), std::min(right - x, width));
+      unsigned mask = 0;
+      for (int r = firstRow; r < lastRow; ++r)
+        mask |= row << (r * width);
+      block(x, y, mask);
+    }
+  }
+}
+
 void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {
+  if (shape.edgeCount == 0)
+    return rectangleBlocks(left, bottom, right, top);
   const int width = m_shading.blockWidth, height = m_shading.blockHeight;
   RowWalker walker(shape, left, bottom, right);
   for (int y = bottom & ~(height - 1); y < top; y += height) {

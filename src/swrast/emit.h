@@ -35,6 +35,7 @@ private:
 
   void rows(const Shape &shape, int left, int bottom, int right, int top);
   void blocks(const Shape &shape, int left, int bottom, int right, int top);
+  void rectangleBlocks(int left, int bottom, int right, int top);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
   void block(int x, int y, unsigned mask);

@@ -2,6 +2,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 #include "swrast/place.h"
 
 /// The inside of place.h, compiled once for each instruction set: include it only where its
@@ -46,38 +50,58 @@ inline Ints outcodesOf(const Floats (&clip)[4], bool depthClamp) {
          coded(~(sum - sum == 0), kOutNan);
 }
 
-template <typename Half, typename Whole> Half halfOf(const Whole &whole, int which) {
-  Half half;
-  __builtin_memcpy(&half, reinterpret_cast<const char *>(&whole) + which * sizeof half,
-                   sizeof half);
-  return half;
-}
-template <typename Whole, typename Half> Whole joined(const Half &low, const Half &high) {
-  Whole whole;
-  __builtin_memcpy(&whole, &low, sizeof low);
-  __builtin_memcpy(reinterpret_cast<char *>(&whole) + sizeof low, &high, sizeof high);
-  return whole;
-}
+/// In registers: what is stored in halves and loaded whole, or the other way, waits for the stores.
+template <int... lane> struct Lanes {
+  template <typename Whole> static auto low(const Whole &whole) {
+    return __builtin_shufflevector(whole, whole, lane...);
+  }
+  template <typename Whole> static auto high(const Whole &whole) {
+    return __builtin_shufflevector(whole, whole, (lane + kPlaced / 2)...);
+  }
+  template <typename Half> static auto joined(const Half &low, const Half &high) {
+    return __builtin_shufflevector(low, high, lane..., (lane + kPlaced / 2)...);
+  }
+};
+#if defined(__AVX512F__)
+using HalfLanes = Lanes<0, 1, 2, 3, 4, 5, 6, 7>;
+#elif defined(__AVX2__)
+using HalfLanes = Lanes<0, 1, 2, 3>;
+#else
+using HalfLanes = Lanes<0, 1>;
+#endif
 
 /// One rounding of the product and the sum together, as toWindow() has it.
 inline Floats scaled(const Floats &value, float scale, float translate) {
-  const auto half = [&](int which) {
-    const Doubles wide = __builtin_convertvector(halfOf<HalfFloats>(value, which), Doubles);
+  const auto half = [&](const HalfFloats &values) {
+    const Doubles wide = __builtin_convertvector(values, Doubles);
     return __builtin_convertvector(wide * double(scale) + double(translate), HalfFloats);
   };
-  return joined<Floats>(half(0), half(1));
+  return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
 }
 
-/// To 1/256 of a pixel, ties to even: a sum with so great a number has no fraction left.
-inline Ints snapped(const Floats &value) {
-  Floats fixed = (value - 0.5f) * float(kSubpixels);
-  const Floats size = (Floats)((Ints)fixed & 0x7FFFFFFF);
-  fixed = chosen(size < 1e9f, fixed, Floats{});
-  const auto half = [&](int which) {
-    const Doubles wide = __builtin_convertvector(halfOf<HalfFloats>(fixed, which), Doubles);
+/// To whole numbers, ties to even, of what is not beyond 1e9.
+inline Ints rounded(const Floats &value) {
+#if defined(__AVX512F__)
+  return (Ints)_mm512_cvtps_epi32((__m512)value);
+#elif defined(__AVX2__)
+  return (Ints)_mm256_cvtps_epi32((__m256)value);
+#elif defined(__SSE2__)
+  return (Ints)_mm_cvtps_epi32((__m128)value);
+#else
+  // A sum with so great a number has no fraction left.
+  const auto half = [](const HalfFloats &values) {
+    const Doubles wide = __builtin_convertvector(values, Doubles);
     return __builtin_convertvector((Longs)(wide + 0x1.8p52), HalfInts);
   };
-  return joined<Ints>(half(0), half(1));
+  return HalfLanes::joined(half(HalfLanes::low(value)), half(HalfLanes::high(value)));
+#endif
+}
+
+/// To 1/256 of a pixel.
+inline Ints snapped(const Floats &value) {
+  const Floats fixed = (value - 0.5f) * float(kSubpixels);
+  const Floats size = (Floats)((Ints)fixed & 0x7FFFFFFF);
+  return rounded(chosen(size < 1e9f, fixed, Floats{}));
 }
 
 /// As toWindow() says, of vertices that can be placed; 0 of the others.
@@ -200,8 +224,9 @@ inline void placeSome(const Viewport &viewport, const Vertices &vertices, std::u
   store(block, count, window + at);
 }
 
-inline PlacedBounds placeAll(const Viewport &viewport, const Vertices &vertices,
-                             std::uint32_t begin, std::uint32_t end, WindowVertex *window) {
+inline PlacedBounds placeAll(const Viewport &shared, const Vertices &vertices, std::uint32_t begin,
+                             std::uint32_t end, WindowVertex *window) {
+  const Viewport viewport = shared; // no store to the window changes it, as the compiler sees
   PlacedBounds all;
   LaneBounds lanes;
   std::uint32_t at = begin;

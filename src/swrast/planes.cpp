@@ -180,13 +180,21 @@ void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, 
   if (plan.wantsW)
     primitive.inverseW = {at.inverseW, 0, 0};
   const int face = point.backFacing ? 1 : 0;
+  const double *const weight = point.weight[0];
+  const bool isVertex = point.vertex[0] == point.vertex[1] && point.vertex[0] == point.vertex[2] &&
+                        weight[0] == 1 && weight[1] == 0 && weight[2] == 0;
   for (int i = 0; i < plan.count; ++i) {
     const PlanePlan::Source &source = plan.sources[i];
     const float *const values = source.values[face];
     const std::uint32_t mask = source.mask[face];
-    double value = 0;
-    for (int k = 0; k < 3; ++k)
-      value += point.weight[0][k] * double(values[point.vertex[k] & mask]);
+    double value = double(values[point.vertex[0] & mask]);
+    if (isVertex) {
+      value += value - value; // what the sum below comes to: no number of an infinite one
+    } else {
+      value = 0;
+      for (int k = 0; k < 3; ++k)
+        value += weight[k] * double(values[point.vertex[k] & mask]);
+    }
     if (i < plan.linearFrom)
       value *= double(at.inverseW);
     else if (i >= plan.flatFrom)

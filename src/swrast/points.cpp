@@ -7,21 +7,31 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Ties go away from zero, unlike those of triangles: so do the host's.
-std::int32_t snap(float value) { return std::int32_t(std::lround(value * float(kSubpixels))); }
+/// Ties go away from zero, unlike those of triangles: so do the host's. As std::lround(), which is
+/// a call, of what is no further from zero than kGuard.
+std::int32_t snap(float value) {
+  const float fixed = value * float(kSubpixels);
+  const auto whole = std::int32_t(fixed);
+  const float rest = fixed - float(whole);
+  return whole + (rest >= 0.5f ? 1 : 0) - (rest <= -0.5f ? 1 : 0);
+}
+
+/// A sprite's in 1/256 of a pixel, another point's in pixels.
+int widthOf(float size, bool sprite) {
+  return sprite ? std::max(kSubpixels, snap(size))
+                : std::max(1, (snap(size) + kSubpixels / 2 - 1) >> kSubpixelBits);
+}
 
 /// The first pixel and the one behind the last along one axis, in the host's coordinates. `down`:
 /// in those that run down, ties go to the neighbour.
-void extent(float center, float size, bool sprite, bool down, int &first, int &end) {
+inline void extent(float center, int width, bool sprite, bool down, int &first, int &end) {
   const std::int32_t tie = down ? 1 : 0;
   if (sprite) {
-    const std::int32_t width = std::max(kSubpixels, snap(size));
     const std::int32_t low = snap(center - 0.5f) - width / 2;
     first = pixelFrom(low + tie);
     end = pixelFrom(low + width + tie);
     return;
   }
-  const int width = std::max(1, (snap(size) + kSubpixels / 2 - 1) >> kSubpixelBits);
   const std::int32_t at = snap(center) - tie + (width % 2 ? 0 : kSubpixels / 2);
   first = (at >> kSubpixelBits) - width / 2;
   end = first + width;
@@ -38,8 +48,9 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
   size = size > 0 ? std::min(size, 8192.0f) : 1.0f;
   const bool sprite = state.spriteInputs != 0;
   const int height = state.upsideDownHeight;
-  extent(at.window.x, size, sprite, false, shape.left, shape.right);
-  extent(at.window.y, size, sprite, height != 0, shape.bottom, shape.top);
+  const int width = widthOf(size, sprite);
+  extent(at.window.x, width, sprite, false, shape.left, shape.right);
+  extent(at.window.y, width, sprite, height != 0, shape.bottom, shape.top);
   if (height != 0) {
     const int first = shape.bottom;
     shape.bottom = height - shape.top;

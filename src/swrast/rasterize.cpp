@@ -16,7 +16,6 @@ namespace {
 
 /// Draws of no more triangles are shaded in bands: sorting them would not pay.
 constexpr std::uint32_t kDirectTriangles = 32;
-constexpr std::uint32_t kVertexChunk = 1024;
 
 /// Kept by each thread that draws, so that a draw like the last one allocates nothing.
 struct Scratch {
@@ -64,13 +63,17 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   draw.window = window.data();
   if (begin >= end)
     return;
-  const std::uint32_t chunks = (end - begin + kVertexChunk - 1) / kVertexChunk;
+  constexpr std::uint32_t kStretch = Vertices::kStretch;
+  const std::uint32_t firstStretch = begin / kStretch;
+  const std::uint32_t chunks = (end + kStretch - 1) / kStretch - firstStretch;
   bounds.assign(chunks, {});
   const PlaceVertices place = choosePlaceVertices();
   auto chunk = [&](std::uint32_t number) {
-    const std::uint32_t from = begin + number * kVertexChunk;
-    bounds[number] = place(draw.viewport, draw.vertices, from, std::min(end, from + kVertexChunk),
-                           window.data());
+    const std::uint32_t from = (firstStretch + number) * kStretch;
+    const std::uint32_t to = std::min(end, from + kStretch);
+    if (draw.vertices.make)
+      draw.vertices.make(draw.vertices.maker, from, to);
+    bounds[number] = place(draw.viewport, draw.vertices, std::max(begin, from), to, window.data());
   };
   parallel(chunks, chunk);
   PlacedBounds all;

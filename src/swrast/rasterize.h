@@ -33,6 +33,15 @@ struct Vertices {
   const float *pointSize = nullptr;        ///< in pixels; null: RasterState::pointSize
   const float *clipDistance[8] = {};       ///< user clip planes: outside where negative; null: off
   const std::uint8_t *edgeFlags = nullptr; ///< of unfilled polygons; null: all are edges
+
+  /// So many vertices at a time, or what is left of them, are made.
+  static constexpr std::uint32_t kStretch = 1024;
+  /// Where set, the arrays are not filled yet. Called before anything of the vertices [begin, end)
+  /// is read, a stretch's, once and on any thread: what it makes is looked at while it lies in that
+  /// processor's cache. Only of draws of more than two stretches; edge flags are there from the
+  /// start.
+  void (*make)(const void *maker, std::uint32_t begin, std::uint32_t end) = nullptr;
+  const void *maker = nullptr;
 };
 
 /// What the fixed functions between vertex and fragment do (OpenGL 1.4 chapter 3).

@@ -98,13 +98,24 @@ float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
 } // namespace
 
 void Strokes::shade(const Draw &draw) {
-  m_statistics.primitives += m_shapes.size();
-  m_statistics.pixels += shadeInBands(draw.state, draw.shading, m_shapes.data(), m_shapes.size());
-  m_shapes.clear();
+  m_statistics.primitives += m_count;
+  m_statistics.pixels += shadeInBands(draw.state, draw.shading, m_shapes.data(), m_count);
+  m_count = 0;
+}
+
+Shape &Strokes::nextShape() {
+  if (m_count == m_shapes.size()) [[unlikely]]
+    m_shapes.emplace_back();
+  return m_shapes[m_count];
+}
+
+void Strokes::keepShape(const Draw &draw) {
+  if (++m_count >= kMaxShapes)
+    shade(draw);
 }
 
 void Strokes::draw(const Draw &draw, DrawStatistics &statistics) {
-  m_shapes.clear();
+  m_count = 0;
   m_statistics = {};
   m_stipple = 0;
   if (isPolygonal(draw.topology))
@@ -119,23 +130,15 @@ void Strokes::draw(const Draw &draw, DrawStatistics &statistics) {
 }
 
 void Strokes::addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size) {
-  Shape shape;
-  if (!shapeOfPoint(draw, stroke, at, size, shape))
-    return;
-  m_shapes.push_back(shape);
-  if (m_shapes.size() >= kMaxShapes)
-    shade(draw);
+  if (shapeOfPoint(draw, stroke, at, size, nextShape()))
+    keepShape(draw);
 }
 
 void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                       const StrokeEnd &to) {
   const auto add = [&](const StrokeEnd &a, const StrokeEnd &b) {
-    Shape shape;
-    if (!shapeOfLine(draw, stroke, a, b, shape))
-      return;
-    m_shapes.push_back(shape);
-    if (m_shapes.size() >= kMaxShapes)
-      shade(draw);
+    if (shapeOfLine(draw, stroke, a, b, nextShape()))
+      keepShape(draw);
   };
   if (draw.state.lineStippleFactor <= 0) {
     add(from, to);
@@ -172,6 +175,8 @@ void Strokes::addLines(const Draw &draw) {
     const WindowVertex &a = draw.window[index[0]], &b = draw.window[index[1]];
     if ((a.outcode & b.outcode & kOutsideMask) || ((a.outcode | b.outcode) & kOutNan))
       continue;
+    if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask))
+      continue; // of no length: no pixel, and no step into the stipple
     const Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false};
     if (!((a.outcode | b.outcode) & kClipMask)) {
       addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
@@ -260,7 +265,8 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
       filled.stippled = state.polygonStipple != nullptr;
       makePlanes(state, draw.plan, part, state.offsetFill, filled.left, filled.bottom,
                  filled.primitive);
-      m_shapes.push_back(filled);
+      nextShape() = filled;
+      keepShape(draw);
     };
     if (any & kClipMask)
       clipAndTake(draw, triangle, take);
@@ -289,8 +295,6 @@ void Strokes::addPolygons(const Draw &draw) {
     if (quads ? i % 2 == 0 : draw.topology != Topology::Polygon)
       m_stipple = 0;
     addTriangle(draw, i);
-    if (m_shapes.size() >= kMaxShapes)
-      shade(draw);
   }
 }
 

@@ -40,9 +40,14 @@ private:
                   std::uint32_t sides, bool clipped);
   void addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, const StrokeEnd &to);
   void addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size);
+  /// Where the next shape is made. What is read of a shape is written of each, so that one that
+  /// was shaded is used again as it is.
+  [[nodiscard]] Shape &nextShape();
+  void keepShape(const Draw &draw);
   void shade(const Draw &draw);
 
   std::vector<Shape> m_shapes;
+  std::size_t m_count = 0; ///< of m_shapes that wait
   DrawStatistics m_statistics;
   std::uint32_t m_stipple = 0; ///< steps into the line stipple
 };

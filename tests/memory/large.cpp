@@ -28,22 +28,27 @@ struct Vertex {
 constexpr std::size_t kStep = 65536;
 constexpr std::size_t kSeen = 9; ///< vertices on each side of such a place
 
-/// The vertices of a sequence: most of them one point, so that their primitives have no area.
+/// Most vertices are one point, so that their primitives have no area.
+constexpr Vertex kUnseen = {0.97f, -0.97f, {0, 0, 0, 255}};
+
+/// Vertex `i` of a sequence.
+Vertex vertexAt(std::size_t i) {
+  const std::size_t place = (i + kSeen) / kStep, middle = place * kStep;
+  if (i >= middle + kSeen)
+    return kUnseen;
+  const double x = double(place * 5 % 8) / 4 - 0.9, y = double(place * 3 % 7) / 3.5 - 0.9;
+  const double angle = double(i % 6) * 1.0472 + double(i % 5) * 0.11;
+  return {float(x + 0.22 * std::cos(angle)),
+          float(y + 0.22 * std::sin(angle)),
+          {static_cast<unsigned char>(i * 53 % 256), static_cast<unsigned char>(i * 97 % 256),
+           static_cast<unsigned char>(place * 40 % 256), 255}};
+}
+
 std::vector<Vertex> sequenceOf(std::size_t count) {
-  std::vector<Vertex> vertices(count, Vertex{0.97f, -0.97f, {0, 0, 0, 255}});
-  for (std::size_t place = 0; place * kStep <= count; ++place) {
-    const double x = double(place * 5 % 8) / 4 - 0.9, y = double(place * 3 % 7) / 3.5 - 0.9;
-    const std::size_t middle = place * kStep;
-    for (std::size_t i = middle < kSeen ? 0 : middle - kSeen; i < middle + kSeen && i < count;
-         ++i) {
-      const double angle = double(i % 6) * 1.0472 + double(i % 5) * 0.11;
-      vertices[i] = {float(x + 0.22 * std::cos(angle)),
-                     float(y + 0.22 * std::sin(angle)),
-                     {static_cast<unsigned char>(i * 53 % 256),
-                      static_cast<unsigned char>(i * 97 % 256),
-                      static_cast<unsigned char>(place * 40 % 256), 255}};
-    }
-  }
+  std::vector<Vertex> vertices(count, kUnseen);
+  for (std::size_t middle = 0; middle <= count; middle += kStep)
+    for (std::size_t i = middle < kSeen ? 0 : middle - kSeen; i < middle + kSeen && i < count; ++i)
+      vertices[i] = vertexAt(i);
   return vertices;
 }
 
@@ -69,45 +74,80 @@ long peakKib() {
   return 0;
 }
 
+enum class Way { Arrays, Elements, BeginEnd, BeginMaterial };
 struct Kind {
   const char *name;
   GLenum mode;
-  bool indexed;
+  Way way;
   bool flat;
 };
 constexpr Kind kKinds[] = {
-    {"points", GL_POINTS, false, false},
-    {"lines", GL_LINES, false, false},
-    {"line-strip", GL_LINE_STRIP, false, true},
-    {"line-loop", GL_LINE_LOOP, false, true},
-    {"triangles", GL_TRIANGLES, false, false},
-    {"triangle-strip", GL_TRIANGLE_STRIP, false, true},
-    {"triangle-fan", GL_TRIANGLE_FAN, false, true},
-    {"quads", GL_QUADS, false, true},
-    {"quad-strip", GL_QUAD_STRIP, false, true},
-    {"polygon", GL_POLYGON, false, true},
-    {"elements", GL_TRIANGLES, true, false},
-    {"element-strip", GL_TRIANGLE_STRIP, true, true},
-    {"element-fan", GL_TRIANGLE_FAN, true, true},
-    {"element-loop", GL_LINE_LOOP, true, true},
+    {"points", GL_POINTS, Way::Arrays, false},
+    {"lines", GL_LINES, Way::Arrays, false},
+    {"line-strip", GL_LINE_STRIP, Way::Arrays, true},
+    {"line-loop", GL_LINE_LOOP, Way::Arrays, true},
+    {"triangles", GL_TRIANGLES, Way::Arrays, false},
+    {"triangle-strip", GL_TRIANGLE_STRIP, Way::Arrays, true},
+    {"triangle-fan", GL_TRIANGLE_FAN, Way::Arrays, true},
+    {"quads", GL_QUADS, Way::Arrays, true},
+    {"quad-strip", GL_QUAD_STRIP, Way::Arrays, true},
+    {"polygon", GL_POLYGON, Way::Arrays, true},
+    {"elements", GL_TRIANGLES, Way::Elements, false},
+    {"element-strip", GL_TRIANGLE_STRIP, Way::Elements, true},
+    {"element-fan", GL_TRIANGLE_FAN, Way::Elements, true},
+    {"element-loop", GL_LINE_LOOP, Way::Elements, true},
+    {"begin-points", GL_POINTS, Way::BeginEnd, false},
+    {"begin-line-strip", GL_LINE_STRIP, Way::BeginEnd, true},
+    {"begin-triangles", GL_TRIANGLES, Way::BeginEnd, false},
+    {"begin-strip", GL_TRIANGLE_STRIP, Way::BeginEnd, true},
+    {"begin-fan", GL_TRIANGLE_FAN, Way::BeginEnd, true},
+    {"begin-quads", GL_QUADS, Way::BeginEnd, true},
+    {"begin-polygon", GL_POLYGON, Way::BeginEnd, true},
+    {"begin-strip-material", GL_TRIANGLE_STRIP, Way::BeginMaterial, true},
+    {"begin-fan-material", GL_TRIANGLE_FAN, Way::BeginMaterial, true},
 };
 
+/// One primitive of Begin and End: its vertices are in no array. A material among its last ones is
+/// for the host to know: it draws what follows.
+void beginLarge(const Kind &kind, std::size_t count) {
+  const std::size_t material =
+      kind.way == Way::BeginMaterial ? count * 3 / 4 / kStep * kStep : count;
+  glBegin(kind.mode);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == material)
+      glMaterialf(GL_FRONT, GL_SHININESS, 5);
+    const Vertex vertex = vertexAt(i);
+    glColor4ubv(vertex.color);
+    glVertex2f(vertex.x, vertex.y);
+  }
+  glEnd();
+}
+
 void drawLarge(const Kind &kind, std::size_t count) {
-  std::vector<Vertex> vertices = sequenceOf(count);
-  const std::vector<unsigned> indices = kind.indexed ? shuffle(vertices) : std::vector<unsigned>();
+  std::vector<Vertex> vertices;
+  std::vector<unsigned> indices;
+  const bool begins = kind.way == Way::BeginEnd || kind.way == Way::BeginMaterial;
+  if (!begins)
+    vertices = sequenceOf(count);
+  if (kind.way == Way::Elements)
+    indices = shuffle(vertices);
   glShadeModel(kind.flat ? GL_FLAT : GL_SMOOTH);
   // Sides that the windings tell apart.
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   for (const GLenum front : {GL_CCW, GL_CW}) {
     glFrontFace(front);
-    glVertexPointer(2, GL_FLOAT, sizeof(Vertex), &vertices[0].x);
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), vertices[0].color);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glEnableClientState(GL_COLOR_ARRAY);
-    if (kind.indexed)
+    if (begins) {
+      beginLarge(kind, count);
+    } else {
+      glVertexPointer(2, GL_FLOAT, sizeof(Vertex), &vertices[0].x);
+      glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), vertices[0].color);
+      glEnableClientState(GL_VERTEX_ARRAY);
+      glEnableClientState(GL_COLOR_ARRAY);
+    }
+    if (kind.way == Way::Elements)
       glDrawElements(kind.mode, GLsizei(count), GL_UNSIGNED_INT, indices.data());
-    else
+    if (kind.way == Way::Arrays)
       glDrawArrays(kind.mode, 0, GLsizei(count));
     if (front == GL_CCW)
       glTranslatef(0.1f, 0.05f, 0);

@@ -42,6 +42,7 @@ struct ContextState {
 
   Mirror mirror;
   ImmediateRecorder recorder;
+  bool openParts = false; ///< of the primitive that is recorded: some have been drawn
   std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;

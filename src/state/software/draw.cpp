@@ -181,6 +181,49 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
                   }));
 }
 
+namespace {
+
+/// Gives the host what there is of the primitive that was recorded, for the reason.
+void replayFor(Context &context, Fallback reason) {
+  withinMemory(context, "End", [&] { giveToHost(context, reason); });
+  replayToHost(context);
+}
+
+/// More vertices are recorded than a draw has arrays for: what is full of parts is drawn. Where
+/// that cannot be the primitive is the host's from here on, with the vertex at `position`.
+bool drawOpen(void *owner, const float position[4]) {
+  auto &context = *static_cast<Context *>(owner);
+  ContextState &state = *context.software;
+  ImmediateRecorder &recorder = state.recorder;
+  stopRecording(context);
+  context.insideBeginEnd = false;
+  Pipeline &pipeline = pipelineOf(context);
+  const OpenPart part = openPart(pipeline, recorder.count());
+  const VertexSource source = recorder.end();
+  Outcome outcome;
+  try {
+    outcome = settled(
+        context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
+  } catch (const std::exception &) {
+    recorder.fail(); // and End says so
+  }
+  if (!outcome.ok()) {
+    replayFor(context, outcome.reason());
+    context.insideBeginEnd = true;
+    tellAttribute(*context.host, kPosition, position);
+    return false;
+  }
+  recorder.forget(part.kept, part.done);
+  recorder.limit(kMostOpen, drawOpen, &context);
+  if (!state.openParts && !recorder.failed())
+    noteDrawn(context);
+  state.openParts = true;
+  startRecording(context);
+  return !recorder.failed();
+}
+
+} // namespace
+
 bool begin(Context &context, GLenum mode) {
   if (!context.software || context.listMode == GL_COMPILE)
     return false;
@@ -191,7 +234,11 @@ bool begin(Context &context, GLenum mode) {
   }
   Mirror &mirror = context.software->mirror;
   refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
-  context.software->recorder.begin(mode, mirror.current);
+  ContextState &state = *context.software;
+  state.recorder.begin(mode, mirror.current);
+  state.openParts = false;
+  if (opensInParts(context, pipelineOf(context)))
+    state.recorder.limit(kMostAtOnce, drawOpen, &context);
   return true;
 }
 
@@ -204,21 +251,24 @@ void end(Context &context) {
     outcome = Fallback::Memory;
   else if (count != 0)
     try {
-      outcome = settled(context, [&] { return shadeAll(context, source, count); });
+      outcome = settled(context, [&] {
+        return state.openParts ? drawInParts(context, pipelineOf(context), source, {.count = count})
+                               : shadeAll(context, source, count);
+      });
     } catch (const std::exception &) { // the attributes have been set whatever was drawn
       tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
       throw;
     }
   if (!outcome.ok()) {
-    withinMemory(context, "End", [&] { giveToHost(context, outcome.reason()); });
-    replayToHost(context);
+    replayFor(context, outcome.reason());
     context.host->End();
     if (state.recorder.failed())
       raise(context, GL_OUT_OF_MEMORY, "End: no memory for the primitive's vertices");
     return;
   }
   tellCurrentValues(context, state.recorder.values(), state.recorder.touched());
-  noteDrawn(context);
+  if (!state.openParts)
+    noteDrawn(context);
 }
 
 } // namespace arbiter::state::software

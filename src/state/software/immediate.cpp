@@ -1,5 +1,6 @@
 #include "state/software/immediate.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace arbiter::state::software {
@@ -14,6 +15,33 @@ void ImmediateRecorder::begin(GLenum mode, const CurrentValues &current) {
   m_stride = 4;
   m_slotCount = 1;
   m_slots[0] = kPosition;
+  m_most = kNoLimit;
+  setEnd();
+}
+
+void ImmediateRecorder::limit(std::uint32_t most, Full full, void *owner) {
+  m_most = most;
+  m_full = full;
+  m_owner = owner;
+  setEnd();
+}
+
+void ImmediateRecorder::setEnd() {
+  const std::size_t most = std::size_t(m_most) * m_stride;
+  m_end = m_data.get() + std::min(m_capacity, most);
+}
+
+void ImmediateRecorder::forget(std::uint32_t first, std::uint32_t count) {
+  float *const to = m_data.get() + first * m_stride;
+  std::memmove(to, to + count * m_stride,
+               std::size_t(m_count - first - count) * m_stride * sizeof(float));
+  m_count -= count;
+  m_next = m_data.get() + m_count * m_stride;
+  // Of a slot that was first set further on it is still known which vertices came before.
+  for (unsigned i = 1; i < m_slotCount; ++i) {
+    std::uint32_t &since = m_since[m_slots[i]];
+    since = since > first ? std::max(since, first + count) - count : since;
+  }
 }
 
 bool ImmediateRecorder::reserve(std::size_t floats) {
@@ -26,19 +54,24 @@ bool ImmediateRecorder::reserve(std::size_t floats) {
   (void)m_data.release();
   m_data.reset(larger);
   m_next = larger + used;
-  m_end = larger + floats;
+  m_capacity = floats;
+  setEnd();
   return true;
 }
 
-bool ImmediateRecorder::grow() {
+bool ImmediateRecorder::makeRoom(float x, float y, float z, float w) {
   constexpr std::size_t kFirst = 1024;
-  const std::size_t floats = std::size_t(m_end - m_data.get());
-  return !m_failed && reserve(floats < kFirst ? kFirst : floats * 2);
+  if (m_failed)
+    return false;
+  if (m_count < m_most)
+    return reserve(std::max(kFirst, m_capacity * 2));
+  const float position[4] = {x, y, z, w};
+  return m_full(m_owner, position) && m_next + m_stride <= m_end;
 }
 
 void ImmediateRecorder::touch(int slot) {
   const std::size_t stride = m_stride + 4;
-  if (m_count != 0 && m_data.get() + m_count * stride > m_end && !reserve(m_count * stride * 2)) {
+  if (m_count != 0 && m_count * stride > m_capacity && !reserve(m_count * stride * 2)) {
     m_touched |= 1u << slot; // the current value is set all the same
     return;
   }
@@ -53,6 +86,7 @@ void ImmediateRecorder::touch(int slot) {
   m_slots[m_slotCount++] = std::uint8_t(slot);
   m_stride = stride;
   m_next = m_data.get() + m_count * stride;
+  setEnd();
 }
 
 VertexSource ImmediateRecorder::end() const {

@@ -14,8 +14,17 @@ namespace arbiter::state::software {
 
 class ImmediateRecorder {
 public:
-  /// A primitive opens; attributes start as `current`.
+  /// A primitive opens; attributes start as `current`. There is no limit of its vertices.
   void begin(GLenum mode, const CurrentValues &current);
+  /// Of what more vertices than a limit ask of: it makes room (forget()), or records no further and
+  /// has taken the vertex at `position` by itself, and then returns false.
+  using Full = bool (*)(void *owner, const float position[4]);
+  /// From now on no more than `most` vertices are kept.
+  void limit(std::uint32_t most, Full full, void *owner);
+  /// Leaves out vertices [first, first + count). The others are numbered anew.
+  void forget(std::uint32_t first, std::uint32_t count);
+  /// No more is recorded, and failed().
+  void fail() { m_failed = true; }
   /// glColor, glTexCoord .. : all four components, defaults filled in.
   void set(int slot, float x, float y, float z, float w) {
     if ((m_touched >> slot & 1u) == 0) [[unlikely]]
@@ -24,7 +33,7 @@ public:
   }
   /// glVertex, or glVertexAttrib of 0.
   void vertex(float x, float y, float z, float w) {
-    if (m_next + m_stride > m_end && !grow()) [[unlikely]]
+    if (m_next + m_stride > m_end && !makeRoom(x, y, z, w)) [[unlikely]]
       return;
     float *to = m_next;
     m_next += m_stride;
@@ -66,13 +75,15 @@ public:
   [[nodiscard]] bool failed() const { return m_failed; }
 
 private:
+  static constexpr std::uint32_t kNoLimit = UINT32_MAX;
   struct Free {
     void operator()(float *data) const { std::free(data); }
   };
   /// The slot gets a place in each vertex; those that are there have the value of begin().
   void touch(int slot);
-  [[nodiscard]] bool grow();
+  [[nodiscard]] bool makeRoom(float x, float y, float z, float w);
   [[nodiscard]] bool reserve(std::size_t floats);
+  void setEnd();
 
   GLenum m_mode = GL_POINTS;
   std::uint32_t m_count = 0;
@@ -82,7 +93,12 @@ private:
   /// Vertices, each `m_slotCount` vec4s: position first, then the touched slots in order of first
   /// use.
   std::unique_ptr<float[], Free> m_data;
-  float *m_next = nullptr, *m_end = nullptr;
+  float *m_next = nullptr;
+  float *m_end = nullptr;     ///< of the memory, or of what the limit leaves of it
+  std::size_t m_capacity = 0; ///< floats
+  std::uint32_t m_most = kNoLimit;
+  Full m_full = nullptr;
+  void *m_owner = nullptr;
   std::size_t m_stride = 4; ///< floats
   unsigned m_slotCount = 1;
   std::uint8_t m_slots[kSlots] = {};

@@ -14,7 +14,8 @@ using swrast::Topology;
 /// Vertices of a part: a multiple of those of all primitives, and even, so that each part of a
 /// strip begins with a triangle that is wound as the first one is. So few that what the stages hand
 /// on to each other stays in a processor's cache.
-constexpr std::uint32_t kPart = 3u << 13;
+constexpr std::uint32_t kPart = 3u << 12;
+static_assert(kMostOpen > kPart + 3 && kMostOpen < kMostAtOnce);
 
 /// How primitives of a topology go on from one part to the next.
 struct Joint {
@@ -118,6 +119,19 @@ Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &so
   if (joint.closes && !parts.draw({0, 1, true, sequence.count - 1}).ok())
     throw std::bad_alloc();
   return {};
+}
+
+bool opensInParts(const Context &context, const Pipeline &pipeline) {
+  const Topology topology = pipeline.topology();
+  // The line that closes a loop is the last one, and may come to be the host's.
+  return !isWhole(context.software->mirror, topology) && !jointOf(topology).closes;
+}
+
+OpenPart openPart(const Pipeline &pipeline, std::uint32_t count) {
+  const Joint joint = jointOf(pipeline.topology());
+  const std::uint32_t lead = joint.pivots ? 1 : 0, around = lead + joint.shared;
+  const std::uint32_t done = count < around ? 0 : (count - around) / kPart * kPart;
+  return {around + done, lead, done};
 }
 
 } // namespace arbiter::state::software

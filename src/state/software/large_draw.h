@@ -20,6 +20,9 @@ struct VertexSequence {
 /// Vertices at once; more take more memory than they are worth.
 inline constexpr std::uint32_t kMostAtOnce = 1u << 18;
 
+/// Vertices that a primitive is recorded to once parts of it have been drawn.
+inline constexpr std::uint32_t kMostOpen = 1u << 14;
+
 /// Whether a draw goes in parts, as far as its counts say. Indices mostly name vertices many times,
 /// which are worth transforming once.
 [[nodiscard]] constexpr bool isLarge(const VertexSequence &sequence) {
@@ -34,5 +37,17 @@ inline constexpr std::uint32_t kMostAtOnce = 1u << 18;
 /// after the first part.
 Outcome drawInParts(Context &context, Pipeline &pipeline, const VertexSource &source,
                     const VertexSequence &sequence);
+
+/// How much of a primitive that is still open is drawn before its other vertices are there.
+struct OpenPart {
+  std::uint32_t drawn = 0; ///< of its first vertices
+  /// Of those the ones that what follows does not need any more: [kept, kept + done).
+  std::uint32_t kept = 0, done = 0;
+};
+/// Whether primitives of the chosen draw may be drawn so.
+[[nodiscard]] bool opensInParts(const Context &context, const Pipeline &pipeline);
+/// Of `count` vertices: as many parts as are full. What is left, and what follows, is drawn by
+/// drawInParts() in the parts that the whole primitive would have.
+[[nodiscard]] OpenPart openPart(const Pipeline &pipeline, std::uint32_t count);
 
 } // namespace arbiter::state::software

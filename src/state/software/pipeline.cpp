@@ -284,14 +284,14 @@ Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint
 }
 
 Outcome Pipeline::transform(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t first, std::uint32_t count) {
+                            std::uint32_t first, std::uint32_t count, bool later) {
   const Mirror &mirror = context.software->mirror;
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
                         mirror.raster.back != swrast::PolygonMode::Fill;
   const bool indexed = indices.indices != nullptr;
   const std::uint32_t begin = indexed ? indices.minimum : first;
   const std::uint32_t fetched = indexed ? indices.maximum - indices.minimum + 1 : count;
-  return m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled);
+  return m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled, later);
 }
 
 Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
@@ -331,7 +331,8 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
 
 Outcome Pipeline::shade(Context &context, const VertexSource &source, const IndexRange &indices,
                         std::uint32_t first, std::uint32_t count) {
-  if (const Outcome outcome = transform(context, source, indices, first, count); !outcome.ok())
+  if (const Outcome outcome = transform(context, source, indices, first, count, false);
+      !outcome.ok())
     return outcome;
   return rasterize(context, source, indices, count, swrast::isAffine(m_vertices.vertices()),
                    m_topology);
@@ -339,7 +340,8 @@ Outcome Pipeline::shade(Context &context, const VertexSource &source, const Inde
 
 Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                             std::uint32_t first, std::uint32_t count, swrast::Topology topology) {
-  if (const Outcome outcome = transform(context, source, indices, first, count); !outcome.ok())
+  if (const Outcome outcome = transform(context, source, indices, first, count, true);
+      !outcome.ok())
     return outcome;
   return rasterize(context, source, indices, count, false, topology);
 }

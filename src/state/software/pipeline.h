@@ -66,7 +66,7 @@ private:
   [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
                                      const Kind &kind);
   Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
-                    std::uint32_t first, std::uint32_t count);
+                    std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t count, bool affine, swrast::Topology topology);
   Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);

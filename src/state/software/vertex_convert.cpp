@@ -79,10 +79,78 @@ template <typename T, Rule rule> float number(T value) {
     return fixedPoint<rule>(double(value), 8 * sizeof(T), std::is_signed_v<T>);
 }
 
+/// Elements at a time of the kinds that most programs use.
+constexpr std::uint32_t kLanes = 4;
+using Floats = float __attribute__((vector_size(16)));
+using Words = std::uint32_t __attribute__((vector_size(16)));
+using Pairs = std::uint64_t __attribute__((vector_size(16)));
+static_assert(std::endian::native == std::endian::little);
+
+void store(float *to, const Floats &values) { std::memcpy(to, &values, sizeof values); }
+
+/// The fractions of 255 without a division: the first part of 1/255 has so few bits that its
+/// products are exact, so that there is one rounding that counts.
+constexpr float kFractionHigh = float(0x8080) / float(1 << 23);
+constexpr float kFractionLow = float(1.0 / 255.0 - double(kFractionHigh));
+static_assert([] {
+  for (int i = 0; i < 256; ++i)
+    if (float(i) * kFractionHigh + float(i) * kFractionLow != float(i) / 255.0f)
+      return false;
+  return true;
+}());
+
+/// Four colours of bytes, one a word.
+void storeFractions(const Words &words, float *const to[4], std::uint32_t at) {
+  using Signed = std::int32_t __attribute__((vector_size(16)));
+  for (unsigned c = 0; c < 4; ++c) {
+    const auto bytes = (Signed)(words >> (8 * c) & 255u);
+    const Floats values = __builtin_convertvector(bytes, Floats);
+    store(to[c] + at, values * kFractionHigh + values * kFractionLow);
+  }
+}
+
+/// Converts elements in vectors; returns how many.
+template <typename T, Rule rule, int components> std::uint32_t convertLanes(const Conversion &job) {
+  constexpr bool isBytes =
+      std::is_same_v<T, std::uint8_t> && rule != Rule::Plain && components == 4;
+  constexpr bool isFloats = std::is_same_v<T, float> && components > 1;
+  std::uint32_t i = 0;
+  if constexpr (isBytes || isFloats) {
+    const std::size_t stride = job.stride;
+    const std::uint8_t *from = job.base;
+    for (; job.count - i >= kLanes; i += kLanes, from += kLanes * stride) {
+      if constexpr (isBytes) {
+        storeFractions(Words{load<std::uint32_t>(from), load<std::uint32_t>(from + stride),
+                             load<std::uint32_t>(from + 2 * stride),
+                             load<std::uint32_t>(from + 3 * stride)},
+                       job.to, i);
+      } else {
+        // Two components of four elements: pairs, and of them the first and the second numbers.
+        const auto two = [&](const std::uint8_t *at, int c) {
+          const auto a = (Floats)Pairs{load<std::uint64_t>(at), load<std::uint64_t>(at + stride)};
+          const auto b = (Floats)Pairs{load<std::uint64_t>(at + 2 * stride),
+                                       load<std::uint64_t>(at + 3 * stride)};
+          store(job.to[c] + i, __builtin_shufflevector(a, b, 0, 2, 4, 6));
+          store(job.to[c + 1] + i, __builtin_shufflevector(a, b, 1, 3, 5, 7));
+        };
+        two(from, 0);
+        if constexpr (components == 4)
+          two(from + 8, 2);
+        if constexpr (components == 3)
+          store(job.to[2] + i,
+                Floats{load<float>(from + 8), load<float>(from + stride + 8),
+                       load<float>(from + 2 * stride + 8), load<float>(from + 3 * stride + 8)});
+      }
+    }
+  }
+  return i;
+}
+
 template <typename T, Rule rule, int components> void convert(const Conversion &job) {
-  const std::uint8_t *from = job.base;
   float *const x = job.to[0], *const y = job.to[1], *const z = job.to[2], *const w = job.to[3];
-  for (std::uint32_t i = 0; i < job.count; ++i, from += job.stride) {
+  std::uint32_t i = convertLanes<T, rule, components>(job);
+  const std::uint8_t *from = job.base + i * job.stride;
+  for (; i < job.count; ++i, from += job.stride) {
     x[i] = number<T, rule>(load<T>(from));
     if constexpr (components > 1)
       y[i] = number<T, rule>(load<T>(from + sizeof(T)));

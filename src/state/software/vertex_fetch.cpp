@@ -6,7 +6,6 @@
 #include <new>
 #include <utility>
 
-#include "state/software/vertex_convert.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {
@@ -16,23 +15,6 @@ namespace {
 constexpr std::align_val_t kAlignment{64};
 /// Vertices of a share of one thread.
 constexpr std::uint32_t kShare = 16384;
-
-/// In shares, on the rasterizer's threads where there is more than one.
-void convertAll(Convert convert, const Conversion &job) {
-  const std::uint32_t shares = (job.count + kShare - 1) / kShare;
-  if (shares <= 1)
-    return convert(job);
-  auto work = [&](std::uint32_t share) {
-    Conversion part = job;
-    const std::uint32_t first = share * kShare;
-    part.base += first * job.stride;
-    part.count = std::min(kShare, job.count - first);
-    for (float *&to : part.to)
-      to = to ? to + first : nullptr;
-    convert(part);
-  };
-  swrast::parallel(shares, work);
-}
 
 } // namespace
 
@@ -88,12 +70,13 @@ bool VertexFetcher::fetchCurrent(const std::array<float, 4> &value, int slot) {
   return true;
 }
 
-bool VertexFetcher::fetchArray(const VertexSource &source, int slot, std::uint32_t first) {
+bool VertexFetcher::openArray(const VertexSource &source, int slot, std::uint32_t first) {
   const VertexSource::Array &array = source.arrays[std::size_t(slot)];
-  const Convert convert = conversionOf(array, source.symmetric);
-  if (!convert)
+  const Convert conversion = conversionOf(array, source.symmetric);
+  if (!conversion)
     return false;
-  Conversion job;
+  m_jobs[m_jobCount] = {conversion, {}};
+  Conversion &job = m_jobs[m_jobCount++].conversion;
   job.base = static_cast<const std::uint8_t *>(array.base) + std::size_t(first) * array.stride;
   job.stride = array.stride;
   job.count = m_count;
@@ -108,23 +91,51 @@ bool VertexFetcher::fetchArray(const VertexSource &source, int slot, std::uint32
     if (!component)
       return false;
   }
-  convertAll(convert, job);
   return true;
+}
+
+void VertexFetcher::convert(std::uint32_t begin, std::uint32_t end) const {
+  for (unsigned i = 0; i < m_jobCount; ++i) {
+    Conversion part = m_jobs[i].conversion;
+    part.base += begin * part.stride;
+    part.count = end - begin;
+    for (float *&to : part.to)
+      to = to ? to + begin : nullptr;
+    m_jobs[i].convert(part);
+  }
 }
 
 bool VertexFetcher::fetch(const VertexSource &source, const CurrentValues &current,
                           std::uint32_t slots, std::uint32_t first, std::uint32_t count) {
+  if (!open(source, current, slots, first, count))
+    return false;
+  const std::uint32_t shares = (count + kShare - 1) / kShare;
+  if (shares <= 1) {
+    for (unsigned i = 0; i < m_jobCount; ++i)
+      m_jobs[i].convert(m_jobs[i].conversion);
+    return true;
+  }
+  auto work = [&](std::uint32_t share) {
+    convert(share * kShare, std::min(count, (share + 1) * kShare));
+  };
+  swrast::parallel(shares, work);
+  return true;
+}
+
+bool VertexFetcher::open(const VertexSource &source, const CurrentValues &current,
+                         std::uint32_t slots, std::uint32_t first, std::uint32_t count) {
   if (source.count != 0 && (first > source.count || count > source.count - first))
     return false;
   constexpr std::uint32_t kMost = 1u << 28; // indices and sizes stay within 32 bits
   if (count > kMost)
     return false;
   m_count = count;
+  m_jobCount = 0;
   m_padded = (std::max(count, 1u) + 15u) & ~15u;
   for (std::uint32_t left = slots; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
     const bool fetched = source.arrays[std::size_t(slot)].base
-                             ? fetchArray(source, slot, first)
+                             ? openArray(source, slot, first)
                              : fetchCurrent(current[std::size_t(slot)], slot);
     if (!fetched)
       return false;

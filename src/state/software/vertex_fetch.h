@@ -9,6 +9,7 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "state/software/attributes.h"
+#include "state/software/vertex_convert.h"
 
 /// Vertices as machine code reads them: one array of floats for each component, with defaults
 /// (0, 0, 0, 1) filled in and fixed-point numbers converted (OpenGL 1.4, table 2.6).
@@ -66,6 +67,12 @@ public:
   /// there. Float arrays of the current value are kept from draw to draw.
   [[nodiscard]] bool fetch(const VertexSource &source, const CurrentValues &current,
                            std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  /// The same, but nothing is read of the arrays yet: convert() does it.
+  [[nodiscard]] bool open(const VertexSource &source, const CurrentValues &current,
+                          std::uint32_t slots, std::uint32_t first, std::uint32_t count);
+  /// Fills in [begin, end) of the vertices that open() was called for. Threads may call it at a
+  /// time, for vertices of their own.
+  void convert(std::uint32_t begin, std::uint32_t end) const;
   /// The current value of a slot for every vertex of the last fetch(), whatever it fetched for it:
   /// component() gives it. False if there is no memory.
   [[nodiscard]] bool fetchCurrent(const std::array<float, 4> &value, int slot);
@@ -103,9 +110,16 @@ private:
   };
   [[nodiscard]] bool reserveIndices(std::uint32_t count);
   [[nodiscard]] const float *constant(Constant &constant, float value);
-  [[nodiscard]] bool fetchArray(const VertexSource &source, int slot, std::uint32_t first);
+  [[nodiscard]] bool openArray(const VertexSource &source, int slot, std::uint32_t first);
 
   std::uint32_t m_count = 0, m_padded = 0;
+  /// What is to be done for the arrays of the draw.
+  struct Job {
+    Convert convert;
+    Conversion conversion;
+  };
+  std::array<Job, kSlots> m_jobs;
+  unsigned m_jobCount = 0;
   std::array<std::array<const float *, 4>, kSlots> m_components{};
   std::array<std::array<Block, 4>, kSlots> m_blocks;
   std::array<std::array<Constant, 4>, kSlots> m_current;

@@ -13,7 +13,7 @@ using fp::ir::AttributeKind;
 using fp::ir::OutputKind;
 
 /// Vertices that one call of the function transforms: what is written stays in the cache.
-constexpr std::uint32_t kChunk = 1024;
+constexpr std::uint32_t kStretch = swrast::Vertices::kStretch;
 
 VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, bool points) {
   VertexNeeds needs;
@@ -127,38 +127,46 @@ std::uint32_t VertexStage::currentSlots() const {
   return slots;
 }
 
-void VertexStage::transform(const abi::VertexData &data, std::uint32_t count) const {
-  const abi::VertexFunction function = m_program->functions->function();
-  if (count <= 2 * kChunk)
-    return function(&data, count);
-  // Pointers of a chunk lie on the stack of whoever works on it.
+void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
+  m_fetcher.convert(begin, end);
+  // Pointers of a stretch lie on the stack of whoever works on it.
+  constexpr std::size_t kMost = 4 * 64;
+  const float *inputs[kMost];
+  float *results[kMost];
   const std::size_t inputCount = m_shape->inputs.size(), outputCount = m_shape->outputs.size();
-  auto work = [&](std::uint32_t chunk) {
-    constexpr std::size_t kMost = 4 * 64;
-    const float *inputs[kMost];
-    float *results[kMost];
-    const std::uint32_t begin = chunk * kChunk;
-    for (std::size_t i = 0; i < 4 * inputCount; ++i)
-      inputs[i] = data.inputs[i] ? data.inputs[i] + begin : nullptr;
-    for (std::size_t i = 0; i < 4 * outputCount; ++i)
-      results[i] = data.outputs[i] + begin;
-    const abi::VertexData part{data.parameters, inputs, results};
-    function(&part, std::min(kChunk, count - begin));
+  for (std::size_t i = 0; i < 4 * inputCount; ++i)
+    inputs[i] = m_data.inputs[i] ? m_data.inputs[i] + begin : nullptr;
+  for (std::size_t i = 0; i < 4 * outputCount; ++i)
+    results[i] = m_data.outputs[i] + begin;
+  const abi::VertexData part{m_data.parameters, inputs, results};
+  m_program->functions->function()(&part, end - begin);
+}
+
+void VertexStage::transformAll(std::uint32_t count) const {
+  auto work = [&](std::uint32_t stretch) {
+    transformStretch(stretch * kStretch, std::min(count, (stretch + 1) * kStretch));
   };
-  swrast::parallel((count + kChunk - 1) / kChunk, work);
+  swrast::parallel((count + kStretch - 1) / kStretch, work);
 }
 
 Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
-                         std::uint32_t first, std::uint32_t count, bool edgeFlags) {
+                         std::uint32_t first, std::uint32_t count, bool edgeFlags, bool later) {
   const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
-  if (!m_fetcher.fetch(source, mirror.current, slots, first, count))
+  const bool many = count > 2 * kStretch;
+  if (!(many ? m_fetcher.open(source, mirror.current, slots, first, count)
+             : m_fetcher.fetch(source, mirror.current, slots, first, count)))
     return Fallback::Vertices;
   float *const *const outputs = m_fetcher.outputs(m_shape->outputs.size());
   if (!outputs)
     return Fallback::Memory;
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
-  transform({m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs}, count);
+  m_data = {m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs};
+  later = later && many && !edgeFlags;
+  if (!many)
+    m_program->functions->function()(&m_data, count);
+  else if (!later)
+    transformAll(count);
   if (!m_connected || m_connectedTo != m_fetcher.outputsVersion()) {
     connect(outputs);
     m_connected = true;
@@ -168,6 +176,13 @@ Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &s
     return Fallback::Memory;
   m_vertices.count = count;
   m_vertices.edgeFlags = edgeFlags ? m_fetcher.edgeFlags() : nullptr;
+  m_vertices.make = nullptr;
+  if (later) {
+    m_vertices.maker = this;
+    m_vertices.make = [](const void *maker, std::uint32_t begin, std::uint32_t end) {
+      static_cast<const VertexStage *>(maker)->transformStretch(begin, end);
+    };
+  }
   return {};
 }
 

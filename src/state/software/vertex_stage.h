@@ -34,8 +34,9 @@ public:
   [[nodiscard]] std::uint32_t currentSlots() const;
 
   /// Transforms vertices [first, first + count) of the source.
+  /// \param later that may wait until the rasterizer comes to them (swrast::Vertices::make)
   Outcome run(Context &context, Mirror &mirror, const VertexSource &source, std::uint32_t first,
-              std::uint32_t count, bool edgeFlags);
+              std::uint32_t count, bool edgeFlags, bool later);
   /// The result of the last run() that succeeded; fragment inputs are in the order of the shape
   /// that was chosen for.
   [[nodiscard]] const swrast::Vertices &vertices() const { return m_vertices; }
@@ -51,7 +52,8 @@ private:
   void connect(float *const *outputs);
   void findUnwritten(const Context &context);
   [[nodiscard]] bool connectUnwritten(const Mirror &mirror);
-  void transform(const abi::VertexData &data, std::uint32_t count) const;
+  void transformStretch(std::uint32_t begin, std::uint32_t end) const;
+  void transformAll(std::uint32_t count) const;
 
   const CompiledProgram *m_compiled = nullptr;
   const fp::jit::FragmentShape *m_fragments = nullptr;
@@ -67,6 +69,7 @@ private:
   VertexFetcher m_fetcher;
   const fp::jit::VertexShape *m_shape = nullptr; ///< of m_program
   swrast::Vertices m_vertices;
+  abi::VertexData m_data; ///< of the vertices that the fetcher has open
   /// Fragment inputs of fixed function that the application's program does not write. They are
   /// undefined; hosts take the vertex's current values, and some applications count on it.
   struct Unwritten {
