@@ -102,6 +102,17 @@ bool takePrograms(Context &context, const InForce &rows, ProgramPair &pair) {
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
 }
 
+/// Mesa's GLSL compiler goes along a chain of instructions by recursion and left its stack in one
+/// of 16,000 POW, which its assembly parser takes. Legacy and Fp24 are arithmetic that GLSL alone
+/// has.
+bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
+  constexpr std::size_t kLong = 4096; // instructions
+  const auto isLong = [](const std::shared_ptr<const CompiledProgram> &compiled) {
+    return compiled && compiled->program && compiled->program->code.size() > kLong;
+  };
+  return context.numerics == fp::Numerics::Host && (isLong(pair.vertex) || isLong(pair.fragment));
+}
+
 /// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
 /// programs, and these over ATI's fragment shaders.
 Path choosePath(Context &context) {
@@ -142,6 +153,8 @@ Path choosePath(Context &context) {
   if (program != 0 || pipeline != 0)
     return context.hostAssembly.apply(context, pair) ? Path::HostAssembly
                                                      : Path::ApplicationStageGlsl;
+  if (isTooLongForGlsl(context, pair) && context.hostAssembly.apply(context, pair))
+    return Path::HostAssembly;
   // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
   if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
     pair.fragment = nullptr;
@@ -192,8 +205,11 @@ void install(Context &context) {
   ++context.selections;
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
-  if (context.path == Path::HostAssembly)
+  if (context.path == Path::HostAssembly) {
+    if (context.samplerOverride.active())
+      context.samplerOverride.release(context);
     return releaseHostProgram(context);
+  }
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
   if (context.variant->fragment.compiled)

@@ -171,13 +171,15 @@ void bindMany(std::size_t count, const GLuint *programs) {
   glCallList(1);
 }
 
-/// Programs that are long, by what they repeat; each instruction needs the one before.
+/// Programs that are long, by what they repeat; each instruction needs the one before. Their
+/// numbers come to no rest at zero.
 struct Chain {
   const char *name;
   const char *even, *odd;
 };
 constexpr Chain kChains[] = {
-    {"mad", "MAD_SAT u, u, t.yxzw, -t;\n", "MAD t, t, u, u.yzwx;\n"},
+    {"mad", "MAD u, t, -t, t;\n",
+     "MAD_SAT t, u, { 3.2, 3.1, 3.3, 3.1 }, { 0.01, 0.02, 0.01, 0.1 };\n"},
     {"tex", "TEX t, t, texture[0], 2D;\n", "TEX t, t.yxzw, texture[0], 2D;\n"},
     {"pow", "POW_SAT t.x, u.y, t.x;\n", "POW_SAT u.y, t.x, u.z;\n"},
     {"mixture", "TEX t, u, texture[0], 2D;\nMAD_SAT u, t, u.yzwx, t;\n",

@@ -32,7 +32,9 @@ def figures_of(build, what, count, display, folder, backend=None):
     """(pixels, milliseconds, KiB, software statistics)."""
     stats = pathlib.Path(folder) / f"{what}-{backend}.json"
     layer = sides.layer_of(build) if backend else None
-    env = sides.environment(layer, backend, {"DISPLAY": display, "XDG_CACHE_HOME": str(folder),
+    # Each has its own cache: the host's keeps what it made of a program.
+    cache = pathlib.Path(folder) / f"cache-{backend}"
+    env = sides.environment(layer, backend, {"DISPLAY": display, "XDG_CACHE_HOME": str(cache),
                                              "ARBITER_STATS": str(stats)})
     records = dict(sides.run([build / "tests/memory/software-large", what, count], env))
     milliseconds, kib = records["figures"].split()

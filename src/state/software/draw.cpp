@@ -52,6 +52,8 @@ Outcome judge(Context &context) {
   if (context.listMode != 0)
     return Fallback::List;
   // Fixed function alone is ours too, once a program of ours has been drawn.
+  if (context.path == Path::HostAssembly && !applicationShades(context))
+    return Fallback::NotCompiled; // too long
   if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
     return Fallback::NoFragmentProgram;
   if (context.path == Path::NoProgram && applicationShades(context))

@@ -65,7 +65,7 @@ void getIntegerv(GLenum pname, GLint *value) {
     *value = 16; // limits
 }
 
-void getProgramLimit(GLenum, GLenum, GLint *value) { *value = 64; }
+void getProgramLimit(GLenum, GLenum, GLint *value) { *value = fake().programLimit; }
 
 GLenum getError() {
   if (fake().lost)

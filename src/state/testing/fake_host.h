@@ -28,6 +28,7 @@ public:
   std::vector<std::string> extensions = {"GL_ARB_vertex_program", "GL_ARB_fragment_program",
                                          "GL_NV_fragment_program2"};
   std::map<GLenum, GLint> integers; ///< further answers of GetIntegerv
+  GLint programLimit = 64;          ///< what GetProgramivARB answers
   std::set<GLenum> enabled;         ///< what IsEnabled says; Enable and Disable leave it
 
   // --- How it fails ---
