@@ -30,8 +30,8 @@ def handlers_header(table):
 
 
 def guarded(command, statements):
-    """The statements, which may run out of memory: no exception of ours reaches the application, and
-    one of its own does, thrown in what the host calls back. Costs nothing while none is thrown, but
+    """The statements, which may run out of memory: no exception of the layer's reaches the application,
+    and one of its own does, thrown in what the host calls back. Costs nothing while none is thrown, but
     that a call in them is no jump."""
     give = "return;" if command.result == "void" else "return {};"
     return (f"  try {{\n{statements}"

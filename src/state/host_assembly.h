@@ -13,8 +13,9 @@ struct ProgramPair;
 
 /// The uses of the host's own ARB path. The application's GLSL program has one stage alone, and the
 /// other one is an ARB program's: no GLSL program of ours can join one of the application's. Or a
-/// program is so long that the host's GLSL compiler may not survive it. The host gets assembly: from a program that our compiler checked, within our limits, and each in
-/// a host object of its own, for a host may not survive one that is specified again and again.
+/// program is so long that the host's GLSL compiler may not survive it. The host gets assembly:
+/// from a program that our compiler checked, within our limits, and each in a host object of its
+/// own, for a host may not survive one that is specified again and again.
 class HostAssembly {
 public:
   /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage

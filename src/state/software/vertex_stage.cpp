@@ -129,7 +129,7 @@ std::uint32_t VertexStage::currentSlots() const {
 
 void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
   m_fetcher.convert(begin, end);
-  // Pointers of a stretch lie on the stack of whoever works on it.
+  // Pointers of a stretch lie on the stack of the thread that makes it.
   constexpr std::size_t kMost = 4 * 64;
   const float *inputs[kMost];
   float *results[kMost];

@@ -64,11 +64,11 @@ HIDDEN void __wrap_free(void *block) {
 HIDDEN void *__wrap_realloc(void *block, std::size_t bytes) {
   if (!block)
     return __wrap_malloc(bytes);
-  const bool ours = reserve::has(block);
-  if (!ours)
+  const bool inReserve = reserve::has(block);
+  if (!inReserve)
     if (void *const moved = __real_realloc(block, bytes); moved || bytes == 0)
       return moved;
-  const std::size_t had = ours ? reserve::sizeOf(block) : sizeInProcess(block);
+  const std::size_t had = inReserve ? reserve::sizeOf(block) : sizeInProcess(block);
   if (had == 0)
     return nullptr;
   if (bytes != 0 && bytes <= had)
