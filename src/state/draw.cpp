@@ -29,7 +29,7 @@ const char *pathName(Path path) {
   case Path::ApplicationPipeline:
     return "application-pipeline";
   case Path::HostAssembly:
-    return "host-assembly-under-application-glsl";
+    return "host-assembly";
   case Path::ApplicationStageGlsl:
     return "application-glsl-of-one-stage";
   case Path::NotOffered:

@@ -30,5 +30,26 @@ TEST(LongPrograms, AreTheHostsOwnAssembly) {
   EXPECT_EQ(host.count("Disable " + std::to_string(kFragment)), 1) << "left enabled on the host";
 }
 
+TEST(LongPrograms, OfVerticesAreTooWithAShortFragmentProgramBesideThem) {
+  FakeHost host;
+  host.programLimit = 16384;
+  const CurrentContext context(host);
+  std::string text = "!!ARBvp1.0\nTEMP t;\nMOV t, vertex.color;\n";
+  for (int i = 0; i < 5000; ++i)
+    text += "MAD t, t, vertex.normal, t;\n";
+  text += "MOV result.color, t;\nMOV result.position, vertex.position;\nEND\n";
+  use(*context, text, kVertex);
+  use(*context, "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n");
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::HostAssembly), 1u);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kVertex)), 1);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kFragment)), 1)
+      << "one stage would be fixed function's";
+  use(*context, "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND\n", kVertex);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
+  EXPECT_EQ(host.count("Disable " + std::to_string(kVertex)), 1) << "left enabled on the host";
+}
+
 } // namespace
 } // namespace arbiter::state

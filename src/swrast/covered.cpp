@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "swrast/assembly.h"
+#include "swrast/place.h"
 #include "swrast/setup.h"
 
 /// Draws that are one rectangle, the commonest of all draws of 2D programs.
@@ -89,8 +90,8 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
     return false;
   const Viewport viewport = makeViewport(state, vertices);
   WindowVertex *const corner = rectangle.corner;
+  placeCorners(viewport, vertices, rectangle.vertex, corner);
   for (int i = 0; i < 4; ++i) {
-    corner[i] = windowVertex(viewport, vertices, rectangle.vertex[i]);
     // Cutting at the sides of the view volume leaves a rectangle of the same inputs.
     if (corner[i].outcode & ~kOutSides)
       return false;

@@ -19,6 +19,24 @@ constexpr std::int64_t kBandPixels = 32768;
 /// A multiple of every block's height.
 constexpr int kBandUnit = 4;
 
+/// What of the shapes lies in the rows [bottom, top); returns the pixels.
+std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const Shape *shapes,
+                        std::size_t count, int bottom, int top) {
+  std::size_t start = 0;
+  // What lies below an opaque rectangle over the whole band is not seen.
+  if (shading.opaque && !state.polygonStipple)
+    for (std::size_t s = count; s-- > 1 && start == 0;)
+      if (shapes[s].edgeCount == 0 && shapes[s].bottom <= bottom && shapes[s].top >= top &&
+          std::all_of(shapes, shapes + s, [&](const Shape &below) {
+            return below.left >= shapes[s].left && below.right <= shapes[s].right;
+          }))
+        start = s;
+  Emitter emitter(state, shading);
+  for (std::size_t s = start; s < count; ++s)
+    emitter.shade(shapes[s], shapes[s].left, bottom, shapes[s].right, top);
+  return emitter.pixels();
+}
+
 } // namespace
 
 std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
@@ -32,9 +50,11 @@ std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, con
   }
   if (bottom >= top)
     return 0;
+  if (area < kParallelPixels)
+    return shadeBand(state, shading, shapes, count, bottom, top);
   bottom &= ~(kBandUnit - 1);
   int height = top - bottom;
-  if (const int threads = threadCount(); threads > 1 && area >= kParallelPixels) {
+  if (const int threads = threadCount(); threads > 1) {
     const std::int64_t bands =
         threads * std::clamp<std::int64_t>(area / kBandPixels / threads, 1, kBandsPerThread);
     height = int((height + bands - 1) / bands + kBandUnit - 1) & ~(kBandUnit - 1);
@@ -42,19 +62,8 @@ std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, con
   std::atomic<std::uint64_t> pixels{0};
   auto band = [&](std::uint32_t i) {
     const int from = bottom + int(i) * height, to = std::min(top, from + height);
-    std::size_t start = 0;
-    // What lies below an opaque rectangle over the whole band is not seen.
-    if (shading.opaque && !state.polygonStipple)
-      for (std::size_t s = count; s-- > 1 && start == 0;)
-        if (shapes[s].edgeCount == 0 && shapes[s].bottom <= from && shapes[s].top >= to &&
-            std::all_of(shapes, shapes + s, [&](const Shape &below) {
-              return below.left >= shapes[s].left && below.right <= shapes[s].right;
-            }))
-          start = s;
-    Emitter emitter(state, shading);
-    for (std::size_t s = start; s < count; ++s)
-      emitter.shade(shapes[s], shapes[s].left, from, shapes[s].right, to);
-    pixels.fetch_add(emitter.pixels(), std::memory_order_relaxed);
+    pixels.fetch_add(shadeBand(state, shading, shapes, count, from, to),
+                     std::memory_order_relaxed);
   };
   parallel(std::uint32_t((top - bottom + height - 1) / height), band);
   return pixels.load(std::memory_order_relaxed);

@@ -33,4 +33,8 @@ PlacedBounds placeVerticesAvx512(const Viewport &viewport, const Vertices &verti
 /// The best that this processor runs.
 [[nodiscard]] PlaceVertices choosePlaceVertices();
 
+/// windowVertex() of the four vertices that are named, which need not follow each other.
+void placeCorners(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[4],
+                  WindowVertex window[4]);
+
 } // namespace arbiter::swrast

@@ -81,6 +81,41 @@ void compareMany(PlaceVertices place) {
 
 TEST(Place, PlacesVerticesAsOneAtATimeIsPlaced) { compareMany(placeVerticesBaseline); }
 
+TEST(Place, PlacesFourCornersAsOneAtATimeIsPlaced) {
+  std::mt19937 random(13);
+  constexpr std::uint32_t kCount = 9;
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<float> position[4], distance;
+    Vertices vertices;
+    vertices.count = kCount;
+    for (int c = 0; c < 4; ++c) {
+      position[c] = coordinates(random, kCount, c == 3 ? 0.5f : -1.2f, c == 3 ? 3.0f : 1.2f);
+      vertices.position[c] = position[c].data();
+    }
+    distance = coordinates(random, kCount, -1, 3);
+    if (round % 2 != 0)
+      vertices.clipDistance[5] = distance.data();
+    RasterState state;
+    const float viewport[4] = {3, -7, 640.5f, 481};
+    std::copy(viewport, viewport + 4, state.viewport);
+    state.upsideDownHeight = round % 3 == 0 ? 481 : 0;
+    state.depthClamp = round % 5 == 0;
+    const Viewport made = makeViewport(state, vertices);
+    const std::uint32_t index[4] = {std::uint32_t(random()) % kCount,
+                                    std::uint32_t(random()) % kCount,
+                                    std::uint32_t(random()) % kCount, kCount - 1};
+    WindowVertex four[4];
+    placeCorners(made, vertices, index, four);
+    for (int i = 0; i < 4; ++i) {
+      const WindowVertex one = windowVertex(made, vertices, index[i]);
+      ASSERT_EQ(std::memcmp(&one, &four[i],
+                            offsetof(WindowVertex, outcode) + sizeof(WindowVertex::outcode)),
+                0)
+          << round << ", corner " << i;
+    }
+  }
+}
+
 #if defined(__x86_64__)
 TEST(Place, PlacesThemSoWithAvx2) {
   if (!__builtin_cpu_supports("avx2"))

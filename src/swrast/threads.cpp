@@ -205,7 +205,7 @@ Pool *pool() {
 } // namespace
 
 void parallel(std::uint32_t count, void (*work)(void *argument, std::uint32_t i), void *argument) {
-  const int threads = int(std::min(count, std::uint32_t(threadCount())));
+  const int threads = count > 1 ? int(std::min(count, std::uint32_t(threadCount()))) : 1;
   if (threads > 1) {
     Pool *const workers = pool();
     if (workers && workers->run(count, work, argument, threads))

@@ -206,8 +206,12 @@ bool drawOpen(void *owner, const float position[4]) {
   try {
     outcome = settled(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
-  } catch (const std::exception &) {
+  } catch (const std::exception &error) {
     recorder.fail(); // and End says so
+    startRecording(context); // an application that catches its own exception is before End still
+    passOn(error);
+    stopRecording(context);
+    context.insideBeginEnd = false;
   }
   if (!outcome.ok()) {
     replayFor(context, outcome.reason());
