@@ -6,7 +6,7 @@
 
 #include "interposer/x_segment.h"
 #include "interposer/x_window.h"
-#include "swrast/image.h"
+#include "swrast/image/image.h"
 #include "util/thread.h"
 
 namespace arbiter::interposer {

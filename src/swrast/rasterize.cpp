@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <new>
 
-#include "swrast/bins.h"
-#include "swrast/direct.h"
-#include "swrast/place.h"
-#include "swrast/strokes.h"
+#include "swrast/cover/bins.h"
+#include "swrast/cover/direct.h"
+#include "swrast/setup/place.h"
+#include "swrast/setup/rectangle.h"
+#include "swrast/strokes/strokes.h"
 #include "swrast/threads.h"
 #include "util/per_thread.h"
 

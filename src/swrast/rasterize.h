@@ -1,129 +1,16 @@
 #pragma once
 #include <cstdint>
 
-#include "fp_compiler/abi.h"
-#include "swrast/image.h"
+#include "swrast/draw_input.h"
 
 /// Primitives to fragments: assembly, clipping, culling, setup, tiles. Knows no GL; shading is a
 /// function of machine code that it is given.
 namespace arbiter::swrast {
-
-enum class Topology : std::uint8_t {
-  Points,
-  Lines,
-  LineLoop,
-  LineStrip,
-  Triangles,
-  TriangleStrip,
-  TriangleFan,
-  Quads,
-  QuadStrip,
-  Polygon,
-};
-enum class PolygonMode : std::uint8_t { Point, Line, Fill };
-
-/// Transformed vertices as arrays, one float a vertex and component. `position` is in clip space.
-struct Vertices {
-  std::uint32_t count = 0;
-  const float *position[4] = {};
-  /// Fragment input i is components[i][c]; null components are 0, 0, 0, 1.
-  const float *inputs[abi::kMaxInputs][4] = {};
-  /// Two-sided colour: where set, a back-facing polygon takes input i from here.
-  const float *backInputs[abi::kMaxInputs][4] = {};
-  const float *pointSize = nullptr;        ///< in pixels; null: RasterState::pointSize
-  const float *clipDistance[8] = {};       ///< user clip planes: outside where negative; null: off
-  const std::uint8_t *edgeFlags = nullptr; ///< of unfilled polygons; null: all are edges
-
-  /// So many vertices at a time, or what is left of them, are made.
-  static constexpr std::uint32_t kStretch = 1024;
-  /// Where set, the arrays are not filled yet. Called before anything of the vertices [begin, end)
-  /// is read, a stretch's, once and on any thread: what it makes is looked at while it lies in that
-  /// processor's cache. Only of draws of more than two stretches; edge flags are there from the
-  /// start.
-  void (*make)(const void *maker, std::uint32_t begin, std::uint32_t end) = nullptr;
-  const void *maker = nullptr;
-};
-
-/// What the fixed functions between vertex and fragment do (OpenGL 1.4 chapter 3).
-struct RasterState {
-  float viewport[4] = {}; ///< x, y, width, height
-  float depthNear = 0, depthFar = 1;
-  Rect clip; ///< scissor and target's size, intersected
-  bool cullFront = false, cullBack = false;
-  bool frontIsClockwise = false;
-  bool flatShade = false;        ///< colours (inputs whose key is Flat) of the provoking vertex
-  bool provokingIsFirst = false; ///< as the application chose
-  bool quadsProvokingIsFirst = false; ///< of quads and quad strips, for which it need not count
-  bool depthClamp = false;
-  PolygonMode front = PolygonMode::Fill, back = PolygonMode::Fill;
-  bool offsetFill = false, offsetLine = false, offsetPoint = false;
-  float offsetFactor = 0, offsetUnits = 0;
-  double depthResolution = 1.0 / 16777215.0; ///< r of polygon offset
-  float lineWidth = 1, pointSize = 1;
-  float pointSizeMinimum = 1, pointSizeMaximum = 255;
-  /// Point sprites: bit i: input i is (s, t, 0, 1) over the point.
-  std::uint32_t spriteInputs = 0;
-  bool spriteOriginLowerLeft = false;
-  std::uint16_t lineStipple = 0xFFFF;
-  std::int32_t lineStippleFactor = 0; ///< 0: off
-  const std::uint8_t *polygonStipple =
-      nullptr;                 ///< 32 x 32 bits as glPolygonStipple unpacked; null: off
-  bool secondDiagonal = false; ///< quads are cut from their second corner to the fourth
-  /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
-  /// 0: roundings and ties then fall as the host's do.
-  std::int32_t upsideDownHeight = 0;
-};
-
-/// Depth as the rasterizer tests it itself: the test and the buffer's write mask, no stencil.
-struct DepthTest {
-  abi::Layout layout = abi::Layout::None; ///< None: all pass, nothing is written
-  abi::Compare compare = abi::Compare::Less;
-  bool write = false;
-};
-
-/// The functions of one program and state. `quad` may be null where `row` is not and the other way;
-/// where both are there, large primitives take rows and small ones blocks.
-struct Shading {
-  abi::ShadeFunction row = nullptr;
-  abi::ShadeFunction quad = nullptr;
-  int lanes = 16, blockWidth = 4, blockHeight = 4; ///< of the engine
-  const abi::FragmentData *data = nullptr;
-  std::uint32_t inputCount = 0;
-  abi::Interpolation interpolation[abi::kMaxInputs] = {};
-  std::uint8_t inputComponents[abi::kMaxInputs] = {}; ///< bit a component that is read
-  bool readsDepth = true;                             ///< Primitive::z is wanted
-  bool readsW = true; ///< Primitive::inverseW is wanted, or an input is Perspective
-  /// Fragments replace what is there whatever it is (no test, no blend, no kill, all components):
-  /// what lies below a primitive that covers a tile need not be drawn.
-  bool opaque = false;
-
-  /// Lanes::Packed, for small triangles, with a key without depth, which `depth` describes. Only
-  /// with 16 lanes, and only where nothing after the depth test may discard a fragment.
-  abi::ShadeFunction packed = nullptr;
-  DepthTest depth;
-  bool packsQuads = false; ///< a level of detail is wanted
-  /// A fragment that passes replaces what was there, or its unmasked components, whatever it is.
-  bool replaces = false;
-};
-
-struct DrawStatistics {
-  std::uint64_t primitives = 0; ///< after clipping and culling
-  std::uint64_t pixels = 0;     ///< given to shading
-  bool incomplete = false;      ///< there was no memory for some of it, or for all
-};
 
 /// Draws `count` vertices, by `indices` or (null) from `first` on. An index beyond the vertices is
 /// not drawn. Returns when all pixels are written.
 DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
                     const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
                     std::uint32_t count);
-
-/// The region that the draw surely overwrites whole, if it is as simple as a rectangle (a quad, two
-/// triangles, a strip or fan of four): else empty. Needs no more than positions and state.
-[[nodiscard]] Rect surelyCovered(const RasterState &state, Topology topology,
-                                 const Vertices &vertices, const std::uint32_t *indices,
-                                 std::uint32_t first, std::uint32_t count);
-/// All w are equal, so that inputs may be Linear.
-[[nodiscard]] bool isAffine(const Vertices &vertices);
 
 } // namespace arbiter::swrast

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "swrast/canvas_testing.h"
+#include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
 /// Rates of the rasterizer alone: shading is the least that can be called so.

@@ -1,4 +1,5 @@
 #include "swrast/rasterize.h"
+#include "swrast/setup/rectangle.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "swrast/assembly.h"
-#include "swrast/canvas_testing.h"
+#include "swrast/setup/assembly.h"
+#include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
 namespace arbiter::swrast {

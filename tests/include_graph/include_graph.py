@@ -114,8 +114,8 @@ PLANTED = [
     # (file, text, complaints expected)
     ("src/util/hash.h", '#include "state/context.h"\n', 1),
     ("src/fp_compiler/front/lexer.cpp", "#include <GL/gl.h>\n", 1),
-    ("src/swrast/bins.cpp", '#include "fp_compiler/ir/ir.h"\n', 1),
-    ("src/swrast/bins.cpp", '#include "fp_compiler/abi.h"\n', 0),
+    ("src/swrast/cover/bins.cpp", '#include "fp_compiler/ir/ir.h"\n', 1),
+    ("src/swrast/cover/bins.cpp", '#include "fp_compiler/abi.h"\n', 0),
     ("src/host/table.h", '#include "../state/context.h"\n', 1),
     ("src/dispatch/generated.cpp", '#include "interposer/fronts.h"\n', 1),
     ("src/state/context.cpp", '#include <epoxy/gl.h>\n', 1),

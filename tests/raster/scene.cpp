@@ -5,7 +5,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "swrast/canvas_testing.h"
+#include "swrast/testing/canvas.h"
 
 namespace arbiter::raster_test {
 namespace {

@@ -151,7 +151,7 @@ def settle(row, kept=()):
         row["blend"] = "off"
     if row["stencil"] == "two_sided" and (row["mode_front"], row["mode_back"]) != ("fill", "fill"):
         # Polygons stay polygons however they are drawn (OpenGL 2.0, section 4.1.5); the host takes
-        # the front's stencil state for all lines and points. swrast/strokes_test.cpp holds to GL.
+        # the front's stencil state for all lines and points. swrast/strokes/strokes_test.cpp holds to GL.
         row["stencil"] = "on"
     points = row["primitive"] == "points" or "point" in (row["mode_front"], row["mode_back"])
     if row["vertices"] == "program_point" and points:

@@ -6,6 +6,7 @@
 
 #include "state/context.h"
 #include "state/software/residency.h"
+#include "swrast/setup/rectangle.h"
 
 namespace arbiter::state::software {
 

@@ -7,7 +7,8 @@
 
 #include "fp_compiler/abi.h"
 #include "fp_compiler/ir/ir.h"
-#include "swrast/image.h"
+#include "swrast/image/image.h"
+#include "swrast/rect.h"
 
 /// Who holds the newest pixels of each image, the host or our shadow, and moving them when the
 /// other one needs them. Nothing is moved before that.

@@ -3,6 +3,7 @@
 
 #include "state/share_group.h"
 #include "state/software/residency_host.h"
+#include "swrast/image/copy_pixels.h"
 
 namespace arbiter::state::software {
 

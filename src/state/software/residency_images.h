@@ -10,7 +10,7 @@
 
 #include "state/software/context_state.h"
 #include "state/software/residency.h"
-#include "swrast/image.h"
+#include "swrast/image/image.h"
 
 /// The images that residency keeps: what each is, where its newest pixels are, and the tables that
 /// find them. For the files of residency*.cpp only.

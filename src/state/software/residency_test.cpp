@@ -14,7 +14,8 @@
 #include "state/share_group.h"
 #include "state/software/context_state.h"
 #include "state/software/stale.h"
-#include "swrast/image.h"
+#include "swrast/image/copy_pixels.h"
+#include "swrast/image/image.h"
 
 namespace arbiter::state::software {
 namespace {

@@ -6,6 +6,7 @@
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/residency_host.h"
+#include "swrast/image/copy_pixels.h"
 
 namespace arbiter::state::software {
 

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "state/software/residency_host.h"
+#include "swrast/image/copy_pixels.h"
 #include "util/thread.h"
 
 namespace arbiter::state::software {

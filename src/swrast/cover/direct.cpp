@@ -1,0 +1,72 @@
+#include "swrast/cover/direct.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "swrast/cover/emit.h"
+#include "swrast/threads.h"
+
+namespace arbiter::swrast {
+namespace {
+
+/// Fewer pixels than this are done before another thread has woken up.
+constexpr std::int64_t kParallelPixels = 4096;
+/// More bands than threads, so that a thread that is held up costs a part of its share; but a band
+/// has something to do, as machine code may have to make itself ready for it.
+constexpr int kBandsPerThread = 4;
+constexpr std::int64_t kBandPixels = 32768;
+/// A multiple of every block's height.
+constexpr int kBandUnit = 4;
+
+/// What of the shapes lies in the rows [bottom, top); returns the pixels.
+std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const Shape *shapes,
+                        std::size_t count, int bottom, int top) {
+  std::size_t start = 0;
+  // What lies below an opaque rectangle over the whole band is not seen.
+  if (shading.opaque && !state.polygonStipple)
+    for (std::size_t s = count; s-- > 1 && start == 0;)
+      if (shapes[s].edgeCount == 0 && shapes[s].bottom <= bottom && shapes[s].top >= top &&
+          std::all_of(shapes, shapes + s, [&](const Shape &below) {
+            return below.left >= shapes[s].left && below.right <= shapes[s].right;
+          }))
+        start = s;
+  Emitter emitter(state, shading);
+  for (std::size_t s = start; s < count; ++s)
+    emitter.shade(shapes[s], shapes[s].left, bottom, shapes[s].right, top);
+  return emitter.pixels();
+}
+
+} // namespace
+
+std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
+                           std::size_t count) {
+  int bottom = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
+  std::int64_t area = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    bottom = std::min(bottom, shapes[i].bottom);
+    top = std::max(top, shapes[i].top);
+    area += std::int64_t(shapes[i].right - shapes[i].left) * (shapes[i].top - shapes[i].bottom);
+  }
+  if (bottom >= top)
+    return 0;
+  if (area < kParallelPixels)
+    return shadeBand(state, shading, shapes, count, bottom, top);
+  bottom &= ~(kBandUnit - 1);
+  int height = top - bottom;
+  if (const int threads = threadCount(); threads > 1) {
+    const std::int64_t bands =
+        threads * std::clamp<std::int64_t>(area / kBandPixels / threads, 1, kBandsPerThread);
+    height = int((height + bands - 1) / bands + kBandUnit - 1) & ~(kBandUnit - 1);
+  }
+  std::atomic<std::uint64_t> pixels{0};
+  auto band = [&](std::uint32_t i) {
+    const int from = bottom + int(i) * height, to = std::min(top, from + height);
+    pixels.fetch_add(shadeBand(state, shading, shapes, count, from, to),
+                     std::memory_order_relaxed);
+  };
+  parallel(std::uint32_t((top - bottom + height - 1) / height), band);
+  return pixels.load(std::memory_order_relaxed);
+}
+
+} // namespace arbiter::swrast

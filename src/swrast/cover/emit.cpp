@@ -1,0 +1,237 @@
+#include "swrast/cover/emit.h"
+
+namespace arbiter::swrast {
+namespace {
+
+/// Shapes at least this many vectors wide are shaded by rows where there is a choice: the ends of
+/// narrower rows leave most lanes empty.
+constexpr int kRowVectors = 2;
+
+/// Bits set in the low 16. The processors that this is built for need not have an instruction.
+unsigned bitsOf(unsigned mask) {
+  mask -= (mask >> 1) & 0x5555u;
+  mask = (mask & 0x3333u) + ((mask >> 2) & 0x3333u);
+  mask = (mask + (mask >> 4)) & 0x0F0Fu;
+  return (mask + (mask >> 8)) & 0x1Fu;
+}
+
+std::int64_t floorDivide(std::int64_t value, std::int64_t divisor) {
+  const std::int64_t quotient = value / divisor;
+  return quotient - (value % divisor < 0 ? 1 : 0);
+}
+
+} // namespace
+
+RowWalker::RowWalker(const Shape &shape, int left, int bottom, int right)
+    : m_left(left), m_right(right) {
+  for (int i = 0; i < shape.edgeCount; ++i) {
+    const Edge &edge = shape.edges[i];
+    const std::int64_t value = std::int64_t(edge.b) * bottom + edge.c;
+    if (edge.a == 0) {
+      m_level[m_levels++] = {value, edge.b};
+      continue;
+    }
+    // Of a left edge the first x with a * x >= -value; of a right one the first x beyond.
+    const std::int64_t divisor = edge.a > 0 ? edge.a : -std::int64_t(edge.a);
+    const std::int64_t numerator = edge.a > 0 ? divisor - 1 - value : divisor + value;
+    const std::int64_t step = edge.a > 0 ? -std::int64_t(edge.b) : edge.b;
+    Walk &walk = edge.a > 0 ? m_walk[m_lefts++] : m_walk[3 - m_rights++];
+    walk.divisor = divisor;
+    walk.quotient = floorDivide(numerator, divisor);
+    walk.remainder = numerator - walk.quotient * divisor;
+    walk.quotientStep = floorDivide(step, divisor);
+    walk.remainderStep = step - walk.quotientStep * divisor;
+  }
+}
+
+void Emitter::flush() {
+  if (m_count != 0)
+    (m_isRow ? m_shading.row : m_shading.quad)(m_shading.data, m_primitive, m_spans, m_count);
+  m_count = 0;
+}
+
+bool Emitter::wantsRows(int width) const {
+  if (!m_shading.row || !m_shading.quad)
+    return m_shading.row != nullptr;
+  return width >= kRowVectors * m_shading.lanes;
+}
+
+void Emitter::shade(const Shape &shape, int left, int bottom, int right, int top) {
+  left = std::max(left, shape.left);
+  right = std::min(right, shape.right);
+  bottom = std::max(bottom, shape.bottom);
+  top = std::min(top, shape.top);
+  if (left >= right || bottom >= top)
+    return;
+  flush();
+  m_packed.finish();
+  m_primitive = &shape.primitive;
+  m_stippled = shape.stippled;
+  m_isRow = wantsRows(shape.right - shape.left);
+  if (m_isRow)
+    rows(shape, left, bottom, right, top);
+  else
+    blocks(shape, left, bottom, right, top);
+  flush();
+}
+
+void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect) {
+  Bounds bounds;
+  if (!setBounds(rect, triangle.corner, 3, bounds))
+    return;
+  const std::int64_t area = areaOf(triangle.corner);
+  m_primitive = &m_small;
+  m_stippled = m_state.polygonStipple != nullptr;
+  m_isRow = !m_packs && wantsRows(bounds.right - bounds.left);
+  const auto planes = [&] {
+    makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.left, bounds.bottom, m_small);
+  };
+  if (m_isRow) {
+    planes();
+    Shape shape;
+    (void)shapeOf(rect, triangle.corner, area, shape);
+    rows(shape, shape.left, shape.bottom, shape.right, shape.top);
+    flush();
+    return;
+  }
+  const SmallCover cover = m_cover(triangle.corner, area > 0, bounds, m_shading.lanes, m_blocks);
+  m_count = cover.blocks;
+  m_pixels += cover.pixels;
+  filterBlocks(rect, bounds);
+  if (m_count == 0)
+    return;
+  if (m_packs) {
+    m_packed.add(plan, triangle, bounds, m_blocks, m_count);
+    m_count = 0;
+    return;
+  }
+  planes();
+  flush();
+}
+
+void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds) {
+  const int right = rect.x + rect.width, top = rect.y + rect.height;
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  const bool crosses = (bounds.left & -width) < rect.x || (bounds.bottom & -height) < rect.y ||
+                       ((bounds.right + width - 1) & -width) > right ||
+                       ((bounds.top + height - 1) & -height) > top;
+  if (!crosses && !m_stippled)
+    return;
+  const std::uint32_t count = m_count;
+  m_count = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const abi::Block item = m_blocks[i];
+    m_pixels -= bitsOf(item.mask);
+    block(item.x, item.y, crosses ? item.mask & insideMask(rect, item.x, item.y) : item.mask);
+  }
+}
+
+unsigned Emitter::insideMask(const Rect &rect, int x, int y) const {
+  unsigned mask = 0;
+  for (int i = 0; i < m_shading.lanes; ++i) {
+    const int px = x + i % m_shading.blockWidth, py = y + i / m_shading.blockWidth;
+    if (px >= rect.x && px < rect.x + rect.width && py >= rect.y && py < rect.y + rect.height)
+      mask |= 1u << i;
+  }
+  return mask;
+}
+
+void Emitter::span(int x, int y, int end) {
+  if (m_count == kBatch)
+    flush();
+  m_spans[m_count++] = {std::int16_t(x), std::int16_t(y), std::uint16_t(end - x), 0};
+  m_pixels += unsigned(end - x);
+}
+
+void Emitter::stippledSpan(int x, int y, int end) {
+  // Rows of the pattern start at the bottom, and its bits at the left with the highest.
+  const std::uint8_t *const row = m_state.polygonStipple + std::ptrdiff_t(4) * (y & 31);
+  const auto isSet = [row](int at) { return ((row[(at & 31) >> 3] >> (7 - (at & 7))) & 1) != 0; };
+  while (x < end) {
+    while (x < end && !isSet(x))
+      ++x;
+    const int start = x;
+    while (x < end && isSet(x))
+      ++x;
+    if (start < x)
+      span(start, y, x);
+  }
+}
+
+void Emitter::rows(const Shape &shape, int left, int bottom, int right, int top) {
+  RowWalker walker(shape, left, bottom, right);
+  for (int y = bottom; y < top; ++y) {
+    int begin = 0, end = 0;
+    walker.next(begin, end);
+    if (begin >= end)
+      continue;
+    if (m_stippled)
+      stippledSpan(begin, y, end);
+    else
+      span(begin, y, end);
+  }
+}
+
+void Emitter::block(int x, int y, unsigned mask) {
+  if (m_stippled) {
+    for (int i = 0; i < m_shading.lanes; ++i) {
+      const int px = x + i % m_shading.blockWidth, py = y + i / m_shading.blockWidth;
+      const std::uint8_t byte = m_state.polygonStipple[4 * (py & 31) + ((px & 31) >> 3)];
+      if (((byte >> (7 - (px & 7))) & 1) == 0)
+        mask &= ~(1u << i);
+    }
+  }
+  if (mask == 0)
+    return;
+  if (m_count == kBatch)
+    flush();
+  m_blocks[m_count++] = {std::int16_t(x), std::int16_t(y), std::uint16_t(mask), 0};
+  m_pixels += bitsOf(mask);
+}
+
+void Emitter::rectangleBlocks(int left, int bottom, int right, int top) {
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  const auto bits = [](int from, int to) { return (1u << to) - (1u << from); };
+  for (int y = bottom & ~(height - 1); y < top; y += height) {
+    const int firstRow = std::max(bottom - y, 0), lastRow = std::min(top - y, height);
+    for (int x = left & ~(width - 1); x < right; x += width) {
+      const unsigned row = bits(std::max(left - x, 0), std::min(right - x, width));
+      unsigned mask = 0;
+      for (int r = firstRow; r < lastRow; ++r)
+        mask |= row << (r * width);
+      block(x, y, mask);
+    }
+  }
+}
+
+void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int top) {
+  if (shape.edgeCount == 0)
+    return rectangleBlocks(left, bottom, right, top);
+  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
+  RowWalker walker(shape, left, bottom, right);
+  for (int y = bottom & ~(height - 1); y < top; y += height) {
+    // The rows of a row of blocks, and from them each block's mask.
+    int begin[4] = {}, end[4] = {};
+    int first = right, last = left;
+    for (int r = 0; r < height; ++r) {
+      if (y + r < bottom || y + r >= top)
+        continue;
+      walker.next(begin[r], end[r]);
+      if (begin[r] >= end[r])
+        continue;
+      first = std::min(first, begin[r]);
+      last = std::max(last, end[r]);
+    }
+    for (int x = first & ~(width - 1); x < last; x += width) {
+      unsigned mask = 0;
+      for (int r = 0; r < height; ++r) {
+        const int from = std::max(begin[r] - x, 0), to = std::min(end[r] - x, width);
+        if (from < to)
+          mask |= (((1u << to) - 1) & ~((1u << from) - 1)) << (r * width);
+      }
+      block(x, y, mask);
+    }
+  }
+}
+
+} // namespace arbiter::swrast

@@ -1,0 +1,105 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+#include "swrast/cover/flush_mode.h"
+#include "swrast/cover/packed.h"
+#include "swrast/cover/small.h"
+
+/// Shapes to spans and blocks, given to the shading function in batches.
+namespace arbiter::swrast {
+
+/// One thread's items of one primitive. Call flush() between primitives.
+class Emitter {
+public:
+  Emitter(const RasterState &state, const Shading &shading)
+      : m_state(state), m_shading(shading), m_cover(chooseCoverSmall()), m_packed(state, shading) {}
+  ~Emitter() { flush(); }
+  Emitter(const Emitter &) = delete;
+  Emitter &operator=(const Emitter &) = delete;
+
+  /// What follows, until the end, lies in one tile: small triangles may wait for each other.
+  void beginTile(const Rect &rect) { m_packs = m_packed.begin(rect); }
+  /// What of the shape lies in columns left to right and rows bottom to top.
+  void shade(const Shape &shape, int left, int bottom, int right, int top);
+  /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
+  /// Planes are made only if a pixel is covered.
+  void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
+  void flush();
+  [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
+
+private:
+  /// All 2x2 blocks of a tile of 64x64 pixels, and one that is written in vain.
+  static constexpr std::uint32_t kBatch = 1025;
+
+  void rows(const Shape &shape, int left, int bottom, int right, int top);
+  void blocks(const Shape &shape, int left, int bottom, int right, int top);
+  void rectangleBlocks(int left, int bottom, int right, int top);
+  void span(int x, int y, int end);
+  void stippledSpan(int x, int y, int end);
+  void block(int x, int y, unsigned mask);
+  /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
+  void filterBlocks(const Rect &rect, const Bounds &bounds);
+  [[nodiscard]] unsigned insideMask(const Rect &rect, int x, int y) const;
+  [[nodiscard]] bool wantsRows(int width) const;
+
+  FlushMode m_mode;
+  const RasterState &m_state;
+  const Shading &m_shading;
+  CoverSmall m_cover;
+  PackedShader m_packed;
+  bool m_packs = false;
+  const abi::Primitive *m_primitive = nullptr;
+  abi::Primitive m_small; ///< the small triangle's
+  bool m_stippled = false;
+  bool m_isRow = false;
+  std::uint32_t m_count = 0;
+  std::uint64_t m_pixels = 0;
+  union {
+    abi::Span m_spans[kBatch];
+    abi::Block m_blocks[kBatch];
+  };
+};
+
+/// The covered columns of a shape row by row, upwards: where an edge crosses a row is followed by
+/// exact steps of quotient and remainder.
+class RowWalker {
+public:
+  RowWalker(const Shape &shape, int left, int bottom, int right);
+  /// The next row; begin >= end where nothing is covered.
+  void next(int &begin, int &end) {
+    begin = m_left;
+    end = m_right;
+    for (int i = 0; i < m_lefts; ++i)
+      begin = std::max(begin, m_walk[i].step(m_left, m_right));
+    for (int i = 0; i < m_rights; ++i)
+      end = std::min(end, m_walk[3 - i].step(m_left, m_right));
+    for (int i = 0; i < m_levels; ++i) {
+      if (m_level[i].value < 0)
+        end = begin;
+      m_level[i].value += m_level[i].step;
+    }
+  }
+
+private:
+  struct Walk {
+    std::int64_t quotient, remainder, quotientStep, remainderStep, divisor;
+    int step(int low, int high) {
+      const std::int64_t now = quotient;
+      quotient += quotientStep;
+      remainder += remainderStep;
+      const bool carry = remainder >= divisor;
+      remainder -= carry ? divisor : 0;
+      quotient += carry ? 1 : 0;
+      return int(std::clamp(now, std::int64_t(low), std::int64_t(high)));
+    }
+  };
+  struct Level { ///< a horizontal edge
+    std::int64_t value, step;
+  };
+  Walk m_walk[4]; ///< left edges from the front, right ones from the back
+  Level m_level[4];
+  int m_lefts = 0, m_rights = 0, m_levels = 0, m_left, m_right;
+};
+
+} // namespace arbiter::swrast

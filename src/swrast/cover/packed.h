@@ -1,0 +1,103 @@
+#pragma once
+#include <cstdint>
+
+#include "swrast/setup/planes.h"
+#include "swrast/setup/shape.h"
+
+/// Small triangles by the pixel: the rasterizer tests depth itself, in a copy of the tile that
+/// stays in the processor's nearest cache, and hands the machine code full vectors of what is left
+/// to be seen. Where fragments replace what is there, a tile is shaded when all its triangles have
+/// been tested, so that a pixel is shaded once however many triangles lie over each other.
+namespace arbiter::swrast {
+
+/// Blocks of 4x4 pixels of a tile of 64x64, one behind the other; lane 4 * row + column of a block.
+struct PackedTile {
+  static constexpr int kSide = 64, kBlocks = 256, kLanes = 16;
+  alignas(64) std::int32_t depth[kBlocks][kLanes];  ///< a pixel of the depth buffer each
+  alignas(64) std::uint32_t owner[kBlocks][kLanes]; ///< the triangle seen there; 0: none
+  std::uint16_t loaded[kBlocks / 16];               ///< bit a block: what is above is filled
+  Rect rect;                                        ///< what of the tile there is
+  abi::Target target;                               ///< the depth buffer
+  DepthTest test;
+  float minimum, maximum; ///< depth is clamped to
+
+  /// Always inline: it is compiled for several instruction sets.
+  [[nodiscard, gnu::always_inline]] static inline unsigned blockAt(int x, int y) {
+    return (unsigned(y) >> 2 & 15) << 4 | (unsigned(x) >> 2 & 15);
+  }
+  void begin(const Rect &tile, const Shading &shading);
+  /// Fills a block from the depth buffer; no triangle is seen in it.
+  void load(int x, int y);
+  /// Writes depth back, if it is written at all, and forgets all.
+  void end();
+
+private:
+  template <typename Visit> void eachPixel(int x, int y, Visit visit) const;
+};
+
+/// Tests blocks of a triangle; what passes is written, owned by `owner`, and listed.
+/// \param out room for `count` and one more; may be `blocks`
+/// \return blocks of which something is left
+using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int originX,
+                                     int originY, std::uint32_t owner, const abi::Block *blocks,
+                                     std::uint32_t count, abi::Block *out);
+/// The pixels of blocks, one behind the other: all of the masks, or if `owner` is not 0 those that
+/// it still owns. Of `quads` each quad is whole, its other pixels helpers. Filled up with helpers
+/// to a multiple of 16. \param out room for 16 more than the blocks have
+using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner, bool quads,
+                                     const abi::Block *blocks, std::uint32_t count,
+                                     abi::Pixel *out);
+struct PackedKernels {
+  TestBlocks (*test)(const DepthTest &); ///< the one for a test
+  ListPixels list;
+};
+/// All give the same.
+extern const PackedKernels kPackedBaseline;
+#if defined(__x86_64__)
+extern const PackedKernels kPackedAvx512;
+#endif
+/// The best that this processor runs.
+[[nodiscard]] const PackedKernels &choosePackedKernels();
+
+/// One thread's small triangles of one tile. Nothing is seen of them before finish().
+class PackedShader {
+public:
+  PackedShader(const RasterState &state, const Shading &shading)
+      : m_state(state), m_shading(shading), m_kernels(choosePackedKernels()) {}
+  ~PackedShader() { finish(); }
+  PackedShader(const PackedShader &) = delete;
+  PackedShader &operator=(const PackedShader &) = delete;
+
+  /// \param tile what is drawn of a tile. False where there is no function, or no memory.
+  [[nodiscard]] bool begin(const Rect &tile);
+  /// \param origin pixel that the planes are exact at
+  /// \param blocks what of the triangle, which is not clipped, lies in the tile; of 4x4 pixels
+  void add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
+           const abi::Block *blocks, std::uint32_t count);
+  void finish();
+
+private:
+  /// A triangle that is shaded later; its blocks are the next `count` ones.
+  struct Pending {
+    Triangle triangle;
+    Gradients gradients;
+    abi::Plane depth;
+    std::int32_t originX, originY;
+    std::uint32_t count;
+  };
+  struct Storage;
+  [[nodiscard]] static Storage *storage();
+  void resolve();
+  void shade(const Pending &each, std::uint32_t owner, const abi::Block *blocks);
+
+  const RasterState &m_state;
+  const Shading &m_shading;
+  const PackedKernels &m_kernels;
+  const PlanePlan *m_plan = nullptr;
+  TestBlocks m_test = nullptr;
+  Storage *m_storage = nullptr; ///< null: not begun
+  std::uint32_t m_pending = 0, m_blocks = 0;
+  std::uint32_t m_owner = 0; ///< of the last triangle before the pending ones
+};
+
+} // namespace arbiter::swrast

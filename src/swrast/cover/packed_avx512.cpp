@@ -1,0 +1,168 @@
+#include <immintrin.h>
+
+#include "swrast/cover/packed.h"
+
+/// The kernels for processors with vectors of 16 lanes, and instructions that close the gaps in
+/// them.
+namespace arbiter::swrast {
+namespace {
+
+/// Depth of a block's pixels, clamped: the same steps in the same order as machine code has them.
+class DepthSteps {
+public:
+  DepthSteps(const PackedTile &tile, const abi::Plane &z, int originX, int originY)
+      : m_originX(originX), m_originY(originY), m_c(_mm512_set1_ps(z.c)),
+        m_dx(_mm512_set1_ps(z.dx)), m_dy(_mm512_set1_ps(z.dy)),
+        m_minimum(_mm512_set1_ps(tile.minimum)), m_maximum(_mm512_set1_ps(tile.maximum)) {}
+
+  [[nodiscard]] __m512 at(int x, int y) const {
+    const __m512i column = _mm512_setr_epi32(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+    const __m512i line = _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+    const auto from = [](int start, __m512i lanes) {
+      return _mm512_cvtepi32_ps(_mm512_add_epi32(_mm512_set1_epi32(start), lanes));
+    };
+    const __m512 row = _mm512_add_ps(m_c, _mm512_mul_ps(m_dy, from(y - m_originY, line)));
+    const __m512 depth = _mm512_add_ps(row, _mm512_mul_ps(m_dx, from(x - m_originX, column)));
+    // Where it is not a number: the second operand.
+    return _mm512_min_ps(_mm512_max_ps(depth, m_minimum), m_maximum);
+  }
+
+private:
+  int m_originX, m_originY;
+  __m512 m_c, m_dx, m_dy, m_minimum, m_maximum;
+};
+
+/// The processor's comparisons in GL's order; the first and the last need none.
+constexpr int kIntegerCompare[] = {
+    0, _MM_CMPINT_LT, _MM_CMPINT_EQ, _MM_CMPINT_LE, _MM_CMPINT_NLE, _MM_CMPINT_NE, _MM_CMPINT_NLT,
+    0};
+constexpr int kFloatCompare[] = {0,          _CMP_LT_OQ,  _CMP_EQ_OQ, _CMP_LE_OQ,
+                                 _CMP_GT_OQ, _CMP_NEQ_UQ, _CMP_GE_OQ, 0};
+
+/// Lanes of \p mask that pass; \p made is what they make of the buffer's pixels.
+template <abi::Layout kLayout, abi::Compare kCompare>
+__mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
+  constexpr bool kDecided = kCompare == abi::Compare::Never || kCompare == abi::Compare::Always;
+  if constexpr (kCompare == abi::Compare::Never)
+    mask = 0;
+  if constexpr (kLayout == abi::Layout::Depth32F) {
+    made = _mm512_castps_si512(depth);
+    if constexpr (!kDecided)
+      mask = _mm512_mask_cmp_ps_mask(mask, depth, _mm512_castsi512_ps(old),
+                                     kFloatCompare[int(kCompare)]);
+  } else {
+    constexpr bool kHalf = kLayout == abi::Layout::Depth16;
+    const __m512i mine =
+        _mm512_cvtps_epi32(_mm512_mul_ps(depth, _mm512_set1_ps(kHalf ? 65535.0f : 16777215.0f)));
+    made = kHalf ? mine
+                 : _mm512_or_si512(_mm512_slli_epi32(mine, 8),
+                                   _mm512_and_si512(old, _mm512_set1_epi32(255)));
+    if constexpr (!kDecided)
+      mask = _mm512_mask_cmp_epi32_mask(mask, mine, kHalf ? old : _mm512_srli_epi32(old, 8),
+                                        kIntegerCompare[int(kCompare)]);
+  }
+  return mask;
+}
+
+template <abi::Layout kLayout, abi::Compare kCompare>
+std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, int originY,
+                           std::uint32_t owner, const abi::Block *blocks, std::uint32_t count,
+                           abi::Block *out) {
+  const DepthSteps steps(tile, z, originX, originY);
+  const __m512i owners = _mm512_set1_epi32(int(owner));
+  std::uint32_t left = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const abi::Block block = blocks[i];
+    const unsigned at = PackedTile::blockAt(block.x, block.y);
+    if (__builtin_expect((tile.loaded[at >> 4] >> (at & 15) & 1) == 0, 0))
+      tile.load(block.x, block.y);
+    __mmask16 mask = block.mask;
+    // Vectors are stored whole, as what is stored in part is slow to load again.
+    if constexpr (kLayout != abi::Layout::None) {
+      const __m512i old = _mm512_load_si512(tile.depth[at]);
+      __m512i made;
+      mask = passing<kLayout, kCompare>(mask, steps.at(block.x, block.y), old, made);
+      if (tile.test.write)
+        _mm512_store_si512(tile.depth[at], _mm512_mask_mov_epi32(old, mask, made));
+    }
+    const __m512i before = _mm512_load_si512(tile.owner[at]);
+    _mm512_store_si512(tile.owner[at], _mm512_mask_mov_epi32(before, mask, owners));
+    out[left] = {block.x, block.y, std::uint16_t(mask), 0};
+    left += mask != 0 ? 1 : 0;
+  }
+  return left;
+}
+
+template <abi::Layout kLayout> TestBlocks testOf(abi::Compare compare) {
+  using abi::Compare;
+  static constexpr TestBlocks kAll[] = {
+      testBlocksBy<kLayout, Compare::Never>,        testBlocksBy<kLayout, Compare::Less>,
+      testBlocksBy<kLayout, Compare::Equal>,        testBlocksBy<kLayout, Compare::LessEqual>,
+      testBlocksBy<kLayout, Compare::Greater>,      testBlocksBy<kLayout, Compare::NotEqual>,
+      testBlocksBy<kLayout, Compare::GreaterEqual>, testBlocksBy<kLayout, Compare::Always>};
+  return kAll[int(compare)];
+}
+
+TestBlocks chooseTest(const DepthTest &test) {
+  switch (test.layout) {
+  case abi::Layout::Depth16:
+    return testOf<abi::Layout::Depth16>(test.compare);
+  case abi::Layout::Depth24Stencil8:
+    return testOf<abi::Layout::Depth24Stencil8>(test.compare);
+  case abi::Layout::Depth32F:
+    return testOf<abi::Layout::Depth32F>(test.compare);
+  default:
+    return testBlocksBy<abi::Layout::None, abi::Compare::Always>;
+  }
+}
+
+/// x and y of the lanes of a block as abi::Pixel, row by row or quad by quad.
+__m512i lanesOf(bool quads) {
+  const __m512i rows =
+      _mm512_setr_epi32(0, 1, 2, 3, 0x10000, 0x10001, 0x10002, 0x10003, 0x20000, 0x20001, 0x20002,
+                        0x20003, 0x30000, 0x30001, 0x30002, 0x30003);
+  const __m512i byQuad =
+      _mm512_setr_epi32(0, 1, 0x10000, 0x10001, 2, 3, 0x10002, 0x10003, 0x20000, 0x20001, 0x30000,
+                        0x30001, 0x20002, 0x20003, 0x30002, 0x30003);
+  return quads ? byQuad : rows;
+}
+
+std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads,
+                         const abi::Block *blocks, std::uint32_t count, abi::Pixel *out) {
+  const __m512i lanes = lanesOf(quads);
+  const __m512i owners = _mm512_set1_epi32(int(owner));
+  const __m512i helper = _mm512_set1_epi32(int(unsigned(abi::Pixel::kHelper) << 16));
+  std::uint32_t total = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const abi::Block block = blocks[i];
+    unsigned mask = block.mask;
+    if (owner != 0)
+      mask = _mm512_cmpeq_epi32_mask(
+          owners, _mm512_load_si512(tile.owner[PackedTile::blockAt(block.x, block.y)]));
+    __m512i pixels = _mm512_add_epi32(
+        lanes, _mm512_set1_epi32(int(std::uint32_t(block.y) << 16 | std::uint32_t(block.x))));
+    if (quads) {
+      // The second pair of a row changes places with the first pair of the next.
+      mask = (mask & 0xC3C3) | (mask & 0x0C0C) << 2 | (mask >> 2 & 0x0C0C);
+      unsigned any = mask | mask >> 1;
+      any = (any | any >> 2) & 0x1111;
+      const unsigned whole = any * 15;
+      pixels = _mm512_mask_or_epi32(pixels, __mmask16(whole & ~mask), pixels, helper);
+      mask = whole;
+    }
+    _mm512_storeu_si512(out + total, _mm512_maskz_compress_epi32(__mmask16(mask), pixels));
+    total += unsigned(__builtin_popcount(mask));
+  }
+  if (total == 0)
+    return 0;
+  std::uint32_t last;
+  __builtin_memcpy(&last, out + total - 1, sizeof last);
+  _mm512_storeu_si512(out + total, _mm512_or_si512(_mm512_set1_epi32(int(last)), helper));
+  return (total + 15) & ~15u;
+}
+
+} // namespace
+
+const PackedKernels kPackedAvx512 = {chooseTest, listPixels};
+
+} // namespace arbiter::swrast

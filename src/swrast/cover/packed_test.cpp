@@ -1,0 +1,247 @@
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "swrast/testing/canvas.h"
+#include "swrast/cover/packed.h"
+
+/// Small triangles packed by the pixel against blocks whose shading function tests depth itself.
+namespace arbiter::swrast {
+namespace {
+
+using testing::Canvas;
+using testing::WindowVertices;
+
+constexpr abi::Layout kLayouts[] = {abi::Layout::None, abi::Layout::Depth16,
+                                    abi::Layout::Depth24Stencil8, abi::Layout::Depth32F};
+
+/// The depth test of machine code, a pixel at a time, from its description (4.1.6).
+bool testReference(const DepthTest &test, const abi::FragmentData &data,
+                   const abi::Primitive &primitive, int x, int y) {
+  if (test.layout == abi::Layout::None)
+    return true;
+  const int bytes = abi::bytesOf(test.layout);
+  std::uint8_t *const place = data.depthStencil.base + y * data.depthStencil.rowStride + x * bytes;
+  std::uint32_t pixel = 0;
+  std::memcpy(&pixel, place, std::size_t(bytes));
+  const abi::Plane &z = primitive.z;
+  volatile const float alongY = z.dy * float(y - primitive.originY);
+  volatile const float row = z.c + alongY;
+  volatile const float alongX = z.dx * float(x - primitive.originX);
+  const float depth = std::min(std::max(row + alongX, data.depthMinimum), data.depthMaximum);
+  double mine = depth, theirs = 0;
+  std::uint32_t made = 0;
+  if (test.layout == abi::Layout::Depth32F) {
+    float value = 0;
+    std::memcpy(&value, &pixel, 4);
+    theirs = value;
+    std::memcpy(&made, &depth, 4);
+  } else {
+    const bool half = test.layout == abi::Layout::Depth16;
+    volatile const float scaled = depth * (half ? 65535.0f : 16777215.0f);
+    mine = std::nearbyint(double(scaled));
+    theirs = half ? pixel : pixel >> 8;
+    made = half ? std::uint32_t(mine) : std::uint32_t(mine) << 8 | (pixel & 255);
+  }
+  const bool results[] = {false, mine<theirs, mine == theirs, mine <= theirs, mine> theirs,
+                          mine != theirs, mine >= theirs, true};
+  const bool passes = results[int(test.compare)];
+  if (passes && test.write)
+    std::memcpy(place, &made, std::size_t(bytes));
+  return passes;
+}
+
+DepthTest g_test; ///< of the draw under way: shading functions are given no more than their data
+bool g_quads = false;
+
+void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
+                  std::uint32_t count) {
+  const auto *const blocks = static_cast<const abi::Block *>(items);
+  for (std::uint32_t i = 0; i < count; ++i)
+    for (int bit = 0; bit < 16; ++bit) {
+      const int x = blocks[i].x + bit % 4, y = blocks[i].y + bit / 4;
+      if ((blocks[i].mask >> bit & 1) && testReference(g_test, *data, *primitive, x, y))
+        Canvas::shadePixel(data, primitive, x, y);
+    }
+}
+
+void packedPixels(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
+                  std::uint32_t count) {
+  const auto *const pixels = static_cast<const abi::Pixel *>(items);
+  if (count % 16 != 0)
+    __builtin_trap();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const int y = pixels[i].y & ~abi::Pixel::kHelper;
+    const int first = int(i) & ~3;
+    // Padding may follow the last quad in any number.
+    const bool padding = (pixels[first].y & pixels[first + 1].y & pixels[first + 2].y &
+                          pixels[first + 3].y & abi::Pixel::kHelper) != 0;
+    if (g_quads && !padding &&
+        (pixels[i].x != pixels[first].x + int(i & 1) ||
+         y != (pixels[first].y & ~abi::Pixel::kHelper) + int(i >> 1 & 1) || pixels[first].x % 2))
+      __builtin_trap();
+    if (!(pixels[i].y & abi::Pixel::kHelper))
+      Canvas::shadePixel(data, primitive, pixels[i].x, y);
+  }
+}
+
+struct Picture {
+  std::vector<std::uint32_t> counts;
+  std::vector<float> values;
+  std::vector<std::uint32_t> depth;
+};
+
+struct Case {
+  DepthTest test;
+  bool replaces = false, quads = false, stippled = false;
+  Rect clip;
+  std::vector<float> x, y, z;
+};
+
+constexpr int kWidth = 157, kHeight = 141;
+
+Picture drawn(const Case &what, bool packed) {
+  static const std::vector<std::uint8_t> stipple(128, 0xB6);
+  g_test = what.test;
+  g_quads = what.quads;
+  Canvas canvas(kWidth, kHeight);
+  std::mt19937 random(7);
+  std::vector<std::uint32_t> depth(std::size_t(kWidth * kHeight));
+  for (std::uint32_t &pixel : depth) {
+    pixel = std::uint32_t(random());
+    if (what.test.layout == abi::Layout::Depth32F) {
+      const float value = float(random() % 1000) / 1000.0f;
+      std::memcpy(&pixel, &value, 4);
+    }
+  }
+  canvas.data.depthStencil = {reinterpret_cast<std::uint8_t *>(depth.data()),
+                              kWidth * std::max(2, abi::bytesOf(what.test.layout))};
+  canvas.data.depthMinimum = 0.1f;
+  canvas.useQuads(16);
+  canvas.shading.quad = testedBlocks;
+  if (packed) {
+    canvas.shading.packed = packedPixels;
+    canvas.shading.depth = what.test;
+    canvas.shading.packsQuads = what.quads;
+    canvas.shading.replaces = what.replaces;
+  }
+  canvas.state.clip = what.clip;
+  canvas.state.polygonStipple = what.stippled ? stipple.data() : nullptr;
+  canvas.shading.inputCount = 1;
+  canvas.shading.interpolation[0] = abi::Interpolation::Linear;
+  canvas.shading.inputComponents[0] = 1;
+  WindowVertices vertices(canvas);
+  for (std::size_t i = 0; i < what.x.size(); ++i)
+    vertices.add(what.x[i], what.y[i], float(i / 3 * 10) + what.z[i], 1, 2 * what.z[i] - 1);
+  drawAll(canvas, Topology::Triangles, vertices);
+  return {canvas.counts, canvas.values, depth};
+}
+
+Case randomCase(std::mt19937 &random, int round) {
+  Case what;
+  what.test = {kLayouts[random() % 4], abi::Compare(random() % 8), random() % 4 != 0};
+  what.replaces = random() % 2 != 0;
+  what.quads = random() % 2 != 0;
+  what.stippled = random() % 8 == 0;
+  what.clip = random() % 3 ? Rect{0, 0, kWidth, kHeight} : Rect{13, 6, 101, 77};
+  const int triangles = round % 5 == 0 ? 2000 : 150;
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < triangles; ++i) {
+    // Some are larger than small ones may be, and wait for those before them.
+    const float size = i % 40 == 39 ? 150.0f : i % 3 ? 9.0f : 40.0f;
+    const float x = unit(random) * kWidth, y = unit(random) * kHeight;
+    for (int k = 0; k < 3; ++k) {
+      what.x.push_back(std::clamp(x + size * (unit(random) - 0.5f), 0.0f, float(kWidth)));
+      what.y.push_back(std::clamp(y + size * (unit(random) - 0.5f), 0.0f, float(kHeight)));
+      what.z.push_back(unit(random));
+    }
+  }
+  return what;
+}
+
+TEST(Packed, DrawsWhatBlocksDraw) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 120; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    const Case what = randomCase(random, round);
+    const Picture expected = drawn(what, false), got = drawn(what, true);
+    ASSERT_EQ(got.depth, expected.depth);
+    ASSERT_EQ(std::memcmp(got.values.data(), expected.values.data(), got.values.size() * 4), 0);
+    std::uint64_t fewer = 0;
+    for (std::size_t i = 0; i < got.counts.size(); ++i) {
+      ASSERT_EQ(got.counts[i] == 0, expected.counts[i] == 0);
+      ASSERT_LE(got.counts[i], expected.counts[i]);
+      fewer += expected.counts[i] - got.counts[i];
+    }
+    if (!what.replaces) {
+      ASSERT_EQ(fewer, 0u) << "a fragment that counts was left out";
+    } else if (round % 5 == 0 && what.test.compare == abi::Compare::Always) {
+      ASSERT_GT(fewer, 0u) << "what is covered was shaded";
+    }
+  }
+}
+
+/// A tile in the middle of a buffer, with its depth.
+struct Tile {
+  Tile(const DepthTest &test, const Rect &rect) : buffer(128 * 128) {
+    std::mt19937 random(3);
+    for (std::uint32_t &pixel : buffer) {
+      const float value = float(random() % 4096) / 4095.0f;
+      std::memcpy(&pixel, &value, 4);
+      if (test.layout != abi::Layout::Depth32F)
+        pixel = std::uint32_t(random());
+      else if (random() % 64 == 0)
+        pixel = 0x7FC00000; // as an application may have written
+    }
+    data.depthStencil = {reinterpret_cast<std::uint8_t *>(buffer.data()),
+                         128 * std::max(2, abi::bytesOf(test.layout))};
+    Shading shading;
+    shading.data = &data;
+    shading.depth = test;
+    tile->begin(rect, shading);
+  }
+  std::vector<std::uint32_t> buffer;
+  abi::FragmentData data;
+  std::unique_ptr<PackedTile> tile = std::make_unique<PackedTile>();
+};
+
+TEST(Packed, KernelsAreTheSameOnAllInstructionSets) {
+  const PackedKernels &best = choosePackedKernels();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-0.5f, 1.5f);
+  for (int round = 0; round < 400; ++round) {
+    const DepthTest test = {kLayouts[random() % 4], abi::Compare(random() % 8), random() % 2 != 0};
+    const Rect rect = round % 2 ? Rect{64, 0, 64, 64} : Rect{71, 3, 50, 41};
+    Tile a(test, rect), b(test, rect);
+    for (std::uint32_t owner = 1; owner < 12; ++owner) {
+      std::vector<abi::Block> blocks, left(300), same(300);
+      for (int y = 0; y < 64; y += 4)
+        for (int x = 64; x < 128; x += 4)
+          if (random() % 4 == 0)
+            blocks.push_back({std::int16_t(x), std::int16_t(y), std::uint16_t(random()), 0});
+      abi::Plane z = {unit(random), unit(random) / 40, unit(random) / 40};
+      if (owner == 5)
+        z.dx = NAN;
+      const auto count = std::uint32_t(blocks.size());
+      const std::uint32_t n =
+          kPackedBaseline.test(test)(*a.tile, z, 66, 5, owner, blocks.data(), count, left.data());
+      ASSERT_EQ(best.test(test)(*b.tile, z, 66, 5, owner, blocks.data(), count, same.data()), n);
+      ASSERT_EQ(std::memcmp(left.data(), same.data(), n * sizeof(abi::Block)), 0);
+      for (const bool quads : {false, true})
+        for (const std::uint32_t of : {0u, owner, owner - 1}) {
+          std::vector<abi::Pixel> pixels(5000), others(5000);
+          const std::uint32_t m =
+              kPackedBaseline.list(*a.tile, of, quads, left.data(), n, pixels.data());
+          ASSERT_EQ(best.list(*b.tile, of, quads, left.data(), n, others.data()), m);
+          ASSERT_EQ(std::memcmp(pixels.data(), others.data(), m * sizeof(abi::Pixel)), 0);
+        }
+    }
+    a.tile->end();
+    b.tile->end();
+    ASSERT_EQ(a.buffer, b.buffer);
+  }
+}
+
+} // namespace
+} // namespace arbiter::swrast

@@ -1,0 +1,10 @@
+#include "swrast/cover/small_block.h"
+
+namespace arbiter::swrast {
+
+SmallCover coverSmallAvx512(const WindowVertex corner[3], bool counterclockwise,
+                            const Bounds &bounds, int lanes, abi::Block *blocks) {
+  return coverBlocks(corner, counterclockwise, bounds, lanes, blocks);
+}
+
+} // namespace arbiter::swrast

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "fp_compiler/abi.h"
+#include "swrast/image/storage.h"
+
+/// Pixels in memory, shared until somebody writes: what makes a feedback copy free.
+namespace arbiter::swrast {
+
+/// A rectangle of a colour buffer or a level of a texture. A value: copying it shares the pixels.
+/// Rows may run up or down in memory.
+struct Image {
+  abi::Format format;
+  std::int32_t width = 0, height = 0, depth = 1; ///< depth: slices of a 3D texture
+  std::int64_t rowStride = 0, sliceStride = 0;   ///< bytes; rowStride is negative if top row first
+  std::shared_ptr<Storage> storage;
+  std::ptrdiff_t offset = 0; ///< of pixel (0, 0, 0), the lower left, in the storage
+
+  [[nodiscard]] bool empty() const { return !storage; }
+  [[nodiscard]] std::uint8_t *pixel(int x, int y, int z = 0) const {
+    return storage->data() + offset + z * sliceStride + y * rowStride +
+           std::ptrdiff_t(x) * abi::bytesOf(format.layout);
+  }
+  [[nodiscard]] bool shared() const { return storage.use_count() > 1; }
+};
+
+/// Rows of 64-byte multiples. Empty if there is no memory, or a size is not in [1, 16384].
+[[nodiscard]] Image makeImage(const abi::Format &format, int width, int height, int depth = 1,
+                              bool topRowFirst = false);
+/// Before a write: a storage of its own that nobody else reads, with the old contents unless they
+/// are not needed.
+/// False if there is no memory; the image is as it was.
+[[nodiscard]] bool makeWritable(Image &image, bool keepContents);
+
+} // namespace arbiter::swrast

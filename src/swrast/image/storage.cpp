@@ -1,0 +1,180 @@
+#include "swrast/image/storage.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <sys/mman.h>
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr std::size_t kGuardBytes = 64; ///< that may be read before and behind
+constexpr std::size_t kHugePage = std::size_t(2) << 20;
+constexpr std::size_t kPoolBlocks = 8;
+constexpr std::size_t kPoolBytes = std::size_t(16) << 20; ///< beyond as much as is in use
+constexpr std::size_t kLargestBytes = std::size_t(1) << 40;
+
+struct Freed {
+  std::uint8_t *block = nullptr;
+  std::size_t bytes = 0; ///< as asked for
+};
+
+/// Never destroyed: images may outlive the library's static objects.
+struct Pool {
+  std::mutex mutex;
+  std::array<Freed, kPoolBlocks> freed; ///< the oldest first
+  std::size_t count = 0, freedBytes = 0, usedBytes = 0;
+  std::array<void *, 32> handles; ///< memory of the handles of storages
+  std::size_t handleCount = 0;
+};
+Pool &pool() {
+  static Pool *const instance = new Pool;
+  return *instance;
+}
+std::atomic<std::size_t> g_totalBytes{0};
+
+std::size_t blockBytes(std::size_t bytes) { return (bytes + 2 * kGuardBytes + 63) / 64 * 64; }
+
+std::uint8_t *allocate(std::size_t bytes) {
+  const std::size_t size = blockBytes(bytes);
+  const bool huge = size >= 2 * kHugePage;
+  void *block = nullptr;
+  if (posix_memalign(&block, huge ? kHugePage : 64, size) != 0)
+    return nullptr;
+  // Large pages save most of the address translation of a walk over an image; a kernel that has
+  // none says so, and that is no harm.
+  if (huge)
+    (void)madvise(block, size, MADV_HUGEPAGE);
+  return static_cast<std::uint8_t *>(block);
+}
+
+/// Gives back what std::shared_ptr keeps beside the storage, without the heap in a steady state.
+template <typename T> struct HandleAllocator {
+  using value_type = T;
+  static constexpr std::size_t kBytes = 128;
+  HandleAllocator() = default;
+  template <typename Other> explicit HandleAllocator(const HandleAllocator<Other> &) {}
+  T *allocate(std::size_t n) {
+    static_assert(sizeof(T) <= kBytes);
+    {
+      const std::lock_guard lock(pool().mutex);
+      if (n == 1 && pool().handleCount > 0)
+        return static_cast<T *>(pool().handles[--pool().handleCount]);
+    }
+    return static_cast<T *>(::operator new(n *kBytes));
+  }
+  void deallocate(T *memory, std::size_t n) {
+    {
+      const std::lock_guard lock(pool().mutex);
+      if (n == 1 && pool().handleCount < pool().handles.size()) {
+        pool().handles[pool().handleCount++] = memory;
+        return;
+      }
+    }
+    ::operator delete(memory);
+  }
+  template <typename Other> bool operator==(const HandleAllocator<Other> &) const { return true; }
+};
+
+} // namespace
+
+std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
+  if (bytes == 0 || bytes > kLargestBytes)
+    return nullptr;
+  struct Made : Storage {
+    Made(std::uint8_t *data, std::size_t size) : Storage(data, size) {}
+  };
+  std::uint8_t *block = nullptr;
+  {
+    Pool &p = pool();
+    const std::lock_guard lock(p.mutex);
+    // The newest first: its lines may still be in a cache.
+    for (std::size_t i = p.count; i-- > 0 && !block;) {
+      if (p.freed[i].bytes != bytes)
+        continue;
+      block = p.freed[i].block;
+      p.freedBytes -= bytes;
+      std::move(p.freed.begin() + std::ptrdiff_t(i) + 1, p.freed.begin() + std::ptrdiff_t(p.count),
+                p.freed.begin() + std::ptrdiff_t(i));
+      --p.count;
+    }
+    p.usedBytes += bytes;
+  }
+  const auto withdraw = [bytes] {
+    const std::lock_guard lock(pool().mutex);
+    pool().usedBytes -= bytes;
+  };
+  if (!block) {
+    block = allocate(bytes);
+    if (!block) {
+      withdraw();
+      return nullptr;
+    }
+    g_totalBytes.fetch_add(blockBytes(bytes), std::memory_order_relaxed);
+  }
+  try {
+    return std::allocate_shared<Made>(HandleAllocator<Made>(), block + kGuardBytes, bytes);
+  } catch (const std::bad_alloc &) {
+    g_totalBytes.fetch_sub(blockBytes(bytes), std::memory_order_relaxed);
+    std::free(block);
+    withdraw();
+    return nullptr;
+  }
+}
+
+std::shared_ptr<Storage> Storage::wrap(std::uint8_t *data, std::size_t bytes, const Owner &owner,
+                                       void *user) {
+  struct Wrapped : Storage {
+    Wrapped(std::uint8_t *data, std::size_t size) : Storage(data, size) {}
+  };
+  try {
+    auto made = std::allocate_shared<Wrapped>(HandleAllocator<Wrapped>(), data, bytes);
+    made->m_owner = &owner;
+    made->m_user = user;
+    return made;
+  } catch (const std::bad_alloc &) {
+    owner.release(user);
+    return nullptr;
+  }
+}
+
+Storage::~Storage() {
+  if (m_owner) {
+    m_owner->release(m_user);
+    return;
+  }
+  std::array<Freed, kPoolBlocks + 1> leaving;
+  std::size_t leavingCount = 0;
+  {
+    Pool &p = pool();
+    const std::lock_guard lock(p.mutex);
+    p.usedBytes -= m_bytes;
+    const std::size_t limit = p.usedBytes + kPoolBytes;
+    const auto dropOldest = [&] {
+      leaving[leavingCount++] = p.freed[0];
+      p.freedBytes -= p.freed[0].bytes;
+      std::move(p.freed.begin() + 1, p.freed.begin() + std::ptrdiff_t(p.count), p.freed.begin());
+      --p.count;
+    };
+    while (p.count > 0 && (p.count == kPoolBlocks || p.freedBytes + m_bytes > limit))
+      dropOldest();
+    const Freed mine = {m_data - kGuardBytes, m_bytes};
+    if (p.freedBytes + m_bytes <= limit) {
+      p.freed[p.count++] = mine;
+      p.freedBytes += m_bytes;
+    } else {
+      leaving[leavingCount++] = mine;
+    }
+  }
+  for (std::size_t i = 0; i < leavingCount; ++i) {
+    g_totalBytes.fetch_sub(blockBytes(leaving[i].bytes), std::memory_order_relaxed);
+    std::free(leaving[i].block);
+  }
+}
+
+std::size_t Storage::totalBytes() { return g_totalBytes.load(std::memory_order_relaxed); }
+
+} // namespace arbiter::swrast

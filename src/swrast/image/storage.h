@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+/// The memory of images, and the pool of what was freed.
+namespace arbiter::swrast {
+
+/// A block of memory that images share. 64 bytes before and behind may be read. Freed blocks go to
+/// a small pool, so that ping-pong between two buffers allocates nothing.
+class Storage {
+public:
+  /// Null if there is no memory. The bytes are undefined.
+  [[nodiscard]] static std::shared_ptr<Storage> make(std::size_t bytes);
+  /// Whose memory images use that is none of ours.
+  struct Owner {
+    void (*release)(void *user); ///< the last image lets go
+    /// Whether somebody beside the images has still to read what was written: until then it may not
+    /// be written again. \param wait until he has
+    bool (*isRead)(void *user, bool wait);
+  };
+  /// On failure the owner is told at once. 64 bytes before and behind may be read of it too.
+  [[nodiscard]] static std::shared_ptr<Storage> wrap(std::uint8_t *data, std::size_t bytes,
+                                                     const Owner &owner, void *user);
+  ~Storage();
+  Storage(const Storage &) = delete;
+  Storage &operator=(const Storage &) = delete;
+  [[nodiscard]] std::uint8_t *data() const { return m_data; } ///< aligned to 64 bytes
+  [[nodiscard]] std::size_t bytes() const { return m_bytes; }
+  /// Whether somebody beside the images has still to read it. Ours is read by images alone.
+  [[nodiscard]] bool isRead() const { return m_owner && m_owner->isRead(m_user, false); }
+  /// Until it may be written again.
+  void awaitReader() const {
+    if (m_owner)
+      (void)m_owner->isRead(m_user, true);
+  }
+  /// Memory that all storages hold now, pool included.
+  [[nodiscard]] static std::size_t totalBytes();
+
+protected:
+  Storage(std::uint8_t *data, std::size_t bytes) : m_data(data), m_bytes(bytes) {}
+
+private:
+  std::uint8_t *m_data;
+  std::size_t m_bytes;
+  const Owner *m_owner = nullptr; ///< null: the pool's memory
+  void *m_user = nullptr;
+};
+
+} // namespace arbiter::swrast

@@ -1,0 +1,168 @@
+#include "swrast/setup/clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arbiter::swrast {
+namespace {
+
+/// Inside where the sum of products is not negative.
+struct Plane {
+  double x, y, z, w, constant;
+  int user; ///< a clip distance, or -1
+};
+
+/// w no smaller than this keeps 1/w and what it multiplies finite.
+double smallestW(const ClipVertex *vertex, int count) {
+  double largest = 0;
+  for (int i = 0; i < count; ++i)
+    largest = std::max(largest, std::fabs(vertex[i].position[3]));
+  return std::max(largest * 0x1p-20, 0x1p-100);
+}
+
+/// In the order of hosts, so that what is cut twice is cut alike.
+int planesOf(const Viewport &viewport, double smallest, Plane planes[16]) {
+  int count = 0;
+  planes[count++] = {-1, 0, 0, 1, 0, -1};
+  planes[count++] = {1, 0, 0, 1, 0, -1};
+  planes[count++] = {0, -1, 0, 1, 0, -1};
+  planes[count++] = {0, 1, 0, 1, 0, -1};
+  if (!viewport.depthClamp) {
+    planes[count++] = {0, 0, 1, 1, 0, -1};
+    planes[count++] = {0, 0, -1, 1, 0, -1};
+  }
+  for (int user = 0; user < 8; ++user)
+    if ((viewport.userPlanes >> user) & 1u)
+      planes[count++] = {0, 0, 0, 0, 0, user};
+  planes[count++] = {0, 0, 0, 1, -smallest, -1};
+  return count;
+}
+
+double distanceOf(const Plane &plane, const ClipVertex &vertex) {
+  if (plane.user >= 0)
+    return vertex.user[plane.user];
+  const double *const p = vertex.position;
+  return plane.x * p[0] + plane.y * p[1] + plane.z * p[2] + plane.w * p[3] + plane.constant;
+}
+
+/// Always from the inside to the outside, so that two triangles cut their common side alike.
+void between(const ClipVertex &inside, const ClipVertex &outside, double inner, double outer,
+             bool userPlanes, ClipVertex &result) {
+  const double t = inner / (inner - outer);
+  const auto mix = [t](double a, double b) { return a + t * (b - a); };
+  for (int i = 0; i < 4; ++i)
+    result.position[i] = mix(inside.position[i], outside.position[i]);
+  for (int i = 0; i < 3; ++i)
+    result.weight[i] = mix(inside.weight[i], outside.weight[i]);
+  if (userPlanes)
+    for (int i = 0; i < 8; ++i)
+      result.user[i] = mix(inside.user[i], outside.user[i]);
+  result.window.outcode = kOutW; // its window position is still to be made
+  result.side = 0;
+}
+
+void takeOriginal(const Viewport &viewport, const Vertices &vertices, std::uint32_t index,
+                  const WindowVertex &window, int which, ClipVertex &result) {
+  for (int i = 0; i < 4; ++i)
+    result.position[i] = vertices.position[i][index];
+  for (int i = 0; i < 3; ++i)
+    result.weight[i] = i == which ? 1 : 0;
+  result.side = which;
+  if (viewport.userPlanes != 0)
+    for (int i = 0; i < 8; ++i)
+      result.user[i] = vertices.clipDistance[i] ? vertices.clipDistance[i][index] : 0;
+  result.window = window;
+}
+
+void finish(const Viewport &viewport, ClipVertex &vertex) {
+  if (!(vertex.window.outcode & kOutW))
+    return; // an original, to be placed as in its other triangles
+  const float clip[4] = {float(vertex.position[0]), float(vertex.position[1]),
+                         float(vertex.position[2]), float(vertex.position[3])};
+  toWindow(viewport, clip, vertex.window);
+}
+
+} // namespace
+
+void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
+                  const WindowVertex corner[3], ClippedPolygon &polygon) {
+  const bool userPlanes = viewport.userPlanes != 0;
+  ClippedPolygon other;
+  ClippedPolygon *in = &polygon, *out = &other;
+  for (int i = 0; i < 3; ++i)
+    takeOriginal(viewport, vertices, index[i], corner[i], i, in->vertex[std::size_t(i)]);
+  in->count = 3;
+  Plane planes[16];
+  const int planeCount = planesOf(viewport, smallestW(in->vertex.data(), 3), planes);
+  for (int p = 0; p < planeCount; ++p) {
+    double distance[20];
+    bool allInside = true;
+    for (int i = 0; i < in->count; ++i) {
+      distance[i] = distanceOf(planes[p], in->vertex[std::size_t(i)]);
+      allInside = allInside && distance[i] >= 0;
+    }
+    if (allInside)
+      continue;
+    out->count = 0;
+    for (int i = 0; i < in->count; ++i) {
+      const int next = i + 1 == in->count ? 0 : i + 1;
+      const ClipVertex &a = in->vertex[std::size_t(i)], &b = in->vertex[std::size_t(next)];
+      const bool aInside = distance[i] >= 0, bInside = distance[next] >= 0;
+      if (aInside)
+        out->vertex[std::size_t(out->count++)] = a;
+      if (aInside == bInside)
+        continue;
+      ClipVertex &cut = out->vertex[std::size_t(out->count++)];
+      if (aInside)
+        between(a, b, distance[i], distance[next], userPlanes, cut);
+      else
+        between(b, a, distance[next], distance[i], userPlanes, cut);
+      cut.side = !aInside ? a.side : planes[p].user >= 0 ? kOnUserPlane : kOnPlane + p;
+    }
+    std::swap(in, out);
+    if (in->count < 3)
+      break;
+  }
+  if (in->count < 3) {
+    polygon.count = 0;
+    return;
+  }
+  for (int i = 0; i < in->count; ++i)
+    finish(viewport, in->vertex[std::size_t(i)]);
+  if (in == &polygon)
+    return;
+  polygon.count = in->count;
+  std::copy_n(in->vertex.begin(), in->count, polygon.vertex.begin());
+}
+
+bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]) {
+  const auto same = [&](std::uint32_t a, std::uint32_t b) {
+    const float *const *const position = vertices.position;
+    return position[0][a] == position[0][b] && position[1][a] == position[1][b] &&
+           position[2][a] == position[2][b] && position[3][a] == position[3][b];
+  };
+  return same(index[0], index[1]) || same(index[1], index[2]) || same(index[2], index[0]);
+}
+
+bool clipLine(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[2],
+              const WindowVertex corner[2], ClipVertex end[2]) {
+  const bool userPlanes = viewport.userPlanes != 0;
+  for (int i = 0; i < 2; ++i)
+    takeOriginal(viewport, vertices, index[i], corner[i], i, end[i]);
+  Plane planes[16];
+  const int planeCount = planesOf(viewport, smallestW(end, 2), planes);
+  for (int p = 0; p < planeCount; ++p) {
+    const double first = distanceOf(planes[p], end[0]), second = distanceOf(planes[p], end[1]);
+    if (!(first >= 0) && !(second >= 0))
+      return false;
+    if (!(first >= 0))
+      between(end[1], ClipVertex(end[0]), second, first, userPlanes, end[0]);
+    else if (!(second >= 0))
+      between(end[0], ClipVertex(end[1]), first, second, userPlanes, end[1]);
+  }
+  finish(viewport, end[0]);
+  finish(viewport, end[1]);
+  return true;
+}
+
+} // namespace arbiter::swrast

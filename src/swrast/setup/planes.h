@@ -1,0 +1,71 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "swrast/setup/viewport.h"
+
+/// The planes that a primitive is shaded with: linear functions of window coordinates.
+namespace arbiter::swrast {
+
+/// A triangle of the draw before its planes are made: window positions, and how its corners follow
+/// from vertices of the draw.
+struct Triangle {
+  WindowVertex corner[3];
+  std::uint32_t vertex[3] = {};
+  std::uint32_t provoking = 0;
+  bool backFacing = false;
+  /// Of a clipped one: corner k is weight[k] of the three vertices, rather than vertex k. Else
+  /// null.
+  const double (*weight)[3] = nullptr;
+};
+
+/// Which planes a primitive of the draw has, and from which arrays; sorted once a draw.
+struct PlanePlan {
+  PlanePlan(const Shading &shading, const Vertices &vertices);
+  /// The value of vertex v is values[v & mask]: a component without an array is constant.
+  struct Source {
+    const float *values[2]; ///< of front and of back faces
+    std::uint32_t mask[2];
+    std::uint8_t input, component;
+  };
+  Source sources[abi::kMaxInputs * 4]; ///< Perspective ones first, then Linear, then Flat
+  int linearFrom = 0, flatFrom = 0, count = 0;
+  bool wantsDepth, wantsW;
+};
+
+/// The linear functions over a triangle: what a change of a value along its two sides adds per
+/// pixel.
+struct Gradients {
+  double dx1, dx2, dy1, dy2;
+  double toX, toY; ///< the origin's centre from corner 0
+
+  [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
+    const double d1 = f1 - f0, d2 = f2 - f0;
+    if (d1 == 0 && d2 == 0)
+      return {float(f0 + 0.0), 0, 0}; // what the sums below come to: -0 becomes 0
+    const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
+    return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
+  }
+};
+
+/// Exact at pixel (originX, originY).
+[[nodiscard]] Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3],
+                                    int originX, int originY);
+/// `offset`: of depth.
+[[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
+                                        const Gradients &gradients, bool offset);
+/// All planes of a triangle whose gradients and depth are known.
+void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &gradients,
+                const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive);
+/// The planes, exact at pixel (originX, originY), which is better near the triangle than far off.
+/// `offset`: of depth.
+void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
+                bool offset, int originX, int originY, abi::Primitive &primitive);
+/// Of a point: nothing varies, all is as at corner 0 of `point`, which has weights.
+void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
+                     abi::Primitive &primitive);
+/// What polygon offset adds to depth (3.5.5).
+[[nodiscard]] float depthOffset(const RasterState &state,
+                                const std::array<WindowVertex, 3> &corner);
+
+} // namespace arbiter::swrast

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+
+#include "swrast/setup/shape.h"
+
+/// Draws that are one rectangle, the commonest of all draws of 2D programs.
+namespace arbiter::swrast {
+
+/// A rectangle that a draw consists of: corners in cyclic order.
+struct Rectangle {
+  std::uint32_t vertex[4] = {};
+  std::uint32_t others[2] = {}; ///< two triangles: the second triangle's copies of shared corners
+  int otherCount = 0;
+  std::uint32_t otherOf[2] = {}; ///< which of the corners they are copies of
+  WindowVertex corner[4];
+  bool backFacing = false;
+  Rect pixels; ///< clipped
+};
+/// False if the draw is no axis-aligned rectangle that is drawn filled, or is culled.
+[[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
+                                 const Vertices &vertices, const std::uint32_t *indices,
+                                 std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
+/// One shape for all of it; false if an input is not affine over it.
+[[nodiscard]] bool shapeOfRectangle(const RasterState &state, const Shading &shading,
+                                    Topology topology, const Vertices &vertices,
+                                    const Rectangle &rectangle, Shape &shape);
+
+/// The region that the draw surely overwrites whole, if it is as simple as a rectangle (a quad, two
+/// triangles, a strip or fan of four): else empty. Needs no more than positions and state.
+[[nodiscard]] Rect surelyCovered(const RasterState &state, Topology topology,
+                                 const Vertices &vertices, const std::uint32_t *indices,
+                                 std::uint32_t first, std::uint32_t count);
+/// All w are equal, so that inputs may be Linear.
+[[nodiscard]] bool isAffine(const Vertices &vertices);
+
+} // namespace arbiter::swrast

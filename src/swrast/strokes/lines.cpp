@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+
+#include "swrast/strokes/strokes.h"
+
+/// Lines as parallelograms: as wide as asked across the lesser direction, and cut at the ends so
+/// that pixels follow the diamond rule (3.4.1) as hosts read it.
+namespace arbiter::swrast {
+namespace {
+
+/// Ties go away from zero, unlike those of triangles: so do the host's.
+std::int32_t snap(float value) {
+  return std::int32_t(std::lround((value - 0.5f) * float(kSubpixels)));
+}
+float fraction(float value) { return value - std::floor(value); }
+
+/// One end of a line, along its greater (major) and its lesser direction.
+struct End {
+  float major, minor;         ///< window coordinates
+  float fromMajor, fromMinor; ///< from the centre of its pixel
+  [[nodiscard]] bool inDiamond() const {
+    return std::fabs(fromMajor) + std::fabs(fromMinor) < 0.5f;
+  }
+};
+
+/// Do both point the same way? Zero counts as positive in x and as negative in y.
+bool same(float a, float b, bool alongY) {
+  return alongY ? (-a >= 0) == (-b >= 0) : (a >= 0) == (b >= 0);
+}
+
+/// In the host's own window coordinates: ties fall by them, whichever way up they are.
+class LineCaps {
+public:
+  LineCaps(const WindowVertex &start, const WindowVertex &finish, bool yMajor)
+      : m_yMajor(yMajor), m_start(endOf(start)), m_finish(endOf(finish)) {
+    m_travel = m_finish.major - m_start.major;
+    m_rise = m_finish.minor - m_start.minor;
+    m_slope = m_rise / m_travel;
+    // Between two pixels the finish is in the one that the line comes from.
+    if (m_finish.fromMinor == -0.5f && m_rise > 0)
+      m_finish.fromMinor = 0.5f;
+  }
+  /// What is added to an end's major coordinate. Where a cap at the end itself would not draw the
+  /// end's pixel as it should be, the cap moves back to the pixel's side.
+  [[nodiscard]] float startOffset() const {
+    return startCovers() != drawsStart() ? back(m_start) : 0;
+  }
+  [[nodiscard]] float finishOffset() const {
+    return finishCovers() != drawsFinish() ? back(m_finish) : 0;
+  }
+  [[nodiscard]] float slope() const { return m_slope; }
+
+private:
+  /// Would a cap at the end itself leave the centre of the end's pixel to the line?
+  [[nodiscard]] bool startCovers() const {
+    const float from = m_start.fromMajor;
+    if (m_yMajor)
+      return m_travel > 0 ? from < 0 : from >= 0;
+    return m_travel > 0 ? from <= 0 : from > 0;
+  }
+  [[nodiscard]] bool finishCovers() const {
+    return m_travel > 0 ? m_finish.fromMajor >= 0 : m_finish.fromMajor <= 0;
+  }
+  [[nodiscard]] float back(const End &end) const {
+    return -end.fromMajor - (m_travel > 0 ? 0.5f : -0.5f);
+  }
+  [[nodiscard]] End endOf(const WindowVertex &vertex) const {
+    const float major = m_yMajor ? vertex.y : vertex.x, minor = m_yMajor ? vertex.x : vertex.y;
+    return {major, minor, fraction(major) - 0.5f, fraction(minor) - 0.5f};
+  }
+  /// In the crossing of the pixel's column (or row) of centres.
+  [[nodiscard]] float crossing(const End &end) const {
+    return fraction(end.minor) + end.fromMajor * m_slope;
+  }
+  [[nodiscard]] bool drawsStart() const {
+    if (m_start.inDiamond())
+      return true;
+    if (same(m_start.fromMajor, m_travel, m_yMajor))
+      return false;
+    if (!same(m_start.fromMinor, m_rise, !m_yMajor))
+      return true;
+    const float at = crossing(m_start);
+    return at < 1 && at > 0;
+  }
+  [[nodiscard]] bool drawsFinish() const {
+    if (m_finish.inDiamond() || !same(m_finish.fromMajor, m_travel, m_yMajor))
+      return false;
+    if (same(m_finish.fromMinor, m_rise, !m_yMajor))
+      return true;
+    const float at = crossing(m_finish);
+    return at < 1 && (m_yMajor ? at >= 0 : at > 0);
+  }
+
+  bool m_yMajor;
+  End m_start, m_finish;
+  float m_travel, m_rise, m_slope;
+};
+
+} // namespace
+
+bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, const StrokeEnd &to,
+                 Shape &shape) {
+  const WindowVertex &a = from.window, &b = to.window;
+  if (a.x == b.x && a.y == b.y)
+    return false;
+  const bool yMajor = std::fabs(b.x - a.x) < std::fabs(b.y - a.y);
+  const LineCaps caps(a, b, yMajor);
+  const float wanted = draw.state.lineWidth;
+  const float width = wanted > 1 ? std::min(wanted, 8192.0f) : 1.0f; // 1 of what is no number
+  const int half = int(width + 0.5f) * kSubpixels / 2;
+  WindowVertex corner[4]{}; // the start's two, the finish's two
+  const auto place = [&](const WindowVertex &end, float offset, WindowVertex &low,
+                         WindowVertex &high) {
+    const float shift = offset * caps.slope();
+    low.fixedX = high.fixedX = snap(end.x + (yMajor ? shift : offset));
+    low.fixedY = high.fixedY = snap(end.y + (yMajor ? offset : shift));
+    if (draw.state.upsideDownHeight != 0)
+      low.fixedY = high.fixedY = (draw.state.upsideDownHeight - 1) * kSubpixels - low.fixedY;
+    (yMajor ? low.fixedX : low.fixedY) -= half;
+    (yMajor ? high.fixedX : high.fixedY) += half;
+  };
+  place(a, caps.startOffset(), corner[0], corner[3]);
+  place(b, caps.finishOffset(), corner[1], corner[2]);
+  if (!setBounds(draw.state.clip, corner, 4, shape))
+    return false;
+  // A cap that moved back beyond the other end leaves nothing.
+  const std::int64_t area = areaOf(corner);
+  const bool upwards = (b.y > a.y) == (draw.state.upsideDownHeight == 0);
+  if (area == 0 || (area > 0) != (yMajor ? !upwards : b.x > a.x))
+    return false;
+  shape.edgeCount = 4;
+  for (int i = 0; i < 4; ++i) {
+    const WindowVertex &next = corner[(i + 1) & 3];
+    shape.edges[i] = area > 0 ? edgeBetween(corner[i], next) : edgeBetween(next, corner[i]);
+  }
+  shape.stippled = false;
+  // Inputs vary along the greater direction only: a third corner beside the first has the first's.
+  Triangle plane;
+  double weight[3][3];
+  const StrokeEnd *const ends[3] = {&from, &to, &from};
+  for (int k = 0; k < 3; ++k) {
+    plane.corner[k] = ends[k]->window;
+    plane.vertex[k] = stroke.vertex[k];
+    std::copy(ends[k]->weight, ends[k]->weight + 3, weight[k]);
+  }
+  (yMajor ? plane.corner[2].x : plane.corner[2].y) += 1;
+  (yMajor ? plane.corner[2].fixedX : plane.corner[2].fixedY) += kSubpixels;
+  plane.weight = weight;
+  plane.provoking = stroke.provoking;
+  plane.backFacing = stroke.backFacing;
+  makePlanes(draw.state, draw.plan, plane, false, shape.left, shape.bottom, shape.primitive);
+  return true;
+}
+
+} // namespace arbiter::swrast

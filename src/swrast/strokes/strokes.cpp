@@ -1,0 +1,301 @@
+#include "swrast/strokes/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "swrast/cover/direct.h"
+#include "swrast/setup/triangles.h"
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr std::size_t kMaxShapes = 512;
+
+StrokeEnd endOf(const ClipVertex &vertex) {
+  StrokeEnd end{vertex.window, {}};
+  std::copy(vertex.weight, vertex.weight + 3, end.weight);
+  return end;
+}
+
+/// The point at `t` of the way; as hosts cut a stippled line.
+StrokeEnd between(const StrokeEnd &a, const StrokeEnd &b, float t) {
+  const auto mix = [t](float from, float to) { return from + t * (to - from); };
+  StrokeEnd end = a;
+  end.window.x = mix(a.window.x, b.window.x);
+  end.window.y = mix(a.window.y, b.window.y);
+  end.window.z = mix(a.window.z, b.window.z);
+  end.window.inverseW = mix(a.window.inverseW, b.window.inverseW);
+  // Inputs are linear in clip space, not in the window.
+  double share = t;
+  if (a.window.inverseW != b.window.inverseW)
+    share = double(t) * b.window.inverseW / end.window.inverseW;
+  for (int i = 0; i < 3; ++i)
+    end.weight[i] = a.weight[i] + share * (b.weight[i] - a.weight[i]);
+  return end;
+}
+
+/// Positive if counterclockwise. Of places that are not snapped: what is too thin to be filled has
+/// sides all the same, and a winding.
+int windingOf(const Draw &draw, const ClippedPolygon &polygon) {
+  double area = 0;
+  const WindowVertex &a = polygon.vertex[0].window;
+  for (int i = 2; i < polygon.count; ++i) {
+    const WindowVertex &b = polygon.vertex[std::size_t(i - 1)].window;
+    const WindowVertex &c = polygon.vertex[std::size_t(i)].window;
+    area += (double(b.x) - a.x) * (double(c.y) - a.y) - (double(c.x) - a.x) * (double(b.y) - a.y);
+  }
+  if (draw.state.upsideDownHeight != 0)
+    area = -area;
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/// The same triangle from the corner on from which hosts walk around it: the provoking one is the
+/// first or the last.
+TriangleCorners asHostsWalk(const TriangleCorners &corners, bool provokingIsFirst) {
+  const std::uint32_t wanted = provokingIsFirst ? 0 : 2;
+  TriangleCorners turned = corners;
+  for (int i = 0; i < 2 && turned.corner[wanted] != corners.provoking; ++i) {
+    std::rotate(turned.corner, turned.corner + 1, turned.corner + 3);
+    turned.sides = turned.sides >> 1 | (turned.sides & 1u) << 2;
+  }
+  return turned;
+}
+
+/// Which of the sides hosts draw as number `i`: of a triangle they begin with the last, of what is
+/// left of one that was cut with the first; there the last two may change places.
+int sideInTurn(int i, int count, bool clipped, bool provokingIsFirst) {
+  if (!clipped || (provokingIsFirst && count == 3))
+    return (count - 1 + i) % count;
+  if (provokingIsFirst && i >= count - 2)
+    return i == count - 2 ? count - 1 : count - 2;
+  return i;
+}
+
+/// What is added to the depths at the ends of side `side`. Hosts cut what is left of a triangle
+/// that was cut into a fan, whose pieces have slopes of their own; its centre is the first corner
+/// of each, or the last one.
+float offsetAt(const RasterState &state, const ClippedPolygon &polygon, int side, bool clipped) {
+  const auto next = std::size_t(std::clamp(side + 1, 2, polygon.count - 1));
+  const WindowVertex &centre = polygon.vertex[0].window;
+  const WindowVertex &from = polygon.vertex[next - 1].window, &to = polygon.vertex[next].window;
+  if (clipped && !state.provokingIsFirst)
+    return depthOffset(state, {from, to, centre});
+  return depthOffset(state, {centre, from, to});
+}
+
+/// The size that the vertices say, of a point at one of them or where their primitive was cut.
+float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
+  const float *const sizes = draw.vertices.pointSize;
+  if (!sizes)
+    return draw.state.pointSize;
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+    if (at.weight[i] != 0)
+      size += at.weight[i] * double(sizes[stroke.vertex[i]]);
+  return float(size);
+}
+
+} // namespace
+
+void Strokes::shade(const Draw &draw) {
+  m_statistics.primitives += m_count;
+  m_statistics.pixels += shadeInBands(draw.state, draw.shading, m_shapes.data(), m_count);
+  m_count = 0;
+}
+
+Shape &Strokes::nextShape() {
+  if (m_count == m_shapes.size()) [[unlikely]]
+    m_shapes.emplace_back();
+  return m_shapes[m_count];
+}
+
+void Strokes::keepShape(const Draw &draw) {
+  if (++m_count >= kMaxShapes)
+    shade(draw);
+}
+
+void Strokes::draw(const Draw &draw, DrawStatistics &statistics) {
+  m_count = 0;
+  m_statistics = {};
+  m_stipple = 0;
+  if (isPolygonal(draw.topology))
+    addPolygons(draw);
+  else if (draw.topology == Topology::Points)
+    addPoints(draw);
+  else
+    addLines(draw);
+  shade(draw);
+  statistics.primitives += m_statistics.primitives;
+  statistics.pixels += m_statistics.pixels;
+}
+
+void Strokes::addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size) {
+  if (shapeOfPoint(draw, stroke, at, size, nextShape()))
+    keepShape(draw);
+}
+
+void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                      const StrokeEnd &to) {
+  const auto add = [&](const StrokeEnd &a, const StrokeEnd &b) {
+    if (shapeOfLine(draw, stroke, a, b, nextShape()))
+      keepShape(draw);
+  };
+  if (draw.state.lineStippleFactor <= 0) {
+    add(from, to);
+    return;
+  }
+  const float length =
+      std::max(std::fabs(to.window.x - from.window.x), std::fabs(to.window.y - from.window.y));
+  const auto factor = std::uint32_t(draw.state.lineStippleFactor);
+  const int steps = int(std::ceil(std::min(length, 1e6f)));
+  int start = -1;
+  for (int i = 0; i <= steps; ++i) {
+    const std::uint32_t bit = (m_stipple + std::uint32_t(i)) / factor & 15u;
+    const bool on = i < steps && ((draw.state.lineStipple >> bit) & 1u) != 0;
+    if (on && start < 0)
+      start = i;
+    if (on || start < 0)
+      continue;
+    add(start == 0 ? from : between(from, to, float(start) / length),
+        i == steps ? to : between(from, to, float(i) / length));
+    start = -1;
+  }
+  m_stipple += std::uint32_t(steps);
+}
+
+void Strokes::addLines(const Draw &draw) {
+  const std::uint32_t lines = lineCount(draw.topology, draw.count);
+  for (std::uint32_t i = 0; i < lines; ++i) {
+    const LineEnds ends = lineAt(draw.topology, draw.count, i, draw.state.provokingIsFirst);
+    if (ends.restartsStipple)
+      m_stipple = 0;
+    const std::uint32_t index[2] = {draw.vertexAt(ends.end[0]), draw.vertexAt(ends.end[1])};
+    if (index[0] >= draw.vertices.count || index[1] >= draw.vertices.count)
+      continue;
+    const WindowVertex &a = draw.window[index[0]], &b = draw.window[index[1]];
+    if ((a.outcode & b.outcode & kOutsideMask) || ((a.outcode | b.outcode) & kOutNan))
+      continue;
+    if (a.x == b.x && a.y == b.y && !((a.outcode | b.outcode) & kClipMask))
+      continue; // of no length: no pixel, and no step into the stipple
+    const Stroke stroke = {{index[0], index[1], index[1]}, draw.vertexAt(ends.provoking), false};
+    if (!((a.outcode | b.outcode) & kClipMask)) {
+      addLine(draw, stroke, {a, {1, 0, 0}}, {b, {0, 1, 0}});
+      continue;
+    }
+    const WindowVertex corner[2] = {a, b};
+    ClipVertex end[2];
+    if (clipLine(draw.viewport, draw.vertices, index, corner, end))
+      addLine(draw, stroke, endOf(end[0]), endOf(end[1]));
+  }
+}
+
+void Strokes::addPoints(const Draw &draw) {
+  for (std::uint32_t i = 0; i < draw.count; ++i) {
+    const std::uint32_t index = draw.vertexAt(i);
+    if (index >= draw.vertices.count)
+      continue;
+    if (draw.window[index].outcode != 0)
+      continue;
+    const Stroke stroke = {{index, index, index}, index, false};
+    const StrokeEnd at = {draw.window[index], {1, 0, 0}};
+    addPoint(draw, stroke, at, pointSizeAt(draw, stroke, at));
+  }
+}
+
+void Strokes::addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
+                         std::uint32_t sides, bool clipped) {
+  const bool lines = draw.modeOf(stroke.backFacing) == PolygonMode::Line;
+  const bool offset = lines ? draw.state.offsetLine : draw.state.offsetPoint;
+  const auto endAt = [&](int corner, int side) {
+    StrokeEnd end = endOf(polygon.vertex[std::size_t(corner)]);
+    if (offset)
+      end.window.z += offsetAt(draw.state, polygon, side, clipped);
+    return end;
+  };
+  const auto isSide = [&](int corner) {
+    const int side = polygon.vertex[std::size_t(corner)].side;
+    return side == kOnUserPlane || (side < kOnPlane && ((sides >> side) & 1u) != 0);
+  };
+  for (int i = 0; i < polygon.count; ++i) {
+    const int at = sideInTurn(i, polygon.count, clipped, draw.state.provokingIsFirst);
+    if (lines && isSide(at))
+      addLine(draw, stroke, endAt(at, at), endAt(at + 1 == polygon.count ? 0 : at + 1, at));
+    if (!lines && isSide(i)) {
+      const StrokeEnd end = endAt(i, i);
+      addPoint(draw, stroke, end, pointSizeAt(draw, stroke, end));
+    }
+  }
+}
+
+void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
+  const RasterState &state = draw.state;
+  const TriangleCorners corners = asHostsWalk(
+      triangleAt(draw.topology, draw.count, number, provokesFirst(state, draw.topology), true),
+      state.provokingIsFirst);
+  Triangle triangle;
+  std::uint32_t any = 0;
+  if (!fetchTriangle(draw, corners, triangle, any))
+    return;
+  ClippedPolygon polygon;
+  if (any & kClipMask) {
+    clipTriangle(draw.viewport, draw.vertices, triangle.vertex, triangle.corner, polygon);
+    m_stipple = 0; // what is cut stands alone
+  } else {
+    polygon.count = 3;
+    for (int i = 0; i < 3; ++i) {
+      ClipVertex &vertex = polygon.vertex[std::size_t(i)];
+      vertex.window = triangle.corner[i];
+      std::fill(vertex.weight, vertex.weight + 3, 0.0);
+      vertex.weight[i] = 1;
+      vertex.side = i;
+    }
+  }
+  if (polygon.count < 3)
+    return;
+  const int facing = windingOf(draw, polygon);
+  // Where there is no winding hosts see the one that is negative in their own coordinates.
+  const int unwound = state.upsideDownHeight != 0 ? -1 : 1;
+  triangle.backFacing = isBackFacing(state, facing != 0 ? facing : unwound);
+  if (isCulled(state, triangle.backFacing) || (facing == 0 && (state.cullFront || state.cullBack)))
+    return;
+  const PolygonMode mode = draw.modeOf(triangle.backFacing);
+  if (mode == PolygonMode::Fill) {
+    Shape shape;
+    const auto take = [&](const Triangle &part, Shape &filled) {
+      filled.stippled = state.polygonStipple != nullptr;
+      makePlanes(state, draw.plan, part, state.offsetFill, filled.left, filled.bottom,
+                 filled.primitive);
+      nextShape() = filled;
+      keepShape(draw);
+    };
+    if (any & kClipMask)
+      clipAndTake(draw, triangle, take);
+    else if (const std::int64_t area = areaOf(triangle.corner);
+             area != 0 && shapeOf(state.clip, triangle.corner, area, shape))
+      take(triangle, shape);
+    return;
+  }
+  std::uint32_t sides = corners.sides;
+  if (draw.vertices.edgeFlags)
+    for (int i = 0; i < 3; ++i)
+      if (!draw.vertices.edgeFlags[triangle.vertex[i]])
+        sides &= ~(1u << i);
+  addOutline(draw, polygon,
+             {{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]},
+              triangle.provoking,
+              triangle.backFacing},
+             sides, (any & kClipMask) != 0);
+}
+
+void Strokes::addPolygons(const Draw &draw) {
+  const std::uint32_t triangles = triangleCount(draw.topology, draw.count);
+  const bool quads = draw.topology == Topology::Quads || draw.topology == Topology::QuadStrip;
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    // The stipple goes around a whole polygon or quad.
+    if (quads ? i % 2 == 0 : draw.topology != Topology::Polygon)
+      m_stipple = 0;
+    addTriangle(draw, i);
+  }
+}
+
+} // namespace arbiter::swrast

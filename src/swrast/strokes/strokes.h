@@ -1,0 +1,56 @@
+#pragma once
+#include <vector>
+
+#include "swrast/setup/clip.h"
+#include "swrast/setup/draw.h"
+#include "swrast/setup/shape.h"
+
+/// Lines, points, and polygons drawn as such, to shapes.
+namespace arbiter::swrast {
+
+/// An end of a line, or a point.
+struct StrokeEnd {
+  WindowVertex window;
+  double weight[3]; ///< of the vertices that `Stroke` names
+};
+/// Whose inputs a line or a point takes.
+struct Stroke {
+  std::uint32_t vertex[3] = {};
+  std::uint32_t provoking = 0;
+  bool backFacing = false;
+};
+
+/// One line without stipple. False if it covers nothing.
+[[nodiscard]] bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                               const StrokeEnd &to, Shape &shape);
+/// A point of `size` pixels.
+[[nodiscard]] bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at,
+                                float size, Shape &shape);
+
+/// Lines, points and polygons that are not filled, in order; shapes are shaded as they get many.
+class Strokes {
+public:
+  void draw(const Draw &draw, DrawStatistics &statistics);
+
+private:
+  void addLines(const Draw &draw);
+  void addPoints(const Draw &draw);
+  void addPolygons(const Draw &draw);
+  void addTriangle(const Draw &draw, std::uint32_t number);
+  void addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
+                  std::uint32_t sides, bool clipped);
+  void addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, const StrokeEnd &to);
+  void addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size);
+  /// Where the next shape is made. What is read of a shape is written of each, so that one that
+  /// was shaded is used again as it is.
+  [[nodiscard]] Shape &nextShape();
+  void keepShape(const Draw &draw);
+  void shade(const Draw &draw);
+
+  std::vector<Shape> m_shapes;
+  std::size_t m_count = 0; ///< of m_shapes that wait
+  DrawStatistics m_statistics;
+  std::uint32_t m_stipple = 0; ///< steps into the line stipple
+};
+
+} // namespace arbiter::swrast
