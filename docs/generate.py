@@ -106,7 +106,7 @@ LANGUAGES = {'Both': 'both', 'Fragment': 'fragment', 'Vertex': 'vertex',
 
 def words():
     front = ROOT / 'src' / 'fp_compiler' / 'front'
-    source = 'src/fp_compiler/front/{words.def,bindings.def,ati/words.def}'
+    source = 'src/fp_compiler/front/{words/words.def,words/bindings.def,ati/words.def}'
     out = ['# Words and bindings of the languages\n', GENERATED.format(source=source),
            'Sections are those of ARB_fragment_program (3.11), or of ARB_vertex_program (2.14) for '
            'what vertex programs alone have.\n',
@@ -114,10 +114,10 @@ def words():
            '`[n]` is an index, `[n]?` one that may be left out; of `{a\\|b}` one or none is written, '
            'of `(a\\|b)` one.\n',
            '| binding | programs | components | what it is | section |', '|---|---|---|---|---|']
-    for path, languages, section, components, doc in rows_of(front / 'bindings.def', 'FP_BINDING'):
+    for path, languages, section, components, doc in rows_of(front / 'words' / 'bindings.def', 'FP_BINDING'):
         path = path.replace('|', '\\|')
         out.append(f'| `{path}` | {LANGUAGES[languages]} | `{components}` | {doc} | {section} |')
-    tables = front / 'words.def'
+    tables = front / 'words' / 'words.def'
     out += ['\n## Reserved words\n', 'Beside the [opcodes](opcodes.md).\n',
             '| word | programs | what it is | section |', '|---|---|---|---|']
     for _, word, languages, section, doc in rows_of(tables, 'FP_KEYWORD'):
@@ -224,7 +224,7 @@ def entry_points():
 PAGES = {
     'entry_points.md': entry_points,
     'opcodes.md': opcodes,
-    'words.md': words,
+    'keywords.md': words,
     'flags.md': flags,
     'profiles.md': profiles,
     'diagnostics.md': diagnostics,

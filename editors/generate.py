@@ -31,15 +31,15 @@ class Words:
             if not vertex and 'Kills' not in traits:
                 self.opcodes.append(mnemonic + '_SAT')
         keywords = [(word, languages) for _, word, languages, *_ in
-                    rows_of(FRONT / 'words.def', 'FP_KEYWORD') if languages in mine]
+                    rows_of(FRONT / 'words' / 'words.def', 'FP_KEYWORD') if languages in mine]
         self.statements = [word for word, _ in keywords if word.isupper()]
         self.roots = [word for word, _ in keywords if not word.isupper()]
-        self.options = [word for word, language, *_ in rows_of(FRONT / 'words.def', 'FP_OPTION')
+        self.options = [word for word, language, *_ in rows_of(FRONT / 'words' / 'words.def', 'FP_OPTION')
                         if (language == 'ArbVertex') == vertex]
         self.targets = [] if vertex else [
-            word for word, *_ in rows_of(FRONT / 'words.def', 'FP_TARGET')]
+            word for word, *_ in rows_of(FRONT / 'words' / 'words.def', 'FP_TARGET')]
         self.members = []
-        for path, languages, *_ in rows_of(FRONT / 'bindings.def', 'FP_BINDING'):
+        for path, languages, *_ in rows_of(FRONT / 'words' / 'bindings.def', 'FP_BINDING'):
             if languages in mine:
                 self.members += [word for word in re.findall(r'[a-z]+', path.replace('[n]', ''))
                                  if word not in self.members]

@@ -1,6 +1,6 @@
 #pragma once
 #include "fp_compiler/compiler.h"
-#include "fp_compiler/front/names.h"
+#include "fp_compiler/front/words/names.h"
 
 /// A program's check as an editor wants it: with every name, and of texts that are not whole yet.
 namespace arbiter::fp {

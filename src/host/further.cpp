@@ -3,7 +3,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "util/sealed.h"
+#include "util/cache/sealed.h"
 
 namespace arbiter::host {
 

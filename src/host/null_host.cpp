@@ -4,7 +4,7 @@
 #include <dlfcn.h>
 #include <iterator>
 
-#include "util/sealed.h"
+#include "util/cache/sealed.h"
 
 namespace arbiter::host {
 

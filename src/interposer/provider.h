@@ -1,6 +1,6 @@
 #pragma once
 #include "host/host_table.h"
-#include "util/sealed.h"
+#include "util/cache/sealed.h"
 
 namespace arbiter::interposer {
 

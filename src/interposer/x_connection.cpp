@@ -2,7 +2,7 @@
 
 #include <dlfcn.h>
 
-#include "util/sealed.h"
+#include "util/cache/sealed.h"
 
 namespace arbiter::interposer {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "util/build_id.h"
-#include "util/cache_store.h"
+#include "util/cache/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
 

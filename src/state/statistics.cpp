@@ -18,8 +18,8 @@
 #include "util/file.h"
 #include "util/flags.h"
 #include "util/hash.h"
-#include "util/live_record.h"
 #include "util/log.h"
+#include "util/record/live_record.h"
 
 namespace arbiter::state {
 

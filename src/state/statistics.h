@@ -6,8 +6,8 @@
 
 /// The statistics of the process (ARBITER_STATS, `arbiter run --stats`) as JSON: contexts,
 /// programs, draws by path with the reason where they are not ours, feedback copies. Written at
-/// exit; until then they lie in a record that outlives the process (util/live_record.h), brought up
-/// to date at each frame's end and at what is rare.
+/// exit; until then they lie in a record that outlives the process (util/record/live_record.h),
+/// brought up to date at each frame's end and at what is rare.
 namespace arbiter::state {
 
 class Context;

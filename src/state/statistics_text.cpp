@@ -7,7 +7,7 @@
 #include "state/statistics.h"
 #include "util/flags.h"
 #include "util/json.h"
-#include "util/record_text.h"
+#include "util/record/record_text.h"
 
 namespace arbiter::state {
 

@@ -7,10 +7,10 @@
 #include "state/context.h"
 #include "state/software/report.h"
 #include "util/hash.h"
-#include "util/live_record.h"
+#include "util/record/live_record.h"
 
 /// What statistics look like as JSON: rows of programs, and a frame around them with places for the
-/// counters (util/record_text.h). Which counter lies where is here, and nowhere else.
+/// counters (util/record/record_text.h). Which counter lies where is here, and nowhere else.
 namespace arbiter::state {
 
 /// Places of the record's counters.

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <new>
 
-#include "swrast/testing/canvas.h"
 #include "swrast/image/image.h"
+#include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
 /// A draw like the one before it, and a feedback loop between two images, take nothing from the

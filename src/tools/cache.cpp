@@ -1,4 +1,4 @@
-#include "util/cache_store.h"
+#include "util/cache/cache_store.h"
 
 #include <cinttypes>
 #include <cstdio>

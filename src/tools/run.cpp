@@ -6,7 +6,7 @@
 #include "tools/input.h"
 #include "tools/launch.h"
 #include "tools/supervise.h"
-#include "util/live_record.h"
+#include "util/record/live_record.h"
 
 namespace arbiter::tools {
 

@@ -3,7 +3,7 @@
 
 #include "tools/commands.h"
 #include "tools/input.h"
-#include "util/live_record.h"
+#include "util/record/live_record.h"
 
 namespace arbiter::tools {
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/r300/check/legality.h"
 #include "fp_compiler/hw/r300/compile.h"
-#include "fp_compiler/hw/r300/disassemble.h"
-#include "fp_compiler/hw/r300/legality.h"
+#include "fp_compiler/hw/r300/report/disassemble.h"
 
 /// The compiler against programs composed by hand, and against another compiler's figures.
 namespace arbiter::r300 {

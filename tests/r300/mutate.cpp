@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fp_compiler/hw/r300/reads.h"
+#include "fp_compiler/hw/r300/check/reads.h"
 
 namespace arbiter::r300 {
 

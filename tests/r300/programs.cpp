@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "expectation.h"
+#include "fp_compiler/hw/r300/check/legality.h"
 #include "fp_compiler/hw/r300/compile.h"
-#include "fp_compiler/hw/r300/disassemble.h"
-#include "fp_compiler/hw/r300/execute.h"
-#include "fp_compiler/hw/r300/legality.h"
+#include "fp_compiler/hw/r300/execute/execute.h"
+#include "fp_compiler/hw/r300/report/disassemble.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/random.h"

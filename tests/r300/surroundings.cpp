@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "fp_compiler/hw/r300/reads.h"
+#include "fp_compiler/hw/r300/check/reads.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/testing/interval.h"

@@ -1,7 +1,7 @@
 // Counting and limits (3.11.3.6, 3.11.4.5.1, 3.11.6).
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace arbiter::fp {
 namespace {

@@ -1,5 +1,5 @@
-#include "fp_compiler/front/numeral.h"
 #include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/words/numeral.h"
 
 namespace arbiter::fp {
 

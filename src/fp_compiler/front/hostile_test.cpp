@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace arbiter::fp {
 namespace {

@@ -1,8 +1,8 @@
 
-#include "fp_compiler/front/numeral.h"
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/suffix.h"
-#include "fp_compiler/front/suggest.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suffix.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 
@@ -16,7 +16,7 @@ struct TargetRow {
 
 constexpr TargetRow kTargets[] = {
 #define FP_TARGET(word, Enumerator, shadow, doc) {word, ir::TexTarget::Enumerator, shadow},
-#include "fp_compiler/front/words.def"
+#include "fp_compiler/front/words/words.def"
 };
 
 std::string_view spelling(ir::TexTarget target) {

@@ -1,6 +1,6 @@
-#include "fp_compiler/front/numeral.h"
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/suffix.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suffix.h"
 
 namespace arbiter::fp {
 

@@ -2,7 +2,7 @@
 #include <iterator>
 
 #include "fp_compiler/front/parser.h"
-#include "fp_compiler/front/suggest.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 
@@ -53,7 +53,7 @@ struct OptionRow {
 constexpr OptionRow kOptions[] = {
 #define FP_OPTION(word, language, apply, conflict, section, doc)                                   \
   {word, Language::language, apply, conflict},
-#include "fp_compiler/front/words.def"
+#include "fp_compiler/front/words/words.def"
 };
 
 } // namespace

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "fp_compiler/front/header.h"
-#include "fp_compiler/front/suggest.h"
 #include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 

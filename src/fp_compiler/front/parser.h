@@ -3,13 +3,13 @@
 #include <string_view>
 #include <vector>
 
-#include "fp_compiler/front/binder.h"
-#include "fp_compiler/front/keywords.h"
-#include "fp_compiler/front/language.h"
+#include "fp_compiler/front/bindings/binder.h"
 #include "fp_compiler/front/lexer.h"
-#include "fp_compiler/front/names.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
+#include "fp_compiler/front/words/keywords.h"
+#include "fp_compiler/front/words/language.h"
+#include "fp_compiler/front/words/names.h"
 
 namespace arbiter::fp {
 

@@ -1,7 +1,7 @@
 // Program text to IR: operands, masks, bindings, constants.
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace arbiter::fp {
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace arbiter::fp {
 namespace {

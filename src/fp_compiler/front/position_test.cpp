@@ -2,7 +2,7 @@
 // whatever newlines and comments come before it (3.11.2).
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/planted.h"
+#include "fp_compiler/front/testing/planted.h"
 
 namespace arbiter::fp {
 namespace {

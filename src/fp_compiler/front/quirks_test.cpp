@@ -1,7 +1,7 @@
 // What programs of real applications do that a stricter reader might refuse.
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace arbiter::fp {
 namespace {

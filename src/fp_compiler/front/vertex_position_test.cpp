@@ -1,5 +1,5 @@
 // Vertex programs with one planted error each (ARB_vertex_program 2.14.2 to 2.14.4).
-#include "fp_compiler/front/planted.h"
+#include "fp_compiler/front/testing/planted.h"
 
 namespace arbiter::fp {
 namespace {

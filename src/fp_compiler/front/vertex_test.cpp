@@ -1,7 +1,7 @@
 // ARBvp1.0: what vertex programs have and fragment programs lack.
 #include <gtest/gtest.h>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 

@@ -5,8 +5,8 @@
 #include "fp_compiler/hw/i915/i915.h"
 #include "fp_compiler/hw/nv30/nv30.h"
 #include "fp_compiler/hw/r300/compile.h"
-#include "fp_compiler/hw/r300/disassemble.h"
-#include "fp_compiler/hw/r300/report.h"
+#include "fp_compiler/hw/r300/report/disassemble.h"
+#include "fp_compiler/hw/r300/report/report.h"
 
 namespace arbiter::fp::hw {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include "fp_compiler/ir/ir.h"
-#include "util/archive.h"
+#include "util/cache/archive.h"
 
-/// Programs as bytes: the members of the structures of ir.h for an archive (util/archive.h). For
-/// one build on one machine: the program cache, and what crosses to the JIT's library.
+/// Programs as bytes: the members of the structures of ir.h for an archive (util/cache/archive.h).
+/// For one build on one machine: the program cache, and what crosses to the JIT's library.
 namespace arbiter::fp {
 
 // Members are taken apart by position, so that a new one does not compile here until it has a name

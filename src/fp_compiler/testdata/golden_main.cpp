@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <vector>
 
-#include "fp_compiler/front/test_support.h"
+#include "fp_compiler/front/testing/test_support.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
 #include "fp_compiler/testing/inputs.h"

@@ -12,7 +12,7 @@ namespace arbiter::state::software {
 ///
 /// Nothing waits for the thread when the process ends: exit() may have been called by a signal's
 /// handler, above a frame that holds this very queue, and a compilation may take long. What it uses
-/// is never destroyed, LLVM's own statics included (back/llvm/no_exit.cpp).
+/// is never destroyed, LLVM's own statics included (back/llvm/engine/no_exit.cpp).
 bool compileLater(std::function<void()> task);
 /// Until nothing is left to compile, or for `atMost`.
 void awaitCompiler(std::optional<std::chrono::milliseconds> atMost);

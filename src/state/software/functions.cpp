@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "state/software/compile_thread.h"
-#include "util/cache_store.h"
+#include "util/cache/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
 #include "util/thread.h"

@@ -5,7 +5,7 @@
 #include "state/context.h"
 #include "state/software/functions.h"
 #include "util/json.h"
-#include "util/record_text.h"
+#include "util/record/record_text.h"
 
 namespace arbiter::state::software {
 

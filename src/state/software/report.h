@@ -27,7 +27,7 @@ struct Figures {
 inline constexpr unsigned kFigureCount = kFallbackCount + 15;
 void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]);
 /// The value of the key "software", with places for the counters from `first` on
-/// (util/record_text.h).
+/// (util/record/record_text.h).
 void write(JsonWriter &json, unsigned first);
 
 } // namespace arbiter::state::software

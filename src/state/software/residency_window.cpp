@@ -9,7 +9,7 @@
 
 #include "state/software/residency_host.h"
 #include "state/software/window_frames.h"
-#include "util/sealed.h"
+#include "util/cache/sealed.h"
 
 namespace arbiter::state::software {
 

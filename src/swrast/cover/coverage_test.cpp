@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "swrast/testing/canvas.h"
 #include "swrast/cover/small.h"
+#include "swrast/testing/canvas.h"
 
 /// Which pixels are covered, against exact references.
 namespace arbiter::swrast {

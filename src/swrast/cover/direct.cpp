@@ -62,8 +62,7 @@ std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, con
   std::atomic<std::uint64_t> pixels{0};
   auto band = [&](std::uint32_t i) {
     const int from = bottom + int(i) * height, to = std::min(top, from + height);
-    pixels.fetch_add(shadeBand(state, shading, shapes, count, from, to),
-                     std::memory_order_relaxed);
+    pixels.fetch_add(shadeBand(state, shading, shapes, count, from, to), std::memory_order_relaxed);
   };
   parallel(std::uint32_t((top - bottom + height - 1) / height), band);
   return pixels.load(std::memory_order_relaxed);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "swrast/testing/canvas.h"
 #include "swrast/cover/packed.h"
+#include "swrast/testing/canvas.h"
 
 /// Small triangles packed by the pixel against blocks whose shading function tests depth itself.
 namespace arbiter::swrast {

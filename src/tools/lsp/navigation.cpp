@@ -1,5 +1,5 @@
 // Definition, references, highlights, rename: the front end's names and their places.
-#include "fp_compiler/front/keywords.h"
+#include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/limits.h"
 #include "tools/lsp/answers.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fp_compiler/front/keywords.h"
+#include "fp_compiler/front/words/keywords.h"
 #include "tools/lsp/document.h"
 
 /// What stands where in a text, by its tokens alone: so also in a text that is not whole.

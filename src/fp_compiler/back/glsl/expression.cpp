@@ -4,6 +4,8 @@
 
 namespace arbiter::fp::glsl {
 
+using analysis::Guard;
+using analysis::OperandFacts;
 using ir::Instruction;
 using ir::Opcode;
 using ir::Operand;
@@ -14,7 +16,7 @@ struct Writer {
   const Registers &registers;
   const Instruction &instruction;
   const Components &components;
-  const Proofs &proofs;
+  const OperandFacts &facts;
   const Numerics numerics;
 
   std::string vec(int operand, const Components &at) const {
@@ -66,10 +68,10 @@ struct Writer {
                    : guard == Guard::Right ? "arb_mulz(" + b + ", " + a + ")"
                                            : a + " * " + b);
   }
-  std::string product() const { return product(vec(0), vec(1), proofs.first); }
+  std::string product() const { return product(vec(0), vec(1), facts.first); }
   /// True where the host's own dot(), mix() and cross() will do.
   bool plain() const {
-    return !rounds() && proofs.first == Guard::None && proofs.second == Guard::None;
+    return !rounds() && facts.first == Guard::None && facts.second == Guard::None;
   }
 
   std::string dot(const Components &at) const;
@@ -85,13 +87,13 @@ struct Writer {
 std::string Writer::dot(const Components &at) const {
   if (plain())
     return "dot(" + vec(0, at) + ", " + vec(1, at) + ")";
-  return "arb_sum(" + product(vec(0, at), vec(1, at), proofs.first) + ")";
+  return "arb_sum(" + product(vec(0, at), vec(1, at), facts.first) + ")";
 }
 
 /// As Mesa orders it for its own parser's DPH: passes that meet at equal depths rely on that.
 std::string Writer::dph() const {
   if (!plain())
-    return "arb_sum(" + product(vec(0, {0, 1, 2}), vec(1, {0, 1, 2}), proofs.first) + ", " +
+    return "arb_sum(" + product(vec(0, {0, 1, 2}), vec(1, {0, 1, 2}), facts.first) + ", " +
            at(1, 3) + ")";
   const auto term = [&](int i) { return at(0, i) + " * " + at(1, i); };
   return "(" + term(0) + " + (" + term(2) + " + " + at(1, 3) + ")) + " + term(1);
@@ -101,7 +103,7 @@ std::string Writer::lrp() const {
   if (plain())
     return "mix(" + vec(2) + ", " + vec(1) + ", " + vec(0) + ")";
   const std::string rest = rounds() ? rounded("1.0 - " + vec(0)) : "(1.0 - " + vec(0) + ")";
-  return rounded(product() + " + " + product(rest, vec(2), proofs.second));
+  return rounded(product() + " + " + product(rest, vec(2), facts.second));
 }
 
 /// A ternary each, not mix(): mix() multiplies the branch that is not taken.
@@ -125,14 +127,14 @@ std::string Writer::cmp() const {
 std::string Writer::power(const std::string &base, const std::string &exponent) const {
   if (rounds())
     return "arb_pow(" + base + ", " + exponent + ")";
-  if (numerics != Numerics::Host && !proofs.exponentFinite && instruction.op == Opcode::Pow)
+  if (numerics != Numerics::Host && !facts.exponentFinite && instruction.op == Opcode::Pow)
     return "(" + exponent + " == 0.0 || " + base + " == 1.0 ? 1.0 : (" + base + " > 0.0 ? pow(" +
            base + ", " + exponent + ") : 0.0))";
-  if (proofs.exponentPositive)
-    return "pow(" + (proofs.baseNotNegative ? base : "max(" + base + ", 0.0)") + ", " + exponent +
+  if (facts.exponentPositive)
+    return "pow(" + (facts.baseNotNegative ? base : "max(" + base + ", 0.0)") + ", " + exponent +
            ")";
   const std::string text = "(" + base + " > 0.0 ? pow(" + base + ", " + exponent + ") : 0.0)";
-  return proofs.exponentNotZero ? text : "(" + exponent + " == 0.0 ? 1.0 : " + text + ")";
+  return facts.exponentNotZero ? text : "(" + exponent + " == 0.0 ? 1.0 : " + text + ")";
 }
 
 std::string Writer::lit() const {
@@ -148,8 +150,8 @@ std::string Writer::cross() const {
   const Components yzx = {1, 2, 0}, zxy = {2, 0, 1};
   const std::string result =
       plain() ? "cross(" + vec(0, {0, 1, 2}) + ", " + vec(1, {0, 1, 2}) + ")"
-              : rounded("(" + product(vec(0, yzx), vec(1, zxy), proofs.first) + " - " +
-                        product(vec(0, zxy), vec(1, yzx), proofs.second) + ")");
+              : rounded("(" + product(vec(0, yzx), vec(1, zxy), facts.first) + " - " +
+                        product(vec(0, zxy), vec(1, yzx), facts.second) + ")");
   if (components.back() == 3)
     return "vec4(" + result + ", 0.0)" + suffix(components);
   return components.size() == 3 ? result : result + suffix(components);
@@ -157,8 +159,8 @@ std::string Writer::cross() const {
 } // namespace
 
 std::string expression(const Registers &registers, const Instruction &instruction,
-                       const Components &components, const Proofs &proofs, Numerics numerics) {
-  const Writer w{registers, instruction, components, proofs, numerics};
+                       const Components &components, const OperandFacts &facts, Numerics numerics) {
+  const Writer w{registers, instruction, components, facts, numerics};
   const Components xyz = {0, 1, 2};
   const Components all = {0, 1, 2, 3};
   switch (instruction.op) {
@@ -177,7 +179,7 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Dph:
     return w.replicate(w.dph());
   case Opcode::Dst:
-    return w.pick({"1.0", w.product(w.at(0, 1), w.at(1, 1), proofs.first), w.at(0, 2), w.at(1, 3)});
+    return w.pick({"1.0", w.product(w.at(0, 1), w.at(1, 1), facts.first), w.at(0, 2), w.at(1, 3)});
   case Opcode::Ex2:
     return w.function("exp2");
   case Opcode::Flr:

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "fp_compiler/analysis/range_analysis.h"
 #include "fp_compiler/back/glsl/registers.h"
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/numerics.h"
@@ -33,25 +34,11 @@ using Components = std::vector<int>;
 /// "vecN(a, b, ..)" otherwise.
 [[nodiscard]] std::string compose(const std::vector<std::string> &parts);
 
-/// Which factors of a product have to be compared with zero, because the other one may be an
-/// infinity or NaN (Numerics::Legacy); bits.
-enum class Guard : std::uint8_t { None = 0, Left = 1, Right = 2, Both = 3 };
-
-/// What is proved of an instruction's operands.
-struct Proofs {
-  bool baseNotNegative = false; ///< POW's or LIT's: >= 0 and no NaN
-  bool exponentNotZero = false;
-  bool exponentPositive = false;
-  bool exponentFinite = false;
-  Guard first = Guard::None;  ///< of the product a*b, over all components that count
-  Guard second = Guard::None; ///< of LRP's (1-a)*c, or of XPD's second product
-};
-
 /// The right-hand side of an instruction for the components of its mask, before _SAT.
 /// \param numerics that the program follows (ir::numericsOf)
 [[nodiscard]] std::string expression(const Registers &registers, const ir::Instruction &instruction,
-                                     const Components &components, const Proofs &proofs,
-                                     Numerics numerics);
+                                     const Components &components,
+                                     const analysis::OperandFacts &facts, Numerics numerics);
 
 /// The condition under which KIL discards.
 [[nodiscard]] std::string killCondition(const Registers &registers, const ir::Operand &operand);

@@ -1,14 +1,15 @@
 #include "fp_compiler/back/glsl/glsl.h"
 
+#include "fp_compiler/analysis/range_analysis.h"
 #include "fp_compiler/back/glsl/arrays.h"
 #include "fp_compiler/back/glsl/expression.h"
 #include "fp_compiler/back/glsl/helpers.h"
-#include "fp_compiler/back/glsl/ranges.h"
 #include "fp_compiler/back/glsl/registers.h"
 #include "fp_compiler/ir/reads.h"
 
 namespace arbiter::fp::glsl {
 
+using analysis::RangeAnalysis;
 using ir::Instruction;
 using ir::Opcode;
 
@@ -172,7 +173,7 @@ private:
     std::string value = instruction.src[0].relative
                             ? Arrays::element(instruction.src[0]) + suffix(components)
                             : expression(m_registers, instruction, components,
-                                         m_ranges.proofs(instruction), m_numerics);
+                                         m_ranges.facts(instruction), m_numerics);
     if (instruction.dst.saturate)
       value = "clamp(" + value + ", 0.0, 1.0)";
     return "  " + target.name + (target.scalar ? "" : suffix(components)) + " = " + value + ";\n";
@@ -181,7 +182,7 @@ private:
   const ir::Program &m_program;
   const Registers &m_registers;
   Numerics m_numerics;
-  Ranges m_ranges;
+  RangeAnalysis m_ranges;
 };
 } // namespace
 

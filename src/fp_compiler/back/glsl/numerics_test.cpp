@@ -4,8 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "fp_compiler/analysis/range_analysis.h"
 #include "fp_compiler/back/glsl/glsl.h"
-#include "fp_compiler/back/glsl/ranges.h"
 #include "fp_compiler/back/glsl/validator.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
@@ -14,6 +14,9 @@
 #include "fp_compiler/testing/specials.h"
 
 namespace arbiter::fp::glsl {
+
+using analysis::RangeAnalysis;
+using analysis::ValueRange;
 namespace {
 
 using ir::AttributeKind;
@@ -142,7 +145,7 @@ void expectWithin(const ir::Program &program, Numerics numerics, std::uint64_t s
       value[std::size_t(i)] = sent(attribute, i, random);
     attributes.push_back(value);
   }
-  Ranges ranges(program, ir::numericsOf(program.language, numerics));
+  RangeAnalysis ranges(program, ir::numericsOf(program.language, numerics));
   ir::Inputs inputs;
   inputs.attributes = attributes;
   inputs.numerics = numerics;
@@ -161,7 +164,7 @@ void expectWithin(const ir::Program &program, Numerics numerics, std::uint64_t s
       if (!(instruction.dst.mask >> i & 1))
         continue;
       const float value = instruction.dst.saturate ? ir::saturated(result[i]) : result[i];
-      const Known &known = ranges.temporary(instruction.dst.index)[i];
+      const ValueRange &known = ranges.temporary(instruction.dst.index)[i];
       const bool within =
           std::isnan(value) ? !known.number : value >= known.lo && value <= known.hi;
       EXPECT_TRUE(within) << ir::info(instruction.op).mnemonic << " gave " << value << ", known "

@@ -2,9 +2,9 @@
 
 #include "fp_compiler/front/ati/parser.h"
 #include "fp_compiler/front/ati/words.h"
-#include "fp_compiler/front/numeral.h"
-#include "fp_compiler/front/suggest.h"
 #include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp::ati {
 

@@ -4,8 +4,8 @@
 
 #include "fp_compiler/front/ati/words.h"
 #include "fp_compiler/front/header.h"
-#include "fp_compiler/front/suggest.h"
 #include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp::ati {
 

@@ -7,8 +7,8 @@
 #include "fp_compiler/ati/shader.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/tokens.h"
-#include "fp_compiler/front/names.h"
 #include "fp_compiler/front/reporter.h"
+#include "fp_compiler/front/words/names.h"
 
 /// The text form of ATI fragment shaders (ATI_text_fragment_shader 3.10.1). The printed grammar has
 /// gaps; docs/ati_fragment_shader.md says how each is read.

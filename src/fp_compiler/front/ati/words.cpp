@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "fp_compiler/front/numeral.h"
+#include "fp_compiler/front/words/numeral.h"
 
 namespace arbiter::fp::ati {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "fp_compiler/hw/r300/allocate.h"
-#include "fp_compiler/hw/r300/fold.h"
-#include "fp_compiler/hw/r300/lower.h"
-#include "fp_compiler/hw/r300/prune.h"
+#include "fp_compiler/hw/r300/lower/fold.h"
+#include "fp_compiler/hw/r300/lower/lower.h"
+#include "fp_compiler/hw/r300/lower/prune.h"
+#include "fp_compiler/hw/r300/pair/allocate.h"
 
 namespace arbiter::fp::hw::r300 {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "fp_compiler/ati/lower.h"
-#include "fp_compiler/hw/r300/execute.h"
-#include "fp_compiler/hw/r300/legality.h"
+#include "fp_compiler/hw/r300/check/legality.h"
+#include "fp_compiler/hw/r300/execute/execute.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "fp_compiler/back/glsl/known.h"
+#include "fp_compiler/analysis/value_range.h"
 #include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/ir/evaluate.h"
@@ -86,14 +86,15 @@ std::vector<Vec4> numbers(testing::Random &random, std::size_t count, bool wild)
   return result;
 }
 
-/// Keeps attributes to what is taken of them whatever the application does (glsl/known.h).
-void keepToKnown(const ir::Program &program, Numerics numerics,
-                 TestMachine::Attributes &attributes) {
+/// Keeps attributes to what is taken of them whatever the application does
+/// (analysis/value_range.h).
+void keepToRanges(const ir::Program &program, Numerics numerics,
+                  TestMachine::Attributes &attributes) {
   for (std::size_t i = 0; i < attributes.size(); ++i)
     for (int c = 0; c < 4; ++c) {
       float &value = attributes[i][std::size_t(c)];
-      const glsl::Known known =
-          glsl::knownAttribute(program.attributes[i], program.language, c, numerics);
+      const analysis::ValueRange known =
+          analysis::rangeOfAttribute(program.attributes[i], program.language, c, numerics);
       if (known.number)
         value = std::isnan(value) ? known.lo : std::clamp(value, known.lo, known.hi);
     }
@@ -171,7 +172,7 @@ std::string Comparison::run(const ir::Program &given, std::uint64_t seed, bool w
   std::vector<TestMachine::Attributes> lanes;
   for (int i = 0; i < 16; ++i) {
     lanes.push_back(numbers(random, program.attributes.size(), wild));
-    keepToKnown(program, m_numerics, lanes.back());
+    keepToRanges(program, m_numerics, lanes.back());
   }
   const auto results = machine.run(lanes, parameters);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane) {

@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "fp_compiler/back/llvm/emit.h"
-#include "fp_compiler/back/llvm/live.h"
-#include "fp_compiler/back/llvm/program.h"
+#include "fp_compiler/analysis/live_values.h"
+#include "fp_compiler/back/llvm/program/emit.h"
+#include "fp_compiler/back/llvm/program/program.h"
 #include "fp_compiler/ir/reads.h"
 
 namespace arbiter::fp::llvm_back {

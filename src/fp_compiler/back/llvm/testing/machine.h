@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fp_compiler/back/llvm/cpu.h"
-#include "fp_compiler/back/llvm/linked.h"
+#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/engine/linked.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::fp::llvm_back {

@@ -1,6 +1,6 @@
 #include "fp_compiler/back/llvm/testing/sample_harness.h"
 
-#include "fp_compiler/back/llvm/emit.h"
+#include "fp_compiler/back/llvm/program/emit.h"
 
 namespace arbiter::fp::llvm_back::testing {
 namespace {

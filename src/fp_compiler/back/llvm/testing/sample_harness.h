@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "fp_compiler/back/llvm/code.h"
-#include "fp_compiler/back/llvm/linked.h"
+#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/engine/linked.h"
 
 /// Machine code of nothing but sample(), for its tests and its benchmark.
 namespace arbiter::fp::llvm_back::testing {

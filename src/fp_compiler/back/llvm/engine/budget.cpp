@@ -1,0 +1,69 @@
+#include "fp_compiler/back/llvm/engine/budget.h"
+
+#include <bit>
+
+namespace arbiter::fp::llvm_back {
+
+namespace {
+
+/// Of one sample: much code of its own, which its neighbours do not make dearer.
+double sampleMilliseconds(const abi::SamplerKey &sampler) {
+  const double face = sampler.dimension == abi::Dimension::Cube ? 1.2 : 1;
+  if (sampler.mip != abi::MipFilter::None)
+    return 12 * face;
+  const bool filtered =
+      sampler.magnify == abi::Filter::Linear || sampler.minify == abi::Filter::Linear;
+  return (filtered ? 8 : 5) * face;
+}
+
+/// Of one instruction, in instructions of a component: a vec4's ADD is 4.
+double workOf(const ir::Instruction &instruction) {
+  using ir::Opcode;
+  const auto components = double(std::popcount(unsigned(instruction.dst.mask)));
+  switch (instruction.op) {
+  case Opcode::Sin:
+  case Opcode::Cos:
+  case Opcode::Scs:
+  case Opcode::Pow:
+  case Opcode::Lit:
+  case Opcode::Log:
+  case Opcode::Exp:
+    return 24;
+  case Opcode::Ex2:
+  case Opcode::Lg2:
+  case Opcode::Rsq:
+  case Opcode::Rcp:
+    return 10;
+  case Opcode::Mad:
+  case Opcode::Cmp:
+  case Opcode::Frc:
+    return 2 * components;
+  case Opcode::Lrp:
+    return 3 * components;
+  case Opcode::Dp3:
+  case Opcode::Dp4:
+  case Opcode::Dph:
+    return 7;
+  case Opcode::Xpd:
+    return 9;
+  case Opcode::Kil:
+    return 8;
+  default:
+    return components;
+  }
+}
+
+} // namespace
+
+double expectedMilliseconds(const ir::Program &program, const abi::FragmentKey *key) {
+  double work = 0, samples = 0;
+  for (const ir::Instruction &instruction : program.code) {
+    work += workOf(instruction);
+    if (key && ir::info(instruction.op).has(ir::Texture))
+      samples += sampleMilliseconds(key->samplers[instruction.unit]);
+  }
+  constexpr double kBase = 5, kEach = 0.035, kSquare = 10e-6;
+  return kBase + samples + kEach * work + kSquare * work * work;
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,16 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "fp_compiler/back/llvm/engine/code.h"
+
+namespace arbiter::fp::llvm_back {
+
+/// The processor that code is made for: this one, or a lesser one of the same architecture by name
+/// ("avx512", "avx2", "sse4", "neon"). Nothing if this one cannot run it, or if there is none of
+/// the families here at all.
+[[nodiscard]] std::optional<Cpu> chooseCpu(const std::string &name);
+
+[[nodiscard]] const char *familyName(Cpu::Family family);
+
+} // namespace arbiter::fp::llvm_back

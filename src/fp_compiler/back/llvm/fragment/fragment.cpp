@@ -1,0 +1,354 @@
+#include "fp_compiler/back/llvm/fragment/fragment.h"
+
+#include "fp_compiler/back/llvm/fragment/fragment_bytes.h"
+#include "fp_compiler/back/llvm/fragment/fragment_hooks.h"
+#include "fp_compiler/back/llvm/fragment/fragment_options.h"
+#include "fp_compiler/back/llvm/pixel/pixel_depth.h"
+
+namespace arbiter::fp::llvm_back {
+
+namespace {
+/// Writes one function. Its blocks: `entry` runs once a call, `group` once some spans, `item` once
+/// a span, block or vector of packed pixels; then the loop over the item's vectors.
+class Writer {
+public:
+  Writer(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
+         const abi::FragmentKey &key)
+      : m_code(code), m_ir(code.ir), m_function(function), m_program(program), m_key(key),
+        m_interpolator(code, key, m_places, function->getArg(1), function->getArg(0)),
+        m_pixels(code, key, m_places, function->getArg(0)),
+        m_depth(code, key, m_places, function->getArg(0), function->getArg(1)) {}
+
+  /// False where a row cannot give a level of detail.
+  bool write() {
+    m_places.entry = block("entry");
+    m_places.item = block("item");
+    auto *const next = block("next");
+    auto *const done = block("done");
+    llvm::BasicBlock *const item = m_places.item;
+    llvm::BasicBlock *const entry = m_places.entry;
+    // Small triangles have a block or two: what is the same for all blocks costs less as an operand
+    // in memory than kept.
+    if (m_key.lanes != abi::Lanes::Row)
+      m_places.entry = item;
+    m_ir.SetInsertPoint(entry);
+    auto *const first = block("first");
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(m_function->getArg(3), m_ir.getInt32(0)), done, first);
+    m_ir.SetInsertPoint(first);
+    if (const auto bytes = byteProgramOf(m_code.cpu, m_program, m_key))
+      makeTables(*bytes);
+    llvm::BasicBlock *before = m_ir.GetInsertBlock();
+    Value *begin = m_ir.getInt32(0);
+    if (m_key.lanes == abi::Lanes::Row) {
+      beginGroup();
+      before = m_places.group;
+      begin = m_group;
+    } else {
+      m_ir.CreateBr(item);
+    }
+    m_ir.SetInsertPoint(item);
+    llvm::PHINode *const number = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    number->addIncoming(begin, before);
+    const bool packed = m_key.lanes == abi::Lanes::Packed;
+    const Item at = packed ? packedItem(number) : itemAt(number);
+
+    // What belongs to the item goes before this branch.
+    auto *const start = block("start");
+    m_ir.CreateBr(start);
+    m_interpolator.setPixel(at.x, at.y);
+    m_pixels.setPixel(at.x, at.y);
+    m_depth.setPixel(at.x, at.y);
+    m_ir.SetInsertPoint(start);
+    if (packed)
+      writePacked(at, next);
+    else if (m_key.lanes == abi::Lanes::Row)
+      writeSpan(at.extent, number, next);
+    else
+      writeBlock(at.extent, next);
+
+    m_ir.SetInsertPoint(next);
+    Value *const following =
+        m_ir.CreateAdd(number, m_ir.getInt32(packed ? unsigned(m_code.lanes) : 1u));
+    Value *const isLast = m_ir.CreateICmpUGE(following, m_function->getArg(3));
+    if (m_spans) {
+      auto *const more = block("more");
+      m_ir.CreateCondBr(isLast, done, more);
+      m_ir.SetInsertPoint(more);
+      Value *const inGroup =
+          m_ir.CreateICmpULT(m_ir.CreateSub(following, m_group), m_ir.getInt32(m_spans->size()));
+      m_ir.CreateCondBr(inGroup, item, m_places.group);
+      number->addIncoming(following, more);
+      m_group->addIncoming(following, more);
+    } else {
+      number->addIncoming(following, next);
+      m_ir.CreateCondBr(isLast, done, item);
+    }
+    m_ir.SetInsertPoint(done);
+    m_ir.CreateRetVoid();
+    return !m_refused;
+  }
+
+private:
+  /// A span, a block or a vector of packed pixels; `extent` is a count, a mask or the pixels.
+  struct Item {
+    Value *x, *y, *extent;
+  };
+
+  llvm::BasicBlock *block(const char *name) {
+    return llvm::BasicBlock::Create(m_code.context(), name, m_function);
+  }
+  /// The loop over groups of spans, around that over spans.
+  void beginGroup() {
+    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
+    m_places.group = block("group");
+    m_ir.CreateBr(m_places.group);
+    m_ir.SetInsertPoint(m_places.group);
+    m_group = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    m_group->addIncoming(m_ir.getInt32(0), before);
+    m_ir.CreateBr(m_places.item);
+    m_spans.emplace(m_code, m_places, m_function->getArg(2), m_group, m_function->getArg(3));
+  }
+  Value *itemPointer(Value *number, std::size_t bytes) {
+    Value *const offset =
+        m_ir.CreateMul(m_ir.CreateZExt(number, m_ir.getInt64Ty()), m_ir.getInt64(bytes));
+    return m_ir.CreateGEP(m_ir.getInt8Ty(), m_function->getArg(2), offset);
+  }
+
+  Item itemAt(Value *number) {
+    static_assert(sizeof(abi::Span) == sizeof(abi::Block));
+    Value *const pointer = itemPointer(number, sizeof(abi::Span));
+    const auto half = [&](std::size_t at) { return m_code.field(m_ir.getInt16Ty(), pointer, at); };
+    return {m_ir.CreateSExt(half(offsetof(abi::Span, x)), m_ir.getInt32Ty()),
+            m_ir.CreateSExt(half(offsetof(abi::Span, y)), m_ir.getInt32Ty()),
+            m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty())};
+  }
+
+  /// Places of packed pixels count from the primitive's origin.
+  Item packedItem(Value *number) {
+    Value *const primitive = m_function->getArg(1);
+    Value *const raw = m_ir.CreateAlignedLoad(m_code.i32, itemPointer(number, sizeof(abi::Pixel)),
+                                              llvm::Align(sizeof(abi::Pixel)));
+    // Quads that follow each other, to where the lanes of a block have theirs.
+    const int width = m_code.cpu.blockWidth();
+    llvm::SmallVector<int, 16> from;
+    for (int lane = 0; lane < m_code.lanes; ++lane) {
+      const int x = lane % width, y = lane / width;
+      from.push_back((y / 2 * (width / 2) + x / 2) * 4 + y % 2 * 2 + x % 2);
+    }
+    return {m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originX)),
+            m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originY)),
+            m_ir.CreateShuffleVector(raw, from)};
+  }
+
+  /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
+  /// none wraps, and the edges before and behind them. Else all as it comes.
+  void writeSpan(Value *count, Value *number, llvm::BasicBlock *next) {
+    m_flow.emplace(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+                   *m_spans);
+    Value *const inGroup =
+        writeIn(m_code, m_places.item, [&] { return m_ir.CreateSub(number, m_group); });
+    const ConsecutiveSamples samples(m_code, m_program, m_key, m_places, *m_flow, *m_spans,
+                                     m_function->getArg(0), inGroup);
+    if (!samples.any()) {
+      writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
+      m_ir.CreateBr(next);
+      return;
+    }
+    auto *const general = block("general");
+    auto *const some = block("some");
+    m_ir.CreateCondBr(samples.good(), some, general);
+    m_ir.SetInsertPoint(general);
+    writeLoop(SamplePath::General, nullptr, m_ir.getInt32(0), count, count);
+    m_ir.CreateBr(next);
+
+    auto *const edge = block("edge");
+    auto *const fast = block("fast");
+    m_ir.SetInsertPoint(some);
+    m_ir.CreateBr(edge);
+    m_ir.SetInsertPoint(edge);
+    llvm::PHINode *const begin = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    llvm::PHINode *const end = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    begin->addIncoming(m_ir.getInt32(0), some);
+    end->addIncoming(samples.begin(), some);
+    writeLoop(SamplePath::Edge, &samples, begin, end, count);
+    m_ir.CreateCondBr(m_ir.CreateICmpEQ(end, count), next, fast);
+    m_ir.SetInsertPoint(fast);
+    const auto writeFast = [&](SamplePath path) {
+      writeLoop(path, &samples, samples.begin(), samples.end(), count);
+      begin->addIncoming(samples.end(), m_ir.GetInsertBlock());
+      end->addIncoming(count, m_ir.GetInsertBlock());
+      m_ir.CreateBr(edge);
+    };
+    if (m_tables && samples.has(m_bytes.sample)) {
+      auto *const bytes = block("bytes");
+      auto *const program = block("program");
+      m_ir.CreateCondBr(m_tables->ready(), bytes, program);
+      m_ir.SetInsertPoint(bytes);
+      m_tables->load();
+      writeFast(SamplePath::Given);
+      m_ir.SetInsertPoint(program);
+    }
+    writeFast(SamplePath::Consecutive);
+  }
+
+  void makeTables(const ByteProgram &bytes) {
+    m_bytes = bytes;
+    m_tables.emplace(m_code, bytes, m_function->getArg(2), m_function->getArg(3), m_places,
+                     [&](Value *texels) {
+                       const FragmentColors fragment =
+                           colorsOf(SamplePath::Given, nullptr, PixelPlace{}, texels);
+                       return m_pixels.pixelsOf(fragment, m_bytes.target);
+                     });
+  }
+
+  /// Pixels by the tables.
+  void writeBytes(const ConsecutiveSamples &samples, const PixelPlace &place) {
+    Value *const texels = m_ir.CreateAlignedLoad(
+        m_code.i32, samples.texels(m_bytes.sample, place.column), llvm::Align(1));
+    m_pixels.storePixels(place, m_tables->pixels(texels), m_bytes.target, nullptr);
+  }
+
+  /// Vectors of [begin, end); the last may be incomplete only where the span ends.
+  void writeLoop(SamplePath path, const ConsecutiveSamples *samples, Value *begin, Value *end,
+                 Value *count) {
+    llvm::BasicBlock *const before = m_ir.GetInsertBlock();
+    auto *const body = block("pixels");
+    auto *const after = block("after");
+    m_ir.CreateCondBr(m_ir.CreateICmpSLT(begin, end), body, after);
+    m_ir.SetInsertPoint(body);
+    llvm::PHINode *const column = m_ir.CreatePHI(m_ir.getInt32Ty(), 2);
+    column->addIncoming(begin, before);
+    PixelPlace place;
+    place.lanes = abi::Lanes::Row;
+    place.column = column;
+    place.remaining = m_ir.CreateSub(count, column);
+    place.covered = m_ir.CreateICmpSLT(m_code.iota(), m_code.splat(place.remaining));
+    m_interpolator.setLanes(m_ir.CreateAdd(m_code.splat(column), m_code.iota()), nullptr);
+    m_pixels.prefetch(place);
+    if (path == SamplePath::Consecutive || path == SamplePath::Given)
+      samples->prefetch(column);
+    writePixels(path, samples, place);
+    Value *const following = m_ir.CreateAdd(column, m_ir.getInt32(unsigned(m_code.lanes)));
+    column->addIncoming(following, m_ir.GetInsertBlock());
+    m_ir.CreateCondBr(m_ir.CreateICmpSLT(following, end), body, after);
+    m_ir.SetInsertPoint(after);
+  }
+
+  void writeBlock(Value *mask, llvm::BasicBlock *next) {
+    PixelPlace place;
+    place.lanes = abi::Lanes::Quad;
+    Value *const bits = m_ir.CreateTrunc(mask, m_ir.getIntNTy(unsigned(m_code.lanes)));
+    place.covered = m_ir.CreateBitCast(bits, m_code.i1);
+    llvm::SmallVector<llvm::Constant *, 16> dx, dy;
+    for (int lane = 0; lane < m_code.lanes; ++lane) {
+      dx.push_back(m_ir.getInt32(unsigned(lane % m_code.cpu.blockWidth())));
+      dy.push_back(m_ir.getInt32(unsigned(lane / m_code.cpu.blockWidth())));
+    }
+    m_interpolator.setLanes(llvm::ConstantVector::get(dx), llvm::ConstantVector::get(dy));
+    writePixels(SamplePath::General, nullptr, place);
+    m_ir.CreateBr(next);
+  }
+
+  void writePacked(const Item &item, llvm::BasicBlock *next) {
+    static_assert(offsetof(abi::Pixel, y) == 2 && abi::Pixel::kHelper == 0x8000);
+    PixelPlace place;
+    place.lanes = abi::Lanes::Packed;
+    place.covered = m_ir.CreateICmpSGE(item.extent, m_code.splat(0));
+    Value *const x = m_ir.CreateAnd(item.extent, m_code.splat(0xFFFF));
+    Value *const y =
+        m_ir.CreateAnd(m_ir.CreateLShr(item.extent, m_code.splat(16)), m_code.splat(0x7FFF));
+    place.dx = m_ir.CreateSub(x, m_code.splat(item.x));
+    place.dy = m_ir.CreateSub(y, m_code.splat(item.y));
+    m_interpolator.setLanes(place.dx, place.dy);
+    writePixels(SamplePath::General, nullptr, place);
+    m_ir.CreateBr(next);
+  }
+
+  void writePixels(SamplePath path, const ConsecutiveSamples *samples, const PixelPlace &place) {
+    if (path == SamplePath::Given)
+      return writeBytes(*samples, place);
+    // A fragment that nothing after the tests may discard is tested before its program.
+    const jit::FragmentShape &shape = m_program.shape();
+    const bool early = m_depth.active() && !shape.kills && !shape.writesDepth &&
+                       m_key.alphaTest == abi::Compare::Always;
+    Value *mask = nullptr;
+    llvm::BasicBlock *rest = nullptr;
+    if (early) {
+      mask = m_depth.test(place, m_interpolator.depth(), nullptr);
+      auto *const shaded = block("shaded");
+      rest = block("tested");
+      m_ir.CreateCondBr(m_ir.CreateOrReduce(mask), shaded, rest);
+      m_ir.SetInsertPoint(shaded);
+    }
+    const FragmentColors fragment = colorsOf(path, samples, place, nullptr);
+    if (fragment.alive)
+      mask = m_ir.CreateAnd(fragment.alive, mask ? mask : place.covered);
+    mask = m_pixels.alphaTested(place, fragment, mask);
+    if (m_depth.active() && !early)
+      mask = m_depth.test(place, fragment.depth ? fragment.depth : m_interpolator.depth(), mask);
+    m_pixels.write(place, fragment, mask);
+    if (rest) {
+      m_ir.CreateBr(rest);
+      m_ir.SetInsertPoint(rest);
+    }
+  }
+
+  /// The program over one vector of pixels, its options applied.
+  /// \param given of SamplePath::Given, the texels
+  FragmentColors colorsOf(SamplePath path, const ConsecutiveSamples *samples,
+                          const PixelPlace &place, Value *given) {
+    const ir::Program &program = m_program.program();
+    FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
+                        m_flow ? &*m_flow : nullptr, samples, path, place);
+    hooks.give(given);
+    const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
+    FragmentColors fragment;
+    const bool several = program.options.drawBuffers;
+    for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+      const ir::Output output = program.outputs[i];
+      if (output.kind == ir::OutputKind::Depth)
+        fragment.depth = results.outputs[i][2];
+      if (output.kind != ir::OutputKind::Color)
+        continue;
+      // Without ARB_draw_buffers the one colour goes to all buffers.
+      for (std::size_t target = 0; target < fragment.colors.size(); ++target)
+        if (several ? target == output.index : output.index == 0)
+          fragment.colors[target] = results.outputs[i];
+    }
+    fragment.alive = hooks.alive();
+    m_refused |= hooks.refused();
+    fragment.texels = hooks.takeTexels();
+    applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
+                 hooks, fragment);
+    return fragment;
+  }
+
+  Code &m_code;
+  llvm::IRBuilder<> &m_ir;
+  llvm::Function *m_function;
+  const jit::FragmentProgram &m_program;
+  const abi::FragmentKey &m_key;
+  Places m_places;
+  Interpolator m_interpolator;
+  PixelWriter m_pixels;
+  DepthStencil m_depth;
+  llvm::PHINode *m_group = nullptr; ///< Row: number of the group's first span
+  std::optional<SpanGroup> m_spans;
+  std::optional<AffineFlow> m_flow;
+  bool m_refused = false;
+  ByteProgram m_bytes;
+  std::optional<ByteTables> m_tables;
+};
+} // namespace
+
+bool writeFragment(Code &code, llvm::Function *function, const jit::FragmentProgram &program,
+                   const abi::FragmentKey &key, std::string &reason) {
+  if (!PixelWriter::supports(key, reason))
+    return false;
+  if (Writer(code, function, program, key).write())
+    return true;
+  reason = "a level of detail that only quads of pixels can tell";
+  return false;
+}
+
+} // namespace arbiter::fp::llvm_back

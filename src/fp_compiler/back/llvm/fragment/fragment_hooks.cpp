@@ -1,0 +1,145 @@
+#include "fp_compiler/back/llvm/fragment/fragment_hooks.h"
+
+#include "fp_compiler/back/llvm/program/quads.h"
+
+#include <algorithm>
+
+namespace arbiter::fp::llvm_back {
+
+Vec FragmentHooks::input(ir::Attribute attribute, unsigned needed) {
+  const std::vector<jit::FragmentInput> &inputs = m_program.shape().inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const jit::FragmentInput &in) {
+    return in.attribute == attribute;
+  });
+  return found == inputs.end() ? Vec{} : m_interpolator.input(int(found - inputs.begin()), needed);
+}
+
+Vec FragmentHooks::attribute(int index, unsigned needed) {
+  const ir::Program &program = m_program.program();
+  // Only the coordinate of the given sample asks.
+  if (m_path == SamplePath::Given)
+    return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
+  const ir::Attribute attribute = program.attributes[std::size_t(index)];
+  if (attribute.kind == ir::AttributeKind::Position)
+    return m_interpolator.position(program.options, needed);
+  return input(attribute, needed);
+}
+
+Vec FragmentHooks::parameter(int index, unsigned needed) {
+  return writeIn(m_code, m_places.entry, [&] {
+    Value *const rows =
+        m_code.field(m_code.ir.getPtrTy(), m_data, offsetof(abi::FragmentData, parameters));
+    Vec row = {};
+    for (unsigned c = 0; c < 4; ++c)
+      if (needed >> c & 1)
+        row[c] = m_code.splat(
+            m_code.field(m_code.ir.getFloatTy(), rows, sizeof(float) * (4u * unsigned(index) + c)));
+    return row;
+  });
+}
+
+std::size_t FragmentHooks::nextTexture() {
+  const std::vector<ir::Instruction> &instructions = m_program.program().code;
+  while (m_live.written[m_next] == 0 || !ir::info(instructions[m_next].op).has(ir::Texture))
+    ++m_next;
+  return m_next++;
+}
+
+namespace {
+
+/// How many coordinates say how much of a texture a pixel covers.
+int coordinatesOf(abi::Dimension dimension) {
+  if (dimension == abi::Dimension::Tex1D)
+    return 1;
+  return dimension == abi::Dimension::Tex3D || dimension == abi::Dimension::Cube ? 3 : 2;
+}
+
+/// Hosts take a quad's change along x from its first row in memory, and coordinates that a program
+/// computes change otherwise in each row. Memory begins with the upper one where rows go downwards,
+/// as those of windows do.
+Value *takesUpperRow(Code &code, const Places &places, Value *data) {
+  return writeIn(code, places.entry, [&] {
+    Value *const stride =
+        code.field(code.ir.getInt64Ty(), data,
+                   offsetof(abi::FragmentData, targets) + offsetof(abi::Target, rowStride));
+    return code.ir.CreateICmpSLT(stride, code.ir.getInt64(0));
+  });
+}
+
+} // namespace
+
+void FragmentHooks::addDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const int dimensions = coordinatesOf(key.dimension);
+  const AffineFlow::Axes *const axes = m_flow ? m_flow->coordinate(index) : nullptr;
+  const bool projected = m_program.program().code[index].op == ir::Opcode::Txp;
+  m_refused |= !axes || projected || key.dimension == abi::Dimension::Cube;
+  for (std::size_t c = 0; c < std::size_t(dimensions) && !m_refused; ++c) {
+    const std::optional<Affine> &axis = (*axes)[c];
+    if (!axis) {
+      m_refused = true;
+      return;
+    }
+    const auto inLanes = [&](Value *slope) {
+      return writeIn(m_code, m_places.item, [&] {
+        return slope ? m_code.splat(ir.CreateFPTrunc(slope, ir.getFloatTy())) : m_code.splat(0.0f);
+      });
+    };
+    at.dx[c] = inLanes(axis->slope);
+    at.dy[c] = inLanes(axis->slopeY);
+  }
+}
+
+Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operand,
+                           unsigned needed) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  const abi::SamplerKey &key = m_key.samplers[instruction.unit];
+  const std::size_t index = nextTexture();
+  SampleAt at;
+  at.coordinate = operand;
+  at.mask = m_place.covered;
+  if (instruction.op == ir::Opcode::Txp)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (operand[c])
+        at.coordinate[c] = ir.CreateFDiv(operand[c], operand[3]);
+  if (instruction.op == ir::Opcode::Txb)
+    at.bias = operand[3];
+  at.coordinate[3] = nullptr;
+  const bool edge = m_path == SamplePath::Edge && m_samples->has(index);
+  if (edge || m_path == SamplePath::Given) {
+    Value *const raw = edge ? m_samples->wrappedTexels(index, m_place) : m_given;
+    Value *const packed = key.format.layout == abi::Layout::U8x4 ? raw : nullptr;
+    m_texels.push_back({decode(m_code, key.format, raw, needed), packed, key.format.swizzle});
+    return m_texels.back().rgba;
+  }
+  if (m_path == SamplePath::Consecutive && m_samples->has(index))
+    at.texels = m_samples->texels(index, m_place.column);
+  const bool hasLevels = key.mip != abi::MipFilter::None || key.magnify != key.minify;
+  if (hasLevels && key.format.layout != abi::Layout::None) {
+    if (m_place.lanes == abi::Lanes::Row)
+      addDerivatives(at, index, key);
+    else
+      addQuadDerivatives(m_code, at, coordinatesOf(key.dimension),
+                         takesUpperRow(m_code, m_places, m_data));
+  }
+  Value *const view = writeIn(m_code, m_places.entry, [&] {
+    return m_code.field(ir.getPtrTy(), m_data,
+                        offsetof(abi::FragmentData, textures) + sizeof(void *) * instruction.unit);
+  });
+  const abi::Lanes lanes = m_place.lanes == abi::Lanes::Row ? abi::Lanes::Row : abi::Lanes::Quad;
+  const Texel texel = sample(m_code, key, lanes, view, at, needed);
+  m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
+  return texel.rgba;
+}
+
+void FragmentHooks::kill(Value *lanes) {
+  Value *const rest = m_code.ir.CreateNot(lanes);
+  m_alive = m_alive ? m_code.ir.CreateAnd(m_alive, rest) : rest;
+}
+
+Vec FragmentHooks::relative(int, Value *, unsigned) {
+  // Of vertex programs alone: a row that is not there is zero.
+  return {m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(0.0f)};
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,135 @@
+#include "fp_compiler/back/llvm/fragment/interpolate.h"
+
+namespace arbiter::fp::llvm_back {
+
+void Interpolator::setPixel(Value *x, Value *y) {
+  m_x = x;
+  m_y = y;
+}
+
+void Interpolator::setLanes(Value *dx, Value *dy) {
+  m_laneX = dx;
+  m_laneY = dy;
+  Value *const x = writeIn(m_code, m_places.item,
+                           [&] { return m_code.splat(m_code.ir.CreateSub(m_x, origin(false))); });
+  m_fx = m_code.toFloat(m_code.ir.CreateAdd(x, dx));
+  m_fy = nullptr;
+  m_w = nullptr;
+  if (!dy)
+    return;
+  Value *const y = writeIn(m_code, m_places.item,
+                           [&] { return m_code.splat(m_code.ir.CreateSub(m_y, origin(true))); });
+  m_fy = m_code.toFloat(m_code.ir.CreateAdd(y, dy));
+}
+
+Value *Interpolator::scalarField(std::size_t offset) {
+  return writeIn(m_code, m_places.entry,
+                 [&] { return m_code.field(m_code.ir.getFloatTy(), m_primitive, offset); });
+}
+
+Value *Interpolator::constant(std::size_t planeOffset) {
+  return scalarField(planeOffset + offsetof(abi::Plane, c));
+}
+
+Value *Interpolator::slope(std::size_t planeOffset, bool ofY) {
+  return scalarField(planeOffset + (ofY ? offsetof(abi::Plane, dy) : offsetof(abi::Plane, dx)));
+}
+
+Value *Interpolator::origin(bool ofY) {
+  return writeIn(m_code, m_places.entry, [&] {
+    return m_code.field(m_code.ir.getInt32Ty(), m_primitive,
+                        ofY ? offsetof(abi::Primitive, originY)
+                            : offsetof(abi::Primitive, originX));
+  });
+}
+
+Value *Interpolator::rowConstant(std::size_t planeOffset, Value *y) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  auto *const rows = llvm::dyn_cast<llvm::FixedVectorType>(y->getType());
+  const auto like = [&](Value *scalar) {
+    return rows ? ir.CreateVectorSplat(rows->getNumElements(), scalar) : scalar;
+  };
+  llvm::Type *const number =
+      rows ? llvm::FixedVectorType::get(ir.getFloatTy(), rows->getNumElements()) : ir.getFloatTy();
+  Value *const above = ir.CreateSIToFP(ir.CreateSub(y, like(origin(true))), number);
+  Value *const step = ir.CreateFMul(like(slope(planeOffset, true)), above);
+  return ir.CreateFAdd(like(constant(planeOffset)), step);
+}
+
+Value *Interpolator::plane(std::size_t offset) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  Value *const dx =
+      writeIn(m_code, m_places.entry, [&] { return m_code.splat(slope(offset, false)); });
+  Value *row = nullptr;
+  if (m_fy) {
+    const auto [c, dy] = writeIn(m_code, m_places.entry, [&] {
+      return std::pair{m_code.splat(constant(offset)), m_code.splat(slope(offset, true))};
+    });
+    row = ir.CreateFAdd(c, ir.CreateFMul(dy, m_fy));
+  } else {
+    row = writeIn(m_code, m_places.item, [&] { return m_code.splat(rowConstant(offset, m_y)); });
+  }
+  return ir.CreateFAdd(row, ir.CreateFMul(dx, m_fx));
+}
+
+Value *Interpolator::perspective() {
+  if (!m_w)
+    m_w = m_code.ir.CreateFDiv(m_code.splat(1.0f), plane(offsetof(abi::Primitive, inverseW)));
+  return m_w;
+}
+
+Vec Interpolator::input(int index, unsigned needed) {
+  Vec values = {};
+  const abi::Interpolation how = m_key.inputs[std::size_t(index)];
+  for (int c = 0; c < 4; ++c) {
+    if (!(needed >> c & 1))
+      continue;
+    const std::size_t offset = planeOf(index, c);
+    Value *&value = values[std::size_t(c)];
+    if (how == abi::Interpolation::Flat)
+      value = writeIn(m_code, m_places.entry, [&] { return m_code.splat(constant(offset)); });
+    else
+      value = plane(offset);
+    if (how == abi::Interpolation::Perspective)
+      value = m_code.ir.CreateFMul(value, perspective());
+  }
+  return values;
+}
+
+Vec Interpolator::position(const ir::Options &options, unsigned needed) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  // ARB_fragment_coord_conventions: the centre of the pixel is at .5 unless the program wants it
+  // at the integer.
+  const float centre = options.pixelCenterInteger ? 0.0f : 0.5f;
+  Vec values = {};
+  if (needed & 1) {
+    Value *const x = ir.CreateAdd(m_code.splat(m_x), m_laneX);
+    values[0] = ir.CreateFAdd(m_code.toFloat(x), m_code.splat(centre));
+  }
+  if (needed & 2) {
+    Value *y = m_code.splat(m_y);
+    if (m_laneY)
+      y = ir.CreateAdd(y, m_laneY);
+    y = ir.CreateFAdd(m_code.toFloat(y), m_code.splat(centre));
+    if (options.originUpperLeft) {
+      Value *const height = writeIn(m_code, m_places.entry, [&] {
+        return m_code.splat(
+            m_code.field(ir.getFloatTy(), m_data, offsetof(abi::FragmentData, windowHeight)));
+      });
+      // The lowest row's centre is height - 0.5, or height - 1 where centres are integers.
+      Value *const top =
+          options.pixelCenterInteger ? ir.CreateFSub(height, m_code.splat(1.0f)) : height;
+      y = ir.CreateFSub(top, y);
+    }
+    values[1] = y;
+  }
+  if (needed & 4)
+    values[2] = depth();
+  if (needed & 8)
+    values[3] = plane(offsetof(abi::Primitive, inverseW));
+  return values;
+}
+
+Value *Interpolator::depth() { return plane(offsetof(abi::Primitive, z)); }
+
+} // namespace arbiter::fp::llvm_back

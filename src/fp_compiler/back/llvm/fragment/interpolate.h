@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+
+#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/ir/ir.h"
+
+/// The planes of a primitive as values of the lanes. Row and Quad do the same steps in the same
+/// order, each rounded, so that a pixel's value does not hang on which of them draws it:
+/// (c + dy * (y - originY)) + dx * (x - originX).
+namespace arbiter::fp::llvm_back {
+
+/// Where the code stands: blocks that run once a call, once a group of spans, once an item, and the
+/// loop that is written now. What an outer block can compute is put before its terminator.
+struct Places {
+  llvm::BasicBlock *entry = nullptr;
+  llvm::BasicBlock *group = nullptr; ///< null but for Lanes::Row
+  llvm::BasicBlock *item = nullptr;
+};
+
+/// Writes what \p make makes before the terminator of \p block.
+template <typename Make> auto writeIn(Code &code, llvm::BasicBlock *block, Make make) {
+  const llvm::IRBuilderBase::InsertPointGuard guard(code.ir);
+  code.ir.SetInsertPoint(block->getTerminator());
+  return make();
+}
+
+class Interpolator {
+public:
+  /// \param primitive the abi::Primitive
+  Interpolator(Code &code, const abi::FragmentKey &key, const Places &places, Value *primitive,
+               Value *data)
+      : m_code(code), m_key(key), m_places(places), m_primitive(primitive), m_data(data) {}
+
+  /// In the item's block: the first pixel, as i32.
+  void setPixel(Value *x, Value *y);
+  /// In a loop, before anything else is asked for: each lane's pixel relative to the first one, as
+  /// i32; `dy` is null where all lanes are of the row.
+  void setLanes(Value *dx, Value *dy);
+
+  [[nodiscard]] Vec input(int index, unsigned needed);
+  [[nodiscard]] Vec position(const ir::Options &options, unsigned needed);
+  /// Window depth, as the plane gives it.
+  [[nodiscard]] Value *depth();
+
+  // What the affine coordinates are made of.
+  /// The float c + dy * (y - originY) of a row, or of rows: `y` is an i32 or a vector of them.
+  [[nodiscard]] Value *rowConstant(std::size_t planeOffset, Value *y);
+  // Scalars of the entry's block: the plane's constant, its dx or dy, and its origin as i32.
+  [[nodiscard]] Value *constant(std::size_t planeOffset);
+  [[nodiscard]] Value *slope(std::size_t planeOffset, bool ofY);
+  [[nodiscard]] Value *origin(bool ofY);
+  [[nodiscard]] static std::size_t planeOf(int input, int component) {
+    return offsetof(abi::Primitive, inputs) +
+           sizeof(abi::Plane) * std::size_t(4 * input + component);
+  }
+
+private:
+  [[nodiscard]] Value *scalarField(std::size_t offset);
+  [[nodiscard]] Value *plane(std::size_t offset);
+  [[nodiscard]] Value *perspective();
+
+  Code &m_code;
+  const abi::FragmentKey &m_key;
+  const Places &m_places;
+  Value *m_primitive, *m_data;
+  Value *m_x = nullptr, *m_y = nullptr;
+  Value *m_laneX = nullptr, *m_laneY = nullptr; ///< relative to the first pixel
+  Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to the origin, floats
+  Value *m_w = nullptr;                         ///< 1 / inverseW of this loop
+};
+
+} // namespace arbiter::fp::llvm_back

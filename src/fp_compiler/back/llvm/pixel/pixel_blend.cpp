@@ -1,0 +1,89 @@
+#include "fp_compiler/back/llvm/pixel/pixel.h"
+
+/// Blending (4.1.7 of OpenGL 1.4): in floats, rounded once where the result is stored.
+namespace arbiter::fp::llvm_back {
+
+namespace {
+struct Operands {
+  const Vec &source, &dest;
+  Vec constant; ///< GL_BLEND_COLOR
+};
+
+/// What component \p c of a colour is multiplied by; null for one.
+Value *factor(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c) {
+  llvm::IRBuilder<> &ir = code.ir;
+  const auto rest = [&](Value *value) { return ir.CreateFSub(code.splat(1.0f), value); };
+  switch (kind) {
+  case abi::BlendFactor::Zero:
+    return code.splat(0.0f);
+  case abi::BlendFactor::One:
+    return nullptr;
+  case abi::BlendFactor::SourceColor:
+    return in.source[c];
+  case abi::BlendFactor::OneMinusSourceColor:
+    return rest(in.source[c]);
+  case abi::BlendFactor::DestColor:
+    return in.dest[c];
+  case abi::BlendFactor::OneMinusDestColor:
+    return rest(in.dest[c]);
+  case abi::BlendFactor::SourceAlpha:
+    return in.source[3];
+  case abi::BlendFactor::OneMinusSourceAlpha:
+    return rest(in.source[3]);
+  case abi::BlendFactor::DestAlpha:
+    return in.dest[3];
+  case abi::BlendFactor::OneMinusDestAlpha:
+    return rest(in.dest[3]);
+  case abi::BlendFactor::ConstantColor:
+    return in.constant[c];
+  case abi::BlendFactor::OneMinusConstantColor:
+    return rest(in.constant[c]);
+  case abi::BlendFactor::ConstantAlpha:
+    return in.constant[3];
+  case abi::BlendFactor::OneMinusConstantAlpha:
+    return rest(in.constant[3]);
+  case abi::BlendFactor::SourceAlphaSaturate:
+    return c == 3 ? nullptr : code.min(in.source[3], rest(in.dest[3]));
+  }
+  llvm_unreachable("a blend factor");
+}
+
+/// A product that is nothing where the factor is zero, whatever the value is: null for zero.
+Value *scaled(Code &code, abi::BlendFactor kind, const Operands &in, std::size_t c, Value *value) {
+  if (kind == abi::BlendFactor::Zero)
+    return nullptr;
+  Value *const by = factor(code, kind, in, c);
+  return by ? code.ir.CreateFMul(value, by) : value;
+}
+} // namespace
+
+Vec PixelWriter::blended(const Vec &source, const Vec &dest, const abi::BlendKey &key,
+                         bool fixedPoint) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  Operands in{source, dest, {}};
+  for (std::size_t c = 0; c < 4; ++c)
+    in.constant[c] =
+        uniform(offsetof(abi::FragmentData, blendColor) + sizeof(float) * c, fixedPoint);
+  Vec result = {};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const abi::BlendEquation equation = c == 3 ? key.alpha : key.color;
+    if (equation == abi::BlendEquation::Min || equation == abi::BlendEquation::Max) {
+      result[c] = equation == abi::BlendEquation::Min ? m_code.min(source[c], dest[c])
+                                                      : m_code.max(source[c], dest[c]);
+      continue;
+    }
+    Value *a = scaled(m_code, c == 3 ? key.sourceAlpha : key.sourceColor, in, c, source[c]);
+    Value *b = scaled(m_code, c == 3 ? key.destAlpha : key.destColor, in, c, dest[c]);
+    if (equation == abi::BlendEquation::ReverseSubtract)
+      std::swap(a, b);
+    const bool adds = equation == abi::BlendEquation::Add;
+    Value *const zero = m_code.splat(0.0f);
+    if (!b || (!a && adds))
+      result[c] = a ? a : b ? b : zero;
+    else
+      result[c] = adds ? ir.CreateFAdd(a, b) : ir.CreateFSub(a ? a : zero, b);
+  }
+  return result;
+}
+
+} // namespace arbiter::fp::llvm_back

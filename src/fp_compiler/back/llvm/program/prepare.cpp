@@ -1,0 +1,108 @@
+#include "fp_compiler/back/llvm/program/prepare.h"
+
+#include <algorithm>
+
+#include "fp_compiler/analysis/affine_coordinates.h"
+#include "fp_compiler/opt/opt.h"
+
+namespace arbiter::fp::llvm_back {
+
+namespace {
+ir::Program optimised(ir::Program program, Numerics numerics) {
+  opt::run(program, numerics);
+  return program;
+}
+
+void addInput(std::vector<jit::FragmentInput> &inputs, ir::AttributeKind kind,
+              std::uint8_t components) {
+  const ir::Attribute attribute = {kind, 0};
+  const auto found =
+      std::find_if(inputs.begin(), inputs.end(),
+                   [&](const jit::FragmentInput &input) { return input.attribute == attribute; });
+  if (found != inputs.end())
+    found->components |= components;
+  else
+    inputs.push_back({attribute, components});
+}
+
+std::vector<jit::FragmentInput> inputsOf(const ir::Program &program,
+                                         const analysis::LiveValues &live) {
+  std::vector<jit::FragmentInput> inputs;
+  for (std::size_t i = 0; i < program.attributes.size(); ++i)
+    if (live.attributes[i] != 0 && program.attributes[i].kind != ir::AttributeKind::Position)
+      inputs.push_back({program.attributes[i], live.attributes[i]});
+  constexpr std::uint8_t kX = 1, kRgb = 7;
+  if (program.options.fog != ir::FogMode::None)
+    addInput(inputs, ir::AttributeKind::FogCoord, kX);
+  if (program.options.colorSum)
+    addInput(inputs, ir::AttributeKind::ColorSecondary, kRgb);
+  return inputs;
+}
+
+void addSampler(jit::FragmentShape &shape, const ir::Instruction &instruction) {
+  const bool known = std::any_of(
+      shape.samplers.begin(), shape.samplers.end(),
+      [&](const jit::FragmentShape::Sampler &sampler) { return sampler.unit == instruction.unit; });
+  if (!known)
+    shape.samplers.push_back({instruction.unit, instruction.target});
+}
+
+jit::FragmentShape shapeOf(const ir::Program &program) {
+  const analysis::LiveValues live = analysis::liveOf(program);
+  const std::vector<bool> curved = analysis::samplesCurved(program);
+  jit::FragmentShape shape;
+  shape.inputs = inputsOf(program, live);
+  for (std::size_t i = 0; i < program.code.size(); ++i) {
+    const ir::Instruction &instruction = program.code[i];
+    const ir::OpInfo &row = ir::info(instruction.op);
+    shape.kills |= row.has(ir::Kills);
+    if (!row.has(ir::Texture) || live.written[i] == 0)
+      continue;
+    addSampler(shape, instruction);
+    if (curved[i])
+      shape.needsQuads |= 1u << instruction.unit;
+  }
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    if (live.outputs[i] == 0)
+      continue;
+    if (program.outputs[i].kind == ir::OutputKind::Color)
+      shape.colorOutputs |= std::uint8_t(1u << program.outputs[i].index);
+    else if (program.outputs[i].kind == ir::OutputKind::Depth)
+      shape.writesDepth = true;
+  }
+  return shape;
+}
+
+/// Every vertex has a position, as what follows takes it for granted: where the program writes none
+/// the function stores zeros, as it does for components that are not written. With a w of 0 nothing
+/// is drawn.
+ir::Program withPosition(ir::Program program) {
+  const ir::Output position = {ir::OutputKind::Position, 0};
+  auto &outputs = program.outputs;
+  if (std::find(outputs.begin(), outputs.end(), position) == outputs.end())
+    outputs.push_back(position);
+  return program;
+}
+
+jit::VertexShape vertexShapeOf(const ir::Program &program) {
+  const analysis::LiveValues live = analysis::liveOf(program);
+  jit::VertexShape shape;
+  for (std::size_t i = 0; i < program.attributes.size(); ++i)
+    if (live.attributes[i] != 0)
+      shape.inputs.push_back(program.attributes[i]);
+  for (std::size_t i = 0; i < program.outputs.size(); ++i)
+    if (live.outputs[i] != 0 || program.outputs[i].kind == ir::OutputKind::Position)
+      shape.outputs.push_back(program.outputs[i]);
+  return shape;
+}
+} // namespace
+
+PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)
+    : m_program(optimised(std::move(program), numerics)), m_numerics(numerics),
+      m_shape(shapeOf(m_program)) {}
+
+PreparedVertex::PreparedVertex(ir::Program program, Numerics numerics)
+    : m_program(withPosition(optimised(std::move(program), numerics))), m_numerics(numerics),
+      m_shape(vertexShapeOf(m_program)) {}
+
+} // namespace arbiter::fp::llvm_back

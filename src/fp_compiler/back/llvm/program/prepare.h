@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+
+#include "fp_compiler/analysis/live_values.h"
+#include "fp_compiler/jit.h"
+
+/// Programs as they are before a key is known: optimised for the mode, and what they need of the
+/// draw.
+namespace arbiter::fp::llvm_back {
+
+class PreparedFragment final : public jit::FragmentProgram {
+public:
+  PreparedFragment(ir::Program program, Numerics numerics);
+  [[nodiscard]] const jit::FragmentShape &shape() const override { return m_shape; }
+  [[nodiscard]] const ir::Program &program() const override { return m_program; }
+  [[nodiscard]] Numerics numerics() const { return m_numerics; }
+
+private:
+  ir::Program m_program;
+  Numerics m_numerics;
+  jit::FragmentShape m_shape;
+};
+
+class PreparedVertex final : public jit::VertexProgram {
+public:
+  PreparedVertex(ir::Program program, Numerics numerics);
+  [[nodiscard]] const jit::VertexShape &shape() const override { return m_shape; }
+  [[nodiscard]] const ir::Program &program() const override { return m_program; }
+  [[nodiscard]] Numerics numerics() const { return m_numerics; }
+
+private:
+  ir::Program m_program;
+  Numerics m_numerics;
+  jit::VertexShape m_shape;
+};
+
+} // namespace arbiter::fp::llvm_back

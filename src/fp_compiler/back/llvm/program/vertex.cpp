@@ -1,0 +1,155 @@
+#include "fp_compiler/back/llvm/program/vertex.h"
+
+#include <algorithm>
+
+#include "fp_compiler/back/llvm/program/program.h"
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::fp::llvm_back {
+
+namespace {
+constexpr int kRowBytes = 4 * int(sizeof(float));
+
+/// Where the program's registers lie in memory.
+class VertexHooks final : public ProgramHooks {
+public:
+  VertexHooks(Code &code, const PreparedVertex &program, Value *data)
+      : m_code(code), m_ir(code.ir), m_program(program.program()), m_shape(program.shape()),
+        m_parameters(pointer(data, offsetof(abi::VertexData, parameters))),
+        m_inputs(pointer(data, offsetof(abi::VertexData, inputs))),
+        m_outputs(pointer(data, offsetof(abi::VertexData, outputs))) {}
+
+  /// The vertices from here on: \p first is an i64.
+  void at(Value *first) { m_first = first; }
+
+  Vec attribute(int index, unsigned needed) override {
+    const auto &inputs = m_shape.inputs;
+    const auto found =
+        std::find(inputs.begin(), inputs.end(), m_program.attributes[std::size_t(index)]);
+    const int input = int(found - inputs.begin());
+    Vec value = {};
+    for (int i = 0; i < 4; ++i)
+      if (needed >> i & 1)
+        value[std::size_t(i)] =
+            m_ir.CreateAlignedLoad(m_code.f32, lane(m_inputs, 4 * input + i), alignment());
+    return value;
+  }
+
+  Vec parameter(int index, unsigned needed) override {
+    Vec value = {};
+    for (int i = 0; i < 4; ++i)
+      if (needed >> i & 1)
+        value[std::size_t(i)] = m_code.splat(
+            constant(m_code.field(m_ir.getFloatTy(), m_parameters,
+                                  std::size_t(index * kRowBytes + i * int(sizeof(float))))));
+    return value;
+  }
+
+  Vec texture(const ir::Instruction &, const Vec &, unsigned) override {
+    return {}; // no vertex program samples
+  }
+  void kill(Value *) override {}
+
+  Vec relative(int array, Value *index, unsigned needed) override {
+    const auto &rows = m_program.arrays[std::size_t(array)].rows;
+    Value *const inside = m_ir.CreateICmpULT(index, m_code.splat(int(rows.size())), "inside");
+    Value *const row = m_code.select(inside, index, m_code.splat(0));
+    Value *const bytes = m_ir.CreateMul(rowOf(rows, row, inside), m_code.splat(kRowBytes));
+    Vec value = {};
+    for (int i = 0; i < 4; ++i)
+      if (needed >> i & 1) {
+        Value *const at = m_ir.CreateAdd(bytes, m_code.splat(i * int(sizeof(float))));
+        value[std::size_t(i)] = gather(m_code.f32, m_parameters, at, inside);
+      }
+    return value;
+  }
+
+  void store(const ProgramResults &results) {
+    for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
+      const auto found =
+          std::find(m_shape.outputs.begin(), m_shape.outputs.end(), m_program.outputs[i]);
+      if (found == m_shape.outputs.end())
+        continue;
+      const int output = int(found - m_shape.outputs.begin());
+      const std::uint8_t counts = ir::resultMask(found->kind);
+      for (int c = 0; c < 4; ++c) {
+        Value *const value = results.outputs[i][std::size_t(c)];
+        if (counts >> c & 1)
+          m_ir.CreateAlignedStore(value ? value : m_code.splat(0.0f),
+                                  lane(m_outputs, 4 * output + c), alignment());
+      }
+    }
+  }
+
+private:
+  Value *pointer(Value *from, std::size_t offset) {
+    return constant(m_code.field(m_ir.getPtrTy(), from, offset));
+  }
+  /// A load from memory that stays as it is during the call.
+  Value *constant(Value *load) {
+    llvm::cast<llvm::LoadInst>(load)->setMetadata(llvm::LLVMContext::MD_invariant_load,
+                                                  llvm::MDNode::get(m_code.context(), {}));
+    return load;
+  }
+  /// Element `index` of a table of arrays, at the current vertices.
+  Value *lane(Value *table, int index) {
+    Value *const array = pointer(table, std::size_t(index) * sizeof(void *));
+    return m_ir.CreateInBoundsGEP(m_ir.getFloatTy(), array, m_first);
+  }
+  [[nodiscard]] llvm::Align alignment() const {
+    return llvm::Align(std::uint64_t(m_code.lanes) * sizeof(float));
+  }
+
+  Value *gather(llvm::VectorType *type, Value *base, Value *bytes, Value *mask) {
+    Value *const pointers = m_ir.CreateGEP(m_ir.getInt8Ty(), base, bytes);
+    return m_ir.CreateMaskedGather(type, pointers, llvm::Align(4), mask,
+                                   llvm::Constant::getNullValue(type));
+  }
+
+  /// Indexes into Program::parameters of elements of an array.
+  Value *rowOf(const std::vector<std::uint16_t> &rows, Value *element, Value *inside) {
+    const bool inOrder = std::adjacent_find(rows.begin(), rows.end(),
+                                            [](int a, int b) { return b != a + 1; }) == rows.end();
+    if (inOrder)
+      return m_ir.CreateAdd(element, m_code.splat(rows.empty() ? 0 : int(rows[0])));
+    const std::vector<std::uint32_t> wide(rows.begin(), rows.end());
+    llvm::Constant *const table = llvm::ConstantDataArray::get(m_code.context(), wide);
+    auto *const variable =
+        new llvm::GlobalVariable(*m_ir.GetInsertBlock()->getModule(), table->getType(), true,
+                                 llvm::GlobalValue::PrivateLinkage, table, "rows"); // the module's
+    return gather(m_code.i32, variable, m_ir.CreateShl(element, m_code.splat(2)), inside);
+  }
+
+  Code &m_code;
+  llvm::IRBuilder<> &m_ir;
+  const ir::Program &m_program;
+  const jit::VertexShape &m_shape;
+  Value *m_parameters, *m_inputs, *m_outputs;
+  Value *m_first = nullptr;
+};
+} // namespace
+
+void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program) {
+  llvm::IRBuilder<> &ir = code.ir;
+  auto *const entry = llvm::BasicBlock::Create(code.context(), "entry", function);
+  auto *const loop = llvm::BasicBlock::Create(code.context(), "loop", function);
+  auto *const end = llvm::BasicBlock::Create(code.context(), "end", function);
+  ir.SetInsertPoint(entry);
+  VertexHooks hooks(code, program, function->getArg(0));
+  Value *const count = ir.CreateZExt(function->getArg(1), ir.getInt64Ty());
+  ir.CreateCondBr(ir.CreateICmpEQ(count, ir.getInt64(0)), end, loop);
+
+  ir.SetInsertPoint(loop);
+  llvm::PHINode *const first = ir.CreatePHI(ir.getInt64Ty(), 2, "first");
+  first->addIncoming(ir.getInt64(0), entry);
+  hooks.at(first);
+  hooks.store(writeProgram(code, program.program(), program.numerics(), hooks));
+  Value *const next = ir.CreateAdd(first, ir.getInt64(std::uint64_t(code.lanes)));
+  first->addIncoming(next, ir.GetInsertBlock());
+  ir.CreateCondBr(ir.CreateICmpULT(next, count), loop, end);
+
+  ir.SetInsertPoint(end);
+  ir.CreateRetVoid();
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,233 @@
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/testing/guarded_texture.h"
+#include "fp_compiler/back/llvm/testing/sample_pixels.h"
+
+/// What generated sampling code owes to the bit, and single rules of the specification.
+namespace arbiter::fp::llvm_back::testing {
+namespace {
+
+class Sample : public ::testing::TestWithParam<const char *> {
+protected:
+  void SetUp() override {
+    m_cpu = chooseCpu(GetParam());
+    if (!m_cpu)
+      GTEST_SKIP() << "this processor does not run code for " << GetParam();
+  }
+  std::optional<Cpu> m_cpu;
+};
+
+/// A key of the simplest kind.
+abi::SamplerKey plainKey(abi::Filter filter) {
+  abi::SamplerKey key;
+  key.format.layout = abi::Layout::U8x4;
+  key.magnify = key.minify = filter;
+  return key;
+}
+
+// A map of texels to pixels gives the very texels: through a nearest filter, through a linear one
+// in rows and in quads, and loaded as consecutive ones.
+TEST_P(Sample, OneToOneIsExactWhicheverWay) {
+  std::mt19937 random(7);
+  for (const int width : {16, 64, 100, 333, 640, 1024}) {
+    for (const abi::Wrap wrap :
+         {abi::Wrap::Repeat, abi::Wrap::ClampToEdge, abi::Wrap::MirroredRepeat}) {
+      abi::SamplerKey nearest = plainKey(abi::Filter::Nearest);
+      nearest.wrap.fill(wrap);
+      nearest.powerOfTwo = (width & (width - 1)) == 0;
+      abi::SamplerKey linear = nearest;
+      linear.magnify = linear.minify = abi::Filter::Linear;
+      SampleOptions row, quad, texels;
+      quad.lanes = abi::Lanes::Quad;
+      texels.texels = true;
+      GuardedTexture texture(nearest, {width, nearest.powerOfTwo ? 4 : 3, 1}, random);
+      Pixels loaded(m_cpu->lanes()), pixels(m_cpu->lanes());
+      const abi::TextureLevel &level = texture.view.levels[0];
+      const int count = std::min(width, loaded.count) / m_cpu->lanes();
+      for (int i = 0; i < loaded.count; ++i) {
+        pixels.coordinate[0][std::size_t(i)] = (float(i) + 0.5f) / float(width);
+        pixels.coordinate[1][std::size_t(i)] = 1.5f / float(level.height);
+      }
+      std::string reason;
+      SampleCall call = loaded.call(texture.view);
+      call.texels = level.base + level.rowStride;
+      const auto plain = SampleFunction::make(*m_cpu, nearest, texels, reason);
+      ASSERT_TRUE(plain && plain->hasPacked()) << reason;
+      (*plain)(call, std::uint32_t(count));
+      for (const auto &[key, options] : {std::pair{nearest, row}, {linear, row}, {linear, quad}}) {
+        const auto function = SampleFunction::make(*m_cpu, key, options, reason);
+        ASSERT_TRUE(function) << reason;
+        (*function)(pixels.call(texture.view), std::uint32_t(count));
+        for (int i = 0; i < count * m_cpu->lanes(); ++i)
+          for (std::size_t c = 0; c < 4; ++c) {
+            const float want = loaded.result[c][std::size_t(i)];
+            const float have = pixels.result[c][std::size_t(i)];
+            const std::string where = describe({key, options, {width, level.height, 1}});
+            // A size that is no power of two makes coordinates that are a little off.
+            if (nearest.powerOfTwo || key.magnify == abi::Filter::Nearest) {
+              ASSERT_EQ(have, want) << where << " pixel " << i;
+            }
+            ASSERT_EQ(std::lround(have * 255), std::lround(want * 255)) << where << " pixel " << i;
+          }
+      }
+    }
+  }
+}
+
+// Lanes that do not count neither change the others nor keep a loop going.
+TEST_P(Sample, MaskedLanesDoNotMatter) {
+  std::mt19937 random(12);
+  abi::SamplerKey key = plainKey(abi::Filter::Linear);
+  key.dimension = abi::Dimension::Cube;
+  key.mip = abi::MipFilter::Linear;
+  SampleOptions plain, masked;
+  plain.lanes = masked.lanes = abi::Lanes::Quad;
+  plain.bias = masked.bias = masked.mask = true;
+  GuardedTexture texture(key, {32, 32, 1}, random);
+  std::string reason;
+  const auto all = SampleFunction::make(*m_cpu, key, plain, reason);
+  const auto some = SampleFunction::make(*m_cpu, key, masked, reason);
+  ASSERT_TRUE(all && some) << reason;
+  Pixels pixels(m_cpu->lanes()), holes(m_cpu->lanes());
+  for (auto &plane : pixels.coordinate)
+    for (float &value : plane)
+      value = uniform(random, -1, 1);
+  for (float &bias : pixels.bias)
+    bias = uniform(random, -8, 2);
+  holes.coordinate = pixels.coordinate;
+  holes.bias = pixels.bias;
+  std::vector<bool> counts;
+  for (int i = 0; i < holes.count; ++i) {
+    // The corner of a quad that its derivatives need stays.
+    const int lane = i % m_cpu->lanes(), width = m_cpu->blockWidth();
+    counts.push_back(random() % 2 || (lane % 2 && lane / width % 2 == 0) || lane % 2 == 0);
+    if (!counts.back())
+      holes.coordinate[0][std::size_t(i)] = std::nanf("");
+  }
+  (*all)(pixels.call(texture.view), kChunks);
+  (*some)(holes.call(texture.view), kChunks);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    for (std::size_t c = 0; c < 4 && counts[i]; ++c)
+      ASSERT_EQ(pixels.result[c][i], holes.result[c][i]) << "pixel " << i;
+  std::fill(holes.coordinate[0].begin(), holes.coordinate[0].end(), std::nanf(""));
+  (*some)(holes.call(texture.view), kChunks);
+}
+
+// The same coordinates give the same bits in rows, which look for neighbours, and in quads.
+TEST_P(Sample, RowsAndQuadsAgree) {
+  std::mt19937 random(8);
+  for (const Case &any : pairwiseCases(random)) {
+    Case test = any;
+    if (test.key.mip != abi::MipFilter::None || test.key.magnify != test.key.minify)
+      continue; // derivatives of a row are others
+    GuardedTexture texture(test.key, test.size, random);
+    Pixels row(m_cpu->lanes()), quad(m_cpu->lanes());
+    SampleCall call = row.call(texture.view);
+    fillCoordinates(test, m_cpu->lanes(), row, random, call);
+    quad.coordinate = row.coordinate;
+    for (Pixels *const pixels : {&row, &quad}) {
+      test.options.lanes = pixels == &row ? abi::Lanes::Row : abi::Lanes::Quad;
+      test.options.derivatives = false;
+      std::string reason;
+      const auto function = SampleFunction::make(*m_cpu, test.key, test.options, reason);
+      ASSERT_TRUE(function) << reason;
+      (*function)(pixels->call(texture.view), kChunks);
+    }
+    for (std::size_t c = 0; c < 4; ++c)
+      ASSERT_EQ(row.result[c], quad.result[c]) << describe(test);
+  }
+}
+
+// A filtered texel as it is stored: each component rounded to the nearest byte.
+TEST_P(Sample, FilteredTexelIsRoundedToBytes) {
+  std::mt19937 random(10);
+  for (const abi::Wrap wrap : {abi::Wrap::Repeat, abi::Wrap::ClampToEdge}) {
+    abi::SamplerKey key = plainKey(abi::Filter::Linear);
+    key.format.swizzle = {abi::From::C2, abi::From::C1, abi::From::C0, abi::From::C3};
+    key.wrap.fill(wrap);
+    GuardedTexture texture(key, {24, 10, 1}, random);
+    std::string reason;
+    const auto function = SampleFunction::make(*m_cpu, key, {}, reason);
+    ASSERT_TRUE(function) << reason;
+    ASSERT_TRUE(function->hasPacked());
+    Pixels pixels(m_cpu->lanes());
+    for (auto &plane : pixels.coordinate)
+      for (float &value : plane)
+        value = uniform(random, -1, 2);
+    (*function)(pixels.call(texture.view), kChunks);
+    for (std::size_t i = 0; i < std::size_t(pixels.count); ++i) {
+      const auto *const bytes = reinterpret_cast<const std::uint8_t *>(&pixels.packed[i]);
+      for (std::size_t c = 0; c < 4; ++c) {
+        const int at = c == 3 ? 3 : 2 - int(c);
+        ASSERT_NEAR(bytes[at], double(pixels.result[c][i]) * 255, 0.5001) << "pixel " << i;
+      }
+    }
+  }
+}
+
+// 3.8.8: the texture's, the unit's and the program's biases are summed, and the sum is clamped.
+TEST_P(Sample, BiasIsClampedAsASum) {
+  std::mt19937 random(11);
+  abi::SamplerKey key = plainKey(abi::Filter::Nearest);
+  key.mip = abi::MipFilter::Nearest;
+  key.hasBias = key.powerOfTwo = 1;
+  GuardedTexture texture(key, {64, 64, 1}, random);
+  SampleOptions options;
+  options.derivatives = options.bias = true;
+  std::string reason;
+  const auto function = SampleFunction::make(*m_cpu, key, options, reason);
+  ASSERT_TRUE(function) << reason;
+  struct {
+    float texture, program;
+    int level;
+  } const kCases[] = {{-30, -10, 2}, {-30, 14, 2}, {-14, 0, 4}, {-18, 2.9f, 3}, {30, -46.8f, 2}};
+  for (const auto &[ofTexture, ofProgram, level] : kCases) {
+    texture.view.lodBias = ofTexture;
+    Pixels pixels(m_cpu->lanes());
+    std::fill(pixels.bias.begin(), pixels.bias.end(), ofProgram);
+    SampleCall call = pixels.call(texture.view);
+    call.dx[0] = 0x1p18f / 64; // 18 levels
+    (*function)(call, 1);
+    const std::uint8_t *const texel = texture.view.levels[level].base;
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_EQ(std::lround(pixels.result[c][0] * 255), texel[c])
+          << ofTexture << " and " << ofProgram << " component " << c;
+  }
+}
+
+// Texels know their place: a big texture is addressed right to its last texel.
+TEST_P(Sample, ReachesAllOfABigTexture) {
+  constexpr int kSize = 4096;
+  const std::size_t bytes = std::size_t(kSize) * kSize * 4;
+  const GuardedMemory memory(bytes, true);
+  for (std::uint32_t i = 0; i < kSize * kSize; ++i)
+    std::memcpy(memory.data() + std::size_t(i) * 4, &i, 4);
+  const abi::TextureLevel level = {memory.data(), kSize * 4, 0, kSize, kSize, 1};
+  const abi::TextureView view = {&level, 1};
+  abi::SamplerKey key = plainKey(abi::Filter::Nearest);
+  key.powerOfTwo = 1;
+  std::string reason;
+  const auto function = SampleFunction::make(*m_cpu, key, {}, reason);
+  ASSERT_TRUE(function) << reason;
+  Pixels pixels(m_cpu->lanes());
+  std::mt19937 random(9);
+  std::vector<std::uint32_t> want;
+  for (int i = 0; i < pixels.count; ++i) {
+    const std::uint32_t x = i % 5 ? random() % kSize : kSize - 1,
+                        y = i % 5 ? random() % kSize : kSize - 1;
+    want.push_back(y * kSize + x);
+    pixels.coordinate[0][std::size_t(i)] = (float(x) + 0.5f) / kSize;
+    pixels.coordinate[1][std::size_t(i)] = (float(y) + 0.5f) / kSize;
+  }
+  (*function)(pixels.call(view), kChunks);
+  EXPECT_EQ(pixels.packed, want);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4"));
+
+} // namespace
+} // namespace arbiter::fp::llvm_back::testing

@@ -1,0 +1,230 @@
+#include "fp_compiler/back/llvm/sample/sample_parts.h"
+
+#include <llvm/IR/IntrinsicsX86.h>
+
+/// Reading texels. A gather is one load a lane, so where the lanes of a row turn out to read close
+/// to each other, one vector load and a permutation replace it; the words are the same either way.
+namespace arbiter::fp::llvm_back {
+namespace {
+
+/// A texel's address as a base and an index of a type of its size, which gathers can take as it is.
+Value *texelPointer(Code &code, const ImageCode &image, Value *index) {
+  llvm::Type *const type = code.ir.getIntNTy(unsigned(abi::bytesOf(image.format.layout)) * 8);
+  return code.ir.CreateGEP(type, image.base, index);
+}
+
+/// \param type i32 or i64: what is read of each texel, from its word `word` on
+Value *gather(Code &code, const ImageCode &image, Value *index, int word, llvm::Type *type) {
+  const int bytes = abi::bytesOf(image.format.layout);
+  Value *base = image.base;
+  int scale = bytes;
+  if (bytes == 16) { // no address has a scale of 16
+    index = code.ir.CreateShl(index, code.splat(1));
+    scale = 8;
+  }
+  if (word > 0)
+    base = code.ir.CreateConstGEP1_64(code.ir.getInt32Ty(), base, std::uint64_t(word));
+  // Of a texel of less than 32 bits this reads some of what follows, which may be read.
+  Value *const pointers = code.ir.CreateGEP(code.ir.getIntNTy(unsigned(scale) * 8), base, index);
+  return code.ir.CreateMaskedGather(llvm::FixedVectorType::get(type, unsigned(code.lanes)),
+                                    pointers, llvm::Align(1));
+}
+
+Value *gatherWord(Code &code, const ImageCode &image, Value *index, int word) {
+  return gather(code, image, index, word, code.ir.getInt32Ty());
+}
+
+/// Words `word` and the next one: half as many loads as two gathers.
+void gatherPair(Code &code, const ImageCode &image, Value *index, int word, Words &words) {
+  Value *const both = code.ir.CreateBitCast(
+      gather(code, image, index, word, code.ir.getInt64Ty()),
+      llvm::FixedVectorType::get(code.ir.getInt32Ty(), unsigned(code.lanes) * 2));
+  llvm::SmallVector<int, 16> low, high;
+  for (int lane = 0; lane < code.lanes; ++lane) {
+    low.push_back(2 * lane);
+    high.push_back(2 * lane + 1);
+  }
+  words[std::size_t(word)] = code.ir.CreateShuffleVector(both, low);
+  words[std::size_t(word) + 1] = code.ir.CreateShuffleVector(both, high);
+}
+
+/// Lane i of the result is lane index[i] of `values`.
+Value *permuted(Code &code, Value *values, Value *index) {
+  const auto id = code.cpu.family == Cpu::Family::Avx512
+                      ? llvm::Intrinsic::x86_avx512_permvar_si_512
+                      : llvm::Intrinsic::x86_avx2_permd;
+  return code.ir.CreateIntrinsic(id, {}, {values, index});
+}
+
+/// Whether a gather costs hardly more than its loads, so that nothing is worth avoiding it: on
+/// Sapphire Rapids and later, which the feature tells better than a name that a virtual machine
+/// made up. Intel's earlier ones are slow since they were mended against data sampling, AMD's
+/// always were, and for a processor that it does not know as quick LLVM makes single loads of a
+/// gather.
+bool gathersQuickly(const Cpu &cpu) {
+  return cpu.features.find("+avx512fp16") != std::string::npos;
+}
+
+/// Where the lanes' texels are within `lanes` texels of each other.
+struct Window {
+  Value *base = nullptr; ///< i32: index of the first texel
+  Value *lane = nullptr; ///< which of the window's texels is the lane's
+  Value *fits = nullptr; ///< lanes that have theirs in the window
+};
+
+/// Coordinates of a row mostly rise or fall, so the window begins at the first or the last lane's.
+Window windowOf(Code &code, Value *index) {
+  Window window;
+  Value *const first = code.ir.CreateExtractElement(index, std::uint64_t(0));
+  Value *const last = code.ir.CreateExtractElement(index, std::uint64_t(code.lanes - 1));
+  window.base = code.ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, first, last);
+  window.lane = code.ir.CreateSub(index, code.splat(window.base));
+  window.fits = code.ir.CreateICmpULT(window.lane, code.splat(code.lanes));
+  return window;
+}
+
+/// The window's texels, in the lanes' order. Reads `lanes` texels from the first one: at most 60
+/// bytes behind the last row.
+Value *loadWindow(Code &code, const ImageCode &image, Value *base, Value *lane) {
+  Value *const pointer = texelPointer(code, image, base);
+  Value *const texels = code.ir.CreateAlignedLoad(code.i32, pointer, llvm::Align(1));
+  return permuted(code, texels, lane);
+}
+
+/// Whether the lanes of a row are looked at for texels within a window before they are gathered.
+bool sharesWindows(Code &code, abi::Lanes lanes, const ImageCode &image) {
+  const bool permutes =
+      code.cpu.family == Cpu::Family::Avx512 || code.cpu.family == Cpu::Family::Avx2;
+  return permutes && !gathersQuickly(code.cpu) && lanes == abi::Lanes::Row &&
+         abi::bytesOf(image.format.layout) == 4;
+}
+
+Value *packHalves(Code &code, Value *both, int which) {
+  auto *const halves = llvm::FixedVectorType::get(code.ir.getInt16Ty(), unsigned(code.lanes) * 4);
+  llvm::SmallVector<int, 32> from;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    from.append({4 * lane + which, 4 * lane + which + 2});
+  return code.ir.CreateBitCast(
+      code.ir.CreateShuffleVector(code.ir.CreateBitCast(both, halves), from), code.i32);
+}
+
+/// Two neighbours of 32 bits with one load of 64. Reads one texel beyond the last at most.
+TexelPair gatherNeighbours(Code &code, const ImageCode &image, Value *first) {
+  Value *const both = gather(code, image, first, 0, code.ir.getInt64Ty());
+  return {packHalves(code, both, 0), packHalves(code, both, 1)};
+}
+
+TexelPair pairOf(Code &code, Value *first, Value *second) {
+  llvm::IRBuilder<> &ir = code.ir;
+  return {
+      ir.CreateOr(ir.CreateAnd(first, code.splat(0xFFFF)), ir.CreateShl(second, code.splat(16))),
+      ir.CreateOr(ir.CreateLShr(first, code.splat(16)),
+                  ir.CreateAnd(second, code.splat(int(0xFFFF0000u))))};
+}
+
+/// A row's or two rows' values for control flow, and back.
+using Pairs = std::array<TexelPair, 2>;
+Values valuesOf(const Pairs &pairs) {
+  return {pairs[0].low, pairs[0].high, pairs[1].low, pairs[1].high};
+}
+Pairs pairsOf(const Values &values) {
+  return {TexelPair{values[0], values[1]}, TexelPair{values[2], values[3]}};
+}
+
+/// Where two texels of a row, or of two rows, are.
+struct Footprint {
+  const AxisTexels &x;
+  std::array<Value *, 2> row; ///< the second may be null
+  [[nodiscard]] Value *index(Code &code, std::size_t column, std::size_t line) const {
+    return code.ir.CreateAdd(x.index[column], row[line]);
+  }
+};
+
+/// Lanes whose second texel is in memory behind the first, or does not matter; null: all.
+Value *neighbours(Code &code, const ImageCode &image, const AxisTexels &x) {
+  if (x.next == AxisTexels::Next::Edge)
+    return nullptr;
+  if (x.next == AxisTexels::Next::Repeat)
+    return code.ir.CreateICmpNE(x.index[0],
+                                code.splat(code.ir.CreateSub(image.size[0], code.ir.getInt32(1))));
+  return code.ir.CreateICmpEQ(code.ir.CreateAdd(x.index[0], code.splat(1)), x.index[1]);
+}
+
+Pairs gatherFootprint(Code &code, const ImageCode &image, const Footprint &footprint) {
+  const auto forRows = [&](const std::function<TexelPair(std::size_t)> &pair) {
+    return Pairs{pair(0), footprint.row[1] ? pair(1) : TexelPair{}};
+  };
+  const auto each = [&] {
+    return forRows([&](std::size_t line) {
+      return pairOf(code, gatherWord(code, image, footprint.index(code, 0, line), 0),
+                    gatherWord(code, image, footprint.index(code, 1, line), 0));
+    });
+  };
+  if (gathersQuickly(code.cpu) || abi::bytesOf(image.format.layout) != 4)
+    return each();
+  const auto both = [&] {
+    return forRows([&](std::size_t line) {
+      return gatherNeighbours(code, image, footprint.index(code, 0, line));
+    });
+  };
+  Value *const next = neighbours(code, image, footprint.x);
+  if (!next)
+    return both();
+  return pairsOf(eitherOf(
+      code, allLanes(code, next), [&] { return valuesOf(both()); },
+      [&] { return valuesOf(each()); }));
+}
+
+} // namespace
+
+Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
+                  unsigned words) {
+  Words result = {};
+  if (!words)
+    return result;
+  if (sharesWindows(code, lanes, image)) {
+    const Window window = windowOf(code, index);
+    result[0] = eitherOf(
+        code, allLanes(code, window.fits),
+        [&] { return Values{loadWindow(code, image, window.base, window.lane)}; },
+        [&] { return Values{gatherWord(code, image, index, 0)}; })[0];
+    return result;
+  }
+  for (int word = 0; word < 4; word += 2) {
+    const unsigned wanted = words >> word & 3;
+    const int one = wanted == 2 ? word + 1 : word;
+    if (wanted == 3)
+      gatherPair(code, image, index, word, result);
+    else if (wanted)
+      result[std::size_t(one)] = gatherWord(code, image, index, one);
+  }
+  return result;
+}
+
+std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const ImageCode &image,
+                                        const AxisTexels &x, Value *row0, Value *row1) {
+  const Footprint footprint = {x, {row0, row1}};
+  if (!sharesWindows(code, lanes, image))
+    return gatherFootprint(code, image, footprint);
+  std::array<Window, 2> windows;
+  Value *fits = neighbours(code, image, x);
+  for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
+    windows[line] = windowOf(code, footprint.index(code, 0, line));
+    fits = fits ? code.ir.CreateAnd(fits, windows[line].fits) : windows[line].fits;
+  }
+  const auto near = [&] {
+    Pairs pairs;
+    for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
+      // The second texels' window is one further: it ends 64 bytes behind the last row at most.
+      const Window &window = windows[line];
+      Value *const behind = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
+      pairs[line] = pairOf(code, loadWindow(code, image, window.base, window.lane),
+                           loadWindow(code, image, behind, window.lane));
+    }
+    return valuesOf(pairs);
+  };
+  return pairsOf(eitherOf(code, allLanes(code, fits), near,
+                          [&] { return valuesOf(gatherFootprint(code, image, footprint)); }));
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,150 @@
+#include "fp_compiler/back/llvm/math/math.h"
+#include "fp_compiler/back/llvm/program/quads.h"
+#include "fp_compiler/back/llvm/sample/sample_parts.h"
+
+#include <llvm/IR/Intrinsics.h>
+
+/// 3.8.8: from derivatives to levels.
+namespace arbiter::fp::llvm_back {
+
+Value *atCorner(Code &code, Value *value, int dx, int dy) {
+  const int width = code.cpu.blockWidth();
+  llvm::SmallVector<int, 16> from;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    from.push_back((lane / width / 2 * 2 + dy) * width + lane % width / 2 * 2 + dx);
+  return code.ir.CreateShuffleVector(value, from);
+}
+
+void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper) {
+  const int width = code.cpu.blockWidth();
+  llvm::SmallVector<int, 16> otherRow;
+  for (int lane = 0; lane < code.lanes; ++lane)
+    otherRow.push_back((lane / width ^ 1) * width + lane % width);
+  for (std::size_t i = 0; i < std::size_t(count); ++i) {
+    Value *value = at.coordinate[i];
+    if (upper)
+      value = code.ir.CreateSelect(upper, code.ir.CreateShuffleVector(value, otherRow), value);
+    Value *const here = atCorner(code, value, 0, 0);
+    at.dx[i] = code.ir.CreateFSub(atCorner(code, value, 1, 0), here);
+    at.dy[i] = code.ir.CreateFSub(atCorner(code, value, 0, 1), here);
+  }
+}
+
+namespace {
+
+/// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
+constexpr float kMaxBias = 16;
+
+struct Derivatives {
+  std::array<Value *, 3> dx = {}, dy = {};
+};
+/// Null where there are none.
+Derivatives derivativesOf(Code &code, abi::Lanes lanes, const SampleAt &at, int count) {
+  if (lanes == abi::Lanes::Row || at.dx[0])
+    return {at.dx, at.dy};
+  SampleAt quads = at;
+  addQuadDerivatives(code, quads, count, nullptr);
+  return {quads.dx, quads.dy};
+}
+
+int dimensionsOf(abi::Dimension dimension) {
+  return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
+}
+
+/// The square of the scale factor: of the longer way in texels of the base level that a pixel in x
+/// or in y makes.
+Value *scaleSquared(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
+                    const CubeFace *cube) {
+  const int dimensions = dimensionsOf(key.dimension);
+  const ImageCode base = loadImage(code, key.format, view, code.ir.getInt32(0), dimensions);
+  const auto squared = [&](const std::array<Value *, 3> &change) {
+    const Vec moved = cube ? cube->derivative(change) : Vec{change[0], change[1], change[2]};
+    Value *sum = nullptr;
+    for (std::size_t i = 0; i < std::size_t(dimensions); ++i) {
+      Value *texels = moved[i];
+      if (key.dimension != abi::Dimension::Rect) {
+        Value *const size = code.ir.CreateSIToFP(base.size[i], code.ir.getFloatTy());
+        texels = code.ir.CreateFMul(texels, code.splat(size));
+      }
+      sum = sum ? multiplyAdd(code, texels, texels, sum) : code.ir.CreateFMul(texels, texels);
+    }
+    return sum;
+  };
+  return code.max(squared(d.dx), squared(d.dy));
+}
+
+/// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
+/// two are exact, so that a level that fits has all the weight. Zero is -127, an infinity or NaN
+/// 128.
+Value *quickLog2(Code &code, Value *x) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *const bits = ir.CreateBitCast(x, code.i32);
+  Value *const exponent =
+      code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127)));
+  Value *const mantissa =
+      ir.CreateOr(ir.CreateAnd(bits, code.splat(0x7FFFFF)), code.splat(0x3F800000));
+  Value *const t = ir.CreateFSub(ir.CreateBitCast(mantissa, code.f32), code.splat(1.0f));
+  // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
+  constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
+                                     1.44241858f};
+  Value *sum = code.splat(kCoefficients[0]);
+  for (std::size_t i = 1; i < std::size(kCoefficients); ++i)
+    sum = multiplyAdd(code, sum, t, code.splat(kCoefficients[i]));
+  return multiplyAdd(code, sum, t, exponent);
+}
+
+Value *viewField(Code &code, Value *view, std::size_t offset) {
+  return code.splat(constantField(code, code.ir.getFloatTy(), view, offset));
+}
+
+/// [0, levelCount), also of NaN, as i32. \param level a whole number
+Value *clampedLevel(Code &code, Value *view, Value *level) {
+  Value *const count =
+      constantField(code, code.ir.getInt32Ty(), view, offsetof(abi::TextureView, levelCount));
+  Value *const last = code.ir.CreateSub(count, code.ir.getInt32(1));
+  Value *const high = code.splat(code.ir.CreateSIToFP(last, code.ir.getFloatTy()));
+  return code.toInt(code.min(code.max(level, code.splat(0.0f)), high));
+}
+
+} // namespace
+
+Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
+                     const SampleAt &at, const CubeFace *cube) {
+  const Derivatives d = derivativesOf(code, lanes, at, cube ? 3 : dimensionsOf(key.dimension));
+  Value *lambda = code.splat(0.0f);
+  if (d.dx[0])
+    lambda = code.ir.CreateFMul(quickLog2(code, scaleSquared(code, key, view, d, cube)),
+                                code.splat(0.5f));
+  Value *bias = key.dimension == abi::Dimension::Rect ? nullptr : at.bias;
+  if (key.hasBias) {
+    Value *const fixed = viewField(code, view, offsetof(abi::TextureView, lodBias));
+    bias = bias ? code.ir.CreateFAdd(bias, fixed) : fixed;
+  }
+  if (bias)
+    lambda = code.ir.CreateFAdd(
+        lambda, code.min(code.max(bias, code.splat(-kMaxBias)), code.splat(kMaxBias)));
+  if (key.hasBias)
+    lambda = code.min(code.max(lambda, viewField(code, view, offsetof(abi::TextureView, minLod))),
+                      viewField(code, view, offsetof(abi::TextureView, maxLod)));
+  return lambda;
+}
+
+LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view, Value *lambda) {
+  LevelChoice choice;
+  if (key.mip == abi::MipFilter::Nearest) {
+    // ceil(lambda + 1/2) - 1
+    Value *const up = code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::ceil,
+                                                   code.ir.CreateFSub(lambda, code.splat(0.5f)));
+    choice.first = clampedLevel(code, view, up);
+    return choice;
+  }
+  Value *const whole = code.floor(lambda);
+  choice.first = clampedLevel(code, view, whole);
+  choice.second = clampedLevel(code, view, code.ir.CreateFAdd(whole, code.splat(1.0f)));
+  // Where both are the same level the weight does not matter, but 0 saves reading it again.
+  choice.fraction = code.select(code.ir.CreateICmpEQ(choice.first, choice.second), code.splat(0.0f),
+                                code.ir.CreateFSub(lambda, whole));
+  return choice;
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,157 @@
+#pragma once
+#include <functional>
+
+#include "fp_compiler/back/llvm/engine/code.h"
+
+/// The parts that sample() is made of: where texels lie (wrap), how they are read (fetch), what
+/// their bits mean (decode), and how several become one (filter).
+namespace arbiter::fp::llvm_back {
+
+/// A load of what stays the same as long as the function runs, so that LLVM moves it out of loops
+/// in spite of the stores to colour buffers.
+[[nodiscard]] Value *constantField(Code &code, llvm::Type *type, Value *pointer,
+                                   std::size_t offset);
+
+/// i1: whether any lane, or every lane, of a mask is set.
+[[nodiscard]] Value *anyLane(Code &code, Value *mask);
+[[nodiscard]] Value *allLanes(Code &code, Value *mask);
+
+/// One image as code sees it: scalars, the same for all lanes. Strides are in texels: an image's
+/// are whole texels, and an i32 then reaches all of it.
+struct ImageCode {
+  Value *base = nullptr;
+  std::array<Value *, 3> size = {};   ///< i32: width, height, depth
+  std::array<Value *, 2> stride = {}; ///< i32: of a row, of a slice
+  abi::Format format;
+};
+/// \param image i32: which of TextureView::levels
+[[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
+                                  int dimensions);
+
+/// Of the weights of texels of bytes.
+inline constexpr int kWeightBits = 14;
+
+/// A dimension's texels: the one of a nearest filter, or the two neighbours of a linear one.
+struct AxisTexels {
+  std::array<Value *, 2> index = {};   ///< i32, in [0, size) whatever the coordinate was
+  std::array<Value *, 2> outside = {}; ///< lanes where it is the border instead; null: none
+  Value *fraction = nullptr;           ///< weight of the second, in [0,1)
+  Value *weight = nullptr;             ///< the same as an integer in [0, 2^kWeightBits], rounded
+  /// Which texel the second one is, where that is known.
+  enum class Next {
+    Any,
+    Edge,   ///< the one behind the first; at the last texel that itself, without weight
+    Repeat, ///< the one behind the first; at the last texel the first of all
+  } next = Next::Any;
+};
+/// 3.8.7 and 3.8.8 of OpenGL 1.4.
+/// \param normalized the coordinate spans the image in [0,1]; else it is in texels (rectangles)
+struct AxisKey {
+  abi::Wrap wrap = abi::Wrap::Repeat;
+  bool normalized = true;
+  bool powerOfTwo = false;
+};
+[[nodiscard]] AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate,
+                                      Value *size);
+/// \param weights integer weights instead of fractions
+[[nodiscard]] AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate,
+                                      Value *size, bool weights);
+/// Whether the border can be among a filter's texels.
+[[nodiscard]] bool reachesBorder(abi::Wrap wrap, bool linear);
+
+/// The 32-bit words of a texel: words[i] holds its bytes 4*i to 4*i+3, in memory's order. Bytes
+/// beyond a smaller texel are undefined.
+using Words = std::array<Value *, 4>;
+/// Bit i: word i is needed for `needed` components of the swizzle.
+[[nodiscard]] unsigned wordsNeeded(const abi::Format &format, unsigned needed);
+/// decode() of words.
+[[nodiscard]] Vec decodeWords(Code &code, const abi::Format &format, const Words &words,
+                              unsigned needed);
+
+/// One texel a lane. \param index i32, of the texel in the image
+[[nodiscard]] Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
+                                unsigned words);
+/// Two neighbours of a row, of a format of 32 bits or less, as pairs of 16-bit halves: the first
+/// one's in the low half.
+struct TexelPair {
+  Value *low = nullptr;  ///< their bytes 0 and 1
+  Value *high = nullptr; ///< their bytes 2 and 3; null of smaller texels
+};
+/// \param row0,row1 what the rows add to a texel's index, i32; row1 may be null, as its pair then
+/// is
+[[nodiscard]] std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes,
+                                                      const ImageCode &image, const AxisTexels &x,
+                                                      Value *row0, Value *row1);
+
+/// A face of a cube map and the way to it: table 3.21.
+class CubeFace {
+public:
+  CubeFace(Code &code, const Vec &direction);
+  [[nodiscard]] Value *face() const { return m_face; } ///< i32: 0 to 5
+  /// s and t on the face.
+  [[nodiscard]] Vec coordinate() const;
+  /// How they change with the direction.
+  [[nodiscard]] Vec derivative(const std::array<Value *, 3> &change) const;
+
+private:
+  /// s and t before the division, and the major axis's magnitude: linear in the direction.
+  [[nodiscard]] Vec turned(const Vec &direction) const;
+  Code &m_code;
+  Value *m_majorX, *m_majorZ, *m_negative; ///< masks
+  Value *m_face;
+  Vec m_turned;
+  Value *m_inverse; ///< of the major axis's magnitude
+};
+
+/// Lambda, with biases and clamps (3.8.8): per lane, in levels. \param cube of a cube map
+[[nodiscard]] Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
+                                   Value *view, const SampleAt &at, const CubeFace *cube);
+
+/// Which levels a minified lookup reads, as levels in [0, levelCount).
+struct LevelChoice {
+  Value *first = nullptr;
+  Value *second = nullptr;   ///< of a linear filter between levels, else null
+  Value *fraction = nullptr; ///< weight of the second
+};
+[[nodiscard]] LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view,
+                                       Value *lambda);
+
+/// What a filter reads: an image and where in it.
+struct Lookup {
+  const abi::SamplerKey &key;
+  abi::Lanes lanes;
+  Value *view;
+  ImageCode image;
+  int dimensions = 2;
+  Vec coordinate = {};        ///< of the image; a cube map's are those of its face
+  Value *reference = nullptr; ///< what a shadow comparison compares with
+  int borderDepth = 0;        ///< of a shadow comparison: the border colour's component to compare
+  unsigned needed = 0xF;
+};
+/// a where the weight is 0, b where it is 1.
+[[nodiscard]] Value *lerp(Code &code, Value *a, Value *b, Value *weight);
+/// Where both indices of each dimension are in the image: what they add to a texel's index. The
+/// first dimension's are the indices themselves.
+using Steps = std::array<std::array<Value *, 2>, 3>;
+[[nodiscard]] Steps stepsOf(Code &code, const ImageCode &image,
+                            const std::array<AxisTexels, 3> &axes, int dimensions);
+/// With a shadow comparison the first component is its result.
+[[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
+[[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
+/// The linear filter of texels of bytes, in integers; no texel is the border's.
+[[nodiscard]] Texel filterBytes(Code &code, const Lookup &lookup,
+                                const std::array<AxisTexels, 3> &axes);
+
+/// Control flow: the values of the branch that was taken. What one has not is not there afterwards.
+using Values = llvm::SmallVector<Value *, 5>;
+[[nodiscard]] Values eitherOf(Code &code, Value *condition, const std::function<Values()> &yes,
+                              const std::function<Values()> &no);
+using Sampled = std::function<Texel()>;
+[[nodiscard]] Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no);
+/// Takes each image that lanes ask for in turn: mostly there is but one.
+/// \param image i32 a lane, safe in every lane
+/// \param mask lanes that count, or null
+[[nodiscard]] Texel forEachImage(Code &code, Value *image, Value *mask,
+                                 const std::function<Texel(Value *)> &sampled);
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,170 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/testing/guarded_texture.h"
+#include "fp_compiler/back/llvm/testing/reference_sampler.h"
+#include "fp_compiler/back/llvm/testing/sample_pixels.h"
+
+/// Generated sampling code against the reference, over pairs of everything that a sampler has; and
+/// texture memory that ends where abi.h says it may.
+namespace arbiter::fp::llvm_back::testing {
+namespace {
+
+/// Lane of a quad's corner: of the block that `lane` is in.
+int corner(const Cpu &cpu, int lane, int dx, int dy) {
+  const int width = cpu.blockWidth();
+  const int x = lane % width / 2 * 2 + dx, y = lane / width / 2 * 2 + dy;
+  return y * width + x;
+}
+
+ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
+                       const SampleCall &call, int pixel) {
+  ReferenceQuery query;
+  const int lanes = cpu.lanes(), first = pixel / lanes * lanes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto &plane = pixels.coordinate[i];
+    query.coordinate[i] = double(plane[std::size_t(pixel)]);
+    if (test.options.lanes == abi::Lanes::Quad) {
+      const auto at = [&](int dx, int dy) {
+        return double(plane[std::size_t(first + corner(cpu, pixel - first, dx, dy))]);
+      };
+      query.dx[i] = at(1, 0) - at(0, 0);
+      query.dy[i] = at(0, 1) - at(0, 0);
+    } else {
+      query.dx[i] = double(call.dx[i]);
+      query.dy[i] = double(call.dy[i]);
+    }
+  }
+  query.hasDerivatives = test.options.lanes == abi::Lanes::Quad || test.options.derivatives;
+  query.bias = test.options.bias ? double(pixels.bias[std::size_t(pixel)]) : 0;
+  return query;
+}
+
+struct Range {
+  Color low, high;
+};
+/// What results can be had by roundings of the coordinates and of the level of detail.
+Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
+  Range range;
+  range.low.fill(std::numeric_limits<double>::infinity());
+  range.high.fill(-std::numeric_limits<double>::infinity());
+  const int axes =
+      test.key.dimension == abi::Dimension::Tex1D ? 1
+      : test.key.dimension == abi::Dimension::Tex3D || test.key.dimension == abi::Dimension::Cube
+          ? 3
+          : 2;
+  const bool hasLevels =
+      test.key.mip != abi::MipFilter::None || test.key.magnify != test.key.minify;
+  const int choices = (axes == 1 ? 3 : axes == 2 ? 9 : 27) * (hasLevels ? 3 : 1);
+  for (int choice = 0; choice < choices; ++choice) {
+    ReferenceQuery moved = query;
+    int rest = choice;
+    if (hasLevels) {
+      moved.lambdaOffset = (rest % 3 - 1) * 1e-4;
+      rest /= 3;
+    }
+    for (std::size_t i = 0; i < std::size_t(axes); ++i, rest /= 3)
+      moved.coordinate[i] += (rest % 3 - 1) * (std::fabs(query.coordinate[i]) + 1) * 0x1p-21;
+    const Color color = referenceSample(test.key, view, moved);
+    for (std::size_t i = 0; i < 4; ++i) {
+      range.low[i] = std::min(range.low[i], color[i]);
+      range.high[i] = std::max(range.high[i], color[i]);
+    }
+  }
+  return range;
+}
+
+class SamplePairs : public ::testing::TestWithParam<const char *> {
+protected:
+  std::optional<Cpu> m_cpu;
+  void SetUp() override {
+    m_cpu = chooseCpu(GetParam());
+    if (!m_cpu)
+      GTEST_SKIP() << "this processor does not run code for " << GetParam();
+  }
+  void check(const Case &test, std::mt19937 &random) {
+    SCOPED_TRACE(describe(test));
+    std::string reason;
+    const auto function = SampleFunction::make(*m_cpu, test.key, test.options, reason);
+    ASSERT_TRUE(function) << reason;
+    GuardedTexture texture(test.key, test.size, random);
+    if (test.key.hasBias) {
+      texture.view.lodBias = uniform(random, -3, 3);
+      texture.view.minLod = uniform(random, -2, 2);
+      texture.view.maxLod = uniform(random, 2, 5);
+    }
+    Pixels pixels(m_cpu->lanes());
+    SampleCall call = pixels.call(texture.view);
+    fillCoordinates(test, m_cpu->lanes(), pixels, random, call);
+    (*function)(call, kChunks);
+    compare(test, texture.view, pixels, call, function->hasPacked());
+    checkWild(*function, pixels, call, random);
+  }
+
+private:
+  void compare(const Case &test, const abi::TextureView &view, const Pixels &pixels,
+               const SampleCall &call, bool packed) {
+    for (int pixel = 0; pixel < pixels.count; ++pixel) {
+      const ReferenceQuery query = queryAt(test, *m_cpu, pixels, call, pixel);
+      const Range range = rangeOf(test, view, query);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (!(test.options.needed >> i & 1))
+          continue;
+        const double value = double(pixels.result[i][std::size_t(pixel)]);
+        const double tolerance = 1e-3;
+        ASSERT_TRUE(value >= range.low[i] - tolerance && value <= range.high[i] + tolerance)
+            << "pixel " << pixel << " component " << i << " at (" << query.coordinate[0] << ", "
+            << query.coordinate[1] << ", " << query.coordinate[2] << "): " << value
+            << " is not in [" << range.low[i] << ", " << range.high[i] << "]";
+      }
+      if (!packed)
+        continue;
+      const auto *const bytes =
+          reinterpret_cast<const std::uint8_t *>(&pixels.packed[std::size_t(pixel)]);
+      const Color raw = referenceTexel(test.key.format, bytes);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (test.options.needed >> i & 1) {
+          // A filtered texel is rounded to its bytes.
+          const bool filtered =
+              test.key.magnify == abi::Filter::Linear || test.key.minify == abi::Filter::Linear;
+          ASSERT_NEAR(raw[i], double(pixels.result[i][std::size_t(pixel)]),
+                      filtered ? 0.5001 / 255 : 1e-6)
+              << "packed";
+        }
+      }
+    }
+  }
+  /// No coordinate leads outside: the guard pages are the judges.
+  void checkWild(const SampleFunction &function, Pixels &pixels, const SampleCall &call,
+                 std::mt19937 &random) {
+    const float kWild[] = {
+        std::nanf(""),  HUGE_VALF, -HUGE_VALF,  3e38f,      -3e38f,  2147483648.0f,
+        -2147483648.0f, 1e10f,     -1e10f,      8388607.5f, -1e-30f, 0,
+        -0.0f,          1,         0.99999994f, -1};
+    for (auto &plane : pixels.coordinate)
+      for (float &value : plane)
+        value = random() % 3 ? kWild[random() % std::size(kWild)] : uniform(random, -4, 4);
+    for (float &bias : pixels.bias)
+      bias = kWild[random() % std::size(kWild)];
+    function(call, kChunks);
+  }
+};
+
+TEST_P(SamplePairs, AgreeWithTheReference) {
+  std::mt19937 random(20041);
+  for (const Case &test : pairwiseCases(random)) {
+    if (test.key.mip != abi::MipFilter::None || test.key.magnify != test.key.minify ||
+        test.key.shadow || test.key.dimension == abi::Dimension::Cube)
+      check(test, random);
+    if (HasFatalFailure())
+      return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cpus, SamplePairs, ::testing::Values("", "avx512", "avx2", "sse4"));
+
+} // namespace
+} // namespace arbiter::fp::llvm_back::testing

@@ -1,0 +1,194 @@
+#include "fp_compiler/back/llvm/math/math.h"
+#include "fp_compiler/back/llvm/sample/sample_parts.h"
+
+#include <llvm/IR/Intrinsics.h>
+
+namespace arbiter::fp::llvm_back {
+namespace {
+
+using abi::Wrap;
+
+Value *clamp(Code &code, Value *value, Value *low, Value *high) {
+  return code.min(code.max(value, low), high); // max first: a NaN becomes `low`
+}
+
+/// [0,1]: up and down again (MIRRORED_REPEAT). Of a coordinate so large that it has no fraction,
+/// and of an infinite one, some value or NaN.
+Value *mirror(Code &code, Value *coordinate) {
+  // The distance to the nearest even number.
+  Value *const half = code.ir.CreateFMul(coordinate, code.splat(0.5f));
+  Value *const nearest = code.floor(code.ir.CreateFAdd(half, code.splat(0.5f)));
+  return absolute(code,
+                  code.ir.CreateFSub(coordinate, code.ir.CreateFMul(nearest, code.splat(2.0f))));
+}
+
+/// What repeats as it is, and what mirrors, brought to the range in which the rest of the wrap mode
+/// clamps.
+Value *folded(Code &code, Wrap wrap, Value *coordinate) {
+  switch (wrap) {
+  case Wrap::Repeat:
+    return code.ir.CreateFSub(coordinate, code.floor(coordinate));
+  case Wrap::MirroredRepeat:
+    return mirror(code, coordinate);
+  case Wrap::MirrorClamp:
+  case Wrap::MirrorClampToEdge:
+  case Wrap::MirrorClampToBorder:
+    return absolute(code, coordinate);
+  case Wrap::Clamp:
+  case Wrap::ClampToEdge:
+  case Wrap::ClampToBorder:
+    return coordinate;
+  }
+  llvm_unreachable("a wrap mode");
+}
+
+/// An index into [0, size), and the lanes in which it was not there.
+void bound(Code &code, Value *size, AxisTexels &axis, int which) {
+  Value *const index = axis.index[std::size_t(which)];
+  Value *const last = code.splat(code.ir.CreateSub(size, code.ir.getInt32(1)));
+  axis.outside[std::size_t(which)] = code.ir.CreateICmpUGT(index, last);
+  Value *const notNegative =
+      code.ir.CreateBinaryIntrinsic(llvm::Intrinsic::smax, index, code.splat(0));
+  axis.index[std::size_t(which)] =
+      code.ir.CreateBinaryIntrinsic(llvm::Intrinsic::smin, notNegative, last);
+}
+
+struct Size {
+  Value *scalar; ///< i32
+  Value *real;   ///< f32 vector
+  Value *last;   ///< f32 vector: size - 1
+};
+Size sizeOf(Code &code, Value *size) {
+  Value *const real = code.ir.CreateSIToFP(size, code.ir.getFloatTy());
+  Value *const last = code.ir.CreateFSub(real, llvm::ConstantFP::get(code.ir.getFloatTy(), 1.0));
+  return {size, code.splat(real), code.splat(last)};
+}
+
+Value *inTexels(Code &code, const AxisKey &key, Value *coordinate, const Size &size) {
+  return key.normalized ? code.ir.CreateFMul(coordinate, size.real) : coordinate;
+}
+
+Value *mask(Code &code, const Size &size) {
+  return code.splat(code.ir.CreateSub(size.scalar, code.ir.getInt32(1)));
+}
+
+/// A fraction as an integer weight, rounded. Adding 2^9 leaves just these bits at the low end.
+Value *weightOf(Code &code, Value *fraction) {
+  Value *const bits =
+      code.ir.CreateBitCast(code.ir.CreateFAdd(fraction, code.splat(512.0f)), code.i32);
+  return code.ir.CreateAnd(bits, code.splat((2 << kWeightBits) - 1));
+}
+
+/// Of a clamped coordinate: texels in fixed point hold both the index and the weight.
+/// \param texel in [0, size - 1]
+void splitFixed(Code &code, Value *texel, AxisTexels &axis) {
+  Value *const scaled = code.ir.CreateFMul(texel, code.splat(float(1 << kWeightBits)));
+  Value *const fixed = code.toInt(code.ir.CreateFAdd(scaled, code.splat(0.5f)));
+  axis.index[0] = code.ir.CreateLShr(fixed, code.splat(kWeightBits));
+  axis.weight = code.ir.CreateAnd(fixed, code.splat((1 << kWeightBits) - 1));
+}
+
+} // namespace
+
+bool reachesBorder(Wrap wrap, bool linear) {
+  switch (wrap) {
+  case Wrap::ClampToBorder:
+  case Wrap::MirrorClampToBorder:
+    return true;
+  case Wrap::Clamp:
+  case Wrap::MirrorClamp:
+    return linear;
+  case Wrap::Repeat:
+  case Wrap::MirroredRepeat:
+  case Wrap::ClampToEdge:
+  case Wrap::MirrorClampToEdge:
+    return false;
+  }
+  llvm_unreachable("a wrap mode");
+}
+
+AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue) {
+  const Size size = sizeOf(code, sizeValue);
+  AxisTexels axis;
+  if (key.wrap == Wrap::Repeat && key.powerOfTwo && key.normalized) {
+    // The mask keeps any number inside, also that of a coordinate which does not fit an integer.
+    Value *const texel = code.toInt(code.floor(inTexels(code, key, coordinate, size)));
+    axis.index[0] = code.ir.CreateAnd(texel, mask(code, size));
+    return axis;
+  }
+  Value *const texel = inTexels(code, key, folded(code, key.wrap, coordinate), size);
+  if (reachesBorder(key.wrap, false)) {
+    Value *const near = clamp(code, texel, code.splat(-1.0f), size.real);
+    axis.index[0] = code.toInt(code.floor(near));
+    bound(code, size.scalar, axis, 0);
+    return axis;
+  }
+  axis.index[0] = code.toInt(clamp(code, texel, code.splat(0.0f), size.last));
+  return axis;
+}
+
+static AxisTexels split(Code &code, const AxisKey &key, Value *coordinate, Value *sizeValue,
+                        bool weights) {
+  const Size size = sizeOf(code, sizeValue);
+  AxisTexels axis;
+  Value *const half = code.splat(0.5f);
+  if (key.wrap == Wrap::Repeat && key.powerOfTwo && key.normalized) {
+    Value *const texel = code.ir.CreateFSub(inTexels(code, key, coordinate, size), half);
+    Value *const whole = code.floor(texel);
+    axis.fraction = code.ir.CreateFSub(texel, whole);
+    Value *const first = code.toInt(whole);
+    axis.index[0] = code.ir.CreateAnd(first, mask(code, size));
+    axis.index[1] = code.ir.CreateAnd(code.ir.CreateAdd(first, code.splat(1)), mask(code, size));
+    axis.next = AxisTexels::Next::Repeat;
+    return axis;
+  }
+  Value *texel = inTexels(code, key, folded(code, key.wrap, coordinate), size);
+  if (key.wrap == Wrap::Repeat) {
+    texel = code.ir.CreateFSub(clamp(code, texel, code.splat(0.0f), size.real), half);
+    Value *const whole = code.floor(texel);
+    axis.fraction = code.ir.CreateFSub(texel, whole);
+    Value *const first = code.toInt(whole); // -1 to size - 1
+    Value *const last = mask(code, size);
+    Value *const zero = code.splat(0);
+    axis.index[0] = code.select(code.ir.CreateICmpSLT(first, zero), last, first);
+    axis.index[1] = code.select(code.ir.CreateICmpEQ(first, last), zero,
+                                code.ir.CreateAdd(first, code.splat(1)));
+    axis.next = AxisTexels::Next::Repeat;
+    return axis;
+  }
+  if (reachesBorder(key.wrap, true)) {
+    const bool half01 = key.wrap == Wrap::Clamp || key.wrap == Wrap::MirrorClamp;
+    Value *const low = half01 ? code.splat(0.0f) : code.ir.CreateFNeg(half);
+    Value *const high = half01 ? size.real : code.ir.CreateFAdd(size.real, half);
+    texel = code.ir.CreateFSub(clamp(code, texel, low, high), half);
+    Value *const whole = code.floor(texel);
+    axis.fraction = code.ir.CreateFSub(texel, whole);
+    axis.index[0] = code.toInt(whole);
+    axis.index[1] = code.ir.CreateAdd(axis.index[0], code.splat(1));
+    bound(code, size.scalar, axis, 0);
+    bound(code, size.scalar, axis, 1);
+    return axis;
+  }
+  texel = clamp(code, code.ir.CreateFSub(texel, half), code.splat(0.0f), size.last);
+  if (weights) {
+    splitFixed(code, texel, axis);
+  } else {
+    axis.index[0] = code.toInt(texel);
+    axis.fraction = code.ir.CreateFSub(texel, code.toFloat(axis.index[0]));
+  }
+  // At the last texel the fraction is 0: its neighbour has no weight.
+  axis.index[1] = code.ir.CreateBinaryIntrinsic(
+      llvm::Intrinsic::smin, code.ir.CreateAdd(axis.index[0], code.splat(1)), mask(code, size));
+  axis.next = AxisTexels::Next::Edge;
+  return axis;
+}
+
+AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate, Value *size,
+                        bool weights) {
+  AxisTexels axis = split(code, key, coordinate, size, weights);
+  if (weights && !axis.weight)
+    axis.weight = weightOf(code, axis.fraction);
+  return axis;
+}
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,250 @@
+#include <algorithm>
+
+#include "fp_compiler/front/parser.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suggest.h"
+
+namespace arbiter::fp {
+
+/// The current token is not one of the words that may follow here.
+bool Parser::unknownWord(const char *what, std::initializer_list<std::string_view> words,
+                         std::initializer_list<std::string_view> foreignWords) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected(what);
+  const std::string_view word = text(m_tokens.peek());
+  if (std::find(foreignWords.begin(), foreignWords.end(), word) != foreignWords.end()) {
+    foreign(m_tokens.peek(), quote(word));
+    return false;
+  }
+  std::string list;
+  for (std::string_view candidate : words)
+    (list += list.empty() ? "one of " : ", ") += candidate;
+  error(DiagnosticId::UnknownBinding, m_tokens.peek().span,
+        "expected " + std::string(what) + ", found " + quote(word),
+        didYouMean(word, words, std::move(list)));
+  return false;
+}
+
+/// <integer> from 0 to limit - 1. Out of range is no syntax error: the value becomes 0.
+bool Parser::parseBounded(std::uint32_t limit, DiagnosticId id, const char *what,
+                          std::uint32_t &value) {
+  if (m_tokens.at(TokenKind::Identifier)) {
+    error(DiagnosticId::RelativeAddressing, m_tokens.peek().span,
+          "the index " + quote(text(m_tokens.peek())) + " is no constant",
+          m_language.addresses ? "a register indexes only the arrays that PARAM declares"
+                               : "only vertex programs index by a register; unroll the access");
+    return false;
+  }
+  if (!m_tokens.at(TokenKind::Integer))
+    return unexpected("an integer");
+  const Token token = m_tokens.next();
+  value = parseInteger(text(token));
+  if (value < limit)
+    return true;
+  value = 0;
+  error(id, token.span, std::string(what) + " " + quote(text(token)) + " is out of range",
+        limit == 0 ? "there is none here" : "the largest is " + std::to_string(limit - 1));
+  return true;
+}
+
+bool Parser::parseIndex(std::uint32_t limit, DiagnosticId id, const char *what,
+                        std::uint32_t &index) {
+  return expect(TokenKind::OpenBracket, "'['") && parseBounded(limit, id, what, index) &&
+         expect(TokenKind::CloseBracket, "']'");
+}
+
+bool Parser::parseOptionalIndex(std::uint32_t limit, DiagnosticId id, const char *what,
+                                std::uint32_t &index) {
+  index = 0;
+  return !m_tokens.at(TokenKind::OpenBracket) || parseIndex(limit, id, what, index);
+}
+
+/// <fragAttribBinding> or <vtxAttribBinding>, from its first word on.
+bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
+  const std::uint32_t begin = m_tokens.next().span.begin;
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  ir::Attribute attribute;
+  if (atWord(0, "color")) {
+    if (!parseColorAttribute(place, attribute))
+      return false;
+  } else if (atWord(0, "texcoord")) {
+    attribute.kind = ir::AttributeKind::TexCoord;
+    if (!parseTexCoord(attribute.index))
+      return false;
+  } else if (atWord(0, "fogcoord") || atWord(0, "position")) {
+    attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
+                                                         : ir::AttributeKind::Position;
+  } else if (vertex) {
+    if (!parseVertexAttribute(attribute))
+      return false;
+  } else {
+    return unknownWord("a fragment attribute", {"color", "texcoord", "fogcoord", "position"},
+                       {"normal", "weight", "matrixindex", "attrib"});
+  }
+  row = m_binder.attribute(attribute, spanFrom(begin));
+  return true;
+}
+
+/// "color" <optColorType>
+bool Parser::parseColorAttribute(Place place, ir::Attribute &attribute) {
+  m_tokens.next();
+  const bool secondary = atWord(1, "secondary");
+  if (m_tokens.at(TokenKind::Dot) && (secondary || atWord(1, "primary"))) {
+    m_tokens.next();
+    m_tokens.next();
+    attribute.kind =
+        secondary ? ir::AttributeKind::ColorSecondary : ir::AttributeKind::ColorPrimary;
+  } else if (m_tokens.at(TokenKind::Dot) && place == Place::Declaration) {
+    m_tokens.next();
+    return unknownWord("primary or secondary", {"primary", "secondary"});
+  }
+  return true;
+}
+
+/// "texcoord" <optTexCoordNum>
+bool Parser::parseTexCoord(std::uint8_t &index) {
+  m_tokens.next();
+  std::uint32_t parsed = 0;
+  if (!parseOptionalIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
+                          "texture coordinate set", parsed))
+    return false;
+  index = std::uint8_t(parsed);
+  return true;
+}
+
+/// <resultBinding>, from "result" on.
+bool Parser::parseResultBinding(Place place, std::uint16_t &row) {
+  m_tokens.next();
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  ir::Output output;
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  if (!(vertex ? parseVertexResult(output) : parseFragmentResult(output)))
+    return false;
+  if (place == Place::Declaration && m_tokens.at(TokenKind::Dot))
+    return unexpected("';'", "the mask goes to the instruction that writes the variable");
+  row = m_binder.output(output);
+  return true;
+}
+
+/// <resultBinding> of fragment programs, after its dot.
+bool Parser::parseFragmentResult(ir::Output &output) {
+  if (atWord(0, "depth")) {
+    m_tokens.next();
+    output.kind = ir::OutputKind::Depth;
+    return true;
+  }
+  if (!atWord(0, "color"))
+    return unknownWord("a fragment result", {"color", "depth"},
+                       {"position", "fogcoord", "pointsize", "texcoord", "clip"});
+  m_tokens.next();
+  if (m_tokens.at(TokenKind::OpenBracket)) {
+    std::uint32_t index = 0;
+    if (!m_options.drawBuffers)
+      error(DiagnosticId::ColorOption, m_tokens.peek().span,
+            "result.color[n] needs a program option", "add OPTION ARB_draw_buffers;");
+    if (!parseIndex(byteLimit(m_limits.drawBuffers), DiagnosticId::ColorIndex, "draw buffer",
+                    index))
+      return false;
+    output.index = std::uint8_t(index);
+  } else if (m_tokens.at(TokenKind::Dot) && m_tokens.peek(1).kind == TokenKind::Identifier) {
+    const Token word = m_tokens.peek(1);
+    const std::string_view side = text(word);
+    if (side == "primary" || side == "secondary" || side == "front" || side == "back") {
+      foreign(word, "result.color." + std::string(side));
+      return false;
+    }
+  }
+  return true;
+}
+
+/// <programSingleItem> or <programMultipleItem>, after "program".
+bool Parser::parseProgramBinding(std::uint32_t begin, bool range, Rows &rows) {
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  const bool env = atWord(0, "env");
+  if (!env && !atWord(0, "local"))
+    return unknownWord("env or local", {"env", "local"});
+  m_tokens.next();
+  const std::uint32_t limit =
+      std::min(env ? m_limits.envParameters : m_limits.localParameters, 65536u);
+  const char *what = env ? "environment parameter" : "local parameter";
+  const std::size_t errorsBefore = m_reporter.errorCount();
+  std::uint32_t first = 0;
+  if (!expect(TokenKind::OpenBracket, "'['") ||
+      !parseBounded(limit, DiagnosticId::ParameterIndex, what, first))
+    return false;
+  std::uint32_t last = first;
+  if (range && m_tokens.accept(TokenKind::DotDot)) {
+    const Token token = m_tokens.peek();
+    if (!parseBounded(limit, DiagnosticId::ParameterIndex, what, last))
+      return false;
+    if (last < first && m_reporter.errorCount() == errorsBefore)
+      error(DiagnosticId::ReversedRange, token.span, "the range runs backwards");
+  }
+  if (!expect(TokenKind::CloseBracket, "']'",
+              range ? "" : "a range belongs in an array: PARAM p[] = { program.local[0..3] }"))
+    return false;
+  // Out of range: one row stands for the binding, so that the statement is still checked.
+  if (m_reporter.errorCount() != errorsBefore)
+    first = last = 0;
+  for (std::uint32_t i = first; i <= last; ++i)
+    rows.push_back(env ? m_binder.env(i, spanFrom(begin)) : m_binder.local(i, spanFrom(begin)));
+  return true;
+}
+
+/// <floatConstant>, or <signedFloatConstant>. An integer is taken for one, as in every program.
+bool Parser::parseNumber(bool isSigned, float &value) {
+  bool negative = false;
+  if (isSigned) {
+    negative = m_tokens.at(TokenKind::Minus);
+    if (negative || m_tokens.at(TokenKind::Plus))
+      m_tokens.next();
+  }
+  if (!m_tokens.at(TokenKind::Integer) && !m_tokens.at(TokenKind::Float))
+    return unexpected("a number");
+  const Token token = m_tokens.next();
+  const FloatValue parsed = parseFloat(text(token));
+  if (parsed.overflow)
+    m_reporter.warning(DiagnosticId::NumeralOverflow, token.span,
+                       quote(text(token)) + " is beyond the largest float, which is used instead");
+  value = negative ? -parsed.value : parsed.value;
+  return true;
+}
+
+/// <paramConstVector>; y, z and w default to 0, 0 and 1.
+bool Parser::parseConstantVector(ir::Vec4 &value) {
+  m_tokens.next();
+  value = {0, 0, 0, 1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!parseNumber(true, value[i]))
+      return false;
+    if (i == 3 || !m_tokens.accept(TokenKind::Comma))
+      break;
+  }
+  return expect(TokenKind::CloseBrace, "'}'", "a vector has one to four components");
+}
+
+/// <paramConstDecl> (signed) or <paramConstUse>; a scalar stands for four equal components.
+bool Parser::parseConstant(bool isSigned, std::uint16_t &row) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  ir::Vec4 value{};
+  if (m_tokens.at(TokenKind::OpenBrace)) {
+    if (!parseConstantVector(value))
+      return false;
+  } else {
+    const TokenKind kind = m_tokens.peek().kind;
+    const bool sign = isSigned && (kind == TokenKind::Plus || kind == TokenKind::Minus);
+    if (!sign && kind != TokenKind::Integer && kind != TokenKind::Float)
+      return unexpected("a constant, state.* or program.*");
+    if (!parseNumber(isSigned, value[0]))
+      return false;
+    value.fill(value[0]);
+  }
+  row = m_binder.constant(value, spanFrom(begin));
+  return true;
+}
+
+} // namespace arbiter::fp

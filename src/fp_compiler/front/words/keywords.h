@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "fp_compiler/front/words/language.h"
+#include "fp_compiler/ir/ir.h"
+
+namespace arbiter::fp {
+
+/// What a reserved word (ARB_fragment_program 3.11.2, ARB_vertex_program 2.14.2) is. Every other
+/// identifier is None and may name a variable.
+enum class Keyword : std::uint8_t {
+  None,
+  Opcode,
+  Address,
+  Alias,
+  Attrib,
+  Option,
+  Output,
+  Param,
+  Temp,
+  End,
+  Attributes, ///< "fragment" or "vertex": an attribute binding
+  Program,
+  Result,
+  State,
+  Texture,
+};
+
+struct Word {
+  Keyword keyword = Keyword::None;
+  ir::Opcode op = ir::Opcode::Mov; ///< Keyword::Opcode
+  bool saturate = false;           ///< Keyword::Opcode: written with _SAT
+};
+
+/// Case-sensitive, as the grammar is. The languages reserve different words.
+[[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language);
+
+/// True for the words that can only begin a statement (or are END): where a parser that lost its
+/// way finds it again.
+[[nodiscard]] bool beginsStatement(Keyword keyword);
+
+} // namespace arbiter::fp

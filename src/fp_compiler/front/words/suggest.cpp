@@ -1,0 +1,77 @@
+#include "fp_compiler/front/words/suggest.h"
+
+#include <algorithm>
+#include <array>
+
+namespace arbiter::fp {
+
+namespace {
+
+constexpr std::size_t kMaxWord = 32;
+constexpr std::size_t kMaxCandidates = 64;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; }
+
+/// Optimal string alignment distance without regard to case, three rows at a time; `enough` if it
+/// is that or more.
+unsigned distance(std::string_view a, std::string_view b, unsigned enough) {
+  using Row = std::array<unsigned, kMaxWord + 1>;
+  Row rows[3];
+  for (std::size_t j = 0; j <= b.size(); ++j)
+    rows[0][j] = unsigned(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    Row &row = rows[i % 3];
+    const Row &above = rows[(i + 2) % 3];
+    const Row &twoAbove = rows[(i + 1) % 3];
+    row[0] = unsigned(i);
+    unsigned least = row[0];
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+          lower(a[i - 2]) == lower(b[j - 1]))
+        row[j] = std::min(row[j], twoAbove[j - 2] + 1);
+      least = std::min(least, row[j]);
+    }
+    // A swap reaches over one row, at the price of one.
+    if (least > enough)
+      return enough;
+  }
+  return std::min(rows[a.size() % 3][b.size()], enough);
+}
+
+} // namespace
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
+  if (word.empty() || word.size() > kMaxWord)
+    return {};
+  // A third of the letters may be wrong; of one or two letters none, but for their case.
+  unsigned best = unsigned(word.size() / 3) + 1;
+  std::string_view found;
+  for (std::string_view candidate : candidates.first(std::min(candidates.size(), kMaxCandidates))) {
+    if (candidate.size() > kMaxWord || candidate.size() + best <= word.size() ||
+        word.size() + best <= candidate.size())
+      continue;
+    const unsigned d = distance(word, candidate, best);
+    if (d < best) {
+      best = d;
+      found = candidate;
+    }
+  }
+  return found;
+}
+
+std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates,
+                       std::string fallback) {
+  const std::string_view found = nearest(word, candidates);
+  if (found.empty())
+    return fallback;
+  return "did you mean '" + std::string(found) + "'?";
+}
+
+std::string didYouMean(std::string_view word, std::initializer_list<std::string_view> candidates,
+                       std::string fallback) {
+  return didYouMean(word, std::span(candidates.begin(), candidates.size()), std::move(fallback));
+}
+
+} // namespace arbiter::fp

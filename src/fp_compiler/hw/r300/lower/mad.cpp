@@ -1,0 +1,68 @@
+#include <bit>
+#include <cmath>
+
+#include "fp_compiler/hw/r300/lower/emitter.h"
+
+/// MAD, which copies, sums and products are too, with the output modifier where a factor is one.
+namespace arbiter::fp::hw::r300 {
+
+namespace {
+/// A power of two that the output modifier has, at +-1 in the argument's place.
+bool modifierOf(float value, Modifier &modifier) {
+  const float size = std::fabs(value);
+  modifier = size == 2.0f     ? Modifier::X2
+             : size == 4.0f   ? Modifier::X4
+             : size == 8.0f   ? Modifier::X8
+             : size == 0.25f  ? Modifier::Quarter
+             : size == 0.125f ? Modifier::Eighth
+                              : Modifier::One;
+  return modifier != Modifier::One;
+}
+
+bool isLiteral(const Refs &refs, std::uint8_t mask, float value) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && (refs[c].kind != Ref::Kind::Literal || refs[c].value != value))
+      return false;
+  return true;
+}
+
+/// The factor that all of \p mask have, if it is one of the output modifier's.
+bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
+  const Ref &first = value.through[std::size_t(std::countr_zero(mask))];
+  Modifier ignored;
+  factor = first.value;
+  return first.kind == Ref::Kind::Literal && modifierOf(factor, ignored) &&
+         isLiteral(value.through, mask, factor);
+}
+} // namespace
+
+Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+                   const How &how) {
+  Value result;
+  for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
+    if (half == 0)
+      continue;
+    std::array<Value, 3> operands = {a, b, c};
+    How mine = how;
+    float factor = 1.0f;
+    if (how.modifier == Modifier::One && isLiteral(c.through, half, 0.0f))
+      for (std::size_t i = 0; i < 2; ++i)
+        if (mine.modifier == Modifier::One && scaleOf(operands[i], half, factor)) {
+          (void)modifierOf(factor, mine.modifier);
+          operands[i] = literals(std::copysign(1.0f, factor));
+        }
+    const Value part = componentwise(RgbOp::Mad, AlphaOp::Mad, half, operands, mine);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (half >> i & 1)
+        result.direct[i] = part.direct[i];
+  }
+  result.through = result.direct;
+  return result;
+}
+
+Value Emitter::copy(std::uint8_t mask, const Value &value, const How &how) {
+  // The sum with -0 keeps a zero's sign.
+  return mad(mask, value, literals(1.0f), literals(-0.0f), how);
+}
+
+} // namespace arbiter::fp::hw::r300

@@ -1,0 +1,127 @@
+#include "fp_compiler/hw/r300/lower/results.h"
+
+namespace arbiter::fp::hw::r300 {
+
+/// A result as it is, clamped: nobody but the options reads it, so that the operations which make
+/// it can clamp.
+Value Results::clamped(Home home, std::uint8_t mask) {
+  Value value = m_emit.current(home);
+  bool inPlace = true;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Ref &ref = value.direct[c];
+    if ((mask >> c & 1) && ref.kind == Ref::Kind::Item)
+      inPlace &= !m_flow.items[ref.index].replicated || mask == 15;
+  }
+  value.through = value.direct;
+  if (!inPlace) {
+    How how;
+    how.home = true;
+    how.clamp = true;
+    how.cause = Cause::Output;
+    return m_emit.copy(mask, value, how);
+  }
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && value.direct[c].kind == Ref::Kind::Item)
+      m_flow.items[value.direct[c].index].clamp = true;
+  return value;
+}
+
+void Results::epilogue() {
+  const ir::Options &options = m_program.options;
+  if (options.colorSum) {
+    const Value secondary =
+        m_operands.optional(ir::AttributeKind::ColorSecondary, kSecondaryColour);
+    for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
+      if (isColour(i)) {
+        How how;
+        how.home = true;
+        how.cause = Cause::Output;
+        m_emit.begin(kNone, outputHome(i));
+        const Value colour = clamped(outputHome(i), 7);
+        m_emit.begin(kNone, outputHome(i));
+        m_emit.set(outputHome(i), 7, m_emit.mad(7, colour, literals(1.0f), secondary, how));
+      }
+  }
+  if (options.fog != ir::FogMode::None)
+    fog();
+}
+
+Value Results::fogFactor() {
+  const Value coordinate =
+      broadcast(m_operands.optional(ir::AttributeKind::FogCoord, kFogCoordinate), 0);
+  const Value factors = m_operands.row(Constant::Kind::FogFactors, 0);
+  How how, last;
+  how.cause = last.cause = Cause::Fog;
+  last.clamp = true;
+  const Value none = literals(-0.0f);
+  switch (m_program.options.fog) {
+  case ir::FogMode::None:
+    break;
+  case ir::FogMode::Linear:
+    return m_emit.mad(8, coordinate, broadcast(factors, 0), broadcast(factors, 1), last);
+  case ir::FogMode::Exp:
+    return m_emit.scalar(AlphaOp::Ex2, 8,
+                         m_emit.mad(8, coordinate, broadcast(factors, 2), none, how), last);
+  case ir::FogMode::Exp2: {
+    const Value scaled = m_emit.mad(8, coordinate, broadcast(factors, 3), none, how);
+    return m_emit.scalar(AlphaOp::Ex2, 8, m_emit.mad(8, scaled, negated(scaled), none, how), last);
+  }
+  }
+  return literals(1.0f);
+}
+
+void Results::fog() {
+  m_emit.begin(kNone, kNoHome);
+  const Value factor = broadcast(fogFactor(), 3);
+  for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
+    if (isColour(i)) {
+      How how;
+      how.home = true;
+      how.cause = Cause::Fog;
+      m_emit.begin(kNone, outputHome(i));
+      const Value colour = clamped(outputHome(i), 15);
+      m_emit.set(outputHome(i), 15, colour);
+      m_emit.begin(kNone, outputHome(i));
+      m_emit.set(outputHome(i), 7,
+                 m_emit.lerp(7, factor, colour, m_operands.row(Constant::Kind::FogColor, 0), how));
+    }
+}
+
+void Results::outputs() {
+  for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
+    const Value &value = m_emit.current(outputHome(i));
+    if (!isColour(i)) {
+      depthOutput(value);
+      continue;
+    }
+    for (std::uint8_t c = 0; c < 4; ++c)
+      if (!write(value.through[c], m_program.outputs[i].index, c))
+        (void)write(value.direct[c], m_program.outputs[i].index, c);
+  }
+}
+
+bool Results::write(const Ref &ref, std::uint8_t target, std::uint8_t component) {
+  if (ref.kind != Ref::Kind::Item || ref.negate || ref.absolute)
+    return false;
+  Item &item = m_flow.items[ref.index];
+  if (!item.isAlu() || (ref.component != component && !item.replicated) ||
+      (item.outputMask && item.output != target))
+    return false;
+  item.output = target;
+  item.outputMask |= std::uint8_t(1 << component);
+  return true;
+}
+
+void Results::depthOutput(const Value &value) {
+  for (const Ref &ref : {value.through[3], value.direct[3]}) {
+    if (ref.kind != Ref::Kind::Item || ref.negate || ref.absolute)
+      continue;
+    Item &item = m_flow.items[ref.index];
+    if (!item.isAlu() || (ref.component != 3 && !item.replicated))
+      continue;
+    item.depth = true;
+    return;
+  }
+}
+
+} // namespace arbiter::fp::hw::r300

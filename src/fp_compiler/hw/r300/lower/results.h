@@ -1,0 +1,36 @@
+#pragma once
+#include "fp_compiler/hw/r300/lower/operands.h"
+
+/// The end of a program: what its options do to the results, and who writes them.
+namespace arbiter::fp::hw::r300 {
+
+class Results {
+public:
+  Results(const ir::Program &program, Flow &flow, Emitter &emit, Operands &operands)
+      : m_program(program), m_flow(flow), m_emit(emit), m_operands(operands) {}
+
+  /// The colour sum, then fog.
+  void epilogue();
+  /// Lets the operations that make results write them.
+  void outputs();
+
+private:
+  [[nodiscard]] bool isColour(std::size_t output) const {
+    return m_program.outputs[output].kind == ir::OutputKind::Color;
+  }
+  [[nodiscard]] Home outputHome(std::size_t output) const {
+    return Home(m_program.temporaries.size() + output);
+  }
+  Value clamped(Home home, std::uint8_t mask);
+  Value fogFactor();
+  void fog();
+  bool write(const Ref &ref, std::uint8_t target, std::uint8_t component);
+  void depthOutput(const Value &value);
+
+  const ir::Program &m_program;
+  Flow &m_flow;
+  Emitter &m_emit;
+  Operands &m_operands;
+};
+
+} // namespace arbiter::fp::hw::r300
