@@ -1,6 +1,6 @@
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/opt/opt.h"
-#include "fp_compiler/opt/pass_check.h"
+#include "fp_compiler/opt/testing/pass_check.h"
 
 /// What passes owe to rows that are read by address.
 namespace arbiter::fp::opt {

@@ -2,7 +2,7 @@
 
 #include "fp_compiler/ir/builder.h"
 #include "fp_compiler/opt/opt.h"
-#include "fp_compiler/opt/pass_check.h"
+#include "fp_compiler/opt/testing/pass_check.h"
 
 namespace arbiter::fp::opt {
 namespace {

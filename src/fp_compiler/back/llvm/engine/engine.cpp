@@ -5,8 +5,8 @@
 #include <llvm/Config/llvm-config.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include "fp_compiler/back/llvm/code/failures.h"
 #include "fp_compiler/back/llvm/engine/budget.h"
-#include "fp_compiler/back/llvm/engine/failures.h"
 #include "fp_compiler/back/llvm/engine/linked.h"
 #include "fp_compiler/back/llvm/engine/reserve.h"
 #include "fp_compiler/back/llvm/fragment/fragment.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 #include "fp_compiler/back/llvm/program/emit.h"
 #include "fp_compiler/jit.h"
 

@@ -6,7 +6,7 @@
 #include <llvm/ExecutionEngine/RuntimeDyld.h>
 #include <llvm/Object/ObjectFile.h>
 
-#include "fp_compiler/back/llvm/engine/failures.h"
+#include "fp_compiler/back/llvm/code/failures.h"
 
 namespace arbiter::fp::llvm_back {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/jit.h"
 
 namespace arbiter::fp::llvm_back {

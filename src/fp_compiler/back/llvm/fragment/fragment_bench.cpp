@@ -16,7 +16,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 #include "fp_compiler/back/llvm/engine/engine.h"
 #include "fp_compiler/back/llvm/fragment/fragment.h"
 #include "fp_compiler/back/llvm/program/emit.h"

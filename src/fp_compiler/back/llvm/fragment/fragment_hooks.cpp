@@ -1,6 +1,6 @@
 #include "fp_compiler/back/llvm/fragment/fragment_hooks.h"
 
-#include "fp_compiler/back/llvm/program/quads.h"
+#include "fp_compiler/back/llvm/code/quads.h"
 
 #include <algorithm>
 

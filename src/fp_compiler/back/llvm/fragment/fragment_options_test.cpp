@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/fragment/fragment_window.h"
+#include "fp_compiler/back/llvm/testing/fragment_window.h"
 
 /// What else a fragment function is made of: KIL, the window position, several targets, masks,
 /// options.

@@ -1,6 +1,6 @@
 #include <random>
 
-#include "fp_compiler/back/llvm/fragment/fragment_window.h"
+#include "fp_compiler/back/llvm/testing/fragment_window.h"
 
 /// Packed quads against blocks, bit for bit, where derivatives decide about filters.
 namespace arbiter::fp::testing {

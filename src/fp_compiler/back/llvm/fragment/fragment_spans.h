@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/fragment/interpolate.h"
+#include "fp_compiler/back/llvm/pixel/interpolate.h"
 
 /// Spans are looked at some at a time, one in each lane: what must be found out once a span costs
 /// little more for all of them than for one.

@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/fragment/fragment_window.h"
+#include "fp_compiler/back/llvm/testing/fragment_window.h"
 
 /// Samples of fragment functions over spans, against the interpreter with a nearest lookup of its
 /// own.

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// The functions of ops.def that are more than an instruction. Special values are those of
 /// ir/semantics.h; how far the rest is from the exact result is stated here and held to by

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// Functions of math.h in the instructions that AVX-512 has for them: parts of a float, scaling by
 /// a power of two, tables in registers. Half of the instructions that others need, and the same

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/fragment/interpolate.h"
+#include "fp_compiler/back/llvm/pixel/interpolate.h"
 
 /// Pixels of the lanes in a buffer. No byte outside of the item's pixels is read or written.
 namespace arbiter::fp::llvm_back {

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// Colours as the bits of a buffer's pixels.
 namespace arbiter::fp::llvm_back {

@@ -1,6 +1,6 @@
 #pragma once
-#include "fp_compiler/back/glsl/expression.h"
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/analysis/range_analysis.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::fp::llvm_back {

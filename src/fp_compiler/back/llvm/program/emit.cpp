@@ -14,8 +14,8 @@
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Target/TargetMachine.h>
 
-#include "fp_compiler/back/llvm/engine/failures.h"
-#include "fp_compiler/back/llvm/engine/passes.h"
+#include "fp_compiler/back/llvm/code/failures.h"
+#include "fp_compiler/back/llvm/code/passes.h"
 
 namespace arbiter::fp::llvm_back {
 

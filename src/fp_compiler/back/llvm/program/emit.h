@@ -5,7 +5,7 @@
 
 #include <llvm/ADT/SmallVector.h>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// From functions of IR to an object file. Each call has an LLVM context of its own, so that any
 /// number of threads may compile.

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
 /// A program's instructions as values. Fragments and vertices differ in where registers come from,

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/back/llvm/program/prepare.h"
 
 namespace arbiter::fp::llvm_back {

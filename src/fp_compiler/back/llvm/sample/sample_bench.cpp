@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 #include "fp_compiler/back/llvm/testing/guarded_texture.h"
 #include "fp_compiler/back/llvm/testing/sample_harness.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 #include "fp_compiler/back/llvm/testing/guarded_texture.h"
 #include "fp_compiler/back/llvm/testing/sample_pixels.h"
 

@@ -1,5 +1,5 @@
+#include "fp_compiler/back/llvm/code/quads.h"
 #include "fp_compiler/back/llvm/math/math.h"
-#include "fp_compiler/back/llvm/program/quads.h"
 #include "fp_compiler/back/llvm/sample/sample_parts.h"
 
 #include <llvm/IR/Intrinsics.h>

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// The parts that sample() is made of: where texels lie (wrap), how they are read (fetch), what
 /// their bits mean (decode), and how several become one (filter).

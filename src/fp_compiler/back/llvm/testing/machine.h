@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 #include "fp_compiler/back/llvm/engine/linked.h"
 #include "fp_compiler/ir/ir.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/back/llvm/engine/linked.h"
 
 /// Machine code of nothing but sample(), for its tests and its benchmark.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fp_compiler/hw/r300/pair/pack.h"
+#include "fp_compiler/hw/r300/lower/pack.h"
 
 namespace arbiter::fp::hw::r300 {
 

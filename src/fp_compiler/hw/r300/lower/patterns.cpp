@@ -1,7 +1,7 @@
 #include <bit>
 
 #include "fp_compiler/hw/r300/lower/emitter.h"
-#include "fp_compiler/hw/r300/pair/pack.h"
+#include "fp_compiler/hw/r300/lower/pack.h"
 
 /// Operations that are more than one component at a time: dot products, comparisons and
 /// interpolations on presubtracted sources.

@@ -1,5 +1,5 @@
 #pragma once
-#include "fp_compiler/hw/r300/pair/pack.h"
+#include "fp_compiler/hw/r300/lower/pack.h"
 
 namespace arbiter::fp::hw::r300 {
 

@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/engine/cpu.h"
+#include "fp_compiler/back/llvm/code/cpu.h"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/fragment/interpolate.h"
+#include "fp_compiler/back/llvm/pixel/interpolate.h"
 
 namespace arbiter::fp::llvm_back {
 

@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 #include <llvm/IR/Intrinsics.h>
 

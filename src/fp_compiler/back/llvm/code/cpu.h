@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 namespace arbiter::fp::llvm_back {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 
 /// Lanes that are 2x2 quads of pixels.
 namespace arbiter::fp::llvm_back {

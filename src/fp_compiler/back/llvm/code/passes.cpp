@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/engine/passes.h"
+#include "fp_compiler/back/llvm/code/passes.h"
 
 #include <llvm/IR/PassManager.h>
 #include <llvm/Passes/PassBuilder.h>
@@ -10,7 +10,7 @@
 #include <llvm/Transforms/Scalar/LoopPassManager.h>
 #include <llvm/Transforms/Scalar/SimplifyCFG.h>
 
-#include "fp_compiler/back/llvm/engine/failures.h"
+#include "fp_compiler/back/llvm/code/failures.h"
 
 namespace arbiter::fp::llvm_back {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "fp_compiler/back/llvm/engine/code.h"
+#include "fp_compiler/back/llvm/code/code.h"
 #include "fp_compiler/ir/ir.h"
 
 /// The planes of a primitive as values of the lanes. Row and Quad do the same steps in the same

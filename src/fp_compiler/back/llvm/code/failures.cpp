@@ -1,4 +1,4 @@
-#include "fp_compiler/back/llvm/engine/failures.h"
+#include "fp_compiler/back/llvm/code/failures.h"
 
 #include <atomic>
 #include <cstdlib>

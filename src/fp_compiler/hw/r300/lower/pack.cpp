@@ -1,4 +1,4 @@
-#include "fp_compiler/hw/r300/pair/pack.h"
+#include "fp_compiler/hw/r300/lower/pack.h"
 
 namespace arbiter::fp::hw::r300 {
 
