@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+"""Fails on an #include between the rooms inside a room that goes against their one way down, on
+units that reach each other in a circle of more than eight, and on a room of too many files.
+
+A room is a folder of ALLOWED; a folder that has no row belongs to the room that it lies in. Edges
+between a room and one that it lies in are free: what all of its rooms share lies in the outer one,
+and what puts them together too. A unit is a header and its source. Tests, benchmarks and what lies
+in a folder `testing` may see everything.
+
+usage: sub_rooms.py ROOT | sub_rooms.py --self-test
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+IR = "fp_compiler/ir"
+LLVM = "fp_compiler/back/llvm"
+R300 = "fp_compiler/hw/r300"
+
+# Of rooms that do not lie in each other: which ones a room includes.
+ALLOWED = {
+    "fp_compiler": set(),
+    IR: set(),
+    "fp_compiler/analysis": {IR},
+    "fp_compiler/opt": {IR},
+    "fp_compiler/ati": {IR},
+    "fp_compiler/front": {"fp_compiler/ati", IR},
+    "fp_compiler/hw": {IR, R300, R300 + "/report"},
+    R300: {IR, R300 + "/lower", R300 + "/pair"},
+    R300 + "/lower": {IR},
+    R300 + "/pair": {R300 + "/lower"},
+    R300 + "/check": {IR},
+    R300 + "/execute": {R300 + "/check", IR},
+    R300 + "/report": {R300 + "/check", IR},
+    "fp_compiler/back/assembly": {IR},
+    "fp_compiler/back/glsl": {"fp_compiler/analysis", IR},
+    LLVM + "/code": set(),
+    LLVM + "/math": {LLVM + "/code"},
+    LLVM + "/program": {LLVM + "/code", LLVM + "/math", "fp_compiler/analysis", "fp_compiler/opt", IR},
+    LLVM + "/sample": {LLVM + "/code", LLVM + "/math"},
+    LLVM + "/pixel": {LLVM + "/code", IR},
+    LLVM + "/fragment": {LLVM + "/code", LLVM + "/math", LLVM + "/program", LLVM + "/pixel",
+                         "fp_compiler/analysis", IR},
+    LLVM + "/engine": {LLVM + "/code", LLVM + "/program", LLVM + "/fragment", IR},
+    "swrast": set(),
+    "swrast/image": set(),
+    "swrast/setup": set(),
+    "swrast/cover": {"swrast/setup"},
+    "swrast/strokes": {"swrast/setup", "swrast/cover"},
+    "util": set(),
+    "util/cache": set(),
+    "util/record": set(),
+}
+MOST_UNITS = 8  # of a circle
+MOST_FILES = 42  # of one folder, tests and tables included
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)"', re.M)
+SUFFIXES = {".h", ".cpp", ".def"}
+
+
+def room_of(name):
+    """The innermost room of ALLOWED that the file lies in; None if there is none."""
+    for folder in pathlib.PurePosixPath(name).parents:
+        if str(folder) in ALLOWED:
+            return str(folder)
+    return None
+
+
+def is_production(name):
+    path = pathlib.PurePosixPath(name)
+    return "testing" not in path.parts and not path.stem.endswith(("_test", "_bench"))
+
+
+def lies_in(inner, outer):
+    return inner == outer or inner.startswith(outer + "/")
+
+
+def read(source):
+    """{file: [files of src/ that it includes]} of what is no test."""
+    graph = {}
+    for path in sorted(source.rglob("*")):
+        name = path.relative_to(source).as_posix()
+        if path.suffix in SUFFIXES and is_production(name):
+            graph[name] = [each for each in INCLUDE.findall(path.read_text(errors="replace"))
+                           if (source / each).exists()]
+    return graph
+
+
+def wrong_edges(graph):
+    for name, includes in graph.items():
+        room = room_of(name)
+        if room is None:
+            continue
+        for other in includes:
+            target = room_of(other)
+            if target is None or lies_in(room, target) or lies_in(target, room):
+                continue
+            if target.split("/")[0] == room.split("/")[0] and target not in ALLOWED[room]:
+                yield f"src/{name}: {room} may not include {other}"
+
+
+def circles(graph):
+    """The strongly connected sets of units, by Tarjan's method without recursion."""
+    units = {}
+    for name, includes in graph.items():
+        unit = units.setdefault(name.rsplit(".", 1)[0], set())
+        unit.update(each.rsplit(".", 1)[0] for each in includes)
+    index, low, stack, waiting, found = {}, {}, [], set(), []
+    for start in units:
+        if start in index:
+            continue
+        work = [(start, iter(sorted(units[start])))]
+        index[start] = low[start] = len(index)
+        stack.append(start)
+        waiting.add(start)
+        while work:
+            unit, rest = work[-1]
+            for other in rest:
+                if other not in units:
+                    continue
+                if other not in index:
+                    index[other] = low[other] = len(index)
+                    stack.append(other)
+                    waiting.add(other)
+                    work.append((other, iter(sorted(units[other]))))
+                    break
+                if other in waiting:
+                    low[unit] = min(low[unit], index[other])
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[unit])
+                if low[unit] == index[unit]:
+                    members = set()
+                    while unit not in members:
+                        members.add(stack.pop())
+                    waiting -= members
+                    found.append(sorted(members))
+    return found
+
+
+def crowded(source):
+    for folder in sorted({path.parent for path in source.rglob("*") if path.suffix in SUFFIXES}):
+        files = sum(path.suffix in SUFFIXES for path in folder.iterdir())
+        if files > MOST_FILES:
+            yield f"src/{folder.relative_to(source)}: {files} files, more than {MOST_FILES}"
+
+
+def check(root):
+    """Complaints about the tree, and the number of files read."""
+    source = root / "src"
+    graph = read(source)
+    complaints = list(wrong_edges(graph)) + list(crowded(source))
+    for members in circles(graph):
+        if len(members) > MOST_UNITS:
+            complaints.append(f"{len(members)} units reach each other: " + " ".join(members))
+    return complaints, len(graph)
+
+
+def circle(count):
+    return {f"src/util/unit{i}.h": f'#include "util/unit{(i + 1) % count}.h"\n'
+            for i in range(count)}
+
+
+PLANTED = [
+    # (files, complaints expected)
+    ({"src/swrast/setup/a.h": '#include "swrast/cover/b.h"\n', "src/swrast/cover/b.h": ""}, 1),
+    ({"src/swrast/cover/b.h": '#include "swrast/setup/a.h"\n', "src/swrast/setup/a.h": ""}, 0),
+    ({"src/swrast/draw.h": "", "src/swrast/setup/a.h": '#include "swrast/draw.h"\n',
+      "src/swrast/draw.cpp": '#include "swrast/setup/a.h"\n'}, 0),
+    ({"src/swrast/setup/a_test.cpp": '#include "swrast/cover/b.h"\n',
+      "src/swrast/cover/b.h": ""}, 0),
+    ({"src/fp_compiler/back/llvm/program/a.h": '#include "fp_compiler/back/glsl/b.h"\n',
+      "src/fp_compiler/back/glsl/b.h": ""}, 1),
+    (circle(MOST_UNITS), 0),
+    (circle(MOST_UNITS + 1), 1),
+    ({f"src/util/file{i}.cpp": "" for i in range(MOST_FILES + 1)}, 1),
+]
+
+
+def self_test():
+    for files, expected in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in files.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            complaints, _ = check(root)
+            assert len(complaints) == expected, (sorted(files), complaints, expected)
+    print(f"{len(PLANTED)} passed, 0 failed, 0 skipped")
+    return 0
+
+
+def main():
+    if sys.argv[1:] == ["--self-test"]:
+        return self_test()
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    complaints, files = check(pathlib.Path(sys.argv[1]))
+    for complaint in complaints:
+        print(complaint, file=sys.stderr)
+    print(f"{files} files read, {len(complaints)} complaints")
+    return 1 if complaints or not files else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Fails when a comment or a page of docs/ names a file, a function, a variable or an option that is not there.
+
+Files are names with a suffix of ours (`residency.cpp`, `state/context.h`): any file of the tree
+whose path ends so, or that the build makes. Functions are names with empty brackets (`settle()`),
+which the code must have as a word; those of GL, GLX, EGL, POSIX and the C++ library are others'.
+Variables are ARBITER_NAMES, options what begins with two dashes and is some program's here.
+
+usage: references.py ROOT | references.py --self-test
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+CODE = {".h", ".cpp", ".def", ".py", ".sh", ".build"}
+FILE = re.compile(r"(?<![\w/.*{}<>-])((?:[\w.-]+/)*[\w-]+\.(?:cpp|h|def|py|sh|toml|md))(?![\w(*-])")
+FUNCTION = re.compile(r"(?<![\w.:>$-])((?:[A-Za-z_]\w*(?:::|\.))*[A-Za-z_]\w*)\(\)")
+OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]+[a-z]\b")
+VARIABLE = re.compile(r"\bARBITER_[A-Z][A-Z0-9_]*[A-Z0-9]\b(?!\*)")
+OTHERS = re.compile(r"(gl|glX|egl|X[A-Z]|wgl|std::|llvm::|pthread_|OSMesa|_mm|__builtin|Q[A-Z])")
+
+# Files that others have (Mesa, libglvnd, LLVM), that the build makes, or a user under his own name.
+OTHER_FILES = re.compile(
+    r"(.*/)?(limits|glext|host_table|main/config|i915_context|r300_pci_ids|lib(glx|egl)abi)\.h|"
+    r"gl\.xml|(entry|software)_points\.cpp|host_table\.cpp|ErrorHandling\.cpp|(FILE|small)\.toml|"
+    r"compile_commands\.json|CHANGELOG\.md")
+PROGRAMS = {"dev", "bench/run", "tests/fuzz/run"}  # without a suffix
+OTHER_OPTIONS = {"--snapshot"}  # glretrace's
+
+
+def tracked(root):
+    listed = subprocess.run(["git", "-C", str(root), "ls-files"], capture_output=True, text=True)
+    names = listed.stdout.split("\n") if listed.returncode == 0 else []
+    if not any(names):  # no checkout: an archive of it, or a test
+        names = [path.relative_to(root).as_posix() for path in root.rglob("*") if path.is_file()]
+    return [name for name in names if name and not name.startswith(("build", "out/"))]
+
+
+def comments_of(name, text):
+    """(line number, text) of a source file's comments, a page's lines."""
+    if name.endswith(".md"):
+        fenced = False
+        for number, line in enumerate(text.split("\n"), 1):
+            if line.startswith("```"):
+                fenced = not fenced
+            elif not fenced:
+                yield number, line
+        return
+    mark = "#" if name.endswith((".py", ".sh", ".build", ".toml")) else "//"
+    for number, line in enumerate(text.split("\n"), 1):
+        place = line.find(mark)
+        if place >= 0 and line.count('"', 0, place) % 2 == 0 and line[place:place + 2] != "#i":
+            yield number, line[place:]
+
+
+def without_comments(name, text):
+    if not name.endswith((".h", ".cpp", ".def")):
+        return text
+    return re.sub(r"//[^\n]*", "", text)
+
+
+def complaints_of(root):
+    names = tracked(root)
+    ends = set()
+    for name in names:
+        parts = name.split("/")
+        ends.update("/".join(parts[i:]) for i in range(len(parts)))
+    words, options, texts = set(), set(), {}
+    for name in names:
+        if pathlib.PurePosixPath(name).suffix in CODE | {".md", ".toml"} or name in PROGRAMS:
+            texts[name] = (root / name).read_text(errors="replace")
+            if not name.endswith(".md"):
+                code = without_comments(name, texts[name])
+                words.update(re.findall(r"[A-Za-z_]\w*", code))
+                options.update(OPTION.findall(code))
+    read = 0
+    complaints = []
+    for name, text in texts.items():
+        if not name.startswith(("src/", "docs/", "README.md", "CONTRIBUTING.md")):
+            continue
+        for number, comment in comments_of(name, text):
+            read += 1
+            for file in FILE.findall(comment):
+                if file not in ends and not OTHER_FILES.fullmatch(file) and \
+                        file.replace("docs/", "") not in ends:
+                    complaints.append(f"{name}:{number}: no file {file}")
+            for function in FUNCTION.findall(comment):
+                last = re.split(r"::|\.", function)[-1]
+                if last not in words and not OTHERS.match(function):
+                    complaints.append(f"{name}:{number}: no function {function}()")
+            for variable in VARIABLE.findall(comment):
+                if variable not in words:
+                    complaints.append(f"{name}:{number}: no variable {variable}")
+            for option in OPTION.findall(comment):
+                if option not in options | OTHER_OPTIONS:
+                    complaints.append(f"{name}:{number}: no option {option}")
+    return complaints, read
+
+
+PLANTED = [
+    # (text of src/a.h, complaints expected)
+    ("/// See b.h, and src/b.h.\n", 0),
+    ("/// See c.h.\n", 1),
+    ("/// Called by work() and std::sort().\nvoid work();\n", 0),
+    ("/// Called by worker().\nvoid work();\n", 1),
+    ("// ARBITER_NOTHING switches it off.\n", 1),
+    ("/// As --left says.\nconst char *kOption = \"--left\";\n", 0),
+    ("/// As --right says.\nconst char *kOption = \"--left\";\n", 1),
+    ('const char *kName = "c.h"; // b.h\n', 0),
+]
+
+
+def self_test():
+    for text, expected in PLANTED:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "src").mkdir()
+            (root / "src/a.h").write_text(text)
+            (root / "src/b.h").write_text("")
+            complaints, _ = complaints_of(root)
+            assert len(complaints) == expected, (text, complaints)
+    print(f"{len(PLANTED)} passed, 0 failed, 0 skipped")
+    return 0
+
+
+def main():
+    if sys.argv[1:] == ["--self-test"]:
+        return self_test()
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    complaints, read = complaints_of(pathlib.Path(sys.argv[1]).resolve())
+    for complaint in complaints:
+        print(complaint, file=sys.stderr)
+    print(f"{read} comments and lines read, {len(complaints)} name what is not there")
+    return 1 if complaints or not read else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
