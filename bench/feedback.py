@@ -70,7 +70,8 @@ def text_of(row):
         bound = f"{'>=' if row['bound_is'] == 'least' else '<='} {row['bound']:g}"
     spread = f"{row['low']:.2f} .. {row['high']:.2f}" if "low" in row else ""
     sides = [f"{row[side]:.3f}" if side in row else "" for side in ("bare", "layered")]
-    return (f"{row['name']:<44} {sides[0]:>9} {sides[1]:>9} {row['unit']:<6}{row['figure']:>8.2f} {spread:>17} {bound:>8}  "
+    return (f"{row['name']:<44} {sides[0]:>9} {sides[1]:>9} {row['unit']:<6}"
+            f"{row['figure']:>8.2f} {spread:>17} {bound:>8}  "
             f"{row['verdict']}{'  ' + row['note'] if row.get('note') else ''}")
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What a change must satisfy besides the tests: format, include graph, generated files, tidy.
+# What a change must satisfy besides the tests: format, include graph, linters, generated
+# files, tidy.
 # shellcheck disable=SC2317  # the checks are called by part()
 # usage: check.sh BUILD_TREE; all parts run, the status says whether any complained.
 set -uo pipefail
@@ -20,9 +21,22 @@ sources() { git -C "$root" ls-files -- "$@" | sed "s|^|$root/|"; }
 
 check_format() { sources '*.cpp' '*.h' | xargs -r clang-format --dry-run --Werror; }
 
+# Each checker first shows that it finds what is planted.
 check_graph() {
-  python3 "$root/tests/include_graph/include_graph.py" "$root" &&
-    python3 "$root/tests/include_graph/include_graph.py" --self-test
+  local checker
+  for checker in include_graph/include_graph include_graph/sub_rooms references/references; do
+    python3 "$root/tests/$checker.py" --self-test && python3 "$root/tests/$checker.py" "$root" ||
+      return 1
+  done
+}
+
+check_python() { (cd "$root" && git ls-files -- '*.py' bench/run tests/fuzz/run | xargs -r flake8); }
+
+check_shell() { (cd "$root" && shellcheck -x dev .ci/run $(git ls-files -- '*.sh')); }
+
+# Lists of files in Meson: one entry a line, so that two changes rarely meet in one.
+check_meson() {
+  ! git -C "$root" grep -nE "'[^']+\.cpp', *'[^']+\.cpp', *'[^']+\.cpp'" -- '*meson.build'
 }
 
 check_generated() {
@@ -41,7 +55,10 @@ for entry in json.load(open(sys.argv[1] + "/compile_commands.json")):
 }
 
 part "format" check_format
-part "include graph" check_graph
+part "include graph, names in comments and docs" check_graph
+part "Python" check_python
+part "shell" check_shell
+part "lists of Meson" check_meson
 part "generated files" check_generated
 part "tidy" check_tidy
 exit "$status"

@@ -22,6 +22,6 @@ packages_real_quick=(openscad apitrace python3-opengl libglut3.12)
 # `./dev real` asks tests/real/run.py --packages, which knows what each of its programs needs.
 
 packages_bench=(xvfb xauth)
-packages_check=(clang-format clang-tidy)
+packages_check=(clang-format clang-tidy flake8 shellcheck)
 packages_fuzz=(clang-14 libclang-rt-14-dev)
 packages_arm64=(g++-aarch64-linux-gnu qemu-user)

@@ -44,18 +44,18 @@ def source(table):
            "constexpr const char *kNames[] = {\n"]
     for name in table.members:
         out.append('  "' + "\\0".join(table.entry_names(name)) + '\\0",\n')
-    out.append(f"""}};
+    out.append("""};
 
 static_assert(offsetof(HostTable, further) == sizeof(kNames) / sizeof(kNames[0]) * sizeof(void *));
 
-}} // namespace
+} // namespace
 
-void *detail::missingFunction() {{ return reinterpret_cast<void *>(&missing); }}
+void *detail::missingFunction() { return reinterpret_cast<void *>(&missing); }
 
-std::size_t loadHostTable(HostTable &table, GetProc getProc) {{
+std::size_t loadHostTable(HostTable &table, GetProc getProc) {
   auto *const bytes = reinterpret_cast<unsigned char *>(&table);
   std::size_t found = 0;
-  for (std::size_t i = 0; i < sizeof(kNames) / sizeof(kNames[0]); ++i) {{
+  for (std::size_t i = 0; i < sizeof(kNames) / sizeof(kNames[0]); ++i) {
     void *function = nullptr;
     for (const char *name = kNames[i]; *name && !function; name += std::strlen(name) + 1)
       function = getProc(name);
@@ -64,10 +64,10 @@ std::size_t loadHostTable(HostTable &table, GetProc getProc) {{
     else
       function = detail::missingFunction();
     std::memcpy(bytes + i * sizeof(void *), &function, sizeof(void *));
-  }}
+  }
   table.lookup = getProc;
   return found;
-}}
+}
 
 /// The names of the further functions, each group's parted by NUL and ended by an empty one, and
 /// where each begins: numbers, so that nothing is relocated when the library is loaded.
@@ -107,8 +107,6 @@ def null_table(table):
     out += [f"    .{name} = null{name},\n" for name in table.members]
     out.append("};\n\n} // namespace arbiter::host\n")
     return "".join(out)
-
-
 
 
 def recording_table(table):

@@ -162,5 +162,3 @@ bool isOurs(const void *function) {
 } // namespace arbiter::dispatch
 """)
     return "".join(out)
-
-

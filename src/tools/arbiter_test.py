@@ -374,6 +374,7 @@ class Run(Temporary):
         folder = self.path('arbiter')
         folder.mkdir()
         by_path, by_name = folder / '10_arbiter.json', folder / '11_arbiter.json'
+
         def chosen(variable='__EGL_VENDOR_LIBRARY_FILENAMES', **environment):
             shell = f'printf "%s" "${variable}"'
             return arbiter('run', '--library', library, '--', 'sh', '-c', shell,

@@ -28,6 +28,8 @@ import tempfile
 GOOD = '!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, program.local[0];\nMOV result.color, a;\nEND\n'
 DEPENDENT = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n' +
              'TEX a, a, texture[0], 2D;\n' * 5 + 'MOV result.color, a;\nEND\n')
+
+
 def added(header, source, result, count):
     return (f'{header}\nTEMP a;\nMOV a, {source};\n' + 'ADD a, a, a;\n' * count +
             f'MOV result.{result}, a;\nEND\n')

@@ -356,7 +356,7 @@ def run_count(setting):
                     setting.clients / "libclient_counting_vendor.so")
     platform = "surfaceless" if setting.display else "device"
     # The counting vendor was selected before the layer, which makes it the layer's host.
-    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), 
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd),
              "COUNTING_HOST": setting.egl_vendor or "libEGL_mesa.so.0",
              "COUNTING_FILE": str(counts)}
     outcome = execute([setting.clients / "client_count", str(calls), platform],

@@ -15,7 +15,6 @@ import argparse
 import concurrent.futures
 import contextlib
 import json
-import os
 import shutil
 import subprocess
 import sys

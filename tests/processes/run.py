@@ -247,7 +247,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--build", type=Path, default=Path("build"))
     parser.add_argument("--only", action="append", help="part of a row's name; may be repeated")
-    parser.add_argument("--quick", action="store_true", help="without valgrind, and rows that the bare host fails now and then")
+    parser.add_argument("--quick", action="store_true",
+                        help="without valgrind, and rows that the bare host fails now and then")
     parser.add_argument("--repeat", type=int, default=2)
     parser.add_argument("--seed", type=int, help="the first seed; by chance if it is not given")
     parser.add_argument("--jobs", type=int, default=2)

@@ -55,6 +55,7 @@ def summarise(stats: list[dict]) -> dict:
     that did not, and draws by path with the reasons for those that were not ours."""
     programs = [p for s in stats for p in s.get("programs", []) if "fragment" in str(
         p.get("target", "")).lower()]
+
     def draws(path: str) -> int:
         return sum(s.get("draws", {}).get(path, 0) for s in stats)
 

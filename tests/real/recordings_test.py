@@ -14,7 +14,7 @@ import session
 from cases import Case
 from picture import Picture, PictureError
 from recordings import judge, replay, traces
-from recordings.frames import Comparison, Frame, FrameStore, distance, read_frames
+from recordings.frames import Frame, distance, read_frames
 from recordings.replay import Run, Way
 from recordings.traces import Recording
 

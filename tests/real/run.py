@@ -7,8 +7,9 @@
   run.py [NAME...] --texts DIR        record them on the bare host; write each program string there
 
 Each case that is the same from run to run runs twice on the bare host and once with the layer for
-each profile; recordings/ compares recordings of these and of all others, frame by frame. It passes if the pictures agree within the case's tolerance and the layer's own
-statistics say that it compiled the fragment programs and drew with them.
+each profile; recordings/ compares recordings of these and of all others, frame by frame. It passes if
+the pictures agree within the case's tolerance and the layer's own statistics say that it compiled
+the fragment programs and drew with them.
 """
 
 import argparse

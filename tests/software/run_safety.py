@@ -70,7 +70,8 @@ def main():
             for text in lines:
                 print(f"     {text}", flush=True)
         drawn, given = sides.software_totals(scratch)
-    print(f"the rasterizer drew {drawn}, and the host {given or 'nothing'}; the bare host itself dies of {counts['host']}")
+    print(f"the rasterizer drew {drawn}, and the host {given or 'nothing'}; "
+          f"the bare host itself dies of {counts['host']}")
     counts["FAIL"] += args.drawn and not drawn
     print(f"{counts['pass'] + counts['host']} passed, {counts['FAIL']} failed, 0 skipped")
     return 1 if counts["FAIL"] else 0

@@ -11,7 +11,7 @@ import unittest
 
 import lsp_session
 from lsp_client import Closed, place
-from lsp_session import ATI, PROGRAM, URI, VERTEX, Session, labels, serve
+from lsp_session import ATI, PROGRAM, URI, VERTEX, Session, serve
 
 
 class Lifecycle(unittest.TestCase):
@@ -602,6 +602,7 @@ class Latency(Session):
         self.assertEqual([d for d in self.client.open(URI, text) if d['severity'] == 1], [])
         lines = text.split('\n')
         spent = []
+        last = 0
         for version in range(2, 102):
             line = 4 + (version * 37) % 95
             # A letter that breaks the line, then the line as it was.
