@@ -32,7 +32,7 @@ check_graph() {
 
 check_python() { (cd "$root" && git ls-files -- '*.py' bench/run tests/fuzz/run | xargs -r flake8); }
 
-check_shell() { (cd "$root" && shellcheck -x dev .ci/run $(git ls-files -- '*.sh')); }
+check_shell() { (cd "$root" && git ls-files -- dev .ci/run '*.sh' | xargs -r shellcheck -x); }
 
 # Lists of files in Meson: one entry a line, so that two changes rarely meet in one.
 check_meson() {
