@@ -7,11 +7,14 @@ measured over a clock's tick.
 
 import json
 import math
-import os
 import pathlib
 import statistics
 import subprocess
+import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / 'clients'))
+from plain_environment import plain  # noqa: E402
 
 TURN_MS = 40.0
 SETTLE_S = 6.0  # the longest that a side may take to reach its pace: machine code is compiled meanwhile
@@ -19,9 +22,7 @@ SETTLE_S = 6.0  # the longest that a side may take to reach its pace: machine co
 
 def environment(layer=None, extra=None):
     """Without anything of ours or of the host's drivers; with the layer in front if there is one."""
-    foreign = ("ARBITER_", "MESA_", "GALLIUM_", "LIBGL_", "__GLX_", "__EGL_", "LD_PRELOAD")
-    env = {k: v for k, v in os.environ.items() if not k.startswith(foreign)}
-    env.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="true")
+    env = plain(MESA_SHADER_CACHE_DISABLE="true")
     if layer:
         env["LD_PRELOAD"] = str(layer)
     env.update(extra or {})

@@ -15,6 +15,9 @@ import tempfile
 import unittest
 import zlib
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'tests' / 'clients'))
+from plain_environment import plain  # noqa: E402
+
 ARBITER, FAKE, ROOT = sys.argv[1], os.path.abspath(sys.argv[2]), pathlib.Path(sys.argv[3])
 PROGRAMS = ROOT / 'demos' / 'programs'
 GOOD = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
@@ -23,14 +26,9 @@ VERTEX = ('!!ARBvp1.0\nPARAM c[2] = { program.env[0..1] };\nADDRESS A;\n'
 BAD = '!!ARBfp1.0\n# a comment\nMOV result.color, q;\nEND\n'
 
 
-def clean_environment():
-    return {name: value for name, value in os.environ.items()
-            if not name.startswith('ARBITER_') and name not in ('LD_PRELOAD', 'LD_LIBRARY_PATH')}
-
-
 def arbiter(*words, text=None, **environment):
     return subprocess.run([ARBITER, *map(str, words)], input=text, capture_output=True,
-                          env={**clean_environment(), **environment}, timeout=60,
+                          env=plain(**environment), timeout=60,
                           text=not isinstance(text, bytes))
 
 
@@ -416,7 +414,7 @@ class Run(Temporary):
     def test_print_environment_is_read_by_a_shell(self):
         result = arbiter('run', '--library', FAKE, '--print-environment', '--stats', "it's.json")
         shell = subprocess.run(['sh', '-c', result.stdout + 'printf %s "$ARBITER_STATS"'],
-                               capture_output=True, text=True, env=clean_environment())
+                               capture_output=True, text=True, env=plain())
         self.assertEqual(shell.stdout, os.path.join(os.getcwd(), "it's.json"))
 
     def test_identity_options_become_variables(self):
@@ -590,7 +588,7 @@ class Capture(Temporary):
     def capture(self, *words):
         library = () if '--index-only' in words else ('--library', FAKE)
         return subprocess.run([os.path.abspath(ARBITER), 'capture', *library, *map(str, words)],
-                              capture_output=True, text=True, timeout=60, env=clean_environment(),
+                              capture_output=True, text=True, timeout=60, env=plain(),
                               cwd=self.folder.name)
 
     def test_the_command_sees_a_folder_that_is_private(self):

@@ -16,6 +16,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'tests' / 'clients'))
+from plain_environment import plain  # noqa: E402
+
 ARBITER, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 PROGRAMS = ROOT / 'demos' / 'programs'
 GOOD = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
@@ -27,8 +30,8 @@ RESOURCES = ['instructions', 'alu_instructions', 'tex_instructions', 'tex_indire
 
 
 def environment(**changes):
-    base = {name: value for name, value in os.environ.items()
-            if not name.startswith(('ARBITER_', 'LC_')) and name not in ('LANG', 'NO_COLOR')}
+    base = {name: value for name, value in plain().items()
+            if not name.startswith('LC_') and name not in ('LANG', 'NO_COLOR')}
     return {**base, 'LC_ALL': 'C', 'TERM': 'xterm', **changes}
 
 

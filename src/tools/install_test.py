@@ -12,6 +12,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'tests' / 'clients'))
+from plain_environment import plain  # noqa: E402
+
 BUILD, PREFIX, LIBDIR, CXX = sys.argv[1:5]
 
 
@@ -25,8 +28,7 @@ class Installed(unittest.TestCase):
                        env={**os.environ, 'DESTDIR': str(first)}, stdout=subprocess.DEVNULL)
         shutil.move(first, moved)
         cls.prefix = moved / PREFIX.lstrip('/')
-        cls.environment = {name: value for name, value in os.environ.items()
-                           if not name.startswith(('ARBITER_', '__EGL_', '__GLX_', 'LD_'))}
+        cls.environment = plain()
 
     def run_it(self, *words):
         result = subprocess.run([str(word) for word in words], capture_output=True, text=True,

@@ -25,6 +25,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / 'tests' / 'clients'))
+from plain_environment import plain  # noqa: E402
+
 GOOD = '!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, program.local[0];\nMOV result.color, a;\nEND\n'
 DEPENDENT = ('!!ARBfp1.0\nTEMP a;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n' +
              'TEX a, a, texture[0], 2D;\n' * 5 + 'MOV result.color, a;\nEND\n')
@@ -191,10 +194,7 @@ class Runner:
             words += ['--output', 'out']
         prefix = ['valgrind', '-q', '--error-exitcode=99', '--leak-check=no'] \
             if self.arguments.valgrind else []
-        environment = {name: value for name, value in os.environ.items()
-                       if not name.startswith('ARBITER_') and name != 'LD_PRELOAD'}
-        environment.update(XDG_CACHE_HOME=str(place.folder / 'texts'), LC_ALL='C.UTF-8',
-                           LIBGL_ALWAYS_SOFTWARE='1')
+        environment = plain(XDG_CACHE_HOME=str(place.folder / 'texts'), LC_ALL='C.UTF-8')
         done = subprocess.run([*prefix, self.arguments.arbiter, verb.name, *words, *operands],
                               cwd=place.folder, capture_output=True, stdin=subprocess.DEVNULL,
                               env=environment, timeout=300)

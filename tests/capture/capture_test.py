@@ -18,6 +18,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
+from plain_environment import plain  # noqa: E402
+
 ARBITER, LIGHTING, LIFE, TICKER = (os.path.abspath(path) for path in sys.argv[1:5])
 SHADER_RUNNERS = list(pathlib.Path('/usr/lib').glob('*/piglit/bin/shader_runner'))
 # Red, and wrong, in the other languages.
@@ -34,14 +37,8 @@ BLUE = b'!!ARBfp1.0\n# of another length\nMOV result.color, {0, 0, 1, 1};\nEND\n
 WRONG = b'!!ARBfp1.0\nMOV result.color, nothing;\nEND\n'
 
 
-def environment(**more):
-    clean = {name: value for name, value in os.environ.items()
-             if not name.startswith('ARBITER_') and name not in ('LD_PRELOAD', 'LD_LIBRARY_PATH')}
-    return {**clean, 'LIBGL_ALWAYS_SOFTWARE': '1', **more}
-
-
 def run(*words, **more):
-    return subprocess.run([str(word) for word in words], env=environment(**more), timeout=120,
+    return subprocess.run([str(word) for word in words], env=plain(**more), timeout=120,
                           capture_output=True, text=True, errors='replace')
 
 
@@ -128,7 +125,7 @@ class Capture(Folder):
 
     def test_a_process_that_is_killed_leaves_what_it_loaded(self):
         with subprocess.Popen([ARBITER, 'capture', '-o', self.folder, '--', TICKER], text=True,
-                              stdout=subprocess.PIPE, env=environment()) as process:
+                              stdout=subprocess.PIPE, env=plain()) as process:
             process.stdout.readline()  # it has drawn
             pid = int(next(self.folder.glob('process-*.json')).name.split('-')[1])
             os.kill(pid, signal.SIGKILL)
@@ -180,7 +177,7 @@ def ticking(folder, kind='fragment'):
     """A TICKER under replacement; gives a function that waits until it has drawn a colour."""
     with subprocess.Popen([ARBITER, 'run', '--replace', folder, '--', TICKER, kind],
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          env=environment()) as process:
+                          env=plain()) as process:
         rest = last = b''
 
         def waits_for(colour, seconds=20):

@@ -9,7 +9,7 @@ import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import sanitizers
+from plain_environment import sanitized
 
 # MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB of the r300 profile; no host answers it.
 R300_INDIRECTIONS = 4
@@ -61,14 +61,13 @@ class Setting:
 
     def environment(self, layer, extra=None):
         """The bare host's environment, or the layer's by LD_PRELOAD alone."""
-        env = {k: v for k, v in os.environ.items()
-               if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-        env.update(XDG_RUNTIME_DIR=str(self.scratch), **sanitizers.OPTIONS)
+        env = sanitized(XDG_RUNTIME_DIR=str(self.scratch))
         if self.display is None:
             env.pop("DISPLAY", None)
+            del env["LIBGL_ALWAYS_SOFTWARE"]  # a device of EGL's is asked for
             env["CLIENT_EGL_PLATFORM"] = "device"
         else:
-            env.update(DISPLAY=self.display, LIBGL_ALWAYS_SOFTWARE="1")
+            env["DISPLAY"] = self.display
         if self.egl_vendor:
             env["__EGL_VENDOR_LIBRARY_FILENAMES"] = str(write_icd(self.scratch / "host.json",
                                                                   self.egl_vendor))

@@ -40,7 +40,7 @@ def pack(build, folder):
         shutil.copy(build / name, target)
         if not name.endswith(".json"):
             subprocess.run(["strip", target], check=True)
-    for script in ("run.py", "cases.py", "sanitizers.py", "x_server.py"):
+    for script in ("run.py", "cases.py", "plain_environment.py", "x_server.py"):
         shutil.copy(Path(__file__).resolve().parent / script, folder)
 
 

@@ -4,10 +4,11 @@
 import argparse
 import ctypes
 import json
-import os
 import pathlib
 import subprocess
 import sys
+
+from plain_environment import plain
 
 GL_XML = '/usr/share/khronos-api/gl.xml'
 SKIPPED = 77
@@ -57,8 +58,7 @@ def ask(script, options, kind, arguments):
     command = [sys.executable, str(pathlib.Path(script).resolve()), '--client', kind]
     if arguments is not None:
         command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
-    environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
-    environment.update(LIBGL_ALWAYS_SOFTWARE='1', EGL_PLATFORM='surfaceless')
+    environment = plain(EGL_PLATFORM='surfaceless')
     result = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120,
                             check=False)
     if result.returncode == SKIPPED:

@@ -20,6 +20,7 @@ import threading
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / 'clients'))
 import identity  # noqa: E402
+from plain_environment import plain  # noqa: E402
 import process  # noqa: E402
 from properties import is_writable_table  # noqa: E402
 
@@ -184,9 +185,7 @@ def ask(options, kind, layered=True, planted=False):
         if layered:
             command = [options.arbiter, 'run', '--library', options.library, '--backend', 'swrast',
                        '--stats', str(stats), '--', *command]
-        environment = {k: v for k, v in os.environ.items() if not k.startswith('ARBITER_')}
-        environment.update(LIBGL_ALWAYS_SOFTWARE='1', ARBITER_CACHE='0',
-                           HARDENING_OSMESA=options.osmesa)
+        environment = plain(ARBITER_CACHE='0', HARDENING_OSMESA=options.osmesa)
         if kind == 'egl':
             environment['EGL_PLATFORM'] = 'surfaceless'
         result = subprocess.run(command, env=environment, capture_output=True, text=True,

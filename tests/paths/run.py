@@ -12,7 +12,6 @@ fails.
 """
 import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -21,7 +20,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "clients"), str(HERE.parent / "real")]
-import sanitizers  # noqa: E402
+from plain_environment import sanitized  # noqa: E402
 from picture import Picture, write_png  # noqa: E402
 from x_server import XServer  # noqa: E402
 
@@ -41,9 +40,7 @@ class Report:
 
 
 def environment(display, layer, scratch):
-    env = {k: v for k, v in os.environ.items() if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-    env.update(DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(scratch),
-               **sanitizers.OPTIONS)
+    env = sanitized(DISPLAY=display, XDG_RUNTIME_DIR=str(scratch))
     if layer:
         env["LD_PRELOAD"] = str(layer)
     else:  # Mesa takes the length of program strings, which need not end

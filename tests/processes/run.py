@@ -27,6 +27,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "clients"))
 import rates  # noqa: E402
+from plain_environment import plain  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 WAYS = ("host", "auto", "swrast")
@@ -124,9 +125,8 @@ def stats_file(row, way, scratch, seed):
 
 
 def environment_of(row, way, build, display, scratch, seed):
-    env = {k: v for k, v in os.environ.items() if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-    env.update(DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", XDG_CACHE_HOME=str(scratch / "cache"),
-               MESA_SHADER_CACHE_DISABLE="true", FOREIGN_SEED=str(seed))
+    env = plain(DISPLAY=display, XDG_CACHE_HOME=str(scratch / "cache"),
+                MESA_SHADER_CACHE_DISABLE="true", FOREIGN_SEED=str(seed))
     preload = [row.preload] if row.preload else []
     if way != "bare":
         preload.insert(0, str(build / "src/interposer/libGLX_arbiter.so.0"))

@@ -16,6 +16,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "clients"))
+from plain_environment import plain  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 TIMEOUT = 60
@@ -31,8 +32,7 @@ class Case:
     def __init__(self, build, display, scratch):
         self.build, self.scratch = build, scratch
         self.stats, self.log = scratch / "stats.json", scratch / "log.txt"
-        self.env = {k: v for k, v in os.environ.items() if not k.startswith(("ARBITER_", "__GLX_", "__EGL_", "LD_"))}
-        self.env.update(DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1", XDG_CACHE_HOME=str(scratch / "cache"))
+        self.env = plain(DISPLAY=display, XDG_CACHE_HOME=str(scratch / "cache"))
 
     def foreign(self, mode):
         client = "foreign_watched" if "-layer-" in mode else "foreign"

@@ -21,6 +21,8 @@ import unittest
 import zlib
 
 from html_page import Page
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
+from plain_environment import plain  # noqa: E402
 
 ARBITER, ROOT, LIGHTING = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
 CHROMIUM = shutil.which('chromium') or shutil.which('chromium-browser')
@@ -29,10 +31,8 @@ HOSTILE = (b'!!ARBfp1.0\r\n# \xe9 \x01 </td></table><script>document.title = "ow
 
 
 def run(*words, **more):
-    clean = {name: value for name, value in os.environ.items()
-             if not name.startswith('ARBITER_') and name not in ('LD_PRELOAD', 'LD_LIBRARY_PATH')}
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=120,
-                          env={**clean, 'LIBGL_ALWAYS_SOFTWARE': '1'}, errors='replace', **more)
+                          env=plain(), errors='replace', **more)
 
 
 def alu(count):

@@ -3,24 +3,20 @@
 import collections
 import contextlib
 import json
-import os
 import pathlib
 import subprocess
 import sys
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "clients"))
-import sanitizers  # noqa: E402
+from plain_environment import sanitized  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 TIMEOUT = 300
-FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PRELOAD")
 
 
 def environment(layer=None, backend=None, extra=None):
-    env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
-    env.update(LIBGL_ALWAYS_SOFTWARE="1",
-               **sanitizers.OPTIONS)
+    env = sanitized()
     if layer:
         env.update(LD_PRELOAD=str(layer), ARBITER_BACKEND=backend, ARBITER_PROFILE="host")
     env.update(extra or {})

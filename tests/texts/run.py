@@ -27,6 +27,8 @@ import sys
 import tempfile
 
 from case_files import Malformed, read_cases
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'clients'))
+from plain_environment import plain  # noqa: E402
 
 # The largest difference of a component, as a part of its size and absolute. Approximate functions
 # (EX2, LG2, POW, SIN) are within 2^-10 of the exact value by the specification.
@@ -43,9 +45,7 @@ class Ended(Exception):
 
 
 def environment(way, layer, cache):
-    result = {name: value for name, value in os.environ.items() if not name.startswith('ARBITER_')}
-    result.pop('LD_PRELOAD', None)
-    result['LIBGL_ALWAYS_SOFTWARE'] = '1'
+    result = plain()
     if way != 'bare':
         result.update(LD_PRELOAD=str(layer), ARBITER_PROFILE='host', ARBITER_BACKEND=way,
                       XDG_CACHE_HOME=str(cache))

@@ -1,0 +1,26 @@
+"""The environment that runners give to clients: nothing that whoever started the tests has set for
+the layer, for the loader of libraries or for Mesa reaches them."""
+
+import os
+from pathlib import Path
+
+SUPPRESSIONS = Path(__file__).resolve().parent.parent.parent / "scripts/tsan.supp"
+# For clients of a tree with a sanitizer (./dev asan, ./dev tsan); elsewhere they mean nothing.
+# Preloading puts the layer before the sanitizer's runtime, and the host and its threads are not
+# instrumented. The driver keeps memory for the life of the process.
+SANITIZERS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
+              "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+              "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"
+                              f":suppressions={SUPPRESSIONS}"}
+FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_")
+
+
+def plain(**more):
+    """The caller's environment without FOREIGN names, on a GL of software; `more` is set in it."""
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(FOREIGN)}
+    return {**kept, "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+
+
+def sanitized(**more):
+    """The same for clients that may be instrumented."""
+    return plain(**SANITIZERS, **more)
