@@ -57,10 +57,10 @@ def summary(path):
         return "no statistics"
     parts = []
     for program in stats["programs"]:
-        counts = program["counts"]
+        alu, tex, indirections = (program["counts"][name] for name in (
+            "alu_instructions", "tex_instructions", "tex_indirections"))
         parts.append("%d ALU + %d TEX, %d indirection%s"
-                     % (counts["alu"], counts["tex"], counts["indirections"],
-                        "" if counts["indirections"] == 1 else "s"))
+                     % (alu, tex, indirections, "" if indirections == 1 else "s"))
     draws = stats["draws"]
     parts.append("%d draws rasterized, %d as GLSL, %d untouched"
                  % (draws["rasterizer"], draws["host_glsl"], draws["host_untouched"]))

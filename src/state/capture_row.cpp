@@ -3,23 +3,11 @@
 #include <cstdio>
 
 #include "fp_compiler/ir/print.h"
+#include "fp_compiler/resources.h"
 
 namespace arbiter::state {
 
 namespace {
-
-void writeCounts(JsonWriter &json, const char *key, const fp::ResourceCounts &counts) {
-  json.key(key).beginObject();
-  json.key("instructions").value(counts.instructions);
-  json.key("alu_instructions").value(counts.aluInstructions);
-  json.key("tex_instructions").value(counts.texInstructions);
-  json.key("tex_indirections").value(counts.texIndirections);
-  json.key("temporaries").value(counts.temporaries);
-  json.key("parameters").value(counts.parameters);
-  json.key("attribs").value(counts.attribs);
-  json.key("address_registers").value(counts.addressRegisters);
-  json.endObject();
-}
 
 /// "RGBA8" for the formats of the time, else the number.
 std::string formatName(GLint format) {
@@ -120,8 +108,8 @@ void CaptureRow::write(JsonWriter &json) const {
     json.value(option);
   json.endArray();
   if (counted) {
-    writeCounts(json, "counts", counts);
-    writeCounts(json, "native_counts", nativeCounts);
+    fp::writeCounts(json, "counts", counts);
+    fp::writeCounts(json, "native_counts", nativeCounts);
     json.key("under_native_limits").value(underNativeLimits);
   }
   json.key("error");

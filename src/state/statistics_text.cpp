@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unistd.h>
 
+#include "fp_compiler/resources.h"
 #include "state/active_profile.h"
 #include "state/statistics.h"
 #include "util/flags.h"
@@ -29,19 +30,6 @@ const char *providerName(Provider provider) {
   return "";
 }
 
-void writeCounts(JsonWriter &json, const char *key, const fp::ResourceCounts &counts) {
-  json.key(key).beginObject();
-  json.key("instructions").value(counts.instructions);
-  json.key("alu").value(counts.aluInstructions);
-  json.key("tex").value(counts.texInstructions);
-  json.key("indirections").value(counts.texIndirections);
-  json.key("temporaries").value(counts.temporaries);
-  json.key("parameters").value(counts.parameters);
-  json.key("attribs").value(counts.attribs);
-  json.key("address_registers").value(counts.addressRegisters);
-  json.endObject();
-}
-
 void writeProgram(JsonWriter &json, const ProgramRow &row) {
   json.beginObject();
   json.key("context").value(row.context);
@@ -50,8 +38,8 @@ void writeProgram(JsonWriter &json, const ProgramRow &row) {
   json.key("target").value(row.target);
   json.key("language").value(row.language);
   if (row.counted) {
-    writeCounts(json, "counts", row.counts);
-    writeCounts(json, "native_counts", row.nativeCounts);
+    fp::writeCounts(json, "counts", row.counts);
+    fp::writeCounts(json, "native_counts", row.nativeCounts);
     json.key("under_native_limits").value(row.underNativeLimits);
   }
   if (row.error.empty()) {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "fp_compiler/hw/profile.h"
+#include "fp_compiler/resources.h"
 #include "tools/input.h"
 #include "tools/language.h"
-#include "tools/resources.h"
 #include "util/hash.h"
 #include "util/json.h"
 
@@ -30,7 +30,7 @@ using Programs = std::map<std::string, CapturedProgram>; ///< by file name
 
 fp::ResourceCounts readCounts(const Json &json) {
   fp::ResourceCounts counts;
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     counts.*row.member = json.value(row.name, 0u);
   return counts;
 }
@@ -134,7 +134,7 @@ bool isRecord(const std::string &name) {
 void writeCounts(JsonWriter &json, const char *key, const fp::ResourceCounts &counts,
                  fp::ir::Language language) {
   json.key(key).beginObject();
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     if (row.of(language))
       json.key(row.name).value(counts.*row.member);
   json.endObject();

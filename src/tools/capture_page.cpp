@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "fp_compiler/resources.h"
 #include "tools/capture_tables.h"
 #include "tools/page/frame.h"
 #include "tools/page/html.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -69,7 +69,7 @@ std::string source(const CapturedProgram &program) {
 
 std::string countsTable(const CapturedProgram &program) {
   std::string html = "<table><tr><th>resource</th><th>used</th><th>native</th></tr>\n";
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     if (row.of(program.target->language))
       html += "<tr>" + cell(row.title) + numberCell(program.counts.*row.member) +
               numberCell(program.nativeCounts.*row.member) + "</tr>\n";

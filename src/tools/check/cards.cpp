@@ -5,6 +5,7 @@
 #include <GL/arbiter.h>
 
 #include "fp_compiler/hw/native.h"
+#include "fp_compiler/resources.h"
 #include "tools/check/source_text.h"
 #include "tools/commands.h"
 #include "tools/input.h"
@@ -38,7 +39,7 @@ CardCell cellOf(const std::string &text, fp::ir::Language language, fp::LimitPol
   if (result.underNativeLimits)
     return cell;
   cell.status = FileStatus::OverNative;
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     if (row.of(language) && result.nativeCounts.*row.member > limits.native.*row.member)
       cell.over.push_back({&row, result.nativeCounts.*row.member, limits.native.*row.member});
   const auto report = fp::hw::explainNative(*result.program, result.counts, limits, text);

@@ -4,9 +4,9 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
+#include "fp_compiler/resources.h"
 #include "tools/check/checked_file.h"
 #include "tools/check/terminal.h"
-#include "tools/resources.h"
 
 /// `arbiter check --profile all`: which cards a set of programs fits.
 namespace arbiter::tools {
@@ -16,7 +16,7 @@ inline constexpr const char *kAllCards = "all";
 
 /// A resource of which a program needs more than a card has of its own.
 struct OverCount {
-  const ResourceRow *row;
+  const fp::ResourceRow *row;
   std::uint32_t used, limit; ///< native
 };
 

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/json.h"
 #include "tools/check/text.h"
 #include "tools/check/why.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -60,7 +60,7 @@ constexpr ModelRow kModelRows[] = {
 
 std::vector<Line> linesOf(const Side &a, const Side &b) {
   std::vector<Line> lines;
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (!row.of(a.file.language) && !row.of(b.file.language))
       continue;
     Line &line = lines.emplace_back(Line{row.name, row.title, {}, {}});

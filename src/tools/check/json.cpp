@@ -2,9 +2,9 @@
 
 #include <GL/arbiter.h>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/source_text.h"
 #include "tools/language.h"
-#include "tools/resources.h"
 #include "util/hash.h"
 
 namespace arbiter::tools {
@@ -46,7 +46,7 @@ void writeDiagnostic(JsonWriter &json, const SourceText &source, const fp::Diagn
 void writeCounts(JsonWriter &json, const CheckedFile &file) {
   json.key("under_native_limits").value(file.result.underNativeLimits);
   json.key("counts").beginObject();
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (!row.of(file.language))
       continue;
     json.key(row.name).beginObject();
@@ -109,7 +109,7 @@ private:
 
   void writeReason(const fp::hw::Reason &reason) {
     m_json.beginObject();
-    m_json.key("resource").value(resourceRow(reason.resource).name);
+    m_json.key("resource").value(fp::resourceRow(reason.resource).name);
     m_json.key("amount").value(reason.amount);
     m_json.key("text").value(reason.text);
     writePlaces("instructions", reason.instructions);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "fp_compiler/resources.h"
 #include "tools/commands.h"
 #include "tools/language.h"
 
@@ -13,10 +14,10 @@ namespace {
 constexpr std::string_view kLimitId = "limit-"; ///< of the diagnostics of API limits
 
 /// "limit-alu-instructions" is of the row "alu_instructions".
-const ResourceRow *rowOfId(std::string_view id) {
+const fp::ResourceRow *rowOfId(std::string_view id) {
   std::string key(id.substr(kLimitId.size()));
   std::replace(key.begin(), key.end(), '-', '_');
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     if (key == row.name)
       return &row;
   return nullptr;
@@ -24,7 +25,7 @@ const ResourceRow *rowOfId(std::string_view id) {
 
 /// The largest reason for a resource that points at instructions; else the largest. Of no row (over
 /// by what no count shows), and of the total, which has no reasons of its own: of any resource.
-const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const ResourceRow *row) {
+const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const fp::ResourceRow *row) {
   const bool any = row == nullptr || row->member == &fp::ResourceCounts::instructions;
   const fp::hw::Reason *found = nullptr;
   for (const fp::hw::Reason &reason : report.reasons) {
@@ -39,9 +40,9 @@ const fp::hw::Reason *reasonFor(const fp::hw::NativeReport &report, const Resour
 }
 
 /// The first row that is over and has a reason; else the first that is over; else none.
-const ResourceRow *overRow(const CheckedFile &file) {
-  const ResourceRow *found = nullptr;
-  for (const ResourceRow &row : resourceRows()) {
+const fp::ResourceRow *overRow(const CheckedFile &file) {
+  const fp::ResourceRow *found = nullptr;
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (file.result.nativeCounts.*row.member <= file.limits.native.*row.member)
       continue;
     if (row.member != &fp::ResourceCounts::instructions &&
@@ -70,7 +71,7 @@ void Summary::add(const CheckedFile &file) {
 void Summary::addFullest(const CheckedFile &file) {
   auto &fullest = m_fullest[std::size_t(file.language)];
   std::size_t at = 0;
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     Fullest &held = fullest[at++];
     const std::uint32_t used = file.result.nativeCounts.*row.member;
     const std::uint32_t limit = file.limits.native.*row.member;
@@ -131,7 +132,7 @@ std::string Summary::fullestTable(const Style &style) const {
     text += "the fullest of " + std::to_string(programs) + " " + (language.header + 2) +
             (programs == 1 ? " program" : " programs") + ":\n";
     std::size_t at = 0;
-    for (const ResourceRow &row : resourceRows()) {
+    for (const fp::ResourceRow &row : fp::resourceRows()) {
       const Fullest &held = m_fullest[std::size_t(language.language)][at++];
       if (!row.of(language.language))
         continue;
@@ -176,7 +177,7 @@ void Summary::write(JsonWriter &json) const {
     if (m_programs[std::size_t(language.language)] == 0)
       continue;
     std::size_t at = 0;
-    for (const ResourceRow &row : resourceRows()) {
+    for (const fp::ResourceRow &row : fp::resourceRows()) {
       const Fullest &held = m_fullest[std::size_t(language.language)][at++];
       if (!row.of(language.language))
         continue;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/checked_file.h"
 #include "tools/check/terminal.h"
-#include "tools/resources.h"
 #include "util/json.h"
 
 namespace arbiter::tools {
@@ -44,7 +44,7 @@ private:
   };
   struct Misfit {
     std::string file;
-    const ResourceRow *row = nullptr; ///< none: over by what no count shows
+    const fp::ResourceRow *row = nullptr; ///< none: over by what no count shows
     std::optional<std::uint32_t> used;
     std::uint32_t limit = 0;
     std::string why;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/why.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -26,7 +26,7 @@ std::string tableHead(const Style &style) {
 }
 
 /// The four numbers stand first, whatever follows them, as scripts read them.
-std::string tableRow(const CheckedFile &file, const ResourceRow &row, const Style &style) {
+std::string tableRow(const CheckedFile &file, const fp::ResourceRow &row, const Style &style) {
   const std::uint32_t used = file.result.counts.*row.member;
   const std::uint32_t limit = file.limits.api.*row.member;
   const std::uint32_t nativeUsed = file.result.nativeCounts.*row.member;
@@ -50,11 +50,12 @@ bool isOver(const CheckedFile &file, std::uint32_t fp::ResourceCounts::*resource
 }
 
 /// Whether a row's reasons are reasons for what does not fit.
-bool isToBlame(const CheckedFile &file, const ResourceRow &row) {
+bool isToBlame(const CheckedFile &file, const fp::ResourceRow &row) {
   using fp::ResourceCounts;
-  const auto rows = resourceRows();
-  const bool counted = std::any_of(
-      rows.begin(), rows.end(), [&](const ResourceRow &each) { return isOver(file, each.member); });
+  const auto rows = fp::resourceRows();
+  const bool counted = std::any_of(rows.begin(), rows.end(), [&](const fp::ResourceRow &each) {
+    return isOver(file, each.member);
+  });
   // A program can be over by something that no count shows; then any reason may be it.
   if (!counted)
     return file.status == FileStatus::OverNative;
@@ -65,7 +66,7 @@ bool isToBlame(const CheckedFile &file, const ResourceRow &row) {
 
 std::string table(const CheckedFile &file, const Why &why, const TextOptions &options) {
   std::string text = tableHead(options.style);
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (!row.of(file.language))
       continue;
     text += tableRow(file, row, options.style);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/json.h"
 
 namespace arbiter::tools {
@@ -88,7 +89,7 @@ std::string Why::lines(const std::vector<std::uint32_t> &instructions) const {
   return text;
 }
 
-std::string Why::reasons(const ResourceRow &row) const {
+std::string Why::reasons(const fp::ResourceRow &row) const {
   std::string text;
   std::size_t count = 0;
   for (const fp::hw::Reason &reason : m_report.reasons) {

@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/checked_file.h"
 #include "tools/check/source_text.h"
 #include "tools/check/terminal.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -17,7 +17,7 @@ public:
   Why(const CheckedFile &file, const Style &style, bool all);
 
   /// The parts of one resource's count, the largest first.
-  [[nodiscard]] std::string reasons(const ResourceRow &row) const;
+  [[nodiscard]] std::string reasons(const fp::ResourceRow &row) const;
   /// One line: whose counts these are, nodes, dependent reads, cycles.
   [[nodiscard]] std::string headline() const;
   /// The longest chain of dependent reads, an instruction a line.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "fp_compiler/resources.h"
 #include "tools/lsp/answers.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools::lsp {
 
@@ -104,7 +104,7 @@ Json ofReason(const View &view, const fp::hw::Reason &reason, const std::string 
 void addNative(const View &view, Json &all) {
   const fp::hw::NativeReport &native = view.analysis.native;
   std::size_t reasons = 0;
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     const std::uint32_t used = native.counts.*row.member;
     const std::uint32_t limit = view.analysis.limits.native.*row.member;
     if (!row.of(view.analysis.language) || used <= limit)

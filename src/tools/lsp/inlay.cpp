@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <map>
 
+#include "fp_compiler/resources.h"
 #include "tools/lsp/answers.h"
 #include "tools/lsp/native_text.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools::lsp {
 
@@ -32,7 +32,7 @@ Json total(const View &view) {
   const fp::ResourceCounts &counts = view.analysis.native.counts;
   const fp::ResourceCounts &limits = view.analysis.limits.native;
   std::string text = view.profile.name + ":";
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (!row.of(view.analysis.language))
       continue;
     const std::uint32_t used = counts.*row.member;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/why.h"
 #include "tools/page/html.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -38,7 +38,7 @@ std::string gaugeTable(const CheckedFile &file) {
   std::string html = "<table class=gauges><thead><tr><th scope=col>resource</th>"
                      "<th scope=col colspan=2>native: used / limit</th>"
                      "<th scope=col class=n>API: used / limit</th></tr></thead><tbody>\n";
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     if (!row.of(file.language))
       continue;
     const std::uint32_t used = file.result.nativeCounts.*row.member;
@@ -52,7 +52,7 @@ std::string gaugeTable(const CheckedFile &file) {
 
 Fullest fullestOf(const CheckedFile &file) {
   Fullest fullest;
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     const Fullest each{row.title, file.result.nativeCounts.*row.member,
                        file.limits.native.*row.member};
     if (row.of(file.language) && each.limit != 0 && each.part() > fullest.part())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/resources.h"
 #include "tools/check/json.h"
 #include "tools/check/why.h"
 #include "tools/language.h"
@@ -10,7 +11,6 @@
 #include "tools/report/gauges.h"
 #include "tools/report/section.h"
 #include "tools/report/slots.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -63,7 +63,7 @@ std::string countCells(const CheckedFile &file) {
                             &ResourceCounts::texInstructions, &ResourceCounts::texIndirections,
                             &ResourceCounts::temporaries, &ResourceCounts::parameters}) {
     const std::uint32_t used = file.result.nativeCounts.*member;
-    if (!resourceRow(member).of(file.language))
+    if (!fp::resourceRow(member).of(file.language))
       html += emptyCells(1);
     else if (used > file.limits.native.*member)
       html += "<td class=\"n over\"><b>" + number(used) + "</b></td>";
@@ -149,7 +149,8 @@ std::string captureText(const ProgramSet &set) {
 }
 
 /// The largest parts of one count.
-std::string largestReasons(const ProgramSet &set, std::size_t index, const ResourceRow &resource) {
+std::string largestReasons(const ProgramSet &set, std::size_t index,
+                           const fp::ResourceRow &resource) {
   std::string html;
   std::size_t shown = 0, more = 0;
   for (const fp::hw::Reason &reason : set.programs[index].file.native().reasons) {
@@ -174,7 +175,7 @@ std::string largestReasons(const ProgramSet &set, std::size_t index, const Resou
 std::string misfitReasons(const ProgramSet &set, std::size_t index) {
   const CheckedFile &file = set.programs[index].file;
   std::string over, full;
-  for (const ResourceRow &resource : resourceRows()) {
+  for (const fp::ResourceRow &resource : fp::resourceRows()) {
     const std::uint32_t used = file.result.nativeCounts.*resource.member;
     const std::uint32_t limit = file.limits.native.*resource.member;
     if (resource.of(file.language) && used >= limit)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/resources.h"
 #include "tools/capture_tables.h"
 #include "tools/check/source_text.h"
 #include "tools/check/why.h"
@@ -10,7 +11,6 @@
 #include "tools/report/gauges.h"
 #include "tools/report/line_costs.h"
 #include "tools/report/source_table.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
@@ -35,7 +35,7 @@ private:
   [[nodiscard]] std::string summary() const;
   [[nodiscard]] std::string headline() const;
   [[nodiscard]] std::string reasons() const;
-  [[nodiscard]] std::string reasonsOf(const ResourceRow &row) const;
+  [[nodiscard]] std::string reasonsOf(const fp::ResourceRow &row) const;
   [[nodiscard]] std::string nodes() const;
   [[nodiscard]] std::string chain() const;
   [[nodiscard]] std::string cycles() const;
@@ -94,7 +94,7 @@ std::string Section::headline() const {
   return html + "</p>\n";
 }
 
-std::string Section::reasonsOf(const ResourceRow &row) const {
+std::string Section::reasonsOf(const fp::ResourceRow &row) const {
   std::string items;
   for (const Reason &reason : native()->reasons) {
     if (reason.resource != row.member)
@@ -111,7 +111,7 @@ std::string Section::reasonsOf(const ResourceRow &row) const {
 
 std::string Section::reasons() const {
   std::string html;
-  for (const ResourceRow &row : resourceRows())
+  for (const fp::ResourceRow &row : fp::resourceRows())
     if (row.of(m_file.language))
       html += reasonsOf(row);
   return html.empty() ? html : "<h4>Why</h4>\n<dl>" + html + "</dl>\n";
@@ -225,7 +225,7 @@ std::vector<std::string> excesses(const ReportedProgram &program) {
   std::vector<std::string> texts;
   if (program.verdict != Verdict::Over)
     return texts;
-  for (const ResourceRow &row : resourceRows()) {
+  for (const fp::ResourceRow &row : fp::resourceRows()) {
     const std::uint32_t used = file.result.nativeCounts.*row.member;
     const std::uint32_t limit = file.limits.native.*row.member;
     const std::uint32_t apiUsed = file.result.counts.*row.member;

@@ -1,16 +1,16 @@
 #include "tools/report/slots.h"
 
+#include "fp_compiler/resources.h"
 #include "tools/language.h"
-#include "tools/resources.h"
 
 namespace arbiter::tools {
 
 std::vector<SlotHistogram> slotHistograms(const ProgramSet &set) {
   std::vector<SlotHistogram> histograms;
   for (const LanguageRow &language : languageRows()) {
-    const ResourceRow &row = resourceRow(language.language == fp::ir::Language::ArbVertex
-                                             ? &fp::ResourceCounts::instructions
-                                             : &fp::ResourceCounts::aluInstructions);
+    const fp::ResourceRow &row = fp::resourceRow(language.language == fp::ir::Language::ArbVertex
+                                                     ? &fp::ResourceCounts::instructions
+                                                     : &fp::ResourceCounts::aluInstructions);
     std::vector<std::uint32_t> amounts;
     for (const ReportedProgram &program : set.programs)
       if (program.file.counted() && program.file.language == language.language)

@@ -1,12 +1,12 @@
-#include "tools/resources.h"
+#include "fp_compiler/resources.h"
 
 #include <iterator>
 
-namespace arbiter::tools {
+#include "util/json.h"
+
+namespace arbiter::fp {
 
 namespace {
-
-using fp::ResourceCounts;
 
 constexpr ResourceRow kRows[] = {
     {"instructions", "instructions", &ResourceCounts::instructions, true, true},
@@ -32,4 +32,11 @@ const ResourceRow &resourceRow(std::uint32_t ResourceCounts::*member) {
   return kRows[0];
 }
 
-} // namespace arbiter::tools
+void writeCounts(JsonWriter &json, const char *key, const ResourceCounts &counts) {
+  json.key(key).beginObject();
+  for (const ResourceRow &row : kRows)
+    json.key(row.name).value(counts.*row.member);
+  json.endObject();
+}
+
+} // namespace arbiter::fp
