@@ -51,7 +51,7 @@
 /* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json`,
  * `arbiter capture` (index.json, process-*.json) and `arbiter report --json` write.
  * It changes when a member changes its meaning or goes; a new member does not change it. */
-#define ARBITER_STATS_SCHEMA 1
+#define ARBITER_STATS_SCHEMA 2
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
 #define ARBITER_REPORT_SCHEMA 1
