@@ -2,7 +2,7 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
-#include "state/software/residency.h"
+#include "state/software/drawable.h"
 #include "state/software/window_frames.h"
 
 #include <cstring>

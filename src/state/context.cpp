@@ -258,7 +258,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     software::ceasesToBeCurrent(*context); // it may have another drawable
   }
   if (context) {
-    software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
+    context->drawable = drawable ? *drawable : software::Drawable{};
     software::becomesCurrent(*context);
   }
   if (context && !context->initialised) {

@@ -24,7 +24,7 @@
 #include "state/sampler_override.h"
 #include "state/software/context_state.h"
 #include "state/software/neighbours.h"
-#include "state/software/residency.h"
+#include "state/software/drawable.h"
 #include "state/target.h"
 #include "state/variant.h"
 #include "swrast/feedback.h"

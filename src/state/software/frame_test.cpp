@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "state/software/context_state.h"
+#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/software/testing/real_host.h"
 
@@ -23,7 +24,7 @@ protected:
     drawable.width = drawable.height = 64;
     drawable.memoryFormat = GL_RGBA;
     drawable.memoryType = GL_UNSIGNED_BYTE;
-    setDrawable(context(), drawable);
+    context().drawable = drawable;
     context().software = std::make_unique<ContextState>();
     context().stale = stale::kAll;
     enter(context());

@@ -163,11 +163,6 @@ void hostDoesAnything(Context &context, const char *why) {
   dropAll(context, *window);
 }
 
-void setDrawable(Context &context, const Drawable &drawable) {
-  // Kept with the context, whose rasterizer may be engaged later.
-  context.drawable = drawable;
-}
-
 void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
   if (!context.software || !context.software->images)
     return;

@@ -1,12 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <memory>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
 #include "fp_compiler/abi.h"
-#include "fp_compiler/ir/ir.h"
+#include "state/software/drawable.h"
 #include "swrast/image.h"
 
 /// Who holds the newest pixels of each image, the host or our shadow, and moving them when the
@@ -123,37 +122,6 @@ void hostDoesAnything(Context &context, const char *why);
 // --- Frames and contexts
 // ----------------------------------------------------------------------------
 
-/// What the context draws to where no framebuffer object is bound, as the window system tells it.
-/// The interposer says it before the context becomes current.
-struct Drawable {
-  enum class Kind : std::uint8_t {
-    None,    ///< surfaceless, or unknown: never ours
-    Window,  ///< seen by others: a window, a pixmap
-    Pbuffer, ///< seen by GL alone
-    Memory,  ///< the application's own memory (OSMesa)
-  };
-  Kind kind = Kind::None;
-  const void *display = nullptr, *draw = nullptr; ///< handles for `size`
-  bool sameRead = true;                           ///< the read drawable is the same
-  /// Asks the window system; null where width and height are fixed. False: nobody knows.
-  /// \param sure an answer as old as the last frame will not do, though the window system told the
-  ///             application of no change since
-  bool (*size)(const Drawable &drawable, int &width, int &height, bool sure) = nullptr;
-  int width = 0, height = 0;
-  /// Memory that the window system shows pixels from by itself; null: it does not.
-  std::shared_ptr<swrast::Storage> (*sharedMemory)(const Drawable &drawable,
-                                                   std::size_t bytes) = nullptr;
-  /// Shows an image of the window's size: it is read while the caller goes on, until its storage
-  /// says that nobody reads it (swrast::Storage::isRead). False: it could not, or the storage is
-  /// not of sharedMemory().
-  bool (*show)(const Drawable &drawable, const swrast::Image &image) = nullptr;
-  void *presenter = nullptr; ///< for the two
-  void *memory = nullptr;    ///< of Kind::Memory: its lowest address, and what it holds
-  GLenum memoryFormat = 0, memoryType = 0; ///< GL_RGBA .., GL_UNSIGNED_BYTE ..
-  /// How rows lie in `memory` now; null: as many pixels as are wide, bottom row first.
-  void (*memoryLayout)(const Drawable &drawable, int &rowLength, bool &topRowFirst) = nullptr;
-};
-void setDrawable(Context &context, const Drawable &drawable);
 /// Viewport was called: the window may have another size since, and is asked at the next draw. A
 /// rectangle that is new says that the application heard of one.
 void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport);

@@ -1,8 +1,12 @@
 #pragma once
-#include "state/software/residency.h"
+#include "state/software/drawable.h"
 
 /// Frames that the layer shows without the host, and what the host must find out of them: that the
 /// window has another size since, as it would have at its own swap.
+namespace arbiter::state {
+class Context;
+}
+
 namespace arbiter::state::software {
 
 /// Of drawables with `show`; the interposer's.
