@@ -80,7 +80,7 @@ protected:
   }
   /// As handlers::Begin does where the rasterizer takes the primitive.
   void record(GLenum mode) {
-    m_context->software = std::make_unique<state::software::ContextState>();
+    m_context->software = std::make_unique<state::software::ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
     m_context->software->recorder.begin(mode, m_context->software->mirror.current);
     state::software::startRecording(*m_context);

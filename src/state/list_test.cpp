@@ -241,7 +241,7 @@ struct KeepingContext : CurrentContext {
   explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
     Context &context = **this;
     use(context, kText);
-    context.software = std::make_unique<software::ContextState>();
+    context.software = std::make_unique<software::ContextState>(context);
     context.softwarePossible = context.softwareListens = true;
     context.host->GetError();
     host.calls.clear();

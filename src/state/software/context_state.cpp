@@ -62,7 +62,7 @@ void engage(Context &context) {
   context.softwareRefused = true;
   if (!isPossible(context))
     return;
-  context.software = std::make_unique<ContextState>();
+  context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
   context.software->backOff.setForced(context.software->forced);
   context.stale = stale::kAll;
@@ -70,7 +70,9 @@ void engage(Context &context) {
   enter(context);
 }
 
-ContextState::ContextState() = default;
+// The mirror is never asked for anything while the host is held back (Context::trueHost).
+ContextState::ContextState(Context &context)
+    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps) {}
 ContextState::~ContextState() = default;
 
 } // namespace arbiter::state::software

@@ -9,6 +9,10 @@
 
 /// What a context keeps for the rasterizer of our own; null in Context::software where it is not
 /// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
+namespace arbiter::state {
+class Context;
+}
+
 namespace arbiter::state::software {
 
 /// Why the host drew; rows of reasons.def.
@@ -35,7 +39,7 @@ struct ContextDraws {
   virtual ~ContextDraws() = default;
 };
 struct ContextState {
-  ContextState();
+  explicit ContextState(Context &context);
   ~ContextState();
   ContextState(const ContextState &) = delete;
   ContextState &operator=(const ContextState &) = delete;

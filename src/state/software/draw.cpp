@@ -113,8 +113,8 @@ Outcome shadeAll(Context &context, const VertexSource &source, std::uint32_t cou
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
-  refreshArrays(context, mirror);
-  refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
+  mirror.refreshArrays();
+  mirror.refreshCurrent(context.stale, slotsOf(pipeline, mirror));
   const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
   ArraySource &arrays = pipeline.arrays();
   const OpenArrays open(context, arrays);
@@ -178,7 +178,7 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
                     if (!outcome.ok())
                       return outcome;
                     Mirror &mirror = context.software->mirror;
-                    refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
+                    mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
                     return shadeAll(context, *source, count);
                   }));
 }
@@ -207,7 +207,7 @@ bool drawOpen(void *owner, const float position[4]) {
     outcome = settled(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
   } catch (const std::exception &error) {
-    recorder.fail(); // and End says so
+    recorder.fail();         // and End says so
     startRecording(context); // an application that catches its own exception is before End still
     passOn(error);
     stopRecording(context);
@@ -239,7 +239,7 @@ bool begin(Context &context, GLenum mode) {
     return false;
   }
   Mirror &mirror = context.software->mirror;
-  refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
+  mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
   ContextState &state = *context.software;
   state.recorder.begin(mode, mirror.current);
   state.openParts = false;

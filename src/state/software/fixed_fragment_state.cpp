@@ -4,6 +4,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/draw.h"
 #include "state/fixed_function.h"
 #include "state/software/fixed_fragment.h"
 #include "state/software/residency.h"
@@ -135,7 +136,10 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
     if (unit.environment == Environment::Off)
       continue;
     const SamplerUse use{std::uint8_t(i), dimensionOf(unit.target)};
-    refreshSamplers(context, mirror, {&use, 1});
+    if (mirror.samplersAreStale({&use, 1})) {
+      releaseSamplers(context);
+      mirror.refreshSamplers({&use, 1});
+    }
     const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
     const char *reason = nullptr;
     const TextureImages *const images = acquireTexture(

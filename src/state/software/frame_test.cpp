@@ -25,7 +25,7 @@ protected:
     drawable.memoryFormat = GL_RGBA;
     drawable.memoryType = GL_UNSIGNED_BYTE;
     context().drawable = drawable;
-    context().software = std::make_unique<ContextState>();
+    context().software = std::make_unique<ContextState>(context());
     context().stale = stale::kAll;
     enter(context());
   }

@@ -100,11 +100,11 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, 
 
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
   Mirror &mirror = context.software->mirror;
-  refresh(context, mirror);
+  mirror.refresh(context.stale);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
   if (m_chosen) {
-    refreshVertexState(context, mirror, m_floatTarget);
+    mirror.refreshVertexState(m_floatTarget);
     const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
     if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
         (context.stale & stale::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
@@ -140,7 +140,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  if (const char *const obstacle = obstacleOf(mirror, m_topology))
+  if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const char *reason = nullptr;
   m_targets = describeTargets(context, reason);
@@ -151,7 +151,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
       context.variant ? context.variant->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            drawsPoints(mirror, m_topology), m_floatTarget, m_when);
+                            mirror.drawsPoints(m_topology), m_floatTarget, m_when);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);

@@ -16,7 +16,7 @@
 namespace arbiter::state::software {
 
 struct DrawTargets;
-struct Mirror;
+class Mirror;
 
 /// A context's way from the programs in force to pixels. choose() looks at state and has functions
 /// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw

@@ -81,13 +81,13 @@ void replayToHost(Context &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
   ++*context.drawCounter;
   sendOpen(*context.host, recorder);
-  noteCurrent(context.software->mirror, recorder.values(), recorder.touched());
+  context.software->mirror.noteCurrent(recorder.values(), recorder.touched());
 }
 
 void tellCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched) {
   tellAttributes(*context.host, values, touched);
   if (touched != 0 && context.software)
-    noteCurrent(context.software->mirror, values, touched);
+    context.software->mirror.noteCurrent(values, touched);
 }
 
 } // namespace arbiter::state::software

@@ -74,7 +74,7 @@ protected:
     drawable.memoryType = GL_UNSIGNED_BYTE;
     makeCurrent(m_context, &drawable);
     if (!m_context->software)
-      m_context->software = std::make_unique<ContextState>();
+      m_context->software = std::make_unique<ContextState>(*m_context);
     m_context->stale = stale::kAll;
     enter(*m_context);
   }

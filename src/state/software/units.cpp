@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "state/context.h"
+#include "state/draw.h"
 #include "state/software/residency.h"
 
 namespace arbiter::state::software {
@@ -90,7 +91,10 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
   m_levelsMatter = 0;
   for (const auto &sampler : shape.samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
-  refreshSamplers(context, mirror, m_uses);
+  if (mirror.samplersAreStale(m_uses)) [[unlikely]] {
+    releaseSamplers(context);
+    mirror.refreshSamplers(m_uses);
+  }
   for (const auto &sampler : shape.samplers) {
     const abi::Dimension dimension = dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
