@@ -303,8 +303,7 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
       state::frameEnd(context);
   exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
   if (registry::isCurrent(Provider::Glx))
-    if (state::Context *const context = state::currentContext())
-      state::software::hostSwaps(*context);
+    state::hostSwaps();
   return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 

@@ -54,7 +54,7 @@ std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
   constexpr GLsizei kMaxShaders = 32;
   GLuint shaders[kMaxShaders] = {};
   GLsizei count = 0;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
   GlslStages stages;
   for (GLsizei i = 0; i < count; ++i) {
@@ -74,7 +74,8 @@ void takeUpExecutable(Context &context, GLuint program) {
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
   if (GLuint(current) != program || program == 0)
     return;
-  const HostErrorScope scope(context); // where the link failed it stays as it was
+  const HostErrorScope scope(*context.host,
+                             context.pendingError); // where the link failed it stays as it was
   context.host->UseProgram(program);
 }
 
@@ -88,7 +89,7 @@ GlslStages stagesOf(Context &context, GLuint program) {
 
 GlslStages stagesOfPipeline(Context &context, GLuint pipeline) {
   GLint vertex = 0, fragment = 0;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.host->GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &vertex);
   context.host->GetProgramPipelineiv(pipeline, GL_FRAGMENT_SHADER, &fragment);
   return {vertex != 0, fragment != 0};

@@ -122,7 +122,7 @@ void captureEnter(Context &context) {
   CaptureInForce &inForce = context.inForce;
   inForce.path = std::size_t(context.path);
   inForce.drawsBefore = drawsOf(context, inForce.path);
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
     if (!stage->compiled)
       continue;

@@ -14,9 +14,9 @@
 #include "state/program_api.h"
 #include "state/replacement.h"
 #include "state/share_group.h"
+#include "state/software/context_state.h"
 #include "state/software/frame.h"
 #include "state/software/neighbours.h"
-#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/statistics.h"
 #include "util/flags.h"
@@ -110,7 +110,7 @@ Context::~Context() {
 
 void initialise(Context &context) {
   context.initialised = true;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.caps = queryHostCaps(*context.host);
   if (!context.caps.compatibility) {
     logInfo("state", "context %u: passed through: %s", context.serial, context.caps.obstacle());
@@ -208,7 +208,10 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
 void leaveCurrent() {
   Context *const context = currentContext();
   if (context)
-    withinMemory(*context, "MakeCurrent", [&] { software::leave(*context); });
+    withinMemory(*context, "MakeCurrent", [&] {
+      if (context->software)
+        context->software->residency.leave();
+    });
 }
 
 bool exchange(Exchange what, const char *name) {
@@ -222,17 +225,23 @@ bool exchange(Exchange what, const char *name) {
       isShown = software::presentFrame(*context);
       break;
     case Exchange::Flush:
-      software::flush(*context, false);
+      context->software->residency.flush(false);
       break;
     case Exchange::Read:
-      software::synchronise(*context, name);
+      context->software->residency.synchronise(name);
       break;
     case Exchange::Change:
-      software::hostDoesAnything(*context, name);
+      context->software->residency.hostDoesAnything(name);
       break;
     }
   });
   return isShown;
+}
+
+void hostSwaps() {
+  Context *const context = currentContext();
+  if (context && context->software)
+    context->software->residency.hostSwaps();
 }
 
 void makeCurrent(Context *context, const software::Drawable *drawable) {
@@ -272,7 +281,8 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
       (context->attention & attention::kShared) == 0)
     invalidateProgram(*context);
-  software::enter(*context);
+  if (context->software)
+    context->software->residency.enter(context->drawable);
 }
 
 void destroyContext(Context *context) {

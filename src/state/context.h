@@ -24,7 +24,7 @@
 #include "state/sampler_override.h"
 #include "state/software/context_state.h"
 #include "state/software/drawable.h"
-#include "state/software/neighbours.h"
+#include "state/software/neighbour_epoch.h"
 #include "state/target.h"
 #include "state/variant.h"
 #include "swrast/feedback.h"
@@ -143,7 +143,7 @@ public:
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
   software::Drawable drawable;  ///< as of the last make-current
-  software::Neighbours neighbours;
+  software::NeighbourEpoch neighbours;
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};

@@ -7,7 +7,5 @@ namespace arbiter::state {
 /// copy comes from.
 void trackCopy(Context &context, const swrast::TextureLevel &to, swrast::CopyKind kind,
                const swrast::CopyRegion &region);
-/// The query of what is bound to a target of CopyTexImage; 0 where there is no such target.
-[[nodiscard]] GLenum bindingOf(GLenum target);
 
 } // namespace arbiter::state

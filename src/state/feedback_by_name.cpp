@@ -3,7 +3,8 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/feedback.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/texture_binding.h"
 
 namespace arbiter::state {
 
@@ -17,7 +18,7 @@ bool counts(Context &context) {
     return false;
   // The copy is the host's: by name or by unit it reaches textures that are not looked for.
   if (context.softwarePossible)
-    software::hostDoesAnything(context, "glCopyTexture");
+    context.software->residency.hostDoesAnything("glCopyTexture");
   return true;
 }
 

@@ -7,7 +7,8 @@
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/commands.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/texture_binding.h"
 
 namespace arbiter::state {
 
@@ -47,12 +48,14 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
 bool copiedByUs(Context &context, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
   const swrast::CopyRegion &r = copy.region;
-  if (software::copyToTexture(context,
-                              {copy.target, copy.level, defines, copy.internalFormat, copy.border,
+  if (!context.software)
+    return false;
+  software::Residency &residency = context.software->residency;
+  if (residency.copyToTexture({copy.target, copy.level, defines, copy.internalFormat, copy.border,
                                r.destX, r.destY, r.destZ, r.x, r.y, r.width, r.height}))
     return true;
-  software::synchronise(context, "glCopyTexImage");
-  software::textureRedefined(context, copy.target);
+  residency.synchronise("glCopyTexImage");
+  residency.textureRedefined(copy.target);
   return false;
 }
 
@@ -109,23 +112,6 @@ void copyTexture(Context &context, const Command &command) {
   copy.border = GLint(command.name);
   std::memcpy(&copy.region, command.bytes.data(), sizeof copy.region);
   perform(context, copy);
-}
-
-GLenum bindingOf(GLenum target) {
-  switch (target) {
-  case GL_TEXTURE_1D:
-    return GL_TEXTURE_BINDING_1D;
-  case GL_TEXTURE_2D:
-    return GL_TEXTURE_BINDING_2D;
-  case GL_TEXTURE_3D:
-    return GL_TEXTURE_BINDING_3D;
-  case GL_TEXTURE_RECTANGLE:
-    return GL_TEXTURE_BINDING_RECTANGLE;
-  default:
-    return target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z
-               ? GL_TEXTURE_BINDING_CUBE_MAP
-               : 0;
-  }
 }
 
 namespace handlers {
@@ -187,7 +173,7 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
     for (GLsizei i = 0; i < n; ++i)
       context.feedback.forget(textures[i]);
   if (context.softwarePossible && !context.insideBeginEnd)
-    software::texturesDeleted(context, n, textures);
+    context.software->residency.texturesDeleted(n, textures);
   if (!context.insideBeginEnd)
     context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
   context.host->DeleteTextures(n, textures);

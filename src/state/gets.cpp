@@ -10,7 +10,7 @@
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/program_api.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -136,7 +136,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return context.offered;
   case GL_FEEDBACK_COPIES_AVOIDED_ARBITER:
     value = context.software ? GLint(std::min<std::uint64_t>(
-                                   software::residencyStatistics(context).copiesShared, INT_MAX))
+                                   context.software->residency.statistics().copiesShared, INT_MAX))
                              : 0;
     return context.offered;
   case GL_CURRENT_PROGRAM: // ours is current only where the application has none

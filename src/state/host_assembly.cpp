@@ -25,7 +25,7 @@ GLuint load(Context &context, const CompiledProgram &compiled) {
   const host::HostTable &host = *context.host;
   const GLenum target = hostTarget(compiled);
   GLuint name = 0;
-  HostErrorScope scope(context);
+  HostErrorScope scope(*context.host, context.pendingError);
   host.GenProgramsARB(1, &name);
   host.BindProgramARB(target, name);
   // The text of an ATI shader's form is assembly that was emitted already.

@@ -50,6 +50,9 @@ enum class Exchange : std::uint8_t {
 /// application sees is shown already, and the host has nothing to swap.
 bool exchange(Exchange what, const char *name);
 
+/// The host is about to swap the current drawable's buffers by itself, and all pixels went to it.
+void hostSwaps();
+
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.
 void frameEnd(Context *context);
 

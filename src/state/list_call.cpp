@@ -9,7 +9,7 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state {
@@ -108,7 +108,7 @@ namespace {
 /// Nobody knows what a list does.
 void beforeHostLists(Context &context) {
   if (context.softwarePossible)
-    software::hostDrawsList(context);
+    context.software->hostDrawsList();
 }
 
 /// The segment may have called Viewport, which is how an application follows its window's size.
@@ -117,7 +117,7 @@ void noteViewport(Context &context, const Effects &effects) {
     return;
   GLint box[4] = {};
   context.host->GetIntegerv(GL_VIEWPORT, box);
-  software::drawableMayHaveChanged(context, {box[0], box[1], box[2], box[3]});
+  context.software->residency.drawableMayHaveChanged({box[0], box[1], box[2], box[3]});
 }
 
 /// A segment that sets state and touches no pixel: draws of ours may go on behind it.

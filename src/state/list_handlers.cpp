@@ -5,7 +5,7 @@
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state::handlers {
@@ -35,9 +35,9 @@ void NewList(Context &context, GLuint list, GLenum mode) {
   // While a list is executed as it is compiled nothing is ours. One that is only compiled leaves
   // pixels alone, but for commands that are executed at once.
   if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
-    software::hostDoesAnything(context, "glNewList");
+    context.software->residency.hostDoesAnything("glNewList");
   else if (context.softwarePossible)
-    software::synchronise(context, "glNewList");
+    context.software->residency.synchronise("glNewList");
   context.list.begin(context, list, mode);
 }
 

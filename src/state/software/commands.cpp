@@ -3,8 +3,8 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/memory.h"
+#include "state/software/context_state.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 
@@ -109,15 +109,15 @@ bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2)
 
 void hostReads(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context))
-      synchronise(context, name);
+    if (!isHosts(context) && context.software)
+      context.software->residency.synchronise(name);
   });
 }
 
 void hostWrites(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context))
-      hostDraws(context, name);
+    if (!isHosts(context) && context.software)
+      context.software->hostDraws(name);
   });
 }
 
@@ -125,7 +125,8 @@ void hostDoesUnknown(Context &context, const char *name) {
   withinMemory(context, name, [&] {
     if (isHosts(context))
       return;
-    hostDoesAnything(context, name);
+    if (context.software)
+      context.software->residency.hostDoesAnything(name);
     // It may draw, too.
     if ((context.attention & attention::kParameters) != 0)
       (void)validate(context);

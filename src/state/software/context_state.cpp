@@ -7,7 +7,6 @@
 #include "state/context.h"
 #include "state/share_group.h"
 #include "state/software/outcome.h"
-#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "util/flags.h"
 
@@ -67,12 +66,14 @@ void engage(Context &context) {
   context.software->backOff.setForced(context.software->forced);
   context.stale = stale::kAll;
   context.softwarePossible = context.softwareListens = true;
-  enter(context);
+  context.software->residency.enter(context.drawable);
 }
 
 // The mirror is never asked for anything while the host is held back (Context::trueHost).
 ContextState::ContextState(Context &context)
-    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps) {}
+    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
+      residency({context, context.caps, context.pendingError, context.neighbours,
+                 context.group->deletedNames, context.group->contexts, context.serial}) {}
 ContextState::~ContextState() = default;
 
 } // namespace arbiter::state::software

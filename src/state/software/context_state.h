@@ -6,6 +6,7 @@
 #include "state/software/back_off.h"
 #include "state/software/immediate.h"
 #include "state/software/mirror.h"
+#include "state/software/residency.h"
 
 /// What a context keeps for the rasterizer of our own; null in Context::software where it is not
 /// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
@@ -30,10 +31,6 @@ inline constexpr int kFallbackCount = [] {
 }();
 [[nodiscard]] const char *fallbackName(Fallback reason);
 
-/// What residency.cpp keeps: the window's buffers.
-struct ContextImages {
-  virtual ~ContextImages() = default;
-};
 /// What draw.cpp keeps: the functions in force.
 struct ContextDraws {
   virtual ~ContextDraws() = default;
@@ -45,9 +42,9 @@ struct ContextState {
   ContextState &operator=(const ContextState &) = delete;
 
   Mirror mirror;
+  Residency residency;
   ImmediateRecorder recorder;
   bool openParts = false; ///< of the primitive that is recorded: some have been drawn
-  std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
@@ -58,6 +55,16 @@ struct ContextState {
   bool wholeFrames = false;  ///< the last frame had none
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
+  /// Before a draw of the host's that says that the frame is a mixed one.
+  void hostDraws(const char *why) {
+    ++hostTurns;
+    residency.hostTakesTargets(why);
+  }
+  /// Before the host runs a list of its own, which may draw and do anything else.
+  void hostDrawsList() {
+    ++hostTurns;
+    residency.hostDoesAnything("glCallList");
+  }
   /// Whether the rasterizer may test depth or stencil now.
   [[nodiscard]] bool mayTestDepth() const {
     return forced || (wholeFrames && !hostDrew && hostTurns == 0);

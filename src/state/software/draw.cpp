@@ -12,7 +12,6 @@
 #include "state/software/large_draw.h"
 #include "state/software/pipeline.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 
@@ -26,7 +25,10 @@ void giveToHost(Context &context, Fallback reason) {
   // What will be ours later, or is not ours for this alone, says nothing about the frame.
   const bool says =
       reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
-  (says ? hostDraws : hostTakesTargets)(context, fallbackName(reason));
+  if (says)
+    context.software->hostDraws(fallbackName(reason));
+  else
+    context.software->residency.hostTakesTargets(fallbackName(reason));
   static_cast<void>(validate(context));
 }
 
@@ -58,7 +60,7 @@ Outcome judge(Context &context) {
     return Fallback::NoFragmentProgram;
   if (context.path == Path::NoProgram && applicationShades(context))
     return Fallback::NoFragmentProgram;
-  if (!settle(context))
+  if (!context.software->residency.settle())
     return Fallback::Shared;
   if (!context.software->backOff.engaged())
     return Fallback::BackedOff;

@@ -6,8 +6,8 @@
 #include "state/context.h"
 #include "state/draw.h"
 #include "state/fixed_function.h"
+#include "state/software/context_state.h"
 #include "state/software/fixed_fragment.h"
-#include "state/software/residency.h"
 #include "state/software/units.h"
 #include "state/unit_scope.h"
 
@@ -142,8 +142,9 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
     }
     const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
     const char *reason = nullptr;
-    const TextureImages *const images = acquireTexture(
-        context, sampler.texture, use.dimension, sampler.key.mip != abi::MipFilter::None, reason);
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel},
+        sampler.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     if (!images->complete) {

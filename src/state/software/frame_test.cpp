@@ -27,7 +27,7 @@ protected:
     context().drawable = drawable;
     context().software = std::make_unique<ContextState>(context());
     context().stale = stale::kAll;
-    enter(context());
+    context().software->residency.enter(context().drawable);
   }
   Context &context() { return m_host.context(); }
   ContextState &state() { return *context().software; }

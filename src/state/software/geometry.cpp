@@ -8,8 +8,8 @@
 #include "state/draw.h"
 #include "state/share_group.h"
 #include "state/software/commands.h"
+#include "state/software/context_state.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 

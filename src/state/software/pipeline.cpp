@@ -5,7 +5,6 @@
 #include <new>
 
 #include "state/context.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 
@@ -94,8 +93,9 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
 }
 
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {
-  return {context.selections, imagesVersion(context),      mirror.vertex.version,
-          kind.mode,          kind.count >= kManyVertices, context.software->mayTestDepth()};
+  return {context.selections,          context.software->residency.version(),
+          mirror.vertex.version,       kind.mode,
+          kind.count >= kManyVertices, context.software->mayTestDepth()};
 }
 
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
@@ -143,7 +143,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
   if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const char *reason = nullptr;
-  m_targets = describeTargets(context, reason);
+  m_targets = context.software->residency.describeTargets(reason);
   if (!m_targets)
     return fallbackNamed(reason, Fallback::Target);
   m_floatTarget = anyFloat(*m_targets);
@@ -272,13 +272,14 @@ void Pipeline::fillData(const Mirror &mirror) {
 Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
                           bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;
-  if (targetsHeld(context, depth.depthTest != 0 || depth.stencilTest != 0))
+  if (context.software->residency.targetsHeld(depth.depthTest != 0 || depth.stencilTest != 0))
     return {};
   swrast::Rect overwritten;
   if (opaque)
     overwritten =
         swrast::surelyCovered(m_raster, topology, m_vertices.vertices(), indices.indices, 0, count);
-  if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
+  if (!context.software->residency.acquireTargets(overwritten, depth.depthTest != 0,
+                                                  depth.stencilTest != 0))
     return Fallback::Memory;
   return {};
 }
@@ -312,7 +313,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
       !outcome.ok())
     return outcome;
   // Only now: to acquire an image may give it other memory.
-  const std::uint64_t images = imagesVersion(context);
+  const std::uint64_t images = context.software->residency.version();
   if ((changed & kDataGroups) != 0 || images != m_filledImages)
     fillData(mirror);
   m_filled = true;

@@ -5,7 +5,7 @@
 #include "state/context.h"
 #include "state/draw.h"
 #include "state/memory.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
@@ -55,7 +55,7 @@ const host::HostTable *handOver() {
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   withinMemory(context, "glBegin", [&] {
-    hostDraws(context, "glBegin");
+    context.software->hostDraws("glBegin");
     (void)validate(context);
   });
   replayToHost(context);

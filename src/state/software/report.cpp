@@ -19,7 +19,7 @@ void Figures::add(const Context &context) {
   const BackOff::Statistics &backOff = context.software->backOff.statistics();
   trials += backOff.trials;
   framesBackedOff += backOff.framesBackedOff;
-  const ResidencyStatistics &moved = residencyStatistics(context);
+  const ResidencyStatistics &moved = context.software->residency.statistics();
   residency.copiesShared += moved.copiesShared;
   residency.copiesInMemory += moved.copiesInMemory;
   residency.downloads += moved.downloads;

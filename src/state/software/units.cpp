@@ -4,7 +4,7 @@
 
 #include "state/context.h"
 #include "state/draw.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
@@ -101,8 +101,9 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     if (state.obstacle)
       return Fallback::Texture;
     const char *reason = nullptr;
-    const TextureImages *const images = acquireTexture(
-        context, state.texture, dimension, state.key.mip != abi::MipFilter::None, reason);
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        state.texture, dimension, {state.baseLevel, state.maxLevel},
+        state.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     abi::SamplerKey &code = key.samplers[sampler.unit];

@@ -3,10 +3,6 @@
 
 /// Frames that the layer shows without the host, and what the host must find out of them: that the
 /// window has another size since, as it would have at its own swap.
-namespace arbiter::state {
-class Context;
-}
-
 namespace arbiter::state::software {
 
 /// Of drawables with `show`; the interposer's.
@@ -18,7 +14,6 @@ struct WindowFrames {
 };
 /// Before the first context; once.
 void setWindowFrames(const WindowFrames &frames);
-/// The host is about to swap the current drawable's buffers by itself, and all pixels went to it.
-void hostSwaps(Context &context);
+[[nodiscard]] const WindowFrames &windowFrames();
 
 } // namespace arbiter::state::software
