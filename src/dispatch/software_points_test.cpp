@@ -9,6 +9,8 @@
 #include "dispatch/entry_points.h"
 #include "host/further.h"
 #include "state/context.h"
+#include "state/lifecycle.h"
+#include "state/software/context_state.h"
 #include "state/software/convert.h"
 #include "state/software/replay.h"
 #include "state/software/stale.h"
@@ -151,8 +153,7 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
   entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.25f, 0, 0);
   entry<void(GLfloat)>("glEvalCoord1f")(6);
-  const std::vector<std::string> wanted = {"Begin 1", "Vertex 1 1", "Color 0.25",
-                                           "EvalCoord 6"};
+  const std::vector<std::string> wanted = {"Begin 1", "Vertex 1 1", "Color 0.25", "EvalCoord 6"};
   EXPECT_EQ(g_calls, wanted);
   EXPECT_EQ(m_context->recorder, nullptr);
   EXPECT_TRUE(m_context->insideBeginEnd);

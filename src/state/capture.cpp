@@ -8,6 +8,7 @@
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/unit_scope.h"
+#include "state/variant.h"
 #include "util/exit_lock.h"
 
 namespace arbiter::state {

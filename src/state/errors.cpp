@@ -5,6 +5,7 @@
 #include "state/context.h"
 #include "state/memory.h"
 #include "state/program_api.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 #include "util/flags.h"
 

@@ -5,7 +5,6 @@ namespace arbiter::state {
 
 /// Counts a copy from the current read buffer to `to`. Outside Begin/End; asks the host where the
 /// copy comes from.
-void trackCopy(Context &context, const swrast::TextureLevel &to, swrast::CopyKind kind,
-               const swrast::CopyRegion &region);
+void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region);
 
 } // namespace arbiter::state

@@ -10,9 +10,6 @@ namespace arbiter::state {
 
 namespace {
 
-using swrast::CopyKind;
-using swrast::CopyRegion;
-
 bool counts(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return false;

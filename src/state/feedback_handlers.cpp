@@ -4,6 +4,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/feedback.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/commands.h"
@@ -14,8 +15,6 @@ namespace arbiter::state {
 
 namespace {
 
-using swrast::CopyKind;
-
 /// One of the copies, whatever its entry point.
 struct CopyCommand {
   CopyKind kind = CopyKind::Image2D;
@@ -23,11 +22,11 @@ struct CopyCommand {
   GLint level = 0;
   GLenum internalFormat = 0; ///< of a CopyTexImage
   GLint border = 0;
-  swrast::CopyRegion region;
+  CopyRegion region;
 };
 
 void forward(const host::HostTable &host, const CopyCommand &c) {
-  const swrast::CopyRegion &r = c.region;
+  const CopyRegion &r = c.region;
   switch (c.kind) {
   case CopyKind::Image1D:
     return host.CopyTexImage1D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, c.border);
@@ -47,7 +46,7 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
 /// The copy is made between shadows; else the host, which is told what it lacks, makes it.
 bool copiedByUs(Context &context, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
-  const swrast::CopyRegion &r = copy.region;
+  const CopyRegion &r = copy.region;
   if (!context.software)
     return false;
   software::Residency &residency = context.software->residency;
@@ -86,19 +85,18 @@ void performOrRecord(Context &context, const CopyCommand &copy) {
   command.count = copy.level;
   command.name = GLuint(copy.border);
   command.bytes.assign(reinterpret_cast<const char *>(&copy.region), sizeof copy.region);
-  context.list.record(context, std::move(command));
+  context.list->record(context, std::move(command));
 }
 
 } // namespace
 
-void trackCopy(Context &context, const swrast::TextureLevel &to, CopyKind kind,
-               const swrast::CopyRegion &region) {
+void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
     context.host->GetIntegerv(pname, &value);
     return GLuint(value);
   };
-  swrast::ColorBuffer source;
+  ColorBuffer source;
   if (context.caps.framebufferObjects)
     source.framebuffer = get(GL_READ_FRAMEBUFFER_BINDING);
   source.buffer = get(GL_READ_BUFFER);

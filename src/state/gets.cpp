@@ -9,7 +9,9 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
+#include "state/sampler_override.h"
 #include "state/software/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -116,7 +118,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_LIST_INDEX:
     if (!context.listMode)
       return false;
-    value = GLint(context.list.name());
+    value = GLint(context.list->name());
     return true;
   case GL_NUM_EXTENSIONS:
     if (context.caps.major < 3)
@@ -145,7 +147,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     value = 0;
     return true;
   case GL_SAMPLER_BINDING:
-    if (context.samplerOverride.active())
+    if (context.samplerOverride->active())
       releaseSamplers(context);
     return false;
   default:

@@ -7,6 +7,7 @@
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/errors.h"
+#include "state/variant.h"
 #include "util/log.h"
 
 namespace arbiter::state {

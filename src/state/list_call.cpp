@@ -5,11 +5,14 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/clip_planes.h"
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/context_state.h"
+#include "state/software/geometry.h"
+#include "state/software/geometry_call.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state {
@@ -250,7 +253,7 @@ void callList(Context &context, GLuint name) {
 void callListIntoHost(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   context.stale = software::stale::kAll;
-  context.list.notePixels();
+  context.list->notePixels();
   if (!list)
     return context.host->CallList(name);
   for (const DisplayList::Item &item : list->items) {

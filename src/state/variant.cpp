@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "host/host_table.h"
+#include "state/capture.h"
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/share_group.h"

@@ -1,35 +1,14 @@
 #include "state/software/context_state.h"
 
-#include <cstring>
 #include <string_view>
 
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/share_group.h"
-#include "state/software/outcome.h"
 #include "state/software/stale.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
-
-const char *fallbackName(Fallback reason) {
-  switch (reason) {
-#define ARBITER_FALLBACK(Enumerator, key, doc)                                                     \
-  case Fallback::Enumerator:                                                                       \
-    return key;
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-  }
-  return "";
-}
-
-Fallback fallbackNamed(const char *key, Fallback otherwise) {
-  if (key)
-    for (int i = 0; i < kFallbackCount; ++i)
-      if (std::strcmp(key, fallbackName(Fallback(i))) == 0)
-        return Fallback(i);
-  return otherwise;
-}
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "state/software/back_off.h"
+#include "state/software/fallback.h"
 #include "state/software/immediate.h"
 #include "state/software/mirror.h"
 #include "state/software/residency.h"
@@ -15,21 +16,6 @@ class Context;
 }
 
 namespace arbiter::state::software {
-
-/// Why the host drew; rows of reasons.def.
-enum class Fallback : std::uint8_t {
-#define ARBITER_FALLBACK(Enumerator, key, doc) Enumerator,
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-};
-inline constexpr int kFallbackCount = [] {
-  int count = 0;
-#define ARBITER_FALLBACK(...) ++count;
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-  return count;
-}();
-[[nodiscard]] const char *fallbackName(Fallback reason);
 
 /// What draw.cpp keeps: the functions in force.
 struct ContextDraws {

@@ -9,6 +9,7 @@
 #include "state/memory.h"
 #include "state/software/array_source.h"
 #include "state/software/compile_thread.h"
+#include "state/software/context_state.h"
 #include "state/software/large_draw.h"
 #include "state/software/pipeline.h"
 #include "state/software/replay.h"

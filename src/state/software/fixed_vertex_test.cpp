@@ -15,6 +15,7 @@
 #include "fp_compiler/ir/validate.h"
 #include "state/software/mirror.h"
 #include "state/software/testing/real_host.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 namespace {

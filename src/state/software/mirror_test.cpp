@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/null_host.h"
 #include "state/software/testing/mirror_fields.h"
 
 namespace arbiter::state::software {

@@ -5,6 +5,8 @@
 #include <new>
 
 #include "state/context.h"
+#include "state/software/context_state.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 

@@ -3,6 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/list_compiler.h"
 #include "state/software/commands.h"
 #include "state/software/context_state.h"
 #include "state/software/frame.h"
@@ -16,7 +17,7 @@ bool executes(const Context &context) { return !context.insideBeginEnd && contex
 /// The same of a command that goes into a list, and changes pixels where the list is called.
 bool changes(Context &context) {
   if (context.listMode != 0)
-    context.list.notePixels();
+    context.list->notePixels();
   return executes(context);
 }
 

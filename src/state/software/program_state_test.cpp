@@ -11,6 +11,7 @@
 #include "fp_compiler/ir/builder.h"
 #include "state/context.h"
 #include "state/software/testing/real_host.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "state/context.h"
 #include "state/draw.h"
+#include "state/list_compiler.h"
 #include "state/memory.h"
 #include "state/software/context_state.h"
 
@@ -49,7 +50,7 @@ const host::HostTable *handOver() {
   if (context.host != &kRecordingHost)
     return context.host; // somebody kept the table of a moment ago
   if (context.listMode != 0) {
-    context.list.giveHost(context);
+    context.list->giveHost(context);
     return context.host;
   }
   stopRecording(context);

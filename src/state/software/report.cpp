@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "state/context.h"
+#include "state/software/context_state.h"
 #include "state/software/functions.h"
 #include "util/json.h"
 #include "util/record_text.h"

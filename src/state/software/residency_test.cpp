@@ -11,6 +11,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/lifecycle.h"
 #include "state/share_group.h"
 #include "state/software/context_state.h"
 #include "state/software/stale.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "state/context.h"
+#include "state/variant.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {
