@@ -9,6 +9,8 @@
 #include "dispatch/entry_points.h"
 #include "host/further.h"
 #include "state/context.h"
+#include "state/lifecycle.h"
+#include "state/software/context_state.h"
 #include "state/software/convert.h"
 #include "state/software/replay.h"
 #include "state/software/stale.h"
@@ -80,7 +82,7 @@ protected:
   }
   /// As handlers::Begin does where the rasterizer takes the primitive.
   void record(GLenum mode) {
-    m_context->software = std::make_unique<state::software::ContextState>();
+    m_context->software = std::make_unique<state::software::ContextState>(*m_context);
     m_context->softwarePossible = m_context->softwareListens = true;
     m_context->software->recorder.begin(mode, m_context->software->mirror.current);
     state::software::startRecording(*m_context);
@@ -151,8 +153,7 @@ TEST_F(SoftwarePoints, ACommandThatAPrimitiveCannotTakeGivesItToTheHost) {
   entry<void(GLfloat, GLfloat)>("glVertex2f")(1, 0);
   entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.25f, 0, 0);
   entry<void(GLfloat)>("glEvalCoord1f")(6);
-  const std::vector<std::string> wanted = {"Begin 1", "Vertex 1 1", "Color 0.25",
-                                           "EvalCoord 6"};
+  const std::vector<std::string> wanted = {"Begin 1", "Vertex 1 1", "Color 0.25", "EvalCoord 6"};
   EXPECT_EQ(g_calls, wanted);
   EXPECT_EQ(m_context->recorder, nullptr);
   EXPECT_TRUE(m_context->insideBeginEnd);

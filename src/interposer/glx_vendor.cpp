@@ -2,7 +2,7 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
-#include "state/software/residency.h"
+#include "state/software/drawable.h"
 #include "state/software/window_frames.h"
 
 #include <cstring>
@@ -303,8 +303,7 @@ std::int64_t swapBuffersMsc(Display *display, GLXDrawable drawable, std::int64_t
       state::frameEnd(context);
   exchanges(state::Exchange::Read, "glXSwapBuffersMscOML");
   if (registry::isCurrent(Provider::Glx))
-    if (state::Context *const context = state::currentContext())
-      state::software::hostSwaps(*context);
+    state::hostSwaps();
   return g_host->swapBuffersMsc(display, drawable, target, divisor, remainder);
 }
 

@@ -10,38 +10,6 @@
 
 namespace arbiter::state {
 
-void LinkedStages::linked(GLuint program, GlslStages attached) {
-  const std::lock_guard lock(m_mutex);
-  m_programs[program].linked = attached;
-}
-
-void LinkedStages::set(GLuint program, GlslStages executable) {
-  const std::lock_guard lock(m_mutex);
-  m_programs[program] = {executable, std::nullopt};
-}
-
-void LinkedStages::forget(GLuint program) {
-  const std::lock_guard lock(m_mutex);
-  m_programs.erase(program);
-}
-
-std::optional<GlslStages> LinkedStages::of(const host::HostTable &host, GLuint program) {
-  const std::lock_guard lock(m_mutex);
-  const auto it = m_programs.find(program);
-  if (it == m_programs.end())
-    return std::nullopt;
-  Entry &entry = it->second;
-  if (entry.linked) {
-    // After a link that failed, a program in use keeps the executable that it had.
-    GLint succeeded = GL_FALSE;
-    host.GetProgramiv(program, GL_LINK_STATUS, &succeeded);
-    if (succeeded)
-      entry.executable = *entry.linked;
-    entry.linked.reset();
-  }
-  return entry.executable;
-}
-
 namespace {
 
 void add(GlslStages &stages, GLenum shaderType) {
@@ -54,7 +22,7 @@ std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
   constexpr GLsizei kMaxShaders = 32;
   GLuint shaders[kMaxShaders] = {};
   GLsizei count = 0;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.host->GetAttachedShaders(program, kMaxShaders, &count, shaders);
   GlslStages stages;
   for (GLsizei i = 0; i < count; ++i) {
@@ -74,7 +42,8 @@ void takeUpExecutable(Context &context, GLuint program) {
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
   if (GLuint(current) != program || program == 0)
     return;
-  const HostErrorScope scope(context); // where the link failed it stays as it was
+  const HostErrorScope scope(*context.host,
+                             context.pendingError); // where the link failed it stays as it was
   context.host->UseProgram(program);
 }
 
@@ -88,7 +57,7 @@ GlslStages stagesOf(Context &context, GLuint program) {
 
 GlslStages stagesOfPipeline(Context &context, GLuint pipeline) {
   GLint vertex = 0, fragment = 0;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.host->GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &vertex);
   context.host->GetProgramPipelineiv(pipeline, GL_FRAGMENT_SHADER, &fragment);
   return {vertex != 0, fragment != 0};

@@ -3,6 +3,8 @@
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/draw.h"
+#include "state/host_assembly.h"
+#include "state/list_compiler.h"
 #include "state/software/commands.h"
 #include "state/software/draw.h"
 #include "state/software/replay.h"
@@ -26,7 +28,7 @@ bool keepsBack(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
-  if (context.listMode != 0 && context.list.beginPrimitive(context, mode))
+  if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
     return;
   if (software::mayDraw(context) && keepsBack(context, mode))
     return;
@@ -34,29 +36,29 @@ void Begin(Context &context, GLenum mode) {
     return;
   ++*context.drawCounter;
   if (context.listMode)
-    context.list.notePixels();
+    context.list->notePixels();
   context.host->Begin(mode);
   if (mode > GL_POLYGON)
     return; // opens nothing
   if (context.listMode)
-    context.list.notePrimitive(Primitive::Open);
-  if (context.listMode != GL_COMPILE && !context.hostAssembly.refuses())
+    context.list->notePrimitive(Primitive::Open);
+  if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
     context.insideBeginEnd = true;
 }
 
 void End(Context &context) {
-  if (context.listMode != 0 && context.list.recordsPrimitive())
-    return context.list.endPrimitive(context);
+  if (context.listMode != 0 && context.list->recordsPrimitive())
+    return context.list->endPrimitive(context);
   if (context.recorder) {
     software::stopRecording(context);
     context.insideBeginEnd = false;
     return software::end(context);
   }
   if (context.listMode)
-    context.list.notePixels();
+    context.list->notePixels();
   context.host->End();
   if (context.listMode)
-    context.list.notePrimitive(Primitive::Closed);
+    context.list->notePrimitive(Primitive::Closed);
   if (context.listMode != GL_COMPILE)
     context.insideBeginEnd = false;
 }

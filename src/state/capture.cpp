@@ -8,6 +8,7 @@
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/unit_scope.h"
+#include "state/variant.h"
 #include "util/exit_lock.h"
 
 namespace arbiter::state {
@@ -122,7 +123,7 @@ void captureEnter(Context &context) {
   CaptureInForce &inForce = context.inForce;
   inForce.path = std::size_t(context.path);
   inForce.drawsBefore = drawsOf(context, inForce.path);
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
     if (!stage->compiled)
       continue;

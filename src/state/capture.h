@@ -20,14 +20,6 @@ namespace arbiter::state {
 class Context;
 struct ProgramObject;
 
-/// The programs in force in a context, while there is a capture.
-struct CaptureInForce {
-  std::array<std::shared_ptr<const CompiledProgram>, kTargetCount> programs;
-  std::array<std::vector<TextureUse>, kTargetCount> textures;
-  std::uint64_t drawsBefore = 0; ///< of the path, when they came into force
-  std::size_t path = 0;
-};
-
 /// Whether ARBITER_CAPTURE is set: one load of a constant.
 [[nodiscard]] inline bool capturing() {
   static const bool s_capturing = CaptureRecord::instance() != nullptr;

@@ -34,13 +34,6 @@ private:
   mutable std::shared_ptr<const CompiledProgram> m_form;
 };
 
-/// What is known in a context of its planes' enables, without a question to the host.
-struct ClipPlanes {
-  bool used = false; ///< one was enabled at some time: until then none can be
-  bool known = true; ///< `enabled` is the host's answer since the last change
-  bool enabled = false;
-};
-
 /// Whether a vertex program has to be drawn in its clipped form now. Asks the host after a change,
 /// once, and only in a context that has used planes.
 [[nodiscard]] bool clipPlanesMatter(Context &context);

@@ -5,6 +5,7 @@
 
 #include "state/lifecycle.h"
 #include "state/testing/current_context.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 namespace {
@@ -34,7 +35,7 @@ TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
   handlers::PopAttrib(*context);
   EXPECT_FALSE(clips(*context));
   EXPECT_EQ(host.count("IsEnabled"), 0);
-  EXPECT_EQ(context->variants.size(), 1u);
+  EXPECT_EQ(context->variants->size(), 1u);
 }
 
 TEST(ClipPlanes, EachPlaneChoosesTheForm) {
@@ -53,7 +54,7 @@ TEST(ClipPlanes, EachPlaneChoosesTheForm) {
     handlers::Disable(*context, plane);
     EXPECT_FALSE(clips(*context)) << plane;
   }
-  EXPECT_EQ(context->variants.size(), 2u) << "a form is made once";
+  EXPECT_EQ(context->variants->size(), 2u) << "a form is made once";
 }
 
 TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
@@ -133,7 +134,7 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   handlers::Enable(*context, GL_CLIP_PLANE0);
   EXPECT_TRUE(clips(*context));
   handlers::DeleteProgramsARB(*context, 1, &name);
-  EXPECT_EQ(context->variants.size(), 0u);
+  EXPECT_EQ(context->variants->size(), 0u);
   EXPECT_TRUE(host.shaders.empty());
 }
 

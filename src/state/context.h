@@ -9,29 +9,31 @@
 #include <GL/glext.h>
 
 #include "fp_compiler/numerics.h"
-#include "host/null_host.h"
 #include "state/ati_recorder.h"
 #include "state/attrib_stack.h"
-#include "state/capture.h"
-#include "state/clip_planes.h"
+#include "state/capture_in_force.h"
+#include "state/clip_plane_use.h"
 #include "state/current.h"
-#include "state/host_assembly.h"
+#include "state/feedback_tracker.h"
 #include "state/host_caps.h"
 #include "state/identity.h"
-#include "state/lifecycle.h"
-#include "state/list_compiler.h"
 #include "state/program_object.h"
-#include "state/sampler_override.h"
-#include "state/software/context_state.h"
-#include "state/software/neighbours.h"
-#include "state/software/residency.h"
+#include "state/provider.h"
+#include "state/software/drawable.h"
+#include "state/software/neighbour_epoch.h"
 #include "state/target.h"
-#include "state/variant.h"
-#include "swrast/feedback.h"
 
 namespace arbiter::state {
 
+class HostAssembly;
+class ListCompiler;
+class SamplerOverride;
 class ShareGroup;
+class VariantCache;
+struct Variant;
+namespace software {
+struct ContextState;
+}
 
 /// Why a draw must be looked at before it goes on (ContextHot::attention).
 namespace attention {
@@ -73,11 +75,7 @@ class Context : public ContextHot {
 public:
   struct NullTag {};
   /// The null context: every call passes through it.
-  constexpr explicit Context(NullTag) {
-    host = &host::kNullHost;
-    passThrough = true;
-    drawCounter = &draws[int(Path::NotOffered)];
-  }
+  constexpr explicit Context(NullTag);
   Context(Provider contextProvider, const host::HostTable *table,
           std::shared_ptr<ShareGroup> shareGroup);
   ~Context();
@@ -127,14 +125,15 @@ public:
   std::uint64_t selections = 0;     ///< counts the choices of what is in force
   bool rasterizes = true;           ///< the render mode is RENDER
   bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
-  VariantCache variants;
-  SamplerOverride samplerOverride;
-  HostAssembly hostAssembly;
+  // Null in the null context alone, as `list` is.
+  std::unique_ptr<VariantCache> variants;
+  std::unique_ptr<SamplerOverride> samplerOverride;
+  std::unique_ptr<HostAssembly> hostAssembly;
 
   AttribStack attribStack;
   /// While `host` holds it back: for a primitive that is recorded, or for a list (replay.h).
   const host::HostTable *trueHost = nullptr;
-  ListCompiler list;
+  std::unique_ptr<ListCompiler> list;
   int listDepth = 0; ///< nested calls of lists that hold our commands
 
   CaptureInForce inForce; ///< while there is a capture
@@ -143,13 +142,13 @@ public:
   std::unique_ptr<software::ContextState> software;
   bool softwareRefused = false; ///< it was decided: not looked at again
   software::Drawable drawable;  ///< as of the last make-current
-  software::Neighbours neighbours;
+  software::NeighbourEpoch neighbours;
 
   // --- Counters ---
   std::array<std::uint64_t, kPathCount> draws{};
   std::uint64_t frames = 0;
   std::uint64_t readBufferCalls = 0;
-  swrast::FeedbackTracker feedback;
+  FeedbackTracker feedback;
 
   const Identity *identity = nullptr; ///< made at the first query; interned
 };
@@ -180,13 +179,5 @@ public:
   ProgramTarget &row = context.row(Target::AtiApi);
   return row.offered ? &row : nullptr;
 }
-
-/// The thread's null context.
-[[nodiscard]] Context &nullContext();
-
-/// Asks the host for limits and extensions; the context is current. Called once.
-void initialise(Context &context);
-/// Deletes host objects that dead contexts of the group left. The context is current.
-void collectGarbage(Context &context);
 
 } // namespace arbiter::state

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "host/host_table.h"
+#include "state/software/geometry.h"
 
 namespace arbiter::state {
 

@@ -11,13 +11,16 @@
 #include <GL/gl.h>
 
 #include "state/program_object.h"
-#include "state/software/geometry.h"
 
 namespace arbiter::host {
 struct HostTable;
 }
 
 namespace arbiter::state {
+
+namespace software {
+class Geometry;
+}
 
 /// A command of ours in a display list. The host never sees these, so it cannot record them.
 struct Command {
@@ -37,8 +40,8 @@ struct Command {
     CallLists,        ///< count, target: type; bytes: the names, ListBase is added when executed
     BeginConditional, ///< name: query; target: mode
     EndConditional,
-    CopyTexture, ///< object: a swrast::CopyKind; target, format: internal, count: level,
-                 ///< name: border; bytes: a swrast::CopyRegion
+    CopyTexture, ///< object: a CopyKind; target, format: internal, count: level,
+                 ///< name: border; bytes: a CopyRegion
   };
   Kind kind;
   GLenum target = 0;
@@ -67,7 +70,7 @@ struct DisplayList {
     std::unique_ptr<const Command> command;
     Primitive primitive = Primitive::AsBefore; ///< of the host list
     Effects effects;                           ///< of the host list; `stale` also of a command
-    std::unique_ptr<const software::Geometry> geometry;
+    std::shared_ptr<const software::Geometry> geometry;
   };
   std::vector<Item> items;
 };

@@ -6,13 +6,20 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/application_glsl.h"
 #include "state/ati_forms.h"
+#include "state/capture.h"
 #include "state/clip_planes.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
+#include "state/garbage.h"
+#include "state/host_assembly.h"
 #include "state/program_api.h"
 #include "state/replacement.h"
+#include "state/sampler_override.h"
 #include "state/share_group.h"
+#include "state/software/context_state.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 
@@ -151,16 +158,16 @@ Path choosePath(Context &context) {
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
   // function; no program of ours can be linked to the application's.
   if (program != 0 || pipeline != 0)
-    return context.hostAssembly.apply(context, pair) ? Path::HostAssembly
-                                                     : Path::ApplicationStageGlsl;
-  if (isTooLongForGlsl(context, pair) && context.hostAssembly.apply(context, pair))
+    return context.hostAssembly->apply(context, pair) ? Path::HostAssembly
+                                                      : Path::ApplicationStageGlsl;
+  if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
     return Path::HostAssembly;
   // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
   if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
     pair.fragment = nullptr;
   if (pair.vertex && clipPlanesMatter(context))
     pair.vertex = pair.vertex->clipped->of(*pair.vertex);
-  context.variant = context.variants.get(context, pair);
+  context.variant = context.variants->get(context, pair);
   if (context.variant->hostProgram == 0) {
     context.variant = nullptr;
     return Path::HostRefused;
@@ -206,15 +213,15 @@ void install(Context &context) {
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
   if (context.path == Path::HostAssembly) {
-    if (context.samplerOverride.active())
-      context.samplerOverride.release(context);
+    if (context.samplerOverride->active())
+      context.samplerOverride->release(context);
     return releaseHostProgram(context);
   }
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
   if (context.variant->fragment.compiled)
     software::engage(context);
-  context.hostAssembly.release(context);
+  context.hostAssembly->release(context);
   context.host->UseProgram(context.variant->hostProgram);
   context.hostProgramIsOurs = true;
 }
@@ -268,12 +275,12 @@ bool validate(Context &context) {
     Variant &variant = *context.variant;
     uploadParameters(context, variant, context.attention);
     if ((sticky & attention::kCompare) != 0)
-      context.samplerOverride.apply(context, variant);
-    else if (context.samplerOverride.active())
-      context.samplerOverride.release(context);
+      context.samplerOverride->apply(context, variant);
+    else if (context.samplerOverride->active())
+      context.samplerOverride->release(context);
   } else if (context.path == Path::HostAssembly &&
              (context.attention & attention::kParameters) != 0) {
-    context.hostAssembly.uploadParameters(context);
+    context.hostAssembly->uploadParameters(context);
   }
   context.attention = sticky | (context.attention & attention::kList);
   return !isDropped(context.path);
@@ -284,21 +291,21 @@ bool applicationShades(Context &context) {
 }
 
 void releaseSamplers(Context &context) {
-  if (!context.samplerOverride.active())
+  if (!context.samplerOverride->active())
     return;
-  context.samplerOverride.release(context);
+  context.samplerOverride->release(context);
   context.attention |= attention::kCompare;
 }
 
 void releaseHostState(Context &context) {
-  if (context.samplerOverride.active())
-    context.samplerOverride.release(context);
-  context.hostAssembly.release(context);
+  if (context.samplerOverride->active())
+    context.samplerOverride->release(context);
+  context.hostAssembly->release(context);
   releaseHostProgram(context);
 }
 
 void refuseDraws(Context &context) {
-  if (context.hostAssembly.refuse(context))
+  if (context.hostAssembly->refuse(context))
     return;
   // Without assembly programs the host can only be made to draw nothing.
   static const std::shared_ptr<const CompiledProgram> s_mute = [] {
@@ -306,7 +313,7 @@ void refuseDraws(Context &context) {
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
     return program;
   }();
-  const Variant &mute = *context.variants.get(context, {nullptr, s_mute});
+  const Variant &mute = *context.variants->get(context, {nullptr, s_mute});
   if (mute.hostProgram == 0)
     return;
   context.host->UseProgram(mute.hostProgram);
@@ -314,13 +321,13 @@ void refuseDraws(Context &context) {
 }
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
-  context.variants.drop(context, &compiled);
+  context.variants->drop(context, &compiled);
   if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
-    context.variants.drop(context, form.get());
+    context.variants->drop(context, form.get());
   if (!compiled.ati)
     return;
   for (const auto &form : compiled.ati->all())
-    context.variants.drop(context, form.get());
+    context.variants->drop(context, form.get());
 }
 
 void validateForList(Context &context) {

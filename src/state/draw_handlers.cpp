@@ -4,6 +4,8 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/host_assembly.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -32,11 +34,11 @@ void prepareListDraw(Context &context) {
   if (context.listMode != GL_COMPILE_AND_EXECUTE)
     return;
   const std::uint32_t rest = context.attention & ~attention::kList;
-  if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly.refuses()))
+  if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly->refuses()))
     return;
   // Validation calls the host, and none of that belongs into the application's list: the segment
   // that is opened behind this has it.
-  context.list.outside(context, [] {});
+  context.list->outside(context, [] {});
 }
 
 using Validate = bool (*)(Context &);
@@ -96,7 +98,7 @@ void restoreApplicationProgram(Context &context) {
   if (!context.hostProgramIsOurs)
     return;
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
-    context.list.outside(context, [&] { releaseHostState(context); });
+    context.list->outside(context, [&] { releaseHostState(context); });
   else
     releaseHostState(context);
   invalidateProgram(context);

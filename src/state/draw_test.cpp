@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "state/testing/current_context.h"
+#include "state/variant.h"
 
 namespace {
 std::size_t g_allocations = 0;
@@ -186,7 +187,7 @@ TEST(Draw, VariantsDoNotPileUp) {
     else
       handlers::DeleteProgramsARB(*context, 1, &name);
   }
-  EXPECT_LE(context->variants.size(), 2u);
+  EXPECT_LE(context->variants->size(), 2u);
   EXPECT_LE(host.programs.size(), 2u);
   EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
 }
@@ -218,7 +219,7 @@ TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
   EXPECT_EQ(host.count("LinkProgram"), 5);
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 9u);
   handlers::DeleteProgramsARB(*context, 2, vertices);
-  EXPECT_EQ(context->variants.size(), 0u);
+  EXPECT_EQ(context->variants->size(), 0u);
   EXPECT_EQ(host.shaders.size(), 2u);
 }
 

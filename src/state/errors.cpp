@@ -5,28 +5,13 @@
 #include "state/context.h"
 #include "state/memory.h"
 #include "state/program_api.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
 
 namespace {
-
-/// A lost context answers GetError with the same error for ever.
-constexpr int kMaxHostErrors = 16;
-
-/// The host's pending error, if any; all of them are taken.
-GLenum drainHost(Context &context) {
-  GLenum first = GL_NO_ERROR;
-  for (int i = 0; i < kMaxHostErrors; ++i) {
-    const GLenum error = context.host->GetError();
-    if (error == GL_NO_ERROR)
-      break;
-    if (first == GL_NO_ERROR)
-      first = error;
-  }
-  return first;
-}
 
 const char *errorName(GLenum error) {
   switch (error) {
@@ -54,7 +39,8 @@ void raise(Context &context, GLenum error, const char *why) {
   if (context.pendingError != GL_NO_ERROR)
     return;
   // GetError is itself an error between Begin and End: there the order cannot be known.
-  const GLenum earlier = context.insideBeginEnd ? GLenum(GL_NO_ERROR) : drainHost(context);
+  const GLenum earlier =
+      context.insideBeginEnd ? GLenum(GL_NO_ERROR) : takeHostErrors(*context.host);
   context.pendingError = earlier != GL_NO_ERROR ? earlier : error;
 }
 
@@ -63,24 +49,10 @@ GLenum takeError(Context &context) {
     return context.host->GetError(); // raises INVALID_OPERATION there, as it should
   if (context.pendingError == GL_NO_ERROR)
     return context.host->GetError();
-  (void)drainHost(context); // raised later than ours, hence never recorded
+  (void)takeHostErrors(*context.host); // raised later than ours, hence never recorded
   const GLenum error = context.pendingError;
   context.pendingError = GL_NO_ERROR;
   return error;
-}
-
-HostErrorScope::HostErrorScope(Context &context) : m_context(context) {
-  const GLenum earlier = drainHost(context);
-  if (context.pendingError == GL_NO_ERROR)
-    context.pendingError = earlier;
-}
-
-HostErrorScope::~HostErrorScope() { (void)drainHost(m_context); }
-
-bool HostErrorScope::failed() {
-  if (drainHost(m_context) != GL_NO_ERROR)
-    m_failed = true;
-  return m_failed;
 }
 
 void outOfMemory(Context &context, const char *name) noexcept {

@@ -1,6 +1,8 @@
 #pragma once
 #include <GL/gl.h>
 
+#include "state/host_errors.h"
+
 namespace arbiter::state {
 
 class Context;
@@ -11,21 +13,5 @@ void raise(Context &context, GLenum error, const char *why);
 
 /// GetError: ours, or else the host's.
 [[nodiscard]] GLenum takeError(Context &context);
-
-/// Around host calls of our own that may fail: what they raise is dropped, what waited before
-/// stays.
-class HostErrorScope {
-public:
-  explicit HostErrorScope(Context &context);
-  ~HostErrorScope();
-  HostErrorScope(const HostErrorScope &) = delete;
-  HostErrorScope &operator=(const HostErrorScope &) = delete;
-  /// True if the host raised an error since the scope began.
-  [[nodiscard]] bool failed();
-
-private:
-  Context &m_context;
-  bool m_failed = false;
-};
 
 } // namespace arbiter::state

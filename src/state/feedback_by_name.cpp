@@ -3,21 +3,19 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/feedback.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/texture_binding.h"
 
 namespace arbiter::state {
 
 namespace {
-
-using swrast::CopyKind;
-using swrast::CopyRegion;
 
 bool counts(Context &context) {
   if (context.insideBeginEnd || context.listMode != 0)
     return false;
   // The copy is the host's: by name or by unit it reaches textures that are not looked for.
   if (context.softwarePossible)
-    software::hostDoesAnything(context, "glCopyTexture");
+    context.software->residency.hostDoesAnything("glCopyTexture");
   return true;
 }
 

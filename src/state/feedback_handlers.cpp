@@ -4,16 +4,16 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/feedback.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/commands.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/texture_binding.h"
 
 namespace arbiter::state {
 
 namespace {
-
-using swrast::CopyKind;
 
 /// One of the copies, whatever its entry point.
 struct CopyCommand {
@@ -22,11 +22,11 @@ struct CopyCommand {
   GLint level = 0;
   GLenum internalFormat = 0; ///< of a CopyTexImage
   GLint border = 0;
-  swrast::CopyRegion region;
+  CopyRegion region;
 };
 
 void forward(const host::HostTable &host, const CopyCommand &c) {
-  const swrast::CopyRegion &r = c.region;
+  const CopyRegion &r = c.region;
   switch (c.kind) {
   case CopyKind::Image1D:
     return host.CopyTexImage1D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, c.border);
@@ -46,13 +46,15 @@ void forward(const host::HostTable &host, const CopyCommand &c) {
 /// The copy is made between shadows; else the host, which is told what it lacks, makes it.
 bool copiedByUs(Context &context, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
-  const swrast::CopyRegion &r = copy.region;
-  if (software::copyToTexture(context,
-                              {copy.target, copy.level, defines, copy.internalFormat, copy.border,
+  const CopyRegion &r = copy.region;
+  if (!context.software)
+    return false;
+  software::Residency &residency = context.software->residency;
+  if (residency.copyToTexture({copy.target, copy.level, defines, copy.internalFormat, copy.border,
                                r.destX, r.destY, r.destZ, r.x, r.y, r.width, r.height}))
     return true;
-  software::synchronise(context, "glCopyTexImage");
-  software::textureRedefined(context, copy.target);
+  residency.synchronise("glCopyTexImage");
+  residency.textureRedefined(copy.target);
   return false;
 }
 
@@ -83,19 +85,18 @@ void performOrRecord(Context &context, const CopyCommand &copy) {
   command.count = copy.level;
   command.name = GLuint(copy.border);
   command.bytes.assign(reinterpret_cast<const char *>(&copy.region), sizeof copy.region);
-  context.list.record(context, std::move(command));
+  context.list->record(context, std::move(command));
 }
 
 } // namespace
 
-void trackCopy(Context &context, const swrast::TextureLevel &to, CopyKind kind,
-               const swrast::CopyRegion &region) {
+void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
     context.host->GetIntegerv(pname, &value);
     return GLuint(value);
   };
-  swrast::ColorBuffer source;
+  ColorBuffer source;
   if (context.caps.framebufferObjects)
     source.framebuffer = get(GL_READ_FRAMEBUFFER_BINDING);
   source.buffer = get(GL_READ_BUFFER);
@@ -109,23 +110,6 @@ void copyTexture(Context &context, const Command &command) {
   copy.border = GLint(command.name);
   std::memcpy(&copy.region, command.bytes.data(), sizeof copy.region);
   perform(context, copy);
-}
-
-GLenum bindingOf(GLenum target) {
-  switch (target) {
-  case GL_TEXTURE_1D:
-    return GL_TEXTURE_BINDING_1D;
-  case GL_TEXTURE_2D:
-    return GL_TEXTURE_BINDING_2D;
-  case GL_TEXTURE_3D:
-    return GL_TEXTURE_BINDING_3D;
-  case GL_TEXTURE_RECTANGLE:
-    return GL_TEXTURE_BINDING_RECTANGLE;
-  default:
-    return target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z
-               ? GL_TEXTURE_BINDING_CUBE_MAP
-               : 0;
-  }
 }
 
 namespace handlers {
@@ -187,7 +171,7 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
     for (GLsizei i = 0; i < n; ++i)
       context.feedback.forget(textures[i]);
   if (context.softwarePossible && !context.insideBeginEnd)
-    software::texturesDeleted(context, n, textures);
+    context.software->residency.texturesDeleted(n, textures);
   if (!context.insideBeginEnd)
     context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
   context.host->DeleteTextures(n, textures);

@@ -4,6 +4,7 @@
 #include "host/host_table.h"
 #include "state/ati_forms.h"
 #include "state/context.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -118,7 +119,7 @@ void noteFixedFunctionCommand(Context &context) {
     return; // it was an error
   noteFixedFunctionChange(context);
   if (context.listMode && context.group->atiShadersUsed.load(std::memory_order_relaxed))
-    context.list.cut(context);
+    context.list->cut(context);
 }
 
 namespace handlers {

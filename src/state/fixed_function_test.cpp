@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "state/testing/current_context.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 namespace {
@@ -69,7 +70,7 @@ TEST(FixedFunctionState, WhatChangesItIsSeen) {
   host.enabled = {GL_TEXTURE_2D, GL_COLOR_SUM};
   handlers::CallList(*context, 7);
   expectAnother("CallList");
-  EXPECT_EQ(context->variants.size(), 5u);
+  EXPECT_EQ(context->variants->size(), 5u);
 }
 
 TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
@@ -81,7 +82,7 @@ TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
   host.enabled = {GL_TEXTURE_CUBE_MAP};
   handlers::Enable(*context, GL_TEXTURE_CUBE_MAP);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->variants.size(), 1u);
+  EXPECT_EQ(context->variants->size(), 1u);
   EXPECT_EQ(host.count("ActiveTexture"), 0) << "no unit is looked at";
 }
 

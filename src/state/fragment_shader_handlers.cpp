@@ -9,6 +9,7 @@
 #include "state/ati_forms.h"
 #include "state/ati_recorder.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/statistics.h"
@@ -135,7 +136,7 @@ void BindFragmentShaderATI(Context &context, GLuint id) {
     return;
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list.record(
+    return context.list->record(
         context,
         {.kind = Command::Kind::BindProgram, .target = infoOf(Target::AtiApi).name, .name = id});
   bindFragmentShader(context, id);
@@ -284,7 +285,7 @@ void SetFragmentShaderConstantATI(Context &context, GLuint dst, const GLfloat *v
       .kind = Command::Kind::Env, .target = infoOf(Target::AtiApi).name, .name = GLuint(constant)};
   command.count = 1;
   command.values.assign(1, values);
-  context.list.record(context, std::move(command));
+  context.list->record(context, std::move(command));
 }
 
 } // namespace handlers

@@ -9,8 +9,10 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
-#include "state/software/residency.h"
+#include "state/sampler_override.h"
+#include "state/software/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -116,7 +118,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_LIST_INDEX:
     if (!context.listMode)
       return false;
-    value = GLint(context.list.name());
+    value = GLint(context.list->name());
     return true;
   case GL_NUM_EXTENSIONS:
     if (context.caps.major < 3)
@@ -136,7 +138,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     return context.offered;
   case GL_FEEDBACK_COPIES_AVOIDED_ARBITER:
     value = context.software ? GLint(std::min<std::uint64_t>(
-                                   software::residencyStatistics(context).copiesShared, INT_MAX))
+                                   context.software->residency.statistics().copiesShared, INT_MAX))
                              : 0;
     return context.offered;
   case GL_CURRENT_PROGRAM: // ours is current only where the application has none
@@ -145,7 +147,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
     value = 0;
     return true;
   case GL_SAMPLER_BINDING:
-    if (context.samplerOverride.active())
+    if (context.samplerOverride->active())
       releaseSamplers(context);
     return false;
   default:

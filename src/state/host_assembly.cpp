@@ -7,6 +7,7 @@
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/errors.h"
+#include "state/variant.h"
 #include "util/log.h"
 
 namespace arbiter::state {
@@ -25,7 +26,7 @@ GLuint load(Context &context, const CompiledProgram &compiled) {
   const host::HostTable &host = *context.host;
   const GLenum target = hostTarget(compiled);
   GLuint name = 0;
-  HostErrorScope scope(context);
+  HostErrorScope scope(*context.host, context.pendingError);
   host.GenProgramsARB(1, &name);
   host.BindProgramARB(target, name);
   // The text of an ATI shader's form is assembly that was emitted already.

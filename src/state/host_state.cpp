@@ -10,6 +10,7 @@
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/unit_scope.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "state/current.h"
+#include "state/provider.h"
 
 /// How the interposer drives contexts. It owns keys (provider, display, handle) and knows when the
 /// host succeeded; the state tracker owns what a context is.
@@ -10,8 +11,6 @@ namespace arbiter::state {
 namespace software {
 struct Drawable;
 }
-
-enum class Provider : std::uint8_t { Glx, Egl, OsMesa };
 
 /// A context in the share group of `share`, or in one of its own if `share` is null. Asks nothing
 /// of the host: the host's context need not be current.
@@ -29,6 +28,8 @@ void leaveCurrent();
 
 /// The calling thread's context; null where it is the null context.
 [[nodiscard]] Context *currentContext();
+/// The null context, of threads without one.
+[[nodiscard]] Context &nullContext();
 
 /// The application destroyed the context: it is freed now, or where it is current on some thread,
 /// when it is last made un-current. A destroyed current context stays usable.
@@ -49,6 +50,9 @@ enum class Exchange : std::uint8_t {
 /// Brings the host as far up to date as that needs, where it is not. True of Present: what the
 /// application sees is shown already, and the host has nothing to swap.
 bool exchange(Exchange what, const char *name);
+
+/// The host is about to swap the current drawable's buffers by itself, and all pixels went to it.
+void hostSwaps();
 
 /// About to present (SwapBuffers, or the like): counts a frame. Does not forward.
 void frameEnd(Context *context);

@@ -5,11 +5,14 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/clip_planes.h"
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/software/geometry.h"
+#include "state/software/geometry_call.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state {
@@ -108,7 +111,7 @@ namespace {
 /// Nobody knows what a list does.
 void beforeHostLists(Context &context) {
   if (context.softwarePossible)
-    software::hostDrawsList(context);
+    context.software->hostDrawsList();
 }
 
 /// The segment may have called Viewport, which is how an application follows its window's size.
@@ -117,7 +120,7 @@ void noteViewport(Context &context, const Effects &effects) {
     return;
   GLint box[4] = {};
   context.host->GetIntegerv(GL_VIEWPORT, box);
-  software::drawableMayHaveChanged(context, {box[0], box[1], box[2], box[3]});
+  context.software->residency.drawableMayHaveChanged({box[0], box[1], box[2], box[3]});
 }
 
 /// A segment that sets state and touches no pixel: draws of ours may go on behind it.
@@ -250,7 +253,7 @@ void callList(Context &context, GLuint name) {
 void callListIntoHost(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   context.stale = software::stale::kAll;
-  context.list.notePixels();
+  context.list->notePixels();
   if (!list)
     return context.host->CallList(name);
   for (const DisplayList::Item &item : list->items) {

@@ -9,8 +9,8 @@
 #include "state/memory.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
+#include "state/software/context_state.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state {
@@ -139,7 +139,8 @@ void ListCompiler::resume(Context &context) {
   context.trueHost = context.host;
   if (!m_keeps) {
     if (context.softwarePossible) // our own commands ran: a copy may have been held back
-      withinMemory(context, "NewList", [&] { software::hostDoesAnything(context, "glNewList"); });
+      withinMemory(context, "NewList",
+                   [&] { context.software->residency.hostDoesAnything("glNewList"); });
     return openSegment(context);
   }
   m_stale = std::exchange(context.stale, 0);

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "state/display_list.h"
+#include "state/software/geometry.h"
+#include "state/software/immediate.h"
 
 namespace arbiter::state {
 

@@ -3,9 +3,10 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state::handlers {
@@ -35,39 +36,39 @@ void NewList(Context &context, GLuint list, GLenum mode) {
   // While a list is executed as it is compiled nothing is ours. One that is only compiled leaves
   // pixels alone, but for commands that are executed at once.
   if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
-    software::hostDoesAnything(context, "glNewList");
+    context.software->residency.hostDoesAnything("glNewList");
   else if (context.softwarePossible)
-    software::synchronise(context, "glNewList");
-  context.list.begin(context, list, mode);
+    context.software->residency.synchronise("glNewList");
+  context.list->begin(context, list, mode);
 }
 
 void EndList(Context &context) {
-  context.list.settle(context);
+  context.list->settle(context);
   if (context.listMode == 0 || context.insideBeginEnd)
     return context.host->EndList();
-  context.list.end(context);
+  context.list->end(context);
 }
 
 void CallList(Context &context, GLuint list) {
-  context.list.settle(context);
+  context.list->settle(context);
   if (recordsCalls(context) && !context.insideBeginEnd)
-    return context.list.record(context, {.kind = Command::Kind::CallList, .name = list});
+    return context.list->record(context, {.kind = Command::Kind::CallList, .name = list});
   if (context.listMode)
     return callListIntoHost(context, list);
   callList(context, list);
 }
 
 void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
-  context.list.settle(context);
+  context.list->settle(context);
   const std::size_t bytes = callListsBytes(n, type);
   if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
     Command command{.kind = Command::Kind::CallLists, .target = type};
     command.count = n;
     command.bytes.assign(static_cast<const char *>(lists), bytes);
-    return context.list.record(context, std::move(command));
+    return context.list->record(context, std::move(command));
   }
   if (context.listMode) {
-    context.list.notePixels();
+    context.list->notePixels();
     context.stale = software::stale::kAll;
     return context.host->CallLists(n, type, lists);
   }
@@ -80,7 +81,7 @@ GLuint GenLists(Context &context, GLsizei range) {
     return context.host->GenLists(range);
   GLuint first = 0;
   if (context.listMode)
-    context.list.outside(context, [&] { first = lists.generate(*context.host, range); });
+    context.list->outside(context, [&] { first = lists.generate(*context.host, range); });
   else
     first = lists.generate(*context.host, range);
   return first;

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "state/host_assembly.h"
+#include "state/list_compiler.h"
 #include "state/software/commands.h"
+#include "state/software/context_state.h"
 #include "state/software/stale.h"
 #include "state/testing/current_context.h"
 
@@ -215,7 +218,7 @@ TEST(Lists, TheHostRefusesDrawsWhileTheProgramIsNotValid) {
   const std::string enable = "Enable " + std::to_string(kFragment);
   const auto called = std::find(host.calls.begin(), host.calls.end(), "CallList 1");
   EXPECT_NE(std::find(host.calls.begin(), called, enable), called);
-  EXPECT_FALSE(context->hostAssembly.active()) << "left enabled on the host";
+  EXPECT_FALSE(context->hostAssembly->active()) << "left enabled on the host";
   EXPECT_EQ(host.currentProgram, 0u);
 }
 
@@ -241,7 +244,7 @@ struct KeepingContext : CurrentContext {
   explicit KeepingContext(FakeHost &host) : CurrentContext(host) {
     Context &context = **this;
     use(context, kText);
-    context.software = std::make_unique<software::ContextState>();
+    context.software = std::make_unique<software::ContextState>(context);
     context.softwarePossible = context.softwareListens = true;
     context.host->GetError();
     host.calls.clear();

@@ -6,6 +6,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -25,7 +26,7 @@ void set(Context &context, const ProgramTarget &row, GLuint name, GLuint index, 
                     .object = name};
     command.count = count;
     command.values.assign(values, values + count);
-    return context.list.record(context, std::move(command));
+    return context.list->record(context, std::move(command));
   }
   if (const auto object = namedProgram(context, row, name))
     setLocal(context, *object, index, count, values);

@@ -8,6 +8,7 @@
 #include "state/program_cache.h"
 #include "state/statistics.h"
 #include "state/testing/current_context.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 namespace {

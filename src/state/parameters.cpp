@@ -6,6 +6,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -36,7 +37,7 @@ void recordParameters(Context &context, Command::Kind kind, const ProgramTarget 
   command.count = count;
   if (count > 0)
     command.values.assign(values, values + count);
-  context.list.record(context, std::move(command));
+  context.list->record(context, std::move(command));
 }
 
 /// The way of an env setter with anything unusual about it.

@@ -4,6 +4,7 @@
 
 #include "fp_compiler/compilation.h"
 #include "state/context.h"
+#include "state/display_list.h"
 
 /// The program API below the entry points: what runs when a command is executed, be it called or
 /// replayed from a display list. Arguments that list compilation does not check are checked here.

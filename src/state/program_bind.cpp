@@ -5,6 +5,7 @@
 #include "state/clip_planes.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 
@@ -93,7 +94,7 @@ void enable(Context &context, ProgramTarget &row, bool enabled) {
   if (!context.listMode)
     return setEnabled(context, row, enabled);
   const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
-  context.list.record(context, {.kind = kind, .target = row.info().name});
+  context.list->record(context, {.kind = kind, .target = row.info().name});
 }
 
 /// After the host's Enable or Disable.
@@ -128,7 +129,7 @@ void BindProgramARB(Context &context, GLenum target, GLuint program) {
     return context.host->BindProgramARB(target, program); // raises INVALID_ENUM, or knows it
   noteProgramApiUse(context);
   if (context.listMode)
-    return context.list.record(
+    return context.list->record(
         context, {.kind = Command::Kind::BindProgram, .target = target, .name = program});
   bindProgram(context, *row, program);
 }

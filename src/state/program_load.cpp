@@ -9,6 +9,7 @@
 #include "state/capture.h"
 #include "state/clip_planes.h"
 #include "state/errors.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/program_cache.h"
 #include "state/replacement.h"
@@ -158,7 +159,7 @@ void recordProgramString(Context &context, Command::Kind kind, const ProgramTarg
     command.count = std::min<GLsizei>(length, GLsizei(fp::kMaxTextBytes) + 1);
     command.bytes.assign(static_cast<const char *>(string), std::size_t(command.count));
   }
-  context.list.record(context, std::move(command));
+  context.list->record(context, std::move(command));
 }
 
 namespace handlers {

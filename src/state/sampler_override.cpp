@@ -4,6 +4,7 @@
 #include "host/host_table.h"
 #include "state/draw.h"
 #include "state/share_group.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 

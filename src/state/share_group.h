@@ -7,10 +7,10 @@
 #include <unordered_set>
 #include <vector>
 
-#include "state/application_glsl.h"
 #include "state/deleted_names.h"
 #include "state/display_list.h"
 #include "state/fragment_shaders.h"
+#include "state/linked_stages.h"
 #include "state/program_object.h"
 
 namespace arbiter::state {

@@ -28,7 +28,7 @@ namespace {
 /// The counters of a context, or of several.
 struct Totals {
   std::array<std::uint64_t, kPathCount> draws{};
-  std::array<swrast::FeedbackTracker::Totals, swrast::kCopyKindCount> copies{};
+  std::array<FeedbackTracker::Totals, kCopyKindCount> copies{};
   std::uint64_t frames = 0;
   std::uint64_t readBuffers = 0;
   software::Figures software;
@@ -36,8 +36,8 @@ struct Totals {
   void add(const Context &context) {
     for (int i = 0; i < kPathCount; ++i)
       draws[std::size_t(i)] += context.draws[std::size_t(i)];
-    for (int i = 0; i < swrast::kCopyKindCount; ++i) {
-      const auto &from = context.feedback.totals(swrast::CopyKind(i));
+    for (int i = 0; i < kCopyKindCount; ++i) {
+      const auto &from = context.feedback.totals(CopyKind(i));
       copies[std::size_t(i)].copies += from.copies;
       copies[std::size_t(i)].pixels += from.pixels;
     }
@@ -96,7 +96,7 @@ void renewCounters(Registry &r) {
                    draws(Path::NotOffered);
   to[kDropped] = draws(Path::InvalidProgram) + draws(Path::HostRefused);
   to[kCopies] = to[kPixels] = 0;
-  for (int i = 0; i < swrast::kCopyKindCount; ++i) {
+  for (int i = 0; i < kCopyKindCount; ++i) {
     to[kKinds + unsigned(i)] = totals.copies[std::size_t(i)].copies;
     to[kCopies] += totals.copies[std::size_t(i)].copies;
     to[kPixels] += totals.copies[std::size_t(i)].pixels;

@@ -85,8 +85,8 @@ void writeFeedback(JsonWriter &json) {
   json.key("bytes").raw(counterPlace(kBytes));
   json.key("read_buffer_calls").raw(counterPlace(kReadBuffers));
   json.key("kinds").beginObject();
-  for (int i = 0; i < swrast::kCopyKindCount; ++i)
-    json.key(swrast::copyKindName(swrast::CopyKind(i))).raw(counterPlace(kKinds + unsigned(i)));
+  for (int i = 0; i < kCopyKindCount; ++i)
+    json.key(copyKindName(CopyKind(i))).raw(counterPlace(kKinds + unsigned(i)));
   json.endObject().endObject();
 }
 

@@ -23,7 +23,7 @@ enum Counter : unsigned {
   kBytes,
   kReadBuffers,
   kKinds,
-  kFrames = kKinds + swrast::kCopyKindCount,
+  kFrames = kKinds + kCopyKindCount,
   kProgramsNotListed,
   kCacheHits,
   kCacheMisses,

@@ -3,6 +3,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/variant.h"
 
 namespace arbiter::state {
 

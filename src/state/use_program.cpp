@@ -1,9 +1,12 @@
 // What else decides about a draw's path: the application's own GLSL, and attribute stacks.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/clip_planes.h"
 #include "state/draw.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
+#include "state/host_assembly.h"
+#include "state/list_compiler.h"
 #include "state/program_api.h"
 #include "state/share_group.h"
 #include "state/software/attribute_groups.h"
@@ -24,7 +27,7 @@ namespace {
 
 /// The host's own enable of the target is neither the application's to save nor to restore.
 void releaseHostAssembly(Context &context) {
-  if (!context.hostAssembly.active())
+  if (!context.hostAssembly->active())
     return;
   releaseHostState(context);
   invalidateProgram(context);
@@ -65,7 +68,7 @@ void pushAttrib(Context &context, GLbitfield mask) {
 void popAttrib(Context &context) {
   releaseHostAssembly(context);
   context.host->PopAttrib();
-  context.hostAssembly.disableAgain(context);
+  context.hostAssembly->disableAgain(context);
   popEnables(context);
   noteFixedFunctionChange(context);
   noteClipPlanesChange(context);
@@ -78,7 +81,7 @@ void UseProgram(Context &context, GLuint program) {
     return context.host->UseProgram(program); // the host raises the error
   if (context.listMode) {
     if (context.group->programApiUsed.load(std::memory_order_relaxed))
-      return context.list.record(context, {.kind = Command::Kind::UseProgram, .name = program});
+      return context.list->record(context, {.kind = Command::Kind::UseProgram, .name = program});
     context.group->hostListsChangeProgram.store(true, std::memory_order_relaxed);
     return context.host->UseProgram(program);
   }
@@ -90,7 +93,7 @@ void PushAttrib(Context &context, GLbitfield mask) {
     return context.host->PushAttrib(mask);
   if (!context.listMode)
     return pushAttrib(context, mask);
-  context.list.notePush(mask);
+  context.list->notePush(mask);
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     pushEnables(context, mask);
   context.host->PushAttrib(mask);
@@ -101,8 +104,8 @@ void PopAttrib(Context &context) {
     return context.host->PopAttrib();
   if (!context.listMode)
     return popAttrib(context);
-  if (context.list.notePop())
-    return context.list.record(context, {.kind = Command::Kind::PopAttrib});
+  if (context.list->notePop())
+    return context.list->record(context, {.kind = Command::Kind::PopAttrib});
   context.host->PopAttrib();
   if (context.listMode == GL_COMPILE_AND_EXECUTE)
     popEnables(context);

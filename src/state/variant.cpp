@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "host/host_table.h"
+#include "state/capture.h"
 #include "state/context.h"
 #include "state/errors.h"
 #include "state/share_group.h"
@@ -168,7 +169,7 @@ std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair
   auto variant = std::make_unique<Variant>();
   variant->vertex.compiled = pair.vertex.get();
   variant->fragment.compiled = pair.fragment.get();
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   GLuint shaders[2] = {};
   for (const auto &compiled : {pair.vertex, pair.fragment}) {
     if (!compiled)

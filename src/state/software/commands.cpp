@@ -2,9 +2,10 @@
 
 #include "host/host_table.h"
 #include "state/draw.h"
+#include "state/list_compiler.h"
 #include "state/memory.h"
+#include "state/software/context_state.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 
@@ -14,7 +15,7 @@ namespace {
 /// host's since the list was begun.
 bool isHosts(Context &context) {
   if (context.listMode != 0)
-    context.list.notePixels();
+    context.list->notePixels();
   return context.insideBeginEnd || context.listMode != 0;
 }
 
@@ -95,9 +96,9 @@ void addRectangle(ImmediateRecorder &to, GLfloat x1, GLfloat y1, GLfloat x2, GLf
 } // namespace
 
 bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  if (context.listMode != 0 && context.list.beginPrimitive(context, GL_QUADS)) {
-    addRectangle(context.list.recorder(), x1, y1, x2, y2);
-    context.list.endPrimitive(context);
+  if (context.listMode != 0 && context.list->beginPrimitive(context, GL_QUADS)) {
+    addRectangle(context.list->recorder(), x1, y1, x2, y2);
+    context.list->endPrimitive(context);
     return true;
   }
   if (!isTried(context) || !begin(context, GL_POLYGON))
@@ -109,15 +110,15 @@ bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2)
 
 void hostReads(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context))
-      synchronise(context, name);
+    if (!isHosts(context) && context.software)
+      context.software->residency.synchronise(name);
   });
 }
 
 void hostWrites(Context &context, const char *name) {
   withinMemory(context, name, [&] {
-    if (!isHosts(context))
-      hostDraws(context, name);
+    if (!isHosts(context) && context.software)
+      context.software->hostDraws(name);
   });
 }
 
@@ -125,7 +126,8 @@ void hostDoesUnknown(Context &context, const char *name) {
   withinMemory(context, name, [&] {
     if (isHosts(context))
       return;
-    hostDoesAnything(context, name);
+    if (context.software)
+      context.software->residency.hostDoesAnything(name);
     // It may draw, too.
     if ((context.attention & attention::kParameters) != 0)
       (void)validate(context);

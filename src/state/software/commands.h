@@ -2,6 +2,7 @@
 #include "state/context.h"
 #include "state/software/convert.h"
 #include "state/software/draw.h"
+#include "state/software/immediate.h"
 
 /// What the generated entry points ask of the rasterizer's part before a command goes to the host
 /// (src/dispatch/software.toml).

@@ -1,36 +1,14 @@
 #include "state/software/context_state.h"
 
-#include <cstring>
 #include <string_view>
 
 #include "host/host_table.h"
 #include "state/context.h"
 #include "state/share_group.h"
-#include "state/software/outcome.h"
-#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
-
-const char *fallbackName(Fallback reason) {
-  switch (reason) {
-#define ARBITER_FALLBACK(Enumerator, key, doc)                                                     \
-  case Fallback::Enumerator:                                                                       \
-    return key;
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-  }
-  return "";
-}
-
-Fallback fallbackNamed(const char *key, Fallback otherwise) {
-  if (key)
-    for (int i = 0; i < kFallbackCount; ++i)
-      if (std::strcmp(key, fallbackName(Fallback(i))) == 0)
-        return Fallback(i);
-  return otherwise;
-}
 
 namespace {
 
@@ -62,15 +40,19 @@ void engage(Context &context) {
   context.softwareRefused = true;
   if (!isPossible(context))
     return;
-  context.software = std::make_unique<ContextState>();
+  context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
   context.software->backOff.setForced(context.software->forced);
   context.stale = stale::kAll;
   context.softwarePossible = context.softwareListens = true;
-  enter(context);
+  context.software->residency.enter(context.drawable);
 }
 
-ContextState::ContextState() = default;
+// The mirror is never asked for anything while the host is held back (Context::trueHost).
+ContextState::ContextState(Context &context)
+    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
+      residency({context, context.caps, context.pendingError, context.neighbours,
+                 context.group->deletedNames, context.group->contexts, context.serial}) {}
 ContextState::~ContextState() = default;
 
 } // namespace arbiter::state::software

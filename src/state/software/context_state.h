@@ -4,46 +4,33 @@
 #include <memory>
 
 #include "state/software/back_off.h"
+#include "state/software/fallback.h"
 #include "state/software/immediate.h"
 #include "state/software/mirror.h"
+#include "state/software/residency.h"
 
 /// What a context keeps for the rasterizer of our own; null in Context::software where it is not
 /// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
+namespace arbiter::state {
+class Context;
+}
+
 namespace arbiter::state::software {
 
-/// Why the host drew; rows of reasons.def.
-enum class Fallback : std::uint8_t {
-#define ARBITER_FALLBACK(Enumerator, key, doc) Enumerator,
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-};
-inline constexpr int kFallbackCount = [] {
-  int count = 0;
-#define ARBITER_FALLBACK(...) ++count;
-#include "state/software/reasons.def"
-#undef ARBITER_FALLBACK
-  return count;
-}();
-[[nodiscard]] const char *fallbackName(Fallback reason);
-
-/// What residency.cpp keeps: the window's buffers.
-struct ContextImages {
-  virtual ~ContextImages() = default;
-};
 /// What draw.cpp keeps: the functions in force.
 struct ContextDraws {
   virtual ~ContextDraws() = default;
 };
 struct ContextState {
-  ContextState();
+  explicit ContextState(Context &context);
   ~ContextState();
   ContextState(const ContextState &) = delete;
   ContextState &operator=(const ContextState &) = delete;
 
   Mirror mirror;
+  Residency residency;
   ImmediateRecorder recorder;
   bool openParts = false; ///< of the primitive that is recorded: some have been drawn
-  std::unique_ptr<ContextImages> images;
   std::unique_ptr<ContextDraws> draws;
   BackOff backOff;
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
@@ -54,6 +41,16 @@ struct ContextState {
   bool wholeFrames = false;  ///< the last frame had none
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
+  /// Before a draw of the host's that says that the frame is a mixed one.
+  void hostDraws(const char *why) {
+    ++hostTurns;
+    residency.hostTakesTargets(why);
+  }
+  /// Before the host runs a list of its own, which may draw and do anything else.
+  void hostDrawsList() {
+    ++hostTurns;
+    residency.hostDoesAnything("glCallList");
+  }
   /// Whether the rasterizer may test depth or stencil now.
   [[nodiscard]] bool mayTestDepth() const {
     return forced || (wholeFrames && !hostDrew && hostTurns == 0);

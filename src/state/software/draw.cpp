@@ -9,10 +9,10 @@
 #include "state/memory.h"
 #include "state/software/array_source.h"
 #include "state/software/compile_thread.h"
+#include "state/software/context_state.h"
 #include "state/software/large_draw.h"
 #include "state/software/pipeline.h"
 #include "state/software/replay.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::software {
 
@@ -26,7 +26,10 @@ void giveToHost(Context &context, Fallback reason) {
   // What will be ours later, or is not ours for this alone, says nothing about the frame.
   const bool says =
       reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
-  (says ? hostDraws : hostTakesTargets)(context, fallbackName(reason));
+  if (says)
+    context.software->hostDraws(fallbackName(reason));
+  else
+    context.software->residency.hostTakesTargets(fallbackName(reason));
   static_cast<void>(validate(context));
 }
 
@@ -58,7 +61,7 @@ Outcome judge(Context &context) {
     return Fallback::NoFragmentProgram;
   if (context.path == Path::NoProgram && applicationShades(context))
     return Fallback::NoFragmentProgram;
-  if (!settle(context))
+  if (!context.software->residency.settle())
     return Fallback::Shared;
   if (!context.software->backOff.engaged())
     return Fallback::BackedOff;
@@ -113,8 +116,8 @@ Outcome shadeAll(Context &context, const VertexSource &source, std::uint32_t cou
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
-  refreshArrays(context, mirror);
-  refreshCurrent(context, mirror, slotsOf(pipeline, mirror));
+  mirror.refreshArrays();
+  mirror.refreshCurrent(context.stale, slotsOf(pipeline, mirror));
   const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
   ArraySource &arrays = pipeline.arrays();
   const OpenArrays open(context, arrays);
@@ -178,7 +181,7 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
                     if (!outcome.ok())
                       return outcome;
                     Mirror &mirror = context.software->mirror;
-                    refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
+                    mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
                     return shadeAll(context, *source, count);
                   }));
 }
@@ -207,7 +210,7 @@ bool drawOpen(void *owner, const float position[4]) {
     outcome = settled(
         context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
   } catch (const std::exception &error) {
-    recorder.fail(); // and End says so
+    recorder.fail();         // and End says so
     startRecording(context); // an application that catches its own exception is before End still
     passOn(error);
     stopRecording(context);
@@ -239,7 +242,7 @@ bool begin(Context &context, GLenum mode) {
     return false;
   }
   Mirror &mirror = context.software->mirror;
-  refreshCurrent(context, mirror, slotsOf(pipelineOf(context), mirror));
+  mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
   ContextState &state = *context.software;
   state.recorder.begin(mode, mirror.current);
   state.openParts = false;

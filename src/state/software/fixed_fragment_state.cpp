@@ -4,9 +4,10 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/draw.h"
 #include "state/fixed_function.h"
+#include "state/software/context_state.h"
 #include "state/software/fixed_fragment.h"
-#include "state/software/residency.h"
 #include "state/software/units.h"
 #include "state/unit_scope.h"
 
@@ -135,11 +136,15 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
     if (unit.environment == Environment::Off)
       continue;
     const SamplerUse use{std::uint8_t(i), dimensionOf(unit.target)};
-    refreshSamplers(context, mirror, {&use, 1});
+    if (mirror.samplersAreStale({&use, 1})) {
+      releaseSamplers(context);
+      mirror.refreshSamplers({&use, 1});
+    }
     const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
     const char *reason = nullptr;
-    const TextureImages *const images = acquireTexture(
-        context, sampler.texture, use.dimension, sampler.key.mip != abi::MipFilter::None, reason);
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel},
+        sampler.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     if (!images->complete) {

@@ -15,6 +15,7 @@
 #include "fp_compiler/ir/validate.h"
 #include "state/software/mirror.h"
 #include "state/software/testing/real_host.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 namespace {
@@ -236,7 +237,7 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glEnable(GL_TEXTURE_2D);
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   FixedVertexPrograms programs;
   int compared = 0;
   // The host compiles a shader for each state, which takes most of the time.
@@ -246,8 +247,8 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
     randomLighting(numbers);
     randomTexGen(numbers);
     context.stale = stale::kAll;
-    refresh(context, mirror);
-    refreshVertexState(context, mirror);
+    mirror.refresh(context.stale);
+    mirror.refreshVertexState();
     VertexNeeds needs;
     needs.primary = needs.secondary = true;
     needs.texCoords = 1;
@@ -273,7 +274,7 @@ TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColour) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "the test is built where OSMesa is";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   VertexNeeds needs;
   needs.primary = needs.secondary = true;
   for (int round = 0; round < 100; ++round) {
@@ -288,8 +289,8 @@ TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColour) {
       glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                     separate ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
       context.stale = stale::kAll;
-      refresh(context, mirror);
-      refreshVertexState(context, mirror);
+      mirror.refresh(context.stale);
+      mirror.refreshVertexState();
       const fp::ir::Program program = makeFixedVertexProgram(fixedVertexKey(mirror.vertex, needs));
       const fp::ir::Evaluation got = run(context, program, vertex);
       for (int back = 0; back < (mirror.vertex.twoSided ? 2 : 1); ++back)
@@ -335,9 +336,9 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   const GLfloat attenuation[3] = {1, 0, 0.25f};
   glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
   glPointSize(10);
-  Mirror mirror;
-  refresh(context, mirror);
-  refreshVertexState(context, mirror);
+  Mirror mirror(*context.host, context.caps);
+  mirror.refresh(context.stale);
+  mirror.refreshVertexState();
   EXPECT_EQ(mirror.vertex.clipPlanes, 1u << 5);
   VertexNeeds needs;
   needs.fogCoord = needs.pointSize = true;

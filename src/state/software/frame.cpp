@@ -3,14 +3,14 @@
 #include <numeric>
 
 #include "state/context.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
 namespace {
 
-std::uint64_t transfers(const Context &context) {
-  const ResidencyStatistics statistics = residencyStatistics(context);
+std::uint64_t transfers(const ContextState &state) {
+  const ResidencyStatistics statistics = state.residency.statistics();
   return statistics.downloads + statistics.uploads;
 }
 
@@ -34,7 +34,7 @@ void judge(Context &context, bool moved) {
 
 void endFrame(Context &context) {
   ContextState &state = *context.software;
-  const std::uint64_t now = transfers(context);
+  const std::uint64_t now = transfers(state);
   judge(context, now != state.transfersSeen);
   state.transfersSeen = now;
 }
@@ -44,9 +44,9 @@ void endFrame(Context &context) {
 bool presentFrame(Context &context) {
   ContextState &state = *context.software;
   state.presents = true;
-  const bool moved = transfers(context) != state.transfersSeen;
-  const bool shown = present(context);
-  state.transfersSeen = transfers(context);
+  const bool moved = transfers(state) != state.transfersSeen;
+  const bool shown = state.residency.present();
+  state.transfersSeen = transfers(state);
   judge(context, moved);
   return shown;
 }
@@ -63,7 +63,7 @@ void clearsTarget(Context &context, GLbitfield mask) {
   ContextState &state = *context.software;
   if (state.presents || state.finishes)
     return;
-  const void *const target = wholeTargetCleared(context, mask);
+  const void *const target = state.residency.wholeTargetCleared(mask);
   if (!target)
     return;
   if (!state.frameTarget)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "state/software/context_state.h"
+#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/software/testing/real_host.h"
 
@@ -23,10 +24,10 @@ protected:
     drawable.width = drawable.height = 64;
     drawable.memoryFormat = GL_RGBA;
     drawable.memoryType = GL_UNSIGNED_BYTE;
-    setDrawable(context(), drawable);
-    context().software = std::make_unique<ContextState>();
+    context().drawable = drawable;
+    context().software = std::make_unique<ContextState>(context());
     context().stale = stale::kAll;
-    enter(context());
+    context().software->residency.enter(context().drawable);
   }
   Context &context() { return m_host.context(); }
   ContextState &state() { return *context().software; }

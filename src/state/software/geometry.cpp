@@ -3,14 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "host/handlers.h"
-#include "state/context.h"
-#include "state/draw.h"
-#include "state/share_group.h"
-#include "state/software/commands.h"
-#include "state/software/replay.h"
-#include "state/software/residency.h"
-
 namespace arbiter::state::software {
 
 namespace {
@@ -99,63 +91,9 @@ VertexSource Geometry::source() const {
   return source;
 }
 
-GLuint Geometry::hostList(Context &context) const {
-  const std::lock_guard lock(m_mutex);
-  if (m_hostList == 0) {
-    m_hostList = context.group->lists.takeSegmentName(*context.host);
-    context.host->NewList(m_hostList, GL_COMPILE);
-    context.host->Begin(mode);
-    read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
-    context.host->End();
-    context.host->EndList();
-  }
-  return m_hostList;
-}
-
 GLuint Geometry::madeHostList() const {
   const std::lock_guard lock(m_mutex);
   return m_hostList;
-}
-
-namespace {
-
-/// The host draws, after it was brought up to date.
-void drawOnHost(Context &context, const Geometry &geometry) {
-  if (context.attention && !handlers::beginDraw(context))
-    return tellCurrentValues(context, geometry.values, geometry.touched);
-  context.host->CallList(geometry.hostList(context));
-  context.stale |= stale::kCurrent;
-}
-
-/// As the application does: whose primitive it is shows when it is whole.
-void beginPrimitive(Context &context, const Geometry &geometry) {
-  handlers::Begin(context, geometry.mode);
-  if (ImmediateRecorder *const to = context.recorder) {
-    return geometry.read([&](int slot, const float *v) {
-      if (slot == kPosition)
-        to->vertex(v[0], v[1], v[2], v[3]);
-      else
-        to->set(slot, v[0], v[1], v[2], v[3]);
-    });
-  }
-  geometry.read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
-  context.stale |= stale::kCurrent;
-}
-
-} // namespace
-
-void callGeometry(Context &context, const Geometry &geometry) {
-  if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
-    return handlers::Begin(context, geometry.mode);
-  if (geometry.open)
-    return beginPrimitive(context, geometry);
-  const bool tried = mayDraw(context) && validatePrograms(context) && context.softwarePossible;
-  if (tried && geometry.count != 0) {
-    const VertexSource source = geometry.source();
-    if (drawVertices(context, geometry.mode, geometry.uniform ? &source : nullptr, geometry.count))
-      return tellCurrentValues(context, geometry.values, geometry.touched);
-  }
-  drawOnHost(context, geometry);
 }
 
 } // namespace arbiter::state::software

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -12,13 +13,6 @@
 
 /// Primitives of a display list (OpenGL 1.4, 5.4) as the application gave them: vertices that stay
 /// where they are from call to call.
-namespace arbiter::state {
-class Context;
-}
-namespace arbiter::host {
-struct HostTable;
-}
-
 namespace arbiter::state::software {
 
 /// One or more primitives of one mode, or the beginning of one: a list may leave it open, or go on
@@ -39,9 +33,14 @@ public:
   std::uint32_t touched = 0; ///< slots that were set, one bit each
   CurrentValues values{};    ///< of these, as the primitives leave them behind
 
-  /// The host's list that draws the same, made when it is first asked for; no list is being
-  /// compiled then, and it is outside Begin and End.
-  [[nodiscard]] GLuint hostList(Context &context) const;
+  /// The host's list that draws the same, which `make` makes when it is first asked for and gives
+  /// the name of.
+  template <typename Make> [[nodiscard]] GLuint hostList(Make &&make) const {
+    const std::lock_guard lock(m_mutex);
+    if (m_hostList == 0)
+      m_hostList = make();
+    return m_hostList;
+  }
   /// That list, or 0.
   [[nodiscard]] GLuint madeHostList() const;
   /// What is between Begin and End: calls `set(slot, const float value[4])` of each attribute as it
@@ -69,8 +68,5 @@ private:
 [[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder);
 /// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
 [[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder);
-
-/// The list is called: its primitives are drawn, by us or by the host, or one begins.
-void callGeometry(Context &context, const Geometry &geometry);
 
 } // namespace arbiter::state::software

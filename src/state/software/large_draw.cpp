@@ -4,6 +4,7 @@
 #include <new>
 
 #include "state/context.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 

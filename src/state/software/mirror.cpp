@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "state/context.h"
 #include "state/software/ask.h"
 #include "state/software/mirror_groups.h"
 
@@ -120,54 +119,51 @@ void askFog(const Ask &ask, Mirror &mirror) {
   data.fogScale = span != 0.0f ? 1.0f / span : 0.0f;
 }
 
-/// Are there polygons, and is a face of theirs that is not culled drawn so?
-bool drawnAs(const Mirror &mirror, swrast::Topology topology, swrast::PolygonMode mode) {
-  return topology >= swrast::Topology::Triangles &&
-         ((mirror.raster.front == mode && !mirror.raster.cullFront) ||
-          (mirror.raster.back == mode && !mirror.raster.cullBack));
-}
-
 } // namespace
 
-void refresh(Context &context, Mirror &mirror) {
-  mirror.clock.take(context);
-  const std::uint32_t groups = mirror.clock.changedSince(mirror.seen);
+void Mirror::refresh(std::uint32_t &stale) {
+  clock.take(stale);
+  const std::uint32_t groups = clock.changedSince(seen);
   if (groups == 0) [[likely]]
     return;
-  mirror.seen = mirror.clock.now();
-  const Ask ask{*context.host};
+  seen = clock.now();
+  const Ask ask{m_host};
   if ((groups & stale::kViewport) != 0)
-    askViewport(ask, mirror);
+    askViewport(ask, *this);
   if ((groups & stale::kRaster) != 0) {
-    askPolygons(context.caps, ask, mirror);
-    askLinesAndPoints(ask, mirror);
+    askPolygons(m_caps, ask, *this);
+    askLinesAndPoints(ask, *this);
   }
   if ((groups & (stale::kViewport | stale::kRaster)) != 0)
-    limitDepths(mirror);
+    limitDepths(*this);
   if ((groups & (stale::kTexGen | stale::kTextureParameters | stale::kRaster)) != 0)
-    askPointSprites(context.caps, ask, mirror);
+    askPointSprites(m_caps, ask, *this);
   if ((groups & stale::kPixelOps) != 0)
-    askPixelOps(context.caps, ask, mirror);
+    askPixelOps(m_caps, ask, *this);
   if ((groups & stale::kFog) != 0)
-    askFog(ask, mirror);
+    askFog(ask, *this);
   if ((groups & (stale::kQueries | stale::kPixelOps | stale::kRaster | stale::kViewport)) != 0)
-    askObstacles(context.caps, ask, mirror);
+    askObstacles(m_caps, ask, *this);
 }
 
-bool drawsPoints(const Mirror &mirror, swrast::Topology topology) {
-  return topology == swrast::Topology::Points ||
-         drawnAs(mirror, topology, swrast::PolygonMode::Point);
+bool Mirror::drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const {
+  return topology >= swrast::Topology::Triangles &&
+         ((raster.front == mode && !raster.cullFront) || (raster.back == mode && !raster.cullBack));
 }
 
-const char *obstacleOf(const Mirror &mirror, swrast::Topology topology) {
+bool Mirror::drawsPoints(swrast::Topology topology) const {
+  return topology == swrast::Topology::Points || drawnAs(topology, swrast::PolygonMode::Point);
+}
+
+const char *Mirror::obstacleOf(swrast::Topology topology) const {
   using swrast::PolygonMode;
   using swrast::Topology;
   const bool polygons = topology >= Topology::Triangles;
-  const bool points = drawsPoints(mirror, topology);
+  const bool points = drawsPoints(topology);
   const bool lines =
-      (!polygons && topology != Topology::Points) || drawnAs(mirror, topology, PolygonMode::Line);
-  const bool smooth = (mirror.smoothPoints && points) || (mirror.smoothLines && lines) ||
-                      (mirror.smoothPolygons && drawnAs(mirror, topology, PolygonMode::Fill));
+      (!polygons && topology != Topology::Points) || drawnAs(topology, PolygonMode::Line);
+  const bool smooth = (smoothPoints && points) || (smoothLines && lines) ||
+                      (smoothPolygons && drawnAs(topology, PolygonMode::Fill));
   return smooth ? "state" : nullptr;
 }
 

@@ -12,11 +12,11 @@
 
 /// The host's state as far as a draw of ours depends on it. The host is always right about state,
 /// and is asked for a group only after a command that may have changed it (stale.h).
-///
-/// None of the functions below is called while a display list is compiled, or between Begin and
-/// End. They raise no error, and leave the host's state as it was.
+namespace arbiter::host {
+struct HostTable;
+}
 namespace arbiter::state {
-class Context;
+struct HostCaps;
 }
 
 namespace arbiter::state::software {
@@ -72,7 +72,41 @@ struct VertexState {
   bool operator==(const VertexState &) const = default;
 };
 
-struct Mirror {
+struct SamplerUse {
+  std::uint8_t unit = 0;
+  abi::Dimension dimension = abi::Dimension::Tex2D;
+};
+
+/// The functions that ask the host are not called while a display list is compiled, or between
+/// Begin and End. They raise no error, and leave the host's state as it was.
+class Mirror {
+public:
+  /// Both outlive the mirror.
+  Mirror(const host::HostTable &host, const HostCaps &caps) : m_host(host), m_caps(caps) {}
+
+  /// Takes the bits of `stale` (ContextHot::stale) and asks for the groups that every draw needs:
+  /// raster, pixelOps, constants, obstacle.
+  void refresh(std::uint32_t &stale);
+  /// What refreshSamplers() would ask for. Samplers of ours that are bound in the application's
+  /// place are released before it does.
+  [[nodiscard]] bool samplersAreStale(std::span<const SamplerUse> uses) const;
+  /// Brings samplers[unit][dimension] up to date, for all that the program samples. After
+  /// refresh().
+  void refreshSamplers(std::span<const SamplerUse> uses);
+  /// `current` of the slots of a mask. Takes the bits itself: also before Begin.
+  void refreshCurrent(std::uint32_t &stale, std::uint32_t slots);
+  /// The layer set current values of the host itself, and knows them.
+  void noteCurrent(const CurrentValues &values, std::uint32_t slots);
+  /// `arrays`. After refresh().
+  void refreshArrays();
+  /// `vertex`: only where fixed function transforms. After refresh().
+  void refreshVertexState(bool floatTarget = false);
+
+  /// Primitives of that kind come to points, of which vertices may say the size.
+  [[nodiscard]] bool drawsPoints(swrast::Topology topology) const;
+  /// Why primitives of that kind cannot be ours, beside `obstacle`: smooth ones; null: they can.
+  [[nodiscard]] const char *obstacleOf(swrast::Topology topology) const;
+
   swrast::RasterState raster; ///< without clip, which depends on the target
   swrast::Rect scissor;       ///< where the test is disabled: all that there can be
   bool scissorEnabled = false;
@@ -104,34 +138,14 @@ struct Mirror {
   StaleClock clock;
   std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0;
   std::uint8_t polygonStipple[128] = {};
+
+private:
+  /// Are there polygons, and is a face of theirs that is not culled drawn so?
+  [[nodiscard]] bool drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const;
+  [[nodiscard]] bool isStale(const SamplerUse &use) const;
+
+  const host::HostTable &m_host;
+  const HostCaps &m_caps;
 };
-
-/// Asks the host for the groups that are stale and that every draw needs: raster, pixelOps,
-/// constants, obstacle.
-void refresh(Context &context, Mirror &mirror);
-
-struct SamplerUse {
-  std::uint8_t unit = 0;
-  abi::Dimension dimension = abi::Dimension::Tex2D;
-};
-/// Brings mirror.samplers[unit][dimension] up to date, for all that the program samples. After
-/// refresh().
-void refreshSamplers(Context &context, Mirror &mirror, std::span<const SamplerUse> uses);
-
-/// mirror.current of the slots of a mask. Calls take() itself: also before Begin.
-void refreshCurrent(Context &context, Mirror &mirror, std::uint32_t slots);
-/// The layer set current values of the host itself, and knows them.
-void noteCurrent(Mirror &mirror, const CurrentValues &values, std::uint32_t slots);
-
-/// mirror.arrays. After refresh().
-void refreshArrays(Context &context, Mirror &mirror);
-
-/// mirror.vertex: only where fixed function transforms. After refresh().
-void refreshVertexState(Context &context, Mirror &mirror, bool floatTarget = false);
-
-/// Primitives of that kind come to points, of which vertices may say the size.
-[[nodiscard]] bool drawsPoints(const Mirror &mirror, swrast::Topology topology);
-/// Why primitives of that kind cannot be ours, beside mirror.obstacle: smooth ones; null: they can.
-[[nodiscard]] const char *obstacleOf(const Mirror &mirror, swrast::Topology topology);
 
 } // namespace arbiter::state::software

@@ -1,7 +1,6 @@
 // Vertex arrays of the vertex array object in force, or of client state.
 #include <algorithm>
 
-#include "state/context.h"
 #include "state/software/mirror.h"
 #include "state/software/mirror_groups.h"
 #include "state/software/vertex_convert.h"
@@ -133,24 +132,22 @@ bool restarts(const HostCaps &caps, const Ask &ask) {
 
 } // namespace
 
-void refreshArrays(Context &context, Mirror &mirror) {
+void Mirror::refreshArrays() {
   constexpr std::uint32_t kGroups = stale::kArrays | stale::kRaster;
-  const std::uint32_t groups = mirror.clock.changedSince(mirror.arraysSeen) & kGroups;
-  mirror.arraysSeen = mirror.clock.now();
+  const std::uint32_t groups = clock.changedSince(arraysSeen) & kGroups;
+  arraysSeen = clock.now();
   if (groups == 0) [[likely]]
     return;
-  const Ask ask{*context.host};
-  const HostCaps &caps = context.caps;
-  ArrayBindings &arrays = mirror.arrays;
-  arrays.restart = restarts(caps, ask);
+  const Ask ask{m_host};
+  arrays.restart = restarts(m_caps, ask);
   if ((groups & stale::kArrays) == 0)
     return;
   arrays.enabled = arrays.foreign = 0;
   for (const ArrayNames &names : kNames)
     askArray(ask, names, names.slot, arrays);
-  askTexCoordArrays(caps, ask, arrays);
-  for (GLuint i = 0; i < GLuint(std::min(caps.maxVertexAttribs, 16)); ++i)
-    askGeneric(caps, ask, i, arrays); // 0 after the position, which it stands for
+  askTexCoordArrays(m_caps, ask, arrays);
+  for (GLuint i = 0; i < GLuint(std::min(m_caps.maxVertexAttribs, 16)); ++i)
+    askGeneric(m_caps, ask, i, arrays); // 0 after the position, which it stands for
   arrays.elementBuffer = GLuint(ask.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "state/context.h"
 #include "state/software/mirror.h"
 #include "state/software/mirror_groups.h"
 
@@ -41,47 +40,47 @@ void askSlot(const HostCaps &caps, const Ask &ask, int slot, std::array<float, 4
 
 } // namespace
 
-void refreshCurrent(Context &context, Mirror &mirror, std::uint32_t slots) {
-  mirror.clock.take(context);
-  if ((mirror.clock.changedSince(mirror.currentSeen) & stale::kCurrent) != 0)
-    mirror.currentKnown = 0;
-  mirror.currentSeen = mirror.clock.now();
-  const std::uint32_t wanted = slots & ~mirror.currentKnown & ~(1u << kGeneric0);
+void Mirror::refreshCurrent(std::uint32_t &stale, std::uint32_t slots) {
+  clock.take(stale);
+  if ((clock.changedSince(currentSeen) & stale::kCurrent) != 0)
+    currentKnown = 0;
+  currentSeen = clock.now();
+  const std::uint32_t wanted = slots & ~currentKnown & ~(1u << kGeneric0);
   if (wanted == 0) [[likely]]
     return;
-  const Ask ask{*context.host};
+  const Ask ask{m_host};
   for (std::uint32_t left = wanted & ~kTexCoords; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
-    askSlot(context.caps, ask, slot, mirror.current[std::size_t(slot)]);
+    askSlot(m_caps, ask, slot, current[std::size_t(slot)]);
   }
   if ((wanted & kTexCoords) != 0) {
-    const UnitsScope units(*context.host);
+    const UnitsScope units(m_host);
     for (std::uint32_t left = wanted & kTexCoords; left != 0; left &= left - 1) {
       const int slot = std::countr_zero(left);
-      std::array<float, 4> &value = mirror.current[std::size_t(slot)];
+      std::array<float, 4> &value = current[std::size_t(slot)];
       value = {0, 0, 0, 1};
-      if (slot - kTexCoord0 >= context.caps.maxTextureCoords)
+      if (slot - kTexCoord0 >= m_caps.maxTextureCoords)
         continue;
       units.select(slot - kTexCoord0);
       ask.host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
     }
   }
-  mirror.currentKnown |= wanted;
+  currentKnown |= wanted;
 }
 
-void noteCurrent(Mirror &mirror, const CurrentValues &values, std::uint32_t slots) {
+void Mirror::noteCurrent(const CurrentValues &values, std::uint32_t slots) {
   for (std::uint32_t left = slots; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
-    mirror.current[std::size_t(slot)] = values[std::size_t(slot)];
+    current[std::size_t(slot)] = values[std::size_t(slot)];
   }
-  mirror.currentKnown |= slots;
-  if ((slots & 1u << kColor) == 0 || !mirror.vertex.colorMaterial) [[likely]]
+  currentKnown |= slots;
+  if ((slots & 1u << kColor) == 0 || !vertex.colorMaterial) [[likely]]
     return;
   // The material followed the colour.
-  const bool upToDate = (mirror.clock.changedSince(mirror.currentSeen) & stale::kCurrent) == 0;
-  mirror.clock.mark(stale::kCurrent);
+  const bool upToDate = (clock.changedSince(currentSeen) & stale::kCurrent) == 0;
+  clock.mark(stale::kCurrent);
   if (upToDate)
-    mirror.currentSeen = mirror.clock.now();
+    currentSeen = clock.now();
 }
 
 } // namespace arbiter::state::software

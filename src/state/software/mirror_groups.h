@@ -6,7 +6,7 @@
 
 /// Parts of mirror.cpp, a file each.
 namespace arbiter::state::software {
-struct Mirror;
+class Mirror;
 
 /// Moves the active texture unit for questions that have no unit of their own, and puts it back.
 class UnitsScope {

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "state/context.h"
-#include "state/draw.h"
 #include "state/software/mirror.h"
 #include "state/software/mirror_groups.h"
 
@@ -156,25 +154,29 @@ void askSampler(const HostCaps &caps, const Ask &ask, const SamplerUse &use, Sam
 
 } // namespace
 
-void refreshSamplers(Context &context, Mirror &mirror, std::span<const SamplerUse> uses) {
-  constexpr std::uint32_t kGroups = stale::kTextureBindings | stale::kTextureParameters;
-  const auto isStale = [&](const SamplerUse &use) {
-    const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
-    return (mirror.clock.changedSince(state.seen) & kGroups) != 0;
-  };
-  if (std::none_of(uses.begin(), uses.end(), isStale)) [[likely]]
-    return;
-  // A copy of the application's sampler may be bound in its place.
-  releaseSamplers(context);
-  const Ask ask{*context.host};
-  const UnitsScope units(*context.host);
+namespace {
+constexpr std::uint32_t kSamplerGroups = stale::kTextureBindings | stale::kTextureParameters;
+} // namespace
+
+bool Mirror::isStale(const SamplerUse &use) const {
+  const SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
+  return (clock.changedSince(state.seen) & kSamplerGroups) != 0;
+}
+
+bool Mirror::samplersAreStale(std::span<const SamplerUse> uses) const {
+  return std::any_of(uses.begin(), uses.end(), [&](const SamplerUse &use) { return isStale(use); });
+}
+
+void Mirror::refreshSamplers(std::span<const SamplerUse> uses) {
+  const Ask ask{m_host};
+  const UnitsScope units(m_host);
   for (const SamplerUse &use : uses) {
     if (!isStale(use))
       continue;
-    SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
+    SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
     units.select(use.unit);
-    askSampler(context.caps, ask, use, state);
-    state.seen = mirror.clock.now();
+    askSampler(m_caps, ask, use, state);
+    state.seen = clock.now();
   }
 }
 

@@ -98,7 +98,7 @@ TEST(MirrorSamplers, OfTexturesAndOfObjects) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   GLuint textures[4], samplers[1];
   glGenTextures(4, textures);
   glGenSamplers(1, samplers);
@@ -144,9 +144,9 @@ TEST(MirrorSamplers, OfTexturesAndOfObjects) {
     wanted.lodBias += bias;
     wanted.key.hasBias = wanted.lodBias != 0 || wanted.minLod != -1000 || wanted.maxLod != 1000;
     context.stale |= stale::kTextureBindings | stale::kTextureParameters;
-    refresh(context, mirror);
+    mirror.refresh(context.stale);
     const SamplerUse uses[] = {{std::uint8_t(unit), kind.dimension}};
-    refreshSamplers(context, mirror, uses);
+    mirror.refreshSamplers(uses);
     SCOPED_TRACE("round " + std::to_string(round));
     expectSame(mirror.samplers[std::size_t(unit)][std::size_t(kind.dimension)], wanted);
     glGetIntegerv(GL_ACTIVE_TEXTURE, &after);
@@ -161,12 +161,12 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   const SamplerUse uses[] = {{0, abi::Dimension::Tex2D}};
   const auto obstacle = [&] {
     context.stale |= stale::kTextureParameters;
-    refresh(context, mirror);
-    refreshSamplers(context, mirror, uses);
+    mirror.refresh(context.stale);
+    mirror.refreshSamplers(uses);
     const char *const name = mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].obstacle;
     return std::string(name ? name : "");
   };
@@ -186,9 +186,9 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
 std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
                              const DrawCommand &command = {.count = 3}) {
   context.stale |= stale::kArrays | stale::kCurrent;
-  refresh(context, mirror);
-  refreshArrays(context, mirror);
-  refreshCurrent(context, mirror, ~0u);
+  mirror.refresh(context.stale);
+  mirror.refreshArrays();
+  mirror.refreshCurrent(context.stale, ~0u);
   const std::uint32_t slots = 1u | 1u << slot;
   ArraySource source;
   VertexFetcher fetcher;
@@ -222,7 +222,7 @@ TEST(MirrorArrays, OfClientMemoryAndOfBuffers) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   const float positions[] = {1, 2, 3, 4, 5, 6};
   const GLubyte colors[] = {255, 0, 0, 9, 51, 0, 0, 9, 0, 0, 0, 9};
   glVertexPointer(2, GL_FLOAT, 0, positions);
@@ -279,11 +279,11 @@ TEST(MirrorArrays, WhatWeLackIsRefused) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   const auto valid = [&](int slot, const DrawCommand &command = {.count = 3}) {
     context.stale |= stale::kArrays | stale::kRaster;
-    refresh(context, mirror);
-    refreshArrays(context, mirror);
+    mirror.refresh(context.stale);
+    mirror.refreshArrays();
     ArraySource source;
     const bool opened = source.open(context, mirror, 1u | 1u << slot, command);
     source.close(context);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/null_host.h"
 #include "state/software/testing/mirror_fields.h"
 
 namespace arbiter::state::software {
@@ -48,12 +49,12 @@ std::vector<GLint> movables() {
 void refreshAll(Context &context, Mirror &mirror) {
   const std::vector<GLint> before = movables();
   ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << "the test's own";
-  refresh(context, mirror);
-  refreshVertexState(context, mirror);
-  refreshArrays(context, mirror);
+  mirror.refresh(context.stale);
+  mirror.refreshVertexState();
+  mirror.refreshArrays();
   const SamplerUse use[] = {{0, abi::Dimension::Tex2D}, {3, abi::Dimension::Cube}};
-  refreshSamplers(context, mirror, use);
-  refreshCurrent(context, mirror, ~0u);
+  mirror.refreshSamplers(use);
+  mirror.refreshCurrent(context.stale, ~0u);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   EXPECT_EQ(movables(), before);
 }
@@ -66,7 +67,7 @@ TEST(Mirror, FollowsWhicheverStateChanged) {
   for (const auto &some :
        {testing::rasterFields(), testing::pixelFields(), testing::vertexFields()})
     fields.insert(fields.end(), some.begin(), some.end());
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   std::map<std::size_t, Check> checks;
   Numbers numbers(1);
   glActiveTexture(GL_TEXTURE5);
@@ -93,14 +94,14 @@ TEST(Mirror, AsksOnlyWhatIsStale) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
-  refresh(context, mirror);
+  Mirror mirror(*context.host, context.caps);
+  mirror.refresh(context.stale);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  refresh(context, mirror);
+  mirror.refresh(context.stale);
   EXPECT_FALSE(mirror.pixelOps.depthStencil.depthTest) << "nobody said that it changed";
   context.stale |= stale::kPixelOps | stale::kFramebuffer;
-  refresh(context, mirror);
+  mirror.refresh(context.stale);
   EXPECT_TRUE(mirror.pixelOps.depthStencil.depthTest);
   EXPECT_FALSE(mirror.raster.cullBack);
   EXPECT_EQ(context.stale & stale::kFramebuffer, stale::kFramebuffer) << "is residency's to take";
@@ -150,18 +151,18 @@ TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   glGenQueries(2, &g_query);
-  refresh(context, mirror);
+  mirror.refresh(context.stale);
   EXPECT_EQ(mirror.obstacle, nullptr);
   for (const Obstacle &obstacle : kObstacles) {
     obstacle.begin();
     context.stale |= obstacle.stale;
-    refresh(context, mirror);
+    mirror.refresh(context.stale);
     EXPECT_STREQ(mirror.obstacle, obstacle.reason) << obstacle.name;
     obstacle.end();
     context.stale |= obstacle.stale;
-    refresh(context, mirror);
+    mirror.refresh(context.stale);
     EXPECT_EQ(mirror.obstacle, nullptr) << obstacle.name << ": " << mirror.obstacleDetail;
   }
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
@@ -169,25 +170,26 @@ TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
 
 TEST(Mirror, SmoothPrimitivesAreTheHosts) {
   using swrast::Topology;
-  Mirror mirror;
-  EXPECT_EQ(obstacleOf(mirror, Topology::Lines), nullptr);
+  const HostCaps caps;
+  Mirror mirror(host::kNullHost, caps);
+  EXPECT_EQ(mirror.obstacleOf(Topology::Lines), nullptr);
   mirror.smoothLines = true;
-  EXPECT_STREQ(obstacleOf(mirror, Topology::LineLoop), "state");
-  EXPECT_EQ(obstacleOf(mirror, Topology::Points), nullptr);
-  EXPECT_EQ(obstacleOf(mirror, Topology::Quads), nullptr);
+  EXPECT_STREQ(mirror.obstacleOf(Topology::LineLoop), "state");
+  EXPECT_EQ(mirror.obstacleOf(Topology::Points), nullptr);
+  EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
   mirror.raster.back = swrast::PolygonMode::Line;
-  EXPECT_STREQ(obstacleOf(mirror, Topology::Quads), "state");
+  EXPECT_STREQ(mirror.obstacleOf(Topology::Quads), "state");
   mirror.raster.cullBack = true;
-  EXPECT_EQ(obstacleOf(mirror, Topology::Quads), nullptr);
+  EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
   mirror.smoothPolygons = true;
-  EXPECT_STREQ(obstacleOf(mirror, Topology::TriangleFan), "state");
+  EXPECT_STREQ(mirror.obstacleOf(Topology::TriangleFan), "state");
 }
 
 TEST(Mirror, CurrentValuesAreAskedForOnce) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   glColor4f(0.25f, 0.5f, 0.75f, 1);
   glNormal3f(1, 2, 3);
   glSecondaryColor3f(0.5f, 0.25f, 0);
@@ -195,7 +197,7 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   glEdgeFlag(GL_FALSE);
   glMultiTexCoord3f(GL_TEXTURE3, 1, 2, 3);
   glVertexAttrib4f(5, 5, 6, 7, 8);
-  refreshCurrent(context, mirror, ~0u);
+  mirror.refreshCurrent(context.stale, ~0u);
   const auto &current = mirror.current;
   using Vec = std::array<float, 4>;
   EXPECT_EQ(current[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
@@ -209,12 +211,12 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   CurrentValues values{};
   values[kColor] = {1, 1, 1, 1};
   glColor4f(1, 1, 1, 1);
-  noteCurrent(mirror, values, 1u << kColor);
-  refreshCurrent(context, mirror, 1u << kColor);
+  mirror.noteCurrent(values, 1u << kColor);
+  mirror.refreshCurrent(context.stale, 1u << kColor);
   EXPECT_EQ(current[kColor][0], 1.0f);
   glColor4f(0.125f, 0, 0, 0);
   context.stale |= stale::kCurrent;
-  refreshCurrent(context, mirror, 1u << kColor);
+  mirror.refreshCurrent(context.stale, 1u << kColor);
   EXPECT_EQ(current[kColor][0], 0.125f);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
@@ -223,7 +225,7 @@ TEST(Mirror, CostsLittle) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
-  Mirror mirror;
+  Mirror mirror(*context.host, context.caps);
   GLuint textures[2];
   glGenTextures(2, textures);
   const SamplerUse uses[] = {{0, abi::Dimension::Tex2D}};
@@ -240,21 +242,21 @@ TEST(Mirror, CostsLittle) {
   };
   const double all = best([&] {
     context.stale = stale::kAll;
-    refresh(context, mirror);
-    refreshVertexState(context, mirror);
-    refreshSamplers(context, mirror, uses);
+    mirror.refresh(context.stale);
+    mirror.refreshVertexState();
+    mirror.refreshSamplers(uses);
   });
   int turn = 0;
   const double rebind = best([&] {
     glBindTexture(GL_TEXTURE_2D, textures[turn ^= 1]);
     context.stale |= stale::kTextureBindings;
-    refresh(context, mirror);
-    refreshSamplers(context, mirror, uses);
+    mirror.refresh(context.stale);
+    mirror.refreshSamplers(uses);
   });
   const double nothing = best([&] {
     for (int i = 0; i < 100; ++i) {
-      refresh(context, mirror);
-      refreshSamplers(context, mirror, uses);
+      mirror.refresh(context.stale);
+      mirror.refreshSamplers(uses);
     }
   });
   std::printf("all %.2f us, a texture bound %.2f us, nothing %.4f us\n", all, rebind,

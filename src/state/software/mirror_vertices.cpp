@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "state/context.h"
 #include "state/software/fixed_vertex.h"
 #include "state/software/mirror.h"
 #include "state/software/mirror_groups.h"
@@ -141,23 +140,23 @@ void askPointsAndFog(const Ask &ask, VertexState &state) {
 
 } // namespace
 
-void refreshVertexState(Context &context, Mirror &mirror, bool floatTarget) {
+void Mirror::refreshVertexState(bool floatTarget) {
   constexpr std::uint32_t kGroups = stale::kTransform | stale::kLighting | stale::kTexGen |
                                     stale::kFog | stale::kRaster | stale::kPixelOps;
-  const std::uint32_t groups = mirror.clock.changedSince(mirror.vertexSeen) & kGroups;
-  mirror.vertexSeen = mirror.clock.now();
-  const bool clamps = mirror.clampVertexColors && !(mirror.clampVertexFixedOnly && floatTarget);
-  if (groups == 0 && clamps == mirror.vertex.clampColors) [[likely]]
+  const std::uint32_t groups = clock.changedSince(vertexSeen) & kGroups;
+  vertexSeen = clock.now();
+  const bool clamps = clampVertexColors && !(clampVertexFixedOnly && floatTarget);
+  if (groups == 0 && clamps == vertex.clampColors) [[likely]]
     return;
-  const VertexState before = mirror.vertex;
-  VertexState &state = mirror.vertex;
-  const Ask ask{*context.host};
+  const VertexState before = vertex;
+  VertexState &state = vertex;
+  const Ask ask{m_host};
   if ((groups & stale::kTransform) != 0)
-    askTransform(context.caps, ask, state);
+    askTransform(m_caps, ask, state);
   if ((groups & stale::kLighting) != 0)
     askLighting(ask, state);
   if ((groups & stale::kTexGen) != 0)
-    askTexGen(context.caps, ask, state);
+    askTexGen(m_caps, ask, state);
   if ((groups & (stale::kFog | stale::kRaster)) != 0)
     askPointsAndFog(ask, state);
   state.clampColors = clamps;

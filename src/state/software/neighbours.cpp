@@ -7,7 +7,7 @@
 #include "state/context.h"
 #include "state/escape.h"
 #include "state/share_group.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
@@ -18,6 +18,11 @@ bool sameDrawable(const Drawable &a, const Drawable &b) {
     return false;
   return a.kind == Drawable::Kind::Memory ? a.memory == b.memory
                                           : a.draw == b.draw && a.display == b.display;
+}
+
+void forgetImagesOf(Context &context) {
+  if (context.software)
+    context.software->residency.forget();
 }
 
 } // namespace
@@ -48,7 +53,7 @@ public:
       advance(*other);
       // What it kept is of no use any more, and its thread is not there to give it back.
       if (!other->neighbours.m_current)
-        forgetImages(*other);
+        forgetImagesOf(*other);
     }
     for (Context *other : m_all)
       count(*other);
@@ -86,7 +91,7 @@ private:
     };
     const bool crowded = m_escaped || std::any_of(m_all.begin(), m_all.end(), crowds);
     const std::uint64_t epoch = context.neighbours.epoch();
-    if (crowded != Neighbours::isCrowded(epoch))
+    if (crowded != NeighbourEpoch::isCrowded(epoch))
       set(context, epoch + 1);
   }
 
@@ -113,10 +118,6 @@ void addNeighbour(Context &context) { table().add(context); }
 void removeNeighbour(Context &context) { table().remove(context); }
 void becomesCurrent(Context &context) { table().become(context); }
 void ceasesToBeCurrent(Context &context) { table().cease(context); }
-
-bool sharesObjects(const Context &context) {
-  return context.group->contexts.load(std::memory_order_relaxed) > 1;
-}
 
 } // namespace arbiter::state::software
 

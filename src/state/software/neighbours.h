@@ -1,7 +1,4 @@
 #pragma once
-#include <atomic>
-#include <cstdint>
-
 namespace arbiter::state {
 class Context;
 }
@@ -11,25 +8,13 @@ class Context;
 ///
 /// What a context keeps of such objects (residency's images, the mirror's answers, copies of
 /// buffers) is its own, so that no context ever touches what another thread draws with. It is good
-/// for as long as no neighbour was current: a draw looks at one number, epoch(). While a neighbour
-/// is current nothing is kept from one command to the next, and draws are the host's.
+/// for as long as no neighbour was current: a draw looks at one number, NeighbourEpoch. While a
+/// neighbour is current nothing is kept from one command to the next, and draws are the host's.
 ///
 /// A context that stays current need not be told of anything: the application must order its
 /// contexts' commands anyway (OpenGL 4.6, 5.3), by whatever it uses to do so, and a neighbour's
 /// epoch moves before that neighbour's first command and after its last one.
 namespace arbiter::state::software {
-
-class Neighbours {
-public:
-  /// Moves on when a neighbour becomes or ceases to be current; odd while one is. Never 0.
-  [[nodiscard]] std::uint64_t epoch() const { return m_epoch.load(std::memory_order_relaxed); }
-  [[nodiscard]] static bool isCrowded(std::uint64_t epoch) { return (epoch & 1) != 0; }
-
-private:
-  friend class NeighbourTable;
-  std::atomic<std::uint64_t> m_epoch{2};
-  bool m_current = false; ///< on some thread
-};
 
 /// A context is made, or freed.
 void addNeighbour(Context &context);
@@ -38,8 +23,5 @@ void removeNeighbour(Context &context);
 void becomesCurrent(Context &context);
 /// The host took it away from its thread, or gives it another drawable.
 void ceasesToBeCurrent(Context &context);
-/// More than one context of the group was ever made: what is finished must be with the host, since
-/// any of them may look at it.
-[[nodiscard]] bool sharesObjects(const Context &context);
 
 } // namespace arbiter::state::software

@@ -1,5 +1,5 @@
 #pragma once
-#include "state/software/context_state.h"
+#include "state/software/fallback.h"
 
 /// Whether a step of a draw succeeded, or why the host draws.
 namespace arbiter::state::software {
@@ -16,8 +16,5 @@ private:
   Fallback m_reason = Fallback::State;
   bool m_ok = true;
 };
-
-/// The row of reasons.def that a key of the mirror or of residency names; `otherwise` for none.
-[[nodiscard]] Fallback fallbackNamed(const char *key, Fallback otherwise);
 
 } // namespace arbiter::state::software

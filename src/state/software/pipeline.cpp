@@ -5,7 +5,8 @@
 #include <new>
 
 #include "state/context.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
+#include "state/variant.h"
 #include "swrast/setup/rectangle.h"
 
 namespace arbiter::state::software {
@@ -95,17 +96,18 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
 }
 
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {
-  return {context.selections, imagesVersion(context),      mirror.vertex.version,
-          kind.mode,          kind.count >= kManyVertices, context.software->mayTestDepth()};
+  return {context.selections,          context.software->residency.version(),
+          mirror.vertex.version,       kind.mode,
+          kind.count >= kManyVertices, context.software->mayTestDepth()};
 }
 
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
   Mirror &mirror = context.software->mirror;
-  refresh(context, mirror);
+  mirror.refresh(context.stale);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
   if (m_chosen) {
-    refreshVertexState(context, mirror, m_floatTarget);
+    mirror.refreshVertexState(m_floatTarget);
     const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
     if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
         (context.stale & stale::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
@@ -141,10 +143,10 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  if (const char *const obstacle = obstacleOf(mirror, m_topology))
+  if (const char *const obstacle = mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const char *reason = nullptr;
-  m_targets = describeTargets(context, reason);
+  m_targets = context.software->residency.describeTargets(reason);
   if (!m_targets)
     return fallbackNamed(reason, Fallback::Target);
   m_floatTarget = anyFloat(*m_targets);
@@ -152,7 +154,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
       context.variant ? context.variant->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            drawsPoints(mirror, m_topology), m_floatTarget, m_when);
+                            mirror.drawsPoints(m_topology), m_floatTarget, m_when);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);
@@ -273,13 +275,14 @@ void Pipeline::fillData(const Mirror &mirror) {
 Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
                           bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;
-  if (targetsHeld(context, depth.depthTest != 0 || depth.stencilTest != 0))
+  if (context.software->residency.targetsHeld(depth.depthTest != 0 || depth.stencilTest != 0))
     return {};
   swrast::Rect overwritten;
   if (opaque)
     overwritten =
         swrast::surelyCovered(m_raster, topology, m_vertices.vertices(), indices.indices, 0, count);
-  if (!acquireTargets(context, overwritten, depth.depthTest != 0, depth.stencilTest != 0))
+  if (!context.software->residency.acquireTargets(overwritten, depth.depthTest != 0,
+                                                  depth.stencilTest != 0))
     return Fallback::Memory;
   return {};
 }
@@ -313,7 +316,7 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
       !outcome.ok())
     return outcome;
   // Only now: to acquire an image may give it other memory.
-  const std::uint64_t images = imagesVersion(context);
+  const std::uint64_t images = context.software->residency.version();
   if ((changed & kDataGroups) != 0 || images != m_filledImages)
     fillData(mirror);
   m_filled = true;

@@ -16,7 +16,7 @@
 namespace arbiter::state::software {
 
 struct DrawTargets;
-struct Mirror;
+class Mirror;
 
 /// A context's way from the programs in force to pixels. choose() looks at state and has functions
 /// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw
@@ -56,7 +56,7 @@ private:
   /// What decides about a choice, beside groups of state.
   struct Basis {
     std::uint64_t selections = 0;  ///< Context::selections
-    std::uint64_t images = 0;      ///< imagesVersion()
+    std::uint64_t images = 0;      ///< Residency::version()
     std::uint32_t vertexState = 0; ///< VertexState::version
     GLenum mode = 0;
     bool many = false;

@@ -3,9 +3,10 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/list_compiler.h"
 #include "state/software/commands.h"
+#include "state/software/context_state.h"
 #include "state/software/frame.h"
-#include "state/software/residency.h"
 
 namespace arbiter::state::handlers {
 
@@ -16,60 +17,58 @@ bool executes(const Context &context) { return !context.insideBeginEnd && contex
 /// The same of a command that goes into a list, and changes pixels where the list is called.
 bool changes(Context &context) {
   if (context.listMode != 0)
-    context.list.notePixels();
+    context.list->notePixels();
   return executes(context);
 }
 
 } // namespace
 
 void Clear(Context &context, GLbitfield mask) {
-  if (changes(context)) {
-    if (context.software)
-      software::clearsTarget(context, mask);
-    if (software::clear(context, mask))
+  if (changes(context) && context.software) {
+    software::clearsTarget(context, mask);
+    if (context.software->residency.clear(mask))
       return;
-    software::hostTakesTargets(context, "glClear");
+    context.software->residency.hostTakesTargets("glClear");
   }
   context.host->Clear(mask);
 }
 
 void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, void *pixels) {
-  if (executes(context)) {
-    if (software::readPixels(context, x, y, width, height, format, type, pixels))
+  if (executes(context) && context.software) {
+    if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
       return;
-    software::synchronise(context, "glReadPixels");
+    context.software->residency.synchronise("glReadPixels");
   }
   context.host->ReadPixels(x, y, width, height, format, type, pixels);
 }
 
 void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
                  void *pixels) {
-  if (executes(context)) {
-    if (software::getTexImage(context, target, level, format, type, pixels))
+  if (executes(context) && context.software) {
+    if (context.software->residency.getTexImage(target, level, format, type, pixels))
       return;
-    software::synchronise(context, "glGetTexImage");
+    context.software->residency.synchronise("glGetTexImage");
   }
   context.host->GetTexImage(target, level, format, type, pixels);
 }
 
 void Flush(Context &context) {
-  if (executes(context))
-    return software::flush(context, false);
+  if (executes(context) && context.software)
+    return context.software->residency.flush(false);
   context.host->Flush();
 }
 
 void Finish(Context &context) {
-  if (!executes(context))
+  if (!executes(context) || !context.software)
     return context.host->Finish();
-  software::flush(context, true);
-  if (context.software)
-    software::finishFrame(context);
+  context.software->residency.flush(true);
+  software::finishFrame(context);
 }
 
 void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
-  if (executes(context))
-    software::drawableMayHaveChanged(context, {x, y, width, height});
+  if (executes(context) && context.software)
+    context.software->residency.drawableMayHaveChanged({x, y, width, height});
   context.host->Viewport(x, y, width, height);
 }
 
@@ -77,8 +76,8 @@ void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height)
 
 #define ARBITER_REDEFINES(Name, Parameters, Arguments)                                             \
   void Name Parameters {                                                                           \
-    if (changes(context))                                                                          \
-      software::textureRedefined(context, target);                                                 \
+    if (changes(context) && context.software)                                                      \
+      context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
   }
 
@@ -142,25 +141,26 @@ ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
 
 void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
                    GLenum format, GLenum type, const void *pixels) {
-  if (changes(context))
-    software::texSubImage(context, target, level, xoffset, 0, 0, width, 1, 1, format, type, pixels);
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
+                                            pixels);
   context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
 }
 
 void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
-  if (changes(context))
-    software::texSubImage(context, target, level, xoffset, yoffset, 0, width, height, 1, format,
-                          type, pixels);
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
+                                            format, type, pixels);
   context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
 }
 
 void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                    GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
                    GLenum type, const void *pixels) {
-  if (changes(context))
-    software::texSubImage(context, target, level, xoffset, yoffset, zoffset, width, height, depth,
-                          format, type, pixels);
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
+                                            depth, format, type, pixels);
   context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
                               format, type, pixels);
 }

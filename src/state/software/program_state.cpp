@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "state/context.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 

@@ -11,6 +11,7 @@
 #include "fp_compiler/ir/builder.h"
 #include "state/context.h"
 #include "state/software/testing/real_host.h"
+#include "state/variant.h"
 
 namespace arbiter::state::software {
 namespace {
@@ -43,7 +44,7 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   row.bound = std::make_shared<ProgramObject>(77, Target::Vertex);
   row.bound->locals.resize(8);
   StaleClock clock;
-  clock.take(context);
+  clock.take(context.stale);
   EXPECT_FALSE(values.update(context, clock, &row)) << "zeros as they were";
   row.env[3] = {5, 6, 7, 8};
   ++row.envVersion;
@@ -82,7 +83,7 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   const auto row = b.state(ref(StateItem::MatrixModelview, 0, 0));
   ProgramValues values(b.program());
   StaleClock clock;
-  clock.take(context);
+  clock.take(context.stale);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, row), (Vec4{1, 0, 0, 0}));
   const GLfloat color[4] = {0.25f, 0.5f, 0.75f, 1};
@@ -91,12 +92,12 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   glScalef(2, 1, 1);
   EXPECT_FALSE(values.update(context, clock, nullptr)) << "nobody said that anything changed";
   context.stale |= stale::kFog;
-  clock.take(context);
+  clock.take(context.stale);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, fog), (Vec4{0.25f, 0.5f, 0.75f, 1}));
   EXPECT_EQ(valueOf(values, row), (Vec4{1, 0, 0, 0}));
   context.stale |= stale::kTransform;
-  clock.take(context);
+  clock.take(context.stale);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, row), (Vec4{2, 0, 0, 0}));
 }
@@ -168,7 +169,7 @@ TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
       context.stale |= stale::kCurrent | stale::kLighting;
       break;
     }
-    clock.take(context);
+    clock.take(context.stale);
     (void)values.update(context, clock, nullptr);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       Vec4 wanted{};

@@ -4,15 +4,17 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/list_compiler.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::handlers {
 
 namespace {
 
 bool isRecorded(Context &context) {
-  if (context.listMode == 0 || !context.list.keeps())
+  if (context.listMode == 0 || !context.list->keeps())
     return false;
-  context.list.settle(context);
+  context.list->settle(context);
   return !context.insideBeginEnd;
 }
 
@@ -27,7 +29,7 @@ void note(Context &context, bool begun) {
 
 void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
   if (isRecorded(context))
-    return context.list.record(
+    return context.list->record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
   context.host->BeginConditionalRender(id, mode);
   note(context, true);
@@ -35,7 +37,7 @@ void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
 
 void EndConditionalRender(Context &context) {
   if (isRecorded(context))
-    return context.list.record(context, {.kind = Command::Kind::EndConditional});
+    return context.list->record(context, {.kind = Command::Kind::EndConditional});
   context.host->EndConditionalRender();
   note(context, false);
 }

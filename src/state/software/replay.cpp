@@ -4,8 +4,9 @@
 
 #include "state/context.h"
 #include "state/draw.h"
+#include "state/list_compiler.h"
 #include "state/memory.h"
-#include "state/software/residency.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
@@ -49,13 +50,13 @@ const host::HostTable *handOver() {
   if (context.host != &kRecordingHost)
     return context.host; // somebody kept the table of a moment ago
   if (context.listMode != 0) {
-    context.list.giveHost(context);
+    context.list->giveHost(context);
     return context.host;
   }
   stopRecording(context);
   context.insideBeginEnd = false; // of the host this is still true
   withinMemory(context, "glBegin", [&] {
-    hostDraws(context, "glBegin");
+    context.software->hostDraws("glBegin");
     (void)validate(context);
   });
   replayToHost(context);
@@ -81,13 +82,13 @@ void replayToHost(Context &context) {
   const ImmediateRecorder &recorder = context.software->recorder;
   ++*context.drawCounter;
   sendOpen(*context.host, recorder);
-  noteCurrent(context.software->mirror, recorder.values(), recorder.touched());
+  context.software->mirror.noteCurrent(recorder.values(), recorder.touched());
 }
 
 void tellCurrentValues(Context &context, const CurrentValues &values, std::uint32_t touched) {
   tellAttributes(*context.host, values, touched);
   if (touched != 0 && context.software)
-    noteCurrent(context.software->mirror, values, touched);
+    context.software->mirror.noteCurrent(values, touched);
 }
 
 } // namespace arbiter::state::software

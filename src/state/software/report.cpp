@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "state/context.h"
+#include "state/software/context_state.h"
 #include "state/software/functions.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
@@ -19,7 +20,7 @@ void Figures::add(const Context &context) {
   const BackOff::Statistics &backOff = context.software->backOff.statistics();
   trials += backOff.trials;
   framesBackedOff += backOff.framesBackedOff;
-  const ResidencyStatistics &moved = residencyStatistics(context);
+  const ResidencyStatistics &moved = context.software->residency.statistics();
   residency.copiesShared += moved.copiesShared;
   residency.copiesInMemory += moved.copiesInMemory;
   residency.downloads += moved.downloads;

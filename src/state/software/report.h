@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "state/software/context_state.h"
-#include "state/software/residency.h"
 
 /// The rasterizer's figures for --stats.
 namespace arbiter {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "util/log.h"
 
@@ -12,189 +11,160 @@ namespace arbiter::state::software {
 
 namespace {
 
-void uploadList(Context &context, WindowImages &window, std::vector<PixelImage *> &list) {
+void uploadList(ResidentImages &images, std::vector<PixelImage *> &list) {
   // One by one: what finds no memory stays in the list, as its shadow is what counts.
   while (!list.empty()) {
     PixelImage *const image = list.back();
     if (image->newest == Newest::Shadow) {
-      upload(context, window, *image);
-      setNewest(context, *image, Newest::Both);
+      upload(images, *image);
+      setNewest(images, *image, Newest::Both);
     }
     image->listed = false;
     list.pop_back();
   }
 }
 
-void uploadAll(Context &context, WindowImages &window) {
-  if (!window.pending.empty())
-    lookAtWindow(context, window);
-  uploadList(context, window, objectsOf(context).pending);
-  uploadList(context, window, window.pending);
-  context.hostIsBehind = false;
+void uploadAll(ResidentImages &images) {
+  if (!images.pending.empty())
+    lookAtWindow(images);
+  uploadList(images, images.objects.pending);
+  uploadList(images, images.pending);
+  images.hot.hostIsBehind = false;
 }
 
-void dropObjects(Context &context) {
-  ObjectImages &objects = objectsOf(context);
+void dropObjects(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
   objects.absent.fill(-1);
   for (const auto &[name, texture] : objects.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image)
-        dropShadow(context, *image);
+        dropShadow(images, *image);
   for (const auto &[name, image] : objects.renderbuffers)
-    dropShadow(context, *image);
+    dropShadow(images, *image);
 }
 
-void dropFramebuffer(Context &context, WindowImages &window) {
-  const Framebuffers &f = framebuffersOf(context, window);
+void dropFramebuffer(ResidentImages &images) {
+  const Framebuffers &f = framebuffersOf(images);
   const auto drop = [&](PixelImage *image) {
     if (image)
-      dropShadow(context, *image);
+      dropShadow(images, *image);
   };
   for (PixelImage *image : f.color)
     drop(image);
   drop(f.depthStencil);
   // What is attached to a framebuffer that is not ours is not all known: any image may be.
   if (f.drawName != 0 && f.reason)
-    dropObjects(context);
+    dropObjects(images);
   if (f.drawName == 0) {
     // The front and the back buffer are not told apart where the host draws to both.
-    drop(&window.color);
-    drop(&window.depthStencil);
+    drop(&images.color);
+    drop(&images.depthStencil);
   }
 }
 
-void dropAll(Context &context, WindowImages &window) {
-  ObjectImages &objects = objectsOf(context);
+void dropAll(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
   for (const auto &[name, texture] : objects.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image) {
-        dropShadow(context, *image);
+        dropShadow(images, *image);
         image->described = false;
       }
   for (const auto &[name, image] : objects.renderbuffers) {
-    dropShadow(context, *image);
+    dropShadow(images, *image);
     image->described = false;
   }
-  dropShadow(context, window.color);
-  dropShadow(context, window.depthStencil);
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
   objects.redefined();
-  context.stale = ~0u;
+  images.hot.stale = ~0u;
 }
 
 /// Nothing is known of any object; nothing is pending.
-void forget(WindowImages &window) {
-  ObjectImages &objects = window.objects;
+void forgetObjects(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
   objects.textures.clear();
   objects.renderbuffers.clear();
   objects.pending.clear();
   objects.way = {};
   objects.absent.fill(-1);
-  window.framebuffers = {};
+  images.framebuffers = {};
 }
 
 } // namespace
 
-WindowImages *settledWindowOf(Context &context) {
-  WindowImages *const window = windowOf(context);
-  if (!window)
-    return nullptr;
-  const std::uint64_t epoch = context.neighbours.epoch();
-  if (window->epoch == epoch) [[likely]]
-    return window;
-  uploadAll(context, *window);
-  dropAll(context, *window);
-  forget(*window);
-  window->epoch = Neighbours::isCrowded(epoch) ? 0 : epoch;
-  return window;
+void settleImages(ResidentImages &images) {
+  const std::uint64_t epoch = images.neighbours.epoch();
+  if (images.epoch == epoch) [[likely]]
+    return;
+  uploadAll(images);
+  dropAll(images);
+  forgetObjects(images);
+  images.epoch = NeighbourEpoch::isCrowded(epoch) ? 0 : epoch;
 }
 
-WindowImages *undisturbedWindowOf(Context &context) {
-  WindowImages *const window = settledWindowOf(context);
-  return window && window->epoch != 0 ? window : nullptr;
+bool settleAlone(ResidentImages &images) {
+  settleImages(images);
+  return images.epoch != 0;
 }
 
-bool settle(Context &context) { return undisturbedWindowOf(context) != nullptr; }
+Residency::Residency(const Surroundings &around) : m_images(new ResidentImages(around)) {}
+Residency::~Residency() = default;
 
-void forgetImages(Context &context) {
-  WindowImages *const window =
-      context.software ? static_cast<WindowImages *>(context.software->images.get()) : nullptr;
-  if (!window || context.hostIsBehind)
+bool Residency::settle() { return settleAlone(*m_images); }
+
+void Residency::forget() {
+  ResidentImages &images = *m_images;
+  if (images.hot.hostIsBehind)
     return; // it left in the middle of a list or a primitive
-  dropAll(context, *window);
-  forget(*window);
+  dropAll(images);
+  forgetObjects(images);
 }
 
-void synchronise(Context &context, const char *why) {
-  if (!context.hostIsBehind)
+void Residency::synchronise(const char *why) {
+  ResidentImages &images = *m_images;
+  if (!images.hot.hostIsBehind)
     return;
-  WindowImages *const window = settledWindowOf(context);
-  if (!window)
-    return;
+  settleImages(images);
   logDebug("residency", "the host is brought up to date: %s", why);
-  uploadAll(context, *window);
+  uploadAll(images);
 }
 
-void hostDraws(Context &context, const char *why) {
-  if (context.software)
-    ++context.software->hostTurns;
-  hostTakesTargets(context, why);
+void Residency::hostTakesTargets(const char *why) {
+  ResidentImages &images = *m_images;
+  synchronise(why);
+  settleImages(images);
+  if (hostMissedFrames(images))
+    lookAtWindow(images);
+  if (images.objects.valid != 0)
+    dropFramebuffer(images);
 }
 
-void hostTakesTargets(Context &context, const char *why) {
-  synchronise(context, why);
-  WindowImages *const window = settledWindowOf(context);
-  if (window && hostMissedFrames(*window))
-    lookAtWindow(context, *window);
-  if (window && window->objects.valid != 0)
-    dropFramebuffer(context, *window);
+void Residency::hostDoesAnything(const char *why) {
+  synchronise(why);
+  dropAll(*m_images);
 }
 
-void hostDrawsList(Context &context) {
-  if (context.software)
-    ++context.software->hostTurns;
-  hostDoesAnything(context, "glCallList");
-}
-
-void hostDoesAnything(Context &context, const char *why) {
-  synchronise(context, why);
-  WindowImages *const window = windowOf(context);
-  if (!window)
-    return;
-  dropAll(context, *window);
-}
-
-void setDrawable(Context &context, const Drawable &drawable) {
-  // Kept with the context, whose rasterizer may be engaged later.
-  context.drawable = drawable;
-}
-
-void drawableMayHaveChanged(Context &context, const swrast::Rect &viewport) {
-  if (!context.software || !context.software->images)
-    return;
-  WindowImages &window = *windowOf(context);
-  auto &recent = window.viewports;
+void Residency::drawableMayHaveChanged(const swrast::Rect &viewport) {
+  ResidentImages &images = *m_images;
+  auto &recent = images.viewports;
   const auto known = std::find(recent.begin(), recent.end(), viewport);
   if (known != recent.end())
     return;
-  window.sizeSure = true;
+  images.sizeSure = true;
   std::rotate(recent.begin(), recent.end() - 1, recent.end());
   recent.front() = viewport;
 }
 
-void forgetSize(Context &context, WindowImages &window) {
-  window.sizeKnown = false;
-  objectsOf(context).changed();
+void forgetSize(ResidentImages &images) {
+  images.sizeKnown = false;
+  images.objects.changed();
 }
 
-std::uint64_t imagesVersion(const Context &context) {
-  const auto *const window = static_cast<const WindowImages *>(context.software->images.get());
-  return window ? window->objects.version : 0;
-}
+std::uint64_t Residency::version() const { return m_images->objects.version; }
 
-ResidencyStatistics residencyStatistics(const Context &context) {
-  ResidencyStatistics statistics;
-  if (context.software && context.software->images)
-    statistics = static_cast<const WindowImages &>(*context.software->images).objects.statistics;
+ResidencyStatistics Residency::statistics() const {
+  ResidencyStatistics statistics = m_images->objects.statistics;
   statistics.shadowBytes = swrast::Storage::totalBytes();
   return statistics;
 }

@@ -1,7 +1,6 @@
 // Clear in memory.
 #include <algorithm>
 
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -21,8 +20,8 @@ struct ClearState {
   std::uint8_t stencilMask = 0xFF, stencil = 0;
 };
 
-ClearState clearState(const Context &context, const Framebuffers &f, GLbitfield mask) {
-  const host::HostTable &host = *context.host;
+ClearState clearState(const ResidentImages &images, const Framebuffers &f, GLbitfield mask) {
+  const host::HostTable &host = *images.hot.host;
   ClearState state;
   state.area = {0, 0, f.width, f.height};
   if (host.IsEnabled(GL_SCISSOR_TEST)) {
@@ -65,23 +64,23 @@ bool ours(const PixelImage &image, bool whole) {
   return image.newest != Newest::Host || (whole && image.drawnHere);
 }
 
-bool clearColor(Context &context, PixelImage &image, int slice, const ClearState &state) {
+bool clearColor(ResidentImages &images, PixelImage &image, int slice, const ClearState &state) {
   const bool whole = covers(state.area, image) && state.colorMask == 0xF;
-  if (!makeOwn(context, image, !whole))
+  if (!makeOwn(images, image, !whole))
     return false;
   swrast::Image part = image.shadow;
   part.offset += slice * part.sliceStride;
   swrast::fill(part, state.area, state.color, state.colorMask);
-  setNewest(context, image, Newest::Shadow);
+  setNewest(images, image, Newest::Shadow);
   return true;
 }
 
 /// The parts of `mask` that were cleared in memory.
-GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
-  const Framebuffers &f = framebuffersOf(context, window);
+GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
+  const Framebuffers &f = framebuffersOf(images);
   if (f.reason)
     return 0;
-  const ClearState state = clearState(context, f, mask);
+  const ClearState state = clearState(images, f, mask);
   GLbitfield done = 0;
   if ((mask & GL_COLOR_BUFFER_BIT) != 0) {
     const bool all = state.colorMask == 0xF;
@@ -91,7 +90,7 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
     bool failed = false;
     if (possible && !state.area.empty())
       for (std::size_t i = 0; i < f.color.size(); ++i)
-        failed = failed || (f.color[i] && !clearColor(context, *f.color[i], f.slice[i], state));
+        failed = failed || (f.color[i] && !clearColor(images, *f.color[i], f.slice[i], state));
     if (possible && !failed)
       done |= GL_COLOR_BUFFER_BIT;
   }
@@ -104,60 +103,60 @@ GLbitfield clearOurs(Context &context, WindowImages &window, GLbitfield mask) {
   const bool depth = (rest & GL_DEPTH_BUFFER_BIT) != 0 && state.depthMask;
   const std::uint8_t stencil = (rest & GL_STENCIL_BUFFER_BIT) != 0 ? state.stencilMask : 0;
   const bool whole = covers(state.area, image) && depth && (stencil == 0xFF || f.stencilBits == 0);
-  if (!ours(image, whole) || !makeOwn(context, image, !whole))
+  if (!ours(image, whole) || !makeOwn(images, image, !whole))
     return done;
   if (!state.area.empty())
     swrast::fillDepthStencil(image.shadow, state.area, depth, state.depth, stencil, state.stencil);
-  setNewest(context, image, Newest::Shadow);
+  setNewest(images, image, Newest::Shadow);
   return done | rest;
 }
 
 } // namespace
 
-const void *wholeTargetCleared(Context &context, GLbitfield mask) {
-  WindowImages *const window = undisturbedWindowOf(context);
+const void *Residency::wholeTargetCleared(GLbitfield mask) {
+  ResidentImages &images = *m_images;
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if (!window || (mask & kBoth) != kBoth)
+  if (!settleAlone(images) || (mask & kBoth) != kBoth)
     return nullptr;
-  const Framebuffers &f = framebuffersOf(context, *window);
+  const Framebuffers &f = framebuffersOf(images);
   if (f.reason || !f.depthStencil)
     return nullptr;
-  const ClearState state = clearState(context, f, mask);
+  const ClearState state = clearState(images, f, mask);
   const bool whole =
       state.colorMask == 0xF && state.depthMask && covers(state.area, *f.depthStencil);
   return whole ? f.depthStencil : nullptr;
 }
 
-bool clear(Context &context, GLbitfield mask) {
-  WindowImages *const window = undisturbedWindowOf(context);
+bool Residency::clear(GLbitfield mask) {
+  ResidentImages &images = *m_images;
   constexpr GLbitfield kOurs = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-  if (!window || mask == 0 || (mask & ~kOurs) != 0)
+  if (!settleAlone(images) || mask == 0 || (mask & ~kOurs) != 0)
     return false;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   // The mode of an application that never draws by us costs nothing.
   if (objects.valid == 0 && !objects.drawn)
     return false;
-  const GLbitfield done = clearOurs(context, *window, mask);
+  const GLbitfield done = clearOurs(images, mask);
   if (done == mask)
     return true;
   if (done == 0)
     return false;
   // The rest is the host's, whose pixels of it are the newest.
   const GLbitfield rest = mask & ~done;
-  const Framebuffers &f = framebuffersOf(context, *window);
+  const Framebuffers &f = framebuffersOf(images);
   if ((rest & GL_COLOR_BUFFER_BIT) != 0)
     for (PixelImage *image : f.color)
       if (image) {
         if (image->newest == Newest::Shadow)
-          upload(context, *window, *image);
-        dropShadow(context, *image);
+          upload(images, *image);
+        dropShadow(images, *image);
       }
   if ((rest & ~GLbitfield(GL_COLOR_BUFFER_BIT)) != 0 && f.depthStencil) {
     if (f.depthStencil->newest == Newest::Shadow)
-      upload(context, *window, *f.depthStencil);
-    dropShadow(context, *f.depthStencil);
+      upload(images, *f.depthStencil);
+    dropShadow(images, *f.depthStencil);
   }
-  context.host->Clear(rest);
+  images.hot.host->Clear(rest);
   return true;
 }
 

@@ -1,9 +1,6 @@
 // Feedback: the read buffer to a level of a texture.
 #include <algorithm>
 
-#include "state/feedback.h"
-#include "state/program_api.h"
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -32,25 +29,25 @@ bool worthSharing(const Image &image, const Rect &rect) {
 
 /// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
 /// level that the copy would define anew.
-PixelImage *destination(Context &context, const CopyToTexture &copy) {
+PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
   const GLenum binding = bindingOf(copy.target);
   if (binding == 0)
     return nullptr;
   GLint name = 0;
-  context.host->GetIntegerv(binding, &name);
-  if (name == 0 || !isNamedAsBound(context, GLuint(name)))
+  images.hot.host->GetIntegerv(binding, &name);
+  if (name == 0 || !isNamedAsBound(images, GLuint(name)))
     return nullptr;
-  Texture &texture = textureOf(objectsOf(context), GLuint(name));
-  PixelImage *const image = levelOf(context, texture, copy.target, copy.level);
+  Texture &texture = textureOf(images.objects, GLuint(name));
+  PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
   if (!image || image->base == 0)
     return nullptr;
   const Rect to = {copy.destX, copy.destY, copy.width, copy.height};
   if (copy.defines) {
     if (!texture.immutableKnown) {
-      const TextureBinding bound(*context.host, texture.target, texture.name);
+      const TextureBinding bound(*images.hot.host, texture.target, texture.name);
       GLint immutable = 0;
-      HostErrorScope errors(context);
-      context.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
+      HostErrorScope errors = errorScope(images);
+      images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
       texture.immutable = immutable != 0;
       texture.immutableKnown = true;
     }
@@ -66,31 +63,31 @@ PixelImage *destination(Context &context, const CopyToTexture &copy) {
   return inside ? image : nullptr;
 }
 
-bool copyInMemory(Context &context, WindowImages &window, PixelImage &to, const PixelImage &from,
+bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from,
                   const CopyToTexture &copy, const Rect &source, bool whole) {
-  if (!whole && to.newest == Newest::Host && !download(context, window, to))
+  if (!whole && to.newest == Newest::Host && !download(images, to))
     return false;
   // Held on to: `to` may be the very image that is read.
   const Image pixels = from.shadow;
   if (!whole && !to.shadow.empty() && to.shadow.format.layout != to.format.layout)
     return false;
-  if (!makeOwn(context, to, !whole))
+  if (!makeOwn(images, to, !whole))
     return false;
   swrast::copyPixels(to.shadow, copy.destX + source.x - copy.x, copy.destY + source.y - copy.y,
                      copy.destZ, pixels, source);
   return true;
 }
 
-bool copyPixelsOurs(Context &context, WindowImages &window, const CopyToTexture &copy) {
-  const Framebuffers &f = framebuffersOf(context, window);
+bool copyPixelsOurs(ResidentImages &images, const CopyToTexture &copy) {
+  const Framebuffers &f = framebuffersOf(images);
   PixelImage *const from = f.read;
   // Where the host has the newest pixels of the source it copies without moving any to us.
   if (!from || from->newest == Newest::Host)
     return false;
-  const PixelModes &modes = pixelModes(context, window);
+  const PixelModes &modes = pixelModes(images);
   if (modes.transfers)
     return false;
-  PixelImage *const to = destination(context, copy);
+  PixelImage *const to = destination(images, copy);
   if (!to)
     return false;
   abi::Format view;
@@ -101,37 +98,37 @@ bool copyPixelsOurs(Context &context, WindowImages &window, const CopyToTexture 
   if (source.empty())
     return false;
   const bool whole = source.width == to->width && source.height == to->height && to->depth == 1;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   if (whole && from != to && worthSharing(from->shadow, source)) {
     to->shadow = partOf(from->shadow, source);
     to->shadow.format = view;
     objects.changed();
     ++objects.statistics.copiesShared;
   } else {
-    if (!copyInMemory(context, window, *to, *from, copy, source, whole))
+    if (!copyInMemory(images, *to, *from, copy, source, whole))
       return false;
     ++objects.statistics.copiesInMemory;
   }
-  setNewest(context, *to, Newest::Shadow);
+  setNewest(images, *to, Newest::Shadow);
   return true;
 }
 
 } // namespace
 
-bool copyToTexture(Context &context, const CopyToTexture &copy) {
-  WindowImages *const window = undisturbedWindowOf(context);
-  if (!window)
+bool Residency::copyToTexture(const CopyToTexture &copy) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images))
     return false;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   {
     if (objects.valid == 0)
       return false;
-    if (copyPixelsOurs(context, *window, copy))
+    if (copyPixelsOurs(images, copy))
       return true;
   }
   // The host copies: from its read buffer, to a texture that is its own afterwards.
-  synchronise(context, "copy");
-  textureRedefined(context, textureTargetOf(copy.target));
+  synchronise("copy");
+  textureRedefined(textureTargetOf(copy.target));
   return false;
 }
 

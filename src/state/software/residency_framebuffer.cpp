@@ -1,7 +1,6 @@
 // What the draw and read framebuffers are made of, as the host says.
 #include <algorithm>
 
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 
 namespace arbiter::state::software {
@@ -23,9 +22,9 @@ bool readsAsOther(GLenum base) {
 
 /// The image that is attached there, or null: nothing, or none that can be ours (`foreign`).
 /// `slice` is that of a 3D texture, else 0.
-PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bool &foreign,
+PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachment, bool &foreign,
                      int &slice) {
-  const host::HostTable &host = *context.host;
+  const host::HostTable &host = *images.hot.host;
   const auto ask = [&](GLenum pname) {
     GLint value = 0;
     host.GetFramebufferAttachmentParameteriv(framebuffer, attachment, pname, &value);
@@ -40,26 +39,25 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
   // object of it, or find one that has the name now.
   const auto kind =
       type == GL_RENDERBUFFER ? DeletedNames::Kind::Renderbuffer : DeletedNames::Kind::Texture;
-  if (!context.group->deletedNames.none()) {
+  if (!images.deletedNames.none()) {
     const GLint bound = get(host, framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING
                                                                      : GL_DRAW_FRAMEBUFFER_BINDING);
-    if (!context.group->deletedNames.isAttached(context.serial, GLuint(bound), attachment, kind,
-                                                name)) {
+    if (!images.deletedNames.isAttached(images.serial, GLuint(bound), attachment, kind, name)) {
       foreign = true;
       return nullptr;
     }
   }
   if (type == GL_RENDERBUFFER) {
     if (host.IsRenderbuffer(name))
-      image = &renderbufferOf(context, name);
+      image = &renderbufferOf(images, name);
   } else if (type == GL_TEXTURE && host.IsTexture(name)) {
     const GLint level = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
     const auto face = GLenum(ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE));
-    Texture &texture = textureOf(objectsOf(context), name);
-    const GLenum target = face != 0 ? face : findTarget(context, texture);
+    Texture &texture = textureOf(images.objects, name);
+    const GLenum target = face != 0 ? face : findTarget(images, texture);
     if (target == GL_TEXTURE_3D)
       slice = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER);
-    image = levelOf(context, texture, target, level);
+    image = levelOf(images, texture, target, level);
     if (image && (slice < 0 || slice >= image->depth))
       image = nullptr;
   }
@@ -70,26 +68,26 @@ PixelImage *attached(Context &context, GLenum framebuffer, GLenum attachment, bo
 }
 
 /// Buffer i of the draw buffers as an image; null with `foreign` set where it is none of ours.
-PixelImage *windowBuffer(WindowImages &window, GLenum buffer, bool &foreign) {
+PixelImage *windowBuffer(ResidentImages &images, GLenum buffer, bool &foreign) {
   const bool back = buffer == GL_BACK || buffer == GL_BACK_LEFT;
   const bool front = buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_LEFT;
-  if (window.color.base != 0 && (window.doubleBuffered ? back : front || back))
-    return &window.color;
+  if (images.color.base != 0 && (images.doubleBuffered ? back : front || back))
+    return &images.color;
   foreign = true;
   return nullptr;
 }
 
 } // namespace
 
-void describeWindow(Context &context, WindowImages &window, int width, int height) {
-  const host::HostTable &host = *context.host;
-  Drawable &drawable = window.drawable;
-  PixelImage &color = window.color;
+void describeWindow(ResidentImages &images, int width, int height) {
+  const host::HostTable &host = *images.hot.host;
+  Drawable &drawable = images.drawable;
+  PixelImage &color = images.color;
   if (color.described && color.width == width && color.height == height)
     return;
-  for (PixelImage *image : {&window.color, &window.depthStencil}) {
+  for (PixelImage *image : {&images.color, &images.depthStencil}) {
     // The host throws the pixels of a window away whose size changed, and so do we.
-    dropShadow(context, *image);
+    dropShadow(images, *image);
     image->described = true;
     image->base = 0;
     image->width = width;
@@ -102,8 +100,8 @@ void describeWindow(Context &context, WindowImages &window, int width, int heigh
     return;
   GLboolean doubleBuffered = GL_FALSE;
   host.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
-  window.doubleBuffered = doubleBuffered != GL_FALSE;
-  color.place = {Place::Kind::Window, 0, GLenum(window.doubleBuffered ? GL_BACK : GL_FRONT), 0};
+  images.doubleBuffered = doubleBuffered != GL_FALSE;
+  color.place = {Place::Kind::Window, 0, GLenum(images.doubleBuffered ? GL_BACK : GL_FRONT), 0};
   if (get(host, GL_SAMPLE_BUFFERS) != 0 || get(host, GL_STEREO) != 0)
     return;
   HostFormat format;
@@ -112,7 +110,7 @@ void describeWindow(Context &context, WindowImages &window, int width, int heigh
   format.blue = get(host, GL_BLUE_BITS);
   format.alpha = get(host, GL_ALPHA_BITS);
   GLint floats = 0;
-  if (context.caps.has("GL_ARB_color_buffer_float"))
+  if (images.caps.has("GL_ARB_color_buffer_float"))
     floats = get(host, GL_RGBA_FLOAT_MODE_ARB);
   format.type = floats != 0 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
   // What others see is shown as bytes. Of components of 16 bits the host does not say truly whether
@@ -129,9 +127,9 @@ void describeWindow(Context &context, WindowImages &window, int width, int heigh
   if (bytes && (drawable.kind != Drawable::Kind::Memory || drawable.memoryFormat == GL_BGRA))
     std::swap(color.format.swizzle[0], color.format.swizzle[2]);
   color.shadow.format = color.format;
-  color.drawable = bytes && window.doubleBuffered ? &drawable : nullptr;
+  color.drawable = bytes && images.doubleBuffered ? &drawable : nullptr;
 
-  PixelImage &depth = window.depthStencil;
+  PixelImage &depth = images.depthStencil;
   depth.place = {Place::Kind::Window, 0, GL_DEPTH, 0};
   HostFormat depthFormat;
   depthFormat.depth = get(host, GL_DEPTH_BITS);
@@ -142,40 +140,40 @@ void describeWindow(Context &context, WindowImages &window, int width, int heigh
   if (!formatOf(depthFormat, depth.base, depth.format))
     depth.base = 0;
   depth.shadow.format = depth.format;
-  window.depthBits = depthFormat.depth;
-  window.stencilBits = depthFormat.stencil;
+  images.depthBits = depthFormat.depth;
+  images.stencilBits = depthFormat.stencil;
 }
 
 namespace {
 
-void describeDrawWindow(Context &context, WindowImages &window, Framebuffers &f) {
-  const host::HostTable &host = *context.host;
-  bool foreign = window.color.base == 0;
-  f.width = window.color.width;
-  f.height = window.color.height;
+void describeDrawWindow(ResidentImages &images, Framebuffers &f) {
+  const host::HostTable &host = *images.hot.host;
+  bool foreign = images.color.base == 0;
+  f.width = images.color.width;
+  f.height = images.color.height;
   const GLint buffer = get(host, GL_DRAW_BUFFER);
   if (!foreign && buffer != GL_NONE)
-    f.color[0] = windowBuffer(window, GLenum(buffer), foreign);
-  const GLint count = std::min(context.caps.maxDrawBuffers, GLint(8));
+    f.color[0] = windowBuffer(images, GLenum(buffer), foreign);
+  const GLint count = std::min(images.caps.maxDrawBuffers, GLint(8));
   for (GLint i = 1; i < count; ++i)
     foreign = foreign || get(host, GLenum(GL_DRAW_BUFFER0 + i)) != GL_NONE;
-  f.depthBits = window.depthBits;
-  f.stencilBits = window.stencilBits;
+  f.depthBits = images.depthBits;
+  f.stencilBits = images.stencilBits;
   if (f.depthBits != 0 || f.stencilBits != 0) {
-    f.depthStencil = window.depthStencil.base != 0 ? &window.depthStencil : nullptr;
+    f.depthStencil = images.depthStencil.base != 0 ? &images.depthStencil : nullptr;
     foreign = foreign || !f.depthStencil;
   }
   if (foreign)
     f.reason = "target";
 }
 
-void describeDrawObject(Context &context, Framebuffers &f) {
-  const host::HostTable &host = *context.host;
+void describeDrawObject(ResidentImages &images, Framebuffers &f) {
+  const host::HostTable &host = *images.hot.host;
   f.reason = "target";
   if (host.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return;
   bool foreign = false;
-  const GLint count = std::min(context.caps.maxDrawBuffers, GLint(8));
+  const GLint count = std::min(images.caps.maxDrawBuffers, GLint(8));
   f.width = f.height = 1 << 30;
   const auto limit = [&](const PixelImage *image) {
     if (!image)
@@ -190,14 +188,14 @@ void describeDrawObject(Context &context, Framebuffers &f) {
     if (std::size_t(i) >= f.color.size())
       return;
     f.color[std::size_t(i)] =
-        attached(context, GL_DRAW_FRAMEBUFFER, buffer, foreign, f.slice[std::size_t(i)]);
+        attached(images, GL_DRAW_FRAMEBUFFER, buffer, foreign, f.slice[std::size_t(i)]);
     limit(f.color[std::size_t(i)]);
   }
   int none = 0; // there are no 3D textures of depths
   PixelImage *const depth =
-      attached(context, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, none);
+      attached(images, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, none);
   PixelImage *const stencil =
-      attached(context, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign, none);
+      attached(images, GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, foreign, none);
   // A stencil buffer beside a depth buffer, or alone, is a format that the rasterizer lacks.
   if (foreign || (stencil && stencil != depth))
     return;
@@ -224,49 +222,49 @@ void describeDrawObject(Context &context, Framebuffers &f) {
   f.reason = nullptr;
 }
 
-void describeRead(Context &context, WindowImages &window, Framebuffers &f) {
-  const host::HostTable &host = *context.host;
+void describeRead(ResidentImages &images, Framebuffers &f) {
+  const host::HostTable &host = *images.hot.host;
   const auto buffer = GLenum(get(host, GL_READ_BUFFER));
   bool foreign = false;
   f.readIsWindow = f.readName == 0;
   if (f.readIsWindow) {
-    f.read = buffer == GL_NONE ? nullptr : windowBuffer(window, buffer, foreign);
-    f.readDepth = window.depthStencil.base != 0 ? &window.depthStencil : nullptr;
+    f.read = buffer == GL_NONE ? nullptr : windowBuffer(images, buffer, foreign);
+    f.readDepth = images.depthStencil.base != 0 ? &images.depthStencil : nullptr;
     return;
   }
   if (host.CheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return;
   int slice = 0;
   if (buffer != GL_NONE)
-    f.read = attached(context, GL_READ_FRAMEBUFFER, buffer, foreign, slice);
+    f.read = attached(images, GL_READ_FRAMEBUFFER, buffer, foreign, slice);
   // What reads takes images, not slices of them.
   if (f.read && (readsAsOther(f.read->base) || f.read->depth != 1))
     f.read = nullptr;
-  f.readDepth = attached(context, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, slice);
+  f.readDepth = attached(images, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, foreign, slice);
 }
 
 } // namespace
 
-const Framebuffers &framebuffersOf(Context &context, WindowImages &window) {
-  Framebuffers &f = window.framebuffers;
-  ObjectImages &objects = objectsOf(context);
-  const bool sizeWanted = !window.sizeKnown && (f.drawName == 0 || f.readName == 0);
-  if ((context.stale & stale::kFramebuffer) == 0 && f.generation == objects.generation &&
+const Framebuffers &framebuffersOf(ResidentImages &images) {
+  Framebuffers &f = images.framebuffers;
+  ObjectImages &objects = images.objects;
+  const bool sizeWanted = !images.sizeKnown && (f.drawName == 0 || f.readName == 0);
+  if ((images.hot.stale & stale::kFramebuffer) == 0 && f.generation == objects.generation &&
       !sizeWanted) [[likely]]
     return f;
-  context.stale &= ~stale::kFramebuffer;
-  HostErrorScope errors(context);
-  const host::HostTable &host = *context.host;
+  images.hot.stale &= ~stale::kFramebuffer;
+  HostErrorScope errors = errorScope(images);
+  const host::HostTable &host = *images.hot.host;
   f = {};
   f.drawName = GLuint(get(host, GL_DRAW_FRAMEBUFFER_BINDING));
   f.readName = GLuint(get(host, GL_READ_FRAMEBUFFER_BINDING));
   if (f.drawName == 0 || f.readName == 0)
-    lookAtWindow(context, window);
+    lookAtWindow(images);
   if (f.drawName == 0)
-    describeDrawWindow(context, window, f);
+    describeDrawWindow(images, f);
   else
-    describeDrawObject(context, f);
-  describeRead(context, window, f);
+    describeDrawObject(images, f);
+  describeRead(images, f);
   f.generation = objects.generation;
   objects.changed(); // the mark is gone, whoever it was that asked
   return f;

@@ -1,8 +1,5 @@
 #include "state/software/residency_host.h"
 
-#include "state/feedback.h"
-#include "state/program_api.h"
-
 namespace arbiter::state::software {
 
 namespace {
@@ -22,8 +19,8 @@ constexpr TransferNames kTransfers[] = {{GL_RED_SCALE, GL_RED_BIAS},
                                         {GL_ALPHA_SCALE, GL_ALPHA_BIAS},
                                         {GL_DEPTH_SCALE, GL_DEPTH_BIAS}};
 
-PixelModes::Store storeOf(Context &context, bool pack) {
-  const host::HostTable &host = *context.host;
+PixelModes::Store storeOf(ResidentImages &images, bool pack) {
+  const host::HostTable &host = *images.hot.host;
   PixelModes::Store store;
   store.swapBytes = get(host, pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES);
   store.lsbFirst = get(host, pack ? GL_PACK_LSB_FIRST : GL_UNPACK_LSB_FIRST);
@@ -33,35 +30,35 @@ PixelModes::Store storeOf(Context &context, bool pack) {
   store.skipPixels = get(host, pack ? GL_PACK_SKIP_PIXELS : GL_UNPACK_SKIP_PIXELS);
   store.skipImages = get(host, pack ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES);
   store.alignment = get(host, pack ? GL_PACK_ALIGNMENT : GL_UNPACK_ALIGNMENT);
-  if (context.caps.has("GL_ARB_pixel_buffer_object"))
+  if (images.caps.has("GL_ARB_pixel_buffer_object"))
     store.buffer = get(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
-  if (pack && context.caps.has("GL_MESA_pack_invert"))
+  if (pack && images.caps.has("GL_MESA_pack_invert"))
     store.invert = get(host, GL_PACK_INVERT_MESA);
   return store;
 }
 
 } // namespace
 
-const PixelModes &pixelModes(Context &context, WindowImages &window) {
-  if ((context.stale & stale::kPixelStore) == 0) [[likely]]
-    return window.modes;
-  context.stale &= ~stale::kPixelStore;
-  HostErrorScope errors(context);
-  PixelModes &modes = window.modes;
-  modes.pack = storeOf(context, true);
-  modes.unpack = storeOf(context, false);
-  modes.transfers = get(*context.host, GL_MAP_COLOR) != 0;
+const PixelModes &pixelModes(ResidentImages &images) {
+  if ((images.hot.stale & stale::kPixelStore) == 0) [[likely]]
+    return images.modes;
+  images.hot.stale &= ~stale::kPixelStore;
+  HostErrorScope errors = errorScope(images);
+  PixelModes &modes = images.modes;
+  modes.pack = storeOf(images, true);
+  modes.unpack = storeOf(images, false);
+  modes.transfers = get(*images.hot.host, GL_MAP_COLOR) != 0;
   modes.transfersDepth = false;
   for (const TransferNames &names : kTransfers) {
     GLfloat scale = 1, bias = 0;
-    context.host->GetFloatv(names.scale, &scale);
-    context.host->GetFloatv(names.bias, &bias);
+    images.hot.host->GetFloatv(names.scale, &scale);
+    images.hot.host->GetFloatv(names.bias, &bias);
     if (scale != 1.0f || bias != 0.0f)
       (names.scale == GL_DEPTH_SCALE ? modes.transfersDepth : modes.transfers) = true;
   }
-  modes.transfersDepth = modes.transfersDepth || get(*context.host, GL_INDEX_SHIFT) != 0 ||
-                         get(*context.host, GL_INDEX_OFFSET) != 0 ||
-                         get(*context.host, GL_MAP_STENCIL) != 0;
+  modes.transfersDepth = modes.transfersDepth || get(*images.hot.host, GL_INDEX_SHIFT) != 0 ||
+                         get(*images.hot.host, GL_INDEX_OFFSET) != 0 ||
+                         get(*images.hot.host, GL_MAP_STENCIL) != 0;
   return modes;
 }
 
@@ -121,10 +118,10 @@ void change(const host::HostTable &host, bool pack, const PixelModes::Store &fro
 
 } // namespace
 
-PlainPixels::PlainPixels(Context &context, WindowImages &window, Way way, GLint rowLength,
-                         GLint imageHeight, bool topRowFirst)
-    : m_host(*context.host), m_way(way) {
-  const PixelModes &modes = pixelModes(context, window);
+PlainPixels::PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint imageHeight,
+                         bool topRowFirst)
+    : m_host(*images.hot.host), m_way(way) {
+  const PixelModes &modes = pixelModes(images);
   m_was = way == Way::Pack ? modes.pack : modes.unpack;
   m_is = {};
   m_is.alignment = 1;
@@ -150,7 +147,7 @@ PlainPixels::PlainPixels(Context &context, WindowImages &window, Way way, GLint 
     }
   }
   if (way == Way::Pack &&
-      (context.caps.major >= 3 || context.caps.has("GL_ARB_color_buffer_float"))) {
+      (images.caps.major >= 3 || images.caps.has("GL_ARB_color_buffer_float"))) {
     // GL_FIXED_ONLY, the default, leaves floats alone. It stays: a host that was told of another
     // goes on to restore all of GL_COLOR_BUFFER_BIT in PopAttrib, the draw buffers too, whichever
     // framebuffer is bound by then.
@@ -179,8 +176,8 @@ PlainPixels::~PlainPixels() {
 
 // --- FramebufferBinding ---
 
-FramebufferBinding::FramebufferBinding(Context &context, GLuint draw, GLuint read)
-    : m_host(*context.host) {
+FramebufferBinding::FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read)
+    : m_host(*images.hot.host) {
   m_draw = get(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
   m_read = get(m_host, GL_READ_FRAMEBUFFER_BINDING);
   m_scissor = m_host.IsEnabled(GL_SCISSOR_TEST);

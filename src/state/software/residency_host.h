@@ -2,9 +2,9 @@
 #include <iterator>
 
 #include "host/host_table.h"
-#include "state/context.h"
-#include "state/errors.h"
 #include "state/software/residency_images.h"
+#include "state/software/stale.h"
+#include "state/texture_binding.h"
 #include "util/log.h"
 
 /// Host state that moving pixels needs otherwise than the application left it, put back at the end.
@@ -31,7 +31,7 @@ class PlainPixels {
 public:
   enum class Way : std::uint8_t { Pack, Unpack };
   /// \param topRowFirst reads only, where PACK_INVERT_MESA is there
-  PlainPixels(Context &context, WindowImages &window, Way way, GLint rowLength, GLint imageHeight,
+  PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint imageHeight,
               bool topRowFirst = false);
   ~PlainPixels();
   PlainPixels(const PlainPixels &) = delete;
@@ -51,7 +51,7 @@ private:
 /// Framebuffers of ours bound, or the window's, with its own buffers chosen.
 class FramebufferBinding {
 public:
-  FramebufferBinding(Context &context, GLuint draw, GLuint read);
+  FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read);
   ~FramebufferBinding();
   FramebufferBinding(const FramebufferBinding &) = delete;
   FramebufferBinding &operator=(const FramebufferBinding &) = delete;

@@ -4,11 +4,6 @@
 #include <algorithm>
 
 #include "host/host_table.h"
-#include "state/context.h"
-#include "state/errors.h"
-#include "state/feedback.h"
-#include "state/program_api.h"
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -67,19 +62,17 @@ int faceOf(GLenum imageTarget) {
 
 } // namespace
 
-ObjectImages &objectsOf(Context &context) { return windowOf(context)->objects; }
+ResidentImages::ResidentImages(const Residency::Surroundings &around)
+    : hot(around.hot), caps(around.caps), pendingError(around.pendingError),
+      neighbours(around.neighbours), deletedNames(around.deletedNames),
+      groupContexts(around.groupContexts), serial(around.serial) {}
 
-WindowImages *windowOf(Context &context) {
-  if (!context.software)
-    return nullptr;
-  if (!context.software->images)
-    context.software->images = std::make_unique<WindowImages>();
-  return static_cast<WindowImages *>(context.software->images.get());
+HostErrorScope errorScope(ResidentImages &images) {
+  return HostErrorScope(*images.hot.host, images.pendingError);
 }
 
-bool isNamedAsBound(const Context &context, GLuint name) {
-  return context.group->deletedNames.isUniqueWhereBound(DeletedNames::Kind::Texture, name,
-                                                        context.serial);
+bool isNamedAsBound(const ResidentImages &images, GLuint name) {
+  return images.deletedNames.isUniqueWhereBound(DeletedNames::Kind::Texture, name, images.serial);
 }
 
 Texture &textureOf(ObjectImages &objects, GLuint name) {
@@ -107,11 +100,11 @@ GLenum textureTargetOf(GLenum imageTarget) {
   }
 }
 
-GLenum findTarget(Context &context, Texture &texture) {
+GLenum findTarget(ResidentImages &images, Texture &texture) {
   if (texture.target != 0 || texture.name == 0)
     return texture.target;
-  const host::HostTable &host = *context.host;
-  HostErrorScope errors(context);
+  const host::HostTable &host = *images.hot.host;
+  HostErrorScope errors = errorScope(images);
   // A name belongs to the target that it was first bound to, and to bind it to another is an error
   // that changes nothing.
   for (const GLenum target :
@@ -130,7 +123,7 @@ GLenum findTarget(Context &context, Texture &texture) {
   return texture.target;
 }
 
-PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget, GLint level) {
+PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget, GLint level) {
   const GLenum target = textureTargetOf(imageTarget);
   if (target == 0 || level < 0 || level >= abi::kMaxLevels || texture.name == 0)
     return nullptr; // texture 0 is a texture per target: rare, and its name tells them not apart
@@ -149,15 +142,15 @@ PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget, GLin
     image->texture = &texture;
   }
   if (!image->described) {
-    HostErrorScope errors(context);
-    const TextureBinding binding(*context.host, target, texture.name);
-    describeLevel(*context.host, *image);
+    HostErrorScope errors = errorScope(images);
+    const TextureBinding binding(*images.hot.host, target, texture.name);
+    describeLevel(*images.hot.host, *image);
   }
   return image.get();
 }
 
-PixelImage &renderbufferOf(Context &context, GLuint name) {
-  auto &renderbuffers = objectsOf(context).renderbuffers;
+PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
+  auto &renderbuffers = images.objects.renderbuffers;
   auto found = renderbuffers.find(name);
   if (found == renderbuffers.end()) {
     auto made = std::make_unique<PixelImage>();
@@ -167,8 +160,8 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
   PixelImage *const image = found->second.get();
   if (image->described)
     return *image;
-  const host::HostTable &host = *context.host;
-  HostErrorScope errors(context);
+  const host::HostTable &host = *images.hot.host;
+  HostErrorScope errors = errorScope(images);
   GLint previous = 0;
   host.GetIntegerv(GL_RENDERBUFFER_BINDING, &previous);
   host.BindRenderbuffer(GL_RENDERBUFFER, name);
@@ -251,12 +244,11 @@ PixelImage &renderbufferOf(Context &context, GLuint name) {
   return *image;
 }
 
-void setNewest(Context &context, PixelImage &image, Newest newest) {
-  ObjectImages &objects = objectsOf(context);
+void setNewest(ResidentImages &images, PixelImage &image, Newest newest) {
+  ObjectImages &objects = images.objects;
   const bool isPending = newest == Newest::Shadow && !image.listed;
   if (isPending) // first, as it may find no memory
-    (image.place.kind == Place::Kind::Window ? windowOf(context)->pending : objects.pending)
-        .push_back(&image);
+    (image.place.kind == Place::Kind::Window ? images.pending : objects.pending).push_back(&image);
   if ((image.newest == Newest::Host) != (newest == Newest::Host)) {
     objects.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
     objects.changed();
@@ -265,12 +257,12 @@ void setNewest(Context &context, PixelImage &image, Newest newest) {
   image.shown = false;
   if (newest != Newest::Shadow)
     return;
-  context.hostIsBehind = true;
+  images.hot.hostIsBehind = true;
   image.listed = true;
 }
 
-void dropShadow(Context &context, PixelImage &image) {
-  setNewest(context, image, Newest::Host);
+void dropShadow(ResidentImages &images, PixelImage &image) {
+  setNewest(images, image, Newest::Host);
   image.drawnHere = false;
   image.shadow.storage.reset();
   image.shadow.format = image.format;
@@ -296,13 +288,13 @@ swrast::Image makeShadow(const PixelImage &image, const abi::Format &format, boo
   return swrast::makeImage(format, image.width, image.height, image.depth, topRowFirst);
 }
 
-bool makeOwn(Context &context, PixelImage &image, bool keep) {
+bool makeOwn(ResidentImages &images, PixelImage &image, bool keep) {
   swrast::Image &shadow = image.shadow;
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
   const bool read = fits && shadow.storage->isRead();
   if (fits && !shadow.shared() && !read)
     return true;
-  objectsOf(context).changed();
+  images.objects.changed();
   const bool isWindow = image.place.kind == Place::Kind::Window;
   // Other memory is there sooner than the window system has read this; but a copy is no sooner.
   const bool taken = shadow.shared() || (!keep && read);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -8,7 +9,11 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/software/context_state.h"
+#include "state/current.h"
+#include "state/deleted_names.h"
+#include "state/host_caps.h"
+#include "state/host_errors.h"
+#include "state/software/neighbour_epoch.h"
 #include "state/software/residency.h"
 #include "swrast/image/image.h"
 
@@ -123,11 +128,21 @@ struct PixelModes {
 };
 
 /// All that a context keeps.
-struct WindowImages final : ContextImages {
+struct ResidentImages {
+  explicit ResidentImages(const Residency::Surroundings &around);
+
+  ContextHot &hot;
+  const HostCaps &caps;
+  GLenum &pendingError;
+  const NeighbourEpoch &neighbours;
+  DeletedNames &deletedNames;
+  const std::atomic<int> &groupContexts;
+  const std::uint32_t serial;
+
   Drawable drawable;
   bool sizeKnown = false, sizeSure = true;
   std::array<swrast::Rect, 4> viewports; ///< that the application used last, the newest first
-  std::uint64_t epoch = 0; ///< of Context::neighbours, that all images are good for; 0: none
+  std::uint64_t epoch = 0;               ///< of `neighbours`, that all images are good for; 0: none
   ObjectImages objects;
   bool doubleBuffered = false;
   PixelImage color, depthStencil;
@@ -138,41 +153,39 @@ struct WindowImages final : ContextImages {
   PixelModes modes;
 };
 
-/// Where the rasterizer is used.
-[[nodiscard]] ObjectImages &objectsOf(Context &context);
-/// Null where the rasterizer is not used.
-[[nodiscard]] WindowImages *windowOf(Context &context);
+/// Errors of the host's within it are ours.
+[[nodiscard]] HostErrorScope errorScope(ResidentImages &images);
 
 // --- residency.cpp ---
-/// windowOf(), with images that are good now: what neighbours may have changed since is the host's,
-/// which was given what was pending. Each command looks through this first.
-[[nodiscard]] WindowImages *settledWindowOf(Context &context);
-/// The same of a command that the host does as well: null also while a neighbour is current.
-[[nodiscard]] WindowImages *undisturbedWindowOf(Context &context);
+/// All images are good then: what neighbours may have changed since is the host's, which was given
+/// what was pending. Each command begins with this.
+void settleImages(ResidentImages &images);
+/// The same of a command that the host does as well: false while a neighbour is current.
+[[nodiscard]] bool settleAlone(ResidentImages &images);
 /// The window may have another size: it is asked for before the next use.
-void forgetSize(Context &context, WindowImages &window);
+void forgetSize(ResidentImages &images);
 
 // --- residency_images.cpp ---
 [[nodiscard]] Texture &textureOf(ObjectImages &objects, GLuint name);
 /// The level's image, its description asked for; null for a target or level that there is not.
-[[nodiscard]] PixelImage *levelOf(Context &context, Texture &texture, GLenum imageTarget,
+[[nodiscard]] PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget,
                                   GLint level);
-[[nodiscard]] PixelImage &renderbufferOf(Context &context, GLuint name);
+[[nodiscard]] PixelImage &renderbufferOf(ResidentImages &images, GLuint name);
 /// A texture that is bound under that name has it still. Else a neighbour deleted it, and the name
 /// may be another one's: it is the host's.
-[[nodiscard]] bool isNamedAsBound(const Context &context, GLuint name);
+[[nodiscard]] bool isNamedAsBound(const ResidentImages &images, GLuint name);
 /// The texture's own target of one of an image: GL_TEXTURE_CUBE_MAP for its faces.
 [[nodiscard]] GLenum textureTargetOf(GLenum imageTarget);
 /// Finds out a texture's target where only its name is known. 0: none that we know.
-[[nodiscard]] GLenum findTarget(Context &context, Texture &texture);
-void setNewest(Context &context, PixelImage &image, Newest newest);
+[[nodiscard]] GLenum findTarget(ResidentImages &images, Texture &texture);
+void setNewest(ResidentImages &images, PixelImage &image, Newest newest);
 /// The shadow's memory is given back: the host has all.
-void dropShadow(Context &context, PixelImage &image);
+void dropShadow(ResidentImages &images, PixelImage &image);
 /// Memory for all of it, contents undefined; of a window where the window system can show it.
 [[nodiscard]] swrast::Image makeShadow(const PixelImage &image, const abi::Format &format,
                                        bool topRowFirst);
 /// A shadow with memory of its own that may be written. \param keep its contents are needed
-[[nodiscard]] bool makeOwn(Context &context, PixelImage &image, bool keep);
+[[nodiscard]] bool makeOwn(ResidentImages &images, PixelImage &image, bool keep);
 
 // --- residency_formats.cpp ---
 /// What `internalFormat` with these component sizes is to us. False: not one that we have.
@@ -197,17 +210,17 @@ struct GlFormat {
 [[nodiscard]] bool writable(const abi::Format &format, const abi::Format &canonical);
 
 // --- residency_framebuffer.cpp ---
-[[nodiscard]] const Framebuffers &framebuffersOf(Context &context, WindowImages &window);
+[[nodiscard]] const Framebuffers &framebuffersOf(ResidentImages &images);
 /// Of the window's buffers all but their size; framebuffer 0 is bound to draw to.
-void describeWindow(Context &context, WindowImages &window, int width, int height);
+void describeWindow(ResidentImages &images, int width, int height);
 
 // --- residency_window.cpp ---
 /// Before the host reads or writes the window's buffers, the first time since it was bound or a
 /// frame ended: describes them, with the size that the host's have. Pixels of another size are
 /// gone, as they are from the host.
-void lookAtWindow(Context &context, WindowImages &window);
+void lookAtWindow(ResidentImages &images);
 /// The host does not know that the window may have another size since.
-[[nodiscard]] bool hostMissedFrames(const WindowImages &window);
+[[nodiscard]] bool hostMissedFrames(const ResidentImages &images);
 
 // --- residency_read.cpp ---
 /// All of an 8-bit image, in rows of `stride` bytes of the application's.
@@ -215,12 +228,12 @@ void writeApplicationRows(const swrast::Image &image, GLenum format, std::uint8_
                           std::ptrdiff_t stride, bool topRowFirst);
 
 // --- residency_host.cpp ---
-[[nodiscard]] const PixelModes &pixelModes(Context &context, WindowImages &window);
+[[nodiscard]] const PixelModes &pixelModes(ResidentImages &images);
 
 // --- residency_transfer.cpp ---
 /// The shadow gets what the host has. False: no memory, or the host refused.
-[[nodiscard]] bool download(Context &context, WindowImages &window, PixelImage &image);
+[[nodiscard]] bool download(ResidentImages &images, PixelImage &image);
 /// The host gets what the shadow has.
-void upload(Context &context, WindowImages &window, PixelImage &image);
+void upload(ResidentImages &images, PixelImage &image);
 
 } // namespace arbiter::state::software

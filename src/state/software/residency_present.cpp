@@ -1,7 +1,6 @@
 // Frames, and contexts that come and go.
 #include <cstring>
 
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 
 namespace arbiter::state::software {
@@ -9,28 +8,28 @@ namespace arbiter::state::software {
 namespace {
 
 /// One image of the window given to the host, if it is newer.
-void give(Context &context, WindowImages &window, PixelImage &image) {
+void give(ResidentImages &images, PixelImage &image) {
   if (image.newest == Newest::Shadow)
-    lookAtWindow(context, window);
+    lookAtWindow(images);
   if (image.newest != Newest::Shadow)
     return;
-  upload(context, window, image);
-  setNewest(context, image, Newest::Both);
+  upload(images, image);
+  setNewest(images, image, Newest::Both);
 }
 
-void updateBehind(Context &context, const WindowImages &window) {
+void updateBehind(ResidentImages &images) {
   bool behind = false;
-  for (const PixelImage *image : objectsOf(context).pending)
+  for (const PixelImage *image : images.objects.pending)
     behind = behind || image->newest == Newest::Shadow;
-  for (const PixelImage *image : window.pending)
+  for (const PixelImage *image : images.pending)
     behind = behind || image->newest == Newest::Shadow;
-  context.hostIsBehind = behind;
+  images.hot.hostIsBehind = behind;
 }
 
 /// The window's pixels to the application's memory, which it reads after Finish.
-void copyToMemory(WindowImages &window) {
-  Drawable &drawable = window.drawable;
-  PixelImage &image = window.color;
+void copyToMemory(ResidentImages &images) {
+  Drawable &drawable = images.drawable;
+  PixelImage &image = images.color;
   if (image.newest != Newest::Shadow || image.shown || !drawable.memory)
     return;
   GLint rowLength = image.width;
@@ -46,75 +45,70 @@ void copyToMemory(WindowImages &window) {
 
 } // namespace
 
-bool present(Context &context) {
-  WindowImages *const window = settledWindowOf(context);
-  if (!window)
-    return false;
+bool Residency::present() {
+  ResidentImages &images = *m_images;
+  settleImages(images);
   // Nobody sees a pbuffer, and swapping it does nothing to it.
-  if (window->drawable.kind != Drawable::Kind::Window)
+  if (images.drawable.kind != Drawable::Kind::Window)
     return false;
-  PixelImage &color = window->color;
-  const bool shown = window->doubleBuffered && window->drawable.show &&
+  PixelImage &color = images.color;
+  const bool shown = images.doubleBuffered && images.drawable.show &&
                      color.newest == Newest::Shadow &&
-                     window->drawable.show(window->drawable, color.shadow);
+                     images.drawable.show(images.drawable, color.shadow);
   if (shown) {
     color.shown = true;
   } else {
-    give(context, *window, color);
-    updateBehind(context, *window);
+    give(images, color);
+    updateBehind(images);
   }
-  forgetSize(context, *window);
+  forgetSize(images);
   return shown;
 }
 
-void leave(Context &context) {
-  if (!context.software || !context.software->images || context.insideBeginEnd ||
-      context.listMode != 0)
+void Residency::leave() {
+  ResidentImages &images = *m_images;
+  if (images.hot.insideBeginEnd || images.hot.listMode != 0)
     return;
-  synchronise(context, "the context leaves its thread");
-  WindowImages &window = *windowOf(context);
+  synchronise("the context leaves its thread");
   // The host wrote to its own copy of the application's memory.
-  if (window.drawable.kind == Drawable::Kind::Memory && window.color.newest != Newest::Host)
-    context.host->Flush();
-  dropShadow(context, window.color);
-  dropShadow(context, window.depthStencil);
+  if (images.drawable.kind == Drawable::Kind::Memory && images.color.newest != Newest::Host)
+    images.hot.host->Flush();
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
 }
 
-void enter(Context &context) {
-  WindowImages *const window = windowOf(context);
-  if (!window)
-    return;
+void Residency::enter(const Drawable &drawable) {
+  ResidentImages &images = *m_images;
   // Another context may have drawn to this window.
-  dropShadow(context, window->color);
-  dropShadow(context, window->depthStencil);
-  window->color.described = window->depthStencil.described = false;
-  forgetSize(context, *window);
-  window->sizeSure = true;
-  window->drawable = context.drawable;
-  context.stale = ~0u;
-  if (hostMissedFrames(*window) && !context.insideBeginEnd && context.listMode == 0)
-    lookAtWindow(context, *window);
-  updateBehind(context, *window);
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
+  images.color.described = images.depthStencil.described = false;
+  forgetSize(images);
+  images.sizeSure = true;
+  images.drawable = drawable;
+  images.hot.stale = ~0u;
+  if (hostMissedFrames(images) && !images.hot.insideBeginEnd && images.hot.listMode == 0)
+    lookAtWindow(images);
+  updateBehind(images);
 }
 
-void flush(Context &context, bool finish) {
-  WindowImages *const window = windowOf(context);
-  if (window) {
-    const bool visible = window->drawable.kind == Drawable::Kind::Window &&
-                         !window->doubleBuffered && window->color.newest == Newest::Shadow;
-    if (visible || sharesObjects(context) || Neighbours::isCrowded(context.neighbours.epoch()))
-      synchronise(context, "flush");
-  }
+void Residency::flush(bool finish) {
+  ResidentImages &images = *m_images;
+  const bool visible = images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered &&
+                       images.color.newest == Newest::Shadow;
+  if (visible || images.groupContexts.load(std::memory_order_relaxed) > 1 ||
+      NeighbourEpoch::isCrowded(images.neighbours.epoch()))
+    synchronise("flush");
   if (finish)
-    context.host->Finish();
+    images.hot.host->Finish();
   else
-    context.host->Flush();
+    images.hot.host->Flush();
   // A host that shows its front buffer swaps, in a way.
-  if (window && window->drawable.kind == Drawable::Kind::Window && !window->doubleBuffered)
-    forgetSize(context, *window);
+  if (images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered)
+    forgetSize(images);
   // After the host, which writes its own, older pixels there.
-  if (window && window->drawable.kind == Drawable::Kind::Memory)
-    copyToMemory(*window);
+  if (images.drawable.kind == Drawable::Kind::Memory)
+    copyToMemory(images);
 }
 
 } // namespace arbiter::state::software

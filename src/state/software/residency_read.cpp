@@ -1,9 +1,6 @@
 // ReadPixels and GetTexImage from the shadow, as far as the formats are plain.
 #include <cstring>
 
-#include "state/feedback.h"
-#include "state/program_api.h"
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 
 namespace arbiter::state::software {
@@ -103,19 +100,20 @@ void writeApplicationRows(const Image &image, GLenum format, std::uint8_t *to,
     (void)writeRows(image, {0, 0, image.width, image.height}, bytes, to, stride, topRowFirst);
 }
 
-bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
-                GLenum type, void *pixels) {
-  WindowImages *const window = undisturbedWindowOf(context);
+bool Residency::readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                           GLenum type, void *pixels) {
+  ResidentImages &images = *m_images;
   ByteFormat bytes;
-  if (!window || !pixels || width <= 0 || height <= 0 || !byteFormat(format, type, bytes))
+  if (!settleAlone(images) || !pixels || width <= 0 || height <= 0 ||
+      !byteFormat(format, type, bytes))
     return false;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return false;
-  const PixelImage *const image = framebuffersOf(context, *window).read;
+  const PixelImage *const image = framebuffersOf(images).read;
   if (!image || image->newest == Newest::Host)
     return false;
-  const PixelModes &modes = pixelModes(context, *window);
+  const PixelModes &modes = pixelModes(images);
   // What lies outside is left as it is by the host: it is asked.
   if (!plainStore(modes) || x < 0 || y < 0 || width > image->width - x ||
       height > image->height - y)
@@ -124,28 +122,27 @@ bool readPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
                    static_cast<std::uint8_t *>(pixels));
 }
 
-bool getTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
-                 void *pixels) {
-  WindowImages *const window = undisturbedWindowOf(context);
+bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum type, void *pixels) {
+  ResidentImages &images = *m_images;
   const GLenum binding = bindingOf(target);
   ByteFormat bytes;
-  if (!window || !pixels || binding == 0 || !byteFormat(format, type, bytes))
+  if (!settleAlone(images) || !pixels || binding == 0 || !byteFormat(format, type, bytes))
     return false;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return false;
   GLint name = 0;
-  context.host->GetIntegerv(binding, &name);
+  images.hot.host->GetIntegerv(binding, &name);
   const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end() || !isNamedAsBound(context, GLuint(name)))
+  if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
     return false;
-  const PixelImage *const image = levelOf(context, *found->second, target, level);
+  const PixelImage *const image = levelOf(images, *found->second, target, level);
   // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is
   // that of sampling.
   if (!image || image->newest == Newest::Host || image->depth != 1 ||
       (image->base != GL_RGBA && image->base != GL_RGB))
     return false;
-  const PixelModes &modes = pixelModes(context, *window);
+  const PixelModes &modes = pixelModes(images);
   return plainStore(modes) && readBytes(image->shadow, {0, 0, image->width, image->height}, bytes,
                                         modes.pack, static_cast<std::uint8_t *>(pixels));
 }

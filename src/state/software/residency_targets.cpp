@@ -1,7 +1,6 @@
 // The draw framebuffer as images to draw to.
 #include <algorithm>
 
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -15,7 +14,7 @@ bool covers(const swrast::Rect &rect, const PixelImage &image) {
 }
 
 /// The image's own format again, where a copy left another that gives the same values.
-bool restoreFormat(Context &context, PixelImage &image) {
+bool restoreFormat(ResidentImages &images, PixelImage &image) {
   if (image.shadow.empty() || writable(image.shadow.format, image.format))
     return true;
   swrast::Image own = swrast::makeImage(image.format, image.width, image.height, image.depth);
@@ -24,42 +23,41 @@ bool restoreFormat(Context &context, PixelImage &image) {
   for (int z = 0; z < image.depth; ++z)
     swrast::copyPixels(own, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
   image.shadow = std::move(own);
-  objectsOf(context).changed();
+  images.objects.changed();
   return true;
 }
 
 /// The shadow becomes the newest, ready to be written to.
-bool acquire(Context &context, WindowImages &window, PixelImage &image, bool keep) {
-  if (keep && image.newest == Newest::Host && !download(context, window, image))
+bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
+  if (keep && image.newest == Newest::Host && !download(images, image))
     return false;
-  if (!makeOwn(context, image, keep))
+  if (!makeOwn(images, image, keep))
     return false;
-  setNewest(context, image, Newest::Shadow);
-  objectsOf(context).drawn = true;
+  setNewest(images, image, Newest::Shadow);
+  images.objects.drawn = true;
   image.drawnHere = true;
   return true;
 }
 
 } // namespace
 
-const DrawTargets *describeTargets(Context &context, const char *&reason) {
-  WindowImages *const window = settledWindowOf(context);
+const DrawTargets *Residency::describeTargets(const char *&reason) {
+  ResidentImages &images = *m_images;
+  settleImages(images);
   reason = "target";
-  if (!window)
-    return nullptr;
-  const Framebuffers &f = framebuffersOf(context, *window);
+  const Framebuffers &f = framebuffersOf(images);
   if (f.reason) {
     reason = f.reason;
     return nullptr;
   }
-  DrawTargets &targets = window->targets;
+  DrawTargets &targets = images.targets;
   targets = {};
   targets.width = f.width;
   targets.height = f.height;
   for (std::size_t i = 0; i < f.color.size(); ++i) {
     if (!f.color[i])
       continue;
-    if (!restoreFormat(context, *f.color[i])) {
+    if (!restoreFormat(images, *f.color[i])) {
       reason = "memory";
       return nullptr;
     }
@@ -70,13 +68,13 @@ const DrawTargets *describeTargets(Context &context, const char *&reason) {
   targets.depthBits = f.depthBits;
   targets.stencilBits = f.stencilBits;
   targets.isWindow = f.drawName == 0;
-  targets.doubleBuffered = targets.isWindow && window->doubleBuffered;
+  targets.doubleBuffered = targets.isWindow && images.doubleBuffered;
   return &targets;
 }
 
-bool targetsHeld(Context &context, bool depthStencilUsed) {
-  WindowImages &window = *windowOf(context);
-  const Framebuffers &f = window.framebuffers;
+bool Residency::targetsHeld(bool depthStencilUsed) {
+  ResidentImages &images = *m_images;
+  const Framebuffers &f = images.framebuffers;
   const auto isHeld = [](const PixelImage *image) {
     return !image || (image->newest == Newest::Shadow && image->listed && !image->shadow.shared() &&
                       !image->shadow.storage->isRead());
@@ -87,23 +85,19 @@ bool targetsHeld(Context &context, bool depthStencilUsed) {
   for (PixelImage *image : f.color)
     if (image)
       image->shown = false;
-  context.hostIsBehind = true;
+  images.hot.hostIsBehind = true;
   return true;
 }
 
-bool acquireTargets(Context &context, const swrast::Rect &overwritten, bool depthUsed,
-                    bool stencilUsed) {
-  WindowImages *const window = windowOf(context);
-  if (!window)
-    return false;
-  const Framebuffers &f = framebuffersOf(context, *window);
+bool Residency::acquireTargets(const swrast::Rect &overwritten, bool depthUsed, bool stencilUsed) {
+  ResidentImages &images = *m_images;
+  const Framebuffers &f = framebuffersOf(images);
   if (f.reason)
     return false;
   for (PixelImage *image : f.color)
-    if (image && !acquire(context, *window, *image, !covers(overwritten, *image)))
+    if (image && !acquire(images, *image, !covers(overwritten, *image)))
       return false;
-  return !f.depthStencil || !(depthUsed || stencilUsed) ||
-         acquire(context, *window, *f.depthStencil, true);
+  return !f.depthStencil || !(depthUsed || stencilUsed) || acquire(images, *f.depthStencil, true);
 }
 
 } // namespace arbiter::state::software

@@ -11,6 +11,7 @@
 
 #include "host/host_table.h"
 #include "state/context.h"
+#include "state/lifecycle.h"
 #include "state/share_group.h"
 #include "state/software/context_state.h"
 #include "state/software/stale.h"
@@ -75,9 +76,9 @@ protected:
     drawable.memoryType = GL_UNSIGNED_BYTE;
     makeCurrent(m_context, &drawable);
     if (!m_context->software)
-      m_context->software = std::make_unique<ContextState>();
+      m_context->software = std::make_unique<ContextState>(*m_context);
     m_context->stale = stale::kAll;
-    enter(*m_context);
+    residency().enter(m_context->drawable);
   }
   void TearDown() override {
     if (!m_context)
@@ -90,6 +91,7 @@ protected:
   }
 
   Context &context() { return *m_context; }
+  software::Residency &residency() { return m_context->software->residency; }
   const host::HostTable &gl() { return *m_context->host; }
   /// The application changed state.
   void changed(std::uint32_t bits = stale::kAll) { m_context->stale |= bits; }
@@ -120,9 +122,9 @@ protected:
   /// A draw of ours over `rect`.
   void draw(const swrast::Rect &rect, std::uint32_t rgba) {
     const char *reason = nullptr;
-    const DrawTargets *const targets = describeTargets(context(), reason);
+    const DrawTargets *const targets = residency().describeTargets(reason);
     ASSERT_NE(targets, nullptr) << reason;
-    ASSERT_TRUE(acquireTargets(context(), rect, false, false));
+    ASSERT_TRUE(residency().acquireTargets(rect, false, false));
     float color[4];
     for (int i = 0; i < 4; ++i)
       color[i] = float(rgba >> (24 - 8 * i) & 0xFF) / 255.0f;
@@ -133,7 +135,7 @@ protected:
 
   /// What the host has, after it was brought up to date.
   std::uint32_t hostPixel(int x, int y) {
-    synchronise(context(), "a test reads");
+    residency().synchronise("a test reads");
     EXPECT_FALSE(context().hostIsBehind);
     return directPixel(x, y);
   }
@@ -145,11 +147,11 @@ protected:
   }
   std::uint32_t ourPixel(int x, int y) {
     std::uint8_t bytes[4] = {};
-    EXPECT_TRUE(readPixels(context(), x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes));
+    EXPECT_TRUE(residency().readPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes));
     return packed(bytes);
   }
   std::uint32_t hostTexel(int x, int y, int width, int height) {
-    synchronise(context(), "a test reads");
+    residency().synchronise("a test reads");
     Bytes all(std::size_t(width) * std::size_t(height) * 4);
     gl().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, all.data());
     return packed(&all[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4]);
@@ -166,13 +168,13 @@ protected:
     command.y = y;
     command.width = width;
     command.height = height;
-    return copyToTexture(context(), command);
+    return residency().copyToTexture(command);
   }
   /// A texel as a program samples it.
   std::uint32_t sampled(GLuint name, int x, int y) {
     const char *reason = nullptr;
     const TextureImages *const images =
-        acquireTexture(context(), name, abi::Dimension::Tex2D, false, reason);
+        residency().acquireTexture(name, abi::Dimension::Tex2D, {}, false, reason);
     if (!images || !images->complete) {
       ADD_FAILURE() << (reason ? reason : "incomplete");
       return 0;
@@ -187,7 +189,7 @@ protected:
                                                         : texel[int(from)]);
     return result;
   }
-  ResidencyStatistics statistics() { return residencyStatistics(context()); }
+  ResidencyStatistics statistics() { return residency().statistics(); }
 
   OSMesaContext m_osmesa = nullptr;
   Context *m_context = nullptr;
@@ -202,7 +204,7 @@ TEST_F(Residency, AFullDrawDownloadsNothing) {
   EXPECT_EQ(statistics().uploads, 0u);
   EXPECT_EQ(hostPixel(5, 6), 0x11223344u);
   EXPECT_EQ(statistics().uploads, 1u);
-  synchronise(context(), "again");
+  residency().synchronise("again");
   EXPECT_EQ(statistics().uploads, 1u) << "uploaded twice";
 }
 
@@ -273,8 +275,8 @@ TEST_F(Residency, CopiesGiveEachBaseFormatItsComponents) {
     ASSERT_TRUE(copy(0, 0, 0, 0, kWidth, kHeight));
     EXPECT_EQ(sampled(name, 1, 1), row.expected);
     // After the host's way and back.
-    synchronise(context(), "test");
-    textureRedefined(context(), GL_TEXTURE_2D);
+    residency().synchronise("test");
+    residency().textureRedefined(GL_TEXTURE_2D);
     EXPECT_EQ(sampled(name, 1, 1), row.expected);
   }
 }
@@ -313,7 +315,7 @@ TEST_F(Residency, RenderbuffersGoToTheHostAndBack) {
     draw({0, y, kWidth, 1}, std::uint32_t(y) << 16 | 0x77);
   EXPECT_EQ(hostPixel(5, 7), 0x00070077u);
   EXPECT_EQ(hostPixel(5, kHeight - 1), std::uint32_t(kHeight - 1) << 16 | 0x77);
-  hostDraws(context(), "test");
+  context().software->hostDraws("test");
   gl().ClearColor(1.0f, 0.0f, 0.0f, 1.0f);
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(0, 0, 4, 4);
@@ -337,7 +339,7 @@ TEST_F(Residency, TheHostsStateIsAsItWas) {
   gl().ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
   changed();
   draw({0, 0, kWidth - 1, kHeight}, 0x10203040); // a download
-  synchronise(context(), "test");                // an upload
+  residency().synchronise("test");               // an upload
   const auto integer = [&](GLenum pname) {
     GLint value = -1;
     gl().GetIntegerv(pname, &value);
@@ -380,22 +382,22 @@ TEST_F(Residency, MovingPixelsSetsNothingThatPopAttribRestores) {
 TEST_F(Residency, ErrorsThatWaitStay) {
   gl().Enable(GLenum(0x1234));
   drawAll(0x10203040);
-  synchronise(context(), "test");
+  residency().synchronise("test");
   EXPECT_EQ(context().pendingError, GLenum(GL_INVALID_ENUM));
   context().pendingError = GL_NO_ERROR;
 }
 
 TEST_F(Residency, ClearIsOursWhereTheShadowIsNewest) {
-  EXPECT_FALSE(clear(context(), GL_COLOR_BUFFER_BIT)) << "the host was the last to draw";
+  EXPECT_FALSE(residency().clear(GL_COLOR_BUFFER_BIT)) << "the host was the last to draw";
   drawAll(0x10203040);
   gl().ClearColor(1.0f, 0.0f, 1.0f, 0.0f);
-  EXPECT_TRUE(clear(context(), GL_COLOR_BUFFER_BIT));
+  EXPECT_TRUE(residency().clear(GL_COLOR_BUFFER_BIT));
   EXPECT_EQ(ourPixel(1, 1), 0xFF00FF00u);
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(4, 4, 2, 2);
   gl().ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
   gl().ClearColor(0.0f, 1.0f, 0.0f, 1.0f);
-  EXPECT_TRUE(clear(context(), GL_COLOR_BUFFER_BIT));
+  EXPECT_TRUE(residency().clear(GL_COLOR_BUFFER_BIT));
   EXPECT_EQ(ourPixel(3, 4), 0xFF00FF00u);
   EXPECT_EQ(ourPixel(4, 4), 0xFFFFFF00u);
   EXPECT_EQ(hostPixel(5, 5), 0xFFFFFF00u);
@@ -404,25 +406,25 @@ TEST_F(Residency, ClearIsOursWhereTheShadowIsNewest) {
 
 TEST_F(Residency, FinishShowsThePixelsInTheApplicationsMemory) {
   drawAll(0x10203040);
-  flush(context(), true);
+  residency().flush(true);
   EXPECT_EQ(packed(&m_memory[0]), 0x10203040u);
   EXPECT_EQ(packed(&m_memory[m_memory.size() - 4]), 0x10203040u);
   EXPECT_EQ(statistics().uploads, 0u);
   draw({0, 0, 1, 1}, 0xFFFFFFFF);
-  flush(context(), false);
+  residency().flush(false);
   EXPECT_EQ(packed(&m_memory[0]), 0xFFFFFFFFu);
   EXPECT_EQ(packed(&m_memory[4]), 0x10203040u);
   // And from the host, once it draws.
-  hostDraws(context(), "test");
+  context().software->hostDraws("test");
   gl().ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   gl().Clear(GL_COLOR_BUFFER_BIT);
-  flush(context(), true);
+  residency().flush(true);
   EXPECT_EQ(packed(&m_memory[0]), 0u);
 }
 
 TEST_F(Residency, TheHostDrawsOverOurs) {
   drawAll(0x10203040);
-  hostDraws(context(), "test");
+  context().software->hostDraws("test");
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(0, 0, 2, 2);
   gl().ClearColor(1.0f, 1.0f, 1.0f, 1.0f);
@@ -438,7 +440,7 @@ TEST_F(Residency, UploadsOfTheApplicationReachBoth) {
   drawAll(0x10203040);
   ASSERT_TRUE(copy(0, 0, 0, 0, kWidth, kHeight));
   const std::uint8_t texels[] = {1, 2, 3, 4, 5, 6, 7, 8};
-  texSubImage(context(), GL_TEXTURE_2D, 0, 3, 5, 0, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  residency().texSubImage(GL_TEXTURE_2D, 0, 3, 5, 0, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
   gl().TexSubImage2D(GL_TEXTURE_2D, 0, 3, 5, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
   EXPECT_EQ(sampled(name, 3, 5), 0x01020304u);
   EXPECT_EQ(sampled(name, 4, 5), 0x05060708u);
@@ -451,15 +453,15 @@ TEST_F(Residency, DeletedAndRedefinedTexturesAreForgotten) {
   const GLuint name = texture(GL_RGBA8, kWidth, kHeight);
   drawAll(0x10203040);
   ASSERT_TRUE(copy(0, 0, 0, 0, kWidth, kHeight));
-  textureRedefined(context(), GL_TEXTURE_2D);
+  residency().textureRedefined(GL_TEXTURE_2D);
   Bytes small(4 * 4 * 4, 0x22);
   gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, small.data());
   changed();
   EXPECT_EQ(sampled(name, 3, 3), 0x22222222u);
   EXPECT_FALSE(copy(0, 0, 0, 0, kWidth, kHeight)) << "an error that is the host's to raise";
-  texturesDeleted(context(), 1, &name);
+  residency().texturesDeleted(1, &name);
   gl().DeleteTextures(1, &name);
-  synchronise(context(), "test");
+  residency().synchronise("test");
   EXPECT_FALSE(gl().IsTexture(name)) << "a deleted texture came back";
 }
 
@@ -472,10 +474,10 @@ TEST_F(Residency, ACopyMayDefineTheLevelThatItIs) {
   command.internalFormat = GL_RGBA8;
   command.width = kWidth;
   command.height = kHeight;
-  EXPECT_TRUE(copyToTexture(context(), command));
+  EXPECT_TRUE(residency().copyToTexture(command));
   EXPECT_EQ(sampled(name, 1, 1), 0x10203040u);
   command.width = kWidth / 2;
-  EXPECT_FALSE(copyToTexture(context(), command));
+  EXPECT_FALSE(residency().copyToTexture(command));
 }
 
 class ResidencyOfDepth : public Residency, public testing::WithParamInterface<GLenum> {
@@ -483,21 +485,21 @@ protected:
   /// A draw of ours that writes depth and stencil over `rect`.
   void drawDepth(const swrast::Rect &rect, float depth, std::uint8_t stencil) {
     const char *reason = nullptr;
-    const DrawTargets *const targets = describeTargets(context(), reason);
+    const DrawTargets *const targets = residency().describeTargets(reason);
     ASSERT_NE(targets, nullptr) << reason;
-    ASSERT_TRUE(acquireTargets(context(), rect, true, true));
+    ASSERT_TRUE(residency().acquireTargets(rect, true, true));
     ASSERT_NE(targets->depthStencil, nullptr);
     swrast::fillDepthStencil(*targets->depthStencil, rect, true, depth,
                              targets->stencilBits != 0 ? 0xFF : 0, stencil);
   }
   float hostDepth(int x, int y) {
-    synchronise(context(), "a test reads");
+    residency().synchronise("a test reads");
     GLfloat depth = -1;
     gl().ReadPixels(x, y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
     return depth;
   }
   int hostStencil(int x, int y) {
-    synchronise(context(), "a test reads");
+    residency().synchronise("a test reads");
     GLubyte stencil = 0xEE;
     gl().ReadPixels(x, y, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &stencil);
     return stencil;
@@ -543,7 +545,7 @@ TEST_P(ResidencyOfDepth, GoesToTheHostAndBack) {
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(0, 0, 4, 6);
   gl().StencilMask(0x0F);
-  EXPECT_TRUE(clear(context(), GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT));
+  EXPECT_TRUE(residency().clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT));
   EXPECT_NEAR(hostDepth(3, 5), 0.5f, slack);
   EXPECT_NEAR(hostDepth(4, 5), 0.25f, slack);
   EXPECT_NEAR(hostDepth(10, 10), 0.75f, slack);
@@ -560,7 +562,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
 TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
   const char *reason = nullptr;
   const auto zero = [&] {
-    return acquireTexture(context(), 0, abi::Dimension::Tex2D, false, reason);
+    return residency().acquireTexture(0, abi::Dimension::Tex2D, {}, false, reason);
   };
   for (int i = 0; i < 2; ++i) {
     const TextureImages *const images = zero();
@@ -570,12 +572,12 @@ TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
   const GLuint other = texture(GL_RGBA8, 4, 4); // is bound: texture 0 is asked for all the same
   EXPECT_NE(zero(), nullptr);
   gl().BindTexture(GL_TEXTURE_2D, 0);
-  textureRedefined(context(), GL_TEXTURE_2D);
+  residency().textureRedefined(GL_TEXTURE_2D);
   gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   EXPECT_EQ(zero(), nullptr);
   gl().BindTexture(GL_TEXTURE_2D, other);
   EXPECT_EQ(zero(), nullptr);
-  textureRedefined(context(), 0);
+  residency().textureRedefined(0);
   gl().BindTexture(GL_TEXTURE_2D, 0);
   gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   EXPECT_NE(zero(), nullptr);

@@ -2,9 +2,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "state/feedback.h"
-#include "state/program_api.h"
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 #include "swrast/image/copy_pixels.h"
 
@@ -28,19 +25,6 @@ GLenum targetOf(abi::Dimension dimension) {
   return 0;
 }
 
-/// BASE_LEVEL and MAX_LEVEL, as the mirror knows them of a unit that the texture is bound to.
-struct LevelRange {
-  GLint base = 0, max = 1000;
-};
-LevelRange rangeOf(const Context &context, GLuint name, abi::Dimension dimension) {
-  for (const auto &unit : context.software->mirror.samplers) {
-    const SamplerState &sampler = unit[std::size_t(dimension)];
-    if (sampler.texture == name && sampler.seen != 0)
-      return {sampler.baseLevel, sampler.maxLevel};
-  }
-  return {};
-}
-
 abi::TextureLevel viewOf(const swrast::Image &image) {
   return {.base = image.pixel(0, 0),
           .rowStride = image.rowStride,
@@ -54,15 +38,14 @@ abi::TextureLevel viewOf(const swrast::Image &image) {
 /// `complete` tells whether GL would sample them at all (3.8.10).
 class Completeness {
 public:
-  Completeness(Context &context, WindowImages &window, Texture &texture)
-      : m_context(context), m_window(window), m_texture(texture) {}
+  Completeness(ResidentImages &images, Texture &texture) : m_images(images), m_texture(texture) {}
 
-  bool gather(GLenum target, LevelRange range, bool mipmapped, const char *&reason) {
+  bool gather(GLenum target, TextureLevels range, bool mipmapped, const char *&reason) {
     TextureImages &view = m_texture.view;
     view = {};
     const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
     const GLenum first = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
-    PixelImage *const base = levelOf(m_context, m_texture, first, range.base);
+    PixelImage *const base = levelOf(m_images, m_texture, first, range.base);
     if (range.base > range.max || !base || base->width <= 0)
       return true; // incomplete
     if (base->base == 0) {
@@ -78,7 +61,7 @@ public:
     for (int level = 0; level < levels; ++level)
       for (int face = 0; face < faces; ++face) {
         PixelImage *const image =
-            levelOf(m_context, m_texture, first + GLenum(face), range.base + level);
+            levelOf(m_images, m_texture, first + GLenum(face), range.base + level);
         if (!image || !fits(*image, *base, level, faces == 6))
           return true; // incomplete
       }
@@ -87,7 +70,7 @@ public:
     for (int level = 0; level < levels; ++level)
       for (int face = 0; face < faces; ++face)
         m_texture.levels[std::size_t(faces * level + face)] =
-            viewOf(levelOf(m_context, m_texture, first + GLenum(face), range.base + level)->shadow);
+            viewOf(levelOf(m_images, m_texture, first + GLenum(face), range.base + level)->shadow);
     view.format = base->shadow.format;
     view.complete = true;
     view.powerOfTwo = std::has_single_bit(unsigned(base->width)) &&
@@ -114,12 +97,12 @@ private:
       for (int level = 0; level < levels; ++level)
         for (int face = 0; face < faces; ++face) {
           PixelImage &image =
-              *levelOf(m_context, m_texture, first + GLenum(face), baseLevel + level);
-          if (pass == 0 && image.newest == Newest::Host && !download(m_context, m_window, image)) {
+              *levelOf(m_images, m_texture, first + GLenum(face), baseLevel + level);
+          if (pass == 0 && image.newest == Newest::Host && !download(m_images, image)) {
             reason = "memory";
             return false;
           }
-          if (pass == 1 && !oneFormat && !own(m_context, image)) {
+          if (pass == 1 && !oneFormat && !own(m_images, image)) {
             reason = "memory";
             return false;
           }
@@ -129,7 +112,7 @@ private:
     return true;
   }
 
-  static bool own(Context &context, PixelImage &image) {
+  static bool own(ResidentImages &images, PixelImage &image) {
     if (image.shadow.format == image.format)
       return true;
     swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth);
@@ -138,12 +121,11 @@ private:
     for (int z = 0; z < image.depth; ++z)
       swrast::copyPixels(made, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
     image.shadow = std::move(made);
-    objectsOf(context).changed();
+    images.objects.changed();
     return true;
   }
 
-  Context &m_context;
-  WindowImages &m_window;
+  ResidentImages &m_images;
   Texture &m_texture;
 };
 
@@ -151,9 +133,8 @@ const TextureImages kIncomplete;
 
 /// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
 /// image. Where it has one it is not ours: its name tells it not from those of other targets.
-bool zeroIsAbsent(Context &context, ObjectImages &objects, abi::Dimension dimension) {
-  const LevelRange range = rangeOf(context, 0, dimension);
-  GLint &absent = objects.absent[std::size_t(dimension)];
+bool zeroIsAbsent(ResidentImages &images, abi::Dimension dimension, TextureLevels range) {
+  GLint &absent = images.objects.absent[std::size_t(dimension)];
   if (absent == range.base)
     return true;
   if (range.base < 0 || range.base >= abi::kMaxLevels)
@@ -161,10 +142,10 @@ bool zeroIsAbsent(Context &context, ObjectImages &objects, abi::Dimension dimens
   const GLenum target = targetOf(dimension);
   const GLenum image =
       target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
-  HostErrorScope errors(context);
-  const TextureBinding binding(*context.host, target, 0);
+  HostErrorScope errors = errorScope(images);
+  const TextureBinding binding(*images.hot.host, target, 0);
   GLint width = 0;
-  context.host->GetTexLevelParameteriv(image, range.base, GL_TEXTURE_WIDTH, &width);
+  images.hot.host->GetTexLevelParameteriv(image, range.base, GL_TEXTURE_WIDTH, &width);
   if (width != 0 || errors.failed())
     return false;
   absent = range.base;
@@ -173,22 +154,19 @@ bool zeroIsAbsent(Context &context, ObjectImages &objects, abi::Dimension dimens
 
 } // namespace
 
-const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimension dimension,
-                                    bool mipmapped, const char *&reason) {
-  WindowImages *const window = windowOf(context);
+const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimension,
+                                               TextureLevels range, bool mipmapped,
+                                               const char *&reason) {
+  ResidentImages &images = *m_images;
   reason = "texture";
   const GLenum target = targetOf(dimension);
-  if (!window)
-    return nullptr;
-  ObjectImages &objects = objectsOf(context);
   if (name == 0)
-    return zeroIsAbsent(context, objects, dimension) ? &kIncomplete : nullptr;
+    return zeroIsAbsent(images, dimension, range) ? &kIncomplete : nullptr;
   // One that a neighbour deleted is still sampled here; its name may be another one's.
-  if (!isNamedAsBound(context, name))
+  if (!isNamedAsBound(images, name))
     return nullptr;
-  Texture &texture = textureOf(objects, name);
-  if (!Completeness(context, *window, texture)
-           .gather(target, rangeOf(context, name, dimension), mipmapped, reason))
+  Texture &texture = textureOf(images.objects, name);
+  if (!Completeness(images, texture).gather(target, range, mipmapped, reason))
     return nullptr;
   texture.view.dimension = dimension;
   return &texture.view;
@@ -197,21 +175,21 @@ const TextureImages *acquireTexture(Context &context, GLuint name, abi::Dimensio
 namespace {
 
 /// The host has all of the texture, and its levels may be others from now on.
-void redefine(Context &context, Texture &texture) {
+void redefine(ResidentImages &images, Texture &texture) {
   for (const std::unique_ptr<PixelImage> &image : texture.images)
     if (image) {
-      dropShadow(context, *image);
+      dropShadow(images, *image);
       image->described = false;
     }
 }
 
 } // namespace
 
-void textureRedefined(Context &context, GLenum target) {
-  WindowImages *const window = undisturbedWindowOf(context);
-  if (!window)
+void Residency::textureRedefined(GLenum target) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images))
     return;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   objects.absent.fill(-1);
   if (objects.textures.empty())
     return;
@@ -222,7 +200,7 @@ void textureRedefined(Context &context, GLenum target) {
     if (binding == 0)
       return; // a proxy, an array: none of ours
     GLint bound = 0;
-    context.host->GetIntegerv(binding, &bound);
+    images.hot.host->GetIntegerv(binding, &bound);
     name = GLuint(bound);
   }
   for (const auto &[key, texture] : objects.textures) {
@@ -230,19 +208,19 @@ void textureRedefined(Context &context, GLenum target) {
       continue;
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image && image->newest == Newest::Shadow) {
-        upload(context, *window, *image);
-        setNewest(context, *image, Newest::Both);
+        upload(images, *image);
+        setNewest(images, *image, Newest::Both);
       }
-    redefine(context, *texture);
+    redefine(images, *texture);
   }
   objects.redefined();
 }
 
-void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
-  WindowImages *const window = undisturbedWindowOf(context);
-  if (!window || !names)
+void Residency::texturesDeleted(GLsizei n, const GLuint *names) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images) || !names)
     return;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   for (GLsizei i = 0; i < n; ++i) {
     const auto found = objects.textures.find(names[i]);
     if (found == objects.textures.end())
@@ -250,8 +228,8 @@ void texturesDeleted(Context &context, GLsizei n, const GLuint *names) {
     // Its images live on where they are attached to a framebuffer that is not bound.
     for (const std::unique_ptr<PixelImage> &image : found->second->images)
       if (image && image->newest == Newest::Shadow)
-        upload(context, *window, *image);
-    redefine(context, *found->second);
+        upload(images, *image);
+    redefine(images, *found->second);
     std::erase_if(objects.pending,
                   [&](const PixelImage *image) { return image->texture == found->second.get(); });
     objects.textures.erase(found);

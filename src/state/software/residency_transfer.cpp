@@ -44,8 +44,8 @@ std::uint64_t bytesOf(const PixelImage &image) {
 /// window's buffer.
 class Attachment {
 public:
-  Attachment(Context &context, GLenum framebuffer, const PixelImage &image)
-      : m_host(*context.host), m_framebuffer(framebuffer) {
+  Attachment(ResidentImages &images, GLenum framebuffer, const PixelImage &image)
+      : m_host(*images.hot.host), m_framebuffer(framebuffer) {
     if (image.place.kind == Place::Kind::Window) {
       if (isDepth(image))
         return;
@@ -106,22 +106,21 @@ bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
 }
 
 /// False: the texture is not what it was described as.
-bool readTexture(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
+bool readTexture(ResidentImages &images, const PixelImage &image, const Image &to,
                  const GlFormat &gl) {
-  const host::HostTable &host = *context.host;
+  const host::HostTable &host = *images.hot.host;
   if (!host.IsTexture(image.place.name))
     return false;
   const Rows rows = rowsOf(to);
   const TextureBinding binding(host, textureTargetOf(image.place.target), image.place.name);
   if (!isAsDescribed(host, image))
     return false;
-  const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength,
-                           imageHeightOf(to));
+  const PlainPixels pixels(images, PlainPixels::Way::Pack, rows.rowLength, imageHeightOf(to));
   // A neighbour that keeps to no order may give it another size even now: the robust Get writes no
   // more than it is told.
   const std::ptrdiff_t room = to.storage->data() + to.storage->bytes() - rows.data;
   const auto bufferSize = GLsizei(std::min(room, std::ptrdiff_t(INT32_MAX)));
-  if (context.caps.has("GL_ARB_robustness"))
+  if (images.caps.has("GL_ARB_robustness"))
     host.GetnTexImageARB(image.place.target, image.place.level, gl.format, gl.type, bufferSize,
                          rows.data);
   else
@@ -129,17 +128,16 @@ bool readTexture(Context &context, WindowImages &window, const PixelImage &image
   return true;
 }
 
-void readBuffer(Context &context, WindowImages &window, const PixelImage &image, const Image &to,
+void readBuffer(ResidentImages &images, const PixelImage &image, const Image &to,
                 const GlFormat &gl) {
   const Rows rows = rowsOf(to);
   const bool isWindow = image.place.kind == Place::Kind::Window;
   GLint draw = 0;
-  context.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
-  const FramebufferBinding framebuffers(context, GLuint(draw), isWindow ? 0 : kOurReadFramebuffer);
-  const Attachment attachment(context, GL_READ_FRAMEBUFFER, image);
-  const PlainPixels pixels(context, window, PlainPixels::Way::Pack, rows.rowLength, 0,
-                           rows.topRowFirst);
-  context.host->ReadPixels(0, 0, image.width, image.height, gl.format, gl.type, rows.data);
+  images.hot.host->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+  const FramebufferBinding framebuffers(images, GLuint(draw), isWindow ? 0 : kOurReadFramebuffer);
+  const Attachment attachment(images, GL_READ_FRAMEBUFFER, image);
+  const PlainPixels pixels(images, PlainPixels::Way::Pack, rows.rowLength, 0, rows.topRowFirst);
+  images.hot.host->ReadPixels(0, 0, image.width, image.height, gl.format, gl.type, rows.data);
 }
 
 /// An image as the host can be told of it: the shadow itself, or its copy in another order.
@@ -161,12 +159,11 @@ Image plain(const PixelImage &image, bool topRowFirst, GlFormat &gl) {
   return copy;
 }
 
-void writeTexture(Context &context, WindowImages &window, GLenum target, GLint level,
-                  const Image &from, const GlFormat &gl) {
-  const host::HostTable &host = *context.host;
+void writeTexture(ResidentImages &images, GLenum target, GLint level, const Image &from,
+                  const GlFormat &gl) {
+  const host::HostTable &host = *images.hot.host;
   const Rows rows = rowsOf(from);
-  const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, rows.rowLength,
-                           imageHeightOf(from));
+  const PlainPixels pixels(images, PlainPixels::Way::Unpack, rows.rowLength, imageHeightOf(from));
   if (target == GL_TEXTURE_1D)
     host.TexSubImage1D(target, level, 0, from.width, gl.format, gl.type, rows.data);
   else if (target == GL_TEXTURE_3D)
@@ -210,8 +207,8 @@ GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
 /// A renderbuffer or a buffer of the window: the host has no command to write it but drawing and
 /// blitting, and a blit between equal formats is a copy. The texture keeps the rows as they lie in
 /// memory; where they lie top row first it is blitted upside down.
-void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
-  const host::HostTable &host = *context.host;
+void writeBuffer(ResidentImages &images, PixelImage &image) {
+  const host::HostTable &host = *images.hot.host;
   const bool isWindow = image.place.kind == Place::Kind::Window;
   const bool flipped = image.shadow.rowStride < 0 && image.shadow.height > 1;
   GlFormat gl;
@@ -220,10 +217,10 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
     throw std::bad_alloc(); // the shadow stays the newest
   const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   const ObjectImages::Way way = {image.width, image.height, internalFormat};
   if (objects.way != way) {
-    const PlainPixels pixels(context, window, PlainPixels::Way::Unpack, 0, 0);
+    const PlainPixels pixels(images, PlainPixels::Way::Unpack, 0, 0);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     host.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
@@ -232,15 +229,15 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
                     gl.format == GL_BGRA ? GL_UNSIGNED_INT_8_8_8_8_REV : gl.type, nullptr);
     objects.way = way;
   }
-  writeTexture(context, window, GL_TEXTURE_2D, 0, from, gl);
+  writeTexture(images, GL_TEXTURE_2D, 0, from, gl);
 
-  const FramebufferBinding framebuffers(context, isWindow ? 0 : kOurDrawFramebuffer,
+  const FramebufferBinding framebuffers(images, isWindow ? 0 : kOurDrawFramebuffer,
                                         kOurReadFramebuffer);
   PixelImage source;
   source.place = {Place::Kind::Texture, kOurTexture, GL_TEXTURE_2D, 0};
   source.base = image.base;
-  const Attachment read(context, GL_READ_FRAMEBUFFER, source);
-  const Attachment draw(context, GL_DRAW_FRAMEBUFFER, image);
+  const Attachment read(images, GL_READ_FRAMEBUFFER, source);
+  const Attachment draw(images, GL_DRAW_FRAMEBUFFER, image);
   const GLbitfield mask = !isDepth(image) ? GL_COLOR_BUFFER_BIT
                           : gl.format == GL_DEPTH_STENCIL
                               ? GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT
@@ -251,58 +248,58 @@ void writeBuffer(Context &context, WindowImages &window, PixelImage &image) {
 
 } // namespace
 
-bool download(Context &context, WindowImages &window, PixelImage &image) {
+bool download(ResidentImages &images, PixelImage &image) {
   const NoCancel scope;
   GlFormat gl;
   if (!glFormatOf(image.format, image.base, gl))
     return false;
-  HostErrorScope errors(context);
+  HostErrorScope errors = errorScope(images);
   const bool topRowFirst =
-      image.place.kind == Place::Kind::Window && context.caps.has("GL_MESA_pack_invert");
+      image.place.kind == Place::Kind::Window && images.caps.has("GL_MESA_pack_invert");
   Image to = makeShadow(image, image.format, topRowFirst);
   if (to.empty())
     return false;
   bool read = true;
   if (image.place.kind == Place::Kind::Texture)
-    read = readTexture(context, window, image, to, gl);
+    read = readTexture(images, image, to, gl);
   else
-    readBuffer(context, window, image, to, gl);
+    readBuffer(images, image, to, gl);
   if (!read || errors.failed())
     return false;
   image.shadow = std::move(to);
-  objectsOf(context).changed();
-  setNewest(context, image, Newest::Both);
-  ResidencyStatistics &statistics = objectsOf(context).statistics;
+  images.objects.changed();
+  setNewest(images, image, Newest::Both);
+  ResidencyStatistics &statistics = images.objects.statistics;
   ++statistics.downloads;
   statistics.downloadedBytes += bytesOf(image);
   return true;
 }
 
-void upload(Context &context, WindowImages &window, PixelImage &image) {
+void upload(ResidentImages &images, PixelImage &image) {
   const NoCancel scope;
-  HostErrorScope errors(context);
+  HostErrorScope errors = errorScope(images);
   if (image.place.kind == Place::Kind::Texture) {
     // One that a neighbour deleted or gave another size is the neighbour's.
-    if (!context.host->IsTexture(image.place.name))
+    if (!images.hot.host->IsTexture(image.place.name))
       return;
     GlFormat gl;
     const Image from = plain(image, false, gl);
     if (from.empty())
       throw std::bad_alloc();
-    const TextureBinding binding(*context.host, textureTargetOf(image.place.target),
+    const TextureBinding binding(*images.hot.host, textureTargetOf(image.place.target),
                                  image.place.name);
-    if (!isAsDescribed(*context.host, image))
+    if (!isAsDescribed(*images.hot.host, image))
       return;
-    writeTexture(context, window, image.place.target, image.place.level, from, gl);
+    writeTexture(images, image.place.target, image.place.level, from, gl);
   } else {
-    writeBuffer(context, window, image);
+    writeBuffer(images, image);
   }
   if (errors.failed()) {
-    objectsOf(context).way = {};
+    images.objects.way = {};
     logWarn("residency", "the host took no pixels of an image of %d x %d", image.width,
             image.height);
   }
-  ResidencyStatistics &statistics = objectsOf(context).statistics;
+  ResidencyStatistics &statistics = images.objects.statistics;
   ++statistics.uploads;
   statistics.uploadedBytes += bytesOf(image);
 }

@@ -1,9 +1,6 @@
 // Texels that the application gives.
 #include <cstring>
 
-#include "state/feedback.h"
-#include "state/program_api.h"
-#include "state/share_group.h"
 #include "state/software/residency_host.h"
 
 namespace arbiter::state::software {
@@ -142,7 +139,8 @@ SourceRows rowsOf(const PixelModes::Store &unpack, int bytes, GLsizei width, con
 
 /// A shadow that may be written, of the source's own order of components where all of it is
 /// replaced: then rows are copied.
-bool writableShadow(Context &context, PixelImage &image, const ByteSource &source, bool whole) {
+bool writableShadow(ResidentImages &images, PixelImage &image, const ByteSource &source,
+                    bool whole) {
   abi::Format order = image.shadow.format;
   if (whole && source.bytes == 4 && image.format.layout == abi::Layout::U8x4 &&
       viewAs({abi::Layout::U8x4, source.rgba}, image.base, image.format, order) &&
@@ -150,15 +148,15 @@ bool writableShadow(Context &context, PixelImage &image, const ByteSource &sourc
     image.shadow.format = order;
     image.shadow.storage.reset();
   }
-  objectsOf(context).changed();
-  return makeOwn(context, image, !whole);
+  images.objects.changed();
+  return makeOwn(images, image, !whole);
 }
 
 /// The texels of one level and face are written to its shadow too.
-bool write(Context &context, WindowImages &window, PixelImage &image, const Rect &to, GLenum format,
-           GLenum type, const void *pixels) {
+bool write(ResidentImages &images, PixelImage &image, const Rect &to, GLenum format, GLenum type,
+           const void *pixels) {
   ByteSource source;
-  const PixelModes &modes = pixelModes(context, window);
+  const PixelModes &modes = pixelModes(images);
   if (!pixels || image.base == 0 || image.depth != 1 || !byteSource(format, type, source) ||
       modes.transfers || modes.unpack.buffer != 0 || modes.unpack.swapBytes != 0)
     return false;
@@ -169,41 +167,41 @@ bool write(Context &context, WindowImages &window, PixelImage &image, const Rect
   Plan plan;
   const bool whole = to.width == image.width && to.height == image.height;
   if (!planOf(source, image.base, image.format, plan) ||
-      !writableShadow(context, image, source, whole) ||
+      !writableShadow(images, image, source, whole) ||
       !planOf(source, image.base, image.shadow.format, plan))
     return false;
   const SourceRows rows = rowsOf(modes.unpack, source.bytes, to.width, pixels);
   for (int y = 0; y < to.height; ++y)
     writeRow(plan, rows.data + y * rows.stride, image.shadow.pixel(to.x, to.y + y), to.width);
   if (whole)
-    setNewest(context, image, Newest::Both);
+    setNewest(images, image, Newest::Both);
   return true;
 }
 
 } // namespace
 
-void texSubImage(Context &context, GLenum target, GLint level, GLint x, GLint y, GLint z,
-                 GLsizei width, GLsizei height, GLsizei, GLenum format, GLenum type,
-                 const void *pixels) {
-  WindowImages *const window = undisturbedWindowOf(context);
+void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
+                            GLsizei height, GLsizei, GLenum format, GLenum type,
+                            const void *pixels) {
+  ResidentImages &images = *m_images;
   const GLenum binding = bindingOf(target);
-  if (!window || binding == 0)
+  if (!settleAlone(images) || binding == 0)
     return;
-  ObjectImages &objects = objectsOf(context);
+  ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return;
   GLint name = 0;
-  context.host->GetIntegerv(binding, &name);
+  images.hot.host->GetIntegerv(binding, &name);
   const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end() || !isNamedAsBound(context, GLuint(name)))
+  if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
     return;
-  PixelImage *const image = levelOf(context, *found->second, target, level);
+  PixelImage *const image = levelOf(images, *found->second, target, level);
   if (!image || image->newest == Newest::Host ||
-      (z == 0 && write(context, *window, *image, {x, y, width, height}, format, type, pixels)))
+      (z == 0 && write(images, *image, {x, y, width, height}, format, type, pixels)))
     return;
   if (image->newest == Newest::Shadow)
-    upload(context, *window, *image);
-  dropShadow(context, *image);
+    upload(images, *image);
+  dropShadow(images, *image);
 }
 
 } // namespace arbiter::state::software

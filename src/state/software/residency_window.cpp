@@ -9,13 +9,10 @@
 
 #include "state/software/residency_host.h"
 #include "state/software/window_frames.h"
-#include "util/cache/sealed.h"
 
 namespace arbiter::state::software {
 
 namespace {
-
-constinit Sealed<WindowFrames> g_frames;
 
 struct Size {
   int width = 0, height = 0;
@@ -26,9 +23,9 @@ struct Size {
 /// Reads the window's colours as bytes, which only tells where there are any.
 class Probe {
 public:
-  Probe(Context &context, WindowImages &window)
-      : m_host(*context.host), m_framebuffers(context, 0, 0),
-        m_pixels(context, window, PlainPixels::Way::Pack, 0, 0) {
+  Probe(ResidentImages &images)
+      : m_host(*images.hot.host), m_framebuffers(images, 0, 0),
+        m_pixels(images, PlainPixels::Way::Pack, 0, 0) {
     m_host.GetIntegerv(GL_READ_BUFFER, &m_buffer);
     GLboolean doubleBuffered = GL_FALSE;
     m_host.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
@@ -92,35 +89,35 @@ Size told(const Drawable &drawable, bool sure) {
 }
 
 /// The host looks at the window again, with the pixels in its back buffer that are shown already.
-void refreshHost(Context &context, WindowImages &window) {
-  PixelImage &color = window.color;
+void refreshHost(ResidentImages &images) {
+  PixelImage &color = images.color;
   if (color.newest == Newest::Shadow) {
-    upload(context, window, color);
-    setNewest(context, color, Newest::Both);
+    upload(images, color);
+    setNewest(images, color, Newest::Both);
   }
-  g_frames->swapHost(window.drawable);
+  windowFrames().swapHost(images.drawable);
 }
 
-Size sizeOf(Context &context, WindowImages &window) {
-  Drawable &drawable = window.drawable;
-  const bool sure = std::exchange(window.sizeSure, false);
+Size sizeOf(ResidentImages &images) {
+  Drawable &drawable = images.drawable;
+  const bool sure = std::exchange(images.sizeSure, false);
   if (!drawable.size)
     return {drawable.width, drawable.height};
   if (drawable.kind == Drawable::Kind::Pbuffer) // never has another
     return told(drawable, sure);
   const Size known =
-      window.color.described ? Size{window.color.width, window.color.height} : Size{};
-  const bool missed = drawable.show && g_frames->hostMissed(drawable, true);
+      images.color.described ? Size{images.color.width, images.color.height} : Size{};
+  const bool missed = drawable.show && windowFrames().hostMissed(drawable, true);
   if (missed) {
     const Size now = told(drawable, sure);
     // The host would have found nothing new either.
     if (now == known)
       return now;
-    if (now.empty() || (known.empty() && Probe(context, window).has(now)))
+    if (now.empty() || (known.empty() && Probe(images).has(now)))
       return now;
-    refreshHost(context, window);
+    refreshHost(images);
   }
-  const Probe probe(context, window);
+  const Probe probe(images);
   if (!missed && probe.has(known))
     return known;
   const Size now = told(drawable, true);
@@ -129,37 +126,31 @@ Size sizeOf(Context &context, WindowImages &window) {
 
 } // namespace
 
-void setWindowFrames(const WindowFrames &frames) {
-  g_frames.fill([&](WindowFrames &ours) { ours = frames; });
+bool hostMissedFrames(const ResidentImages &images) {
+  return !images.sizeKnown && images.drawable.show &&
+         windowFrames().hostMissed(images.drawable, false);
 }
 
-bool hostMissedFrames(const WindowImages &window) {
-  return !window.sizeKnown && window.drawable.show && g_frames->hostMissed(window.drawable, false);
-}
+void Residency::hostSwaps() { forgetSize(*m_images); }
 
-void hostSwaps(Context &context) {
-  if (WindowImages *const window = windowOf(context))
-    forgetSize(context, *window);
-}
-
-void lookAtWindow(Context &context, WindowImages &window) {
-  if (window.sizeKnown && window.color.described)
+void lookAtWindow(ResidentImages &images) {
+  if (images.sizeKnown && images.color.described)
     return;
-  const host::HostTable &host = *context.host;
-  HostErrorScope errors(context);
+  const host::HostTable &host = *images.hot.host;
+  HostErrorScope errors = errorScope(images);
   // Bits and double buffering are told of the draw framebuffer that is bound.
   GLint bound = 0;
   host.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   if (bound != 0)
     host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, 0);
-  const Drawable &drawable = window.drawable;
+  const Drawable &drawable = images.drawable;
   Size size;
   if (drawable.kind != Drawable::Kind::None && drawable.sameRead)
-    size = sizeOf(context, window);
-  window.sizeKnown = true;
-  if (size != Size{window.color.width, window.color.height})
-    objectsOf(context).redefined();
-  describeWindow(context, window, size.width, size.height);
+    size = sizeOf(images);
+  images.sizeKnown = true;
+  if (size != Size{images.color.width, images.color.height})
+    images.objects.redefined();
+  describeWindow(images, size.width, size.height);
   if (bound != 0)
     host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(bound));
 }

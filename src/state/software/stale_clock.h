@@ -3,12 +3,11 @@
 #include <bit>
 #include <cstdint>
 
-#include "state/current.h"
 #include "state/software/stale.h"
 
 namespace arbiter::state::software {
 
-/// The one place that empties ContextHot::stale, but for the groups that residency.cpp reads, and
+/// The one place that empties ContextHot::stale, but for the groups that residency reads, and
 /// tells its many readers: each remembers the time up to which it has seen everything.
 class StaleClock {
 public:
@@ -16,11 +15,12 @@ public:
   static constexpr std::uint32_t kNotOurs = stale::kFramebuffer | stale::kPixelStore;
 
   /// Called before anything is read; costs a test where nothing changed.
-  void take(ContextHot &context) {
-    const std::uint32_t bits = context.stale & ~kNotOurs;
+  /// \param stale ContextHot::stale
+  void take(std::uint32_t &stale) {
+    const std::uint32_t bits = stale & ~kNotOurs;
     if (bits == 0) [[likely]]
       return;
-    context.stale &= kNotOurs;
+    stale &= kNotOurs;
     mark(bits);
   }
   /// Groups that the layer itself has changed.

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "state/context.h"
-#include "state/software/residency.h"
+#include "state/draw.h"
+#include "state/software/context_state.h"
 
 namespace arbiter::state::software {
 
@@ -90,15 +91,19 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
   m_levelsMatter = 0;
   for (const auto &sampler : shape.samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
-  refreshSamplers(context, mirror, m_uses);
+  if (mirror.samplersAreStale(m_uses)) [[unlikely]] {
+    releaseSamplers(context);
+    mirror.refreshSamplers(m_uses);
+  }
   for (const auto &sampler : shape.samplers) {
     const abi::Dimension dimension = dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
     if (state.obstacle)
       return Fallback::Texture;
     const char *reason = nullptr;
-    const TextureImages *const images = acquireTexture(
-        context, state.texture, dimension, state.key.mip != abi::MipFilter::None, reason);
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        state.texture, dimension, {state.baseLevel, state.maxLevel},
+        state.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     abi::SamplerKey &code = key.samplers[sampler.unit];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "state/context.h"
+#include "state/variant.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {
@@ -74,7 +75,7 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
                             When when) {
   m_compiled = compiled;
   m_fragments = &fragments;
-  refreshVertexState(context, mirror, floatTarget);
+  mirror.refreshVertexState(floatTarget);
   m_clipPlanes = mirror.vertex.clipPlanes;
   if (!compiled) {
     take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), when);

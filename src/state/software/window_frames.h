@@ -1,5 +1,5 @@
 #pragma once
-#include "state/software/residency.h"
+#include "state/software/drawable.h"
 
 /// Frames that the layer shows without the host, and what the host must find out of them: that the
 /// window has another size since, as it would have at its own swap.
@@ -14,7 +14,6 @@ struct WindowFrames {
 };
 /// Before the first context; once.
 void setWindowFrames(const WindowFrames &frames);
-/// The host is about to swap the current drawable's buffers by itself, and all pixels went to it.
-void hostSwaps(Context &context);
+[[nodiscard]] const WindowFrames &windowFrames();
 
 } // namespace arbiter::state::software

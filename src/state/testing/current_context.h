@@ -4,6 +4,7 @@
 
 #include "host/handlers.h"
 #include "state/context.h"
+#include "state/lifecycle.h"
 #include "state/share_group.h"
 #include "state/testing/fake_host.h"
 

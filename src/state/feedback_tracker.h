@@ -7,7 +7,7 @@
 /// Texture feedback: a colour buffer copied to a texture level (glReadBuffer, then
 /// glCopyTexSubImage), the era's way to multipass. Tracked so that the copy can be avoided later:
 /// which buffer became which texture level, and when. No GL calls here, and no GL types.
-namespace arbiter::swrast {
+namespace arbiter::state {
 
 /// A colour buffer: the framebuffer object (0: the window's) and the enum of glReadBuffer.
 struct ColorBuffer {
@@ -75,4 +75,4 @@ private:
   std::unique_ptr<Map> m_levels; ///< null until the first copy: most contexts have none
 };
 
-} // namespace arbiter::swrast
+} // namespace arbiter::state

@@ -1,6 +1,6 @@
-#include "swrast/feedback.h"
+#include "state/feedback_tracker.h"
 
-namespace arbiter::swrast {
+namespace arbiter::state {
 
 const char *copyKindName(CopyKind kind) {
   switch (kind) {
@@ -53,4 +53,4 @@ void FeedbackTracker::forget(std::uint32_t texture) {
     std::erase_if(*m_levels, [&](const auto &entry) { return entry.first.texture == texture; });
 }
 
-} // namespace arbiter::swrast
+} // namespace arbiter::state

@@ -1,4 +1,4 @@
-#include "state/context.h"
+#include "state/lifecycle.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,20 +7,40 @@
 
 #include "fp_compiler/ati/limits.h"
 #include "host/host_table.h"
+#include "host/null_host.h"
 #include "state/active_profile.h"
+#include "state/capture.h"
+#include "state/clip_planes.h"
+#include "state/context.h"
 #include "state/errors.h"
 #include "state/fixed_function.h"
+#include "state/garbage.h"
+#include "state/host_assembly.h"
+#include "state/list_compiler.h"
 #include "state/memory.h"
 #include "state/program_api.h"
 #include "state/replacement.h"
+#include "state/sampler_override.h"
 #include "state/share_group.h"
+#include "state/software/context_state.h"
 #include "state/software/frame.h"
 #include "state/software/neighbours.h"
-#include "state/software/residency.h"
 #include "state/software/stale.h"
 #include "state/statistics.h"
+#include "state/variant.h"
 #include "util/flags.h"
 #include "util/log.h"
+
+// Clang 14 takes the strings and vectors of libstdc++ 12 for no literal types. There the null
+// context is made by a constructor of this library, which runs before any entry point of it is
+// called.
+#if defined(__clang__) && __clang_major__ < 15
+#define ARBITER_CONSTINIT
+#define ARBITER_CONSTEXPR
+#else
+#define ARBITER_CONSTINIT constinit
+#define ARBITER_CONSTEXPR constexpr
+#endif
 
 namespace arbiter::state {
 
@@ -79,9 +99,44 @@ fp::Numerics numericsOf(const Context &context) {
 
 } // namespace
 
+constexpr Context::Context(NullTag) {
+  host = &host::kNullHost;
+  passThrough = true;
+  drawCounter = &draws[int(Path::NotOffered)];
+}
+
+namespace {
+
+/// The null context, which is never destroyed: entry points may run in other libraries'
+/// destructors.
+struct NullHolder {
+  union {
+    Context context;
+  };
+  ARBITER_CONSTEXPR NullHolder() : context(Context::NullTag{}) {}
+  ARBITER_CONSTEXPR ~NullHolder() {
+  } // NOLINT(modernize-use-equals-default): the union's member stays alive
+};
+
+ARBITER_CONSTINIT NullHolder g_null;
+
+} // namespace
+
+thread_local ContextHot *t_current __attribute__((tls_model("initial-exec"))) = &g_null.context;
+
+Context &nullContext() { return g_null.context; }
+
+Context *currentContext() {
+  auto *const context = static_cast<Context *>(t_current);
+  return context == &g_null.context ? nullptr : context;
+}
+
 Context::Context(Provider contextProvider, const host::HostTable *table,
                  std::shared_ptr<ShareGroup> shareGroup)
-    : provider(contextProvider), group(std::move(shareGroup)) {
+    : provider(contextProvider), group(std::move(shareGroup)),
+      variants(std::make_unique<VariantCache>()),
+      samplerOverride(std::make_unique<SamplerOverride>()),
+      hostAssembly(std::make_unique<HostAssembly>()), list(std::make_unique<ListCompiler>()) {
   host = table;
   passThrough = true; // until it is first current
   drawCounter = &draws[std::size_t(Path::NotOffered)];
@@ -101,16 +156,19 @@ Context::~Context() {
   software::removeNeighbour(*this);
   group->contexts.fetch_sub(1);
   try {
-    VariantCache::Names names = variants.abandon();
+    VariantCache::Names names = variants->abandon();
     group->addGarbage({std::move(names.programs), std::move(names.shaders),
-                       samplerOverride.abandon(), hostAssembly.abandon()});
+                       samplerOverride->abandon(), hostAssembly->abandon()});
   } catch (const std::exception &) { // they stay in the host until the share group is gone
   }
 }
 
+namespace {
+
+/// Asks the host for limits and extensions; the context is current. Called once.
 void initialise(Context &context) {
   context.initialised = true;
-  const HostErrorScope scope(context);
+  const HostErrorScope scope(*context.host, context.pendingError);
   context.caps = queryHostCaps(*context.host);
   if (!context.caps.compatibility) {
     logInfo("state", "context %u: passed through: %s", context.serial, context.caps.obstacle());
@@ -132,26 +190,6 @@ void initialise(Context &context) {
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
 }
-
-void collectGarbage(Context &context) {
-  const ShareGroup::Garbage garbage = context.group->takeGarbage();
-  for (const GLuint program : garbage.programs) {
-    context.group->removeHostProgram(program);
-    context.host->DeleteProgram(program);
-  }
-  for (const GLuint shader : garbage.shaders) {
-    context.group->removeHostProgram(shader);
-    context.host->DeleteShader(shader);
-  }
-  if (!garbage.samplers.empty())
-    context.host->DeleteSamplers(GLsizei(garbage.samplers.size()), garbage.samplers.data());
-  if (!garbage.assembly.empty())
-    context.host->DeleteProgramsARB(GLsizei(garbage.assembly.size()), garbage.assembly.data());
-}
-
-// --- lifecycle.h ---
-
-namespace {
 
 /// A context that is half made is none: the next make-current tries again.
 void initialiseWhole(Context &context) {
@@ -208,7 +246,10 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
 void leaveCurrent() {
   Context *const context = currentContext();
   if (context)
-    withinMemory(*context, "MakeCurrent", [&] { software::leave(*context); });
+    withinMemory(*context, "MakeCurrent", [&] {
+      if (context->software)
+        context->software->residency.leave();
+    });
 }
 
 bool exchange(Exchange what, const char *name) {
@@ -222,17 +263,23 @@ bool exchange(Exchange what, const char *name) {
       isShown = software::presentFrame(*context);
       break;
     case Exchange::Flush:
-      software::flush(*context, false);
+      context->software->residency.flush(false);
       break;
     case Exchange::Read:
-      software::synchronise(*context, name);
+      context->software->residency.synchronise(name);
       break;
     case Exchange::Change:
-      software::hostDoesAnything(*context, name);
+      context->software->residency.hostDoesAnything(name);
       break;
     }
   });
   return isShown;
+}
+
+void hostSwaps() {
+  Context *const context = currentContext();
+  if (context && context->software)
+    context->software->residency.hostSwaps();
 }
 
 void makeCurrent(Context *context, const software::Drawable *drawable) {
@@ -247,7 +294,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     }
     if (leaves)
       software::ceasesToBeCurrent(*old);
-    t_current = context ? context : &nullContext();
+    t_current = context ? context : &g_null.context;
     if (context)
       logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);
     else
@@ -258,7 +305,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
     software::ceasesToBeCurrent(*context); // it may have another drawable
   }
   if (context) {
-    software::setDrawable(*context, drawable ? *drawable : software::Drawable{});
+    context->drawable = drawable ? *drawable : software::Drawable{};
     software::becomesCurrent(*context);
   }
   if (context && !context->initialised) {
@@ -272,7 +319,8 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
       (context->attention & attention::kShared) == 0)
     invalidateProgram(*context);
-  software::enter(*context);
+  if (context->software)
+    context->software->residency.enter(context->drawable);
 }
 
 void destroyContext(Context *context) {

@@ -1,8 +1,8 @@
-#include "swrast/feedback.h"
+#include "state/feedback_tracker.h"
 
 #include <gtest/gtest.h>
 
-namespace arbiter::swrast {
+namespace arbiter::state {
 namespace {
 
 constexpr ColorBuffer kBack{0, 0x0405};
@@ -64,4 +64,4 @@ TEST(Feedback, MemoryIsBounded) {
 }
 
 } // namespace
-} // namespace arbiter::swrast
+} // namespace arbiter::state
