@@ -5,7 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "host/host_table.h"
-#include "state/current.h"
+#include "state/core/current.h"
 
 namespace arbiter::dispatch {
 namespace {

@@ -112,8 +112,8 @@ def null_table(table):
 def recording_table(table):
     """The table in force while a primitive is kept back from the host: whoever calls the host has
     the primitive given to it first."""
-    out = [HEADING, '#include "state/software/replay.h"\n\n#include "host/host_table.h"\n'
-           '#include "state/current.h"\n\n'
+    out = [HEADING, '#include "state/raster_draw/replay.h"\n\n#include "host/host_table.h"\n'
+           '#include "state/core/current.h"\n\n'
            "namespace arbiter::state::software {\n\nnamespace {\n\n"]
     for name in table.members:
         command = table.commands[name]

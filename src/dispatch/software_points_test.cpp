@@ -8,12 +8,12 @@
 
 #include "dispatch/entry_points.h"
 #include "host/further.h"
-#include "state/context.h"
-#include "state/lifecycle.h"
-#include "state/software/context_state.h"
-#include "state/software/convert.h"
-#include "state/software/replay.h"
-#include "state/software/stale.h"
+#include "state/core/context.h"
+#include "state/core/lifecycle.h"
+#include "state/mirror/convert.h"
+#include "state/mirror/stale.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/replay.h"
 #include "state/testing/current_context.h"
 #include "state/testing/fake_host.h"
 

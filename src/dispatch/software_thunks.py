@@ -91,8 +91,8 @@ def source(table):
 
 #include "host/further.h"
 #include "host/host_table.h"
-#include "state/software/commands.h"
-#include "state/software/stale.h"
+#include "state/raster_draw/commands.h"
+#include "state/mirror/stale.h"
 
 #define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))
 

@@ -111,8 +111,8 @@ def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
-           '#include "state/context.h"\n#include "state/memory.h"\n#include "state/software/commands.h"\n'
-           '#include "state/software/stale.h"\n\n#define ARBITER_ENTRY '
+           '#include "state/core/context.h"\n#include "state/core/memory.h"\n#include "state/raster_draw/commands.h"\n'
+           '#include "state/mirror/stale.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
            "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"

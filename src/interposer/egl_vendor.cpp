@@ -1,6 +1,6 @@
 /// The EGL side of the vendor library: libglvnd's vendor interface around the host's own vendor.
 // Before Xlib's macros, which EGL's header includes.
-#include "state/software/drawable.h"
+#include "state/residency/drawable.h"
 
 #include <cstring>
 #include <iterator>
@@ -15,7 +15,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
-#include "state/escape.h"
+#include "state/core/escape.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {

@@ -2,8 +2,8 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
-#include "state/software/drawable.h"
-#include "state/software/window_frames.h"
+#include "state/residency/drawable.h"
+#include "state/residency/window_frames.h"
 
 #include <cstring>
 #include <exception>

@@ -12,7 +12,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
-#include "state/software/drawable.h"
+#include "state/residency/drawable.h"
 #include "util/flags.h"
 #include "util/log.h"
 

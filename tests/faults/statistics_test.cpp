@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/statistics.h"
+#include "state/report/statistics.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {

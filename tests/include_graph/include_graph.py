@@ -112,7 +112,7 @@ def check(root):
 
 PLANTED = [
     # (file, text, complaints expected)
-    ("src/util/hash.h", '#include "state/context.h"\n', 1),
+    ("src/util/hash.h", '#include "state/core/context.h"\n', 1),
     ("src/fp_compiler/front/lexer.cpp", "#include <GL/gl.h>\n", 1),
     ("src/swrast/cover/bins.cpp", '#include "fp_compiler/ir/ir.h"\n', 1),
     ("src/swrast/cover/bins.cpp", '#include "fp_compiler/abi.h"\n', 0),
@@ -131,7 +131,7 @@ def self_test():
     for name, text, expected in PLANTED:
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for path in ("src/state/context.h", "src/host/table.h", "src/util/hash.h",
+            for path in ("src/state/core/context.h", "src/host/table.h", "src/util/hash.h",
                          "demos/common/window.h"):
                 (root / path).parent.mkdir(parents=True, exist_ok=True)
                 (root / path).write_text("")

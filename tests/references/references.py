@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a comment or a page of docs/ names a file, a function, a variable or an option that is not there.
 
-Files are names with a suffix of ours (`residency.cpp`, `state/context.h`): any file of the tree
+Files are names with a suffix of ours (`residency.cpp`, `state/core/context.h`): any file of the tree
 whose path ends so, or that the build makes. Functions are names with empty brackets (`settle()`),
 which the code must have as a word; those of GL, GLX, EGL, POSIX and the C++ library are others'.
 Variables are ARBITER_NAMES, options what begins with two dashes and is some program's here.

@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "host/handlers.h"
-#include "state/context.h"
-#include "state/lifecycle.h"
-#include "state/share_group.h"
+#include "state/core/context.h"
+#include "state/core/lifecycle.h"
+#include "state/core/share_group.h"
 #include "state/testing/fake_host.h"
 
 namespace arbiter::state::testing {

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/mirror/stale.h"
+
+namespace arbiter::state {
+
+/// Mirrors the host's attribute stack as far as our own state is in it: only the enables are, in
+/// GL_ENABLE_BIT (AFP 4642-4645). Bindings and parameters are in no group.
+class AttribStack {
+public:
+  struct Entry {
+    bool hasEnables = false;
+    std::uint8_t enabledTargets = 0;             ///< one bit a program target
+    std::uint32_t stale = software::stale::kAll; ///< groups that the pop restores
+  };
+
+  void setMaxDepth(std::size_t depth) {
+    m_maxDepth = depth;
+    m_entries.reserve(depth); // pushes then never allocate
+  }
+
+  /// False: the host's stack overflows, and so would ours.
+  bool push(Entry entry) {
+    if (m_entries.size() >= m_maxDepth)
+      return false;
+    m_entries.push_back(entry);
+    return true;
+  }
+  /// False on underflow.
+  bool pop(Entry &entry) {
+    if (m_entries.empty())
+      return false;
+    entry = m_entries.back();
+    m_entries.pop_back();
+    return true;
+  }
+
+  [[nodiscard]] std::size_t depth() const { return m_entries.size(); }
+  /// After a host list moved the host's stack alone: entries that we did not see hold no enables.
+  void resize(std::size_t depth) { m_entries.resize(depth < m_maxDepth ? depth : m_maxDepth); }
+
+private:
+  std::vector<Entry> m_entries;
+  std::size_t m_maxDepth = 16;
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,138 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "state/core/target.h"
+#include "state/mirror/stale.h"
+
+namespace arbiter::state {
+
+/// Whom Enable and Disable of a capability concern.
+enum class Capability : std::uint8_t {
+  Host,          ///< the host alone
+  ProgramTarget, ///< the layer, where the target is offered
+  ChoosesForm,   ///< the host, and which form an ATI shader is drawn in (fixed_function.h)
+  ClipPlane,     ///< the host, and which form a vertex program is drawn in (clip_planes.h)
+};
+
+struct CapabilityRow {
+  GLenum cap = 0;
+  Capability capability = Capability::Host;
+  std::uint32_t stale = software::stale::kAll; ///< what the rasterizer must ask for again
+};
+
+namespace detail {
+
+using namespace software::stale;
+
+/// What a program target's enable changes draws look at by themselves.
+inline constexpr CapabilityRow kCapabilities[] = {
+    {infoOf(Target::Fragment).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::Vertex).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::AtiText).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::AtiApi).name, Capability::ProgramTarget, 0},
+    {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
+    {GL_LIGHTING, Capability::ChoosesForm, kLighting},
+    {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},
+    {GL_TEXTURE_1D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_2D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_3D, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_CUBE_MAP, Capability::ChoosesForm, kTextureBindings},
+    {GL_TEXTURE_RECTANGLE, Capability::ChoosesForm, kTextureBindings},
+    {GL_CLIP_PLANE0, Capability::ClipPlane, kTransform}, // CLIP_DISTANCEi has the same values
+    {GL_CLIP_PLANE1, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE2, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE3, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE4, Capability::ClipPlane, kTransform},
+    {GL_CLIP_PLANE5, Capability::ClipPlane, kTransform},
+    {GL_CLIP_DISTANCE6, Capability::ClipPlane, kTransform},
+    {GL_CLIP_DISTANCE7, Capability::ClipPlane, kTransform},
+    {GL_ALPHA_TEST, Capability::Host, kPixelOps},
+    {GL_BLEND, Capability::Host, kPixelOps},
+    {GL_DEPTH_TEST, Capability::Host, kPixelOps},
+    {GL_STENCIL_TEST, Capability::Host, kPixelOps},
+    {GL_COLOR_LOGIC_OP, Capability::Host, kPixelOps},
+    {GL_DITHER, Capability::Host, kPixelOps},
+    {GL_MULTISAMPLE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_ALPHA_TO_ONE, Capability::Host, kPixelOps},
+    {GL_SAMPLE_COVERAGE, Capability::Host, kPixelOps},
+    {GL_STENCIL_TEST_TWO_SIDE_EXT, Capability::Host, kPixelOps},
+    {GL_DEPTH_BOUNDS_TEST_EXT, Capability::Host, kPixelOps},
+    {GL_SCISSOR_TEST, Capability::Host, kViewport},
+    {GL_CULL_FACE, Capability::Host, kRaster},
+    {GL_LINE_SMOOTH, Capability::Host, kRaster},
+    {GL_LINE_STIPPLE, Capability::Host, kRaster},
+    {GL_POINT_SMOOTH, Capability::Host, kRaster},
+    {GL_POLYGON_SMOOTH, Capability::Host, kRaster},
+    {GL_POLYGON_STIPPLE, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_FILL, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_LINE, Capability::Host, kRaster},
+    {GL_POLYGON_OFFSET_POINT, Capability::Host, kRaster},
+    {GL_DEPTH_CLAMP, Capability::Host, kRaster},
+    {GL_VERTEX_PROGRAM_POINT_SIZE, Capability::Host, kRaster | kTexGen},
+    {GL_VERTEX_PROGRAM_TWO_SIDE, Capability::Host, kRaster | kLighting},
+    {GL_POINT_SPRITE, Capability::Host, kRaster | kTexGen},
+    {GL_TEXTURE_GEN_S, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_T, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_R, Capability::Host, kTexGen},
+    {GL_TEXTURE_GEN_Q, Capability::Host, kTexGen},
+    {GL_COLOR_MATERIAL, Capability::Host, kLighting},
+    {GL_LIGHT0, Capability::Host, kLighting},
+    {GL_LIGHT1, Capability::Host, kLighting},
+    {GL_LIGHT2, Capability::Host, kLighting},
+    {GL_LIGHT3, Capability::Host, kLighting},
+    {GL_LIGHT4, Capability::Host, kLighting},
+    {GL_LIGHT5, Capability::Host, kLighting},
+    {GL_LIGHT6, Capability::Host, kLighting},
+    {GL_LIGHT7, Capability::Host, kLighting},
+    {GL_NORMALIZE, Capability::Host, kTransform},
+    {GL_RESCALE_NORMAL, Capability::Host, kTransform},
+};
+
+inline constexpr unsigned kSlotBits = 9;
+constexpr unsigned slotOf(GLenum cap, std::uint32_t factor) {
+  return (cap * factor) >> (32 - kSlotBits);
+}
+
+/// A factor that gives each capability a place of its own, found while compiling.
+constexpr std::uint32_t perfectFactor() {
+  for (std::uint32_t factor = 0x9E3779B1u;; factor += 2) {
+    bool taken[1u << kSlotBits] = {};
+    bool clashes = false;
+    for (const CapabilityRow &row : kCapabilities) {
+      bool &place = taken[slotOf(row.cap, factor)];
+      clashes = clashes || place;
+      place = true;
+    }
+    if (!clashes)
+      return factor;
+  }
+}
+inline constexpr std::uint32_t kFactor = perfectFactor();
+
+/// Each row in its place; in the empty ones no capability's.
+constexpr std::array<CapabilityRow, 1u << kSlotBits> placed() {
+  std::array<CapabilityRow, 1u << kSlotBits> rows{};
+  for (const CapabilityRow &row : kCapabilities)
+    rows[slotOf(row.cap, kFactor)] = row;
+  return rows;
+}
+inline constexpr auto kPlaced = placed();
+inline constexpr CapabilityRow kOther{};
+
+} // namespace detail
+
+/// One look at `cap` on the way of each Enable and Disable, most of which are the host's alone. A
+/// capability that is not in the table may change anything that the rasterizer knows.
+[[nodiscard]] constexpr const CapabilityRow &rowOfCapability(GLenum cap) {
+  const CapabilityRow &row = detail::kPlaced[detail::slotOf(cap, detail::kFactor)];
+  if (row.cap != cap) [[unlikely]]
+    return detail::kOther;
+  return row;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,183 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "fp_compiler/numerics.h"
+#include "state/core/attrib_stack.h"
+#include "state/core/current.h"
+#include "state/core/host_caps.h"
+#include "state/core/identity.h"
+#include "state/core/provider.h"
+#include "state/core/target.h"
+#include "state/host_draw/clip_plane_use.h"
+#include "state/programs/ati_recorder.h"
+#include "state/programs/program_object.h"
+#include "state/report/capture_in_force.h"
+#include "state/report/feedback_tracker.h"
+#include "state/residency/drawable.h"
+#include "state/residency/neighbour_epoch.h"
+
+namespace arbiter::state {
+
+class HostAssembly;
+class ListCompiler;
+class SamplerOverride;
+class ShareGroup;
+class VariantCache;
+struct Variant;
+namespace software {
+struct ContextState;
+}
+
+/// Why a draw must be looked at before it goes on (ContextHot::attention).
+namespace attention {
+inline constexpr std::uint32_t kProgram = 1; ///< what is in force may have changed
+// Env or local values may have changed, of the targets whose programs become the host's shader of
+// that stage.
+inline constexpr std::uint32_t kFragmentParameters = 2;
+inline constexpr std::uint32_t kVertexParameters = 4;
+inline constexpr std::uint32_t kParameters = kFragmentParameters | kVertexParameters;
+inline constexpr std::uint32_t kState = 8;      ///< stays: a program reads GL state
+inline constexpr std::uint32_t kCompare = 16;   ///< stays: a plain texture target must not compare
+inline constexpr std::uint32_t kInvalid = 32;   ///< stays: draws are errors
+inline constexpr std::uint32_t kShared = 64;    ///< stays: another context may load a program
+inline constexpr std::uint32_t kList = 128;     ///< stays: a display list is being compiled
+inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may draw
+inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
+} // namespace attention
+
+/// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
+enum class Path : std::uint8_t {
+  HostGlsl,             ///< our translation, on the host
+  Rasterizer,           ///< by our own rasterizer
+  NoProgram,            ///< host untouched: no program target is enabled
+  ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
+  ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
+  HostAssembly,         ///< on the host's ARB path, beside one stage of the application's GLSL
+  ApplicationStageGlsl, ///< host untouched: one stage of GLSL, and the host refuses the ARB program
+  NotOffered,           ///< host untouched: this context has no program targets of ours
+  Recorded,             ///< into a display list: counted when compiled
+  InvalidProgram,       ///< dropped: the bound program object holds no valid program
+  HostRefused,          ///< dropped: the host did not compile or link our shader
+};
+inline constexpr int kPathCount = 11;
+[[nodiscard]] const char *pathName(Path path);
+
+/// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is
+/// current on; what other threads may touch is in the ShareGroup.
+class Context : public ContextHot {
+public:
+  struct NullTag {};
+  /// The null context: every call passes through it.
+  constexpr explicit Context(NullTag);
+  Context(Provider contextProvider, const host::HostTable *table,
+          std::shared_ptr<ShareGroup> shareGroup);
+  ~Context();
+  Context(const Context &) = delete;
+  Context &operator=(const Context &) = delete;
+
+  Provider provider = Provider::Glx;
+  /// We implement the program targets here: a compatibility context with GLSL, made current once.
+  bool offered = false;
+  bool initialised = false; ///< the host has been asked for its limits
+  bool destroyed = false;   ///< free when last un-current
+  int currentCount = 0;     ///< guarded by the lifecycle's lock
+  std::uint32_t serial = 0; ///< in statistics
+
+  std::shared_ptr<ShareGroup> group;
+  HostCaps caps;
+  fp::Numerics numerics = fp::Numerics::Host; ///< that programs are compiled for; fixed for life
+
+  // --- Errors (2.5): our slot; the host's is asked when it is empty ---
+  GLenum pendingError = GL_NO_ERROR;
+  GLint errorPosition = -1; ///< PROGRAM_ERROR_POSITION_ARB, shared by all targets
+  std::string errorString;  ///< PROGRAM_ERROR_STRING_ARB
+
+  // --- The program targets, by Target ---
+  std::array<ProgramTarget, kTargetCount> targets{};
+  [[nodiscard]] ProgramTarget &row(Target target) { return targets[std::size_t(target)]; }
+  [[nodiscard]] const ProgramTarget &row(Target target) const {
+    return targets[std::size_t(target)];
+  }
+  /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
+  std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
+
+  // --- ATI fragment shaders ---
+  std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
+  bool atiShaderInForce = false; ///< draws depend on fixed-function state (fixed_function.h)
+
+  ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
+
+  // --- The application's GLSL: the host knows; asked again when something may have changed it ---
+  GLuint applicationProgram = 0;
+  bool applicationProgramKnown = true;
+  bool pipelinesUsed = false;
+
+  // --- The path that draws take ---
+  Path path = Path::NoProgram;
+  Variant *variant = nullptr;       ///< in force, or null
+  std::uint64_t selections = 0;     ///< counts the choices of what is in force
+  bool rasterizes = true;           ///< the render mode is RENDER
+  bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
+  // Null in the null context alone, as `list` is.
+  std::unique_ptr<VariantCache> variants;
+  std::unique_ptr<SamplerOverride> samplerOverride;
+  std::unique_ptr<HostAssembly> hostAssembly;
+
+  AttribStack attribStack;
+  /// While `host` holds it back: for a primitive that is recorded, or for a list (replay.h).
+  const host::HostTable *trueHost = nullptr;
+  std::unique_ptr<ListCompiler> list;
+  int listDepth = 0; ///< nested calls of lists that hold our commands
+
+  CaptureInForce inForce; ///< while there is a capture
+
+  /// The rasterizer's part; null where it is not used.
+  std::unique_ptr<software::ContextState> software;
+  bool softwareRefused = false; ///< it was decided: not looked at again
+  software::Drawable drawable;  ///< as of the last make-current
+  software::NeighbourEpoch neighbours;
+
+  // --- Counters ---
+  std::array<std::uint64_t, kPathCount> draws{};
+  std::uint64_t frames = 0;
+  std::uint64_t readBufferCalls = 0;
+  FeedbackTracker feedback;
+
+  const Identity *identity = nullptr; ///< made at the first query; interned
+};
+
+/// The row of a target's GL name; null where the target is unknown or the host's to answer.
+[[nodiscard]] inline ProgramTarget *rowOf(Context &context, GLenum target) {
+  ProgramTarget *row = nullptr;
+  switch (target) {
+  case infoOf(Target::Fragment).name:
+    row = &context.row(Target::Fragment);
+    break;
+  case infoOf(Target::Vertex).name:
+    row = &context.row(Target::Vertex);
+    break;
+  case infoOf(Target::AtiText).name:
+    row = &context.row(Target::AtiText);
+    break;
+  default:
+    return nullptr;
+  }
+  return row->offered ? row : nullptr;
+}
+
+/// The row that `cap` of Enable names: that of a program target, or of ATI_fragment_shader.
+[[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
+  if (cap != infoOf(Target::AtiApi).name)
+    return rowOf(context, cap);
+  ProgramTarget &row = context.row(Target::AtiApi);
+  return row.offered ? &row : nullptr;
+}
+
+} // namespace arbiter::state

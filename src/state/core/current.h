@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+
+namespace arbiter::host {
+struct HostTable;
+}
+
+namespace arbiter::state {
+
+class Context;
+namespace software {
+class ImmediateRecorder;
+}
+
+/// What every generated entry point reads, and nothing else: it leads the Context so that a
+/// passed-on call costs one thread-local load, one test and the host's jump.
+struct ContextHot {
+  /// The host's functions for this context's provider. Never null: the null context's table holds
+  /// the next definition in the process, or a function that does nothing.
+  const host::HostTable *host = nullptr;
+  /// Non-zero if a draw must call Context::beginDraw first: dirty bits, list compilation, counters
+  /// that want each draw. Zero on the hot path.
+  std::uint32_t attention = 0;
+  /// The host's current program is the layer's; whoever would observe it restores the
+  /// application's first (Context::restoreApplicationProgram).
+  bool hostProgramIsOurs = false;
+  bool insideBeginEnd = false;
+  /// The host's program is a vertex and a fragment program of ours, linked: of the vertex program's
+  /// results it has only those that the fragment program reads.
+  bool stagesAreLinked = false;
+  /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
+  std::uint16_t listMode = 0;
+  /// Nothing here is the layer's business (the null context, OpenGL ES, a core profile): the
+  /// entries that state owns go to the host as well, without a call into state.
+  bool passThrough = false;
+  /// The rasterizer of our own is used here (Context::software is not null).
+  bool softwarePossible = false;
+  /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up
+  /// to date first (state/residency/residency.h).
+  bool hostIsBehind = false;
+  /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a
+  /// command means to the rasterizer is of interest.
+  bool softwareListens = false;
+  /// A primitive is kept back from the host: its vertices go here. Null: to the host.
+  software::ImmediateRecorder *recorder = nullptr;
+  /// Groups of the host's state that may have changed since we asked for them (mirror/stale.h).
+  std::uint32_t stale = ~0u;
+  /// The counter of the path that draws take at present (host GLSL, host untouched).
+  std::uint64_t *drawCounter = nullptr;
+};
+
+/// The calling thread's context: a static null context before the first make-current, never null.
+/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this
+/// is. constinit: without it each access would first call a TLS initialiser. (lifecycle.cpp has it,
+/// with the null context that it begins with.)
+extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
+
+} // namespace arbiter::state

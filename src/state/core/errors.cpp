@@ -1,0 +1,73 @@
+#include "state/core/errors.h"
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/memory.h"
+#include "state/mirror/stale.h"
+#include "state/programs/program_api.h"
+#include "state/raster_draw/context_state.h"
+#include "util/flags.h"
+
+namespace arbiter::state {
+
+namespace {
+
+const char *errorName(GLenum error) {
+  switch (error) {
+  case GL_INVALID_ENUM:
+    return "INVALID_ENUM";
+  case GL_INVALID_VALUE:
+    return "INVALID_VALUE";
+  case GL_INVALID_OPERATION:
+    return "INVALID_OPERATION";
+  case GL_OUT_OF_MEMORY:
+    return "OUT_OF_MEMORY";
+  default:
+    return "error";
+  }
+}
+
+} // namespace
+
+void raise(Context &context, GLenum error, const char *why) {
+  if (debugFlag(DebugFlag::Errors))
+    logFlag(DebugFlag::Errors, "state", "context %u: GL_%s: %s", context.serial, errorName(error),
+            why);
+  else
+    logInfo("state", "context %u: GL_%s: %s", context.serial, errorName(error), why);
+  if (context.pendingError != GL_NO_ERROR)
+    return;
+  // GetError is itself an error between Begin and End: there the order cannot be known.
+  const GLenum earlier =
+      context.insideBeginEnd ? GLenum(GL_NO_ERROR) : takeHostErrors(*context.host);
+  context.pendingError = earlier != GL_NO_ERROR ? earlier : error;
+}
+
+GLenum takeError(Context &context) {
+  if (context.insideBeginEnd)
+    return context.host->GetError(); // raises INVALID_OPERATION there, as it should
+  if (context.pendingError == GL_NO_ERROR)
+    return context.host->GetError();
+  (void)takeHostErrors(*context.host); // raised later than ours, hence never recorded
+  const GLenum error = context.pendingError;
+  context.pendingError = GL_NO_ERROR;
+  return error;
+}
+
+void outOfMemory(Context &context, const char *name) noexcept {
+  raise(context, GL_OUT_OF_MEMORY, name);
+  if (context.passThrough)
+    return;
+  context.stale = software::stale::kAll;
+  invalidateProgram(context);
+  // What was chosen before is not what a draw that failed half-way has left.
+  if (context.software)
+    context.software->draws.reset();
+}
+
+namespace handlers {
+GLenum GetError(Context &context) { return takeError(context); }
+} // namespace handlers
+
+} // namespace arbiter::state

@@ -1,0 +1,158 @@
+#include "state/core/identity.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "state/core/active_profile.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+struct ExtensionYear {
+  const char *name;
+  std::uint16_t year;
+};
+constexpr ExtensionYear kYears[] = {
+#define EXTENSION_YEAR(name, year) {name, year},
+#include "state/core/extension_years.def"
+#undef EXTENSION_YEAR
+};
+
+/// Behind every known year, so that what is not known counts as new.
+constexpr std::uint32_t kUnknownYear = 0xFFFF;
+
+/// "1.3.4510 (X4.3.0)" as 13; 0 for no version.
+int versionNumber(const std::string &text) {
+  if (text.size() < 3 || text[1] != '.')
+    return 0;
+  return (text[0] - '0') * 10 + (text[2] - '0');
+}
+
+/// Oldest first; within a year by name.
+void sortByYear(std::vector<std::string> &names) {
+  const auto year = [](const std::string &name) {
+    return extensionYear(name).value_or(kUnknownYear);
+  };
+  std::sort(names.begin(), names.end(), [&](const std::string &a, const std::string &b) {
+    const std::uint32_t yearA = year(a), yearB = year(b);
+    return yearA != yearB ? yearA < yearB : a < b;
+  });
+}
+
+void eraseOthers(std::vector<std::string> &names, const std::string &listed) {
+  std::unordered_set<std::string_view> known;
+  for (std::size_t at = 0; at < listed.size();) {
+    const std::size_t end = std::min(listed.find(' ', at), listed.size());
+    known.insert(std::string_view(listed).substr(at, end - at));
+    at = end + 1;
+  }
+  std::erase_if(names, [&](const std::string &name) { return known.count(name) == 0; });
+}
+
+void eraseLater(std::vector<std::string> &names, std::uint32_t year) {
+  std::erase_if(names, [&](const std::string &name) {
+    return extensionYear(name).value_or(kUnknownYear) > year;
+  });
+}
+
+void join(FilteredExtensions &extensions, std::uint32_t maxLength) {
+  extensions.joined.clear();
+  std::size_t kept = 0;
+  for (const std::string &name : extensions.names) {
+    // Each name has a space behind it, the last one too: programs search for "GL_name ".
+    if (maxLength != 0 && extensions.joined.size() + name.size() + 1 > maxLength)
+      break;
+    extensions.joined += name;
+    extensions.joined += ' ';
+    ++kept;
+  }
+  extensions.names.resize(kept);
+}
+
+void cutExtensions(FilteredExtensions &extensions, const IdentityRules &rules) {
+  if (rules.card && !rules.card->extensions.value.empty())
+    eraseOthers(extensions.names, rules.card->extensions.value);
+  if (rules.card && !rules.card->year.value.empty())
+    eraseLater(extensions.names, std::uint32_t(std::atoi(rules.card->year.value.c_str())));
+  if (rules.maxYear != 0)
+    eraseLater(extensions.names, rules.maxYear);
+  sortByYear(extensions.names);
+  join(extensions, rules.maxLength);
+}
+
+void nameCard(Identity &identity, const HostCaps &caps, const fp::hw::Identity &card) {
+  identity.vendor = card.vendor.value;
+  identity.renderer = card.renderer.value;
+  const int version = versionNumber(card.version.value);
+  const int host = caps.major * 10 + caps.minor;
+  if (version == 0 || version > host)
+    return;
+  identity.version = card.version.value;
+  identity.major = version / 10;
+  identity.minor = version % 10;
+  const auto &names = identity.extensions.names;
+  // The enumerator came with this extension, and with OpenGL 2.0.
+  identity.hidesShadingLanguage =
+      version < 20 &&
+      std::find(names.begin(), names.end(), "GL_ARB_shading_language_100") == names.end();
+  if (versionNumber(card.shadingLanguage.value) * 10 <= caps.glslVersion)
+    identity.shadingLanguage = card.shadingLanguage.value;
+}
+
+} // namespace
+
+const Identity &internIdentity(Identity identity) {
+  static std::mutex s_mutex;
+  // Never destroyed, and as short as the list of hosts and settings that a process sees.
+  static auto *const s_identities = new std::vector<std::unique_ptr<const Identity>>;
+  const std::lock_guard lock(s_mutex);
+  for (const auto &known : *s_identities)
+    if (*known == identity)
+      return *known;
+  return *s_identities->emplace_back(std::make_unique<const Identity>(std::move(identity)));
+}
+
+std::optional<std::uint32_t> extensionYear(std::string_view name) {
+  const auto *const row =
+      std::lower_bound(std::begin(kYears), std::end(kYears), name,
+                       [](const ExtensionYear &a, std::string_view b) { return a.name < b; });
+  if (row == std::end(kYears) || row->name != name)
+    return std::nullopt;
+  return row->year;
+}
+
+IdentityRules identityRules() {
+  IdentityRules rules;
+  rules.maxYear = settings().extensionsMaxYear;
+  rules.maxLength = settings().extensionsMaxLength;
+  if (!settings().identityOfProfile)
+    return rules;
+  const fp::hw::Profile &profile = activeProfile();
+  if (!profile.identity.empty())
+    rules.card = &profile.identity;
+  else
+    logWarn("state", "ARBITER_IDENTITY: the profile %s has no [identity]; the host's is kept",
+            profile.name.c_str());
+  return rules;
+}
+
+Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules) {
+  Identity identity;
+  identity.extensions = filterExtensions(caps, offered);
+  if (rules.cutExtensions())
+    cutExtensions(identity.extensions, rules);
+  if (rules.card)
+    nameCard(identity, caps, *rules.card);
+  return identity;
+}
+
+} // namespace arbiter::state

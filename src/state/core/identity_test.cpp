@@ -1,0 +1,207 @@
+/// Whom a context says it is: the card's strings, and never more than host and layer can do.
+#include "state/core/identity.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using testing::CurrentContext;
+using testing::FakeHost;
+
+fp::hw::Identity card() {
+  fp::hw::Identity identity;
+  identity.vendor.value = "ATI Technologies Inc.";
+  identity.renderer.value = "RADEON 9700 Generic";
+  identity.version.value = "1.3.4510 (X4.3.0-3.12.0)";
+  identity.extensions.value =
+      "GL_ARB_fragment_program GL_ARB_vertex_program GL_ATI_envmap_bumpmap GL_EXT_abgr";
+  return identity;
+}
+
+HostCaps caps(int major = 4, int minor = 5) {
+  HostCaps caps;
+  caps.major = major;
+  caps.minor = minor;
+  caps.glslVersion = 450;
+  caps.compatibility = true;
+  caps.extensions = {"GL_ARB_vertex_program", "GL_EXT_abgr", "GL_KHR_no_error", "GL_NEW_and_odd",
+                     "GL_ARB_multitexture"};
+  return caps;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Identity, WithoutRulesEverythingIsTheHosts) {
+  const Identity identity = makeIdentity(caps(), true, {});
+  EXPECT_EQ(identity.vendor + identity.renderer + identity.version + identity.shadingLanguage, "");
+  const Names theirs = caps().extensions; // in their order, and ours behind them
+  ASSERT_GT(identity.extensions.names.size(), theirs.size());
+  EXPECT_TRUE(std::equal(theirs.begin(), theirs.end(), identity.extensions.names.begin()));
+}
+
+TEST(Identity, ACardsListIsCutToWhatWorks) {
+  const fp::hw::Identity c = card();
+  const Identity identity = makeIdentity(caps(), true, {&c});
+  EXPECT_EQ(identity.vendor, "ATI Technologies Inc.");
+  EXPECT_EQ(identity.version, "1.3.4510 (X4.3.0-3.12.0)");
+  EXPECT_EQ(identity.major * 10 + identity.minor, 13);
+  // ATI_envmap_bumpmap is the card's and not the host's; ARB_fragment_program is the layer's.
+  EXPECT_EQ(identity.extensions.names,
+            (Names{"GL_EXT_abgr", "GL_ARB_fragment_program", "GL_ARB_vertex_program"}));
+  EXPECT_EQ(identity.extensions.joined,
+            "GL_EXT_abgr GL_ARB_fragment_program GL_ARB_vertex_program ");
+  EXPECT_TRUE(identity.hidesShadingLanguage);
+}
+
+TEST(Identity, WhatTheLayerCannotDoIsNotAnnouncedForTheCardsSake) {
+  const fp::hw::Identity c = card();
+  const Names names = makeIdentity(caps(), false, {&c}).extensions.names;
+  EXPECT_EQ(std::count(names.begin(), names.end(), "GL_ARB_fragment_program"), 0);
+}
+
+TEST(Identity, AVersionAboveTheHostsIsNotPromised) {
+  fp::hw::Identity c = card();
+  c.version.value = "4.6 from the future";
+  const Identity identity = makeIdentity(caps(), true, {&c});
+  EXPECT_EQ(identity.version, "");
+  EXPECT_EQ(identity.major, 0);
+  EXPECT_FALSE(identity.hidesShadingLanguage);
+  EXPECT_EQ(identity.renderer, "RADEON 9700 Generic");
+}
+
+TEST(Identity, TheShadingLanguageIsThereWithItsExtensionOrOpenGl2) {
+  fp::hw::Identity c = card();
+  c.shadingLanguage.value = "1.00";
+  c.extensions.value += " GL_ARB_shading_language_100";
+  HostCaps host = caps();
+  EXPECT_TRUE(makeIdentity(host, true, {&c}).hidesShadingLanguage); // the host lacks it
+  host.extensions.emplace_back("GL_ARB_shading_language_100");
+  EXPECT_FALSE(makeIdentity(host, true, {&c}).hidesShadingLanguage);
+  EXPECT_EQ(makeIdentity(host, true, {&c}).shadingLanguage, "1.00");
+  c.version.value = "2.0";
+  c.shadingLanguage.value = "9.90";
+  EXPECT_FALSE(makeIdentity(caps(), true, {&c}).hidesShadingLanguage);
+  EXPECT_EQ(makeIdentity(caps(), true, {&c}).shadingLanguage, ""); // above the host's
+}
+
+TEST(Extensions, LaterYearsAndUnknownOnesAreCut) {
+  // Not offered: the host's names alone, whatever the layer learns to add.
+  EXPECT_EQ(makeIdentity(caps(), false, {nullptr, 2002}).extensions.names,
+            (Names{"GL_EXT_abgr", "GL_ARB_multitexture"}));
+  EXPECT_EQ(makeIdentity(caps(), true, {nullptr, 1998}).extensions.names,
+            (Names{"GL_EXT_abgr", "GL_ARB_multitexture"}));
+  EXPECT_EQ(makeIdentity(caps(), true, {nullptr, 1992}).extensions.joined, "");
+  const Names all = makeIdentity(caps(), true, {nullptr, 9999}).extensions.names;
+  EXPECT_EQ(std::count(all.begin(), all.end(), "GL_NEW_and_odd"), 0);
+}
+
+// An application may keep the pointers of one context's GetString when the next one is current.
+TEST(Identity, EqualOnesAreOneForTheLifeOfTheProcess) {
+  const Identity &first = internIdentity(makeIdentity(caps(), true, {}));
+  const Identity &again = internIdentity(makeIdentity(caps(), true, {}));
+  EXPECT_EQ(&first, &again);
+  EXPECT_NE(&first, &internIdentity(makeIdentity(caps(), true, {nullptr, 2001, 0})));
+  EXPECT_EQ(first.extensions.joined, makeIdentity(caps(), true, {}).extensions.joined);
+}
+
+TEST(Extensions, ACardsYearCutsToo) {
+  fp::hw::Identity c = card();
+  c.year.value = "2001";
+  EXPECT_EQ(makeIdentity(caps(), true, {&c}).extensions.names, Names{"GL_EXT_abgr"});
+}
+
+// Off by one here is a buffer overrun in the program that this is for.
+TEST(Extensions, ALengthIsKeptToTheByteAndCutsBetweenNames) {
+  const std::string whole = makeIdentity(caps(), false, {nullptr, 0, 1u << 20}).extensions.joined;
+  EXPECT_EQ(whole, "GL_EXT_abgr GL_ARB_multitexture GL_KHR_no_error GL_NEW_and_odd ");
+  for (std::uint32_t length = 1; length <= whole.size() + 1; ++length) {
+    const FilteredExtensions cut = makeIdentity(caps(), false, {nullptr, 0, length}).extensions;
+    ASSERT_LE(cut.joined.size(), length);
+    ASSERT_EQ(whole.rfind(cut.joined, 0), 0u) << length;
+    ASSERT_TRUE(cut.joined.empty() || cut.joined.back() == ' ') << length;
+    ASSERT_EQ(std::size_t(std::count(cut.joined.begin(), cut.joined.end(), ' ')), cut.names.size());
+    if (cut.joined.size() < whole.size()) { // the next name would not have fitted
+      ASSERT_GT(whole.find(' ', cut.joined.size()) + 1, length);
+    }
+  }
+}
+
+TEST(ExtensionYears, AreThoseOfTheSpecifications) {
+  EXPECT_EQ(extensionYear("GL_ARB_fragment_program"), 2002u);
+  EXPECT_EQ(extensionYear("GL_ARB_vertex_program"), 2002u);
+  EXPECT_EQ(extensionYear("GL_ATI_fragment_shader"), 2001u);
+  EXPECT_EQ(extensionYear("GL_ARB_multitexture"), 1998u);
+  EXPECT_EQ(extensionYear("GL_KHR_no_error"), 2015u);
+  EXPECT_EQ(extensionYear("GL_ARB_fragment"), std::nullopt);
+  EXPECT_EQ(extensionYear(""), std::nullopt);
+  const char *before = "";
+  std::size_t rows = 0;
+  for (const char *name : {
+#define EXTENSION_YEAR(name, year) name,
+#include "state/core/extension_years.def"
+#undef EXTENSION_YEAR
+       }) {
+    EXPECT_LT(std::string(before), name); // the search is binary
+    before = name;
+    ++rows;
+  }
+  EXPECT_GT(rows, 900u);
+}
+
+// --- As an application asks ---
+
+std::string string(Context &context, GLenum name) {
+  const auto *const text = reinterpret_cast<const char *>(handlers::GetString(context, name));
+  return text ? text : "(null)";
+}
+
+TEST(IdentityQueries, EveryWayToAskAgrees) {
+  FakeHost host;
+  CurrentContext context(host);
+  const fp::hw::Identity c = card();
+  context->identity = &internIdentity(makeIdentity(context->caps, true, {&c}));
+  EXPECT_EQ(string(*context, GL_VENDOR), "ATI Technologies Inc.");
+  EXPECT_EQ(string(*context, GL_RENDERER), "RADEON 9700 Generic");
+  EXPECT_EQ(string(*context, GL_VERSION), "1.3.4510 (X4.3.0-3.12.0)");
+  GLint count = 0, major = 0, minor = 0;
+  handlers::GetIntegerv(*context, GL_NUM_EXTENSIONS, &count);
+  handlers::GetIntegerv(*context, GL_MAJOR_VERSION, &major);
+  handlers::GetIntegerv(*context, GL_MINOR_VERSION, &minor);
+  EXPECT_EQ(major * 10 + minor, 13);
+  std::string joined;
+  for (GLint i = 0; i < count; ++i)
+    joined +=
+        reinterpret_cast<const char *>(handlers::GetStringi(*context, GL_EXTENSIONS, GLuint(i))) +
+        std::string(" ");
+  EXPECT_EQ(joined, string(*context, GL_EXTENSIONS));
+  EXPECT_EQ(joined, "GL_ARB_fragment_program GL_ARB_vertex_program ");
+  EXPECT_EQ(handlers::GetStringi(*context, GL_EXTENSIONS, GLuint(count)), nullptr);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_VALUE));
+}
+
+TEST(IdentityQueries, TheShadingLanguageIsAnErrorWhereTheVersionHasNone) {
+  FakeHost host;
+  CurrentContext context(host);
+  EXPECT_EQ(string(*context, GL_SHADING_LANGUAGE_VERSION), "1.30");
+  const fp::hw::Identity c = card();
+  context->identity = &internIdentity(makeIdentity(context->caps, true, {&c}));
+  EXPECT_EQ(string(*context, GL_SHADING_LANGUAGE_VERSION), "(null)");
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_ENUM));
+}
+
+TEST(IdentityQueries, WithoutSettingsTheHostAnswers) {
+  FakeHost host;
+  CurrentContext context(host);
+  EXPECT_EQ(string(*context, GL_VENDOR), "Fake Inc.");
+  EXPECT_EQ(string(*context, GL_RENDERER), "Fake renderer");
+  EXPECT_EQ(string(*context, GL_VERSION), "3.0 Fake");
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,356 @@
+#include "state/core/lifecycle.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+
+#include "fp_compiler/ati/limits.h"
+#include "host/host_table.h"
+#include "host/null_host.h"
+#include "state/core/active_profile.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/core/garbage.h"
+#include "state/core/memory.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/clip_planes.h"
+#include "state/host_draw/fixed_function.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/variant.h"
+#include "state/lists/list_compiler.h"
+#include "state/mirror/stale.h"
+#include "state/programs/program_api.h"
+#include "state/programs/replacement.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/frame.h"
+#include "state/report/capture.h"
+#include "state/report/statistics.h"
+#include "state/residency/neighbours.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+// Clang 14 takes the strings and vectors of libstdc++ 12 for no literal types. There the null
+// context is made by a constructor of this library, which runs before any entry point of it is
+// called.
+#if defined(__clang__) && __clang_major__ < 15
+#define ARBITER_CONSTINIT
+#define ARBITER_CONSTEXPR
+#else
+#define ARBITER_CONSTINIT constinit
+#define ARBITER_CONSTEXPR constexpr
+#endif
+
+namespace arbiter::state {
+
+namespace {
+
+/// The profile's limits of the target, no higher than the host can keep: what is promised must
+/// draw.
+fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
+  const fp::hw::Profile &profile = activeProfile();
+  const bool vertex = target == Target::Vertex;
+  if (profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram))
+    return queryHostLimits(infoOf(target).name, host, caps);
+  fp::Limits limits = vertex ? profile.vertex : profile.fragment;
+  const auto clamp = [](std::uint32_t &value, GLint host_) {
+    value = std::min(value, std::uint32_t(std::max(host_, 0)));
+  };
+  clamp(limits.textureCoords, caps.maxTextureCoords);
+  clamp(limits.textureImageUnits, caps.maxTextureImageUnits);
+  clamp(limits.textureUnits, caps.maxTextureUnits);
+  clamp(limits.programMatrices, caps.maxProgramMatrices);
+  clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
+  clamp(limits.vertexAttribs, caps.maxVertexAttribs);
+  // These are limits of all drawing, so that the host answers for them unless the card is asked to
+  // (cardValue() in gets.cpp). A program may use what the query promises, no more and no less.
+  if (!settings().identityOfProfile)
+    limits.drawBuffers = limits.clipPlanes = UINT32_MAX;
+  clamp(limits.drawBuffers, caps.maxDrawBuffers);
+  clamp(limits.clipPlanes, caps.maxClipPlanes);
+  // GLSL has no names for them, so that no program could read them.
+  limits.paletteMatrices = 0;
+  limits.vertexUnits = 1;
+  return limits;
+}
+
+/// The target is the layer's from now on.
+void offer(Context &context, Target target, fp::Limits limits) {
+  ProgramTarget &row = context.row(target);
+  row.offered = true;
+  row.env.assign(limits.envParameters, Vec4{});
+  context.group->setDefaultLocals(target, limits.localParameters);
+  row.limits = limits;
+}
+
+/// What this host can be given of the mode that is asked for; said once where it is less.
+fp::Numerics numericsOf(const Context &context) {
+  const fp::Numerics asked = activeNumerics();
+  const fp::Numerics given = fp::numericsOn(glslHost(context.caps), asked);
+  static std::atomic<bool> s_said = false;
+  if (given != asked && !s_said.exchange(true))
+    logWarn("state",
+            "numerics %s needs GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding, which the "
+            "host lacks; going on with %s",
+            std::string(nameOf(asked)).c_str(), std::string(nameOf(given)).c_str());
+  return given;
+}
+
+} // namespace
+
+constexpr Context::Context(NullTag) {
+  host = &host::kNullHost;
+  passThrough = true;
+  drawCounter = &draws[int(Path::NotOffered)];
+}
+
+namespace {
+
+/// The null context, which is never destroyed: entry points may run in other libraries'
+/// destructors.
+struct NullHolder {
+  union {
+    Context context;
+  };
+  ARBITER_CONSTEXPR NullHolder() : context(Context::NullTag{}) {}
+  ARBITER_CONSTEXPR ~NullHolder() {
+  } // NOLINT(modernize-use-equals-default): the union's member stays alive
+};
+
+ARBITER_CONSTINIT NullHolder g_null;
+
+} // namespace
+
+thread_local ContextHot *t_current __attribute__((tls_model("initial-exec"))) = &g_null.context;
+
+Context &nullContext() { return g_null.context; }
+
+Context *currentContext() {
+  auto *const context = static_cast<Context *>(t_current);
+  return context == &g_null.context ? nullptr : context;
+}
+
+Context::Context(Provider contextProvider, const host::HostTable *table,
+                 std::shared_ptr<ShareGroup> shareGroup)
+    : provider(contextProvider), group(std::move(shareGroup)),
+      variants(std::make_unique<VariantCache>()),
+      samplerOverride(std::make_unique<SamplerOverride>()),
+      hostAssembly(std::make_unique<HostAssembly>()), list(std::make_unique<ListCompiler>()) {
+  host = table;
+  passThrough = true; // until it is first current
+  drawCounter = &draws[std::size_t(Path::NotOffered)];
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    targets[i].target = Target(i);
+    targets[i].bound = group->defaultProgram(Target(i));
+    targets[i].parameterBits =
+        Target(i) == Target::Vertex ? attention::kVertexParameters : attention::kFragmentParameters;
+  }
+  software::addNeighbour(*this); // or there is no memory, and no context
+  group->contexts.fetch_add(1);
+}
+
+Context::~Context() {
+  if (!group)
+    return;
+  software::removeNeighbour(*this);
+  group->contexts.fetch_sub(1);
+  try {
+    VariantCache::Names names = variants->abandon();
+    group->addGarbage({std::move(names.programs), std::move(names.shaders),
+                       samplerOverride->abandon(), hostAssembly->abandon()});
+  } catch (const std::exception &) { // they stay in the host until the share group is gone
+  }
+}
+
+namespace {
+
+/// Asks the host for limits and extensions; the context is current. Called once.
+void initialise(Context &context) {
+  context.initialised = true;
+  const HostErrorScope scope(*context.host, context.pendingError);
+  context.caps = queryHostCaps(*context.host);
+  if (!context.caps.compatibility) {
+    logInfo("state", "context %u: passed through: %s", context.serial, context.caps.obstacle());
+    return;
+  }
+  if (const char *obstacle = context.caps.obstacle())
+    logWarn("state", "context %u: no ARB programs here: %s", context.serial, obstacle);
+  context.passThrough = false;
+  context.numerics = numericsOf(context);
+  context.offered = context.caps.obstacle() == nullptr;
+  for (const Target target : {Target::Fragment, Target::Vertex})
+    offer(context, target, limitsOf(target, *context.host, context.caps));
+  if (context.offered) {
+    const fp::Limits limits = fp::ati::limitsOf(context.row(Target::Fragment).limits);
+    offer(context, Target::AtiText, limits);
+    offer(context, Target::AtiApi, limits);
+  }
+  context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
+  context.path = Path::NoProgram;
+  context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
+}
+
+/// A context that is half made is none: the next make-current tries again.
+void initialiseWhole(Context &context) {
+  try {
+    initialise(context);
+  } catch (const std::exception &) {
+    context.initialised = context.offered = false;
+    context.passThrough = true;
+    throw;
+  }
+}
+
+/// Guards currentCount and destroyed of all contexts; taken by create, destroy and make-current
+/// only.
+std::mutex g_lifecycle;
+
+void release(Context *context) {
+  bool dead = false;
+  {
+    const std::lock_guard lock(g_lifecycle);
+    dead = context->destroyed && context->currentCount == 0;
+  }
+  if (!dead)
+    return;
+  logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
+  // Neither can be told of all of it, and one that fails must not keep the other from forgetting.
+  const auto tell = [&](void (*note)(Context &)) {
+    try {
+      note(*context);
+    } catch (const std::exception &) {
+    }
+  };
+  tell([](Context &gone) { noteContextDestroyed(gone); });
+  tell([](Context &gone) { captureContextGone(gone); });
+  delete context;
+}
+
+} // namespace
+
+Context *createContext(Provider provider, const host::HostTable *table, Context *share) {
+  // What was finished before there was another context to see it must be with the host, too.
+  if (share && currentContext() && currentContext()->group == share->group)
+    exchange(Exchange::Read, "a context is made that shares");
+  auto context = std::make_unique<Context>(provider, table,
+                                           share ? share->group : std::make_shared<ShareGroup>());
+  noteContextCreated(*context);
+  if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
+    context->pendingError = GL_NO_ERROR; // a capture without this context, and no error of its own
+  logFlag(DebugFlag::Contexts, "state", "context %u: created%s", context->serial,
+          share ? ", shared" : "");
+  return context.release();
+}
+
+void leaveCurrent() {
+  Context *const context = currentContext();
+  if (context)
+    withinMemory(*context, "MakeCurrent", [&] {
+      if (context->software)
+        context->software->residency.leave();
+    });
+}
+
+bool exchange(Exchange what, const char *name) {
+  Context *const context = currentContext();
+  if (!context || !context->softwarePossible || context->insideBeginEnd || context->listMode != 0)
+    return false;
+  bool isShown = false;
+  withinMemory(*context, name, [&] {
+    switch (what) {
+    case Exchange::Present:
+      isShown = software::presentFrame(*context);
+      break;
+    case Exchange::Flush:
+      context->software->residency.flush(false);
+      break;
+    case Exchange::Read:
+      context->software->residency.synchronise(name);
+      break;
+    case Exchange::Change:
+      context->software->residency.hostDoesAnything(name);
+      break;
+    }
+  });
+  return isShown;
+}
+
+void hostSwaps() {
+  Context *const context = currentContext();
+  if (context && context->software)
+    context->software->residency.hostSwaps();
+}
+
+void makeCurrent(Context *context, const software::Drawable *drawable) {
+  Context *const old = currentContext();
+  if (old != context) {
+    bool leaves = false;
+    {
+      const std::lock_guard lock(g_lifecycle);
+      if (context)
+        ++context->currentCount;
+      leaves = old && --old->currentCount == 0;
+    }
+    if (leaves)
+      software::ceasesToBeCurrent(*old);
+    t_current = context ? context : &g_null.context;
+    if (context)
+      logFlag(DebugFlag::Contexts, "state", "context %u: current", context->serial);
+    else
+      logFlag(DebugFlag::Contexts, "state", "no context is current");
+    if (old)
+      release(old);
+  } else if (context) {
+    software::ceasesToBeCurrent(*context); // it may have another drawable
+  }
+  if (context) {
+    context->drawable = drawable ? *drawable : software::Drawable{};
+    software::becomesCurrent(*context);
+  }
+  if (context && !context->initialised) {
+    initialiseWhole(*context);
+    noteProgress(*context);
+  } else if (context && context->group->hasGarbage() && !context->listMode)
+    collectGarbage(*context);
+  if (!context)
+    return;
+  // A context that was made since may load programs that are bound here.
+  if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
+      (context->attention & attention::kShared) == 0)
+    invalidateProgram(*context);
+  if (context->software)
+    context->software->residency.enter(context->drawable);
+}
+
+void destroyContext(Context *context) {
+  {
+    const std::lock_guard lock(g_lifecycle);
+    context->destroyed = true;
+  }
+  release(context);
+}
+
+void copyContext(const Context &from, Context &to, std::uint32_t mask) {
+  noteFixedFunctionChange(to);
+  to.stale = software::stale::kAll;
+  if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
+    copyClipPlanes(from, to);
+  if ((mask & GL_ENABLE_BIT) == 0)
+    return;
+  for (ProgramTarget &row : to.targets)
+    setEnabled(to, row, from.row(row.target).enabled);
+}
+
+void frameEnd(Context *context) {
+  if (!context)
+    return;
+  withinMemory(*context, "SwapBuffers", [&] {
+    captureFrame(*context);
+    ++context->frames;
+    noteProgress(*context);
+    refreshReplacements(*context);
+  });
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/limits.h"
+#include "state/programs/program_object.h"
+
+namespace arbiter::state {
+
+/// What the specifications say of a program target, whatever the context.
+struct TargetInfo {
+  GLenum name; ///< as Enable takes it, and every entry point of the program API (not AtiApi's)
+  fp::ir::Language language;
+  const char *word;      ///< in statistics and logs
+  const char *extension; ///< of a text's file name; empty: has no text
+};
+inline constexpr TargetInfo kTargets[kTargetCount] = {
+    {GL_FRAGMENT_PROGRAM_ARB, fp::ir::Language::ArbFragment, "fragment", ".fp"},
+    {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex", ".vp"},
+    {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
+    {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
+};
+[[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
+  return kTargets[std::size_t(target)];
+}
+
+/// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".
+[[nodiscard]] inline std::string textFileName(Target target, const Hash128 &hash) {
+  return toHex(hash) + infoOf(target).extension;
+}
+
+/// A program target of a context: one row of Context::targets. All that the program API keeps for a
+/// target is here, so that each of its commands is written once.
+struct ProgramTarget {
+  Target target = Target::Fragment;
+  /// The target is the layer's in this context; else its commands are the host's to answer.
+  bool offered = false;
+  bool enabled = false;
+  /// Bits of ContextHot::attention that a change of an env or a local parameter sets.
+  std::uint32_t parameterBits = 0;
+  /// The version of `bound` that was last looked at.
+  std::uint32_t seenVersion = 0;
+  std::shared_ptr<ProgramObject> bound; ///< never null in a context that is not the null one
+  std::vector<Vec4> env;
+  std::uint32_t envVersion = 0; ///< counts changes of `env`
+  fp::Limits limits;            ///< as GetProgramiv answers them and the compiler enforces them
+
+  [[nodiscard]] const TargetInfo &info() const { return infoOf(target); }
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,67 @@
+// Begin and End: a primitive goes to the host vertex by vertex, or is kept back for the rasterizer.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/host_draw/draw.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/lists/list_compiler.h"
+#include "state/raster_draw/commands.h"
+#include "state/raster_draw/draw.h"
+#include "state/raster_draw/replay.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The primitive is recorded, to be drawn by us.
+bool keepsBack(Context &context, GLenum mode) {
+  if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
+    return false;
+  if (!validatePrograms(context) || !context.softwarePossible || !software::begin(context, mode))
+    return false;
+  software::startRecording(context);
+  return true;
+}
+
+} // namespace
+
+namespace handlers {
+
+void Begin(Context &context, GLenum mode) {
+  if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
+    return;
+  if (software::mayDraw(context) && keepsBack(context, mode))
+    return;
+  if (context.attention && !beginDraw(context)) [[unlikely]]
+    return;
+  ++*context.drawCounter;
+  if (context.listMode)
+    context.list->notePixels();
+  context.host->Begin(mode);
+  if (mode > GL_POLYGON)
+    return; // opens nothing
+  if (context.listMode)
+    context.list->notePrimitive(Primitive::Open);
+  if (context.listMode != GL_COMPILE && !context.hostAssembly->refuses())
+    context.insideBeginEnd = true;
+}
+
+void End(Context &context) {
+  if (context.listMode != 0 && context.list->recordsPrimitive())
+    return context.list->endPrimitive(context);
+  if (context.recorder) {
+    software::stopRecording(context);
+    context.insideBeginEnd = false;
+    return software::end(context);
+  }
+  if (context.listMode)
+    context.list->notePixels();
+  context.host->End();
+  if (context.listMode)
+    context.list->notePrimitive(Primitive::Closed);
+  if (context.listMode != GL_COMPILE)
+    context.insideBeginEnd = false;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

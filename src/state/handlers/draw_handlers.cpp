@@ -1,0 +1,114 @@
+// What stands before and behind the host's draws: each finds what is in force validated, or is
+// refused. Other commands that care for the program in force are here too.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/draw.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_api.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// As validate(), for commands that transform no vertex: whether a vertex program is valid does not
+/// matter to them (ARB_vertex_program 2.14.4).
+bool validatePixels(Context &context) {
+  if (validate(context))
+    return true;
+  ProgramTarget &vertex = context.row(Target::Vertex);
+  if (!vertex.enabled)
+    return false;
+  setEnabled(context, vertex, false);
+  const bool valid = validate(context);
+  setEnabled(context, vertex, true); // and the next draw looks again
+  return valid;
+}
+
+/// A draw while a list is compiled. COMPILE records it as it is; COMPILE_AND_EXECUTE executes it
+/// too, with what was validated when the segment was opened; where that is not valid the host
+/// refuses it, and records it all the same.
+void prepareListDraw(Context &context) {
+  if (context.listMode != GL_COMPILE_AND_EXECUTE)
+    return;
+  const std::uint32_t rest = context.attention & ~attention::kList;
+  if (rest == 0 || (rest == attention::kInvalid && context.hostAssembly->refuses()))
+    return;
+  // Validation calls the host, and none of that belongs into the application's list: the segment
+  // that is opened behind this has it.
+  context.list->outside(context, [] {});
+}
+
+using Validate = bool (*)(Context &);
+
+bool begin(Context &context, Validate validateDraw) {
+  if (context.passThrough || context.insideBeginEnd)
+    return true; // a draw between Begin and End is the host's error to raise
+  if (context.listMode) {
+    prepareListDraw(context);
+    return true;
+  }
+  if (validateDraw(context)) [[likely]]
+    return true;
+  ++*context.drawCounter;
+  raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
+  return false;
+}
+
+} // namespace
+
+namespace handlers {
+
+bool beginDraw(Context &context) { return begin(context, validate); }
+bool beginPixels(Context &context) { return begin(context, validatePixels); }
+
+bool beginRasterPos(Context &context) {
+  if (!beginDraw(context))
+    return false;
+  // The raster position keeps each result of the vertex program, whatever the fragment program in
+  // force reads of them now.
+  if (context.stagesAreLinked && !context.insideBeginEnd && context.listMode == 0) {
+    // Mesa gathers bitmaps, and would draw them with the program that is current when it ends.
+    context.host->Flush();
+    context.vertexResultsMatter = true;
+    invalidateProgram(context);
+    (void)validate(context);
+    context.vertexResultsMatter = false;
+    invalidateProgram(context);
+  }
+  return true;
+}
+
+GLint RenderMode(Context &context, GLenum mode) {
+  const GLint result = context.host->RenderMode(mode);
+  if (context.insideBeginEnd)
+    return result;
+  GLint current = GL_RENDER;
+  context.host->GetIntegerv(GL_RENDER_MODE, &current);
+  if (context.rasterizes != (current == GL_RENDER)) {
+    context.rasterizes = current == GL_RENDER;
+    invalidateProgram(context);
+  }
+  return result;
+}
+
+void restoreApplicationProgram(Context &context) {
+  if (!context.hostProgramIsOurs)
+    return;
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    context.list->outside(context, [&] { releaseHostState(context); });
+  else
+    releaseHostState(context);
+  invalidateProgram(context);
+}
+
+GLuint guardName(Context &context, GLuint name) {
+  // No host gives so high a name; as a program or shader it is unknown, as ours must seem.
+  constexpr GLuint kUnknown = 0xFFFFFFF0u;
+  return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,292 @@
+// The commands of ATI_fragment_shader (3.8.11). Bind and SetFragmentShaderConstant are compiled
+// into display lists; the others are executed at once (5.4).
+#include <algorithm>
+
+#include "fp_compiler/ati/lower.h"
+#include "fp_compiler/ir/print.h"
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/ati_forms.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/ati_recorder.h"
+#include "state/programs/program_api.h"
+#include "state/report/statistics.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using fp::ati::SetupKind;
+using RawOperation = AtiRecorder::RawOperation;
+
+ProgramTarget &shaderRow(Context &context) { return context.row(Target::AtiApi); }
+
+bool offered(const Context &context) { return context.row(Target::AtiApi).offered; }
+
+/// For commands that must be outside of a Begin/EndFragmentShader pair.
+bool outsidePair(Context &context, const char *command) {
+  if (!outsideBeginEnd(context, command))
+    return false;
+  if (!context.atiRecorder)
+    return true;
+  raise(context, GL_INVALID_OPERATION, command);
+  return false;
+}
+
+/// The recorder of the open pair; null, after an error, where there is none.
+AtiRecorder *insidePair(Context &context, const char *command) {
+  if (!outsideBeginEnd(context, command))
+    return nullptr;
+  if (!context.atiRecorder)
+    raise(context, GL_INVALID_OPERATION, command);
+  return context.atiRecorder.get();
+}
+
+void judge(Context &context, const AtiRecorder::Verdict &verdict) {
+  if (verdict.error != GL_NO_ERROR)
+    raise(context, verdict.error, verdict.why);
+}
+
+void setup(Context &context, SetupKind kind, const char *command, GLuint dst, GLuint source,
+           GLenum swizzle) {
+  if (AtiRecorder *const recorder = insidePair(context, command))
+    judge(context, recorder->setup(kind, dst, source, swizzle));
+}
+
+void operation(Context &context, const RawOperation &raw) {
+  if (AtiRecorder *const recorder =
+          insidePair(context, raw.alpha ? "AlphaFragmentOp outside Begin/EndFragmentShader"
+                                        : "ColorFragmentOp outside Begin/EndFragmentShader"))
+    judge(context, recorder->operation(raw));
+}
+
+std::shared_ptr<const CompiledProgram> compileShader(const Context &context,
+                                                     const fp::ati::Shader &shader) {
+  auto compiled = std::make_shared<CompiledProgram>();
+  compiled->target = Target::AtiApi;
+  fp::ir::Program program =
+      fp::ati::lower(shader, {.registerRange = context.row(Target::AtiApi).limits.atiRegisterRange,
+                              .clampConstants = false});
+  const std::string listing = fp::ir::print(program);
+  compiled->hash = hashBytes(listing);
+  compiled->underNativeLimits = true;
+  if (debugFlag(DebugFlag::Ir))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
+  compiled->ati = std::make_shared<const AtiForms>(std::move(program), glslHost(context.caps),
+                                                   context.numerics);
+  return compiled;
+}
+
+/// The bound shader becomes `compiled`, or undefined if that is null.
+void replaceShader(Context &context, std::shared_ptr<const CompiledProgram> compiled) {
+  ProgramTarget &row = shaderRow(context);
+  const auto old = context.group->compiledOf(*row.bound);
+  context.group->setCompiled(*row.bound, std::move(compiled));
+  invalidateProgram(context);
+  if (old)
+    dropVariants(context, *old);
+}
+
+} // namespace
+
+void bindFragmentShader(Context &context, GLuint name) {
+  if (context.atiRecorder)
+    return raise(context, GL_INVALID_OPERATION,
+                 "BindFragmentShader between Begin- and EndFragmentShader");
+  ProgramTarget &row = shaderRow(context);
+  auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
+  if (!recent || recent->name != name || recent->target != Target::AtiApi ||
+      recent->deleted.load(std::memory_order_acquire))
+    recent = name == 0 ? context.group->defaultProgram(Target::AtiApi)
+                       : context.group->fragmentShaders.findOrCreate(name);
+  if (row.bound == recent && row.seenVersion == recent->version.load(std::memory_order_acquire))
+    return;
+  row.bound = recent;
+  invalidateProgram(context);
+}
+
+void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value) {
+  if (context.atiRecorder)
+    return context.atiRecorder->setConstant(constant, value);
+  setEnv(context, shaderRow(context), GLuint(constant), 1, &value);
+}
+
+namespace handlers {
+
+GLuint GenFragmentShadersATI(Context &context, GLuint range) {
+  if (!offered(context))
+    return context.host->GenFragmentShadersATI(range);
+  if (!outsidePair(context, "GenFragmentShaders between Begin- and EndFragmentShader"))
+    return 0;
+  if (range == 0) {
+    raise(context, GL_INVALID_VALUE, "GenFragmentShaders: the range is 0");
+    return 0;
+  }
+  return context.group->fragmentShaders.generate(range);
+}
+
+void BindFragmentShaderATI(Context &context, GLuint id) {
+  if (!offered(context))
+    return context.host->BindFragmentShaderATI(id);
+  if (!outsideBeginEnd(context, "BindFragmentShader between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list->record(
+        context,
+        {.kind = Command::Kind::BindProgram, .target = infoOf(Target::AtiApi).name, .name = id});
+  bindFragmentShader(context, id);
+}
+
+void DeleteFragmentShaderATI(Context &context, GLuint id) {
+  if (!offered(context))
+    return context.host->DeleteFragmentShaderATI(id);
+  if (!outsidePair(context, "DeleteFragmentShader between Begin- and EndFragmentShader") || id == 0)
+    return;
+  const std::shared_ptr<ProgramObject> object = context.group->fragmentShaders.remove(id);
+  if (!object)
+    return;
+  ProgramTarget &row = shaderRow(context);
+  if (row.bound == object) {
+    row.bound = context.group->defaultProgram(Target::AtiApi);
+    invalidateProgram(context);
+  }
+  // Other contexts may have it bound; their variants go when they are swept.
+  if (const auto compiled = context.group->compiledOf(*object))
+    dropVariants(context, *compiled);
+}
+
+void BeginFragmentShaderATI(Context &context) {
+  if (!offered(context))
+    return context.host->BeginFragmentShaderATI();
+  if (!outsidePair(context, "BeginFragmentShader between Begin- and EndFragmentShader"))
+    return;
+  const fp::Limits &limits = shaderRow(context).limits;
+  context.atiRecorder = std::make_unique<AtiRecorder>(
+      std::min(limits.textureImageUnits, limits.textureUnits), limits.textureCoords);
+}
+
+void EndFragmentShaderATI(Context &context) {
+  if (!offered(context))
+    return context.host->EndFragmentShaderATI();
+  if (!insidePair(context, "EndFragmentShader without BeginFragmentShader"))
+    return;
+  // An error closes the pair too, and so does memory that runs out.
+  const std::unique_ptr<AtiRecorder> recorder = std::move(context.atiRecorder);
+  const AtiRecorder::Verdict verdict = recorder->end();
+  const bool valid = verdict.error == GL_NO_ERROR;
+  auto compiled = valid ? compileShader(context, recorder->shader()) : nullptr;
+  noteFragmentShader(context, *shaderRow(context).bound, compiled.get(), verdict.why);
+  replaceShader(context, std::move(compiled));
+  judge(context, verdict);
+}
+
+void PassTexCoordATI(Context &context, GLuint dst, GLuint coord, GLenum swizzle) {
+  if (!offered(context))
+    return context.host->PassTexCoordATI(dst, coord, swizzle);
+  setup(context, SetupKind::PassTexCoord, "PassTexCoord outside Begin/EndFragmentShader", dst,
+        coord, swizzle);
+}
+
+void SampleMapATI(Context &context, GLuint dst, GLuint interp, GLenum swizzle) {
+  if (!offered(context))
+    return context.host->SampleMapATI(dst, interp, swizzle);
+  setup(context, SetupKind::SampleMap, "SampleMap outside Begin/EndFragmentShader", dst, interp,
+        swizzle);
+}
+
+void ColorFragmentOp1ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
+                         GLuint arg1, GLuint arg1Rep, GLuint arg1Mod) {
+  if (!offered(context))
+    return context.host->ColorFragmentOp1ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod);
+  operation(context, {false, 1, op, dst, dstMask, dstMod, {{{arg1, arg1Rep, arg1Mod}}}});
+}
+
+void ColorFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
+                         GLuint arg1, GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
+                         GLuint arg2Mod) {
+  if (!offered(context))
+    return context.host->ColorFragmentOp2ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod, arg2,
+                                             arg2Rep, arg2Mod);
+  operation(
+      context,
+      {false, 2, op, dst, dstMask, dstMod, {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}}}});
+}
+
+void ColorFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMask, GLuint dstMod,
+                         GLuint arg1, GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
+                         GLuint arg2Mod, GLuint arg3, GLuint arg3Rep, GLuint arg3Mod) {
+  if (!offered(context))
+    return context.host->ColorFragmentOp3ATI(op, dst, dstMask, dstMod, arg1, arg1Rep, arg1Mod, arg2,
+                                             arg2Rep, arg2Mod, arg3, arg3Rep, arg3Mod);
+  operation(context,
+            {false,
+             3,
+             op,
+             dst,
+             dstMask,
+             dstMod,
+             {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}, {arg3, arg3Rep, arg3Mod}}}});
+}
+
+void AlphaFragmentOp1ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
+                         GLuint arg1Rep, GLuint arg1Mod) {
+  if (!offered(context))
+    return context.host->AlphaFragmentOp1ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod);
+  operation(context, {true, 1, op, dst, GL_NONE, dstMod, {{{arg1, arg1Rep, arg1Mod}}}});
+}
+
+void AlphaFragmentOp2ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
+                         GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
+                         GLuint arg2Mod) {
+  if (!offered(context))
+    return context.host->AlphaFragmentOp2ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod, arg2, arg2Rep,
+                                             arg2Mod);
+  operation(
+      context,
+      {true, 2, op, dst, GL_NONE, dstMod, {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}}}});
+}
+
+void AlphaFragmentOp3ATI(Context &context, GLenum op, GLuint dst, GLuint dstMod, GLuint arg1,
+                         GLuint arg1Rep, GLuint arg1Mod, GLuint arg2, GLuint arg2Rep,
+                         GLuint arg2Mod, GLuint arg3, GLuint arg3Rep, GLuint arg3Mod) {
+  if (!offered(context))
+    return context.host->AlphaFragmentOp3ATI(op, dst, dstMod, arg1, arg1Rep, arg1Mod, arg2, arg2Rep,
+                                             arg2Mod, arg3, arg3Rep, arg3Mod);
+  operation(context,
+            {true,
+             3,
+             op,
+             dst,
+             GL_NONE,
+             dstMod,
+             {{{arg1, arg1Rep, arg1Mod}, {arg2, arg2Rep, arg2Mod}, {arg3, arg3Rep, arg3Mod}}}});
+}
+
+void SetFragmentShaderConstantATI(Context &context, GLuint dst, const GLfloat *value) {
+  if (!offered(context))
+    return context.host->SetFragmentShaderConstantATI(dst, value);
+  if (!outsideBeginEnd(context, "SetFragmentShaderConstant between Begin and End"))
+    return;
+  const int constant = atiConstant(dst);
+  if (constant < 0)
+    return raise(context, GL_INVALID_ENUM, "SetFragmentShaderConstant: dst is no constant");
+  if (!value)
+    return;
+  const Vec4 values = {value[0], value[1], value[2], value[3]};
+  if (!context.listMode)
+    return setFragmentShaderConstant(context, constant, values);
+  noteProgramApiUse(context);
+  Command command{
+      .kind = Command::Kind::Env, .target = infoOf(Target::AtiApi).name, .name = GLuint(constant)};
+  command.count = 1;
+  command.values.assign(1, values);
+  context.list->record(context, std::move(command));
+}
+
+} // namespace handlers
+} // namespace arbiter::state

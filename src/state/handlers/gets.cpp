@@ -1,0 +1,253 @@
+// Get, GetString and GetStringi: the few values that are ours, or that our host objects would show.
+#include <algorithm>
+#include <climits>
+#include <type_traits>
+
+#include "GL/arbiter.h"
+#include "fp_compiler/ati/shader.h"
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/host_draw/draw.h"
+#include "state/host_draw/sampler_override.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_api.h"
+#include "state/raster_draw/context_state.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The values of ATI_fragment_shader: all but the enable are fixed (Deprecated Functionality).
+bool fragmentShaderValue(const ProgramTarget &row, GLenum pname, GLint &value) {
+  constexpr GLint kComponents = 3;
+  switch (pname) {
+  case infoOf(Target::AtiApi).name:
+    value = row.enabled ? 1 : 0;
+    break;
+  case GL_NUM_FRAGMENT_REGISTERS_ATI:
+    value = fp::ati::kRegisters;
+    break;
+  case GL_NUM_FRAGMENT_CONSTANTS_ATI:
+    value = fp::ati::kConstants;
+    break;
+  case GL_NUM_PASSES_ATI:
+    value = fp::ati::kMaxPasses;
+    break;
+  case GL_NUM_INSTRUCTIONS_PER_PASS_ATI:
+    value = fp::ati::kMaxPairs;
+    break;
+  case GL_NUM_INSTRUCTIONS_TOTAL_ATI:
+    value = fp::ati::kMaxPasses * fp::ati::kMaxPairs;
+    break;
+  case GL_COLOR_ALPHA_PAIRING_ATI:
+    value = GL_TRUE;
+    break;
+  default: // of interpolators, and from pass to pass
+    value = kComponents;
+  }
+  return row.offered;
+}
+
+/// Limits of more than programs, which are the card's only under ARBITER_IDENTITY=profile: a newer
+/// application that draws without programs would lose by them. The context's rows are no higher
+/// than what the host can do.
+bool cardValue(const Context &context, GLenum pname, GLint &value) {
+  if (!settings().identityOfProfile || !context.offered)
+    return false;
+  const fp::Limits &fragment = context.row(Target::Fragment).limits;
+  const fp::Limits &vertex = context.row(Target::Vertex).limits;
+  const auto give = [&](std::uint32_t limit) {
+    value = GLint(limit);
+    return true;
+  };
+  switch (pname) {
+  case GL_MAX_DRAW_BUFFERS:
+    return give(fragment.drawBuffers);
+  case GL_MAX_CLIP_PLANES:
+    return give(fragment.clipPlanes);
+  case GL_MAX_LIGHTS:
+    return give(fragment.lights);
+  case GL_MAX_PROGRAM_MATRICES_ARB:
+    return give(fragment.programMatrices);
+  case GL_MAX_PROGRAM_MATRIX_STACK_DEPTH_ARB:
+    return give(fragment.programMatrixStackDepth);
+  case GL_MAX_VERTEX_ATTRIBS:
+    return give(vertex.vertexAttribs);
+  default:
+    return false;
+  }
+}
+
+/// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
+/// show our objects is put back.
+bool ownValue(Context &context, GLenum pname, GLint &value) {
+  switch (pname) {
+  case infoOf(Target::Fragment).name:
+  case infoOf(Target::Vertex).name:
+  case infoOf(Target::AtiText).name:
+    if (const ProgramTarget *const row = rowOf(context, pname)) {
+      value = row->enabled ? 1 : 0;
+      return true;
+    }
+    return false;
+  case infoOf(Target::AtiApi).name:
+  case GL_NUM_FRAGMENT_REGISTERS_ATI:
+  case GL_NUM_FRAGMENT_CONSTANTS_ATI:
+  case GL_NUM_PASSES_ATI:
+  case GL_NUM_INSTRUCTIONS_PER_PASS_ATI:
+  case GL_NUM_INSTRUCTIONS_TOTAL_ATI:
+  case GL_NUM_INPUT_INTERPOLATOR_COMPONENTS_ATI:
+  case GL_NUM_LOOPBACK_COMPONENTS_ATI:
+  case GL_COLOR_ALPHA_PAIRING_ATI:
+    return fragmentShaderValue(context.row(Target::AtiApi), pname, value);
+  case GL_PROGRAM_ERROR_POSITION_ARB:
+    value = context.errorPosition;
+    return true;
+  case GL_MAX_TEXTURE_COORDS:
+    value = GLint(context.row(Target::Fragment).limits.textureCoords);
+    return true;
+  case GL_MAX_TEXTURE_IMAGE_UNITS:
+    value = GLint(context.row(Target::Fragment).limits.textureImageUnits);
+    return true;
+  case GL_MAX_TEXTURE_UNITS:
+    value = GLint(context.row(Target::Fragment).limits.textureUnits);
+    return true;
+  case GL_LIST_INDEX:
+    if (!context.listMode)
+      return false;
+    value = GLint(context.list->name());
+    return true;
+  case GL_NUM_EXTENSIONS:
+    if (context.caps.major < 3)
+      return false;
+    value = GLint(applicationIdentity(context).extensions.names.size());
+    return true;
+  case GL_MAJOR_VERSION:
+  case GL_MINOR_VERSION: {
+    const Identity &identity = applicationIdentity(context);
+    if (context.caps.major < 3 || identity.major == 0)
+      return false;
+    value = pname == GL_MAJOR_VERSION ? identity.major : identity.minor;
+    return true;
+  }
+  case GL_FEEDBACK_COPIES_ARBITER:
+    value = GLint(std::min<std::uint64_t>(context.feedback.copies(), INT_MAX));
+    return context.offered;
+  case GL_FEEDBACK_COPIES_AVOIDED_ARBITER:
+    value = context.software ? GLint(std::min<std::uint64_t>(
+                                   context.software->residency.statistics().copiesShared, INT_MAX))
+                             : 0;
+    return context.offered;
+  case GL_CURRENT_PROGRAM: // ours is current only where the application has none
+    if (!context.hostProgramIsOurs)
+      return false;
+    value = 0;
+    return true;
+  case GL_SAMPLER_BINDING:
+    if (context.samplerOverride->active())
+      releaseSamplers(context);
+    return false;
+  default:
+    return cardValue(context, pname, value);
+  }
+}
+
+template <typename T> void give(GLint value, T *data) {
+  if constexpr (std::is_same_v<T, GLboolean>)
+    *data = value != 0 ? GL_TRUE : GL_FALSE;
+  else
+    *data = T(value);
+}
+
+template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
+  GLint value = 0;
+  if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]
+    return host(pname, data);
+  give(value, data);
+}
+
+} // namespace
+
+const Identity &applicationIdentity(Context &context) {
+  if (!context.identity) {
+    context.identity = &internIdentity(
+        makeIdentity(context.caps, context.caps.obstacle() == nullptr, identityRules()));
+    logInfo("state", "context %u: %zu extensions are announced", context.serial,
+            context.identity->extensions.names.size());
+  }
+  return *context.identity;
+}
+
+namespace {
+
+const GLubyte *ownOrHost(const Context &context, GLenum name, const std::string &own) {
+  return own.empty() ? context.host->GetString(name)
+                     : reinterpret_cast<const GLubyte *>(own.c_str());
+}
+
+const GLubyte *shadingLanguage(Context &context, const Identity &identity) {
+  if (!identity.hidesShadingLanguage)
+    return ownOrHost(context, GL_SHADING_LANGUAGE_VERSION, identity.shadingLanguage);
+  raise(context, GL_INVALID_ENUM, "GetString: SHADING_LANGUAGE_VERSION needs OpenGL 2.0");
+  return nullptr;
+}
+
+} // namespace
+
+namespace handlers {
+
+void GetIntegerv(Context &context, GLenum pname, GLint *data) {
+  get(context, pname, data, context.host->GetIntegerv);
+}
+void GetFloatv(Context &context, GLenum pname, GLfloat *data) {
+  get(context, pname, data, context.host->GetFloatv);
+}
+void GetDoublev(Context &context, GLenum pname, GLdouble *data) {
+  get(context, pname, data, context.host->GetDoublev);
+}
+void GetBooleanv(Context &context, GLenum pname, GLboolean *data) {
+  get(context, pname, data, context.host->GetBooleanv);
+}
+void GetInteger64v(Context &context, GLenum pname, GLint64 *data) {
+  get(context, pname, data, context.host->GetInteger64v);
+}
+
+const GLubyte *GetString(Context &context, GLenum name) {
+  if (context.insideBeginEnd)
+    return context.host->GetString(name);
+  if (name == GL_PROGRAM_ERROR_STRING_ARB)
+    return reinterpret_cast<const GLubyte *>(context.errorString.c_str());
+  if (!context.initialised)
+    return context.host->GetString(name);
+  const Identity &identity = applicationIdentity(context);
+  switch (name) {
+  case GL_EXTENSIONS:
+    return reinterpret_cast<const GLubyte *>(identity.extensions.joined.c_str());
+  case GL_VENDOR:
+    return ownOrHost(context, name, identity.vendor);
+  case GL_RENDERER:
+    return ownOrHost(context, name, identity.renderer);
+  case GL_VERSION:
+    return ownOrHost(context, name, identity.version);
+  case GL_SHADING_LANGUAGE_VERSION:
+    return shadingLanguage(context, identity);
+  default:
+    return context.host->GetString(name);
+  }
+}
+
+const GLubyte *GetStringi(Context &context, GLenum name, GLuint index) {
+  if (name != GL_EXTENSIONS || context.insideBeginEnd || context.caps.major < 3)
+    return context.host->GetStringi(name, index);
+  const auto &names = applicationIdentity(context).extensions.names;
+  if (index < names.size())
+    return reinterpret_cast<const GLubyte *>(names[index].c_str());
+  raise(context, GL_INVALID_VALUE, "GetStringi: index");
+  return nullptr;
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,112 @@
+// The entry points of display lists (5.4). Lists without a command of ours are the host's, whole.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/draw.h"
+#include "state/lists/list_compiler.h"
+#include "state/mirror/stale.h"
+#include "state/programs/program_api.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state::handlers {
+
+namespace {
+
+/// Nested calls are recorded by us once the group uses programs: what they call may hold our
+/// commands when the outer list is executed. Before, lists stay the host's, whole, and only their
+/// effect on the attribute stack is asked for when they were executed.
+bool recordsCalls(Context &context) {
+  if (context.listMode == 0)
+    return false;
+  const ShareGroup &group = *context.group;
+  if (group.programApiUsed.load(std::memory_order_relaxed) || !group.lists.empty())
+    return true;
+  context.group->hostListsNest.store(true, std::memory_order_relaxed);
+  return false;
+}
+
+} // namespace
+
+void NewList(Context &context, GLuint list, GLenum mode) {
+  const bool legal = !context.insideBeginEnd && context.listMode == 0 && list != 0 &&
+                     (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
+  if (!legal)
+    return context.host->NewList(list, mode); // raises the error
+  // While a list is executed as it is compiled nothing is ours. One that is only compiled leaves
+  // pixels alone, but for commands that are executed at once.
+  if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
+    context.software->residency.hostDoesAnything("glNewList");
+  else if (context.softwarePossible)
+    context.software->residency.synchronise("glNewList");
+  context.list->begin(context, list, mode);
+}
+
+void EndList(Context &context) {
+  context.list->settle(context);
+  if (context.listMode == 0 || context.insideBeginEnd)
+    return context.host->EndList();
+  context.list->end(context);
+}
+
+void CallList(Context &context, GLuint list) {
+  context.list->settle(context);
+  if (recordsCalls(context) && !context.insideBeginEnd)
+    return context.list->record(context, {.kind = Command::Kind::CallList, .name = list});
+  if (context.listMode)
+    return callListIntoHost(context, list);
+  callList(context, list);
+}
+
+void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
+  context.list->settle(context);
+  const std::size_t bytes = callListsBytes(n, type);
+  if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
+    Command command{.kind = Command::Kind::CallLists, .target = type};
+    command.count = n;
+    command.bytes.assign(static_cast<const char *>(lists), bytes);
+    return context.list->record(context, std::move(command));
+  }
+  if (context.listMode) {
+    context.list->notePixels();
+    context.stale = software::stale::kAll;
+    return context.host->CallLists(n, type, lists);
+  }
+  callLists(context, n, type, lists);
+}
+
+GLuint GenLists(Context &context, GLsizei range) {
+  DisplayListTable &lists = context.group->lists;
+  if (context.insideBeginEnd || range <= 0 || !lists.hasSegments())
+    return context.host->GenLists(range);
+  GLuint first = 0;
+  if (context.listMode)
+    context.list->outside(context, [&] { first = lists.generate(*context.host, range); });
+  else
+    first = lists.generate(*context.host, range);
+  return first;
+}
+
+void DeleteLists(Context &context, GLuint list, GLsizei range) {
+  DisplayListTable &lists = context.group->lists;
+  if (context.insideBeginEnd || range < 0 || lists.empty())
+    return context.host->DeleteLists(list, range);
+  for (const GLuint name : lists.namesIn(list, range))
+    lists.replace(*context.host, name, nullptr);
+  const std::vector<GLuint> kept = lists.segmentsIn(list, range);
+  if (kept.empty())
+    return context.host->DeleteLists(list, range);
+  // Segments in the range are not the application's to delete.
+  for (GLsizei i = 0; i < range; ++i)
+    if (!lists.isSegment(list + GLuint(i)))
+      context.host->DeleteLists(list + GLuint(i), 1);
+}
+
+GLboolean IsList(Context &context, GLuint list) {
+  if (!context.insideBeginEnd && !context.group->lists.empty() &&
+      context.group->lists.isSegment(list))
+    return GL_FALSE;
+  return context.host->IsList(list);
+}
+
+} // namespace arbiter::state::handlers

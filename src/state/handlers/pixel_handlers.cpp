@@ -1,0 +1,168 @@
+// Commands on pixels that have a part of the rasterizer's: what the shadows hold is read, cleared
+// or kept up to date. Called where the rasterizer is possible.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/lists/list_compiler.h"
+#include "state/raster_draw/commands.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/frame.h"
+
+namespace arbiter::state::handlers {
+
+namespace {
+
+/// The command is executed now, and is no error for being where it is.
+bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
+/// The same of a command that goes into a list, and changes pixels where the list is called.
+bool changes(Context &context) {
+  if (context.listMode != 0)
+    context.list->notePixels();
+  return executes(context);
+}
+
+} // namespace
+
+void Clear(Context &context, GLbitfield mask) {
+  if (changes(context) && context.software) {
+    software::clearsTarget(context, mask);
+    if (context.software->residency.clear(mask))
+      return;
+    context.software->residency.hostTakesTargets("glClear");
+  }
+  context.host->Clear(mask);
+}
+
+void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                GLenum type, void *pixels) {
+  if (executes(context) && context.software) {
+    if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
+      return;
+    context.software->residency.synchronise("glReadPixels");
+  }
+  context.host->ReadPixels(x, y, width, height, format, type, pixels);
+}
+
+void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
+                 void *pixels) {
+  if (executes(context) && context.software) {
+    if (context.software->residency.getTexImage(target, level, format, type, pixels))
+      return;
+    context.software->residency.synchronise("glGetTexImage");
+  }
+  context.host->GetTexImage(target, level, format, type, pixels);
+}
+
+void Flush(Context &context) {
+  if (executes(context) && context.software)
+    return context.software->residency.flush(false);
+  context.host->Flush();
+}
+
+void Finish(Context &context) {
+  if (!executes(context) || !context.software)
+    return context.host->Finish();
+  context.software->residency.flush(true);
+  software::finishFrame(context);
+}
+
+void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height) {
+  if (executes(context) && context.software)
+    context.software->residency.drawableMayHaveChanged({x, y, width, height});
+  context.host->Viewport(x, y, width, height);
+}
+
+// --- A level is (re)defined ---
+
+#define ARBITER_REDEFINES(Name, Parameters, Arguments)                                             \
+  void Name Parameters {                                                                           \
+    if (changes(context) && context.software)                                                      \
+      context.software->residency.textureRedefined(target);                                        \
+    context.host->Name Arguments;                                                                  \
+  }
+
+ARBITER_REDEFINES(TexImage1D,
+                  (Context & context, GLenum target, GLint level, GLint internalformat,
+                   GLsizei width, GLint border, GLenum format, GLenum type, const void *pixels),
+                  (target, level, internalformat, width, border, format, type, pixels))
+ARBITER_REDEFINES(TexImage2D,
+                  (Context & context, GLenum target, GLint level, GLint internalformat,
+                   GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
+                   const void *pixels),
+                  (target, level, internalformat, width, height, border, format, type, pixels))
+ARBITER_REDEFINES(TexImage3D,
+                  (Context & context, GLenum target, GLint level, GLint internalformat,
+                   GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format,
+                   GLenum type, const void *pixels),
+                  (target, level, internalformat, width, height, depth, border, format, type,
+                   pixels))
+ARBITER_REDEFINES(CompressedTexImage1D,
+                  (Context & context, GLenum target, GLint level, GLenum internalformat,
+                   GLsizei width, GLint border, GLsizei size, const void *data),
+                  (target, level, internalformat, width, border, size, data))
+ARBITER_REDEFINES(CompressedTexImage2D,
+                  (Context & context, GLenum target, GLint level, GLenum internalformat,
+                   GLsizei width, GLsizei height, GLint border, GLsizei size, const void *data),
+                  (target, level, internalformat, width, height, border, size, data))
+ARBITER_REDEFINES(CompressedTexImage3D,
+                  (Context & context, GLenum target, GLint level, GLenum internalformat,
+                   GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei size,
+                   const void *data),
+                  (target, level, internalformat, width, height, depth, border, size, data))
+ARBITER_REDEFINES(CompressedTexSubImage1D,
+                  (Context & context, GLenum target, GLint level, GLint x, GLsizei width,
+                   GLenum format, GLsizei size, const void *data),
+                  (target, level, x, width, format, size, data))
+ARBITER_REDEFINES(CompressedTexSubImage2D,
+                  (Context & context, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
+                   GLsizei height, GLenum format, GLsizei size, const void *data),
+                  (target, level, x, y, width, height, format, size, data))
+ARBITER_REDEFINES(CompressedTexSubImage3D,
+                  (Context & context, GLenum target, GLint level, GLint x, GLint y, GLint z,
+                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei size,
+                   const void *data),
+                  (target, level, x, y, z, width, height, depth, format, size, data))
+ARBITER_REDEFINES(TexStorage1D,
+                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                   GLsizei width),
+                  (target, levels, internalformat, width))
+ARBITER_REDEFINES(TexStorage2D,
+                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                   GLsizei width, GLsizei height),
+                  (target, levels, internalformat, width, height))
+ARBITER_REDEFINES(TexStorage3D,
+                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                   GLsizei width, GLsizei height, GLsizei depth),
+                  (target, levels, internalformat, width, height, depth))
+ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
+#undef ARBITER_REDEFINES
+
+// --- Texels are replaced ---
+
+void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
+                   GLenum format, GLenum type, const void *pixels) {
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
+                                            pixels);
+  context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
+}
+
+void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                   GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
+                                            format, type, pixels);
+  context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
+}
+
+void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                   GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                   GLenum type, const void *pixels) {
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
+                                            depth, format, type, pixels);
+  context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
+                              format, type, pixels);
+}
+
+} // namespace arbiter::state::handlers

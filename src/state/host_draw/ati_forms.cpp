@@ -1,0 +1,62 @@
+#include "state/host_draw/ati_forms.h"
+
+#include <algorithm>
+
+#include "state/programs/program_object.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The state as far as the shader sees it, so that what it does not sample makes no further form.
+fp::FixedFunction seenBy(std::uint32_t units, const fp::FixedFunction &state) {
+  fp::FixedFunction seen = state;
+  for (std::size_t unit = 0; unit < seen.targets.size(); ++unit)
+    if ((units >> unit & 1u) == 0)
+      seen.targets[unit] = {};
+  seen.disabledUnits &= std::uint8_t(units);
+  return seen;
+}
+
+} // namespace
+
+AtiForms::AtiForms(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics)
+    : m_program(std::move(program)), m_host(host), m_numerics(numerics) {
+  for (const fp::ir::Instruction &instruction : m_program.code)
+    if (fp::ir::info(instruction.op).has(fp::ir::Texture))
+      m_units |= 1u << instruction.unit;
+}
+
+std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &whole,
+                                                       const fp::FixedFunction &state) const {
+  const fp::FixedFunction seen = seenBy(m_units, state);
+  const std::lock_guard lock(m_mutex);
+  const auto it = std::find_if(m_forms.begin(), m_forms.end(),
+                               [&](const Form &form) { return form.first == seen; });
+  if (it != m_forms.end())
+    return it->second;
+  auto form = std::make_shared<CompiledProgram>();
+  form->target = whole.target;
+  form->hash = whole.hash;
+  fp::ir::Program program = fp::withFixedFunction(m_program, seen);
+  form->glsl = fp::emitGlsl(program, m_host, m_numerics);
+  form->program = std::make_shared<const fp::ir::Program>(program);
+  form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
+  if (whole.replaced())
+    form->replacement = form->text; // it is emitted from the replacement
+  if (debugFlag(DebugFlag::Glsl))
+    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+  return m_forms.emplace_back(seen, std::move(form)).second;
+}
+
+std::vector<std::shared_ptr<const CompiledProgram>> AtiForms::all() const {
+  const std::lock_guard lock(m_mutex);
+  std::vector<std::shared_ptr<const CompiledProgram>> forms;
+  for (const Form &form : m_forms)
+    forms.push_back(form.second);
+  return forms;
+}
+
+} // namespace arbiter::state

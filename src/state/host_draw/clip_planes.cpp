@@ -1,0 +1,100 @@
+#include "state/host_draw/clip_planes.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/variant.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_api.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+bool listsEnablePlanes(const Context &context) {
+  return context.group->listsEnableClipPlanes.load(std::memory_order_relaxed);
+}
+
+bool anyEnabled(Context &context) {
+  for (GLint plane = 0; plane < context.caps.maxClipPlanes; ++plane)
+    if (context.host->IsEnabled(GLenum(GL_CLIP_PLANE0 + plane)))
+      return true;
+  return false;
+}
+
+void lookAgain(Context &context) {
+  context.clipPlanes.known = false;
+  if (context.row(Target::Vertex).enabled)
+    invalidateProgram(context);
+}
+
+} // namespace
+
+std::shared_ptr<const CompiledProgram> ClippedForm::of(const CompiledProgram &whole) const {
+  const std::lock_guard lock(m_mutex);
+  if (m_form)
+    return m_form;
+  auto form = std::make_shared<CompiledProgram>(whole);
+  form->clipped = nullptr; // it would keep itself
+  form->glsl = fp::emitGlsl(*whole.program, m_host, m_numerics);
+  if (debugFlag(DebugFlag::Glsl))
+    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+  return m_form = std::move(form);
+}
+
+std::shared_ptr<const CompiledProgram> ClippedForm::made() const {
+  const std::lock_guard lock(m_mutex);
+  return m_form;
+}
+
+bool clipPlanesMatter(Context &context) {
+  if (listsEnablePlanes(context))
+    return true;
+  ClipPlanes &planes = context.clipPlanes;
+  if (!planes.used)
+    return false;
+  if (!planes.known) {
+    planes.enabled = anyEnabled(context);
+    planes.known = true;
+  }
+  return planes.enabled;
+}
+
+void noteClipPlanesChange(Context &context) {
+  if (context.clipPlanes.used)
+    lookAgain(context);
+}
+
+void noteClipPlane(Context &context, bool enabled) {
+  if (context.insideBeginEnd)
+    return; // it was an error
+  if (!context.listMode) {
+    ClipPlanes &planes = context.clipPlanes;
+    if (enabled && planes.known && planes.enabled)
+      return; // one more
+    planes.used |= enabled;
+    return noteClipPlanesChange(context);
+  }
+  if (!enabled || listsEnablePlanes(context))
+    return;
+  context.group->listsEnableClipPlanes.store(true, std::memory_order_relaxed);
+  lookAgain(context);
+  if (context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled)
+    context.list->cut(context); // what follows is drawn now, with the form that is in force now
+}
+
+void copyClipPlanes(const Context &from, Context &to) {
+  // Neither of the groups need be the other's.
+  to.clipPlanes.used |= from.clipPlanes.used || listsEnablePlanes(from);
+  noteClipPlanesChange(to);
+}
+
+void noteClipPlanesOfLists(Context &context) {
+  if (listsEnablePlanes(context) && context.variant && context.variant->vertex.compiled &&
+      context.variant->vertex.compiled->clipped)
+    invalidateProgram(context);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,142 @@
+// When vertex programs are drawn in the form that writes gl_ClipVertex, and who is asked for that.
+#include "state/host_draw/clip_planes.h"
+
+#include <gtest/gtest.h>
+
+#include "state/core/lifecycle.h"
+#include "state/host_draw/variant.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
+
+/// Draws; whether the vertex program in force is clipped.
+bool clips(Context &context) {
+  EXPECT_TRUE(draw(context));
+  if (!context.variant || !context.variant->vertex.compiled) {
+    ADD_FAILURE() << "no vertex program of ours is in force";
+    return false;
+  }
+  return context.variant->vertex.compiled->glsl.text.find("gl_ClipVertex") != std::string::npos;
+}
+
+TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  EXPECT_FALSE(clips(*context));
+  handlers::Enable(*context, GL_BLEND);
+  handlers::Disable(*context, GL_CLIP_PLANE0);
+  EXPECT_EQ(context->attention, 0u);
+  handlers::PopAttrib(*context);
+  EXPECT_FALSE(clips(*context));
+  EXPECT_EQ(host.count("IsEnabled"), 0);
+  EXPECT_EQ(context->variants->size(), 1u);
+}
+
+TEST(ClipPlanes, EachPlaneChoosesTheForm) {
+  FakeHost host;
+  const CurrentContext context(host);
+  context->caps.maxClipPlanes = 8;
+  use(*context, kText, kVertex);
+  for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 8; ++plane) {
+    host.enabled = {plane};
+    handlers::Enable(*context, plane);
+    EXPECT_TRUE(clips(*context)) << plane;
+    host.calls.clear();
+    EXPECT_TRUE(clips(*context)) << plane;
+    EXPECT_EQ(host.count("IsEnabled"), 0) << "asked once";
+    host.enabled = {};
+    handlers::Disable(*context, plane);
+    EXPECT_FALSE(clips(*context)) << plane;
+  }
+  EXPECT_EQ(context->variants->size(), 2u) << "a form is made once";
+}
+
+TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
+  FakeHost host;
+  const CurrentContext context(host);
+  host.enabled = {GL_CLIP_PLANE2};
+  handlers::Enable(*context, GL_CLIP_PLANE2);
+  use(*context, kText, kVertex);
+  EXPECT_TRUE(clips(*context));
+}
+
+TEST(ClipPlanes, PopAttribBringsThemBack) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  handlers::PushAttrib(*context, GL_TRANSFORM_BIT);
+  host.enabled = {};
+  handlers::Disable(*context, GL_CLIP_PLANE0);
+  EXPECT_FALSE(clips(*context));
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::PopAttrib(*context);
+  EXPECT_TRUE(clips(*context));
+}
+
+TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
+  FakeHost host;
+  const CurrentContext other(host);
+  use(*other, kText, kVertex);
+  EXPECT_FALSE(clips(*other));
+  const CurrentContext context(host, &*other);
+  handlers::NewList(*context, 7, GL_COMPILE);
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  handlers::EndList(*context);
+  makeCurrent(&*other);
+  handlers::CallList(*other, 7); // and its draws are the host's to make
+  EXPECT_NE(other->variant->vertex.compiled->glsl.text.find("gl_ClipVertex"), std::string::npos);
+  EXPECT_TRUE(clips(*other));
+}
+
+TEST(ClipPlanes, AListThatIsExecutedFollowsAtOnce) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  EXPECT_FALSE(clips(*context));
+  handlers::NewList(*context, 7, GL_COMPILE_AND_EXECUTE);
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  EXPECT_TRUE(clips(*context));
+  handlers::EndList(*context);
+  EXPECT_EQ(host.recorded, std::vector<std::string>{"Enable 12288"})
+      << "nothing of ours goes into the list";
+}
+
+TEST(ClipPlanes, CopyContextCopiesThem) {
+  FakeHost host;
+  const CurrentContext from(host);
+  handlers::Enable(*from, GL_CLIP_PLANE0);
+  const CurrentContext to(host);
+  use(*to, kText, kVertex);
+  EXPECT_FALSE(clips(*to));
+  host.enabled = {GL_CLIP_PLANE0};
+  copyContext(*from, *to, GL_LIGHTING_BIT);
+  EXPECT_FALSE(clips(*to));
+  copyContext(*from, *to, GL_ALL_ATTRIB_BITS);
+  EXPECT_EQ(to->row(Target::Vertex).enabled, false) << "as in the other context";
+  handlers::Enable(*to, kVertex);
+  EXPECT_TRUE(clips(*to));
+}
+
+TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint name = use(*context, kText, kVertex);
+  EXPECT_FALSE(clips(*context));
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  EXPECT_TRUE(clips(*context));
+  handlers::DeleteProgramsARB(*context, 1, &name);
+  EXPECT_EQ(context->variants->size(), 0u);
+  EXPECT_TRUE(host.shaders.empty());
+}
+
+} // namespace
+} // namespace arbiter::state

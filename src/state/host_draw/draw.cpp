@@ -1,0 +1,353 @@
+// The way of a draw: which program is in force (the application's GLSL, then the ARB program, then
+// fixed function), its variant, its parameters.
+#include "state/host_draw/draw.h"
+
+#include <algorithm>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/garbage.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/application_glsl.h"
+#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/clip_planes.h"
+#include "state/host_draw/fixed_function.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/variant.h"
+#include "state/programs/program_api.h"
+#include "state/programs/replacement.h"
+#include "state/raster_draw/context_state.h"
+#include "state/report/capture.h"
+
+namespace arbiter::state {
+
+const char *pathName(Path path) {
+  switch (path) {
+  case Path::HostGlsl:
+    return "host-glsl";
+  case Path::Rasterizer:
+    return "rasterizer";
+  case Path::NoProgram:
+    return "no-program";
+  case Path::ApplicationGlsl:
+    return "application-glsl";
+  case Path::ApplicationPipeline:
+    return "application-pipeline";
+  case Path::HostAssembly:
+    return "host-assembly";
+  case Path::ApplicationStageGlsl:
+    return "application-glsl-of-one-stage";
+  case Path::NotOffered:
+    return "not-offered";
+  case Path::Recorded:
+    return "recorded-in-list";
+  case Path::InvalidProgram:
+    return "invalid-program";
+  case Path::HostRefused:
+    return "host-refused";
+  }
+  return "";
+}
+
+namespace {
+
+bool isDropped(Path path) { return path == Path::InvalidProgram || path == Path::HostRefused; }
+
+void setPath(Context &context, Path path) {
+  context.path = path;
+  context.drawCounter = &context.draws[std::size_t(path)];
+}
+
+/// The host's CURRENT_PROGRAM is the application's unless ours is bound. Only the host knows
+/// whether a UseProgram succeeded, and what a list did; so it is asked, once after each.
+GLuint applicationProgram(Context &context) {
+  if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
+    GLint current = 0;
+    context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    context.applicationProgram = GLuint(current);
+    context.applicationProgramKnown = true;
+  }
+  return context.applicationProgram;
+}
+
+GLuint applicationPipeline(Context &context) {
+  GLint pipeline = 0;
+  if (context.pipelinesUsed)
+    context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
+  return GLuint(pipeline);
+}
+
+/// The rows whose programs shade now; null where fixed function or the application's GLSL does.
+struct InForce {
+  const ProgramTarget *vertex = nullptr;
+  const ProgramTarget *fragment = nullptr;
+  bool ati = false; ///< an ATI fragment shader is enabled, of either form, and no `fragment`
+  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati; }
+};
+
+InForce enabledRows(const Context &context) {
+  const auto ifEnabled = [&](Target target) {
+    const ProgramTarget &row = context.row(target);
+    return row.enabled ? &row : nullptr;
+  };
+  InForce rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
+  rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
+  return rows;
+}
+
+/// The compiled programs of the rows; false if one has none that is valid. An ATI shader that is
+/// not leaves fragments to fixed function.
+bool takePrograms(Context &context, const InForce &rows, ProgramPair &pair) {
+  if (rows.vertex)
+    pair.vertex = context.group->compiledOf(*rows.vertex->bound);
+  if (rows.fragment)
+    pair.fragment = context.group->compiledOf(*rows.fragment->bound);
+  else if (rows.ati)
+    pair.fragment = atiShaderInForce(context);
+  return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
+}
+
+/// Mesa's GLSL compiler goes along a chain of instructions by recursion and left its stack in one
+/// of 16,000 POW, which its assembly parser takes. Legacy and Fp24 are arithmetic that GLSL alone
+/// has.
+bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
+  constexpr std::size_t kLong = 4096; // instructions
+  const auto isLong = [](const std::shared_ptr<const CompiledProgram> &compiled) {
+    return compiled && compiled->program && compiled->program->code.size() > kLong;
+  };
+  return context.numerics == fp::Numerics::Host && (isLong(pair.vertex) || isLong(pair.fragment));
+}
+
+/// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
+/// programs, and these over ATI's fragment shaders.
+Path choosePath(Context &context) {
+  context.variant = nullptr;
+  context.stagesAreLinked = false;
+  context.atiShaderInForce = false;
+  for (ProgramTarget &row : context.targets)
+    if (row.enabled)
+      row.seenVersion = row.bound->version.load(std::memory_order_acquire);
+  InForce rows = enabledRows(context);
+  if (rows.none())
+    return Path::NoProgram;
+  const GLuint program = applicationProgram(context);
+  const GLuint pipeline = program == 0 ? applicationPipeline(context) : 0;
+  GlslStages theirs;
+  if (program != 0)
+    theirs = stagesOf(context, program);
+  else if (pipeline != 0)
+    theirs = stagesOfPipeline(context, pipeline);
+  if (pipeline != 0 && theirs.none())
+    return Path::ApplicationPipeline; // an empty pipeline: the host's to judge
+  if (theirs.vertex)
+    rows.vertex = nullptr;
+  if (theirs.fragment) {
+    rows.fragment = nullptr;
+    rows.ati = false;
+  }
+  if (rows.none())
+    return program != 0 ? Path::ApplicationGlsl : Path::ApplicationPipeline;
+
+  ProgramPair pair;
+  if (!takePrograms(context, rows, pair))
+    return Path::InvalidProgram;
+  if (!pair.vertex && !pair.fragment)
+    return Path::NoProgram;
+  // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
+  // function; no program of ours can be linked to the application's.
+  if (program != 0 || pipeline != 0)
+    return context.hostAssembly->apply(context, pair) ? Path::HostAssembly
+                                                      : Path::ApplicationStageGlsl;
+  if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
+    return Path::HostAssembly;
+  // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
+  if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
+    pair.fragment = nullptr;
+  if (pair.vertex && clipPlanesMatter(context))
+    pair.vertex = pair.vertex->clipped->of(*pair.vertex);
+  context.variant = context.variants->get(context, pair);
+  if (context.variant->hostProgram == 0) {
+    context.variant = nullptr;
+    return Path::HostRefused;
+  }
+  context.stagesAreLinked = pair.vertex && pair.fragment;
+  return Path::HostGlsl;
+}
+
+/// The attention that each draw needs while this path is taken.
+std::uint32_t stickyAttention(const Context &context) {
+  std::uint32_t bits = 0;
+  if (isDropped(context.path))
+    bits |= attention::kInvalid;
+  if (context.path == Path::HostGlsl) {
+    if (context.variant->readsState)
+      bits |= attention::kState;
+    if (context.variant->hasPlainSamplers && context.caps.samplerObjects &&
+        context.group->compareModeUsed.load(std::memory_order_relaxed))
+      bits |= attention::kCompare;
+  }
+  const bool ours = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
+                    isDropped(context.path) || context.row(Target::AtiText).enabled ||
+                    context.row(Target::AtiApi).enabled;
+  if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
+    bits |= attention::kShared;
+  if (context.softwarePossible)
+    bits |= attention::kSoftware;
+  if (ours && replacing() && context.frames == 0)
+    bits |= attention::kWatch;
+  return bits;
+}
+
+void releaseHostProgram(Context &context) {
+  if (!context.hostProgramIsOurs)
+    return;
+  context.host->UseProgram(0);
+  context.hostProgramIsOurs = false;
+}
+
+/// Brings what is in force into the host.
+void install(Context &context) {
+  ++context.selections;
+  setPath(context, choosePath(context));
+  context.attention |= attention::kParameters;
+  if (context.path == Path::HostAssembly) {
+    if (context.samplerOverride->active())
+      context.samplerOverride->release(context);
+    return releaseHostProgram(context);
+  }
+  if (context.path != Path::HostGlsl)
+    return releaseHostState(context);
+  if (context.variant->fragment.compiled)
+    software::engage(context);
+  context.hostAssembly->release(context);
+  context.host->UseProgram(context.variant->hostProgram);
+  context.hostProgramIsOurs = true;
+}
+
+void select(Context &context) {
+  captureLeave(context);
+  install(context);
+  captureEnter(context);
+}
+
+/// Another context loaded a program, or set a local parameter, that draws here use.
+bool changedElsewhere(const Context &context) {
+  return std::any_of(context.targets.begin(), context.targets.end(), [](const ProgramTarget &row) {
+    return row.enabled && row.bound->version.load(std::memory_order_acquire) != row.seenVersion;
+  });
+}
+
+/// What is in force, as far as that may have changed.
+void look(Context &context) {
+  if (context.group->hasGarbage())
+    collectGarbage(context);
+  if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
+    context.attention |= attention::kProgram;
+  if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
+    refreshReplacements(context);
+  if ((context.attention & attention::kProgram) != 0)
+    select(context);
+}
+
+} // namespace
+
+bool validatePrograms(Context &context) {
+  constexpr std::uint32_t kLook = attention::kProgram | attention::kWatch | attention::kShared;
+  const bool known = (context.attention & kLook) == 0 && !context.group->hasGarbage() &&
+                     context.group->contexts.load(std::memory_order_relaxed) == 1;
+  // A capture tells what a program was drawn with by what was sent to the host.
+  if (capturing()) [[unlikely]]
+    return validate(context);
+  if (known) [[likely]]
+    return !isDropped(context.path);
+  look(context);
+  context.attention =
+      stickyAttention(context) | (context.attention & (attention::kList | attention::kParameters));
+  return !isDropped(context.path);
+}
+
+bool validate(Context &context) {
+  look(context);
+  const std::uint32_t sticky = stickyAttention(context);
+  if (context.path == Path::HostGlsl) {
+    Variant &variant = *context.variant;
+    uploadParameters(context, variant, context.attention);
+    if ((sticky & attention::kCompare) != 0)
+      context.samplerOverride->apply(context, variant);
+    else if (context.samplerOverride->active())
+      context.samplerOverride->release(context);
+  } else if (context.path == Path::HostAssembly &&
+             (context.attention & attention::kParameters) != 0) {
+    context.hostAssembly->uploadParameters(context);
+  }
+  context.attention = sticky | (context.attention & attention::kList);
+  return !isDropped(context.path);
+}
+
+bool applicationShades(Context &context) {
+  return applicationProgram(context) != 0 || applicationPipeline(context) != 0;
+}
+
+void releaseSamplers(Context &context) {
+  if (!context.samplerOverride->active())
+    return;
+  context.samplerOverride->release(context);
+  context.attention |= attention::kCompare;
+}
+
+void releaseHostState(Context &context) {
+  if (context.samplerOverride->active())
+    context.samplerOverride->release(context);
+  context.hostAssembly->release(context);
+  releaseHostProgram(context);
+}
+
+void refuseDraws(Context &context) {
+  if (context.hostAssembly->refuse(context))
+    return;
+  // Without assembly programs the host can only be made to draw nothing.
+  static const std::shared_ptr<const CompiledProgram> s_mute = [] {
+    auto program = std::make_shared<CompiledProgram>();
+    program->glsl.text = "#version 120\nvoid main() { discard; }\n";
+    return program;
+  }();
+  const Variant &mute = *context.variants->get(context, {nullptr, s_mute});
+  if (mute.hostProgram == 0)
+    return;
+  context.host->UseProgram(mute.hostProgram);
+  context.hostProgramIsOurs = true;
+}
+
+void dropVariants(Context &context, const CompiledProgram &compiled) {
+  context.variants->drop(context, &compiled);
+  if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
+    context.variants->drop(context, form.get());
+  if (!compiled.ati)
+    return;
+  for (const auto &form : compiled.ati->all())
+    context.variants->drop(context, form.get());
+}
+
+void validateForList(Context &context) {
+  if (!validate(context))
+    refuseDraws(context);
+}
+
+void afterHostList(Context &context) {
+  noteFixedFunctionChange(context);
+  if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
+    return;
+  GLint current = 0;
+  context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+  if (context.hostProgramIsOurs && context.variant &&
+      GLuint(current) == context.variant->hostProgram)
+    return;
+  context.hostProgramIsOurs = false;
+  context.applicationProgram = GLuint(current);
+  context.applicationProgramKnown = true;
+  invalidateProgram(context);
+}
+
+} // namespace arbiter::state

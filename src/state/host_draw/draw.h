@@ -1,0 +1,33 @@
+#pragma once
+#include "state/core/context.h"
+
+namespace arbiter::state {
+
+/// Decides which path draws take and binds what it needs, raising no error. False if draws are
+/// errors now.
+bool validate(Context &context);
+/// The part of validate() that a draw of the rasterizer's needs: what is in force. What only the
+/// host needs, uniforms and sampler bindings, is left for the validate() before its next draw.
+bool validatePrograms(Context &context);
+
+/// The application's own GLSL, a program or a pipeline, has a part in draws now, as far as no
+/// program of the layer's is bound on the host.
+[[nodiscard]] bool applicationShades(Context &context);
+
+/// The host's current program becomes the application's again, and its sampler bindings too.
+void releaseHostState(Context &context);
+/// Its sampler bindings alone; the next draw looks again.
+void releaseSamplers(Context &context);
+/// While the program in force is not valid: makes the host itself refuse draws, in lists too, as
+/// the specification asks for. releaseHostState() ends it.
+void refuseDraws(Context &context);
+/// validate() before the host compiles and executes a segment of a list: what it executes must
+/// find its program bound, or be refused.
+void validateForList(Context &context);
+/// A host list ran: what it may have changed is looked at again.
+void afterHostList(Context &context);
+
+/// The extensions that the application sees; made at the first call.
+[[nodiscard]] const Identity &applicationIdentity(Context &context);
+
+} // namespace arbiter::state

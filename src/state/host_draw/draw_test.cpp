@@ -1,0 +1,294 @@
+#include "state/host_draw/draw.h"
+
+#include <cstdlib>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "state/host_draw/variant.h"
+#include "state/testing/current_context.h"
+
+namespace {
+std::size_t g_allocations = 0;
+} // namespace
+
+// Not inlined: where one of a pair is, the compiler takes the two for strangers.
+[[gnu::noinline]] void *operator new(std::size_t size) {
+  ++g_allocations;
+  if (void *memory = std::malloc(size))
+    return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void *memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kThree[] = "!!ARBfp1.0\n"
+                          "ADD result.color, program.env[0], program.env[1];\n"
+                          "MUL result.color, program.env[5], program.local[2];\n"
+                          "END";
+/// All four values reach the result, so that none is optimised away.
+constexpr char kFour[] = "!!ARBfp1.0\nTEMP t;\n"
+                         "ADD t, program.env[0], program.env[1];\n"
+                         "ADD t, t, program.env[5];\n"
+                         "MUL result.color, t, program.local[2];\n"
+                         "END";
+
+TEST(Draw, ACleanDrawCallsNobodyAndAllocatesNothing) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  ASSERT_TRUE(draw(*context));
+  host.calls.clear();
+  g_allocations = 0;
+  for (int i = 0; i < 100; ++i)
+    ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(g_allocations, 0u);
+  EXPECT_TRUE(host.calls.empty()) << host.calls.front();
+  EXPECT_EQ(context->attention, 0u);
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 101u);
+}
+
+TEST(Draw, ChangedParametersGoInRuns) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Uniform4fv"), 0) << "zero is what the host's uniforms begin with";
+  host.calls.clear();
+  for (GLuint i = 0; i < 8; ++i)
+    handlers::ProgramEnvParameter4fARB(*context, kFragment, i, 1, 2, 3, GLfloat(i));
+  g_allocations = 0;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_LE(g_allocations, 8u) << "more than the fake keeps of one call";
+  EXPECT_EQ(host.count("Uniform4fv"), 1) << "three neighbours are one run";
+  host.calls.clear();
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 9, 9, 9, 9);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 1, 1, 2, 3, 1); // as it was
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 7, 9, 9, 9, 9); // not read
+  handlers::ProgramLocalParameter4fARB(*context, kFragment, 2, 5, 5, 5, 5);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Uniform4fv"), 2) << "two values apart are two runs";
+  host.calls.clear();
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 9, 9, 9, 9);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.calls.empty()) << "the same value was sent again";
+}
+
+TEST(Draw, TheHostProgramIsHidden) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(context->hostProgramIsOurs);
+  const GLuint ours = host.currentProgram;
+  ASSERT_NE(ours, 0u);
+  GLint current = -1;
+  handlers::GetIntegerv(*context, GL_CURRENT_PROGRAM, &current);
+  EXPECT_EQ(current, 0);
+  EXPECT_NE(handlers::guardName(*context, ours), ours);
+  EXPECT_EQ(handlers::guardName(*context, ours + 100), ours + 100);
+  handlers::restoreApplicationProgram(*context);
+  EXPECT_EQ(host.currentProgram, 0u);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.currentProgram, ours);
+  EXPECT_EQ(host.count("LinkProgram"), 1) << "it was built again";
+}
+
+TEST(Draw, AUseProgramThatFailsLeavesTheApplicationsProgram) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  ASSERT_TRUE(draw(*context));
+  handlers::UseProgram(*context, 4711); // the host knows no such program
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_VALUE));
+  GLint current = -1;
+  handlers::GetIntegerv(*context, GL_CURRENT_PROGRAM, &current);
+  EXPECT_EQ(current, 0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(context->path, Path::HostGlsl);
+}
+
+TEST(Draw, PathsAreCountedWithTheirReason) {
+  FakeHost host;
+  const CurrentContext context(host);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::NoProgram), 1u);
+  handlers::Enable(*context, kFragment);
+  EXPECT_FALSE(draw(*context)) << "object 0 holds no program";
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  EXPECT_EQ(drawsBy(*context, Path::InvalidProgram), 1u);
+  host.programs.insert(50);
+  handlers::UseProgram(*context, 50);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::ApplicationGlsl), 1u);
+  handlers::UseProgram(*context, 0);
+  EXPECT_FALSE(draw(*context));
+  EXPECT_EQ(host.count("Enable"), 0) << "the host has a fragment program target of its own";
+}
+
+TEST(Draw, AContextOfTheGroupSeesAReloadWhenItIsMadeCurrent) {
+  FakeHost host;
+  const CurrentContext first(host);
+  const GLuint name = use(*first, kThree);
+  ASSERT_TRUE(draw(*first));
+  {
+    const CurrentContext second(host, &*first);
+    handlers::BindProgramARB(*second, kFragment, name);
+    load(*second, kFour);
+    makeCurrent(&*first);
+    ASSERT_TRUE(draw(*first));
+    EXPECT_EQ(first->variant->fragment.compiled->text, kFour) << "it selects programs anew";
+    handlers::BindProgramARB(*first, kFragment, name);
+    ASSERT_TRUE(draw(*first));
+    EXPECT_EQ(first->variant->fragment.compiled->text, kFour);
+    makeCurrent(&*second);
+    load(*second, kThree);
+    makeCurrent(&*first);
+    ASSERT_TRUE(draw(*first));
+    EXPECT_EQ(first->variant->fragment.compiled->text, kThree)
+        << "with two contexts each draw looks";
+    makeCurrent(&*second);
+  }
+  makeCurrent(&*first);
+}
+
+TEST(Draw, HostProgramsOfADeadContextAreDeletedByTheGroup) {
+  FakeHost host;
+  const CurrentContext first(host);
+  const GLuint name = use(*first, kThree);
+  GLuint left = 0;
+  {
+    const CurrentContext second(host, &*first);
+    handlers::BindProgramARB(*second, kFragment, name);
+    handlers::Enable(*second, kFragment);
+    ASSERT_TRUE(draw(*second));
+    left = host.currentProgram;
+  }
+  EXPECT_EQ(host.programs.count(left), 1u) << "deleted with no context current";
+  makeCurrent(&*first);
+  EXPECT_EQ(host.programs.count(left), 0u);
+  EXPECT_EQ(handlers::guardName(*first, left), left) << "the name is free again";
+}
+
+TEST(Draw, VariantsDoNotPileUp) {
+  FakeHost host;
+  const CurrentContext context(host);
+  for (int i = 0; i < 500; ++i) {
+    const GLuint name =
+        use(*context, "!!ARBfp1.0\n#" + std::to_string(i) + "\nMOV result.color, 1;\nEND");
+    ASSERT_TRUE(draw(*context));
+    if (i % 2)
+      load(*context, kThree); // replaces the text
+    else
+      handlers::DeleteProgramsARB(*context, 1, &name);
+  }
+  EXPECT_LE(context->variants->size(), 2u);
+  EXPECT_LE(host.programs.size(), 2u);
+  EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
+}
+
+constexpr char kVertexText[] = "!!ARBvp1.0\n"
+                               "ADD result.position, vertex.position, program.env[0];\n"
+                               "ADD result.color, vertex.attrib[3], program.local[1];\n"
+                               "END";
+
+TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint fragments[] = {use(*context, kThree), use(*context, kFour)};
+  const GLuint vertices[] = {use(*context, kVertexText, kVertex),
+                             use(*context, std::string(kVertexText) + " ", kVertex)};
+  for (int round = 0; round < 2; ++round)
+    for (const GLuint fragment : fragments)
+      for (const GLuint vertex : vertices) {
+        handlers::BindProgramARB(*context, kFragment, fragment);
+        handlers::BindProgramARB(*context, kVertex, vertex);
+        ASSERT_TRUE(draw(*context));
+      }
+  EXPECT_EQ(host.count("CreateShader"), 4);
+  EXPECT_EQ(host.count("LinkProgram"), 4);
+  EXPECT_EQ(host.count("BindAttribLocation 3"), 4) << "before each link";
+  handlers::Disable(*context, kFragment);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("CreateShader"), 4) << "alone it is the same shader";
+  EXPECT_EQ(host.count("LinkProgram"), 5);
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 9u);
+  handlers::DeleteProgramsARB(*context, 2, vertices);
+  EXPECT_EQ(context->variants->size(), 0u);
+  EXPECT_EQ(host.shaders.size(), 2u);
+}
+
+TEST(Draw, AStageIsSentWhatItsTargetChanged) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kFour);
+  use(*context, kVertexText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  host.calls.clear();
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.calls, (std::vector<std::string>{"Uniform4fv 500 1"}));
+  host.calls.clear();
+  handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 1, 2, 3, 4);
+  handlers::ProgramEnvParameter4fARB(*context, kFragment, 0, 1, 2, 3, 4);
+  g_allocations = 0;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_LE(g_allocations, 12u) << "more than the fake keeps of two calls";
+  EXPECT_EQ(host.calls, (std::vector<std::string>{"Uniform4fv 501 1", "Uniform4fv 10 1"}));
+  host.calls.clear();
+  for (int i = 0; i < 10; ++i)
+    ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.calls.empty()) << host.calls.front();
+}
+
+TEST(Draw, AnInvalidProgramOfEitherTargetStopsDraws) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  handlers::Enable(*context, kVertex);
+  EXPECT_FALSE(draw(*context)) << "object 0 holds no vertex program";
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_INVALID_OPERATION));
+  load(*context, kVertexText, kVertex); // object 0 may hold one
+  EXPECT_TRUE(draw(*context));
+  handlers::BindProgramARB(*context, kFragment, 0);
+  EXPECT_FALSE(draw(*context));
+  handlers::Disable(*context, kFragment);
+  EXPECT_TRUE(draw(*context));
+}
+
+TEST(Draw, OneStageOfTheApplicationsGlslLeavesTheOtherToUs) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kThree);
+  use(*context, kVertexText, kVertex);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 0, 1, 2, 3, 4);
+  host.programs = {50, 51, 52};
+  host.stages = {{50, {GL_VERTEX_SHADER}},
+                 {51, {GL_FRAGMENT_SHADER}},
+                 {52, {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}}};
+  host.calls.clear();
+  handlers::UseProgram(*context, 50);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Enable " + std::to_string(kFragment)), 1);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kVertex)), 0);
+  handlers::UseProgram(*context, 51);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("Disable " + std::to_string(kFragment)), 1);
+  EXPECT_EQ(host.count("Enable " + std::to_string(kVertex)), 1);
+  EXPECT_EQ(drawsBy(*context, Path::HostAssembly), 2u);
+  handlers::UseProgram(*context, 52);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::ApplicationGlsl), 1u);
+  EXPECT_EQ(host.count("Disable " + std::to_string(kVertex)), 1);
+  handlers::UseProgram(*context, 0);
+  EXPECT_TRUE(draw(*context));
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,74 @@
+// uploadParameters: what the programs in force read, as far as it changed.
+#include <bit>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/host_draw/variant.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The value that the element of the uniform array has to have.
+Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter) {
+  Vec4 value{};
+  switch (parameter.kind) {
+  case fp::ir::ParameterKind::Constant:
+    return parameter.constant;
+  case fp::ir::ParameterKind::Env:
+    return parameter.index < row.env.size() ? row.env[parameter.index] : value;
+  case fp::ir::ParameterKind::Local:
+    return parameter.index < row.bound->locals.size() ? row.bound->locals[parameter.index].load()
+                                                      : value;
+  case fp::ir::ParameterKind::State:
+    fetchState(context, parameter.state, value.data());
+    return value;
+  }
+  return value;
+}
+
+void uploadStage(Context &context, VariantStage &stage) {
+  const ProgramTarget &row = context.row(stage.compiled->target);
+  const auto &uniforms = stage.compiled->glsl.uniforms;
+  std::size_t begin = 0; // of the run of changed values, as far as it goes
+  std::size_t end = 0;
+  const auto flush = [&] {
+    if (begin != end)
+      context.host->Uniform4fv(stage.locations[begin], GLsizei(end - begin),
+                               stage.uploaded[begin].data());
+    begin = end = 0;
+  };
+  for (std::size_t i = 0; i < uniforms.size(); ++i) {
+    if (stage.locations[i] < 0)
+      continue;
+    const Vec4 value = currentValue(context, row, uniforms[i].parameter);
+    // Bits, not values: a NaN would be sent for ever, and -0 never.
+    if (std::bit_cast<std::array<std::uint32_t, 4>>(value) ==
+        std::bit_cast<std::array<std::uint32_t, 4>>(stage.uploaded[i]))
+      continue;
+    stage.uploaded[i] = value;
+    const bool joins =
+        begin != end && end == i && stage.locations[i] == stage.locations[begin] + GLint(i - begin);
+    if (!joins) {
+      flush();
+      begin = i;
+    }
+    end = i + 1;
+  }
+  flush();
+}
+
+} // namespace
+
+void uploadParameters(Context &context, Variant &variant, std::uint32_t attention) {
+  const auto upload = [&](VariantStage &stage, std::uint32_t bits) {
+    if (stage.readsState)
+      bits |= attention::kState;
+    if ((attention & bits) != 0 && !stage.locations.empty())
+      uploadStage(context, stage);
+  };
+  upload(variant.vertex, attention::kVertexParameters);
+  upload(variant.fragment, attention::kFragmentParameters);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,116 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/programs/program_object.h"
+
+namespace arbiter::host {
+struct HostTable;
+}
+
+namespace arbiter::state {
+
+namespace software {
+class Geometry;
+}
+
+/// A command of ours in a display list. The host never sees these, so it cannot record them.
+struct Command {
+  enum class Kind : std::uint8_t {
+    ProgramString, ///< target, format; bytes: a copy of the string, made when recorded
+    BindProgram,   ///< target, name
+    Env,           ///< target, name: first index; values
+    Local,         ///< target, name: first index; values
+    NamedString,   ///< as ProgramString, for `object`
+    NamedLocal,    ///< as Local, for `object`
+    Enable,        ///< target
+    Disable,       ///< target
+    UseProgram,    ///< name
+    AttribPushed,  ///< name: mask; the host's segment before it has pushed
+    PopAttrib,
+    CallList,         ///< name
+    CallLists,        ///< count, target: type; bytes: the names, ListBase is added when executed
+    BeginConditional, ///< name: query; target: mode
+    EndConditional,
+    CopyTexture, ///< object: a CopyKind; target, format: internal, count: level,
+                 ///< name: border; bytes: a CopyRegion
+  };
+  Kind kind;
+  GLenum target = 0;
+  GLuint name = 0;
+  GLuint object = 0;
+  GLenum format = 0;
+  GLsizei count = 0;
+  std::string bytes;
+  std::vector<Vec4> values;
+};
+
+/// How a run of commands leaves Begin/End: as it was, inside, or outside.
+enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
+
+/// What a segment does when it is called, as far as the rasterizer must know. A list that is
+/// compiled before anybody listens may do anything.
+struct Effects {
+  std::uint32_t stale = ~0u; ///< groups of state (mirror/stale.h)
+  bool pixels = true;        ///< draws, or reads or writes images
+};
+
+/// A list as segments: host lists, primitives that are ours to draw, and our commands in turn.
+struct DisplayList {
+  struct Item {
+    GLuint hostList = 0; ///< 0: a command, or primitives
+    std::unique_ptr<const Command> command;
+    Primitive primitive = Primitive::AsBefore; ///< of the host list
+    Effects effects;                           ///< of the host list; `stale` also of a command
+    std::shared_ptr<const software::Geometry> geometry;
+  };
+  std::vector<Item> items;
+};
+
+/// The lists of a share group that hold our commands, by the application's name, and the names of
+/// host lists that stand for segments. Segments take names from the very top of the name space:
+/// GenLists would give names that an application which never calls it soon uses itself.
+class DisplayListTable {
+public:
+  static constexpr GLuint kTop = 0xFFFFFF00u;
+
+  [[nodiscard]] bool empty() const { return m_count.load(std::memory_order_acquire) == 0; }
+  [[nodiscard]] std::shared_ptr<const DisplayList> find(GLuint name);
+  /// Replaces the list of that name; null removes it. The old one's host segments are deleted, save
+  /// `name` itself.
+  void replace(const host::HostTable &host, GLuint name, std::shared_ptr<const DisplayList> list);
+  /// A free name for a segment.
+  [[nodiscard]] GLuint takeSegmentName(const host::HostTable &host);
+  [[nodiscard]] bool isSegment(GLuint name);
+  /// True once a segment's name was taken: the host's GenLists then counts on from the top.
+  [[nodiscard]] bool hasSegments() const { return m_used.load(std::memory_order_acquire); }
+  /// GenLists in place of the host's: `count` free names in a row from the bottom, which the host
+  /// is made to know as empty lists. 0 if there are none. No list is being compiled.
+  [[nodiscard]] GLuint generate(const host::HostTable &host, GLsizei count);
+  /// The names of [first, first + count) that have a list of ours.
+  [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
+  /// The segments whose names are in [first, first + count).
+  [[nodiscard]] std::vector<GLuint> segmentsIn(GLuint first, GLsizei count);
+
+private:
+  void giveBack(const host::HostTable &host, GLuint segment);
+
+  std::mutex m_mutex;
+  std::unordered_map<GLuint, std::shared_ptr<const DisplayList>> m_lists;
+  std::unordered_set<GLuint> m_segments;
+  std::vector<GLuint> m_free;
+  GLuint m_next = kTop;
+  GLuint m_nextGenerated = 1;
+  std::atomic<bool> m_used{false};
+  std::atomic<std::size_t> m_count{0};
+};
+
+} // namespace arbiter::state

@@ -1,0 +1,294 @@
+// What a list does when it is called: segments of the host's, primitives, and our commands in turn.
+#include "state/lists/list_compiler.h"
+
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/clip_planes.h"
+#include "state/host_draw/draw.h"
+#include "state/mirror/stale.h"
+#include "state/programs/program_api.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/geometry.h"
+#include "state/raster_draw/geometry_call.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A command of ATI_fragment_shader.
+void executeFragmentShader(Context &context, const Command &command) {
+  if (command.kind == Command::Kind::BindProgram)
+    bindFragmentShader(context, command.name);
+  else
+    setFragmentShaderConstant(context, int(command.name), command.values.front());
+}
+
+/// The command's bind, and those that followed it.
+void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
+  bindProgram(context, row, command.name);
+  for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
+    GLuint name = 0;
+    std::memcpy(&name, command.bytes.data() + at, sizeof name);
+    bindProgram(context, row, name);
+  }
+}
+
+/// A command of the program API. Its target was one of ours when it was recorded.
+void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
+  const bool enables =
+      command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
+  if (row.target == Target::AtiApi && !enables)
+    return executeFragmentShader(context, command);
+  const bool named =
+      command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
+  const std::shared_ptr<ProgramObject> object =
+      named ? namedProgram(context, row, command.object) : row.bound;
+  if (!object)
+    return;
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+  case Command::Kind::NamedString:
+    return loadProgram(context, *object, command.format, command.count, command.bytes.data());
+  case Command::Kind::BindProgram:
+    return bindPrograms(context, row, command);
+  case Command::Kind::Env:
+    return setEnv(context, row, command.name, command.count, command.values.data());
+  case Command::Kind::Local:
+  case Command::Kind::NamedLocal:
+    return setLocal(context, *object, command.name, command.count, command.values.data());
+  case Command::Kind::Enable:
+  case Command::Kind::Disable:
+    return setEnabled(context, row, command.kind == Command::Kind::Enable);
+  default:
+    return;
+  }
+}
+
+} // namespace
+
+void execute(Context &context, const Command &command) {
+  const bool nested =
+      command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
+  if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))
+    return;
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+  case Command::Kind::BindProgram:
+  case Command::Kind::Env:
+  case Command::Kind::Local:
+  case Command::Kind::NamedString:
+  case Command::Kind::NamedLocal:
+  case Command::Kind::Enable:
+  case Command::Kind::Disable:
+    if (ProgramTarget *const row = enableRowOf(context, command.target))
+      executeProgram(context, *row, command);
+    return;
+  case Command::Kind::UseProgram:
+    return useProgram(context, command.name);
+  case Command::Kind::AttribPushed:
+    return pushEnables(context, command.name);
+  case Command::Kind::PopAttrib:
+    return popAttrib(context);
+  case Command::Kind::CallList:
+    return callList(context, command.name);
+  case Command::Kind::CallLists:
+    return callLists(context, command.count, command.target, command.bytes.data());
+  case Command::Kind::BeginConditional:
+    return handlers::BeginConditionalRender(context, command.name, command.target);
+  case Command::Kind::EndConditional:
+    return handlers::EndConditionalRender(context);
+  case Command::Kind::CopyTexture:
+    return copyTexture(context, command);
+  }
+}
+
+namespace {
+
+/// Nobody knows what a list does.
+void beforeHostLists(Context &context) {
+  if (context.softwarePossible)
+    context.software->hostDrawsList();
+}
+
+/// The segment may have called Viewport, which is how an application follows its window's size.
+void noteViewport(Context &context, const Effects &effects) {
+  if (!context.software || (effects.stale & software::stale::kViewport) == 0)
+    return;
+  GLint box[4] = {};
+  context.host->GetIntegerv(GL_VIEWPORT, box);
+  context.software->residency.drawableMayHaveChanged({box[0], box[1], box[2], box[3]});
+}
+
+/// A segment that sets state and touches no pixel: draws of ours may go on behind it.
+void callStateList(Context &context, GLuint name, const Effects &effects) {
+  context.host->CallList(name);
+  context.stale |= effects.stale;
+  noteViewport(context, effects);
+  noteClipPlanesChange(context);
+  afterHostList(context);
+}
+
+/// A host list may draw: the program in force is bound first. Where that is not valid the host is
+/// brought to refuse: the list's other commands must take effect.
+void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore,
+                  const Effects &effects = {}) {
+  if (context.insideBeginEnd) {
+    context.host->CallList(name);
+    context.stale |= effects.stale;
+    context.insideBeginEnd = primitive != Primitive::Closed;
+    return;
+  }
+  noteClipPlanesOfLists(context);
+  if (!effects.pixels)
+    return callStateList(context, name, effects);
+  beforeHostLists(context);
+  if (context.attention && !validate(context)) {
+    refuseDraws(context);
+    context.host->CallList(name);
+    releaseHostState(context);
+  } else {
+    context.host->CallList(name);
+    context.insideBeginEnd = primitive == Primitive::Open;
+  }
+  context.stale = software::stale::kAll;
+  if (context.insideBeginEnd)
+    return;
+  noteViewport(context, effects);
+  afterHostList(context);
+}
+
+/// A list kept by the host alone may have called one that pushes or pops attributes.
+void followAttribStack(Context &context) {
+  if (context.insideBeginEnd || !context.group->hostListsNest.load(std::memory_order_relaxed))
+    return;
+  GLint depth = 0;
+  context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
+  context.attribStack.resize(std::size_t(depth < 0 ? 0 : depth));
+}
+
+std::size_t elementSize(GLenum type) {
+  switch (type) {
+  case GL_BYTE:
+  case GL_UNSIGNED_BYTE:
+    return 1;
+  case GL_SHORT:
+  case GL_UNSIGNED_SHORT:
+  case GL_2_BYTES:
+    return 2;
+  case GL_3_BYTES:
+    return 3;
+  case GL_INT:
+  case GL_UNSIGNED_INT:
+  case GL_FLOAT:
+  case GL_4_BYTES:
+    return 4;
+  default:
+    return 0;
+  }
+}
+
+template <typename T> T load(const unsigned char *bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+/// Element `i` of CallLists' array (5.4); signed offsets wrap around ListBase.
+GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
+  const unsigned char *const p = bytes + std::size_t(i) * elementSize(type);
+  switch (type) {
+  case GL_BYTE:
+    return GLuint(GLint(load<GLbyte>(p)));
+  case GL_UNSIGNED_BYTE:
+    return p[0];
+  case GL_SHORT:
+    return GLuint(GLint(load<GLshort>(p)));
+  case GL_UNSIGNED_SHORT:
+    return load<GLushort>(p);
+  case GL_FLOAT:
+    return GLuint(GLint64(load<GLfloat>(p)));
+  case GL_2_BYTES:
+    return GLuint(p[0]) << 8 | p[1];
+  case GL_3_BYTES:
+    return GLuint(p[0]) << 16 | GLuint(p[1]) << 8 | p[2];
+  case GL_4_BYTES:
+    return GLuint(p[0]) << 24 | GLuint(p[1]) << 16 | GLuint(p[2]) << 8 | p[3];
+  default:
+    return load<GLuint>(p);
+  }
+}
+
+} // namespace
+
+std::size_t callListsBytes(GLsizei count, GLenum type) {
+  return count > 0 ? std::size_t(count) * elementSize(type) : 0;
+}
+
+void callList(Context &context, GLuint name) {
+  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
+  if (!list) {
+    callHostList(context, name);
+    return followAttribStack(context);
+  }
+  if (context.listDepth >= ListCompiler::kMaxDepth)
+    return;
+  ++context.listDepth;
+  for (const DisplayList::Item &item : list->items) {
+    if (item.geometry) {
+      software::callGeometry(context, *item.geometry);
+    } else if (item.command) {
+      context.stale |= item.effects.stale;
+      execute(context, *item.command);
+    } else {
+      callHostList(context, item.hostList, item.primitive, item.effects);
+    }
+  }
+  --context.listDepth;
+}
+
+void callListIntoHost(Context &context, GLuint name) {
+  const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
+  context.stale = software::stale::kAll;
+  context.list->notePixels();
+  if (!list)
+    return context.host->CallList(name);
+  for (const DisplayList::Item &item : list->items) {
+    if (item.geometry)
+      context.host->Begin(item.geometry->mode); // an error, as in callGeometry()
+    if (item.hostList == 0)
+      continue; // ours are errors between Begin and End
+    context.host->CallList(item.hostList);
+    if (item.primitive != Primitive::AsBefore)
+      context.insideBeginEnd = item.primitive == Primitive::Open;
+  }
+}
+
+void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
+  if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
+    if (!context.insideBeginEnd) {
+      noteClipPlanesOfLists(context);
+      beforeHostLists(context);
+    }
+    const bool refused = context.attention && !context.insideBeginEnd && !validate(context);
+    if (refused)
+      refuseDraws(context);
+    context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
+    context.stale = software::stale::kAll;
+    if (refused)
+      releaseHostState(context);
+    if (!context.insideBeginEnd)
+      afterHostList(context);
+    return followAttribStack(context);
+  }
+  GLint base = 0;
+  if (!context.insideBeginEnd)
+    context.host->GetIntegerv(GL_LIST_BASE, &base);
+  for (GLsizei i = 0; i < count; ++i)
+    callList(context, GLuint(base) + element(type, static_cast<const unsigned char *>(lists), i));
+}
+
+} // namespace arbiter::state

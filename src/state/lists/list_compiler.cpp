@@ -1,0 +1,285 @@
+#include "state/lists/list_compiler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/memory.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/draw.h"
+#include "state/mirror/stale.h"
+#include "state/programs/program_api.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/replay.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// Without the groups of commands that are executed at once, also while a list is compiled (5.4).
+std::uint32_t recordable(std::uint32_t stale) {
+  using namespace software::stale;
+  return stale == kAll ? stale : stale & ~kArrays;
+}
+
+/// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
+/// millions. Each of them makes its object and may be an error, so none is left out.
+bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t stale) {
+  if (!last.command || last.command->kind != Command::Kind::BindProgram ||
+      command.kind != Command::Kind::BindProgram || last.command->target != command.target ||
+      command.target == infoOf(Target::AtiApi).name)
+    return false;
+  // Of this list alone until it is defined, and made by record(), as what may be changed.
+  const_cast<Command &>(*last.command)
+      .bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
+  last.effects.stale |= stale;
+  return true;
+}
+
+/// Room for so many more items: what is added then cannot fail half-way.
+void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
+  if (items.capacity() - items.size() < more)
+    items.reserve(std::max(items.size() + more, 2 * items.capacity()));
+}
+
+} // namespace
+
+void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
+  // What executes with the list must find its program bound: nothing of ours may be called once the
+  // host records. And what is only recorded must not find ours bound.
+  if (mode == GL_COMPILE_AND_EXECUTE) {
+    validateForList(context);
+  } else {
+    releaseHostState(context);
+    invalidateProgram(context);
+  }
+  m_name = name;
+  m_segment = 0;
+  m_items.clear();
+  m_pushes.clear();
+  m_primitive = Primitive::AsBefore;
+  m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
+  m_geometry.reset();
+  m_stale = 0;
+  m_mode = std::uint16_t(mode);
+  // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
+  // and what it executes between them must see the host's own list.
+  m_keeps = mode == GL_COMPILE && software::keepsLists(context);
+  if (m_keeps) {
+    context.softwareListens = true;
+    return resume(context);
+  }
+  setMode(context, m_mode);
+  m_segment = name;
+  context.host->NewList(name, mode);
+}
+
+/// 0: while our commands run nothing is compiled.
+void ListCompiler::setMode(Context &context, std::uint16_t mode) {
+  context.listMode = mode;
+  if (mode == 0) {
+    context.attention &= ~attention::kList;
+    return;
+  }
+  context.attention |= attention::kList;
+  if (mode == GL_COMPILE)
+    context.drawCounter = &context.draws[std::size_t(Path::Recorded)];
+}
+
+/// The segment, which the host has closed, becomes an item, with the pushes in it that wait for an
+/// entry of ours.
+void ListCompiler::finishSegment() {
+  DisplayList::Item item;
+  item.hostList = std::exchange(m_segment, 0);
+  item.primitive = std::exchange(m_primitive, Primitive::AsBefore);
+  makeRoom(m_items, 1 + m_pushes.size());
+  m_items.push_back(std::move(item));
+  for (Push &push : m_pushes)
+    if (!push.noted) {
+      DisplayList::Item pushed;
+      pushed.command = std::make_unique<const Command>(
+          Command{.kind = Command::Kind::AttribPushed, .name = push.mask});
+      pushed.effects.stale = 0;
+      m_items.push_back(std::move(pushed));
+      push.noted = true;
+    }
+}
+
+void ListCompiler::finishGeometry() {
+  if (!m_geometry)
+    return;
+  makeRoom(m_items, 1);
+  DisplayList::Item item;
+  item.geometry = std::move(m_geometry);
+  m_items.push_back(std::move(item));
+}
+
+/// Our own commands may run: the host compiles nothing, and is called as ever.
+void ListCompiler::closeSegment(Context &context) {
+  settle(context);
+  if (m_segment != 0) {
+    context.host->EndList();
+    const std::size_t at = m_items.size();
+    withinMemory(context, "NewList", [&] { finishSegment(); });
+    if (m_keeps && m_items.size() > at)
+      m_items[at].effects = {recordable(context.stale), std::exchange(m_pixels, false)};
+  } else {
+    context.host = context.trueHost;
+    context.recorder = nullptr;
+    withinMemory(context, "NewList", [&] { finishGeometry(); });
+  }
+  context.stale |= std::exchange(m_stale, 0);
+  setMode(context, 0);
+}
+
+/// After closeSegment(): the next segment is opened; of a list that is kept when the host is
+/// called.
+void ListCompiler::resume(Context &context) {
+  context.trueHost = context.host;
+  if (!m_keeps) {
+    if (context.softwarePossible) // our own commands ran: a copy may have been held back
+      withinMemory(context, "NewList",
+                   [&] { context.software->residency.hostDoesAnything("glNewList"); });
+    return openSegment(context);
+  }
+  m_stale = std::exchange(context.stale, 0);
+  setMode(context, m_mode);
+  context.host = &software::kRecordingHost;
+}
+
+/// The host compiles; of a list that is kept in place of resume()'s table.
+void ListCompiler::openSegment(Context &context) {
+  context.host = context.trueHost;
+  context.recorder = nullptr;
+  setMode(context, 0);
+  // The first one has the list's own name: a list of nothing else is the host's own too. So has one
+  // that there is no memory for: what the list holds is undefined then, but it is a list.
+  GLuint segment = m_name;
+  withinMemory(context, "NewList", [&] {
+    finishGeometry();
+    if (m_mode == GL_COMPILE_AND_EXECUTE)
+      validateForList(context);
+    if (!m_items.empty())
+      segment = context.group->lists.takeSegmentName(*context.host);
+  });
+  m_segment = segment;
+  setMode(context, m_mode);
+  context.host->NewList(m_segment, m_mode);
+}
+
+void ListCompiler::record(Context &context, Command command) {
+  noteProgramApiUse(context);
+  const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
+  if (follows && joinBinds(m_items.back(), command, recordable(context.stale)))
+    return;
+  makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
+  settle(context);
+  DisplayList::Item item;
+  item.effects.stale =
+      m_keeps ? recordable(context.stale) : 0; // what the command's entry point has said
+  item.command = std::make_unique<Command>(std::move(command)); // joinBinds() may change it
+  const Command &reference = *item.command;
+  closeSegment(context);
+  m_items.push_back(std::move(item));
+  if (m_mode == GL_COMPILE_AND_EXECUTE)
+    withinMemory(context, "a command of a list", [&] { execute(context, reference); });
+  resume(context);
+}
+
+bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
+  if (!m_keeps || m_recording || m_open || mode > GL_POLYGON)
+    return false;
+  if (m_segment != 0) {
+    closeSegment(context);
+    resume(context);
+  }
+  m_recording = true;
+  m_recorder.begin(mode, {});
+  context.recorder = &m_recorder;
+  ++*context.drawCounter;
+  return true;
+}
+
+void ListCompiler::endPrimitive(Context &context) {
+  stopPrimitive(context);
+  if (m_geometry && append(*m_geometry, m_recorder))
+    return;
+  finishGeometry();
+  m_geometry = geometryOf(m_recorder);
+}
+
+void ListCompiler::stopPrimitive(Context &context) {
+  m_recording = false;
+  context.recorder = nullptr;
+  if (m_recorder.failed())
+    raise(context, GL_OUT_OF_MEMORY, "NewList: no memory for the list's vertices");
+}
+
+void ListCompiler::interruptPrimitive(Context &context) {
+  stopPrimitive(context);
+  m_open = m_begun = true;
+  withinMemory(context, "NewList", [&] {
+    finishGeometry();
+    m_geometry = geometryOf(m_recorder);
+    m_geometry->open = true;
+    finishGeometry();
+  });
+}
+
+void ListCompiler::end(Context &context) {
+  std::shared_ptr<DisplayList> made, list;
+  withinMemory(context, "EndList", [&] {
+    made = std::make_shared<DisplayList>();
+    makeRoom(m_items, 3 + m_pushes.size());
+  });
+  if (m_keeps) {
+    closeSegment(context);
+    list = made;
+  } else {
+    // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
+    const bool watched =
+        m_primitive == Primitive::Open || m_endsFirst || !m_items.empty() ||
+        std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });
+    context.host->EndList();
+    if (watched) {
+      withinMemory(context, "EndList", [&] { finishSegment(); });
+      list = made;
+    }
+    context.stale |= std::exchange(m_stale, 0);
+    setMode(context, 0);
+  }
+  if (list)
+    list->items = std::exchange(m_items, {});
+  withinMemory(context, "EndList", [&] { define(context, std::move(list)); });
+  m_name = 0;
+  m_segment = 0;
+  m_recorder = {};
+  m_keeps = false;
+  context.softwareListens = context.softwarePossible;
+  invalidateProgram(context);
+  context.attention &= ~attention::kList;
+}
+
+void ListCompiler::define(Context &context, std::shared_ptr<const DisplayList> list) {
+  const bool hostHasPart =
+      !m_keeps || !list ||
+      std::any_of(list->items.begin(), list->items.end(),
+                  [&](const DisplayList::Item &i) { return i.hostList == m_name; });
+  if (!hostHasPart) {
+    context.host->NewList(m_name, GL_COMPILE); // it knows the name, and nothing else of the list
+    context.host->EndList();
+  }
+  if (list || !context.group->lists.empty())
+    context.group->lists.replace(*context.host, m_name, std::move(list));
+}
+
+bool ListCompiler::notePop() {
+  if (m_pushes.empty())
+    return true; // it may pop enables that were pushed outside
+  const bool noted = m_pushes.back().noted;
+  m_pushes.pop_back();
+  return noted;
+}
+
+} // namespace arbiter::state

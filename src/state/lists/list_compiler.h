@@ -1,0 +1,123 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "state/lists/display_list.h"
+#include "state/raster_draw/geometry.h"
+#include "state/raster_draw/vertices/immediate.h"
+
+namespace arbiter::state {
+
+class Context;
+
+/// The list between NewList and EndList. The host compiles into one host list after another; each
+/// command of ours closes one, and the next is opened when the host is called again: until then
+/// ContextHot::host is the table that stands in for it (raster_draw/replay.h).
+///
+/// Where the rasterizer may draw (raster_draw/context_state.h, keepsLists) primitives are kept from
+/// the host: its lists hold the state between them, and what each changes is noted.
+class ListCompiler {
+public:
+  /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
+  static constexpr int kMaxDepth = 64;
+
+  void begin(Context &context, GLuint name, GLenum mode);
+  void end(Context &context);
+  /// While a list is compiled: records `command`, and executes it too in COMPILE_AND_EXECUTE.
+  void record(Context &context, Command command);
+  /// Runs `function` outside the host's list, between two segments, recording nothing.
+  template <typename Function> void outside(Context &context, Function &&function) {
+    closeSegment(context);
+    function();
+    resume(context);
+  }
+
+  /// Ends a segment: when the list is called, what follows is a draw's look at the state again.
+  void cut(Context &context) {
+    outside(context, [] {});
+  }
+
+  // --- Primitives that are kept ---
+
+  /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was
+  /// interrupted before (recordsPrimitive()).
+  [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
+  void endPrimitive(Context &context);
+  [[nodiscard]] bool recordsPrimitive() const { return m_recording; }
+  [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
+  /// The host is called: it compiles what comes. An open segment is the host's already.
+  void giveHost(Context &context) {
+    settle(context);
+    openSegment(context);
+  }
+  /// Before a command that is no part of a primitive that is recorded: it is an item up to here,
+  /// which leaves Begin/End open, and its rest is what comes.
+  void settle(Context &context) {
+    if (m_recording)
+      interruptPrimitive(context);
+  }
+  /// The command that goes to the host now draws, or reads or writes images.
+  void notePixels() { m_pixels = true; }
+  /// Primitives are kept.
+  [[nodiscard]] bool keeps() const { return m_keeps; }
+
+  [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
+  /// The list's Begin or End, of the host's.
+  void notePrimitive(Primitive primitive) {
+    m_endsFirst = m_endsFirst || (primitive == Primitive::Closed && !m_begun);
+    m_begun = m_begun || primitive == Primitive::Open;
+    m_open = primitive == Primitive::Open;
+    m_primitive = primitive;
+  }
+  /// PushAttrib is the host's to compile. Our entry of the stack is made where the list is next
+  /// cut, as nothing of ours has changed until there: a list that pops it before needs no cut.
+  void notePush(GLbitfield mask) { m_pushes.push_back({mask, false}); }
+  /// True if the pop must be a command of ours: its push has an entry of ours, or is in another
+  /// list.
+  [[nodiscard]] bool notePop();
+
+private:
+  struct Push {
+    GLbitfield mask;
+    bool noted; ///< as a command of ours
+  };
+  void closeSegment(Context &context);
+  void resume(Context &context);
+  void openSegment(Context &context);
+  void finishSegment();
+  void finishGeometry();
+  void stopPrimitive(Context &context);
+  void interruptPrimitive(Context &context);
+  void setMode(Context &context, std::uint16_t mode);
+  void define(Context &context, std::shared_ptr<const DisplayList> list);
+
+  GLuint m_name = 0;
+  GLuint m_segment = 0; ///< the host list being compiled; 0: none
+  bool m_keeps = false;
+  bool m_recording = false;                    ///< a primitive, since its Begin
+  Primitive m_primitive = Primitive::AsBefore; ///< of the segment
+  bool m_open = false;                         ///< a primitive is, and not recorded
+  bool m_begun = false;                        ///< the host's part of the list has a Begin
+  bool m_endsFirst = false;                    ///< its first End has no Begin in it
+  bool m_pixels = false;                       ///< Effects of the segment
+  std::uint32_t m_stale = 0;                   ///< ContextHot::stale without the segment's part
+  std::vector<DisplayList::Item> m_items;
+  std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
+  software::ImmediateRecorder m_recorder;
+  std::vector<Push> m_pushes;
+  std::uint16_t m_mode = 0;
+};
+
+/// Runs one recorded command.
+void execute(Context &context, const Command &command);
+/// CallList: the list's segments in turn, or the host's list.
+void callList(Context &context, GLuint name);
+void callLists(Context &context, GLsizei count, GLenum type, const void *lists);
+/// CallList between Begin and End while a list is compiled and executed, where the host's list
+/// cannot be cut: the host gets the segments of `name`.
+void callListIntoHost(Context &context, GLuint name);
+/// The size of CallLists' array; 0 if the arguments are not valid.
+[[nodiscard]] std::size_t callListsBytes(GLsizei count, GLenum type);
+
+} // namespace arbiter::state

@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "state/mirror/stale.h"
+
+namespace arbiter::state::software {
+
+/// The groups of state (stale.h) that PopAttrib restores after a PushAttrib of `mask`: the rows of
+/// OpenGL 2.1, tables 6.5 to 6.27, by their attribute group.
+[[nodiscard]] constexpr std::uint32_t staleGroupsOfAttributes(GLbitfield mask) {
+  using namespace stale;
+  struct Row {
+    GLbitfield bit;
+    std::uint32_t groups;
+  };
+  constexpr std::uint32_t kEnables = kTextureBindings | kTextureParameters | kViewport | kRaster |
+                                     kPixelOps | kTransform | kLighting | kTexGen | kFog | kQueries;
+  constexpr std::array<Row, 20> kRows = {{
+      {GL_CURRENT_BIT, kCurrent | kLighting}, // a material may follow the colour
+      {GL_POINT_BIT, kRaster | kTexGen | kTextureParameters},
+      {GL_LINE_BIT, kRaster},
+      {GL_POLYGON_BIT, kRaster},
+      {GL_POLYGON_STIPPLE_BIT, kRaster},
+      {GL_PIXEL_MODE_BIT, kPixelStore | kFramebuffer},    // READ_BUFFER is in it
+      {GL_LIGHTING_BIT, kLighting | kRaster | kPixelOps}, // SHADE_MODEL, CLAMP_VERTEX_COLOR
+      {GL_FOG_BIT, kFog | kLighting},                     // COLOR_SUM
+      {GL_DEPTH_BUFFER_BIT, kPixelOps},
+      {GL_ACCUM_BUFFER_BIT, 0},
+      {GL_STENCIL_BUFFER_BIT, kPixelOps},
+      {GL_VIEWPORT_BIT, kViewport},
+      {GL_TRANSFORM_BIT, kTransform | kRaster | kViewport}, // DEPTH_CLAMP, CLIP_ORIGIN
+      {GL_ENABLE_BIT, kEnables},
+      {GL_COLOR_BUFFER_BIT, kPixelOps | kFramebuffer | kRaster}, // DRAW_BUFFER, clamps
+      {GL_HINT_BIT, kRaster},
+      {GL_EVAL_BIT | GL_LIST_BIT, 0},
+      {GL_TEXTURE_BIT, kTextureBindings | kTextureParameters | kTexGen},
+      {GL_SCISSOR_BIT, kViewport},
+      {GL_MULTISAMPLE_BIT, kPixelOps},
+  }};
+  std::uint32_t groups = kProgramState;
+  GLbitfield known = 0;
+  for (const Row &row : kRows) {
+    known |= row.bit;
+    if ((mask & row.bit) != 0)
+      groups |= row.groups;
+  }
+  return (mask & ~known) != 0 ? kAll : groups; // ALL_ATTRIB_BITS names more than there are
+}
+
+} // namespace arbiter::state::software

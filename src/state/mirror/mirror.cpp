@@ -1,0 +1,170 @@
+#include "state/mirror/mirror.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "state/mirror/ask.h"
+#include "state/mirror/mirror_groups.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+void askViewport(const Ask &ask, Mirror &mirror) {
+  swrast::RasterState &raster = mirror.raster;
+  GLfloat range[2] = {0, 1};
+  GLint box[4] = {};
+  ask.host.GetFloatv(GL_VIEWPORT, raster.viewport);
+  ask.host.GetFloatv(GL_DEPTH_RANGE, range);
+  raster.depthNear = range[0];
+  raster.depthFar = range[1];
+  mirror.scissorEnabled = ask.enabled(GL_SCISSOR_TEST);
+  mirror.scissor = {0, 0, INT16_MAX, INT16_MAX};
+  if (!mirror.scissorEnabled)
+    return;
+  ask.host.GetIntegerv(GL_SCISSOR_BOX, box);
+  mirror.scissor = {box[0], box[1], box[2], box[3]};
+}
+
+swrast::PolygonMode polygonMode(GLint mode) {
+  switch (mode) {
+  case GL_POINT:
+    return swrast::PolygonMode::Point;
+  case GL_LINE:
+    return swrast::PolygonMode::Line;
+  default:
+    return swrast::PolygonMode::Fill;
+  }
+}
+
+void askPolygons(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+  swrast::RasterState &raster = mirror.raster;
+  raster.cullFront = raster.cullBack = false;
+  if (ask.enabled(GL_CULL_FACE)) {
+    const GLenum face = ask.name(GL_CULL_FACE_MODE);
+    raster.cullFront = face != GL_BACK;
+    raster.cullBack = face != GL_FRONT;
+  }
+  raster.frontIsClockwise = ask.name(GL_FRONT_FACE) == GL_CW;
+  raster.flatShade = ask.name(GL_SHADE_MODEL) == GL_FLAT;
+  raster.provokingIsFirst =
+      caps.provokingVertex && ask.name(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION;
+  raster.quadsProvokingIsFirst = raster.provokingIsFirst && caps.quadsFollowProvokingVertex;
+  raster.depthClamp = caps.depthClamp && ask.enabled(GL_DEPTH_CLAMP);
+  GLint modes[2] = {GL_FILL, GL_FILL};
+  ask.host.GetIntegerv(GL_POLYGON_MODE, modes);
+  raster.front = polygonMode(modes[0]);
+  raster.back = polygonMode(modes[1]);
+  raster.offsetFill = ask.enabled(GL_POLYGON_OFFSET_FILL);
+  raster.offsetLine = ask.enabled(GL_POLYGON_OFFSET_LINE);
+  raster.offsetPoint = ask.enabled(GL_POLYGON_OFFSET_POINT);
+  raster.offsetFactor = ask.number(GL_POLYGON_OFFSET_FACTOR);
+  raster.offsetUnits = ask.number(GL_POLYGON_OFFSET_UNITS);
+  mirror.smoothPolygons = ask.enabled(GL_POLYGON_SMOOTH);
+  raster.polygonStipple = nullptr;
+  if (ask.enabled(GL_POLYGON_STIPPLE)) {
+    askPolygonStipple(caps, ask, mirror.polygonStipple);
+    raster.polygonStipple = mirror.polygonStipple;
+  }
+}
+
+void askLinesAndPoints(const Ask &ask, Mirror &mirror) {
+  swrast::RasterState &raster = mirror.raster;
+  raster.lineWidth = ask.number(GL_LINE_WIDTH);
+  mirror.smoothLines = ask.enabled(GL_LINE_SMOOTH);
+  raster.lineStippleFactor = 0;
+  if (ask.enabled(GL_LINE_STIPPLE)) {
+    raster.lineStippleFactor = ask.integer(GL_LINE_STIPPLE_REPEAT);
+    raster.lineStipple = std::uint16_t(ask.integer(GL_LINE_STIPPLE_PATTERN));
+  }
+  raster.pointSize = ask.number(GL_POINT_SIZE);
+  raster.pointSizeMinimum = ask.number(GL_POINT_SIZE_MIN);
+  raster.pointSizeMaximum = ask.number(GL_POINT_SIZE_MAX);
+  mirror.smoothPoints = ask.enabled(GL_POINT_SMOOTH);
+  mirror.pointSizeFromProgram = ask.enabled(GL_VERTEX_PROGRAM_POINT_SIZE);
+  mirror.twoSidedColor = ask.enabled(GL_VERTEX_PROGRAM_TWO_SIDE);
+}
+
+/// What a fragment's depth is clamped to: with ARB_depth_clamp the depth range, else all that a
+/// buffer holds, also where a program's depth is beyond the range (ARB_fragment_program, 3.11.4.4).
+void limitDepths(Mirror &mirror) {
+  const swrast::RasterState &raster = mirror.raster;
+  const auto [least, most] = std::minmax(raster.depthNear, raster.depthFar);
+  mirror.constants.depthMinimum = raster.depthClamp ? float(least) : 0.0f;
+  mirror.constants.depthMaximum = raster.depthClamp ? float(most) : 1.0f;
+}
+
+/// POINT_SPRITE's coordinates are of units, so the active one has to move.
+void askPointSprites(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+  mirror.spriteCoords = 0;
+  if (!ask.enabled(GL_POINT_SPRITE))
+    return;
+  mirror.raster.spriteOriginLowerLeft = ask.name(GL_POINT_SPRITE_COORD_ORIGIN) == GL_LOWER_LEFT;
+  const UnitsScope units(ask.host);
+  for (int unit = 0; unit < std::min(caps.maxTextureCoords, 8); ++unit) {
+    GLint replace = 0;
+    units.select(unit);
+    ask.host.GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replace);
+    mirror.spriteCoords |= std::uint8_t((replace != 0) << unit);
+  }
+}
+
+void askFog(const Ask &ask, Mirror &mirror) {
+  abi::FragmentData &data = mirror.constants;
+  ask.host.GetFloatv(GL_FOG_COLOR, data.fogColor);
+  data.fogDensity = ask.number(GL_FOG_DENSITY);
+  data.fogStart = ask.number(GL_FOG_START);
+  data.fogEnd = ask.number(GL_FOG_END);
+  const float span = data.fogEnd - data.fogStart;
+  data.fogScale = span != 0.0f ? 1.0f / span : 0.0f;
+}
+
+} // namespace
+
+void Mirror::refresh(std::uint32_t &stale) {
+  clock.take(stale);
+  const std::uint32_t groups = clock.changedSince(seen);
+  if (groups == 0) [[likely]]
+    return;
+  seen = clock.now();
+  const Ask ask{m_host};
+  if ((groups & stale::kViewport) != 0)
+    askViewport(ask, *this);
+  if ((groups & stale::kRaster) != 0) {
+    askPolygons(m_caps, ask, *this);
+    askLinesAndPoints(ask, *this);
+  }
+  if ((groups & (stale::kViewport | stale::kRaster)) != 0)
+    limitDepths(*this);
+  if ((groups & (stale::kTexGen | stale::kTextureParameters | stale::kRaster)) != 0)
+    askPointSprites(m_caps, ask, *this);
+  if ((groups & stale::kPixelOps) != 0)
+    askPixelOps(m_caps, ask, *this);
+  if ((groups & stale::kFog) != 0)
+    askFog(ask, *this);
+  if ((groups & (stale::kQueries | stale::kPixelOps | stale::kRaster | stale::kViewport)) != 0)
+    askObstacles(m_caps, ask, *this);
+}
+
+bool Mirror::drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const {
+  return topology >= swrast::Topology::Triangles &&
+         ((raster.front == mode && !raster.cullFront) || (raster.back == mode && !raster.cullBack));
+}
+
+bool Mirror::drawsPoints(swrast::Topology topology) const {
+  return topology == swrast::Topology::Points || drawnAs(topology, swrast::PolygonMode::Point);
+}
+
+const char *Mirror::obstacleOf(swrast::Topology topology) const {
+  using swrast::PolygonMode;
+  using swrast::Topology;
+  const bool polygons = topology >= Topology::Triangles;
+  const bool points = drawsPoints(topology);
+  const bool lines =
+      (!polygons && topology != Topology::Points) || drawnAs(topology, PolygonMode::Line);
+  const bool smooth = (smoothPoints && points) || (smoothLines && lines) ||
+                      (smoothPolygons && drawnAs(topology, PolygonMode::Fill));
+  return smooth ? "state" : nullptr;
+}
+
+} // namespace arbiter::state::software

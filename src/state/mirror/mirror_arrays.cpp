@@ -1,0 +1,154 @@
+// Vertex arrays of the vertex array object in force, or of client state.
+#include <algorithm>
+
+#include "state/mirror/mirror.h"
+#include "state/mirror/mirror_groups.h"
+#include "state/raster_draw/vertices/vertex_convert.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// A conventional array's names. Those with 0 for a size or type have only one.
+struct ArrayNames {
+  Slot slot;
+  GLenum enable, size, type, stride, pointer, buffer;
+  std::uint8_t components; ///< where `size` is 0
+  bool normalized;
+};
+constexpr ArrayNames kNames[] = {
+    {kPosition, GL_VERTEX_ARRAY, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE,
+     GL_VERTEX_ARRAY_POINTER, GL_VERTEX_ARRAY_BUFFER_BINDING, 4, false},
+    {kNormal, GL_NORMAL_ARRAY, 0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE,
+     GL_NORMAL_ARRAY_POINTER, GL_NORMAL_ARRAY_BUFFER_BINDING, 3, true},
+    {kColor, GL_COLOR_ARRAY, GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE,
+     GL_COLOR_ARRAY_POINTER, GL_COLOR_ARRAY_BUFFER_BINDING, 4, true},
+    {kSecondary, GL_SECONDARY_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY_SIZE,
+     GL_SECONDARY_COLOR_ARRAY_TYPE, GL_SECONDARY_COLOR_ARRAY_STRIDE,
+     GL_SECONDARY_COLOR_ARRAY_POINTER, GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, 3, true},
+    {kFogCoord, GL_FOG_COORD_ARRAY, 0, GL_FOG_COORD_ARRAY_TYPE, GL_FOG_COORD_ARRAY_STRIDE,
+     GL_FOG_COORD_ARRAY_POINTER, GL_FOG_COORD_ARRAY_BUFFER_BINDING, 1, false},
+    {kEdgeFlag, GL_EDGE_FLAG_ARRAY, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE, GL_EDGE_FLAG_ARRAY_POINTER,
+     GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, 1, false},
+};
+constexpr ArrayNames kTexCoordNames = {kTexCoord0,
+                                       GL_TEXTURE_COORD_ARRAY,
+                                       GL_TEXTURE_COORD_ARRAY_SIZE,
+                                       GL_TEXTURE_COORD_ARRAY_TYPE,
+                                       GL_TEXTURE_COORD_ARRAY_STRIDE,
+                                       GL_TEXTURE_COORD_ARRAY_POINTER,
+                                       GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING,
+                                       4,
+                                       false};
+
+void setShape(VertexSource::Array &array, GLint size, GLint type, GLint stride) {
+  array.bgra = size == GL_BGRA;
+  array.components = std::uint8_t(array.bgra ? 4 : size);
+  array.type = std::uint32_t(type);
+  array.stride = stride != 0 ? std::uint32_t(stride) : elementBytes(array);
+}
+
+void add(ArrayBindings &arrays, int slot, const ArrayBinding &binding) {
+  arrays.slots[std::size_t(slot)] = binding;
+  arrays.enabled |= 1u << slot;
+}
+
+void askArray(const Ask &ask, const ArrayNames &names, int slot, ArrayBindings &arrays) {
+  if (!ask.enabled(names.enable))
+    return;
+  ArrayBinding binding;
+  binding.enabled = true;
+  binding.array.normalized = names.normalized;
+  setShape(binding.array, names.size != 0 ? ask.integer(names.size) : names.components,
+           names.type != 0 ? ask.integer(names.type) : GL_UNSIGNED_BYTE, ask.integer(names.stride));
+  binding.buffer = GLuint(ask.integer(names.buffer));
+  void *pointer = nullptr;
+  ask.host.GetPointerv(names.pointer, &pointer);
+  binding.array.base = pointer;
+  add(arrays, slot, binding);
+}
+
+/// Where an array of a buffer starts: bindings (ARB_vertex_attrib_binding) may be set apart from
+/// the pointer, which does not follow them.
+void askBinding(const Ask &ask, GLuint index, ArrayBinding &binding) {
+  GLint point = 0, relative = 0, stride = 0;
+  GLint64 offset = 0;
+  ask.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &point);
+  ask.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
+  ask.host.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, GLuint(point), &offset);
+  ask.host.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, GLuint(point), &stride);
+  binding.array.base = reinterpret_cast<const void *>(std::uintptr_t(offset + relative));
+  binding.array.stride = std::uint32_t(stride); // 0: one element for all vertices
+}
+
+void askGeneric(const HostCaps &caps, const Ask &ask, GLuint index, ArrayBindings &arrays) {
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    ask.host.GetVertexAttribiv(index, pname, &value);
+    return value;
+  };
+  if (get(GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0)
+    return;
+  const int slot = index == 0 ? int(kPosition) : kGeneric0 + int(index);
+  ArrayBinding binding;
+  binding.enabled = true;
+  binding.array.normalized = get(GL_VERTEX_ATTRIB_ARRAY_NORMALIZED) != 0;
+  setShape(binding.array, get(GL_VERTEX_ATTRIB_ARRAY_SIZE), get(GL_VERTEX_ATTRIB_ARRAY_TYPE),
+           get(GL_VERTEX_ATTRIB_ARRAY_STRIDE));
+  binding.buffer = GLuint(get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING));
+  void *pointer = nullptr;
+  ask.host.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  binding.array.base = pointer;
+  if (caps.attribBinding && binding.buffer != 0)
+    askBinding(ask, index, binding);
+  const bool foreign = (caps.instanced && get(GL_VERTEX_ATTRIB_ARRAY_DIVISOR) != 0) ||
+                       (caps.integerArrays && get(GL_VERTEX_ATTRIB_ARRAY_INTEGER) != 0) ||
+                       (caps.doubleArrays && get(GL_VERTEX_ATTRIB_ARRAY_LONG) != 0) ||
+                       binding.array.stride == 0;
+  const std::uint32_t bit = 1u << slot;
+  arrays.foreign = foreign ? arrays.foreign | bit : arrays.foreign & ~bit;
+  add(arrays, slot, binding);
+}
+
+void askTexCoordArrays(const HostCaps &caps, const Ask &ask, ArrayBindings &arrays) {
+  const GLenum first = ask.name(GL_CLIENT_ACTIVE_TEXTURE);
+  GLenum selected = first;
+  const auto select = [&](GLenum unit) {
+    if (selected != unit)
+      ask.host.ClientActiveTexture(selected = unit);
+  };
+  for (int unit = 0; unit < std::min(caps.maxTextureCoords, 8); ++unit) {
+    select(GLenum(GL_TEXTURE0 + unit));
+    askArray(ask, kTexCoordNames, kTexCoord0 + unit, arrays);
+  }
+  select(first);
+}
+
+bool restarts(const HostCaps &caps, const Ask &ask) {
+  return (caps.primitiveRestart && ask.enabled(GL_PRIMITIVE_RESTART)) ||
+         (caps.restartNv && ask.enabled(GL_PRIMITIVE_RESTART_NV)) ||
+         (caps.fixedIndexRestart && ask.enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX));
+}
+
+} // namespace
+
+void Mirror::refreshArrays() {
+  constexpr std::uint32_t kGroups = stale::kArrays | stale::kRaster;
+  const std::uint32_t groups = clock.changedSince(arraysSeen) & kGroups;
+  arraysSeen = clock.now();
+  if (groups == 0) [[likely]]
+    return;
+  const Ask ask{m_host};
+  arrays.restart = restarts(m_caps, ask);
+  if ((groups & stale::kArrays) == 0)
+    return;
+  arrays.enabled = arrays.foreign = 0;
+  for (const ArrayNames &names : kNames)
+    askArray(ask, names, names.slot, arrays);
+  askTexCoordArrays(m_caps, ask, arrays);
+  for (GLuint i = 0; i < GLuint(std::min(m_caps.maxVertexAttribs, 16)); ++i)
+    askGeneric(m_caps, ask, i, arrays); // 0 after the position, which it stands for
+  arrays.elementBuffer = GLuint(ask.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
+}
+
+} // namespace arbiter::state::software

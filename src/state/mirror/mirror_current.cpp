@@ -1,0 +1,86 @@
+// Current vertex attributes, by slots.
+#include <algorithm>
+#include <bit>
+
+#include "state/mirror/mirror.h"
+#include "state/mirror/mirror_groups.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
+
+void askSlot(const HostCaps &caps, const Ask &ask, int slot, std::array<float, 4> &value) {
+  value = {0, 0, 0, 1};
+  switch (slot) {
+  case kPosition:
+    break; // there is none
+  case kNormal:
+    ask.host.GetFloatv(GL_CURRENT_NORMAL, value.data());
+    break;
+  case kColor:
+    ask.host.GetFloatv(GL_CURRENT_COLOR, value.data());
+    break;
+  case kSecondary:
+    ask.host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
+    break;
+  case kFogCoord:
+    ask.host.GetFloatv(GL_CURRENT_FOG_COORDINATE, value.data());
+    break;
+  case kEdgeFlag:
+    value[0] = ask.boolean(GL_EDGE_FLAG) ? 1.0f : 0.0f;
+    break;
+  default:
+    if (slot >= kGeneric0 && slot - kGeneric0 < caps.maxVertexAttribs)
+      ask.host.GetVertexAttribfv(GLuint(slot - kGeneric0), GL_CURRENT_VERTEX_ATTRIB, value.data());
+    break;
+  }
+}
+
+} // namespace
+
+void Mirror::refreshCurrent(std::uint32_t &stale, std::uint32_t slots) {
+  clock.take(stale);
+  if ((clock.changedSince(currentSeen) & stale::kCurrent) != 0)
+    currentKnown = 0;
+  currentSeen = clock.now();
+  const std::uint32_t wanted = slots & ~currentKnown & ~(1u << kGeneric0);
+  if (wanted == 0) [[likely]]
+    return;
+  const Ask ask{m_host};
+  for (std::uint32_t left = wanted & ~kTexCoords; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    askSlot(m_caps, ask, slot, current[std::size_t(slot)]);
+  }
+  if ((wanted & kTexCoords) != 0) {
+    const UnitsScope units(m_host);
+    for (std::uint32_t left = wanted & kTexCoords; left != 0; left &= left - 1) {
+      const int slot = std::countr_zero(left);
+      std::array<float, 4> &value = current[std::size_t(slot)];
+      value = {0, 0, 0, 1};
+      if (slot - kTexCoord0 >= m_caps.maxTextureCoords)
+        continue;
+      units.select(slot - kTexCoord0);
+      ask.host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
+    }
+  }
+  currentKnown |= wanted;
+}
+
+void Mirror::noteCurrent(const CurrentValues &values, std::uint32_t slots) {
+  for (std::uint32_t left = slots; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    current[std::size_t(slot)] = values[std::size_t(slot)];
+  }
+  currentKnown |= slots;
+  if ((slots & 1u << kColor) == 0 || !vertex.colorMaterial) [[likely]]
+    return;
+  // The material followed the colour.
+  const bool upToDate = (clock.changedSince(currentSeen) & stale::kCurrent) == 0;
+  clock.mark(stale::kCurrent);
+  if (upToDate)
+    currentSeen = clock.now();
+}
+
+} // namespace arbiter::state::software

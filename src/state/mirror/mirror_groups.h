@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+
+#include "state/core/host_caps.h"
+#include "state/mirror/ask.h"
+
+/// Parts of mirror.cpp, a file each.
+namespace arbiter::state::software {
+class Mirror;
+
+/// Moves the active texture unit for questions that have no unit of their own, and puts it back.
+class UnitsScope {
+public:
+  explicit UnitsScope(const host::HostTable &host) : m_host(host) {
+    m_host.GetIntegerv(GL_ACTIVE_TEXTURE, &m_first);
+    m_selected = m_first;
+  }
+  ~UnitsScope() { choose(m_first); }
+  UnitsScope(const UnitsScope &) = delete;
+  UnitsScope &operator=(const UnitsScope &) = delete;
+  void select(int unit) const { choose(GL_TEXTURE0 + unit); }
+
+private:
+  void choose(GLint name) const {
+    if (m_selected != name)
+      m_host.ActiveTexture(GLenum(m_selected = name));
+  }
+  const host::HostTable &m_host;
+  GLint m_first = GL_TEXTURE0;
+  mutable GLint m_selected = GL_TEXTURE0;
+};
+
+/// Alpha test, blending, depth and stencil tests, logic operation, masks, clamps.
+void askPixelOps(const HostCaps &caps, const Ask &ask, Mirror &mirror);
+/// Whatever keeps all draws with the host. After the other groups.
+void askObstacles(const HostCaps &caps, const Ask &ask, Mirror &mirror);
+/// 32 rows of 4 bytes, the lowest first, the leftmost pixel in the highest bit.
+void askPolygonStipple(const HostCaps &caps, const Ask &ask, std::uint8_t rows[128]);
+
+} // namespace arbiter::state::software

@@ -1,0 +1,183 @@
+// Textures as the units' sampler state has them: of the texture, or of a sampler object.
+#include <algorithm>
+#include <iterator>
+
+#include "state/mirror/mirror.h"
+#include "state/mirror/mirror_groups.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+struct DimensionNames {
+  GLenum target, binding;
+};
+/// By abi::Dimension.
+constexpr DimensionNames kDimensions[] = {{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
+                                          {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+                                          {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
+                                          {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+                                          {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE}};
+
+bool wrapOf(GLint mode, abi::Wrap &out) {
+  switch (mode) {
+  case GL_REPEAT:
+    out = abi::Wrap::Repeat;
+    return true;
+  case GL_MIRRORED_REPEAT:
+    out = abi::Wrap::MirroredRepeat;
+    return true;
+  case GL_CLAMP:
+    out = abi::Wrap::Clamp;
+    return true;
+  case GL_CLAMP_TO_EDGE:
+    out = abi::Wrap::ClampToEdge;
+    return true;
+  case GL_CLAMP_TO_BORDER:
+    out = abi::Wrap::ClampToBorder;
+    return true;
+  case GL_MIRROR_CLAMP_EXT:
+    out = abi::Wrap::MirrorClamp;
+    return true;
+  case GL_MIRROR_CLAMP_TO_EDGE:
+    out = abi::Wrap::MirrorClampToEdge;
+    return true;
+  case GL_MIRROR_CLAMP_TO_BORDER_EXT:
+    out = abi::Wrap::MirrorClampToBorder;
+    return true;
+  default:
+    return false;
+  }
+}
+
+void minifyOf(GLint filter, abi::SamplerKey &key) {
+  const bool linear = filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
+                      filter == GL_LINEAR_MIPMAP_LINEAR;
+  key.minify = linear ? abi::Filter::Linear : abi::Filter::Nearest;
+  key.mip = abi::MipFilter::None;
+  if (filter == GL_NEAREST_MIPMAP_NEAREST || filter == GL_LINEAR_MIPMAP_NEAREST)
+    key.mip = abi::MipFilter::Nearest;
+  if (filter == GL_NEAREST_MIPMAP_LINEAR || filter == GL_LINEAR_MIPMAP_LINEAR)
+    key.mip = abi::MipFilter::Linear;
+}
+
+/// The questions about one sampler: to the texture bound to the active unit, or to an object.
+struct Source {
+  const host::HostTable &host;
+  GLenum target;
+  GLuint sampler; ///< 0: none
+  [[nodiscard]] GLint integer(GLenum pname) const {
+    GLint value = 0;
+    if (sampler != 0)
+      host.GetSamplerParameteriv(sampler, pname, &value);
+    else
+      host.GetTexParameteriv(target, pname, &value);
+    return value;
+  }
+  void numbers(GLenum pname, GLfloat *values) const {
+    if (sampler != 0)
+      host.GetSamplerParameterfv(sampler, pname, values);
+    else
+      host.GetTexParameterfv(target, pname, values);
+  }
+  [[nodiscard]] GLfloat number(GLenum pname) const {
+    GLfloat value = 0;
+    numbers(pname, &value);
+    return value;
+  }
+};
+
+/// What a sampler object replaces.
+void askSampling(const HostCaps &caps, const Source &source, SamplerState &state) {
+  abi::SamplerKey &key = state.key;
+  constexpr GLenum kWraps[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
+  // Those that a target has no coordinate for stay as they are: fewer keys.
+  const int coordinates =
+      key.dimension == abi::Dimension::Tex1D                                            ? 1
+      : key.dimension == abi::Dimension::Tex3D || key.dimension == abi::Dimension::Cube ? 3
+                                                                                        : 2;
+  for (int i = 0; i < coordinates; ++i)
+    if (!wrapOf(source.integer(kWraps[i]), key.wrap[std::size_t(i)]))
+      state.obstacle = "a wrap mode";
+  key.magnify = source.integer(GL_TEXTURE_MAG_FILTER) == GL_LINEAR ? abi::Filter::Linear
+                                                                   : abi::Filter::Nearest;
+  minifyOf(source.integer(GL_TEXTURE_MIN_FILTER), key);
+  state.minLod = source.number(GL_TEXTURE_MIN_LOD);
+  state.maxLod = source.number(GL_TEXTURE_MAX_LOD);
+  state.lodBias += source.number(GL_TEXTURE_LOD_BIAS);
+  source.numbers(GL_TEXTURE_BORDER_COLOR, state.borderColor);
+  state.compares = caps.shadow && source.integer(GL_TEXTURE_COMPARE_MODE) != GL_NONE;
+  key.compare = abi::Compare::LessEqual;
+  if (state.compares)
+    key.compare = abi::Compare(source.integer(GL_TEXTURE_COMPARE_FUNC) - GL_NEVER);
+  if (caps.anisotropy && key.mip != abi::MipFilter::None &&
+      source.number(GL_TEXTURE_MAX_ANISOTROPY_EXT) > 1.0f)
+    state.obstacle = "TEXTURE_MAX_ANISOTROPY";
+  if (caps.filterMinmax && source.integer(GL_TEXTURE_REDUCTION_MODE_ARB) != GL_WEIGHTED_AVERAGE_ARB)
+    state.obstacle = "TEXTURE_REDUCTION_MODE";
+}
+
+/// What is the texture's whatever the sampler object.
+void askTexture(const HostCaps &caps, const Source &source, SamplerState &state) {
+  state.baseLevel = source.integer(GL_TEXTURE_BASE_LEVEL);
+  state.maxLevel = source.integer(GL_TEXTURE_MAX_LEVEL);
+  state.depthMode = GLenum(source.integer(GL_DEPTH_TEXTURE_MODE));
+  if (!caps.textureSwizzle)
+    return;
+  GLint swizzle[4] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+  source.host.GetTexParameteriv(source.target, GL_TEXTURE_SWIZZLE_RGBA, swizzle);
+  std::copy(std::begin(swizzle), std::end(swizzle), state.swizzle.begin());
+}
+
+/// The unit is the active one.
+void askSampler(const HostCaps &caps, const Ask &ask, const SamplerUse &use, SamplerState &state) {
+  const std::uint64_t seen = state.seen;
+  state = {};
+  state.seen = seen;
+  state.key.dimension = use.dimension;
+  const DimensionNames &names = kDimensions[int(use.dimension)];
+  if (use.dimension == abi::Dimension::Rect && !caps.textureRectangle) {
+    state.obstacle = "no rectangles";
+    return;
+  }
+  state.texture = GLuint(ask.integer(names.binding));
+  const GLuint sampler = caps.samplerObjects ? GLuint(ask.integer(GL_SAMPLER_BINDING)) : 0;
+  ask.host.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &state.lodBias);
+  askSampling(caps, {ask.host, names.target, sampler}, state);
+  askTexture(caps, {ask.host, names.target, 0}, state);
+  if (use.dimension == abi::Dimension::Cube && caps.seamlessCube &&
+      (state.key.magnify == abi::Filter::Linear || state.key.minify == abi::Filter::Linear) &&
+      ask.enabled(GL_TEXTURE_CUBE_MAP_SEAMLESS))
+    state.obstacle = "TEXTURE_CUBE_MAP_SEAMLESS";
+  state.key.hasBias = state.lodBias != 0 || state.minLod != -1000 || state.maxLod != 1000;
+}
+
+} // namespace
+
+namespace {
+constexpr std::uint32_t kSamplerGroups = stale::kTextureBindings | stale::kTextureParameters;
+} // namespace
+
+bool Mirror::isStale(const SamplerUse &use) const {
+  const SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
+  return (clock.changedSince(state.seen) & kSamplerGroups) != 0;
+}
+
+bool Mirror::samplersAreStale(std::span<const SamplerUse> uses) const {
+  return std::any_of(uses.begin(), uses.end(), [&](const SamplerUse &use) { return isStale(use); });
+}
+
+void Mirror::refreshSamplers(std::span<const SamplerUse> uses) {
+  const Ask ask{m_host};
+  const UnitsScope units(m_host);
+  for (const SamplerUse &use : uses) {
+    if (!isStale(use))
+      continue;
+    SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
+    units.select(use.unit);
+    askSampler(m_caps, ask, use, state);
+    state.seen = clock.now();
+  }
+}
+
+} // namespace arbiter::state::software

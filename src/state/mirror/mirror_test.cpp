@@ -1,0 +1,271 @@
+// The mirror against a real host: what it says is what was set, whichever of it was set since it
+// last looked; it leaves no error and no state behind.
+#define GL_GLEXT_PROTOTYPES // before any header of GL
+#include "state/mirror/mirror.h"
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/null_host.h"
+#include "state/mirror/testing/mirror_fields.h"
+
+namespace arbiter::state::software {
+namespace {
+
+using testing::Check;
+using testing::Field;
+using testing::Numbers;
+using testing::RealHost;
+
+/// What a look at the host may move, and must put back.
+std::vector<GLint> movables() {
+  constexpr GLenum kNames[] = {GL_ACTIVE_TEXTURE,
+                               GL_CLIENT_ACTIVE_TEXTURE,
+                               GL_MATRIX_MODE,
+                               GL_ACTIVE_STENCIL_FACE_EXT,
+                               GL_ARRAY_BUFFER_BINDING,
+                               GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                               GL_PIXEL_PACK_BUFFER_BINDING,
+                               GL_PACK_LSB_FIRST,
+                               GL_PACK_ROW_LENGTH,
+                               GL_PACK_SKIP_PIXELS,
+                               GL_PACK_SKIP_ROWS,
+                               GL_PACK_ALIGNMENT,
+                               GL_SAMPLER_BINDING,
+                               GL_VERTEX_ARRAY_BINDING,
+                               GL_TEXTURE_BINDING_2D};
+  std::vector<GLint> values;
+  for (const GLenum name : kNames) {
+    values.push_back(0);
+    glGetIntegerv(name, &values.back());
+  }
+  return values;
+}
+
+void refreshAll(Context &context, Mirror &mirror) {
+  const std::vector<GLint> before = movables();
+  ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << "the test's own";
+  mirror.refresh(context.stale);
+  mirror.refreshVertexState();
+  mirror.refreshArrays();
+  const SamplerUse use[] = {{0, abi::Dimension::Tex2D}, {3, abi::Dimension::Cube}};
+  mirror.refreshSamplers(use);
+  mirror.refreshCurrent(context.stale, ~0u);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+  EXPECT_EQ(movables(), before);
+}
+
+TEST(Mirror, FollowsWhicheverStateChanged) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  std::vector<Field> fields;
+  for (const auto &some :
+       {testing::rasterFields(), testing::pixelFields(), testing::vertexFields()})
+    fields.insert(fields.end(), some.begin(), some.end());
+  Mirror mirror(*context.host, context.caps);
+  std::map<std::size_t, Check> checks;
+  Numbers numbers(1);
+  glActiveTexture(GL_TEXTURE5);
+  glClientActiveTexture(GL_TEXTURE2);
+  refreshAll(context, mirror);
+  for (int round = 0; round < 1500; ++round) {
+    for (int i = 0; i < 1 + numbers.below(3); ++i) {
+      const auto at = std::size_t(numbers.below(int(fields.size())));
+      checks[at] = fields[at].set(numbers);
+      context.stale |= fields[at].stale;
+    }
+    refreshAll(context, mirror);
+    EXPECT_EQ(context.stale & ~StaleClock::kNotOurs, 0u);
+    for (const auto &[at, check] : checks) {
+      SCOPED_TRACE(std::string(fields[at].name) + " in round " + std::to_string(round));
+      check(mirror);
+    }
+    if (HasFailure())
+      return;
+  }
+}
+
+TEST(Mirror, AsksOnlyWhatIsStale) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  mirror.refresh(context.stale);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  mirror.refresh(context.stale);
+  EXPECT_FALSE(mirror.pixelOps.depthStencil.depthTest) << "nobody said that it changed";
+  context.stale |= stale::kPixelOps | stale::kFramebuffer;
+  mirror.refresh(context.stale);
+  EXPECT_TRUE(mirror.pixelOps.depthStencil.depthTest);
+  EXPECT_FALSE(mirror.raster.cullBack);
+  EXPECT_EQ(context.stale & stale::kFramebuffer, stale::kFramebuffer) << "is residency's to take";
+}
+
+void clipControl(GLenum origin) {
+  reinterpret_cast<PFNGLCLIPCONTROLPROC>(testing::address("glClipControl"))(origin,
+                                                                            GL_NEGATIVE_ONE_TO_ONE);
+}
+
+struct Obstacle {
+  const char *name;
+  const char *reason;
+  std::uint32_t stale;
+  void (*begin)();
+  void (*end)();
+};
+GLuint g_query;
+const Obstacle kObstacles[] = {
+    {"an occlusion query", "query", stale::kQueries,
+     [] { glBeginQuery(GL_SAMPLES_PASSED, g_query); }, [] { glEndQuery(GL_SAMPLES_PASSED); }},
+    {"another query", "query", stale::kQueries,
+     [] { glBeginQuery(GL_ANY_SAMPLES_PASSED, g_query + 1); },
+     [] { glEndQuery(GL_ANY_SAMPLES_PASSED); }},
+    {"feedback", "query", stale::kQueries,
+     [] {
+       static GLfloat s_buffer[16];
+       glFeedbackBuffer(16, GL_2D, s_buffer);
+       glRenderMode(GL_FEEDBACK);
+     },
+     [] { glRenderMode(GL_RENDER); }},
+    {"rasterizer discard", "state", stale::kRaster, [] { glEnable(GL_RASTERIZER_DISCARD); },
+     [] { glDisable(GL_RASTERIZER_DISCARD); }},
+    {"sRGB", "state", stale::kPixelOps, [] { glEnable(GL_FRAMEBUFFER_SRGB); },
+     [] { glDisable(GL_FRAMEBUFFER_SRGB); }},
+    {"clip control", "state", stale::kViewport, [] { clipControl(GL_UPPER_LEFT); },
+     [] { clipControl(GL_LOWER_LEFT); }},
+    {"two sources", "state", stale::kPixelOps,
+     [] {
+       glEnable(GL_BLEND);
+       glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+     },
+     [] { glBlendFunc(GL_ONE, GL_ZERO); }},
+};
+
+TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  glGenQueries(2, &g_query);
+  mirror.refresh(context.stale);
+  EXPECT_EQ(mirror.obstacle, nullptr);
+  for (const Obstacle &obstacle : kObstacles) {
+    obstacle.begin();
+    context.stale |= obstacle.stale;
+    mirror.refresh(context.stale);
+    EXPECT_STREQ(mirror.obstacle, obstacle.reason) << obstacle.name;
+    obstacle.end();
+    context.stale |= obstacle.stale;
+    mirror.refresh(context.stale);
+    EXPECT_EQ(mirror.obstacle, nullptr) << obstacle.name << ": " << mirror.obstacleDetail;
+  }
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(Mirror, SmoothPrimitivesAreTheHosts) {
+  using swrast::Topology;
+  const HostCaps caps;
+  Mirror mirror(host::kNullHost, caps);
+  EXPECT_EQ(mirror.obstacleOf(Topology::Lines), nullptr);
+  mirror.smoothLines = true;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::LineLoop), "state");
+  EXPECT_EQ(mirror.obstacleOf(Topology::Points), nullptr);
+  EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
+  mirror.raster.back = swrast::PolygonMode::Line;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::Quads), "state");
+  mirror.raster.cullBack = true;
+  EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
+  mirror.smoothPolygons = true;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::TriangleFan), "state");
+}
+
+TEST(Mirror, CurrentValuesAreAskedForOnce) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  glColor4f(0.25f, 0.5f, 0.75f, 1);
+  glNormal3f(1, 2, 3);
+  glSecondaryColor3f(0.5f, 0.25f, 0);
+  glFogCoordf(7);
+  glEdgeFlag(GL_FALSE);
+  glMultiTexCoord3f(GL_TEXTURE3, 1, 2, 3);
+  glVertexAttrib4f(5, 5, 6, 7, 8);
+  mirror.refreshCurrent(context.stale, ~0u);
+  const auto &current = mirror.current;
+  using Vec = std::array<float, 4>;
+  EXPECT_EQ(current[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
+  EXPECT_EQ(current[kNormal], (Vec{1, 2, 3, 1}));
+  EXPECT_EQ(current[kSecondary][1], 0.25f);
+  EXPECT_EQ(current[kFogCoord], (Vec{7, 0, 0, 1}));
+  EXPECT_EQ(current[kEdgeFlag][0], 0.0f);
+  EXPECT_EQ(current[kTexCoord0 + 3], (Vec{1, 2, 3, 1}));
+  EXPECT_EQ(current[kTexCoord0 + 2], (Vec{0, 0, 0, 1}));
+  EXPECT_EQ(current[kGeneric0 + 5], (Vec{5, 6, 7, 8}));
+  CurrentValues values{};
+  values[kColor] = {1, 1, 1, 1};
+  glColor4f(1, 1, 1, 1);
+  mirror.noteCurrent(values, 1u << kColor);
+  mirror.refreshCurrent(context.stale, 1u << kColor);
+  EXPECT_EQ(current[kColor][0], 1.0f);
+  glColor4f(0.125f, 0, 0, 0);
+  context.stale |= stale::kCurrent;
+  mirror.refreshCurrent(context.stale, 1u << kColor);
+  EXPECT_EQ(current[kColor][0], 0.125f);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(Mirror, CostsLittle) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  GLuint textures[2];
+  glGenTextures(2, textures);
+  const SamplerUse uses[] = {{0, abi::Dimension::Tex2D}};
+  const auto best = [&](auto work) {
+    double least = 1e9;
+    for (int i = 0; i < 200; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      work();
+      const std::chrono::duration<double, std::micro> taken =
+          std::chrono::steady_clock::now() - start;
+      least = std::min(least, taken.count());
+    }
+    return least;
+  };
+  const double all = best([&] {
+    context.stale = stale::kAll;
+    mirror.refresh(context.stale);
+    mirror.refreshVertexState();
+    mirror.refreshSamplers(uses);
+  });
+  int turn = 0;
+  const double rebind = best([&] {
+    glBindTexture(GL_TEXTURE_2D, textures[turn ^= 1]);
+    context.stale |= stale::kTextureBindings;
+    mirror.refresh(context.stale);
+    mirror.refreshSamplers(uses);
+  });
+  const double nothing = best([&] {
+    for (int i = 0; i < 100; ++i) {
+      mirror.refresh(context.stale);
+      mirror.refreshSamplers(uses);
+    }
+  });
+  std::printf("all %.2f us, a texture bound %.2f us, nothing %.4f us\n", all, rebind,
+              nothing / 100);
+  EXPECT_EQ(mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].texture, textures[turn]);
+  // Far above what is meant (20, 2): to catch a question that the host answers by drawing.
+  EXPECT_LT(all, 2000.0);
+  EXPECT_LT(rebind, 1000.0);
+}
+
+} // namespace
+} // namespace arbiter::state::software

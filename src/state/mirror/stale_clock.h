@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "state/mirror/stale.h"
+
+namespace arbiter::state::software {
+
+/// The one place that empties ContextHot::stale, but for the groups that residency reads, and
+/// tells its many readers: each remembers the time up to which it has seen everything.
+class StaleClock {
+public:
+  /// Bits that stay in the context: they are residency's.
+  static constexpr std::uint32_t kNotOurs = stale::kFramebuffer | stale::kPixelStore;
+
+  /// Called before anything is read; costs a test where nothing changed.
+  /// \param stale ContextHot::stale
+  void take(std::uint32_t &stale) {
+    const std::uint32_t bits = stale & ~kNotOurs;
+    if (bits == 0) [[likely]]
+      return;
+    stale &= kNotOurs;
+    mark(bits);
+  }
+  /// Groups that the layer itself has changed.
+  void mark(std::uint32_t bits) {
+    ++m_now;
+    m_latest = bits & kGroups;
+    for (std::uint32_t left = bits & kGroups; left != 0; left &= left - 1)
+      m_changed[std::size_t(std::countr_zero(left))] = m_now;
+  }
+  [[nodiscard]] std::uint64_t now() const { return m_now; }
+  /// The groups that changed after `seen`, a time that now() gave. 0 before the first: all.
+  [[nodiscard]] std::uint32_t changedSince(std::uint64_t seen) const {
+    if (seen == m_now) [[likely]]
+      return 0;
+    if (seen + 1 == m_now) // one that looks at every draw
+      return m_latest;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < m_changed.size(); ++i)
+      bits |= std::uint32_t(m_changed[i] > seen) << i;
+    return bits;
+  }
+
+private:
+  static constexpr std::uint32_t kGroups = 0xFFFF;
+  std::uint64_t m_now = 1;
+  std::uint32_t m_latest = kGroups; ///< what the last mark() named
+  std::array<std::uint64_t, 16> m_changed = [] {
+    std::array<std::uint64_t, 16> times;
+    times.fill(1);
+    return times;
+  }();
+};
+
+} // namespace arbiter::state::software

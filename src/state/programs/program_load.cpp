@@ -1,0 +1,181 @@
+// ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
+#include <algorithm>
+#include <cstring>
+
+#include "fp_compiler/ir/print.h"
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/clip_planes.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_api.h"
+#include "state/programs/program_cache.h"
+#include "state/programs/replacement.h"
+#include "state/report/capture.h"
+#include "state/report/statistics.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// ProgramString's format and length; false after an error.
+bool checkArguments(Context &context, GLenum format, GLsizei length) {
+  if (format != GL_PROGRAM_FORMAT_ASCII_ARB) {
+    raise(context, GL_INVALID_ENUM, "ProgramString: format is not PROGRAM_FORMAT_ASCII");
+    return false;
+  }
+  if (length < 0) {
+    raise(context, GL_INVALID_VALUE, "ProgramString: the length is negative");
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+fp::CompileOptions compileOptions(const ProgramTarget &row) {
+  fp::CompileOptions options;
+  options.limits = row.limits;
+  options.policy = settings().enforceLimits ? fp::LimitPolicy::Enforce : fp::LimitPolicy::Report;
+  return options;
+}
+
+fp::GlslHost glslHost(const HostCaps &caps) {
+  fp::GlslHost host;
+  host.textureRectangle = caps.textureRectangle;
+  host.fragCoordConventions = caps.fragCoordConventions;
+  host.drawBuffers = caps.drawBuffers;
+  host.bitEncoding = caps.bitEncoding;
+  host.clipPlanes = false; // the clipped form of a program is made when it is needed
+  return host;
+}
+
+fp::Compilation compileText(const Context &context, const ProgramTarget &row,
+                            std::string_view text) {
+  return compileCached(
+      {row.info().language, compileOptions(row), glslHost(context.caps), context.numerics}, text);
+}
+
+std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Target target,
+                                                      std::string_view text,
+                                                      const fp::Compilation &own,
+                                                      const Replacement *replacement) {
+  const bool replaced = replacement && replacement->result.ok();
+  const fp::CheckResult &source = replaced ? replacement->result : own.check;
+  if (!source.ok())
+    return nullptr;
+  // The application hears of its own program, if that is one at all.
+  const fp::CheckResult &answers = own.check.ok() ? own.check : source;
+  auto compiled = std::make_shared<CompiledProgram>();
+  compiled->target = target;
+  compiled->text = text;
+  compiled->hash = hashBytes(text);
+  if (replaced)
+    compiled->replacement = replacement->text;
+  compiled->warnings = own.check.ok() ? own.check.errorString(text) : std::string();
+  compiled->counts = answers.counts;
+  compiled->nativeCounts = answers.nativeCounts;
+  compiled->underNativeLimits = answers.underNativeLimits;
+  if (infoOf(target).language == fp::ir::Language::AtiFragment)
+    compiled->ati =
+        std::make_shared<const AtiForms>(*source.program, glslHost(context.caps), context.numerics);
+  else {
+    compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
+    compiled->glsl = replaced
+                         ? fp::emitGlsl(*source.program, glslHost(context.caps), context.numerics)
+                         : own.glsl;
+  }
+  if (target == Target::Vertex) {
+    fp::GlslHost clipping = glslHost(context.caps);
+    clipping.clipPlanes = true;
+    compiled->clipped = std::make_shared<const ClippedForm>(clipping, context.numerics);
+  }
+  if (debugFlag(DebugFlag::Ir))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));
+  if (debugFlag(DebugFlag::Glsl))
+    logText(LogLevel::Debug, "state", toHex(compiled->hash), compiled->glsl.text);
+  return compiled;
+}
+
+void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
+                 const void *string) {
+  if (!checkArguments(context, format, length))
+    return;
+  const std::string_view text =
+      string ? std::string_view(static_cast<const char *>(string), std::size_t(length))
+             : std::string_view();
+  const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
+  if (old && old->text == text) { // nothing can have changed but the last error
+    context.errorPosition = -1;
+    context.errorString = old->warnings;
+    return;
+  }
+
+  const ProgramTarget &row = context.row(object.target);
+  const fp::Compilation own = compileText(context, row, text);
+  const fp::CheckResult &result = own.check;
+  context.errorPosition = result.errorPosition();
+  context.errorString = result.errorString(text);
+  if (debugFlag(DebugFlag::Text))
+    logText(LogLevel::Debug, "state", toHex(hashBytes(text)), text);
+  std::optional<Replacement> replacement;
+  if (replacing())
+    replacement = findReplacement(object.target, hashBytes(text), compileOptions(row));
+  std::shared_ptr<const CompiledProgram> compiled =
+      compileProgram(context, object.target, text, own, replacement ? &*replacement : nullptr);
+  noteLoadedProgram(context, object, text, result);
+  captureLoad(context, object, text, result, compiled.get());
+  if (!compiled) {
+    logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,
+            context.errorString.c_str());
+    return raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
+  }
+
+  if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report, or replaced
+    logInfo("state", "context %u: program %u loads with warnings:\n%s", context.serial, object.name,
+            context.errorString.c_str());
+  if (!result.ok()) { // only its replacement is valid
+    context.errorPosition = -1;
+    context.errorString.clear();
+  }
+  context.group->setCompiled(object, std::move(compiled));
+  if (row.bound.get() == &object)
+    invalidateProgram(context);
+  if (old)
+    dropVariants(context, *old);
+}
+
+void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,
+                         GLuint object, GLenum format, GLsizei length, const void *string) {
+  Command command{.kind = kind, .target = row.info().name, .object = object};
+  command.format = format;
+  command.count = length;
+  // A text over the limit is refused when executed: so much of it suffices for that.
+  if (string && length > 0) {
+    command.count = std::min<GLsizei>(length, GLsizei(fp::kMaxTextBytes) + 1);
+    command.bytes.assign(static_cast<const char *>(string), std::size_t(command.count));
+  }
+  context.list->record(context, std::move(command));
+}
+
+namespace handlers {
+
+void ProgramStringARB(Context &context, GLenum target, GLenum format, GLsizei len,
+                      const void *string) {
+  if (!outsideBeginEnd(context, "ProgramString between Begin and End"))
+    return;
+  ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return context.host->ProgramStringARB(target, format, len, string); // raises INVALID_ENUM
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return recordProgramString(context, Command::Kind::ProgramString, *row, 0, format, len, string);
+  loadProgram(context, *row->bound, format, len, string);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

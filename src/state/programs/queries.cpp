@@ -1,0 +1,144 @@
+// GetProgramiv and GetProgramString (6.1.12): every count is the compiler's, computed for the
+// program that last loaded; object 0 and an object without a program answer zero.
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/share_group.h"
+#include "state/programs/program_api.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using Member = std::uint32_t fp::ResourceCounts::*;
+
+struct CountRow {
+  GLenum count, maximum, nativeCount, nativeMaximum;
+  Member member;
+};
+
+constexpr CountRow kRows[] = {
+    {GL_PROGRAM_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::instructions},
+    {GL_PROGRAM_ALU_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_ALU_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_ALU_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::aluInstructions},
+    {GL_PROGRAM_TEX_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_TEX_INSTRUCTIONS_ARB,
+     GL_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INSTRUCTIONS_ARB,
+     &fp::ResourceCounts::texInstructions},
+    {GL_PROGRAM_TEX_INDIRECTIONS_ARB, GL_MAX_PROGRAM_TEX_INDIRECTIONS_ARB,
+     GL_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB, GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB,
+     &fp::ResourceCounts::texIndirections},
+    {GL_PROGRAM_TEMPORARIES_ARB, GL_MAX_PROGRAM_TEMPORARIES_ARB, GL_PROGRAM_NATIVE_TEMPORARIES_ARB,
+     GL_MAX_PROGRAM_NATIVE_TEMPORARIES_ARB, &fp::ResourceCounts::temporaries},
+    {GL_PROGRAM_PARAMETERS_ARB, GL_MAX_PROGRAM_PARAMETERS_ARB, GL_PROGRAM_NATIVE_PARAMETERS_ARB,
+     GL_MAX_PROGRAM_NATIVE_PARAMETERS_ARB, &fp::ResourceCounts::parameters},
+    {GL_PROGRAM_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_ADDRESS_REGISTERS_ARB,
+     GL_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB, GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB,
+     &fp::ResourceCounts::addressRegisters},
+    {GL_PROGRAM_ATTRIBS_ARB, GL_MAX_PROGRAM_ATTRIBS_ARB, GL_PROGRAM_NATIVE_ATTRIBS_ARB,
+     GL_MAX_PROGRAM_NATIVE_ATTRIBS_ARB, &fp::ResourceCounts::attribs},
+};
+
+/// The pnames that ARB_fragment_program adds to GetProgramiv for its own target. A vertex program
+/// has none of these resources: the answer is zero (ARB_vertex_program leaves them out).
+bool isFragmentOnly(GLenum pname) {
+  return pname >= GL_PROGRAM_ALU_INSTRUCTIONS_ARB &&
+         pname <= GL_MAX_PROGRAM_NATIVE_TEX_INDIRECTIONS_ARB;
+}
+
+/// Address registers are the vertex language's; other programs use and may use none.
+bool isAddressRegisters(GLenum pname) {
+  return pname >= GL_PROGRAM_ADDRESS_REGISTERS_ARB &&
+         pname <= GL_MAX_PROGRAM_NATIVE_ADDRESS_REGISTERS_ARB;
+}
+
+/// The target's programs have no such resource.
+bool isNoneOf(Target target, GLenum pname) {
+  return target == Target::Vertex ? isFragmentOnly(pname) : isAddressRegisters(pname);
+}
+
+bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenum pname,
+                 GLint *params) {
+  static constexpr fp::ResourceCounts kNone;
+  for (const CountRow &row : kRows) {
+    if (pname == row.count)
+      *params = GLint((program ? program->counts : kNone).*row.member);
+    else if (pname == row.maximum)
+      *params = GLint(limits.api.*row.member);
+    else if (pname == row.nativeCount)
+      *params = GLint((program ? program->nativeCounts : kNone).*row.member);
+    else if (pname == row.nativeMaximum)
+      *params = GLint(limits.native.*row.member);
+    else
+      continue;
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObject &object,
+                  GLenum pname, GLint *params) {
+  const std::shared_ptr<const CompiledProgram> program = context.group->compiledOf(object);
+  if (isNoneOf(row.target, pname)) {
+    *params = 0;
+    return true;
+  }
+  if (queryCounts(row.limits, program.get(), pname, params))
+    return true;
+  switch (pname) {
+  case GL_PROGRAM_LENGTH_ARB:
+    *params = program ? GLint(program->text.size()) : 0;
+    return true;
+  case GL_PROGRAM_FORMAT_ARB:
+    *params = GL_PROGRAM_FORMAT_ASCII_ARB;
+    return true;
+  case GL_PROGRAM_BINDING_ARB:
+    *params = GLint(object.name);
+    return true;
+  case GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB:
+    *params = GLint(row.limits.localParameters);
+    return true;
+  case GL_MAX_PROGRAM_ENV_PARAMETERS_ARB:
+    *params = GLint(row.limits.envParameters);
+    return true;
+  case GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB:
+    *params = program && program->underNativeLimits ? GL_TRUE : GL_FALSE;
+    return true;
+  default:
+    return false;
+  }
+}
+
+namespace handlers {
+
+void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *params) {
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return context.host->GetProgramivARB(target, pname, params);
+  if (!outsideBeginEnd(context, "GetProgramiv between Begin and End") || !params)
+    return;
+  if (!queryProgram(context, *row, *row->bound, pname, params))
+    raise(context, GL_INVALID_ENUM, "GetProgramiv: pname");
+}
+
+void GetProgramStringARB(Context &context, GLenum target, GLenum pname, void *string) {
+  const ProgramTarget *const row = rowOf(context, target);
+  if (!row)
+    return context.host->GetProgramStringARB(target, pname, string);
+  if (!outsideBeginEnd(context, "GetProgramString between Begin and End"))
+    return;
+  if (pname != GL_PROGRAM_STRING_ARB)
+    return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
+  const auto program = context.group->compiledOf(*row->bound);
+  if (program && string)
+    std::memcpy(string, program->text.data(), program->text.size()); // no terminator (6.1.12)
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,89 @@
+#include "state/raster_draw/back_off.h"
+
+#include <gtest/gtest.h>
+
+namespace arbiter::state::software {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Frames of an application whose time hangs on who draws.
+class Frames {
+public:
+  explicit Frames(BackOff &backOff) : m_backOff(backOff) {}
+  void run(int count, bool moved, int softwareMilliseconds, int hostMilliseconds) {
+    for (int i = 0; i < count; ++i) {
+      const bool software = m_backOff.engaged();
+      m_onHost += !software;
+      m_now += std::chrono::milliseconds(software ? softwareMilliseconds : hostMilliseconds);
+      // The host moves nothing while it draws.
+      m_backOff.frameEnded(moved && software, m_now);
+    }
+  }
+  [[nodiscard]] int onHost() const { return m_onHost; }
+
+private:
+  BackOff &m_backOff;
+  Clock::time_point m_now = Clock::time_point(std::chrono::seconds(1));
+  int m_onHost = 0;
+};
+
+TEST(BackOff, FramesThatMoveNothingAreNeverTried) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(5000, false, 10, 1);
+  EXPECT_EQ(frames.onHost(), 0);
+  EXPECT_EQ(backOff.statistics().trials, 0u);
+}
+
+TEST(BackOff, TheHostIsKeptWhereItIsFaster) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(200, true, 10, 4);
+  EXPECT_FALSE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 1u);
+  EXPECT_EQ(backOff.statistics().lastSoftwareMilliseconds, 10.0);
+  EXPECT_EQ(backOff.statistics().lastHostMilliseconds, 4.0);
+  EXPECT_GT(frames.onHost(), 150);
+  EXPECT_EQ(backOff.statistics().framesBackedOff, std::uint64_t(frames.onHost()));
+}
+
+TEST(BackOff, TheRasterizerIsKeptWhereItIsFaster) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(900, true, 4, 10);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 1u) << "tried again at once";
+  EXPECT_LT(frames.onHost(), 10);
+}
+
+TEST(BackOff, AnApplicationThatChangesIsTriedAgain) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(200, true, 10, 4);
+  ASSERT_FALSE(backOff.engaged());
+  frames.run(1200, true, 2, 4);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 2u);
+}
+
+TEST(BackOff, OneFrameThatMovesIsNoDoubt) {
+  BackOff backOff;
+  Frames frames(backOff);
+  for (int i = 0; i < 100; ++i) {
+    frames.run(7, true, 10, 1);
+    frames.run(1, false, 10, 1);
+  }
+  EXPECT_EQ(frames.onHost(), 0);
+}
+
+TEST(BackOff, ForcedItIsNeverInDoubt) {
+  BackOff backOff;
+  backOff.setForced(true);
+  Frames frames(backOff);
+  frames.run(500, true, 10, 1);
+  EXPECT_EQ(frames.onHost(), 0);
+}
+
+} // namespace
+} // namespace arbiter::state::software

@@ -1,0 +1,50 @@
+#pragma once
+#include "state/core/context.h"
+#include "state/mirror/convert.h"
+#include "state/raster_draw/draw.h"
+#include "state/raster_draw/vertices/immediate.h"
+
+/// What the generated entry points ask of the rasterizer's part before a command goes to the host
+/// (src/dispatch/software.toml).
+namespace arbiter::state::software {
+
+// --- Draws that may be ours; true: drawn. Called where mayDraw(), before anything is prepared for
+// --- the host's draw ---
+
+/// The rasterizer is used or listens, or what comes into force now may bring it.
+[[nodiscard]] inline bool mayDraw(const Context &context) {
+  return context.softwareListens ||
+         (!context.passThrough && (context.attention & attention::kProgram) != 0);
+}
+/// Arguments that the host raises an error for are the host's.
+[[nodiscard]] bool draw(Context &context, const DrawCommand &command);
+[[nodiscard]] bool drawRange(Context &context, GLuint start, GLuint end,
+                             const DrawCommand &command);
+/// Each of the draws goes its own way.
+[[nodiscard]] bool multiDrawArrays(Context &context, GLenum mode, const GLint *first,
+                                   const GLsizei *count, GLsizei drawCount);
+/// \param baseVertices null: 0 for each
+[[nodiscard]] bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count,
+                                     GLenum type, const void *const *indices, GLsizei drawCount,
+                                     const GLint *baseVertices);
+[[nodiscard]] bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+
+// --- Before the host does what `name` says. Between Begin and End, where these are errors, and
+// --- while a list is compiled, where nothing is ours, they do nothing ---
+
+void hostReads(Context &context, const char *name);
+void hostWrites(Context &context, const char *name);
+void hostDoesUnknown(Context &context, const char *name);
+
+// --- While a primitive is recorded ---
+
+/// A generic attribute; attribute 0 makes a vertex.
+inline void generic(ImmediateRecorder &recorder, GLuint index, GLfloat x, GLfloat y, GLfloat z,
+                    GLfloat w) {
+  if (index == 0)
+    recorder.vertex(x, y, z, w);
+  else
+    recorder.set(kGeneric0 + int(index), x, y, z, w);
+}
+
+} // namespace arbiter::state::software

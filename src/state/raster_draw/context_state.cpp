@@ -1,0 +1,58 @@
+#include "state/raster_draw/context_state.h"
+
+#include <string_view>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/share_group.h"
+#include "state/mirror/stale.h"
+#include "util/flags.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// A host that draws on the processor: there the rasterizer is the faster one.
+bool isSoftwareRenderer(const Context &context) {
+  const GLubyte *const renderer = context.host->GetString(GL_RENDERER);
+  const std::string_view name = renderer ? reinterpret_cast<const char *>(renderer) : "";
+  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
+         name.find("Software Rasterizer") != name.npos;
+}
+
+bool isPossible(const Context &context) {
+  const Backend backend = settings().backend;
+  return backend != Backend::Host && context.offered && context.numerics != fp::Numerics::Fp24 &&
+         (backend != Backend::Auto || isSoftwareRenderer(context));
+}
+
+} // namespace
+
+bool keepsLists(const Context &context) {
+  if (context.software || context.softwareRefused)
+    return context.software != nullptr;
+  return context.group->programApiUsed.load(std::memory_order_relaxed) && isPossible(context);
+}
+
+void engage(Context &context) {
+  if (context.software || context.softwareRefused)
+    return;
+  context.softwareRefused = true;
+  if (!isPossible(context))
+    return;
+  context.software = std::make_unique<ContextState>(context);
+  context.software->forced = settings().backend == Backend::Swrast;
+  context.software->backOff.setForced(context.software->forced);
+  context.stale = stale::kAll;
+  context.softwarePossible = context.softwareListens = true;
+  context.software->residency.enter(context.drawable);
+}
+
+// The mirror is never asked for anything while the host is held back (Context::trueHost).
+ContextState::ContextState(Context &context)
+    : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
+      residency({context, context.caps, context.pendingError, context.neighbours,
+                 context.group->deletedNames, context.group->contexts, context.serial}) {}
+ContextState::~ContextState() = default;
+
+} // namespace arbiter::state::software

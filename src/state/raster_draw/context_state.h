@@ -1,0 +1,75 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "state/mirror/mirror.h"
+#include "state/raster_draw/back_off.h"
+#include "state/raster_draw/fallback.h"
+#include "state/raster_draw/vertices/immediate.h"
+#include "state/residency/residency.h"
+
+/// What a context keeps for the rasterizer of our own; null in Context::software where it is not
+/// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
+namespace arbiter::state {
+class Context;
+}
+
+namespace arbiter::state::software {
+
+/// What draw.cpp keeps: the functions in force.
+struct ContextDraws {
+  virtual ~ContextDraws() = default;
+};
+struct ContextState {
+  explicit ContextState(Context &context);
+  ~ContextState();
+  ContextState(const ContextState &) = delete;
+  ContextState &operator=(const ContextState &) = delete;
+
+  Mirror mirror;
+  Residency residency;
+  ImmediateRecorder recorder;
+  bool openParts = false; ///< of the primitive that is recorded: some have been drawn
+  std::unique_ptr<ContextDraws> draws;
+  BackOff backOff;
+  bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  /// Turns of the host in this frame that draw what the rasterizer cannot. Depths of two
+  /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
+  /// one of the two draws all: mayTestDepth().
+  std::uint64_t hostTurns = 0;
+  bool wholeFrames = false;  ///< the last frame had none
+  bool hostDrew = false;     ///< in this frame, for whatever reason
+  bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
+  /// Before a draw of the host's that says that the frame is a mixed one.
+  void hostDraws(const char *why) {
+    ++hostTurns;
+    residency.hostTakesTargets(why);
+  }
+  /// Before the host runs a list of its own, which may draw and do anything else.
+  void hostDrawsList() {
+    ++hostTurns;
+    residency.hostDoesAnything("glCallList");
+  }
+  /// Whether the rasterizer may test depth or stencil now.
+  [[nodiscard]] bool mayTestDepth() const {
+    return forced || (wholeFrames && !hostDrew && hostTurns == 0);
+  }
+  std::uint64_t workSeen = 0;        ///< draws, at the end of the last frame
+  bool presents = false;             ///< a window was shown
+  bool finishes = false;             ///< Finish was called, and no window shown
+  const void *frameTarget = nullptr; ///< whose clears are the frames' ends (clearsTarget())
+  std::uint64_t transfersSeen = 0;   ///< between host and shadows, at the end of the last frame
+  std::uint64_t drawn = 0;
+  std::array<std::uint64_t, kFallbackCount> fallbacks{};
+  void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
+};
+
+/// Makes Context::software where it is to be: when a fragment program of ours first comes into
+/// force. Until then the rasterizer costs nothing.
+void engage(Context &context);
+/// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
+/// be where a fragment program of ours comes into force, and programs are made already.
+[[nodiscard]] bool keepsLists(const Context &context);
+
+} // namespace arbiter::state::software

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+
+namespace arbiter::state::software {
+
+/// Why the host drew; rows of reasons.def.
+enum class Fallback : std::uint8_t {
+#define ARBITER_FALLBACK(Enumerator, key, doc) Enumerator,
+#include "state/raster_draw/reasons.def"
+#undef ARBITER_FALLBACK
+};
+inline constexpr int kFallbackCount = [] {
+  int count = 0;
+#define ARBITER_FALLBACK(...) ++count;
+#include "state/raster_draw/reasons.def"
+#undef ARBITER_FALLBACK
+  return count;
+}();
+[[nodiscard]] const char *fallbackName(Fallback reason);
+/// The row of reasons.def that a key of the mirror or of residency names; `otherwise` for none.
+[[nodiscard]] Fallback fallbackNamed(const char *key, Fallback otherwise);
+
+} // namespace arbiter::state::software

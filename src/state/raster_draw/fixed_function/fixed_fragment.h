@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+
+#include <GL/gl.h>
+
+#include "fp_compiler/abi.h"
+#include "fp_compiler/fixed_function.h"
+#include "state/mirror/mirror.h"
+#include "state/raster_draw/outcome.h"
+
+/// Fixed-function fragments (OpenGL 1.4, sections 3.8.13 to 3.10: texture environments, colour sum,
+/// fog) as programs of Language::ArbFragment, so that frames that mix them with programs of the
+/// application stay the rasterizer's.
+namespace arbiter::state {
+class Context;
+}
+
+namespace arbiter::state::software {
+
+/// What of a texture's format its environment function hangs on (table 3.20 and those after it).
+enum class TexelKind : std::uint8_t { Alpha, Opaque, Translucent, Intensity };
+
+/// COMBINE's one half, as plain numbers.
+struct Combiner {
+  std::uint8_t function = 0; ///< row of kCombineFunctions
+  std::array<std::uint8_t, 3>
+      sources{}; ///< 0 texture, 1 constant, 2 primary, 3 previous, 4+n unit n
+  std::array<std::uint8_t, 3> operands{}; ///< bit 0: one minus; bit 1: alpha
+  std::uint8_t scale = 1;                 ///< 1, 2 or 4
+  bool operator==(const Combiner &) const = default;
+};
+
+enum class Environment : std::uint8_t { Off, Replace, Modulate, Decal, Blend, Add, Combine };
+
+struct TextureUnitKey {
+  Environment environment = Environment::Off;
+  fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
+  TexelKind kind = TexelKind::Translucent;
+  Combiner color, alpha;
+  bool operator==(const TextureUnitKey &) const = default;
+};
+
+/// All that the code depends on. Plain bytes: compare and hash as such.
+struct FixedFragmentKey {
+  std::array<TextureUnitKey, 8> units{};
+  fp::ir::FogMode fog = fp::ir::FogMode::None;
+  std::uint8_t colorSum = 0;
+  bool operator==(const FixedFragmentKey &) const = default;
+};
+
+[[nodiscard]] fp::ir::Program makeFixedFragmentProgram(const FixedFragmentKey &key);
+
+/// The programs made, by key, and the host's state that chooses among them.
+class FixedFragments {
+public:
+  /// The program for the host's state of now; null, with the reason, where an environment is one
+  /// that we lack. After refresh().
+  [[nodiscard]] std::shared_ptr<const fp::ir::Program> get(Context &context, Mirror &mirror,
+                                                           Outcome &outcome);
+
+private:
+  Outcome ask(Context &context);
+  Outcome completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key);
+
+  struct Hash {
+    std::size_t operator()(const FixedFragmentKey &key) const { return abi::hashOf(key); }
+  };
+  std::unordered_map<FixedFragmentKey, std::shared_ptr<const fp::ir::Program>, Hash> m_programs;
+  FixedFragmentKey m_state; ///< as asked: units' kinds are not known yet
+  Outcome m_outcome;
+  std::uint64_t m_seen = 0;
+};
+
+} // namespace arbiter::state::software

@@ -1,0 +1,184 @@
+// The host's state that chooses a fixed-function fragment program.
+#include <algorithm>
+#include <iterator>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/unit_scope.h"
+#include "state/host_draw/draw.h"
+#include "state/host_draw/fixed_function.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/fixed_function/fixed_fragment.h"
+#include "state/raster_draw/units.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// Commands that change what is asked here.
+constexpr std::uint32_t kGroups = stale::kTextureBindings | stale::kTextureParameters |
+                                  stale::kTexGen | stale::kFog | stale::kLighting;
+
+/// The rows of Combiner::function.
+constexpr GLenum kCombineFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
+                                        GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
+constexpr int kArguments[] = {1, 2, 2, 2, 3, 2, 2, 2};
+
+GLint environmentValue(const host::HostTable &host, GLenum pname) {
+  GLint value = 0;
+  host.GetTexEnviv(GL_TEXTURE_ENV, pname, &value);
+  return value;
+}
+
+/// One half of COMBINE. `half` 0 is RGB's, 1 alpha's: their names differ by one distance
+/// throughout.
+bool askCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
+  const GLint function = environmentValue(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB);
+  const auto *const row =
+      std::find(std::begin(kCombineFunctions), std::end(kCombineFunctions), GLenum(function));
+  if (row == std::end(kCombineFunctions))
+    return false;
+  half.function = std::uint8_t(row - std::begin(kCombineFunctions));
+  for (int i = 0; i < kArguments[half.function]; ++i) {
+    const GLint source =
+        environmentValue(host, GLenum(alpha ? GL_SOURCE0_ALPHA : GL_SOURCE0_RGB) + GLenum(i));
+    std::uint8_t &to = half.sources[std::size_t(i)];
+    if (source == GL_TEXTURE)
+      to = 0;
+    else if (source == GL_CONSTANT)
+      to = 1;
+    else if (source == GL_PRIMARY_COLOR)
+      to = 2;
+    else if (source == GL_PREVIOUS)
+      to = 3;
+    else if (source >= GL_TEXTURE0 && source < GL_TEXTURE0 + 8)
+      to = std::uint8_t(4 + source - GL_TEXTURE0);
+    else
+      return false;
+    const GLint operand =
+        environmentValue(host, GLenum(alpha ? GL_OPERAND0_ALPHA : GL_OPERAND0_RGB) + GLenum(i));
+    half.operands[std::size_t(i)] =
+        std::uint8_t(operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA) |
+        std::uint8_t((operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA) ? 2 : 0);
+  }
+  GLfloat scale = 1;
+  host.GetTexEnvfv(GL_TEXTURE_ENV, alpha ? GL_ALPHA_SCALE : GL_RGB_SCALE, &scale);
+  half.scale = std::uint8_t(scale);
+  return true;
+}
+
+/// Of the active unit. False: an environment of an extension.
+bool askEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
+  switch (environmentValue(host, GL_TEXTURE_ENV_MODE)) {
+  case GL_REPLACE:
+    unit.environment = Environment::Replace;
+    return true;
+  case GL_MODULATE:
+    unit.environment = Environment::Modulate;
+    return true;
+  case GL_DECAL:
+    unit.environment = Environment::Decal;
+    return true;
+  case GL_BLEND:
+    unit.environment = Environment::Blend;
+    return true;
+  case GL_ADD:
+    unit.environment = Environment::Add;
+    return true;
+  case GL_COMBINE:
+    unit.environment = Environment::Combine;
+    return askCombiner(host, false, unit.color) && askCombiner(host, true, unit.alpha);
+  default:
+    return false;
+  }
+}
+
+TexelKind kindOf(const abi::Format &format) {
+  using abi::From;
+  const auto &s = format.swizzle;
+  if (s[3] == From::One)
+    return TexelKind::Opaque;
+  if (s[0] == From::Zero && s[1] == From::Zero && s[2] == From::Zero)
+    return TexelKind::Alpha;
+  return s[0] == s[3] ? TexelKind::Intensity : TexelKind::Translucent;
+}
+
+/// COMBINE reads a unit that has no texture: undefined, and the host's to decide.
+bool readsMissing(const FixedFragmentKey &key, const Combiner &half) {
+  return std::any_of(half.sources.begin(), half.sources.end(), [&](std::uint8_t source) {
+    return source >= 4 && key.units[source - 4u].environment == Environment::Off;
+  });
+}
+
+} // namespace
+
+Outcome FixedFragments::ask(Context &context) {
+  m_state = {};
+  const unsigned units = std::min(unsigned(context.caps.maxTextureUnits), 8u);
+  const fp::FixedFunction state = fixedFunctionNow(context, (1u << units) - 1u);
+  m_state.fog = state.fog;
+  m_state.colorSum = state.colorSum;
+  for (unsigned unit = 0; unit < units; ++unit) {
+    if ((state.disabledUnits >> unit & 1u) != 0)
+      continue;
+    const UnitScope scope(*context.host, unit);
+    m_state.units[unit].target = state.targets[unit];
+    if (!askEnvironment(*context.host, m_state.units[unit]))
+      return Fallback::NoFragmentProgram;
+  }
+  return {};
+}
+
+/// What hangs on the textures themselves. A unit whose texture is not complete is as if disabled.
+Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key) {
+  for (std::size_t i = 0; i < key.units.size(); ++i) {
+    TextureUnitKey &unit = key.units[i];
+    if (unit.environment == Environment::Off)
+      continue;
+    const SamplerUse use{std::uint8_t(i), dimensionOf(unit.target)};
+    if (mirror.samplersAreStale({&use, 1})) {
+      releaseSamplers(context);
+      mirror.refreshSamplers({&use, 1});
+    }
+    const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
+    const char *reason = nullptr;
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel},
+        sampler.key.mip != abi::MipFilter::None, reason);
+    if (!images)
+      return fallbackNamed(reason, Fallback::Texture);
+    if (!images->complete) {
+      unit = {};
+      continue;
+    }
+    // The application's texture decides whether a depth is compared, and what it looks like; of
+    // components in another order an environment makes what the host does.
+    if (abi::isDepth(images->format.layout) || sampler.swizzle != SamplerState{}.swizzle)
+      return Fallback::NoFragmentProgram;
+    unit.kind = kindOf(images->format);
+  }
+  for (const TextureUnitKey &unit : key.units)
+    if (unit.environment == Environment::Combine &&
+        (readsMissing(key, unit.color) || readsMissing(key, unit.alpha)))
+      return Fallback::NoFragmentProgram;
+  return {};
+}
+
+std::shared_ptr<const fp::ir::Program> FixedFragments::get(Context &context, Mirror &mirror,
+                                                           Outcome &outcome) {
+  if ((mirror.clock.changedSince(m_seen) & kGroups) != 0 || m_seen == 0)
+    m_outcome = ask(context);
+  m_seen = mirror.clock.now();
+  FixedFragmentKey key = m_state;
+  outcome = m_outcome;
+  if (outcome.ok())
+    outcome = completeUnits(context, mirror, key);
+  if (!outcome.ok())
+    return nullptr;
+  std::shared_ptr<const fp::ir::Program> &program = m_programs[key];
+  if (!program)
+    program = std::make_shared<const fp::ir::Program>(makeFixedFragmentProgram(key));
+  return program;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,179 @@
+// Lighting (OpenGL 1.4, 2.13): the equation of 2.13.1, for each side that may be seen.
+#include "state/raster_draw/fixed_function/fixed_writer.h"
+
+namespace arbiter::state::software {
+
+using fp::ir::OutputKind;
+
+namespace {
+/// Bits of FixedVertexKey::colorMaterialParts.
+enum Part : std::uint8_t { kEmission = 1, kAmbient = 2, kDiffuse = 4, kSpecular = 8 };
+} // namespace
+
+/// One side of a lit vertex: its sums, and the parts of its material that the colour is.
+struct FixedWriter::Side {
+  bool back;
+  std::uint8_t tracked;
+  Target primary, secondary; ///< one register where the specular part is not kept apart
+};
+
+/// What a light is to this vertex, whichever side is seen.
+struct FixedWriter::Ray {
+  int light;
+  Source direction;             ///< to the light, of length 1
+  Source half;                  ///< between that and the viewer, of length 1
+  std::optional<Source> factor; ///< in x: attenuation and spot; none: 1
+};
+
+fp::ir::Source FixedWriter::materialPart(const Side &side, std::uint8_t part) {
+  if ((side.tracked & part) != 0)
+    return attribute(Kind::ColorPrimary);
+  const StateItem item = part == kEmission  ? StateItem::MaterialEmission
+                         : part == kAmbient ? StateItem::MaterialAmbient
+                         : part == kDiffuse ? StateItem::MaterialDiffuse
+                                            : StateItem::MaterialSpecular;
+  return state(item, 0, 0, side.back);
+}
+
+/// Material times light.
+fp::ir::Source FixedWriter::product(const Side &side, std::uint8_t part, int light) {
+  const bool ambient = part == kAmbient, diffuse = part == kDiffuse;
+  if ((side.tracked & part) == 0)
+    return state(ambient   ? StateItem::LightProdAmbient
+                 : diffuse ? StateItem::LightProdDiffuse
+                           : StateItem::LightProdSpecular,
+                 light, 0, side.back);
+  const Target result = temporary();
+  op(Opcode::Mul, result.mask("xyz"),
+     {attribute(Kind::ColorPrimary), state(ambient   ? StateItem::LightAmbient
+                                           : diffuse ? StateItem::LightDiffuse
+                                                     : StateItem::LightSpecular,
+                                           light)});
+  return result.read();
+}
+
+/// emission + model ambient * material ambient; the alpha is the diffuse part's.
+void FixedWriter::startSums(Side &side) {
+  side.primary = temporary();
+  if ((side.tracked & (kEmission | kAmbient)) == 0)
+    op(Opcode::Mov, side.primary.mask("xyz"),
+       {state(StateItem::LightModelSceneColor, 0, 0, side.back)});
+  else
+    op(Opcode::Mad, side.primary.mask("xyz"),
+       {state(StateItem::LightModelAmbient), materialPart(side, kAmbient),
+        materialPart(side, kEmission)});
+  op(Opcode::Mov, side.primary.mask("w"), {materialPart(side, kDiffuse).swz("w")});
+  side.secondary = side.primary;
+  if (!m_key.separateSpecular)
+    return;
+  side.secondary = temporary();
+  op(Opcode::Mov, side.secondary, {constant(0, 0, 0, 0)});
+}
+
+/// 1 / (k0 + k1 d + k2 d^2), with d^2 and 1/d in x and w of `distance`.
+fp::ir::Source FixedWriter::attenuation(int light, const Source &distance) {
+  const Source k = state(StateItem::LightAttenuation, light);
+  const Target t = temporary();
+  op(Opcode::Mul, t.mask("y"), {distance.swz("x"), distance.swz("w")});
+  op(Opcode::Mad, t.mask("x"), {k.swz("y"), t.read().swz("y"), k.swz("x")});
+  op(Opcode::Mad, t.mask("x"), {k.swz("z"), distance.swz("x"), t.read().swz("x")});
+  op(Opcode::Rcp, t.mask("x"), {t.read().swz("x")});
+  return t.read();
+}
+
+/// The cosine to the spot's axis to the power of its exponent; 0 outside of the cone.
+fp::ir::Source FixedWriter::spot(int light, const Source &direction) {
+  const Source axis = state(StateItem::LightSpotDirection, light);
+  const Target t = temporary();
+  op(Opcode::Dp3, t.mask("x"), {-direction, normalized(axis)});
+  op(Opcode::Sge, t.mask("y"), {t.read().swz("x"), axis.swz("w")});
+  op(Opcode::Max, t.mask("x"), {t.read().swz("x"), constant(0, 0, 0, 0)});
+  op(Opcode::Pow, t.mask("x"),
+     {t.read().swz("x"), state(StateItem::LightAttenuation, light).swz("w")});
+  op(Opcode::Mul, t.mask("x"), {t.read().swz("x"), t.read().swz("y")});
+  return t.read();
+}
+
+FixedWriter::Ray FixedWriter::ray(int light) {
+  const auto isSet = [&](std::uint8_t mask) { return (mask >> light & 1u) != 0; };
+  const Source position = state(StateItem::LightPosition, light);
+  Ray ray{light, {}, {}, {}};
+  if (isSet(m_key.positional)) {
+    const Target to = temporary(), distance = temporary();
+    op(Opcode::Rcp, to.mask("w"), {position.swz("w")});
+    op(Opcode::Mad, to.mask("xyz"), {position, to.read().swz("w"), -eye()});
+    op(Opcode::Mov, distance.mask("x"), {square(to.read()).swz("x")});
+    op(Opcode::Rsq, distance.mask("w"), {distance.read().swz("x")});
+    op(Opcode::Mul, to.mask("xyz"), {to.read(), distance.read().swz("w")});
+    ray.direction = to.read();
+    if (isSet(m_key.attenuated))
+      ray.factor = attenuation(light, distance.read());
+  } else {
+    ray.direction = normalized(position);
+  }
+  if (isSet(m_key.spots)) {
+    const Source cone = spot(light, ray.direction);
+    if (ray.factor) {
+      const Target both = temporary();
+      op(Opcode::Mul, both.mask("x"), {ray.factor->swz("x"), cone.swz("x")});
+      ray.factor = both.read();
+    } else {
+      ray.factor = cone;
+    }
+  }
+  const Target sum = temporary();
+  if (m_key.localViewer)
+    op(Opcode::Sub, sum.mask("xyz"), {ray.direction, eyeUnit()});
+  else
+    op(Opcode::Add, sum.mask("xyz"), {ray.direction, constant(0, 0, 1, 0)});
+  ray.half = normalized(sum.read());
+  return ray;
+}
+
+void FixedWriter::addLight(const Side &side, const Ray &ray) {
+  const Source n = side.back ? -normal() : normal();
+  const Target t = temporary(), lit = temporary();
+  op(Opcode::Dp3, t.mask("x"), {n, ray.direction});
+  op(Opcode::Dp3, t.mask("y"), {n, ray.half});
+  op(Opcode::Mov, t.mask("w"), {state(StateItem::MaterialShininess, 0, 0, side.back).swz("x")});
+  op(Opcode::Lit, lit, {t.read()});
+  if (ray.factor) // of all three terms; lit.x is 1
+    op(Opcode::Mul, lit.mask("xyz"), {lit.read(), ray.factor->swz("x")});
+  const auto add = [&](std::uint8_t part, std::string_view weight, const Target &sum) {
+    op(Opcode::Mad, sum.mask("xyz"),
+       {lit.read().swz(weight), product(side, part, ray.light), sum.read()});
+  };
+  add(kAmbient, "x", side.primary);
+  add(kDiffuse, "y", side.primary);
+  add(kSpecular, "z", side.secondary);
+}
+
+void FixedWriter::storeSums(const Side &side) {
+  const auto store = [&](OutputKind kind, const Source &value) {
+    const Target to = m_builder.result(kind);
+    op(Opcode::Mov, m_key.clampColors ? to.sat() : to, {value});
+  };
+  if (m_key.needs.primary)
+    store(side.back ? OutputKind::BackPrimary : OutputKind::FrontPrimary, side.primary.read());
+  if (m_key.needs.secondary)
+    store(side.back ? OutputKind::BackSecondary : OutputKind::FrontSecondary,
+          m_key.separateSpecular ? side.secondary.read() : constant(0, 0, 0, 0));
+}
+
+void FixedWriter::lit() {
+  Ray rays[8];
+  for (int light = 0; light < 8; ++light)
+    if ((m_key.lights >> light & 1u) != 0)
+      rays[light] = ray(light);
+  for (int back = 0; back <= (m_key.twoSided ? 1 : 0); ++back) {
+    const bool tracks = (m_key.colorMaterialFace >> back & 1u) != 0;
+    Side side{back != 0, tracks ? m_key.colorMaterialParts : std::uint8_t(0), {}, {}};
+    startSums(side);
+    for (int light = 0; light < 8; ++light)
+      if ((m_key.lights >> light & 1u) != 0)
+        addLight(side, rays[light]);
+    storeSums(side);
+  }
+}
+
+} // namespace arbiter::state::software

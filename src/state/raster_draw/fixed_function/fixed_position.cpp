@@ -1,0 +1,177 @@
+// What fixed function adds to an application's vertex program.
+#include <algorithm>
+#include <initializer_list>
+
+#include "state/raster_draw/fixed_function/fixed_vertex.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::Attribute;
+using fp::ir::AttributeKind;
+using fp::ir::File;
+using fp::ir::Instruction;
+using fp::ir::MatrixModifier;
+using fp::ir::Opcode;
+using fp::ir::Operand;
+using fp::ir::Output;
+using fp::ir::OutputKind;
+using fp::ir::Program;
+using fp::ir::StateItem;
+
+/// Adds instructions to the end of a program.
+class Appender {
+public:
+  explicit Appender(Program &program) : m_program(program) {}
+
+  std::uint16_t output(const Output &wanted) { return find(m_program.outputs, wanted); }
+  Operand attribute(const Attribute &wanted) {
+    return operand(File::Attribute, find(m_program.attributes, wanted));
+  }
+  Operand state(StateItem item, int index, int row, MatrixModifier modifier) {
+    fp::ir::Parameter parameter;
+    parameter.kind = fp::ir::ParameterKind::State;
+    parameter.state.item = item;
+    parameter.state.index = std::uint8_t(index);
+    parameter.state.row = std::uint8_t(row);
+    parameter.state.modifier = modifier;
+    m_program.parameters.push_back(parameter);
+    return operand(File::Parameter, std::uint16_t(m_program.parameters.size() - 1));
+  }
+  std::uint16_t temporary(const char *name) {
+    m_program.temporaries.push_back({name});
+    return std::uint16_t(m_program.temporaries.size() - 1);
+  }
+  static Operand operand(File file, std::uint16_t index) {
+    Operand result;
+    result.file = file;
+    result.index = index;
+    return result;
+  }
+  void op(Opcode opcode, File file, std::uint16_t index, unsigned mask,
+          std::initializer_list<Operand> sources) {
+    Instruction instruction;
+    instruction.op = opcode;
+    instruction.dst.file = file;
+    instruction.dst.index = index;
+    instruction.dst.mask = std::uint8_t(mask);
+    std::copy(sources.begin(), sources.end(), instruction.src.begin());
+    m_program.code.push_back(instruction);
+  }
+  void transform(File file, std::uint16_t index, StateItem matrix, MatrixModifier modifier,
+                 const Operand &vector) {
+    for (int row = 0; row < 4; ++row)
+      op(Opcode::Dp4, file, index, 1u << row, {state(matrix, 0, row, modifier), vector});
+  }
+
+private:
+  template <typename Row> static std::uint16_t find(std::vector<Row> &rows, const Row &wanted) {
+    const auto found = std::find(rows.begin(), rows.end(), wanted);
+    const auto index = std::uint16_t(found - rows.begin());
+    if (found == rows.end())
+      rows.push_back(wanted);
+    return index;
+  }
+  Program &m_program;
+};
+
+bool isColor(OutputKind kind) {
+  return kind == OutputKind::FrontPrimary || kind == OutputKind::FrontSecondary ||
+         kind == OutputKind::BackPrimary || kind == OutputKind::BackSecondary;
+}
+
+void clampColors(Program &program) {
+  for (Instruction &instruction : program.code)
+    if (instruction.dst.file == File::Output &&
+        isColor(program.outputs[instruction.dst.index].kind))
+      instruction.dst.saturate = true;
+}
+
+void addDistances(Appender &append, std::uint8_t planes, std::uint16_t eye) {
+  for (int plane = 0; plane < 8; ++plane)
+    if ((planes >> plane & 1u) != 0)
+      append.op(
+          Opcode::Dp4, File::Output,
+          append.output({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}),
+          1u << plane % 4,
+          {append.state(StateItem::ClipPlane, plane, 0, MatrixModifier::Plain),
+           Appender::operand(File::Temporary, eye)});
+}
+
+void addInvariantPosition(Program &program, std::uint8_t planes) {
+  program.options.positionInvariant = false;
+  Appender append(program);
+  const Operand vertex = append.attribute({AttributeKind::Position, 0});
+  append.transform(File::Output, append.output({OutputKind::Position, 0}), StateItem::MatrixMvp,
+                   MatrixModifier::Plain, vertex);
+  if (planes == 0)
+    return;
+  const std::uint16_t eye = append.temporary("eye");
+  append.transform(File::Temporary, eye, StateItem::MatrixModelview, MatrixModifier::Plain, vertex);
+  addDistances(append, planes, eye);
+}
+
+/// The specification has no clipping by planes for these, but hosts do it in clip space, by planes
+/// taken through the projection, and so does the layer on the host.
+void clipInClipSpace(Program &program, std::uint8_t planes) {
+  const auto found =
+      std::find(program.outputs.begin(), program.outputs.end(), Output{OutputKind::Position, 0});
+  if (found == program.outputs.end())
+    return;
+  const auto output = std::uint16_t(found - program.outputs.begin());
+  Appender append(program);
+  const std::uint16_t position = append.temporary("position");
+  for (Instruction &instruction : program.code)
+    if (instruction.dst.file == File::Output && instruction.dst.index == output) {
+      instruction.dst.file = File::Temporary;
+      instruction.dst.index = position;
+    }
+  const Operand value = Appender::operand(File::Temporary, position);
+  append.op(Opcode::Mov, File::Output, output, 0xF, {value});
+  const std::uint16_t eye = append.temporary("eye");
+  append.transform(File::Temporary, eye, StateItem::MatrixProjection, MatrixModifier::Inverse,
+                   value);
+  addDistances(append, planes, eye);
+}
+
+} // namespace
+
+Program withFixedPosition(Program program, std::uint8_t clipPlanes, bool clampsColors) {
+  if (clampsColors)
+    clampColors(program);
+  if (program.options.positionInvariant)
+    addInvariantPosition(program, clipPlanes);
+  else if (clipPlanes != 0)
+    clipInClipSpace(program, clipPlanes);
+  return program;
+}
+
+const std::shared_ptr<const Program> &
+ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_t clipPlanes,
+                      bool clampsColors) {
+  const Key key = {program.get(), clipPlanes, clampsColors};
+  const auto found = m_programs.find(key);
+  if (found != m_programs.end()) [[likely]]
+    return found->second.extended;
+  if (m_programs.size() >= m_sweepAt)
+    sweep();
+  Entry entry;
+  entry.program = program;
+  entry.extended =
+      std::make_shared<const Program>(withFixedPosition(*program, clipPlanes, clampsColors));
+  return m_programs.emplace(key, std::move(entry)).first->second.extended;
+}
+
+/// Programs that nobody else holds any more.
+void ExtendedPrograms::sweep() {
+  std::unordered_map<const Program *, long> held;
+  for (const auto &[key, entry] : m_programs)
+    ++held[key.program];
+  std::erase_if(m_programs, [&](const auto &row) {
+    return row.second.program.use_count() == held[row.first.program];
+  });
+  m_sweepAt = std::max<std::size_t>(64, 2 * m_programs.size());
+}
+
+} // namespace arbiter::state::software

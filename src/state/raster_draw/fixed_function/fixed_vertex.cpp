@@ -1,0 +1,248 @@
+#include "state/raster_draw/fixed_function/fixed_vertex.h"
+
+#include <algorithm>
+#include <cfloat>
+
+#include "state/raster_draw/fixed_function/fixed_writer.h"
+
+namespace arbiter::state::software {
+
+using fp::ir::Opcode;
+using fp::ir::OutputKind;
+using fp::ir::Source;
+using fp::ir::StateItem;
+using fp::ir::Target;
+
+namespace {
+constexpr const char *kComponent[] = {"x", "y", "z", "w"};
+} // namespace
+
+FixedVertexKey fixedVertexKey(const VertexState &state, const VertexNeeds &needs) {
+  FixedVertexKey key;
+  key.needs = needs;
+  key.clipPlanes = state.clipPlanes;
+  key.textureMatrix = state.textureMatrix & needs.texCoords;
+  key.fogFromDepth = needs.fogCoord && state.fogFromDepth;
+  key.pointAttenuation = needs.pointSize && state.pointAttenuation;
+  key.needs.pointSize = key.pointAttenuation != 0;
+  bool normals = false;
+  for (std::size_t unit = 0; unit < key.texGen.size(); ++unit) {
+    if ((needs.texCoords >> unit & 1u) == 0)
+      continue;
+    key.texGen[unit] = state.texGen[unit];
+    for (const std::uint8_t mode : key.texGen[unit])
+      normals |= mode > 1 + int(TexGenMode::EyeLinear);
+  }
+  key.clampColors = (needs.primary || needs.secondary) && state.clampColors;
+  if (state.lighting && (needs.primary || needs.secondary)) {
+    key.lighting = 1;
+    key.twoSided = state.twoSided;
+    key.separateSpecular = state.separateSpecular;
+    key.lights = state.lights;
+    key.positional = state.positional & state.lights;
+    key.spots = state.spots & state.lights;
+    key.attenuated = state.attenuated & state.lights;
+    key.localViewer = state.localViewer && state.lights != 0;
+    if (state.colorMaterial) {
+      key.colorMaterialFace = state.colorMaterialFace;
+      key.colorMaterialParts = state.colorMaterialParts;
+    }
+    normals |= state.lights != 0;
+  }
+  if (normals) {
+    key.normalize = state.normalize;
+    key.rescale = state.rescale && !state.normalize;
+  }
+  return key;
+}
+
+Source FixedWriter::constant(float x, float y, float z, float w) {
+  const fp::ir::Vec4 value = {x, y, z, w};
+  for (const ConstantRow &row : m_constants)
+    if (row.value == value)
+      return row.source;
+  m_constants.push_back({value, m_builder.constant(x, y, z, w)});
+  return m_constants.back().source;
+}
+
+Source FixedWriter::state(const fp::ir::StateRef &ref) {
+  for (const StateRow &row : m_states)
+    if (row.ref == ref)
+      return row.source;
+  m_states.push_back({ref, m_builder.state(ref)});
+  return m_states.back().source;
+}
+
+Source FixedWriter::state(StateItem item, int index, int row, bool back) {
+  fp::ir::StateRef ref;
+  ref.item = item;
+  ref.index = std::uint8_t(index);
+  ref.row = std::uint8_t(row);
+  ref.back = back;
+  return state(ref);
+}
+
+Source FixedWriter::matrixRow(StateItem item, int index, int row, MatrixModifier modifier) {
+  fp::ir::StateRef ref;
+  ref.item = item;
+  ref.index = std::uint8_t(index);
+  ref.row = std::uint8_t(row);
+  ref.modifier = modifier;
+  return state(ref);
+}
+
+Source FixedWriter::eye() {
+  if (m_eye)
+    return *m_eye;
+  const Target eye = temporary();
+  for (int row = 0; row < 4; ++row)
+    op(Opcode::Dp4, eye.mask(kComponent[row]),
+       {matrixRow(StateItem::MatrixModelview, 0, row), attribute(Kind::Position)});
+  return *(m_eye = eye.read());
+}
+
+/// No square is below the smallest normal number, so that its root has a reciprocal.
+Source FixedWriter::square(const Source &vector) {
+  const Target square = temporary();
+  op(Opcode::Dp3, square.mask("x"), {vector, vector});
+  op(Opcode::Max, square.mask("x"), {square.read(), constant(FLT_MIN, FLT_MIN, FLT_MIN, FLT_MIN)});
+  return square.read();
+}
+
+Source FixedWriter::normalized(const Source &vector) {
+  const Target unit = temporary();
+  op(Opcode::Rsq, unit.mask("w"), {square(vector).swz("x")});
+  op(Opcode::Mul, unit.mask("xyz"), {vector, unit.read().swz("w")});
+  return unit.read();
+}
+
+Source FixedWriter::eyeUnit() {
+  if (!m_eyeUnit)
+    m_eyeUnit = normalized(eye());
+  return *m_eyeUnit;
+}
+
+/// By the inverse of the modelview matrix, transposed (2.10.3).
+Source FixedWriter::normal() {
+  if (m_normal)
+    return *m_normal;
+  const Target normal = temporary();
+  for (int row = 0; row < 3; ++row)
+    op(Opcode::Dp3, normal.mask(kComponent[row]),
+       {matrixRow(StateItem::MatrixModelview, 0, row, MatrixModifier::InvTrans),
+        attribute(Kind::Normal)});
+  if (m_key.normalize)
+    return *(m_normal = normalized(normal.read()));
+  if (m_key.rescale) {
+    const Source third = matrixRow(StateItem::MatrixModelview, 0, 2, MatrixModifier::Inverse);
+    const Target factor = temporary();
+    op(Opcode::Rsq, factor.mask("x"), {square(third).swz("x")});
+    op(Opcode::Mul, normal.mask("xyz"), {normal.read(), factor.read().swz("x")});
+  }
+  return *(m_normal = normal.read());
+}
+
+void FixedWriter::position() {
+  const Target position = m_builder.result(OutputKind::Position);
+  for (int row = 0; row < 4; ++row)
+    op(Opcode::Dp4, position.mask(kComponent[row]),
+       {matrixRow(StateItem::MatrixMvp, 0, row), attribute(Kind::Position)});
+}
+
+void FixedWriter::clipDistances() {
+  for (int plane = 0; plane < 8; ++plane)
+    if ((m_key.clipPlanes >> plane & 1u) != 0)
+      op(Opcode::Dp4,
+         m_builder.result(OutputKind::TexCoord, kClipDistanceOutput + plane / 4)
+             .mask(kComponent[plane % 4]),
+         {state(StateItem::ClipPlane, plane), eye()});
+}
+
+void FixedWriter::unlit() {
+  const auto pass = [&](OutputKind kind, Kind from) {
+    const Target to = m_builder.result(kind);
+    op(Opcode::Mov, m_key.clampColors ? to.sat() : to, {attribute(from)});
+  };
+  if (m_key.needs.primary)
+    pass(OutputKind::FrontPrimary, Kind::ColorPrimary);
+  if (m_key.needs.secondary)
+    pass(OutputKind::FrontSecondary, Kind::ColorSecondary);
+}
+
+void FixedWriter::colors() {
+  if (m_key.lighting)
+    lit();
+  else
+    unlit();
+}
+
+void FixedWriter::texCoords() {
+  for (int unit = 0; unit < 8; ++unit) {
+    if ((m_key.needs.texCoords >> unit & 1u) == 0)
+      continue;
+    const Source coordinate = generated(unit);
+    const Target to = m_builder.result(OutputKind::TexCoord, unit);
+    if ((m_key.textureMatrix >> unit & 1u) == 0) {
+      op(Opcode::Mov, to, {coordinate});
+      continue;
+    }
+    for (int row = 0; row < 4; ++row)
+      op(Opcode::Dp4, to.mask(kComponent[row]),
+         {matrixRow(StateItem::MatrixTexture, unit, row), coordinate});
+  }
+}
+
+void FixedWriter::fogCoord() {
+  if (!m_key.needs.fogCoord)
+    return;
+  const Target to = m_builder.result(OutputKind::FogCoord).mask("x");
+  if (m_key.fogFromDepth)
+    op(Opcode::Abs, to, {eye().swz("z")});
+  else
+    op(Opcode::Mov, to, {attribute(Kind::FogCoord).swz("x")});
+}
+
+/// size * sqrt(1 / (a + b*d + c*d*d)), between the limits (3.3).
+void FixedWriter::pointSize() {
+  if (!m_key.pointAttenuation)
+    return;
+  const Source size = state(StateItem::PointSize), factors = state(StateItem::PointAttenuation);
+  const Target t = temporary();
+  const Source squared = square(eye());
+  op(Opcode::Rsq, t.mask("y"), {squared.swz("x")});
+  op(Opcode::Mul, t.mask("y"), {squared.swz("x"), t.read().swz("y")});
+  op(Opcode::Mad, t.mask("z"), {factors.swz("z"), t.read().swz("y"), factors.swz("y")});
+  op(Opcode::Mad, t.mask("z"), {t.read().swz("z"), t.read().swz("y"), factors.swz("x")});
+  op(Opcode::Rsq, t.mask("w"), {t.read().swz("z")});
+  op(Opcode::Mul, t.mask("w"), {t.read().swz("w"), size.swz("x")});
+  op(Opcode::Max, t.mask("w"), {t.read().swz("w"), size.swz("y")});
+  op(Opcode::Min, m_builder.result(OutputKind::PointSize).mask("x"),
+     {t.read().swz("w"), size.swz("z")});
+}
+
+fp::ir::Program makeFixedVertexProgram(const FixedVertexKey &key) {
+  FixedWriter writer(key);
+  writer.position();
+  writer.colors();
+  writer.texCoords();
+  writer.fogCoord();
+  writer.pointSize();
+  writer.clipDistances();
+  return writer.take();
+}
+
+const std::shared_ptr<const fp::ir::Program> &FixedVertexPrograms::get(const VertexState &state,
+                                                                       const VertexNeeds &needs) {
+  if (m_last && m_lastVersion == state.version && m_lastNeeds == needs) [[likely]]
+    return *m_last;
+  const FixedVertexKey key = fixedVertexKey(state, needs);
+  auto &program = m_programs[key];
+  if (!program)
+    program = std::make_shared<const fp::ir::Program>(makeFixedVertexProgram(key));
+  m_last = &program; // an unordered_map's values stay where they are
+  m_lastVersion = state.version;
+  m_lastNeeds = needs;
+  return program;
+}
+
+} // namespace arbiter::state::software

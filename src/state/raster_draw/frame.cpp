@@ -1,0 +1,75 @@
+#include "state/raster_draw/frame.h"
+
+#include <numeric>
+
+#include "state/core/context.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+std::uint64_t transfers(const ContextState &state) {
+  const ResidencyStatistics statistics = state.residency.statistics();
+  return statistics.downloads + statistics.uploads;
+}
+
+/// Draws of whoever, and the host's turns that are none of the application's draws.
+std::uint64_t workOf(const ContextState &state) {
+  return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
+                         state.drawn + state.hostTurns);
+}
+
+void judge(Context &context, bool moved) {
+  ContextState &state = *context.software;
+  state.hostDrew = state.depthsTested = false;
+  // A frame in which nothing was drawn says nothing about the next one.
+  if (workOf(state) != state.workSeen) {
+    state.wholeFrames = state.hostTurns == 0;
+    state.hostTurns = 0;
+    state.workSeen = workOf(state);
+  }
+  state.backOff.frameEnded(moved, std::chrono::steady_clock::now());
+}
+
+void endFrame(Context &context) {
+  ContextState &state = *context.software;
+  const std::uint64_t now = transfers(state);
+  judge(context, now != state.transfersSeen);
+  state.transfersSeen = now;
+}
+
+} // namespace
+
+bool presentFrame(Context &context) {
+  ContextState &state = *context.software;
+  state.presents = true;
+  const bool moved = transfers(state) != state.transfersSeen;
+  const bool shown = state.residency.present();
+  state.transfersSeen = transfers(state);
+  judge(context, moved);
+  return shown;
+}
+
+void finishFrame(Context &context) {
+  ContextState &state = *context.software;
+  if (state.presents)
+    return;
+  state.finishes = true;
+  endFrame(context);
+}
+
+void clearsTarget(Context &context, GLbitfield mask) {
+  ContextState &state = *context.software;
+  if (state.presents || state.finishes)
+    return;
+  const void *const target = state.residency.wholeTargetCleared(mask);
+  if (!target)
+    return;
+  if (!state.frameTarget)
+    state.frameTarget = target;
+  else if (target == state.frameTarget)
+    endFrame(context);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,133 @@
+// Where frames end, and which of them were ours as a whole.
+#include "state/raster_draw/frame.h"
+
+#include <gtest/gtest.h>
+
+#include "state/mirror/stale.h"
+#include "state/raster_draw/context_state.h"
+#include "state/residency/residency.h"
+#include "state/testing/real_host.h"
+
+namespace arbiter::state::software {
+namespace {
+
+using testing::RealHost;
+
+constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+
+class Frame : public ::testing::Test {
+protected:
+  void SetUp() override {
+    ASSERT_TRUE(m_host.valid());
+    Drawable drawable;
+    drawable.kind = Drawable::Kind::Memory;
+    drawable.width = drawable.height = 64;
+    drawable.memoryFormat = GL_RGBA;
+    drawable.memoryType = GL_UNSIGNED_BYTE;
+    context().drawable = drawable;
+    context().software = std::make_unique<ContextState>(context());
+    context().stale = stale::kAll;
+    context().software->residency.enter(context().drawable);
+  }
+  Context &context() { return m_host.context(); }
+  ContextState &state() { return *context().software; }
+  const host::HostTable &gl() { return m_host.gl(); }
+  void clear(GLbitfield mask) {
+    context().stale = stale::kAll; // the test sets state behind the layer's back
+    clearsTarget(context(), mask);
+    gl().Clear(mask);
+  }
+  void drawn() { ++state().drawn; }
+  void drawnByHost() { ++state().hostTurns; }
+
+private:
+  RealHost m_host;
+};
+
+TEST_F(Frame, ClearingTheSameTargetAgainEndsOne) {
+  clear(kBoth);
+  drawn();
+  EXPECT_FALSE(state().wholeFrames);
+  clear(kBoth);
+  EXPECT_TRUE(state().wholeFrames);
+  drawn();
+  drawnByHost();
+  clear(kBoth);
+  EXPECT_FALSE(state().wholeFrames);
+}
+
+TEST_F(Frame, PartsOfClearsEndNone) {
+  clear(kBoth);
+  drawn();
+  clear(GL_DEPTH_BUFFER_BIT);
+  clear(GL_COLOR_BUFFER_BIT);
+  gl().Enable(GL_SCISSOR_TEST);
+  gl().Scissor(0, 0, 32, 64);
+  clear(kBoth);
+  gl().Disable(GL_SCISSOR_TEST);
+  gl().DepthMask(GL_FALSE);
+  clear(kBoth);
+  gl().DepthMask(GL_TRUE);
+  gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  clear(kBoth);
+  gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  EXPECT_FALSE(state().wholeFrames);
+  clear(kBoth);
+  EXPECT_TRUE(state().wholeFrames);
+}
+
+TEST_F(Frame, AnotherTargetIsAPassOfTheSameFrame) {
+  clear(kBoth);
+  drawnByHost();
+  GLuint framebuffer = 0, buffers[2] = {};
+  gl().GenFramebuffers(1, &framebuffer);
+  const auto genRenderbuffers =
+      reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(testing::address("glGenRenderbuffers"));
+  const auto storage =
+      reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(testing::address("glRenderbufferStorage"));
+  genRenderbuffers(2, buffers);
+  gl().BindFramebufferEXT(GL_FRAMEBUFFER, framebuffer);
+  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH24_STENCIL8};
+  constexpr GLenum kPlaces[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    gl().BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    storage(GL_RENDERBUFFER, kFormats[i], 64, 64);
+    gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, kPlaces[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    drawn();
+    clear(kBoth);
+    EXPECT_FALSE(state().wholeFrames) << "the host's turn was in this frame";
+  }
+  gl().BindFramebufferEXT(GL_FRAMEBUFFER, 0);
+  clear(kBoth);
+  EXPECT_FALSE(state().wholeFrames);
+  drawn();
+  clear(kBoth);
+  EXPECT_TRUE(state().wholeFrames);
+}
+
+TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
+  clear(kBoth);
+  drawn();
+  finishFrame(context());
+  EXPECT_TRUE(state().wholeFrames);
+  drawnByHost();
+  clear(kBoth);
+  drawn();
+  clear(kBoth);
+  drawn();
+  finishFrame(context());
+  EXPECT_FALSE(state().wholeFrames);
+}
+
+TEST_F(Frame, WithoutADrawItSaysNothing) {
+  drawnByHost();
+  finishFrame(context());
+  EXPECT_FALSE(state().wholeFrames);
+  finishFrame(context());
+  EXPECT_FALSE(state().wholeFrames);
+}
+
+} // namespace
+} // namespace arbiter::state::software

@@ -1,0 +1,68 @@
+#include "state/raster_draw/geometry_call.h"
+
+#include "host/handlers.h"
+#include "state/core/context.h"
+#include "state/core/share_group.h"
+#include "state/host_draw/draw.h"
+#include "state/mirror/stale.h"
+#include "state/raster_draw/commands.h"
+#include "state/raster_draw/geometry.h"
+#include "state/raster_draw/replay.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// The host's list that draws the same. No list is being compiled, and it is outside Begin and End.
+GLuint hostListOf(Context &context, const Geometry &geometry) {
+  return geometry.hostList([&] {
+    const GLuint name = context.group->lists.takeSegmentName(*context.host);
+    context.host->NewList(name, GL_COMPILE);
+    context.host->Begin(geometry.mode);
+    geometry.read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
+    context.host->End();
+    context.host->EndList();
+    return name;
+  });
+}
+
+/// The host draws, after it was brought up to date.
+void drawOnHost(Context &context, const Geometry &geometry) {
+  if (context.attention && !handlers::beginDraw(context))
+    return tellCurrentValues(context, geometry.values, geometry.touched);
+  context.host->CallList(hostListOf(context, geometry));
+  context.stale |= stale::kCurrent;
+}
+
+/// As the application does: whose primitive it is shows when it is whole.
+void beginPrimitive(Context &context, const Geometry &geometry) {
+  handlers::Begin(context, geometry.mode);
+  if (ImmediateRecorder *const to = context.recorder) {
+    return geometry.read([&](int slot, const float *v) {
+      if (slot == kPosition)
+        to->vertex(v[0], v[1], v[2], v[3]);
+      else
+        to->set(slot, v[0], v[1], v[2], v[3]);
+    });
+  }
+  geometry.read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
+  context.stale |= stale::kCurrent;
+}
+
+} // namespace
+
+void callGeometry(Context &context, const Geometry &geometry) {
+  if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
+    return handlers::Begin(context, geometry.mode);
+  if (geometry.open)
+    return beginPrimitive(context, geometry);
+  const bool tried = mayDraw(context) && validatePrograms(context) && context.softwarePossible;
+  if (tried && geometry.count != 0) {
+    const VertexSource source = geometry.source();
+    if (drawVertices(context, geometry.mode, geometry.uniform ? &source : nullptr, geometry.count))
+      return tellCurrentValues(context, geometry.values, geometry.touched);
+  }
+  drawOnHost(context, geometry);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,20 @@
+#pragma once
+#include "state/raster_draw/fallback.h"
+
+/// Whether a step of a draw succeeded, or why the host draws.
+namespace arbiter::state::software {
+
+class [[nodiscard]] Outcome {
+public:
+  constexpr Outcome() = default;
+  constexpr Outcome(Fallback reason) : m_reason(reason), m_ok(false) {} // NOLINT: reads as a value
+  [[nodiscard]] constexpr bool ok() const { return m_ok; }
+  /// Requires: not ok.
+  [[nodiscard]] constexpr Fallback reason() const { return m_reason; }
+
+private:
+  Fallback m_reason = Fallback::State;
+  bool m_ok = true;
+};
+
+} // namespace arbiter::state::software

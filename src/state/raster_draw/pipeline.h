@@ -1,0 +1,133 @@
+#pragma once
+#include <array>
+
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/draw.h"
+#include "state/raster_draw/fixed_function/fixed_fragment.h"
+#include "state/raster_draw/functions.h"
+#include "state/raster_draw/outcome.h"
+#include "state/raster_draw/program_state.h"
+#include "state/raster_draw/program_table.h"
+#include "state/raster_draw/units.h"
+#include "state/raster_draw/vertices/array_source.h"
+#include "state/raster_draw/vertices/vertex_stage.h"
+#include "swrast/rasterize.h"
+
+namespace arbiter::state::software {
+
+struct DrawTargets;
+class Mirror;
+
+/// A context's way from the programs in force to pixels. choose() looks at state and has functions
+/// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw
+/// may be given to the host at any step before.
+///
+/// A draw works only on what changed since the one before: what was chosen is kept with what it was
+/// chosen by (Basis, and the groups of state that decide), and what pixels are drawn with is filled
+/// again group by group.
+class Pipeline : public ContextDraws {
+public:
+  /// What of a draw decides about functions.
+  struct Kind {
+    GLenum mode = GL_TRIANGLES;
+    std::uint32_t count = 0; ///< vertices; many small primitives take quads
+  };
+  /// Requires: the context's programs are validated.
+  Outcome choose(Context &context, const Kind &kind);
+  /// Draws vertices [first, first + count) of the source, or those that indices name.
+  Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
+                std::uint32_t first, std::uint32_t count);
+  /// The same of a part of a draw (large_draw.h), whose primitives are `topology`. Inputs are never
+  /// taken for affine, so that all parts have the functions of the first.
+  Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t first, std::uint32_t count, swrast::Topology topology);
+  [[nodiscard]] swrast::Topology topology() const { return m_topology; }
+  /// The chosen draw tests depth or stencil.
+  [[nodiscard]] bool testsDepth() const {
+    return m_key.depthStencil.depthTest != 0 || m_key.depthStencil.stencilTest != 0;
+  }
+  /// The attributes that the chosen vertex function reads.
+  [[nodiscard]] std::uint32_t slots() const { return m_vertices.slots(); }
+  [[nodiscard]] std::uint32_t currentSlots() const { return m_vertices.currentSlots(); }
+  [[nodiscard]] VertexFetcher &fetcher() { return m_vertices.fetcher(); }
+  [[nodiscard]] ArraySource &arrays() { return m_arrays; }
+
+private:
+  /// What decides about a choice, beside groups of state.
+  struct Basis {
+    std::uint64_t selections = 0;  ///< Context::selections
+    std::uint64_t images = 0;      ///< Residency::version()
+    std::uint32_t vertexState = 0; ///< VertexState::version
+    GLenum mode = 0;
+    bool many = false;
+    bool mayTestDepth = false; ///< ContextState::mayTestDepth()
+    bool operator==(const Basis &) const = default;
+  };
+  [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
+                                     const Kind &kind);
+  Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t first, std::uint32_t count, bool later);
+  Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
+                    std::uint32_t count, bool affine, swrast::Topology topology);
+  Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);
+  void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
+  Outcome makeKey(Context &context, Mirror &mirror);
+  Outcome chooseFunctions(const Mirror &mirror, bool affine);
+  /// The function for small triangles whose depth the rasterizer tests.
+  /// \param levels a sampler wants a level of detail
+  void choosePacked(bool levels, swrast::Shading &shading, Fallback &why);
+  [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
+  [[nodiscard]] bool isOpaque() const;
+  Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque,
+                  swrast::Topology topology);
+  void fillRaster(const Mirror &mirror);
+  void fillData(const Mirror &mirror);
+
+  /// A function that was asked for before, so that a draw that repeats takes no lock.
+  struct Recent {
+    abi::FragmentKey key;
+    FragmentFunctions::Slot *slot = nullptr;
+  };
+
+  /// A fragment program that was drawn with, and what its draws need beside its code.
+  struct Program {
+    std::shared_ptr<const fp::ir::Program> source;
+    std::shared_ptr<FragmentFunctions> functions;
+    std::unique_ptr<ProgramValues> values; ///< null until it is prepared
+    std::array<Recent, 8> recent{};
+    std::size_t nextRecent = 0;
+  };
+
+  swrast::Topology m_topology = swrast::Topology::Triangles;
+  bool m_many = false; ///< vertices
+  When m_when = When::Later;
+  const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
+  ProgramTable<Program> m_programs;
+  Program *m_program = nullptr; ///< in force; of m_programs
+  FixedFragments m_fixed;
+  Units m_units;
+  VertexStage m_vertices;
+  ArraySource m_arrays;
+  const DrawTargets *m_targets = nullptr;
+  abi::FragmentKey m_key{};
+
+  // --- What was chosen, and when ---
+  bool m_chosen = false;
+  Basis m_basis;
+  std::uint64_t m_seen = 0; ///< StaleClock
+  bool m_floatTarget = false;
+  /// By whether inputs are affine.
+  struct Prepared {
+    bool ready = false; ///< nothing that it wants is still being compiled
+    swrast::Shading shading;
+  };
+  Prepared m_prepared[2];
+
+  // --- What pixels are drawn with ---
+  bool m_filled = false; ///< since the last choice
+  std::uint64_t m_filledSeen = 0, m_filledImages = 0;
+  swrast::RasterState m_raster;
+  abi::FragmentData m_data;
+};
+
+} // namespace arbiter::state::software

@@ -1,0 +1,161 @@
+#include "state/raster_draw/program_state.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "state/core/context.h"
+#include "state/host_draw/variant.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+bool isMatrix(const fp::ir::StateRef &state) {
+  using fp::ir::StateItem;
+  return state.item >= StateItem::MatrixModelview && state.item <= StateItem::MatrixProgram;
+}
+
+bool sameMatrix(fp::ir::StateRef a, fp::ir::StateRef b) {
+  a.row = b.row = 0;
+  return a == b;
+}
+
+/// In a bit: a NaN is what it was, and -0 is not 0.
+bool differ(const Vec4 &a, const Vec4 &b) {
+  using Bits = std::array<std::uint32_t, 4>;
+  return std::bit_cast<Bits>(a) != std::bit_cast<Bits>(b);
+}
+
+} // namespace
+
+std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
+  using fp::ir::StateItem;
+  switch (state.item) {
+  case StateItem::MaterialAmbient:
+  case StateItem::MaterialDiffuse:
+  case StateItem::MaterialSpecular:
+  case StateItem::MaterialEmission:
+  case StateItem::LightModelSceneColor:
+  case StateItem::LightProdAmbient:
+  case StateItem::LightProdDiffuse:
+  case StateItem::LightProdSpecular:
+    return stale::kLighting | stale::kCurrent; // COLOR_MATERIAL follows the colour
+  case StateItem::MaterialShininess:
+  case StateItem::LightAmbient:
+  case StateItem::LightDiffuse:
+  case StateItem::LightSpecular:
+  case StateItem::LightPosition:
+  case StateItem::LightAttenuation:
+  case StateItem::LightSpotDirection:
+  case StateItem::LightHalf:
+  case StateItem::LightModelAmbient:
+    return stale::kLighting;
+  case StateItem::TexEnvColor:
+    return stale::kTextureParameters;
+  case StateItem::FogColor:
+  case StateItem::FogParams:
+    return stale::kFog;
+  case StateItem::DepthRange:
+    return stale::kViewport;
+  case StateItem::MatrixModelview:
+  case StateItem::MatrixProjection:
+  case StateItem::MatrixMvp:
+  case StateItem::MatrixTexture:
+  case StateItem::MatrixPalette:
+  case StateItem::MatrixProgram:
+  case StateItem::ClipPlane:
+    return stale::kTransform;
+  case StateItem::TexGenEye:
+  case StateItem::TexGenObject:
+    return stale::kTexGen;
+  case StateItem::PointSize:
+  case StateItem::PointAttenuation:
+    return stale::kRaster;
+  }
+  return ~0u;
+}
+
+ProgramValues::ProgramValues(const fp::ir::Program &program)
+    : m_values(std::max<std::size_t>(program.parameters.size(), 1)) {
+  for (std::size_t i = 0; i < program.parameters.size(); ++i) {
+    const fp::ir::Parameter &parameter = program.parameters[i];
+    const auto row = std::uint16_t(i);
+    switch (parameter.kind) {
+    case fp::ir::ParameterKind::Constant:
+      m_values[i] = parameter.constant;
+      break;
+    case fp::ir::ParameterKind::Env:
+      m_env.push_back({row, parameter.index});
+      break;
+    case fp::ir::ParameterKind::Local:
+      m_local.push_back({row, parameter.index});
+      break;
+    case fp::ir::ParameterKind::State:
+      m_states.push_back({row, staleGroupsOf(parameter.state), parameter.state});
+      m_groups |= m_states.back().groups;
+      break;
+    }
+  }
+}
+
+bool ProgramValues::set(std::size_t row, const Vec4 &value) {
+  if (!differ(m_values[row], value))
+    return false;
+  m_values[row] = value;
+  return true;
+}
+
+bool ProgramValues::updateParameters(const ProgramTarget &target) {
+  bool changed = false;
+  for (const Indexed &env : m_env)
+    changed |= set(env.row, env.index < target.env.size() ? target.env[env.index] : Vec4{});
+  const auto &locals = target.bound->locals;
+  for (const Indexed &local : m_local)
+    changed |= set(local.row, local.index < locals.size() ? locals[local.index].load() : Vec4{});
+  return changed;
+}
+
+bool ProgramValues::update(Context &context, const StaleClock &clock, const ProgramTarget *target) {
+  bool changed = false;
+  if (target) {
+    // Before the values, so that a change by another thread meanwhile is seen the next time.
+    const Versions now = {context.selections,
+                          target->bound->version.load(std::memory_order_acquire),
+                          target->envVersion};
+    if (!(now == m_versions)) {
+      m_versions = now;
+      changed = updateParameters(*target);
+    }
+  }
+  const std::uint32_t groups = clock.changedSince(m_seen) & m_groups;
+  m_seen = clock.now();
+  if (groups == 0) [[likely]]
+    return changed;
+  return updateStates(context, groups) || changed;
+}
+
+bool ProgramValues::updateStates(Context &context, std::uint32_t groups) {
+  bool changed = false;
+  // Rows of one matrix mostly follow each other: it is asked for once.
+  const fp::ir::StateRef *matrix = nullptr;
+  GLfloat rows[4][4];
+  for (const State &state : m_states) {
+    if ((state.groups & groups) == 0)
+      continue;
+    Vec4 value{};
+    if (isMatrix(state.state)) {
+      if (!matrix || !sameMatrix(*matrix, state.state))
+        fetchMatrix(context, state.state, rows);
+      matrix = &state.state;
+      std::copy_n(rows[state.state.row & 3u], 4, value.begin());
+    } else {
+      fetchState(context, state.state, value.data());
+    }
+    changed |= set(state.row, value);
+  }
+  return changed;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "state/raster_draw/context_state.h"
+
+/// The rasterizer's figures for --stats.
+namespace arbiter {
+class JsonWriter;
+}
+
+namespace arbiter::state::software {
+
+/// Of one context, or of several.
+struct Figures {
+  std::uint64_t contexts = 0; ///< that drew, or tried to
+  std::uint64_t drawn = 0;
+  std::array<std::uint64_t, kFallbackCount> fallbacks{};
+  std::uint64_t trials = 0, framesBackedOff = 0;
+  ResidencyStatistics residency;
+
+  void add(const Context &context);
+};
+
+/// The figures as a run of counters, machine code's among them.
+inline constexpr unsigned kFigureCount = kFallbackCount + 15;
+void store(const Figures &figures, std::uint64_t (&counters)[kFigureCount]);
+/// The value of the key "software", with places for the counters from `first` on
+/// (util/record/record_text.h).
+void write(JsonWriter &json, unsigned first);
+
+} // namespace arbiter::state::software

@@ -1,0 +1,141 @@
+#include "state/raster_draw/units.h"
+
+#include <algorithm>
+
+#include "state/core/context.h"
+#include "state/host_draw/draw.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::TexTarget;
+
+bool isShadow(TexTarget target) {
+  return target == TexTarget::Shadow1D || target == TexTarget::Shadow2D ||
+         target == TexTarget::ShadowRect;
+}
+
+/// DEPTH_TEXTURE_MODE (ARB_depth_texture): how a depth, or the result of its comparison, becomes
+/// RGBA.
+abi::Swizzle depthSwizzle(GLenum mode) {
+  using abi::From;
+  switch (mode) {
+  case GL_INTENSITY:
+    return {From::C0, From::C0, From::C0, From::C0};
+  case GL_ALPHA:
+    return {From::Zero, From::Zero, From::Zero, From::C0};
+  case GL_RED:
+    return {From::C0, From::Zero, From::Zero, From::One};
+  default: // GL_LUMINANCE
+    return {From::C0, From::C0, From::C0, From::One};
+  }
+}
+
+/// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
+/// stored once comes from the first of RGBA that shows it; a depth from red.
+void convertBorder(const abi::Format &format, const float from[4], float to[4]) {
+  for (int i = 0; i < 4; ++i) {
+    const abi::From source = format.swizzle[std::size_t(i)];
+    if (source == abi::From::Zero || source == abi::From::One) {
+      to[i] = source == abi::From::One ? 1.0f : 0.0f;
+      continue;
+    }
+    const auto first = std::find(format.swizzle.begin(), format.swizzle.end(), source);
+    to[i] = from[abi::isDepth(format.layout) ? 0 : int(first - format.swizzle.begin())];
+  }
+}
+
+/// TEXTURE_SWIZZLE_RGBA over what a texture's format gives, of texels and of the border.
+void swizzle(const std::array<GLenum, 4> &names, abi::Swizzle &texel, float border[4]) {
+  const abi::Swizzle from = texel;
+  const std::array<float, 4> color = {border[0], border[1], border[2], border[3]};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (names[i] == GL_ZERO || names[i] == GL_ONE) {
+      texel[i] = names[i] == GL_ONE ? abi::From::One : abi::From::Zero;
+      border[i] = names[i] == GL_ONE ? 1.0f : 0.0f;
+      continue;
+    }
+    const std::size_t component = names[i] - GL_RED; // RED, GREEN, BLUE, ALPHA
+    texel[i] = from[component];
+    border[i] = color[component];
+  }
+}
+
+} // namespace
+
+abi::Dimension dimensionOf(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return abi::Dimension::Tex1D;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    return abi::Dimension::Tex2D;
+  case TexTarget::Tex3D:
+    return abi::Dimension::Tex3D;
+  case TexTarget::Cube:
+    return abi::Dimension::Cube;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return abi::Dimension::Rect;
+  }
+  return abi::Dimension::Tex2D;
+}
+
+Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
+                    abi::FragmentKey &key) {
+  m_uses.clear();
+  m_bound = 0;
+  m_levelsMatter = 0;
+  for (const auto &sampler : shape.samplers)
+    m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
+  if (mirror.samplersAreStale(m_uses)) [[unlikely]] {
+    releaseSamplers(context);
+    mirror.refreshSamplers(m_uses);
+  }
+  for (const auto &sampler : shape.samplers) {
+    const abi::Dimension dimension = dimensionOf(sampler.target);
+    const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
+    if (state.obstacle)
+      return Fallback::Texture;
+    const char *reason = nullptr;
+    const TextureImages *const images = context.software->residency.acquireTexture(
+        state.texture, dimension, {state.baseLevel, state.maxLevel},
+        state.key.mip != abi::MipFilter::None, reason);
+    if (!images)
+      return fallbackNamed(reason, Fallback::Texture);
+    abi::SamplerKey &code = key.samplers[sampler.unit];
+    code = {};
+    abi::TextureView &view = m_views[sampler.unit];
+    view = {};
+    m_bound |= 1u << sampler.unit;
+    code.dimension = dimension;
+    if (!images->complete)
+      continue; // Layout::None: (0, 0, 0, 1)
+    code = state.key;
+    code.dimension = dimension;
+    code.format = images->format;
+    code.powerOfTwo = images->powerOfTwo;
+    code.shadow = isShadow(sampler.target) && state.compares && abi::isDepth(code.format.layout);
+    if (abi::isDepth(code.format.layout))
+      code.format.swizzle = depthSwizzle(state.depthMode);
+    view = images->view;
+    view.lodBias = state.lodBias;
+    view.minLod = state.minLod;
+    view.maxLod = state.maxLod;
+    convertBorder(code.format, state.borderColor, view.borderColor);
+    swizzle(state.swizzle, code.format.swizzle, view.borderColor);
+    if (code.mip != abi::MipFilter::None || code.minify != code.magnify)
+      m_levelsMatter |= 1u << sampler.unit;
+  }
+  return {};
+}
+
+void Units::fill(abi::FragmentData &data) const {
+  for (std::size_t unit = 0; unit < m_views.size(); ++unit)
+    data.textures[unit] = (m_bound >> unit & 1u) != 0 ? &m_views[unit] : nullptr;
+}
+
+} // namespace arbiter::state::software

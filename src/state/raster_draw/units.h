@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "fp_compiler/jit.h"
+#include "state/mirror/mirror.h"
+#include "state/raster_draw/outcome.h"
+
+namespace arbiter::state {
+class Context;
+}
+
+namespace arbiter::state::software {
+
+/// The texture that a target samples; a SHADOW target's is the plain one's.
+[[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
+
+/// The textures that a fragment program samples: what its code is compiled for, and what it is
+/// called with.
+class Units {
+public:
+  /// Looks at the units of `shape`, and has their images ready. Fills the samplers of `key`, which
+  /// are None before.
+  Outcome bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
+               abi::FragmentKey &key);
+  void fill(abi::FragmentData &data) const;
+  /// Units whose level of detail matters: with mipmaps, or with two filters.
+  [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
+
+private:
+  std::vector<SamplerUse> m_uses;
+  std::array<abi::TextureView, abi::kMaxUnits> m_views;
+  std::uint32_t m_bound = 0;
+  std::uint32_t m_levelsMatter = 0;
+};
+
+} // namespace arbiter::state::software

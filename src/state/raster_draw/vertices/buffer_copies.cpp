@@ -1,0 +1,41 @@
+#include "state/raster_draw/vertices/buffer_copies.h"
+
+#include <new>
+
+#include "state/mirror/stale_clock.h"
+
+namespace arbiter::state::software {
+
+BufferCopies::Contents BufferCopies::find(const StaleClock &clock, GLuint buffer) {
+  const bool changed = (clock.changedSince(m_seen) & stale::kBuffers) != 0;
+  m_seen = clock.now();
+  if (changed) {
+    m_copies.clear();
+    m_bytes = 0;
+    return {};
+  }
+  const auto found = m_copies.find(buffer);
+  if (found == m_copies.end() || found->second.empty())
+    return {};
+  return {found->second.data(), found->second.size()};
+}
+
+void BufferCopies::drawnFrom(GLuint buffer, const Contents &contents) {
+  if (contents.bytes > kMostBytes)
+    return;
+  try {
+    // Copies are in use: none of them gives way to another.
+    if (m_bytes + contents.bytes > kAllBytes ||
+        (m_copies.size() >= kMostBuffers && !m_copies.contains(buffer)))
+      return;
+    const auto [copy, first] = m_copies.try_emplace(buffer);
+    if (first)
+      return;
+    copy->second.assign(contents.data, contents.data + contents.bytes);
+    m_bytes += contents.bytes;
+  } catch (const std::bad_alloc &) {
+    // The next draw maps it again.
+  }
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,220 @@
+#include "state/raster_draw/vertices/vertex_stage.h"
+
+#include <algorithm>
+
+#include "state/core/context.h"
+#include "state/host_draw/variant.h"
+#include "swrast/threads.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using fp::ir::AttributeKind;
+using fp::ir::OutputKind;
+
+/// Vertices that one call of the function transforms: what is written stays in the cache.
+constexpr std::uint32_t kStretch = swrast::Vertices::kStretch;
+
+VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, bool points) {
+  VertexNeeds needs;
+  needs.pointSize = points;
+  for (const fp::jit::FragmentInput &input : fragments.inputs) {
+    switch (input.attribute.kind) {
+    case AttributeKind::ColorPrimary:
+      needs.primary = true;
+      break;
+    case AttributeKind::ColorSecondary:
+      needs.secondary = true;
+      break;
+    case AttributeKind::FogCoord:
+      needs.fogCoord = true;
+      break;
+    case AttributeKind::TexCoord:
+      needs.texCoords |= std::uint8_t(1u << input.attribute.index);
+      break;
+    case AttributeKind::Position:
+    case AttributeKind::Normal:
+    case AttributeKind::Generic:
+      break; // no fragment attribute that vertices give
+    }
+  }
+  return needs;
+}
+
+/// The vertex result that a fragment attribute interpolates.
+fp::ir::Output resultOf(const fp::ir::Attribute &attribute, bool back) {
+  switch (attribute.kind) {
+  case AttributeKind::ColorPrimary:
+    return {back ? OutputKind::BackPrimary : OutputKind::FrontPrimary, 0};
+  case AttributeKind::ColorSecondary:
+    return {back ? OutputKind::BackSecondary : OutputKind::FrontSecondary, 0};
+  case AttributeKind::FogCoord:
+    return {OutputKind::FogCoord, 0};
+  default:
+    return {OutputKind::TexCoord, attribute.index};
+  }
+}
+
+bool isColor(const fp::ir::Attribute &attribute) {
+  return attribute.kind == AttributeKind::ColorPrimary ||
+         attribute.kind == AttributeKind::ColorSecondary;
+}
+
+} // namespace
+
+void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
+                       When when) {
+  m_program = &m_programs.find(source, m_program);
+  if (!m_program->functions)
+    m_program->functions = vertexFunctions(source, context.numerics, when);
+}
+
+Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
+                            const fp::jit::FragmentShape &fragments, bool points, bool floatTarget,
+                            When when) {
+  m_compiled = compiled;
+  m_fragments = &fragments;
+  mirror.refreshVertexState(floatTarget);
+  m_clipPlanes = mirror.vertex.clipPlanes;
+  if (!compiled) {
+    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), when);
+    m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
+    m_pointSize = points && mirror.vertex.pointAttenuation;
+  } else {
+    take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), when);
+    m_twoSided = mirror.twoSidedColor;
+    m_pointSize = points && mirror.pointSizeFromProgram;
+  }
+  const fp::jit::VertexProgram *const prepared = m_program->functions->prepared();
+  if (!prepared)
+    return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
+                                                                : Fallback::NotCompiled;
+  if (!m_program->values)
+    m_program->values = std::make_unique<ProgramValues>(prepared->program());
+  m_shape = &prepared->shape();
+  m_slots = slotsOf(m_shape->inputs);
+  m_connected = false;
+  findUnwritten(context);
+  return {};
+}
+
+void VertexStage::findUnwritten(const Context &context) {
+  m_unwritten.clear();
+  if (!m_compiled || context.variant->fragment.compiled)
+    return;
+  const auto &results = m_shape->outputs;
+  for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {
+    const fp::ir::Attribute &attribute = m_fragments->inputs[i].attribute;
+    if (std::find(results.begin(), results.end(), resultOf(attribute, false)) == results.end())
+      m_unwritten.push_back({std::uint8_t(i), std::uint8_t(slotOf(attribute))});
+  }
+}
+
+bool VertexStage::connectUnwritten(const Mirror &mirror) {
+  for (const Unwritten &each : m_unwritten) {
+    if (!m_fetcher.fetchCurrent(mirror.current[each.slot], each.slot))
+      return false;
+    for (int c = 0; c < 4; ++c)
+      m_vertices.inputs[each.input][c] = m_fetcher.component(each.slot, c);
+  }
+  return true;
+}
+
+std::uint32_t VertexStage::currentSlots() const {
+  std::uint32_t slots = m_slots;
+  for (const Unwritten &each : m_unwritten)
+    slots |= 1u << each.slot;
+  return slots;
+}
+
+void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const {
+  m_fetcher.convert(begin, end);
+  // Pointers of a stretch lie on the stack of the thread that makes it.
+  constexpr std::size_t kMost = 4 * 64;
+  const float *inputs[kMost];
+  float *results[kMost];
+  const std::size_t inputCount = m_shape->inputs.size(), outputCount = m_shape->outputs.size();
+  for (std::size_t i = 0; i < 4 * inputCount; ++i)
+    inputs[i] = m_data.inputs[i] ? m_data.inputs[i] + begin : nullptr;
+  for (std::size_t i = 0; i < 4 * outputCount; ++i)
+    results[i] = m_data.outputs[i] + begin;
+  const abi::VertexData part{m_data.parameters, inputs, results};
+  m_program->functions->function()(&part, end - begin);
+}
+
+void VertexStage::transformAll(std::uint32_t count) const {
+  auto work = [&](std::uint32_t stretch) {
+    transformStretch(stretch * kStretch, std::min(count, (stretch + 1) * kStretch));
+  };
+  swrast::parallel((count + kStretch - 1) / kStretch, work);
+}
+
+Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &source,
+                         std::uint32_t first, std::uint32_t count, bool edgeFlags, bool later) {
+  const std::uint32_t slots = m_slots | (edgeFlags ? 1u << kEdgeFlag : 0u);
+  const bool many = count > 2 * kStretch;
+  if (!(many ? m_fetcher.open(source, mirror.current, slots, first, count)
+             : m_fetcher.fetch(source, mirror.current, slots, first, count)))
+    return Fallback::Vertices;
+  float *const *const outputs = m_fetcher.outputs(m_shape->outputs.size());
+  if (!outputs)
+    return Fallback::Memory;
+  m_program->values->update(context, mirror.clock,
+                            m_compiled ? &context.row(m_compiled->target) : nullptr);
+  m_data = {m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs};
+  later = later && many && !edgeFlags;
+  if (!many)
+    m_program->functions->function()(&m_data, count);
+  else if (!later)
+    transformAll(count);
+  if (!m_connected || m_connectedTo != m_fetcher.outputsVersion()) {
+    connect(outputs);
+    m_connected = true;
+    m_connectedTo = m_fetcher.outputsVersion();
+  }
+  if (!m_unwritten.empty() && !connectUnwritten(mirror)) [[unlikely]]
+    return Fallback::Memory;
+  m_vertices.count = count;
+  m_vertices.edgeFlags = edgeFlags ? m_fetcher.edgeFlags() : nullptr;
+  m_vertices.make = nullptr;
+  if (later) {
+    m_vertices.maker = this;
+    m_vertices.make = [](const void *maker, std::uint32_t begin, std::uint32_t end) {
+      static_cast<const VertexStage *>(maker)->transformStretch(begin, end);
+    };
+  }
+  return {};
+}
+
+void VertexStage::connect(float *const *outputs) {
+  swrast::Vertices &out = m_vertices;
+  out = {};
+  const auto find = [&](const fp::ir::Output &wanted) -> float *const * {
+    const auto &results = m_shape->outputs;
+    const auto found = std::find(results.begin(), results.end(), wanted);
+    return found == results.end() ? nullptr : outputs + 4 * (found - results.begin());
+  };
+  if (float *const *const position = find({OutputKind::Position, 0}))
+    std::copy_n(position, 4, out.position);
+  for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {
+    const fp::ir::Attribute &attribute = m_fragments->inputs[i].attribute;
+    const bool fog = attribute.kind == AttributeKind::FogCoord;
+    const int components = fog ? 1 : 4; // fragment.fogcoord is (f, 0, 0, 1)
+    if (float *const *const front = find(resultOf(attribute, false)))
+      std::copy_n(front, components, out.inputs[i]);
+    if (m_twoSided && isColor(attribute))
+      if (float *const *const back = find(resultOf(attribute, true)))
+        std::copy_n(back, 4, out.backInputs[i]);
+  }
+  if (m_pointSize)
+    if (float *const *const size = find({OutputKind::PointSize, 0}))
+      out.pointSize = size[0];
+  for (std::uint8_t plane = 0; plane < 8; ++plane)
+    if ((m_clipPlanes >> plane & 1u) != 0)
+      if (float *const *const distances =
+              find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
+        out.clipDistance[plane] = distances[plane % 4];
+}
+
+} // namespace arbiter::state::software

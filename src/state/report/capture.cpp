@@ -1,0 +1,168 @@
+#include "state/report/capture.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <mutex>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/core/unit_scope.h"
+#include "state/host_draw/variant.h"
+#include "util/exit_lock.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The contexts that live, so that what is in force at exit is counted too. Never freed: contexts
+/// may die after static destructors began.
+struct Live {
+  std::mutex mutex;
+  std::vector<Context *> contexts;
+};
+Live &live() {
+  static Live *const s_live = new Live;
+  return *s_live;
+}
+
+void finishAtExit() {
+  Live &l = live();
+  const std::unique_lock lock = lockAtExit(l.mutex);
+  if (!lock)
+    return; // what was written a second ago stays
+  for (Context *context : l.contexts)
+    captureLeave(*context);
+  CaptureRecord::instance()->finish();
+}
+
+struct Binding {
+  GLenum target;
+  GLenum query;
+  GLenum level; ///< the target whose level 0 is asked for
+};
+
+Binding bindingOf(fp::ir::TexTarget target) {
+  using fp::ir::TexTarget;
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return {GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D, GL_TEXTURE_1D};
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    return {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_2D};
+  case TexTarget::Tex3D:
+    return {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_3D};
+  case TexTarget::Cube:
+    return {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_CUBE_MAP_POSITIVE_X};
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_RECTANGLE};
+  }
+  return {};
+}
+
+TextureUse look(Context &context, const fp::GlslSampler &sampler) {
+  const host::HostTable &host = *context.host;
+  const UnitScope unit(host, sampler.unit);
+  const Binding binding = bindingOf(sampler.target);
+  TextureUse use;
+  use.unit = sampler.unit;
+  use.target = sampler.target;
+  host.GetIntegerv(binding.query, &use.name);
+  host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_WIDTH, &use.width);
+  host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_HEIGHT, &use.height);
+  host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_DEPTH, &use.depth);
+  host.GetTexLevelParameteriv(binding.level, 0, GL_TEXTURE_INTERNAL_FORMAT, &use.format);
+  if (GLint(sampler.unit) < context.caps.maxTextureUnits) // units beyond have no fixed function
+    for (std::size_t i = 0; i < std::size(kFixedTargets); ++i)
+      if (host.IsEnabled(kFixedTargets[i].cap))
+        use.enabled |= std::uint8_t(1u << i);
+  return use;
+}
+
+/// Draws that took the path of the program in force, on the host or by the rasterizer.
+std::uint64_t drawsOf(const Context &context, std::size_t path) {
+  const std::uint64_t own =
+      Path(path) == Path::HostGlsl ? context.draws[std::size_t(Path::Rasterizer)] : 0;
+  return context.draws[path] + own;
+}
+
+} // namespace
+
+void captureContextMade(Context &context) {
+  if (!capturing())
+    return;
+  Live &l = live();
+  const std::lock_guard lock(l.mutex);
+  static const bool s_registered = std::atexit(finishAtExit) == 0;
+  static_cast<void>(s_registered);
+  l.contexts.push_back(&context);
+  CaptureRecord::instance()->contextMade();
+}
+
+void captureContextGone(Context &context) {
+  if (!capturing())
+    return;
+  captureLeave(context);
+  Live &l = live();
+  const std::lock_guard lock(l.mutex);
+  std::erase(l.contexts, &context);
+}
+
+void captureLoad(const Context &context, const ProgramObject &object, std::string_view text,
+                 const fp::CheckResult &result, const CompiledProgram *compiled) {
+  if (capturing())
+    CaptureRecord::instance()->loaded(context.serial, object.target, text, result,
+                                      context.errorString, compiled);
+}
+
+void captureEnter(Context &context) {
+  if (!capturing() || !context.variant)
+    return;
+  CaptureInForce &inForce = context.inForce;
+  inForce.path = std::size_t(context.path);
+  inForce.drawsBefore = drawsOf(context, inForce.path);
+  const HostErrorScope scope(*context.host, context.pendingError);
+  for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
+    if (!stage->compiled)
+      continue;
+    const auto slot = std::size_t(stage->compiled->target);
+    inForce.programs[slot] = stage->compiled->shared_from_this();
+    std::vector<TextureUse> &textures = inForce.textures[slot];
+    textures.clear();
+    for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)
+      textures.push_back(look(context, sampler));
+  }
+}
+
+void captureLeave(Context &context) {
+  if (!capturing())
+    return;
+  CaptureInForce &inForce = context.inForce;
+  const std::uint64_t draws = drawsOf(context, inForce.path) - inForce.drawsBefore;
+  for (std::size_t i = 0; i < kTargetCount; ++i) {
+    const std::shared_ptr<const CompiledProgram> program = std::move(inForce.programs[i]);
+    if (!program || draws == 0)
+      continue;
+    const std::vector<Vec4> *held = nullptr;
+    if (const Variant *const variant = context.variant)
+      for (const VariantStage *const stage : {&variant->vertex, &variant->fragment})
+        if (stage->compiled == program.get())
+          held = &stage->uploaded;
+    CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,
+                                     pathName(Path(inForce.path)), held, &inForce.textures[i]});
+  }
+}
+
+void captureFrame(Context &context) {
+  if (!capturing())
+    return;
+  captureLeave(context);
+  // The next draw looks at what is in force, and at its textures, anew.
+  if (!context.passThrough)
+    context.attention |= attention::kProgram;
+  CaptureRecord::instance()->frameEnded();
+}
+
+} // namespace arbiter::state

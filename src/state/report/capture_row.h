@@ -1,0 +1,68 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "state/core/target.h"
+#include "state/programs/program_object.h"
+#include "util/json.h"
+
+/// A row of a capture's record: one program text, and its use.
+namespace arbiter::state {
+
+/// The texture of a unit that a program samples, when its draws began.
+struct TextureUse {
+  std::uint8_t unit = 0;
+  fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
+  GLint name = 0;
+  GLint width = 0, height = 0, depth = 0; ///< texels; 0: no image
+  GLint format = 0;                       ///< internal format
+  std::uint8_t enabled = 0; ///< fixed-function targets of the unit: bit i is kFixedTargets[i]
+};
+
+/// The fixed-function texture targets, in rising precedence (3.8.15).
+struct FixedTarget {
+  GLenum cap;
+  const char *name;
+};
+inline constexpr FixedTarget kFixedTargets[] = {
+    {GL_TEXTURE_1D, "TEXTURE_1D"},
+    {GL_TEXTURE_2D, "TEXTURE_2D"},
+    {GL_TEXTURE_RECTANGLE, "TEXTURE_RECTANGLE"},
+    {GL_TEXTURE_3D, "TEXTURE_3D"},
+    {GL_TEXTURE_CUBE_MAP, "TEXTURE_CUBE_MAP"},
+};
+
+/// The options of a program as it would spell them.
+[[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options);
+
+/// What a process knows of one program text.
+struct CaptureRow {
+  Target target = Target::Fragment;
+  std::string hash;
+  std::uint64_t loads = 0, frames = 0, draws = 0;
+  std::set<std::uint32_t> contexts;
+  std::vector<const char *> options;
+  bool counted = false;
+  fp::ResourceCounts counts, nativeCounts;
+  bool underNativeLimits = false;
+  bool replaced = false;
+  bool hasGlsl = false; ///< its file is written
+  std::int32_t errorPosition = -1;
+  std::string error, warning;
+  // Of the last use.
+  std::pair<std::uint32_t, std::uint64_t> lastFrame{0, ~std::uint64_t{0}}; ///< context and frame
+  std::int64_t lastUse = -1;                                               ///< ns since the epoch
+  const char *path = "";
+  std::shared_ptr<const CompiledProgram> program;
+  std::vector<Vec4> values; ///< of program->glsl.uniforms
+  std::vector<TextureUse> textures;
+
+  /// One element of the record's "programs".
+  void write(JsonWriter &json) const;
+};
+
+} // namespace arbiter::state

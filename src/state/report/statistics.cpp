@@ -1,0 +1,270 @@
+#include "state/report/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <pthread.h>
+#include <vector>
+
+#include "state/core/context.h"
+#include "state/programs/program_cache.h"
+#include "state/raster_draw/report.h"
+#include "state/report/statistics_text.h"
+#include "util/exit_lock.h"
+#include "util/file.h"
+#include "util/flags.h"
+#include "util/hash.h"
+#include "util/log.h"
+#include "util/record/live_record.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The counters of a context, or of several.
+struct Totals {
+  std::array<std::uint64_t, kPathCount> draws{};
+  std::array<FeedbackTracker::Totals, kCopyKindCount> copies{};
+  std::uint64_t frames = 0;
+  std::uint64_t readBuffers = 0;
+  software::Figures software;
+
+  void add(const Context &context) {
+    for (int i = 0; i < kPathCount; ++i)
+      draws[std::size_t(i)] += context.draws[std::size_t(i)];
+    for (int i = 0; i < kCopyKindCount; ++i) {
+      const auto &from = context.feedback.totals(CopyKind(i));
+      copies[std::size_t(i)].copies += from.copies;
+      copies[std::size_t(i)].pixels += from.pixels;
+    }
+    frames += context.frames;
+    readBuffers += context.readBufferCalls;
+    software.add(context);
+  }
+};
+
+struct Registry {
+  std::mutex mutex;
+  std::vector<ContextRow> contexts;
+  Totals gone;
+  LiveRecord *record = nullptr; ///< made with the first context
+  std::uint32_t nextSerial = 1;
+};
+
+/// Never freed: contexts may die after static destructors began.
+Registry &registry() {
+  static Registry *const s_registry = new Registry;
+  return *s_registry;
+}
+
+bool wanted() { return !settings().statsPath.empty(); }
+
+/// "!!ARBfp1.0" without the marks: the first word of the text, as far as it is one.
+std::string languageOf(std::string_view text) {
+  if (text.substr(0, 2) != "!!")
+    return "unknown";
+  std::string name;
+  for (const char c : text.substr(2, 16)) {
+    const bool word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (!word && c != '.')
+      break;
+    name += c;
+  }
+  return name.empty() ? "unknown" : name;
+}
+
+void renewFrame(Registry &r) {
+  const FrameText text = frameText(r.contexts);
+  r.record->setFrame(text.before, text.after);
+}
+
+/// The counters as they are now. Allocates nothing, as it is done at exit too.
+void renewCounters(Registry &r) {
+  Totals totals = r.gone;
+  for (const ContextRow &row : r.contexts)
+    if (row.live)
+      totals.add(*row.live);
+  std::uint64_t *const to = r.record->counters();
+  const auto draws = [&](Path path) { return totals.draws[std::size_t(path)]; };
+  std::copy(totals.draws.begin(), totals.draws.end(), to + kDraws);
+  to[kUntouched] = draws(Path::NoProgram) + draws(Path::ApplicationGlsl) +
+                   draws(Path::ApplicationPipeline) + draws(Path::ApplicationStageGlsl) +
+                   draws(Path::NotOffered);
+  to[kDropped] = draws(Path::InvalidProgram) + draws(Path::HostRefused);
+  to[kCopies] = to[kPixels] = 0;
+  for (int i = 0; i < kCopyKindCount; ++i) {
+    to[kKinds + unsigned(i)] = totals.copies[std::size_t(i)].copies;
+    to[kCopies] += totals.copies[std::size_t(i)].copies;
+    to[kPixels] += totals.copies[std::size_t(i)].pixels;
+  }
+  to[kBytes] = to[kPixels] * 4; // the format of the copy is the host's own business
+  to[kReadBuffers] = totals.readBuffers;
+  to[kFrames] = totals.frames;
+  const ProgramCacheCounters cache = programCacheCounters();
+  to[kCacheHits] = cache.hits;
+  to[kCacheMisses] = cache.misses;
+  to[kCacheStored] = cache.stored;
+  std::uint64_t figures[software::kFigureCount];
+  software::store(totals.software, figures);
+  std::copy(std::begin(figures), std::end(figures), to + kSoftware);
+}
+
+void addProgram(const ProgramRow &row) {
+  const std::string text = rowText(row);
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  if (!r.record)
+    return;
+  if (!r.record->addRow(text))
+    ++r.record->counters()[kProgramsNotListed];
+  renewCounters(r);
+}
+
+/// What became known of a context since it was made. \return something did
+bool renewContext(Registry &r, const Context &context) {
+  for (auto row = r.contexts.rbegin(); row != r.contexts.rend(); ++row) {
+    if (row->live != &context)
+      continue;
+    if (row->offered == context.offered && row->numerics == context.numerics &&
+        row->obstacle == context.caps.obstacle())
+      return false;
+    row->offered = context.offered;
+    row->numerics = context.numerics;
+    row->obstacle = context.caps.obstacle();
+    return true;
+  }
+  return false;
+}
+
+/// With the first context: the record, and what becomes of it at the end and in a child.
+void begin(Registry &r) {
+  const std::string &pattern = settings().statsPath;
+  r.record = LiveRecord::make(expandPid(pattern), pattern.find("%p") != std::string::npos);
+  if (!r.record)
+    return;
+  std::atexit(writeStatistics);
+  pthread_atfork(nullptr, nullptr, [] {
+    if (registry().record)
+      registry().record->afterFork();
+  });
+}
+
+} // namespace
+
+void noteContextCreated(Context &context) {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  context.serial = r.nextSerial++;
+  if (!wanted())
+    return;
+  try {
+    if (!r.record)
+      begin(r);
+    if (!r.record)
+      return;
+    ContextRow row;
+    row.serial = context.serial;
+    row.provider = context.provider;
+    row.live = &context;
+    r.contexts.push_back(row);
+    renewFrame(r);
+  } catch (const std::exception &) { // a context is not refused for what is told of it
+  }
+}
+
+void noteContextDestroyed(const Context &context) {
+  if (!wanted())
+    return;
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  if (!r.record)
+    return;
+  renewContext(r, context);
+  r.gone.add(context);
+  for (ContextRow &row : r.contexts) // before anything that may find no memory
+    if (row.live == &context)
+      row.live = nullptr;
+  renewFrame(r);
+  renewCounters(r);
+}
+
+void noteProgress(const Context &context) {
+  if (!wanted())
+    return;
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  if (!r.record)
+    return;
+  if (renewContext(r, context))
+    renewFrame(r);
+  renewCounters(r);
+}
+
+void noteLoadedProgram(const Context &context, const ProgramObject &object, std::string_view text,
+                       const fp::CheckResult &result) {
+  if (!wanted())
+    return;
+  ProgramRow row;
+  row.context = context.serial;
+  row.name = object.name;
+  row.hash = hashBytes(text);
+  row.target = infoOf(object.target).word;
+  row.language = languageOf(text);
+  row.counted = result.ok();
+  row.counts = result.counts;
+  row.nativeCounts = result.nativeCounts;
+  row.underNativeLimits = result.underNativeLimits;
+  row.errorPosition = result.errorPosition();
+  (result.ok() ? row.warning : row.error) = context.errorString;
+  addProgram(row);
+}
+
+void noteFragmentShader(const Context &context, const ProgramObject &object,
+                        const CompiledProgram *compiled, std::string_view error) {
+  if (!wanted())
+    return;
+  ProgramRow row;
+  row.context = context.serial;
+  row.name = object.name;
+  row.target = infoOf(object.target).word;
+  if (compiled)
+    row.hash = compiled->hash;
+  row.error = error;
+  addProgram(row);
+}
+
+std::string statisticsJson() {
+  Registry &r = registry();
+  const std::lock_guard lock(r.mutex);
+  std::string text;
+  if (!r.record)
+    r.record = LiveRecord::inMemory();
+  if (!r.record)
+    return text;
+  renewFrame(r);
+  renewCounters(r);
+  r.record->write({&text, [](void *to, const char *bytes, std::size_t size) {
+                     static_cast<std::string *>(to)->append(bytes, size);
+                     return true;
+                   }});
+  return text;
+}
+
+void writeStatistics() {
+  Registry &r = registry();
+  if (!wanted() || !r.record)
+    return;
+  // The frame below may hold the lock, where a signal's handler called exit(): the counters are
+  // those of the last frame then.
+  if (const std::unique_lock lock = lockAtExit(r.mutex))
+    renewCounters(r);
+  if (!r.record->finish())
+    logWarn("state", "cannot write statistics to %s: %s", settings().statsPath.c_str(),
+            std::strerror(errno));
+}
+
+} // namespace arbiter::state

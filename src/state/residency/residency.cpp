@@ -1,0 +1,172 @@
+// When pixels must be moved: synchronisation, frames, contexts.
+#include "state/residency/residency.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "state/residency/residency_host.h"
+#include "util/log.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+void uploadList(ResidentImages &images, std::vector<PixelImage *> &list) {
+  // One by one: what finds no memory stays in the list, as its shadow is what counts.
+  while (!list.empty()) {
+    PixelImage *const image = list.back();
+    if (image->newest == Newest::Shadow) {
+      upload(images, *image);
+      setNewest(images, *image, Newest::Both);
+    }
+    image->listed = false;
+    list.pop_back();
+  }
+}
+
+void uploadAll(ResidentImages &images) {
+  if (!images.pending.empty())
+    lookAtWindow(images);
+  uploadList(images, images.objects.pending);
+  uploadList(images, images.pending);
+  images.hot.hostIsBehind = false;
+}
+
+void dropObjects(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
+  objects.absent.fill(-1);
+  for (const auto &[name, texture] : objects.textures)
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image)
+        dropShadow(images, *image);
+  for (const auto &[name, image] : objects.renderbuffers)
+    dropShadow(images, *image);
+}
+
+void dropFramebuffer(ResidentImages &images) {
+  const Framebuffers &f = framebuffersOf(images);
+  const auto drop = [&](PixelImage *image) {
+    if (image)
+      dropShadow(images, *image);
+  };
+  for (PixelImage *image : f.color)
+    drop(image);
+  drop(f.depthStencil);
+  // What is attached to a framebuffer that is not ours is not all known: any image may be.
+  if (f.drawName != 0 && f.reason)
+    dropObjects(images);
+  if (f.drawName == 0) {
+    // The front and the back buffer are not told apart where the host draws to both.
+    drop(&images.color);
+    drop(&images.depthStencil);
+  }
+}
+
+void dropAll(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
+  for (const auto &[name, texture] : objects.textures)
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image) {
+        dropShadow(images, *image);
+        image->described = false;
+      }
+  for (const auto &[name, image] : objects.renderbuffers) {
+    dropShadow(images, *image);
+    image->described = false;
+  }
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
+  objects.redefined();
+  images.hot.stale = ~0u;
+}
+
+/// Nothing is known of any object; nothing is pending.
+void forgetObjects(ResidentImages &images) {
+  ObjectImages &objects = images.objects;
+  objects.textures.clear();
+  objects.renderbuffers.clear();
+  objects.pending.clear();
+  objects.way = {};
+  objects.absent.fill(-1);
+  images.framebuffers = {};
+}
+
+} // namespace
+
+void settleImages(ResidentImages &images) {
+  const std::uint64_t epoch = images.neighbours.epoch();
+  if (images.epoch == epoch) [[likely]]
+    return;
+  uploadAll(images);
+  dropAll(images);
+  forgetObjects(images);
+  images.epoch = NeighbourEpoch::isCrowded(epoch) ? 0 : epoch;
+}
+
+bool settleAlone(ResidentImages &images) {
+  settleImages(images);
+  return images.epoch != 0;
+}
+
+Residency::Residency(const Surroundings &around) : m_images(new ResidentImages(around)) {}
+Residency::~Residency() = default;
+
+bool Residency::settle() { return settleAlone(*m_images); }
+
+void Residency::forget() {
+  ResidentImages &images = *m_images;
+  if (images.hot.hostIsBehind)
+    return; // it left in the middle of a list or a primitive
+  dropAll(images);
+  forgetObjects(images);
+}
+
+void Residency::synchronise(const char *why) {
+  ResidentImages &images = *m_images;
+  if (!images.hot.hostIsBehind)
+    return;
+  settleImages(images);
+  logDebug("residency", "the host is brought up to date: %s", why);
+  uploadAll(images);
+}
+
+void Residency::hostTakesTargets(const char *why) {
+  ResidentImages &images = *m_images;
+  synchronise(why);
+  settleImages(images);
+  if (hostMissedFrames(images))
+    lookAtWindow(images);
+  if (images.objects.valid != 0)
+    dropFramebuffer(images);
+}
+
+void Residency::hostDoesAnything(const char *why) {
+  synchronise(why);
+  dropAll(*m_images);
+}
+
+void Residency::drawableMayHaveChanged(const swrast::Rect &viewport) {
+  ResidentImages &images = *m_images;
+  auto &recent = images.viewports;
+  const auto known = std::find(recent.begin(), recent.end(), viewport);
+  if (known != recent.end())
+    return;
+  images.sizeSure = true;
+  std::rotate(recent.begin(), recent.end() - 1, recent.end());
+  recent.front() = viewport;
+}
+
+void forgetSize(ResidentImages &images) {
+  images.sizeKnown = false;
+  images.objects.changed();
+}
+
+std::uint64_t Residency::version() const { return m_images->objects.version; }
+
+ResidencyStatistics Residency::statistics() const {
+  ResidencyStatistics statistics = m_images->objects.statistics;
+  statistics.shadowBytes = swrast::Storage::totalBytes();
+  return statistics;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,135 @@
+// Feedback: the read buffer to a level of a texture.
+#include <algorithm>
+
+#include "state/residency/residency_host.h"
+#include "swrast/image/copy_pixels.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using swrast::Image;
+using swrast::Rect;
+
+/// A part of an image, sharing its memory.
+Image partOf(const Image &image, const Rect &rect) {
+  Image part = image;
+  part.width = rect.width;
+  part.height = rect.height;
+  part.depth = 1;
+  part.offset +=
+      rect.y * image.rowStride + std::ptrdiff_t(rect.x) * abi::bytesOf(image.format.layout);
+  return part;
+}
+
+/// A part that is small beside its storage is not shared: it would hold on to all of that memory.
+bool worthSharing(const Image &image, const Rect &rect) {
+  return 2 * std::int64_t(rect.width) * rect.height >= std::int64_t(image.width) * image.height;
+}
+
+/// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
+/// level that the copy would define anew.
+PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
+  const GLenum binding = bindingOf(copy.target);
+  if (binding == 0)
+    return nullptr;
+  GLint name = 0;
+  images.hot.host->GetIntegerv(binding, &name);
+  if (name == 0 || !isNamedAsBound(images, GLuint(name)))
+    return nullptr;
+  Texture &texture = textureOf(images.objects, GLuint(name));
+  PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
+  if (!image || image->base == 0)
+    return nullptr;
+  const Rect to = {copy.destX, copy.destY, copy.width, copy.height};
+  if (copy.defines) {
+    if (!texture.immutableKnown) {
+      const TextureBinding bound(*images.hot.host, texture.target, texture.name);
+      GLint immutable = 0;
+      HostErrorScope errors = errorScope(images);
+      images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
+      texture.immutable = immutable != 0;
+      texture.immutableKnown = true;
+    }
+    const bool same = !texture.immutable && copy.border == 0 &&
+                      GLint(copy.internalFormat) == image->internalFormat &&
+                      copy.width == image->width && copy.height == image->height &&
+                      image->depth == 1;
+    return same ? image : nullptr;
+  }
+  const bool inside = to.x >= 0 && to.y >= 0 && to.width > 0 && to.height > 0 &&
+                      to.width <= image->width - to.x && to.height <= image->height - to.y &&
+                      copy.destZ >= 0 && copy.destZ < image->depth;
+  return inside ? image : nullptr;
+}
+
+bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from,
+                  const CopyToTexture &copy, const Rect &source, bool whole) {
+  if (!whole && to.newest == Newest::Host && !download(images, to))
+    return false;
+  // Held on to: `to` may be the very image that is read.
+  const Image pixels = from.shadow;
+  if (!whole && !to.shadow.empty() && to.shadow.format.layout != to.format.layout)
+    return false;
+  if (!makeOwn(images, to, !whole))
+    return false;
+  swrast::copyPixels(to.shadow, copy.destX + source.x - copy.x, copy.destY + source.y - copy.y,
+                     copy.destZ, pixels, source);
+  return true;
+}
+
+bool copyPixelsOurs(ResidentImages &images, const CopyToTexture &copy) {
+  const Framebuffers &f = framebuffersOf(images);
+  PixelImage *const from = f.read;
+  // Where the host has the newest pixels of the source it copies without moving any to us.
+  if (!from || from->newest == Newest::Host)
+    return false;
+  const PixelModes &modes = pixelModes(images);
+  if (modes.transfers)
+    return false;
+  PixelImage *const to = destination(images, copy);
+  if (!to)
+    return false;
+  abi::Format view;
+  if (!viewAs(from->shadow.format, to->base, to->format, view))
+    return false;
+  const Rect source = swrast::intersect({copy.x, copy.y, copy.width, copy.height},
+                                        {0, 0, from->width, from->height});
+  if (source.empty())
+    return false;
+  const bool whole = source.width == to->width && source.height == to->height && to->depth == 1;
+  ObjectImages &objects = images.objects;
+  if (whole && from != to && worthSharing(from->shadow, source)) {
+    to->shadow = partOf(from->shadow, source);
+    to->shadow.format = view;
+    objects.changed();
+    ++objects.statistics.copiesShared;
+  } else {
+    if (!copyInMemory(images, *to, *from, copy, source, whole))
+      return false;
+    ++objects.statistics.copiesInMemory;
+  }
+  setNewest(images, *to, Newest::Shadow);
+  return true;
+}
+
+} // namespace
+
+bool Residency::copyToTexture(const CopyToTexture &copy) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images))
+    return false;
+  ObjectImages &objects = images.objects;
+  {
+    if (objects.valid == 0)
+      return false;
+    if (copyPixelsOurs(images, copy))
+      return true;
+  }
+  // The host copies: from its read buffer, to a texture that is its own afterwards.
+  synchronise("copy");
+  textureRedefined(textureTargetOf(copy.target));
+  return false;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,198 @@
+#include "state/residency/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+GLint get(const host::HostTable &host, GLenum pname) {
+  GLint value = 0;
+  host.GetIntegerv(pname, &value);
+  return value;
+}
+
+struct TransferNames {
+  GLenum scale, bias;
+};
+constexpr TransferNames kTransfers[] = {{GL_RED_SCALE, GL_RED_BIAS},
+                                        {GL_GREEN_SCALE, GL_GREEN_BIAS},
+                                        {GL_BLUE_SCALE, GL_BLUE_BIAS},
+                                        {GL_ALPHA_SCALE, GL_ALPHA_BIAS},
+                                        {GL_DEPTH_SCALE, GL_DEPTH_BIAS}};
+
+PixelModes::Store storeOf(ResidentImages &images, bool pack) {
+  const host::HostTable &host = *images.hot.host;
+  PixelModes::Store store;
+  store.swapBytes = get(host, pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES);
+  store.lsbFirst = get(host, pack ? GL_PACK_LSB_FIRST : GL_UNPACK_LSB_FIRST);
+  store.rowLength = get(host, pack ? GL_PACK_ROW_LENGTH : GL_UNPACK_ROW_LENGTH);
+  store.imageHeight = get(host, pack ? GL_PACK_IMAGE_HEIGHT : GL_UNPACK_IMAGE_HEIGHT);
+  store.skipRows = get(host, pack ? GL_PACK_SKIP_ROWS : GL_UNPACK_SKIP_ROWS);
+  store.skipPixels = get(host, pack ? GL_PACK_SKIP_PIXELS : GL_UNPACK_SKIP_PIXELS);
+  store.skipImages = get(host, pack ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES);
+  store.alignment = get(host, pack ? GL_PACK_ALIGNMENT : GL_UNPACK_ALIGNMENT);
+  if (images.caps.has("GL_ARB_pixel_buffer_object"))
+    store.buffer = get(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
+  if (pack && images.caps.has("GL_MESA_pack_invert"))
+    store.invert = get(host, GL_PACK_INVERT_MESA);
+  return store;
+}
+
+} // namespace
+
+const PixelModes &pixelModes(ResidentImages &images) {
+  if ((images.hot.stale & stale::kPixelStore) == 0) [[likely]]
+    return images.modes;
+  images.hot.stale &= ~stale::kPixelStore;
+  HostErrorScope errors = errorScope(images);
+  PixelModes &modes = images.modes;
+  modes.pack = storeOf(images, true);
+  modes.unpack = storeOf(images, false);
+  modes.transfers = get(*images.hot.host, GL_MAP_COLOR) != 0;
+  modes.transfersDepth = false;
+  for (const TransferNames &names : kTransfers) {
+    GLfloat scale = 1, bias = 0;
+    images.hot.host->GetFloatv(names.scale, &scale);
+    images.hot.host->GetFloatv(names.bias, &bias);
+    if (scale != 1.0f || bias != 0.0f)
+      (names.scale == GL_DEPTH_SCALE ? modes.transfersDepth : modes.transfers) = true;
+  }
+  modes.transfersDepth = modes.transfersDepth || get(*images.hot.host, GL_INDEX_SHIFT) != 0 ||
+                         get(*images.hot.host, GL_INDEX_OFFSET) != 0 ||
+                         get(*images.hot.host, GL_MAP_STENCIL) != 0;
+  return modes;
+}
+
+// --- TextureBinding ---
+
+TextureBinding::TextureBinding(const host::HostTable &host, GLenum target, GLuint name)
+    : m_host(host), m_target(target) {
+  m_host.GetIntegerv(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_BINDING_CUBE_MAP)
+                                                   : bindingOf(target),
+                     &m_previous);
+  m_changed = GLuint(m_previous) != name;
+  if (m_changed)
+    m_host.BindTexture(m_target, name);
+}
+
+TextureBinding::~TextureBinding() {
+  if (m_changed)
+    m_host.BindTexture(m_target, GLuint(m_previous));
+}
+
+// --- PlainPixels ---
+
+namespace {
+
+struct StoreNames {
+  GLenum swapBytes, lsbFirst, rowLength, imageHeight, skipRows, skipPixels, skipImages, alignment,
+      buffer;
+};
+constexpr StoreNames kPack = {GL_PACK_SWAP_BYTES,   GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH,
+                              GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
+                              GL_PACK_SKIP_IMAGES,  GL_PACK_ALIGNMENT, GL_PIXEL_PACK_BUFFER};
+constexpr StoreNames kUnpack = {
+    GL_UNPACK_SWAP_BYTES,   GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SKIP_IMAGES,  GL_UNPACK_ALIGNMENT, GL_PIXEL_UNPACK_BUFFER};
+
+void change(const host::HostTable &host, bool pack, const PixelModes::Store &from,
+            const PixelModes::Store &to) {
+  const StoreNames &n = pack ? kPack : kUnpack;
+  const auto set = [&](GLenum pname, GLint was, GLint is) {
+    if (was != is)
+      host.PixelStorei(pname, is);
+  };
+  set(n.swapBytes, from.swapBytes, to.swapBytes);
+  set(n.lsbFirst, from.lsbFirst, to.lsbFirst);
+  set(n.rowLength, from.rowLength, to.rowLength);
+  set(n.imageHeight, from.imageHeight, to.imageHeight);
+  set(n.skipRows, from.skipRows, to.skipRows);
+  set(n.skipPixels, from.skipPixels, to.skipPixels);
+  set(n.skipImages, from.skipImages, to.skipImages);
+  set(n.alignment, from.alignment, to.alignment);
+  if (pack)
+    set(GL_PACK_INVERT_MESA, from.invert, to.invert);
+  if (from.buffer != to.buffer)
+    host.BindBuffer(n.buffer, GLuint(to.buffer));
+}
+
+} // namespace
+
+PlainPixels::PlainPixels(ResidentImages &images, Way way, GLint rowLength, GLint imageHeight,
+                         bool topRowFirst)
+    : m_host(*images.hot.host), m_way(way) {
+  const PixelModes &modes = pixelModes(images);
+  m_was = way == Way::Pack ? modes.pack : modes.unpack;
+  m_is = {};
+  m_is.alignment = 1;
+  m_is.rowLength = rowLength;
+  m_is.imageHeight = imageHeight;
+  m_is.invert = topRowFirst ? 1 : 0;
+  change(m_host, way == Way::Pack, m_was, m_is);
+  m_transfers = modes.transfers || modes.transfersDepth;
+  if (m_transfers) {
+    m_mapColor = get(m_host, GL_MAP_COLOR);
+    m_host.PixelTransferi(GL_MAP_COLOR, 0);
+    m_index[0] = get(m_host, GL_MAP_STENCIL);
+    m_index[1] = get(m_host, GL_INDEX_SHIFT);
+    m_index[2] = get(m_host, GL_INDEX_OFFSET);
+    m_host.PixelTransferi(GL_MAP_STENCIL, 0);
+    m_host.PixelTransferi(GL_INDEX_SHIFT, 0);
+    m_host.PixelTransferi(GL_INDEX_OFFSET, 0);
+    for (std::size_t i = 0; i < std::size(kTransfers); ++i) {
+      m_host.GetFloatv(kTransfers[i].scale, &m_scale[i]);
+      m_host.GetFloatv(kTransfers[i].bias, &m_bias[i]);
+      m_host.PixelTransferf(kTransfers[i].scale, 1.0f);
+      m_host.PixelTransferf(kTransfers[i].bias, 0.0f);
+    }
+  }
+  if (way == Way::Pack &&
+      (images.caps.major >= 3 || images.caps.has("GL_ARB_color_buffer_float"))) {
+    // GL_FIXED_ONLY, the default, leaves floats alone. It stays: a host that was told of another
+    // goes on to restore all of GL_COLOR_BUFFER_BIT in PopAttrib, the draw buffers too, whichever
+    // framebuffer is bound by then.
+    m_clamp = get(m_host, GL_CLAMP_READ_COLOR);
+    m_clamped = m_clamp == GL_TRUE;
+    if (m_clamped)
+      m_host.ClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+  }
+}
+
+PlainPixels::~PlainPixels() {
+  if (m_clamped)
+    m_host.ClampColor(GL_CLAMP_READ_COLOR, GLenum(m_clamp));
+  if (m_transfers) {
+    m_host.PixelTransferi(GL_MAP_COLOR, m_mapColor);
+    m_host.PixelTransferi(GL_MAP_STENCIL, m_index[0]);
+    m_host.PixelTransferi(GL_INDEX_SHIFT, m_index[1]);
+    m_host.PixelTransferi(GL_INDEX_OFFSET, m_index[2]);
+    for (std::size_t i = 0; i < std::size(kTransfers); ++i) {
+      m_host.PixelTransferf(kTransfers[i].scale, m_scale[i]);
+      m_host.PixelTransferf(kTransfers[i].bias, m_bias[i]);
+    }
+  }
+  change(m_host, m_way == Way::Pack, m_is, m_was);
+}
+
+// --- FramebufferBinding ---
+
+FramebufferBinding::FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read)
+    : m_host(*images.hot.host) {
+  m_draw = get(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
+  m_read = get(m_host, GL_READ_FRAMEBUFFER_BINDING);
+  m_scissor = m_host.IsEnabled(GL_SCISSOR_TEST);
+  // The EXT entry point makes an object of a name that Gen did not give.
+  m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, draw);
+  m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, read);
+  if (m_scissor)
+    m_host.Disable(GL_SCISSOR_TEST);
+}
+
+FramebufferBinding::~FramebufferBinding() {
+  m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(m_draw));
+  m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, GLuint(m_read));
+  if (m_scissor)
+    m_host.Enable(GL_SCISSOR_TEST);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,114 @@
+// Frames, and contexts that come and go.
+#include <cstring>
+
+#include "state/residency/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// One image of the window given to the host, if it is newer.
+void give(ResidentImages &images, PixelImage &image) {
+  if (image.newest == Newest::Shadow)
+    lookAtWindow(images);
+  if (image.newest != Newest::Shadow)
+    return;
+  upload(images, image);
+  setNewest(images, image, Newest::Both);
+}
+
+void updateBehind(ResidentImages &images) {
+  bool behind = false;
+  for (const PixelImage *image : images.objects.pending)
+    behind = behind || image->newest == Newest::Shadow;
+  for (const PixelImage *image : images.pending)
+    behind = behind || image->newest == Newest::Shadow;
+  images.hot.hostIsBehind = behind;
+}
+
+/// The window's pixels to the application's memory, which it reads after Finish.
+void copyToMemory(ResidentImages &images) {
+  Drawable &drawable = images.drawable;
+  PixelImage &image = images.color;
+  if (image.newest != Newest::Shadow || image.shown || !drawable.memory)
+    return;
+  GLint rowLength = image.width;
+  bool topRowFirst = false;
+  if (drawable.memoryLayout)
+    drawable.memoryLayout(drawable, rowLength, topRowFirst);
+  const int bytes = drawable.memoryFormat == GL_RGB || drawable.memoryFormat == GL_BGR ? 3 : 4;
+  writeApplicationRows(image.shadow, drawable.memoryFormat,
+                       static_cast<std::uint8_t *>(drawable.memory),
+                       std::ptrdiff_t(rowLength) * bytes, topRowFirst);
+  image.shown = true;
+}
+
+} // namespace
+
+bool Residency::present() {
+  ResidentImages &images = *m_images;
+  settleImages(images);
+  // Nobody sees a pbuffer, and swapping it does nothing to it.
+  if (images.drawable.kind != Drawable::Kind::Window)
+    return false;
+  PixelImage &color = images.color;
+  const bool shown = images.doubleBuffered && images.drawable.show &&
+                     color.newest == Newest::Shadow &&
+                     images.drawable.show(images.drawable, color.shadow);
+  if (shown) {
+    color.shown = true;
+  } else {
+    give(images, color);
+    updateBehind(images);
+  }
+  forgetSize(images);
+  return shown;
+}
+
+void Residency::leave() {
+  ResidentImages &images = *m_images;
+  if (images.hot.insideBeginEnd || images.hot.listMode != 0)
+    return;
+  synchronise("the context leaves its thread");
+  // The host wrote to its own copy of the application's memory.
+  if (images.drawable.kind == Drawable::Kind::Memory && images.color.newest != Newest::Host)
+    images.hot.host->Flush();
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
+}
+
+void Residency::enter(const Drawable &drawable) {
+  ResidentImages &images = *m_images;
+  // Another context may have drawn to this window.
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
+  images.color.described = images.depthStencil.described = false;
+  forgetSize(images);
+  images.sizeSure = true;
+  images.drawable = drawable;
+  images.hot.stale = ~0u;
+  if (hostMissedFrames(images) && !images.hot.insideBeginEnd && images.hot.listMode == 0)
+    lookAtWindow(images);
+  updateBehind(images);
+}
+
+void Residency::flush(bool finish) {
+  ResidentImages &images = *m_images;
+  const bool visible = images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered &&
+                       images.color.newest == Newest::Shadow;
+  if (visible || images.groupContexts.load(std::memory_order_relaxed) > 1 ||
+      NeighbourEpoch::isCrowded(images.neighbours.epoch()))
+    synchronise("flush");
+  if (finish)
+    images.hot.host->Finish();
+  else
+    images.hot.host->Flush();
+  // A host that shows its front buffer swaps, in a way.
+  if (images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered)
+    forgetSize(images);
+  // After the host, which writes its own, older pixels there.
+  if (images.drawable.kind == Drawable::Kind::Memory)
+    copyToMemory(images);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,240 @@
+// Textures as a program samples them, and what ends a shadow of one.
+#include <algorithm>
+#include <bit>
+
+#include "state/residency/residency_host.h"
+#include "swrast/image/copy_pixels.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+GLenum targetOf(abi::Dimension dimension) {
+  switch (dimension) {
+  case abi::Dimension::Tex1D:
+    return GL_TEXTURE_1D;
+  case abi::Dimension::Tex2D:
+    return GL_TEXTURE_2D;
+  case abi::Dimension::Tex3D:
+    return GL_TEXTURE_3D;
+  case abi::Dimension::Cube:
+    return GL_TEXTURE_CUBE_MAP;
+  case abi::Dimension::Rect:
+    return GL_TEXTURE_RECTANGLE;
+  }
+  return 0;
+}
+
+abi::TextureLevel viewOf(const swrast::Image &image) {
+  return {.base = image.pixel(0, 0),
+          .rowStride = image.rowStride,
+          .sliceStride = image.sliceStride,
+          .width = image.width,
+          .height = image.height,
+          .depth = image.depth};
+}
+
+/// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
+/// `complete` tells whether GL would sample them at all (3.8.10).
+class Completeness {
+public:
+  Completeness(ResidentImages &images, Texture &texture) : m_images(images), m_texture(texture) {}
+
+  bool gather(GLenum target, TextureLevels range, bool mipmapped, const char *&reason) {
+    TextureImages &view = m_texture.view;
+    view = {};
+    const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+    const GLenum first = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+    PixelImage *const base = levelOf(m_images, m_texture, first, range.base);
+    if (range.base > range.max || !base || base->width <= 0)
+      return true; // incomplete
+    if (base->base == 0) {
+      reason = "texture";
+      return false;
+    }
+    int levels = 1;
+    if (mipmapped) {
+      const auto largest = unsigned(std::max({base->width, base->height, base->depth}));
+      levels = std::min(int(std::bit_width(largest)), range.max - range.base + 1);
+    }
+    levels = std::min(levels, abi::kMaxLevels - range.base);
+    for (int level = 0; level < levels; ++level)
+      for (int face = 0; face < faces; ++face) {
+        PixelImage *const image =
+            levelOf(m_images, m_texture, first + GLenum(face), range.base + level);
+        if (!image || !fits(*image, *base, level, faces == 6))
+          return true; // incomplete
+      }
+    if (!valid(first, faces, range.base, levels, *base, reason))
+      return false;
+    for (int level = 0; level < levels; ++level)
+      for (int face = 0; face < faces; ++face)
+        m_texture.levels[std::size_t(faces * level + face)] =
+            viewOf(levelOf(m_images, m_texture, first + GLenum(face), range.base + level)->shadow);
+    view.format = base->shadow.format;
+    view.complete = true;
+    view.powerOfTwo = std::has_single_bit(unsigned(base->width)) &&
+                      std::has_single_bit(unsigned(base->height)) &&
+                      std::has_single_bit(unsigned(base->depth));
+    view.view.levels = m_texture.levels.data();
+    view.view.levelCount = levels;
+    return true;
+  }
+
+private:
+  static bool fits(const PixelImage &image, const PixelImage &base, int level, bool cube) {
+    const auto size = [level](int of) { return std::max(1, of >> level); };
+    return image.internalFormat == base.internalFormat && image.width == size(base.width) &&
+           image.height == size(base.height) && image.depth == size(base.depth) &&
+           (!cube || image.width == image.height);
+  }
+
+  /// Downloads what the host has newer, and makes one format of all.
+  bool valid(GLenum first, int faces, int baseLevel, int levels, const PixelImage &base,
+             const char *&reason) {
+    bool oneFormat = true;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int level = 0; level < levels; ++level)
+        for (int face = 0; face < faces; ++face) {
+          PixelImage &image =
+              *levelOf(m_images, m_texture, first + GLenum(face), baseLevel + level);
+          if (pass == 0 && image.newest == Newest::Host && !download(m_images, image)) {
+            reason = "memory";
+            return false;
+          }
+          if (pass == 1 && !oneFormat && !own(m_images, image)) {
+            reason = "memory";
+            return false;
+          }
+          oneFormat = oneFormat && (pass == 1 || image.shadow.format == base.shadow.format);
+        }
+    }
+    return true;
+  }
+
+  static bool own(ResidentImages &images, PixelImage &image) {
+    if (image.shadow.format == image.format)
+      return true;
+    swrast::Image made = swrast::makeImage(image.format, image.width, image.height, image.depth);
+    if (made.empty())
+      return false;
+    for (int z = 0; z < image.depth; ++z)
+      swrast::copyPixels(made, 0, 0, z, image.shadow, {0, 0, image.width, image.height}, z);
+    image.shadow = std::move(made);
+    images.objects.changed();
+    return true;
+  }
+
+  ResidentImages &m_images;
+  Texture &m_texture;
+};
+
+const TextureImages kIncomplete;
+
+/// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
+/// image. Where it has one it is not ours: its name tells it not from those of other targets.
+bool zeroIsAbsent(ResidentImages &images, abi::Dimension dimension, TextureLevels range) {
+  GLint &absent = images.objects.absent[std::size_t(dimension)];
+  if (absent == range.base)
+    return true;
+  if (range.base < 0 || range.base >= abi::kMaxLevels)
+    return false;
+  const GLenum target = targetOf(dimension);
+  const GLenum image =
+      target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+  HostErrorScope errors = errorScope(images);
+  const TextureBinding binding(*images.hot.host, target, 0);
+  GLint width = 0;
+  images.hot.host->GetTexLevelParameteriv(image, range.base, GL_TEXTURE_WIDTH, &width);
+  if (width != 0 || errors.failed())
+    return false;
+  absent = range.base;
+  return true;
+}
+
+} // namespace
+
+const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimension,
+                                               TextureLevels range, bool mipmapped,
+                                               const char *&reason) {
+  ResidentImages &images = *m_images;
+  reason = "texture";
+  const GLenum target = targetOf(dimension);
+  if (name == 0)
+    return zeroIsAbsent(images, dimension, range) ? &kIncomplete : nullptr;
+  // One that a neighbour deleted is still sampled here; its name may be another one's.
+  if (!isNamedAsBound(images, name))
+    return nullptr;
+  Texture &texture = textureOf(images.objects, name);
+  if (!Completeness(images, texture).gather(target, range, mipmapped, reason))
+    return nullptr;
+  texture.view.dimension = dimension;
+  return &texture.view;
+}
+
+namespace {
+
+/// The host has all of the texture, and its levels may be others from now on.
+void redefine(ResidentImages &images, Texture &texture) {
+  for (const std::unique_ptr<PixelImage> &image : texture.images)
+    if (image) {
+      dropShadow(images, *image);
+      image->described = false;
+    }
+}
+
+} // namespace
+
+void Residency::textureRedefined(GLenum target) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images))
+    return;
+  ObjectImages &objects = images.objects;
+  objects.absent.fill(-1);
+  if (objects.textures.empty())
+    return;
+  GLuint name = 0;
+  if (target != 0) {
+    const GLenum binding =
+        bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
+    if (binding == 0)
+      return; // a proxy, an array: none of ours
+    GLint bound = 0;
+    images.hot.host->GetIntegerv(binding, &bound);
+    name = GLuint(bound);
+  }
+  for (const auto &[key, texture] : objects.textures) {
+    if (target != 0 && key != name)
+      continue;
+    for (const std::unique_ptr<PixelImage> &image : texture->images)
+      if (image && image->newest == Newest::Shadow) {
+        upload(images, *image);
+        setNewest(images, *image, Newest::Both);
+      }
+    redefine(images, *texture);
+  }
+  objects.redefined();
+}
+
+void Residency::texturesDeleted(GLsizei n, const GLuint *names) {
+  ResidentImages &images = *m_images;
+  if (!settleAlone(images) || !names)
+    return;
+  ObjectImages &objects = images.objects;
+  for (GLsizei i = 0; i < n; ++i) {
+    const auto found = objects.textures.find(names[i]);
+    if (found == objects.textures.end())
+      continue;
+    // Its images live on where they are attached to a framebuffer that is not bound.
+    for (const std::unique_ptr<PixelImage> &image : found->second->images)
+      if (image && image->newest == Newest::Shadow)
+        upload(images, *image);
+    redefine(images, *found->second);
+    std::erase_if(objects.pending,
+                  [&](const PixelImage *image) { return image->texture == found->second.get(); });
+    objects.textures.erase(found);
+    objects.redefined();
+  }
+}
+
+} // namespace arbiter::state::software

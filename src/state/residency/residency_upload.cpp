@@ -1,0 +1,207 @@
+// Texels that the application gives.
+#include <cstring>
+
+#include "state/residency/residency_host.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+using abi::From;
+using swrast::Image;
+using swrast::Rect;
+
+/// The application's pixels of whole bytes (OpenGL 1.4, table 3.6): where each of RGBA is.
+struct ByteSource {
+  int bytes = 0; ///< a pixel
+  abi::Swizzle rgba = abi::kRgba;
+};
+
+bool byteSource(GLenum format, GLenum type, ByteSource &out) {
+  constexpr From kZero = From::Zero, kOne = From::One;
+  constexpr From a = From::C0, b = From::C1, c = From::C2, d = From::C3;
+  const bool four = format == GL_RGBA || format == GL_BGRA;
+  const bool packed = type == GL_UNSIGNED_INT_8_8_8_8; // the first component in the highest byte
+  if (type != GL_UNSIGNED_BYTE && !(four && (packed || type == GL_UNSIGNED_INT_8_8_8_8_REV)))
+    return false;
+  switch (format) {
+  case GL_RGBA:
+    out = {4, packed ? abi::Swizzle{d, c, b, a} : abi::kRgba};
+    return true;
+  case GL_BGRA:
+    out = {4, packed ? abi::Swizzle{b, c, d, a} : abi::Swizzle{c, b, a, d}};
+    return true;
+  case GL_RGB:
+    out = {3, {a, b, c, kOne}};
+    return true;
+  case GL_BGR:
+    out = {3, {c, b, a, kOne}};
+    return true;
+  case GL_RED:
+    out = {1, {a, kZero, kZero, kOne}};
+    return true;
+  case GL_GREEN:
+    out = {1, {kZero, a, kZero, kOne}};
+    return true;
+  case GL_BLUE:
+    out = {1, {kZero, kZero, a, kOne}};
+    return true;
+  case GL_ALPHA:
+    out = {1, {kZero, kZero, kZero, a}};
+    return true;
+  case GL_RG:
+    out = {2, {a, b, kZero, kOne}};
+    return true;
+  case GL_LUMINANCE:
+    out = {1, {a, a, a, kOne}};
+    return true;
+  case GL_LUMINANCE_ALPHA:
+    out = {2, {a, a, a, b}};
+    return true;
+  default:
+    return false;
+  }
+}
+
+/// For each stored byte of a texel the byte of the source's pixel, or one of these.
+constexpr int kZeroByte = -1, kFullByte = -2;
+struct Plan {
+  int bytes = 0, stored = 0;
+  int from[4] = {kFullByte, kFullByte, kFullByte, kFullByte};
+};
+
+/// False where that source cannot be written to the format as bytes.
+bool planOf(const ByteSource &source, GLenum base, const abi::Format &format, Plan &plan) {
+  abi::Format view;
+  if (!viewAs({abi::Layout::U8x4, source.rgba}, base, format, view))
+    return false;
+  plan.bytes = source.bytes;
+  plan.stored = abi::bytesOf(format.layout);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const From to = format.swizzle[i], from = view.swizzle[i];
+    if (to <= From::C3)
+      plan.from[int(to)] = from <= From::C3     ? int(from)
+                           : from == From::Zero ? kZeroByte
+                                                : kFullByte;
+  }
+  return true;
+}
+
+void writeRow(const Plan &plan, const std::uint8_t *from, std::uint8_t *to, int count) {
+  const int *const f = plan.from;
+  const bool four = plan.stored == 4 && f[1] == 1;
+  if (plan.bytes == plan.stored) {
+    bool straight = true;
+    for (int i = 0; i < plan.stored; ++i)
+      straight = straight && (f[i] == i || (f[i] == kFullByte && i == 3));
+    if (straight) { // a fourth byte that nothing shows may hold anything
+      std::memcpy(to, from, std::size_t(count) * std::size_t(plan.bytes));
+      return;
+    }
+  }
+  if (four && plan.bytes == 4 && f[0] == 2 && f[2] == 0 && (f[3] == 3 || f[3] == kFullByte)) {
+    for (int x = 0; x < count; ++x) {
+      std::uint32_t v;
+      std::memcpy(&v, from + 4 * x, 4);
+      v = (v & 0xFF00FF00u) | (v >> 16 & 0xFFu) | (v & 0xFFu) << 16;
+      std::memcpy(to + 4 * x, &v, 4);
+    }
+    return;
+  }
+  if (four && plan.bytes == 3 && f[3] == kFullByte &&
+      ((f[0] == 0 && f[2] == 2) || (f[0] == 2 && f[2] == 0))) {
+    const int first = f[0], third = f[2];
+    for (int x = 0; x < count; ++x, from += 3) {
+      const std::uint32_t v = from[first] | std::uint32_t(from[1]) << 8 |
+                              std::uint32_t(from[third]) << 16 | 0xFF000000u;
+      std::memcpy(to + 4 * x, &v, 4);
+    }
+    return;
+  }
+  for (int x = 0; x < count; ++x, from += plan.bytes, to += plan.stored)
+    for (int i = 0; i < plan.stored; ++i)
+      to[i] = f[i] >= 0 ? from[f[i]] : f[i] == kZeroByte ? 0 : 0xFF;
+}
+
+/// Where the first pixel is, and the bytes from row to row (3.6.4).
+struct SourceRows {
+  const std::uint8_t *data = nullptr;
+  std::int64_t stride = 0;
+};
+SourceRows rowsOf(const PixelModes::Store &unpack, int bytes, GLsizei width, const void *pixels) {
+  const std::int64_t row = unpack.rowLength > 0 ? unpack.rowLength : width;
+  SourceRows rows;
+  rows.stride = (row * bytes + unpack.alignment - 1) / unpack.alignment * unpack.alignment;
+  rows.data = static_cast<const std::uint8_t *>(pixels) + unpack.skipRows * rows.stride +
+              std::int64_t(unpack.skipPixels) * bytes;
+  return rows;
+}
+
+/// A shadow that may be written, of the source's own order of components where all of it is
+/// replaced: then rows are copied.
+bool writableShadow(ResidentImages &images, PixelImage &image, const ByteSource &source,
+                    bool whole) {
+  abi::Format order = image.shadow.format;
+  if (whole && source.bytes == 4 && image.format.layout == abi::Layout::U8x4 &&
+      viewAs({abi::Layout::U8x4, source.rgba}, image.base, image.format, order) &&
+      writable(order, image.format) && order != image.shadow.format) {
+    image.shadow.format = order;
+    image.shadow.storage.reset();
+  }
+  images.objects.changed();
+  return makeOwn(images, image, !whole);
+}
+
+/// The texels of one level and face are written to its shadow too.
+bool write(ResidentImages &images, PixelImage &image, const Rect &to, GLenum format, GLenum type,
+           const void *pixels) {
+  ByteSource source;
+  const PixelModes &modes = pixelModes(images);
+  if (!pixels || image.base == 0 || image.depth != 1 || !byteSource(format, type, source) ||
+      modes.transfers || modes.unpack.buffer != 0 || modes.unpack.swapBytes != 0)
+    return false;
+  // What the host refuses leaves the texels as they are.
+  if (to.x < 0 || to.y < 0 || to.empty() || to.width > image.width - to.x ||
+      to.height > image.height - to.y)
+    return false;
+  Plan plan;
+  const bool whole = to.width == image.width && to.height == image.height;
+  if (!planOf(source, image.base, image.format, plan) ||
+      !writableShadow(images, image, source, whole) ||
+      !planOf(source, image.base, image.shadow.format, plan))
+    return false;
+  const SourceRows rows = rowsOf(modes.unpack, source.bytes, to.width, pixels);
+  for (int y = 0; y < to.height; ++y)
+    writeRow(plan, rows.data + y * rows.stride, image.shadow.pixel(to.x, to.y + y), to.width);
+  if (whole)
+    setNewest(images, image, Newest::Both);
+  return true;
+}
+
+} // namespace
+
+void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
+                            GLsizei height, GLsizei, GLenum format, GLenum type,
+                            const void *pixels) {
+  ResidentImages &images = *m_images;
+  const GLenum binding = bindingOf(target);
+  if (!settleAlone(images) || binding == 0)
+    return;
+  ObjectImages &objects = images.objects;
+  if (objects.valid == 0)
+    return;
+  GLint name = 0;
+  images.hot.host->GetIntegerv(binding, &name);
+  const auto found = objects.textures.find(GLuint(name));
+  if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
+    return;
+  PixelImage *const image = levelOf(images, *found->second, target, level);
+  if (!image || image->newest == Newest::Host ||
+      (z == 0 && write(images, *image, {x, y, width, height}, format, type, pixels)))
+    return;
+  if (image->newest == Newest::Shadow)
+    upload(images, *image);
+  dropShadow(images, *image);
+}
+
+} // namespace arbiter::state::software

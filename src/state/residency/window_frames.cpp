@@ -1,0 +1,19 @@
+#include "state/residency/window_frames.h"
+
+#include "util/cache/sealed.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+constinit Sealed<WindowFrames> g_frames;
+
+} // namespace
+
+void setWindowFrames(const WindowFrames &frames) {
+  g_frames.fill([&](WindowFrames &ours) { ours = frames; });
+}
+
+const WindowFrames &windowFrames() { return *g_frames; }
+
+} // namespace arbiter::state::software
