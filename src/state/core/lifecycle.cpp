@@ -13,6 +13,7 @@
 #include "state/core/errors.h"
 #include "state/core/garbage.h"
 #include "state/core/memory.h"
+#include "state/core/neighbours.h"
 #include "state/core/share_group.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
@@ -27,7 +28,6 @@
 #include "state/raster_draw/frame.h"
 #include "state/report/capture.h"
 #include "state/report/statistics.h"
-#include "state/residency/neighbours.h"
 #include "util/flags.h"
 #include "util/log.h"
 

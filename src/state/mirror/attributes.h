@@ -62,4 +62,7 @@ struct VertexSource {
   std::uint32_t count = 0; ///< vertices that may be read; 0: as many as the indices name
 };
 
+/// Bytes of one element of an array; 0 where the type is unknown.
+[[nodiscard]] std::uint32_t elementBytes(const VertexSource::Array &array);
+
 } // namespace arbiter::state::software

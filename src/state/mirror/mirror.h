@@ -51,6 +51,8 @@ struct ArrayBindings {
   std::uint32_t foreign = 0;
 };
 
+enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
+
 /// State of fixed-function vertices, beside what its program reads as parameters (fixed_vertex.h).
 struct VertexState {
   bool lighting = false, twoSided = false, localViewer = false, separateSpecular = false;

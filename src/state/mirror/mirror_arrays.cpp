@@ -3,7 +3,6 @@
 
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
-#include "state/raster_draw/vertices/vertex_convert.h"
 
 namespace arbiter::state::software {
 

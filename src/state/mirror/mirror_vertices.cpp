@@ -5,7 +5,6 @@
 
 #include "state/mirror/mirror.h"
 #include "state/mirror/mirror_groups.h"
-#include "state/raster_draw/fixed_function/fixed_vertex.h"
 
 namespace arbiter::state::software {
 

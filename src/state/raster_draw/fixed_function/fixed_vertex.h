@@ -26,8 +26,6 @@ struct VertexNeeds {
   bool operator==(const VertexNeeds &) const = default;
 };
 
-enum class TexGenMode : std::uint8_t { ObjectLinear, EyeLinear, Sphere, Reflection, Normal };
-
 /// All that the code depends on. Plain bytes: compare and hash as such.
 struct FixedVertexKey {
   VertexNeeds needs;

@@ -8,9 +8,6 @@
 /// Elements of vertex arrays as floats.
 namespace arbiter::state::software {
 
-/// Bytes of one element of an array; 0 where the type is unknown.
-[[nodiscard]] std::uint32_t elementBytes(const VertexSource::Array &array);
-
 /// Converts `count` elements from `base` on: component c of element i goes to to[c][i], for the
 /// components that the array has. Nothing need be aligned.
 struct Conversion {

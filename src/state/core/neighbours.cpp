@@ -1,4 +1,4 @@
-#include "state/residency/neighbours.h"
+#include "state/core/neighbours.h"
 
 #include <algorithm>
 #include <mutex>
