@@ -84,6 +84,7 @@ def complaints_of(root):
         for number, comment in comments_of(name, text):
             read += 1
             for file in FILE.findall(comment):
+                file = re.sub(r"^(\.\./)+", "", file)  # a link from a page
                 if file not in ends and not OTHER_FILES.fullmatch(file) and \
                         file.replace("docs/", "") not in ends:
                     complaints.append(f"{name}:{number}: no file {file}")
