@@ -2,7 +2,7 @@
 """Writes the reference pages that are made from tables in the source, or checks them.
 
 usage: docs/generate.py            write the pages
-       docs/generate.py --check    compare; 1 if one is stale, and say which
+       docs/generate.py --check    compare; 1 if one is dirty, and say which
        (--build DIR is accepted for callers that have a build tree; no page needs one)
 """
 import argparse
@@ -238,24 +238,24 @@ def main():
     parser.add_argument('--check', action='store_true', help='compare, write nothing')
     parser.add_argument('--build', help='ignored')
     options = parser.parse_args()
-    stale = []
+    dirty = []
     try:
         for name, make in PAGES.items():
             path, text = DOCS / name, make()
             if path.exists() and path.read_text() == text:
                 continue
-            stale.append(name)
+            dirty.append(name)
             if not options.check:
                 path.write_text(text)
     except (Broken, coverage.Unexplained, generate_profiles.Broken) as error:
         print(f'generate.py: {error}', file=sys.stderr)
         return 1
-    for name in stale:
-        print(f'docs/{name}: ' + ('stale; run docs/generate.py' if options.check else 'written'))
+    for name in dirty:
+        print(f'docs/{name}: ' + ('dirty; run docs/generate.py' if options.check else 'written'))
     unread = unread_flags()
     for name in unread:
         print(f'src/util/flags.def: no code reads the debug flag {name}')
-    return 1 if unread or (options.check and stale) else 0
+    return 1 if unread or (options.check and dirty) else 0
 
 
 if __name__ == '__main__':

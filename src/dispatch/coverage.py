@@ -18,7 +18,7 @@ TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate
           "observe": "Observed", "guard": "Guarded", "handled": "Pixels that may be ours"}
 # How the rasterizer sees a command that is otherwise passed on; rows of [software] in reasons.toml.
 SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels",
-                   "draws": "Writes to the framebuffer", "stale": "Changes state",
+                   "draws": "Writes to the framebuffer", "dirty": "Changes state",
                    "unknown": "Unknown", "listed": "Compiled into lists", "harmless": "Harmless"}
 
 
@@ -109,10 +109,10 @@ def software_part(table, whys):
     out += [f"| {title} | {len(of_way[way])} | {whys[way]} |"
             for way, title in SOFTWARE_TITLES.items()]
     groups = {}
-    for lead in of_way["stale"]:
-        groups.setdefault(", ".join(bit[1:] for bit in table.stale[lead]) or "nothing", []).append(lead)
+    for lead in of_way["dirty"]:
+        groups.setdefault(", ".join(bit[1:] for bit in table.dirty[lead]) or "nothing", []).append(lead)
     for bits, leads in sorted(groups.items()):
-        out.append(f"\n{SOFTWARE_TITLES['stale']}, {bits}: " + ", ".join(f"`gl{n}`" for n in leads) + ".")
+        out.append(f"\n{SOFTWARE_TITLES['dirty']}, {bits}: " + ", ".join(f"`gl{n}`" for n in leads) + ".")
     for way in ("record", "reads", "draws", "unknown", "listed"):
         out.append(f"\n{SOFTWARE_TITLES[way]}: " + ", ".join(f"`gl{n}`" for n in of_way[way]) + ".")
     out.append(f"\n{SOFTWARE_TITLES['harmless']}: all others.")

@@ -11,7 +11,7 @@
 #include "state/core/context.h"
 #include "state/core/lifecycle.h"
 #include "state/mirror/convert.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/replay.h"
 #include "state/testing/current_context.h"
@@ -20,7 +20,7 @@
 namespace arbiter::dispatch {
 namespace {
 
-namespace stale = state::software::stale;
+namespace dirty = state::software::dirty;
 using state::software::normalized;
 
 std::vector<std::string> g_calls;
@@ -74,7 +74,7 @@ protected:
     m_table.MultiTexCoord4fv = hostMultiTexCoord4fv;
     m_context = state::createContext(state::Provider::Egl, &m_table, nullptr);
     state::makeCurrent(m_context);
-    m_context->stale = 0;
+    m_context->dirty = 0;
   }
   void TearDown() override {
     state::makeCurrent(nullptr);
@@ -96,7 +96,7 @@ protected:
 TEST_F(SoftwarePoints, StateIsNotedAndPassedOn) {
   entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ONE, GL_ZERO);
   entry<void(GLenum, GLenum)>("glBlendFunc")(GL_ZERO, GL_ZERO);
-  EXPECT_EQ(m_context->stale, stale::kPixelOps);
+  EXPECT_EQ(m_context->dirty, dirty::kPixelOps);
   EXPECT_EQ(g_calls, (std::vector<std::string>{"BlendFunc 1", "BlendFunc 0"}));
   EXPECT_EQ(g_lookups, 1) << "the host's function is looked for once";
 }
@@ -104,18 +104,18 @@ TEST_F(SoftwarePoints, StateIsNotedAndPassedOn) {
 TEST_F(SoftwarePoints, AFunctionThatTheHostLacksDoesNothing) {
   entry<void(GLfloat)>("glPointSize")(2.0f);
   entry<void(GLfloat)>("glPointSize")(2.0f);
-  EXPECT_EQ(m_context->stale, stale::kRaster | stale::kProgramState);
+  EXPECT_EQ(m_context->dirty, dirty::kRaster | dirty::kProgramState);
   EXPECT_TRUE(g_calls.empty());
 }
 
 TEST_F(SoftwarePoints, AnUnknownCommandMakesEverythingOld) {
   entry<void(GLenum)>("glPixelTexGenSGIX")(0);
-  EXPECT_EQ(m_context->stale, stale::kAll);
+  EXPECT_EQ(m_context->dirty, dirty::kAll);
 }
 
 TEST_F(SoftwarePoints, AttributesGoToTheHostWhereNothingIsRecorded) {
   entry<void(GLfloat, GLfloat, GLfloat)>("glColor3f")(0.5f, 0, 0);
-  EXPECT_EQ(m_context->stale, stale::kCurrent);
+  EXPECT_EQ(m_context->dirty, dirty::kCurrent);
   EXPECT_EQ(g_calls, (std::vector<std::string>{"Color3f 0.5"}));
 }
 

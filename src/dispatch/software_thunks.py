@@ -71,9 +71,9 @@ def thunk(table, command, way):
         condition, statement = recorded(command)
         condition = "" if condition == "true" else f" && {condition}"
         lines += f"  if (hot->recorder{condition})\n    return {statement};\n"
-    bits = "stale::kAll" if way == "unknown" else table.bits_of(command.name)
+    bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
-        lines += f"  hot->stale |= {bits};\n"
+        lines += f"  hot->dirty |= {bits};\n"
     before = {"reads": ("hot->hostIsBehind", "hostReads"), "draws": ("hot->softwareListens", "hostWrites"),
               "unknown": ("hot->softwareListens", "hostDoesUnknown")}.get(way)
     if before:
@@ -92,7 +92,7 @@ def source(table):
 #include "host/further.h"
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 
 #define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))
 
@@ -101,7 +101,7 @@ using arbiter::state::ContextHot;
 using arbiter::state::t_current;
 namespace host = arbiter::host;
 namespace software = arbiter::state::software;
-namespace stale = software::stale;
+namespace dirty = software::dirty;
 using namespace arbiter::state::software;
 
 namespace {

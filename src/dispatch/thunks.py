@@ -62,16 +62,16 @@ def thunks(table, command, action, symbol):
     call = f"{give}t->host->{name}({command.arguments()});"
     lead = "  ContextHot *const t = t_current;\n"
     bits = table.bits_of(name)
-    stale = f"  t->stale |= {bits};\n" if bits else ""
+    dirty = f"  t->dirty |= {bits};\n" if bits else ""
     count = "  ++*t->drawCounter;\n" if action in ("draw", "pixels") else ""
     if action == "handled":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         host_way = call if result != "void" else f"return {call}"
-        return "", (lead + stale + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
+        return "", (lead + dirty + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
                     + guarded(command, f"  {ours}\n"))
     if action == "own":
         ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
-        ours = stale + guarded(command, f"  {ours}\n")
+        ours = dirty + guarded(command, f"  {ours}\n")
         if result == "void":
             return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
                                f"    {call}\n    return;\n  }}\n{ours}")
@@ -82,8 +82,8 @@ def thunks(table, command, action, symbol):
         if not names:
             sys.exit(f"entry_points.toml: [guard] {name} has no program or shader parameter")
         lines = "".join(f"  {n} = handlers::guardName(here(), {n});\n" for n in names)
-        if stale:
-            lines += lead + stale
+        if dirty:
+            lines += lead + dirty
         return "", lines + f"  {give}t_current->host->{name}({command.arguments()});\n"
     if action == "observe":
         flag, slow = "t->hostProgramIsOurs", "  handlers::restoreApplicationProgram(here());\n"
@@ -98,13 +98,13 @@ def thunks(table, command, action, symbol):
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
-             f"{guarded(command, slow)}{lead}{count}{stale}  {call}\n}}\n")
+             f"{guarded(command, slow)}{lead}{count}{dirty}  {call}\n}}\n")
     turn = f"slow_{symbol}({command.arguments()});"
     if result == "void":
         turn = "{\n    " + turn + "\n    return;\n  }\n"
     else:
         turn = "\n    return " + turn + "\n"
-    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}{stale}  {call}\n"
+    return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}{dirty}  {call}\n"
 
 
 def entry_points_source(table):
@@ -112,11 +112,11 @@ def entry_points_source(table):
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n#include "state/raster_draw/commands.h"\n'
-           '#include "state/mirror/stale.h"\n\n#define ARBITER_ENTRY '
+           '#include "state/mirror/dirty_bits.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
            "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"
-           "namespace stale = software::stale;\nnamespace handlers = arbiter::state::handlers;\n\n"
+           "namespace dirty = software::dirty;\nnamespace handlers = arbiter::state::handlers;\n\n"
            "namespace {\n[[gnu::always_inline]] inline Context &here() {\n"
            "  return static_cast<Context &>(*t_current);\n}\n} // namespace\n\n"]
     rows = []

@@ -4,7 +4,7 @@
 
 #include <GL/gl.h>
 
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
 
@@ -15,7 +15,7 @@ public:
   struct Entry {
     bool hasEnables = false;
     std::uint8_t enabledTargets = 0;             ///< one bit a program target
-    std::uint32_t stale = software::stale::kAll; ///< groups that the pop restores
+    std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
   };
 
   void setMaxDepth(std::size_t depth) {

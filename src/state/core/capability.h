@@ -6,7 +6,7 @@
 #include <GL/glext.h>
 
 #include "state/core/target.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
 
@@ -21,12 +21,12 @@ enum class Capability : std::uint8_t {
 struct CapabilityRow {
   GLenum cap = 0;
   Capability capability = Capability::Host;
-  std::uint32_t stale = software::stale::kAll; ///< what the rasterizer must ask for again
+  std::uint32_t dirty = software::dirty::kAll; ///< what the rasterizer must ask for again
 };
 
 namespace detail {
 
-using namespace software::stale;
+using namespace software::dirty;
 
 /// What a program target's enable changes draws look at by themselves.
 inline constexpr CapabilityRow kCapabilities[] = {

@@ -29,8 +29,8 @@ class HostAssembly;
 class ListCompiler;
 class SamplerOverride;
 class ShareGroup;
-class VariantCache;
-struct Variant;
+class LinkedProgramCache;
+struct LinkedProgram;
 namespace software {
 struct ContextState;
 }
@@ -121,12 +121,12 @@ public:
 
   // --- The path that draws take ---
   Path path = Path::NoProgram;
-  Variant *variant = nullptr;       ///< in force, or null
-  std::uint64_t selections = 0;     ///< counts the choices of what is in force
-  bool rasterizes = true;           ///< the render mode is RENDER
-  bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
+  LinkedProgram *linkedProgram = nullptr; ///< in force, or null
+  std::uint64_t selections = 0;           ///< counts the choices of what is in force
+  bool rasterizes = true;                 ///< the render mode is RENDER
+  bool vertexResultsMatter = false;       ///< all of them, while RasterPos is validated
   // Null in the null context alone, as `list` is.
-  std::unique_ptr<VariantCache> variants;
+  std::unique_ptr<LinkedProgramCache> linkedPrograms;
   std::unique_ptr<SamplerOverride> samplerOverride;
   std::unique_ptr<HostAssembly> hostAssembly;
 

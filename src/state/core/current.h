@@ -43,8 +43,9 @@ struct ContextHot {
   bool softwareListens = false;
   /// A primitive is kept back from the host: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
-  /// Groups of the host's state that may have changed since we asked for them (mirror/stale.h).
-  std::uint32_t stale = ~0u;
+  /// Groups of the host's state that may have changed since we asked for them
+  /// (mirror/dirty_bits.h).
+  std::uint32_t dirty = ~0u;
   /// The counter of the path that draws take at present (host GLSL, host untouched).
   std::uint64_t *drawCounter = nullptr;
 };

@@ -4,7 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/memory.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
@@ -59,7 +59,7 @@ void outOfMemory(Context &context, const char *name) noexcept {
   raise(context, GL_OUT_OF_MEMORY, name);
   if (context.passThrough)
     return;
-  context.stale = software::stale::kAll;
+  context.dirty = software::dirty::kAll;
   invalidateProgram(context);
   // What was chosen before is not what a draw that failed half-way has left.
   if (context.software)

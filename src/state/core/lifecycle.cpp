@@ -18,10 +18,10 @@
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linked_program.h"
 #include "state/host_draw/sampler_override.h"
-#include "state/host_draw/variant.h"
 #include "state/lists/list_compiler.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/programs/program_api.h"
 #include "state/programs/replacement.h"
 #include "state/raster_draw/context_state.h"
@@ -134,7 +134,7 @@ Context *currentContext() {
 Context::Context(Provider contextProvider, const host::HostTable *table,
                  std::shared_ptr<ShareGroup> shareGroup)
     : provider(contextProvider), group(std::move(shareGroup)),
-      variants(std::make_unique<VariantCache>()),
+      linkedPrograms(std::make_unique<LinkedProgramCache>()),
       samplerOverride(std::make_unique<SamplerOverride>()),
       hostAssembly(std::make_unique<HostAssembly>()), list(std::make_unique<ListCompiler>()) {
   host = table;
@@ -156,7 +156,7 @@ Context::~Context() {
   software::removeNeighbour(*this);
   group->contexts.fetch_sub(1);
   try {
-    VariantCache::Names names = variants->abandon();
+    LinkedProgramCache::Names names = linkedPrograms->abandon();
     group->addGarbage({std::move(names.programs), std::move(names.shaders),
                        samplerOverride->abandon(), hostAssembly->abandon()});
   } catch (const std::exception &) { // they stay in the host until the share group is gone
@@ -333,7 +333,7 @@ void destroyContext(Context *context) {
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   noteFixedFunctionChange(to);
-  to.stale = software::stale::kAll;
+  to.dirty = software::dirty::kAll;
   if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
     copyClipPlanes(from, to);
   if ((mask & GL_ENABLE_BIT) == 0)

@@ -8,7 +8,7 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/share_group.h"
-#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/ati_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/ati_recorder.h"
 #include "state/programs/program_api.h"
@@ -76,8 +76,8 @@ std::shared_ptr<const CompiledProgram> compileShader(const Context &context,
   compiled->underNativeLimits = true;
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), listing);
-  compiled->ati = std::make_shared<const AtiForms>(std::move(program), glslHost(context.caps),
-                                                   context.numerics);
+  compiled->ati = std::make_shared<const AtiVariants>(std::move(program), glslHost(context.caps),
+                                                      context.numerics);
   return compiled;
 }
 
@@ -155,7 +155,7 @@ void DeleteFragmentShaderATI(Context &context, GLuint id) {
     row.bound = context.group->defaultProgram(Target::AtiApi);
     invalidateProgram(context);
   }
-  // Other contexts may have it bound; their variants go when they are swept.
+  // Other contexts may have it bound; their linked programs go when they are swept.
   if (const auto compiled = context.group->compiledOf(*object))
     dropVariants(context, *compiled);
 }

@@ -5,7 +5,7 @@
 #include "state/core/share_group.h"
 #include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
 
@@ -69,7 +69,7 @@ void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
   }
   if (context.listMode) {
     context.list->notePixels();
-    context.stale = software::stale::kAll;
+    context.dirty = software::dirty::kAll;
     return context.host->CallLists(n, type, lists);
   }
   callLists(context, n, type, lists);

@@ -22,7 +22,7 @@ void note(Context &context, bool begun) {
   if (!context.software || context.insideBeginEnd || context.listMode == GL_COMPILE)
     return;
   context.software->mirror.conditional = begun;
-  context.stale |= software::stale::kQueries;
+  context.dirty |= software::dirty::kQueries;
 }
 
 } // namespace

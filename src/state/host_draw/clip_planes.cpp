@@ -3,7 +3,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/share_group.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_api.h"
 #include "util/flags.h"
@@ -32,7 +32,7 @@ void lookAgain(Context &context) {
 
 } // namespace
 
-std::shared_ptr<const CompiledProgram> ClippedForm::of(const CompiledProgram &whole) const {
+std::shared_ptr<const CompiledProgram> ClippedVariant::of(const CompiledProgram &whole) const {
   const std::lock_guard lock(m_mutex);
   if (m_form)
     return m_form;
@@ -44,7 +44,7 @@ std::shared_ptr<const CompiledProgram> ClippedForm::of(const CompiledProgram &wh
   return m_form = std::move(form);
 }
 
-std::shared_ptr<const CompiledProgram> ClippedForm::made() const {
+std::shared_ptr<const CompiledProgram> ClippedVariant::made() const {
   const std::lock_guard lock(m_mutex);
   return m_form;
 }
@@ -92,8 +92,8 @@ void copyClipPlanes(const Context &from, Context &to) {
 }
 
 void noteClipPlanesOfLists(Context &context) {
-  if (listsEnablePlanes(context) && context.variant && context.variant->vertex.compiled &&
-      context.variant->vertex.compiled->clipped)
+  if (listsEnablePlanes(context) && context.linkedProgram &&
+      context.linkedProgram->vertex.compiled && context.linkedProgram->vertex.compiled->clipped)
     invalidateProgram(context);
 }
 

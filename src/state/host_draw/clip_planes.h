@@ -18,9 +18,9 @@ struct CompiledProgram;
 
 /// The form of a vertex program that user clip planes clip. Emitted once, when it is first asked
 /// for; contexts of a share group use the same one.
-class ClippedForm {
+class ClippedVariant {
 public:
-  ClippedForm(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
+  ClippedVariant(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
 
   /// The form of `whole`, which this is the one of. Any thread may call it.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole) const;

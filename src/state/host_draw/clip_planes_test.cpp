@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "state/core/lifecycle.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {
@@ -17,11 +17,12 @@ constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.posi
 /// Draws; whether the vertex program in force is clipped.
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
-  if (!context.variant || !context.variant->vertex.compiled) {
+  if (!context.linkedProgram || !context.linkedProgram->vertex.compiled) {
     ADD_FAILURE() << "no vertex program of ours is in force";
     return false;
   }
-  return context.variant->vertex.compiled->glsl.text.find("gl_ClipVertex") != std::string::npos;
+  return context.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex") !=
+         std::string::npos;
 }
 
 TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
@@ -35,7 +36,7 @@ TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
   handlers::PopAttrib(*context);
   EXPECT_FALSE(clips(*context));
   EXPECT_EQ(host.count("IsEnabled"), 0);
-  EXPECT_EQ(context->variants->size(), 1u);
+  EXPECT_EQ(context->linkedPrograms->size(), 1u);
 }
 
 TEST(ClipPlanes, EachPlaneChoosesTheForm) {
@@ -54,7 +55,7 @@ TEST(ClipPlanes, EachPlaneChoosesTheForm) {
     handlers::Disable(*context, plane);
     EXPECT_FALSE(clips(*context)) << plane;
   }
-  EXPECT_EQ(context->variants->size(), 2u) << "a form is made once";
+  EXPECT_EQ(context->linkedPrograms->size(), 2u) << "a form is made once";
 }
 
 TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
@@ -92,7 +93,8 @@ TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
   handlers::EndList(*context);
   makeCurrent(&*other);
   handlers::CallList(*other, 7); // and its draws are the host's to make
-  EXPECT_NE(other->variant->vertex.compiled->glsl.text.find("gl_ClipVertex"), std::string::npos);
+  EXPECT_NE(other->linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex"),
+            std::string::npos);
   EXPECT_TRUE(clips(*other));
 }
 
@@ -134,7 +136,7 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   handlers::Enable(*context, GL_CLIP_PLANE0);
   EXPECT_TRUE(clips(*context));
   handlers::DeleteProgramsARB(*context, 1, &name);
-  EXPECT_EQ(context->variants->size(), 0u);
+  EXPECT_EQ(context->linkedPrograms->size(), 0u);
   EXPECT_TRUE(host.shaders.empty());
 }
 

@@ -1,5 +1,5 @@
 // The way of a draw: which program is in force (the application's GLSL, then the ARB program, then
-// fixed function), its variant, its parameters.
+// fixed function), its linked program, its parameters.
 #include "state/host_draw/draw.h"
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 #include "state/core/garbage.h"
 #include "state/core/share_group.h"
 #include "state/host_draw/application_glsl.h"
-#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/ati_variants.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linked_program.h"
 #include "state/host_draw/sampler_override.h"
-#include "state/host_draw/variant.h"
 #include "state/programs/program_api.h"
 #include "state/programs/replacement.h"
 #include "state/raster_draw/context_state.h"
@@ -123,7 +123,7 @@ bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
 /// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
 /// programs, and these over ATI's fragment shaders.
 Path choosePath(Context &context) {
-  context.variant = nullptr;
+  context.linkedProgram = nullptr;
   context.stagesAreLinked = false;
   context.atiShaderInForce = false;
   for (ProgramTarget &row : context.targets)
@@ -167,9 +167,9 @@ Path choosePath(Context &context) {
     pair.fragment = nullptr;
   if (pair.vertex && clipPlanesMatter(context))
     pair.vertex = pair.vertex->clipped->of(*pair.vertex);
-  context.variant = context.variants->get(context, pair);
-  if (context.variant->hostProgram == 0) {
-    context.variant = nullptr;
+  context.linkedProgram = context.linkedPrograms->get(context, pair);
+  if (context.linkedProgram->hostProgram == 0) {
+    context.linkedProgram = nullptr;
     return Path::HostRefused;
   }
   context.stagesAreLinked = pair.vertex && pair.fragment;
@@ -182,9 +182,9 @@ std::uint32_t stickyAttention(const Context &context) {
   if (isDropped(context.path))
     bits |= attention::kInvalid;
   if (context.path == Path::HostGlsl) {
-    if (context.variant->readsState)
+    if (context.linkedProgram->readsState)
       bits |= attention::kState;
-    if (context.variant->hasPlainSamplers && context.caps.samplerObjects &&
+    if (context.linkedProgram->hasPlainSamplers && context.caps.samplerObjects &&
         context.group->compareModeUsed.load(std::memory_order_relaxed))
       bits |= attention::kCompare;
   }
@@ -219,10 +219,10 @@ void install(Context &context) {
   }
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
-  if (context.variant->fragment.compiled)
+  if (context.linkedProgram->fragment.compiled)
     software::engage(context);
   context.hostAssembly->release(context);
-  context.host->UseProgram(context.variant->hostProgram);
+  context.host->UseProgram(context.linkedProgram->hostProgram);
   context.hostProgramIsOurs = true;
 }
 
@@ -272,10 +272,10 @@ bool validate(Context &context) {
   look(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.path == Path::HostGlsl) {
-    Variant &variant = *context.variant;
-    uploadParameters(context, variant, context.attention);
+    LinkedProgram &linkedProgram = *context.linkedProgram;
+    uploadParameters(context, linkedProgram, context.attention);
     if ((sticky & attention::kCompare) != 0)
-      context.samplerOverride->apply(context, variant);
+      context.samplerOverride->apply(context, linkedProgram);
     else if (context.samplerOverride->active())
       context.samplerOverride->release(context);
   } else if (context.path == Path::HostAssembly &&
@@ -313,7 +313,7 @@ void refuseDraws(Context &context) {
     program->glsl.text = "#version 120\nvoid main() { discard; }\n";
     return program;
   }();
-  const Variant &mute = *context.variants->get(context, {nullptr, s_mute});
+  const LinkedProgram &mute = *context.linkedPrograms->get(context, {nullptr, s_mute});
   if (mute.hostProgram == 0)
     return;
   context.host->UseProgram(mute.hostProgram);
@@ -321,13 +321,13 @@ void refuseDraws(Context &context) {
 }
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
-  context.variants->drop(context, &compiled);
+  context.linkedPrograms->drop(context, &compiled);
   if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
-    context.variants->drop(context, form.get());
+    context.linkedPrograms->drop(context, form.get());
   if (!compiled.ati)
     return;
   for (const auto &form : compiled.ati->all())
-    context.variants->drop(context, form.get());
+    context.linkedPrograms->drop(context, form.get());
 }
 
 void validateForList(Context &context) {
@@ -341,8 +341,8 @@ void afterHostList(Context &context) {
     return;
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
-  if (context.hostProgramIsOurs && context.variant &&
-      GLuint(current) == context.variant->hostProgram)
+  if (context.hostProgramIsOurs && context.linkedProgram &&
+      GLuint(current) == context.linkedProgram->hostProgram)
     return;
   context.hostProgramIsOurs = false;
   context.applicationProgram = GLuint(current);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/testing/current_context.h"
 
 namespace {
@@ -142,15 +142,15 @@ TEST(Draw, AContextOfTheGroupSeesAReloadWhenItIsMadeCurrent) {
     load(*second, kFour);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->fragment.compiled->text, kFour) << "it selects programs anew";
+    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kFour) << "it selects programs anew";
     handlers::BindProgramARB(*first, kFragment, name);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->fragment.compiled->text, kFour);
+    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kFour);
     makeCurrent(&*second);
     load(*second, kThree);
     makeCurrent(&*first);
     ASSERT_TRUE(draw(*first));
-    EXPECT_EQ(first->variant->fragment.compiled->text, kThree)
+    EXPECT_EQ(first->linkedProgram->fragment.compiled->text, kThree)
         << "with two contexts each draw looks";
     makeCurrent(&*second);
   }
@@ -187,7 +187,7 @@ TEST(Draw, VariantsDoNotPileUp) {
     else
       handlers::DeleteProgramsARB(*context, 1, &name);
   }
-  EXPECT_LE(context->variants->size(), 2u);
+  EXPECT_LE(context->linkedPrograms->size(), 2u);
   EXPECT_LE(host.programs.size(), 2u);
   EXPECT_LE(host.shaders.size(), 2u) << "a shader goes with its program";
 }
@@ -219,7 +219,7 @@ TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
   EXPECT_EQ(host.count("LinkProgram"), 5);
   EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 9u);
   handlers::DeleteProgramsARB(*context, 2, vertices);
-  EXPECT_EQ(context->variants->size(), 0u);
+  EXPECT_EQ(context->linkedPrograms->size(), 0u);
   EXPECT_EQ(host.shaders.size(), 2u);
 }
 

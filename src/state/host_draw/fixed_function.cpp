@@ -4,7 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/share_group.h"
-#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/ati_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_api.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/testing/current_context.h"
 
 namespace arbiter::state {
@@ -47,10 +47,10 @@ TEST(FixedFunctionState, WhatChangesItIsSeen) {
   handlers::Enable(*context, GL_FRAGMENT_SHADER_ATI);
   host.enabled = {GL_TEXTURE_2D};
   ASSERT_TRUE(draw(*context));
-  const Variant *const flat = context->variant;
+  const LinkedProgram *const flat = context->linkedProgram;
   const auto expectAnother = [&](const char *after) {
     ASSERT_TRUE(draw(*context));
-    EXPECT_NE(context->variant, flat) << after;
+    EXPECT_NE(context->linkedProgram, flat) << after;
   };
   host.enabled = {GL_TEXTURE_2D, GL_TEXTURE_3D};
   handlers::Enable(*context, GL_TEXTURE_3D);
@@ -58,19 +58,19 @@ TEST(FixedFunctionState, WhatChangesItIsSeen) {
   host.enabled = {GL_TEXTURE_2D};
   handlers::Disable(*context, GL_TEXTURE_3D);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->variant, flat) << "a form is made once";
+  EXPECT_EQ(context->linkedProgram, flat) << "a form is made once";
   host.enabled = {GL_TEXTURE_2D, GL_FOG};
   handlers::PopAttrib(*context);
   expectAnother("PopAttrib");
-  const Variant *const fog = context->variant;
+  const LinkedProgram *const fog = context->linkedProgram;
   host.integers[GL_FOG_MODE] = GL_LINEAR;
   handlers::Fogi(*context, GL_FOG_MODE, GL_LINEAR);
   expectAnother("Fog");
-  EXPECT_NE(context->variant, fog);
+  EXPECT_NE(context->linkedProgram, fog);
   host.enabled = {GL_TEXTURE_2D, GL_COLOR_SUM};
   handlers::CallList(*context, 7);
   expectAnother("CallList");
-  EXPECT_EQ(context->variants->size(), 5u);
+  EXPECT_EQ(context->linkedPrograms->size(), 5u);
 }
 
 TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
@@ -82,7 +82,7 @@ TEST(FixedFunctionState, UnitsThatAreNotSampledMakeNoForms) {
   host.enabled = {GL_TEXTURE_CUBE_MAP};
   handlers::Enable(*context, GL_TEXTURE_CUBE_MAP);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(context->variants->size(), 1u);
+  EXPECT_EQ(context->linkedPrograms->size(), 1u);
   EXPECT_EQ(host.count("ActiveTexture"), 0) << "no unit is looked at";
 }
 

@@ -7,7 +7,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "util/log.h"
 
 namespace arbiter::state {

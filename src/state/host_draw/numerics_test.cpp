@@ -5,7 +5,7 @@
 #include "state/core/active_profile.h"
 #include "state/core/lifecycle.h"
 #include "state/host_draw/clip_planes.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/programs/program_cache.h"
 #include "state/report/statistics.h"
 #include "state/testing/current_context.h"
@@ -39,8 +39,8 @@ TEST(Numerics, AHostWithoutTheExtensionsIsGivenLegacy) {
     EXPECT_EQ(context->numerics, fp::Numerics::Legacy);
     use(*context, kFragmentText);
     ASSERT_TRUE(draw(*context));
-    EXPECT_TRUE(has(*context->variant->fragment.compiled, "arb_mul("));
-    EXPECT_FALSE(has(*context->variant->fragment.compiled, "arb_round("));
+    EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_mul("));
+    EXPECT_FALSE(has(*context->linkedProgram->fragment.compiled, "arb_round("));
   }
   FakeHost able;
   addExtensions(able);
@@ -55,14 +55,14 @@ TEST(Numerics, EveryStageAndFormFollows) {
   use(*context, kFragmentText);
   use(*context, kVertexText, kVertex);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->variant->fragment.compiled, "arb_round("));
-  EXPECT_TRUE(has(*context->variant->vertex.compiled, "arb_mul("));
-  EXPECT_FALSE(has(*context->variant->vertex.compiled, "arb_round("));
+  EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_round("));
+  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "arb_mul("));
+  EXPECT_FALSE(has(*context->linkedProgram->vertex.compiled, "arb_round("));
   handlers::Enable(*context, GL_CLIP_PLANE0);
   host.enabled.insert(GL_CLIP_PLANE0);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->variant->vertex.compiled, "gl_ClipVertex"));
-  EXPECT_TRUE(has(*context->variant->vertex.compiled, "arb_mul("));
+  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "gl_ClipVertex"));
+  EXPECT_TRUE(has(*context->linkedProgram->vertex.compiled, "arb_mul("));
 }
 
 TEST(Numerics, AnAtiShaderFollows) {
@@ -75,8 +75,8 @@ TEST(Numerics, AnAtiShaderFollows) {
       "MUL r0, r0, color0;\nEndPass;\n",
       GL_TEXT_FRAGMENT_SHADER_ATI);
   ASSERT_TRUE(draw(*context));
-  EXPECT_TRUE(has(*context->variant->fragment.compiled, "arb_round("))
-      << context->variant->fragment.compiled->glsl.text;
+  EXPECT_TRUE(has(*context->linkedProgram->fragment.compiled, "arb_round("))
+      << context->linkedProgram->fragment.compiled->glsl.text;
 }
 
 TEST(Numerics, TheStatisticsSayBoth) {

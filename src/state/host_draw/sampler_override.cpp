@@ -4,7 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/share_group.h"
 #include "state/host_draw/draw.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 
 namespace arbiter::state {
 
@@ -99,11 +99,11 @@ void SamplerOverride::applyUnit(Context &context, const fp::GlslSampler &sampler
   m_active |= 1u << sampler.unit;
 }
 
-void SamplerOverride::apply(Context &context, const Variant &variant) {
+void SamplerOverride::apply(Context &context, const LinkedProgram &linkedProgram) {
   release(context);
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  for (const fp::GlslSampler &sampler : variant.fragment.compiled->glsl.samplers)
+  for (const fp::GlslSampler &sampler : linkedProgram.fragment.compiled->glsl.samplers)
     applyUnit(context, sampler);
   context.host->ActiveTexture(GLenum(active));
 }

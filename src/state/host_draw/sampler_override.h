@@ -10,7 +10,7 @@
 namespace arbiter::state {
 
 class Context;
-struct Variant;
+struct LinkedProgram;
 
 /// Without a SHADOW target TEXTURE_COMPARE_MODE counts as NONE (AFP 4051-4057), while a host's
 /// plain samplers still compare. Where a texture of a used unit compares, a sampler object of ours
@@ -19,8 +19,9 @@ class SamplerOverride {
 public:
   static constexpr int kMaxUnits = 32;
 
-  /// Checks the plain samplers of `variant`. Called for each draw while any texture may compare.
-  void apply(Context &context, const Variant &variant);
+  /// Checks the plain samplers of `linked program`. Called for each draw while any texture may
+  /// compare.
+  void apply(Context &context, const LinkedProgram &linkedProgram);
   /// Puts the application's sampler bindings back.
   void release(Context &context);
   [[nodiscard]] bool active() const { return m_active != 0; }

@@ -3,7 +3,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 
 namespace arbiter::state {
 
@@ -27,7 +27,7 @@ Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Para
   return value;
 }
 
-void uploadStage(Context &context, VariantStage &stage) {
+void uploadStage(Context &context, LinkedProgramStage &stage) {
   const ProgramTarget &row = context.row(stage.compiled->target);
   const auto &uniforms = stage.compiled->glsl.uniforms;
   std::size_t begin = 0; // of the run of changed values, as far as it goes
@@ -60,15 +60,15 @@ void uploadStage(Context &context, VariantStage &stage) {
 
 } // namespace
 
-void uploadParameters(Context &context, Variant &variant, std::uint32_t attention) {
-  const auto upload = [&](VariantStage &stage, std::uint32_t bits) {
+void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention) {
+  const auto upload = [&](LinkedProgramStage &stage, std::uint32_t bits) {
     if (stage.readsState)
       bits |= attention::kState;
     if ((attention & bits) != 0 && !stage.locations.empty())
       uploadStage(context, stage);
   };
-  upload(variant.vertex, attention::kVertexParameters);
-  upload(variant.fragment, attention::kFragmentParameters);
+  upload(linkedProgram.vertex, attention::kVertexParameters);
+  upload(linkedProgram.fragment, attention::kFragmentParameters);
 }
 
 } // namespace arbiter::state

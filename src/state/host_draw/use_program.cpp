@@ -37,7 +37,7 @@ void releaseHostAssembly(Context &context) {
 
 void pushEnables(Context &context, GLbitfield mask) {
   AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0,
-                           .stale = software::staleGroupsOfAttributes(mask)};
+                           .dirty = software::dirtyGroupsOfAttributes(mask)};
   for (const ProgramTarget &row : context.targets)
     entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
   (void)context.attribStack.push(entry);
@@ -48,7 +48,7 @@ namespace {
 void popEnables(Context &context) {
   AttribStack::Entry entry;
   const bool popped = context.attribStack.pop(entry);
-  context.stale |= entry.stale;
+  context.dirty |= entry.dirty;
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)

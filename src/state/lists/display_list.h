@@ -59,7 +59,7 @@ enum class Primitive : std::uint8_t { AsBefore, Open, Closed };
 /// What a segment does when it is called, as far as the rasterizer must know. A list that is
 /// compiled before anybody listens may do anything.
 struct Effects {
-  std::uint32_t stale = ~0u; ///< groups of state (mirror/stale.h)
+  std::uint32_t dirty = ~0u; ///< groups of state (mirror/dirty_bits.h)
   bool pixels = true;        ///< draws, or reads or writes images
 };
 
@@ -69,7 +69,7 @@ struct DisplayList {
     GLuint hostList = 0; ///< 0: a command, or primitives
     std::unique_ptr<const Command> command;
     Primitive primitive = Primitive::AsBefore; ///< of the host list
-    Effects effects;                           ///< of the host list; `stale` also of a command
+    Effects effects;                           ///< of the host list; `dirty` also of a command
     std::shared_ptr<const software::Geometry> geometry;
   };
   std::vector<Item> items;

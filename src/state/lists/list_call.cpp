@@ -9,7 +9,7 @@
 #include "state/core/share_group.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/geometry.h"
@@ -116,7 +116,7 @@ void beforeHostLists(Context &context) {
 
 /// The segment may have called Viewport, which is how an application follows its window's size.
 void noteViewport(Context &context, const Effects &effects) {
-  if (!context.software || (effects.stale & software::stale::kViewport) == 0)
+  if (!context.software || (effects.dirty & software::dirty::kViewport) == 0)
     return;
   GLint box[4] = {};
   context.host->GetIntegerv(GL_VIEWPORT, box);
@@ -126,7 +126,7 @@ void noteViewport(Context &context, const Effects &effects) {
 /// A segment that sets state and touches no pixel: draws of ours may go on behind it.
 void callStateList(Context &context, GLuint name, const Effects &effects) {
   context.host->CallList(name);
-  context.stale |= effects.stale;
+  context.dirty |= effects.dirty;
   noteViewport(context, effects);
   noteClipPlanesChange(context);
   afterHostList(context);
@@ -138,7 +138,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
                   const Effects &effects = {}) {
   if (context.insideBeginEnd) {
     context.host->CallList(name);
-    context.stale |= effects.stale;
+    context.dirty |= effects.dirty;
     context.insideBeginEnd = primitive != Primitive::Closed;
     return;
   }
@@ -154,7 +154,7 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
     context.host->CallList(name);
     context.insideBeginEnd = primitive == Primitive::Open;
   }
-  context.stale = software::stale::kAll;
+  context.dirty = software::dirty::kAll;
   if (context.insideBeginEnd)
     return;
   noteViewport(context, effects);
@@ -241,7 +241,7 @@ void callList(Context &context, GLuint name) {
     if (item.geometry) {
       software::callGeometry(context, *item.geometry);
     } else if (item.command) {
-      context.stale |= item.effects.stale;
+      context.dirty |= item.effects.dirty;
       execute(context, *item.command);
     } else {
       callHostList(context, item.hostList, item.primitive, item.effects);
@@ -252,7 +252,7 @@ void callList(Context &context, GLuint name) {
 
 void callListIntoHost(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
-  context.stale = software::stale::kAll;
+  context.dirty = software::dirty::kAll;
   context.list->notePixels();
   if (!list)
     return context.host->CallList(name);
@@ -277,7 +277,7 @@ void callLists(Context &context, GLsizei count, GLenum type, const void *lists) 
     if (refused)
       refuseDraws(context);
     context.host->CallLists(count, type, lists); // raises what is wrong with the arguments
-    context.stale = software::stale::kAll;
+    context.dirty = software::dirty::kAll;
     if (refused)
       releaseHostState(context);
     if (!context.insideBeginEnd)

@@ -8,7 +8,7 @@
 #include "state/core/memory.h"
 #include "state/core/share_group.h"
 #include "state/host_draw/draw.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/replay.h"
@@ -18,14 +18,14 @@ namespace arbiter::state {
 namespace {
 
 /// Without the groups of commands that are executed at once, also while a list is compiled (5.4).
-std::uint32_t recordable(std::uint32_t stale) {
-  using namespace software::stale;
-  return stale == kAll ? stale : stale & ~kArrays;
+std::uint32_t recordable(std::uint32_t dirty) {
+  using namespace software::dirty;
+  return dirty == kAll ? dirty : dirty & ~kArrays;
 }
 
 /// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
 /// millions. Each of them makes its object and may be an error, so none is left out.
-bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t stale) {
+bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t dirty) {
   if (!last.command || last.command->kind != Command::Kind::BindProgram ||
       command.kind != Command::Kind::BindProgram || last.command->target != command.target ||
       command.target == infoOf(Target::AtiApi).name)
@@ -33,7 +33,7 @@ bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t st
   // Of this list alone until it is defined, and made by record(), as what may be changed.
   const_cast<Command &>(*last.command)
       .bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
-  last.effects.stale |= stale;
+  last.effects.dirty |= dirty;
   return true;
 }
 
@@ -61,7 +61,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_primitive = Primitive::AsBefore;
   m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
   m_geometry.reset();
-  m_stale = 0;
+  m_dirty = 0;
   m_mode = std::uint16_t(mode);
   // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
   // and what it executes between them must see the host's own list.
@@ -100,7 +100,7 @@ void ListCompiler::finishSegment() {
       DisplayList::Item pushed;
       pushed.command = std::make_unique<const Command>(
           Command{.kind = Command::Kind::AttribPushed, .name = push.mask});
-      pushed.effects.stale = 0;
+      pushed.effects.dirty = 0;
       m_items.push_back(std::move(pushed));
       push.noted = true;
     }
@@ -123,13 +123,13 @@ void ListCompiler::closeSegment(Context &context) {
     const std::size_t at = m_items.size();
     withinMemory(context, "NewList", [&] { finishSegment(); });
     if (m_keeps && m_items.size() > at)
-      m_items[at].effects = {recordable(context.stale), std::exchange(m_pixels, false)};
+      m_items[at].effects = {recordable(context.dirty), std::exchange(m_pixels, false)};
   } else {
     context.host = context.trueHost;
     context.recorder = nullptr;
     withinMemory(context, "NewList", [&] { finishGeometry(); });
   }
-  context.stale |= std::exchange(m_stale, 0);
+  context.dirty |= std::exchange(m_dirty, 0);
   setMode(context, 0);
 }
 
@@ -143,7 +143,7 @@ void ListCompiler::resume(Context &context) {
                    [&] { context.software->residency.hostDoesAnything("glNewList"); });
     return openSegment(context);
   }
-  m_stale = std::exchange(context.stale, 0);
+  m_dirty = std::exchange(context.dirty, 0);
   setMode(context, m_mode);
   context.host = &software::kRecordingHost;
 }
@@ -171,13 +171,13 @@ void ListCompiler::openSegment(Context &context) {
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
   const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
-  if (follows && joinBinds(m_items.back(), command, recordable(context.stale)))
+  if (follows && joinBinds(m_items.back(), command, recordable(context.dirty)))
     return;
   makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
   settle(context);
   DisplayList::Item item;
-  item.effects.stale =
-      m_keeps ? recordable(context.stale) : 0; // what the command's entry point has said
+  item.effects.dirty =
+      m_keeps ? recordable(context.dirty) : 0; // what the command's entry point has said
   item.command = std::make_unique<Command>(std::move(command)); // joinBinds() may change it
   const Command &reference = *item.command;
   closeSegment(context);
@@ -246,7 +246,7 @@ void ListCompiler::end(Context &context) {
       withinMemory(context, "EndList", [&] { finishSegment(); });
       list = made;
     }
-    context.stale |= std::exchange(m_stale, 0);
+    context.dirty |= std::exchange(m_dirty, 0);
     setMode(context, 0);
   }
   if (list)

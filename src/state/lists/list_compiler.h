@@ -101,7 +101,7 @@ private:
   bool m_begun = false;                        ///< the host's part of the list has a Begin
   bool m_endsFirst = false;                    ///< its first End has no Begin in it
   bool m_pixels = false;                       ///< Effects of the segment
-  std::uint32_t m_stale = 0;                   ///< ContextHot::stale without the segment's part
+  std::uint32_t m_dirty = 0;                   ///< ContextHot::dirty without the segment's part
   std::vector<DisplayList::Item> m_items;
   std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
   software::ImmediateRecorder m_recorder;

@@ -5,7 +5,7 @@
 
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/testing/current_context.h"
@@ -293,7 +293,7 @@ TEST(Lists, PrimitivesAreKeptFromTheHost) {
 TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   FakeHost host;
   const KeepingContext context(host);
-  context->stale = 0;
+  context->dirty = 0;
   handlers::NewList(*context, 1, GL_COMPILE);
   point(*context);
   handlers::Enable(*context, GL_BLEND);
@@ -303,7 +303,7 @@ TEST(Lists, WhatIsBetweenPrimitivesTellsWhatItChanges) {
   ASSERT_TRUE(list);
   ASSERT_EQ(list->items.size(), 3u);
   EXPECT_EQ(list->items[1].hostList, kTop);
-  EXPECT_EQ(list->items[1].effects.stale, software::stale::kPixelOps);
+  EXPECT_EQ(list->items[1].effects.dirty, software::dirty::kPixelOps);
   EXPECT_FALSE(list->items[1].effects.pixels);
 }
 

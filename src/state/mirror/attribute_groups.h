@@ -5,14 +5,14 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state::software {
 
-/// The groups of state (stale.h) that PopAttrib restores after a PushAttrib of `mask`: the rows of
-/// OpenGL 2.1, tables 6.5 to 6.27, by their attribute group.
-[[nodiscard]] constexpr std::uint32_t staleGroupsOfAttributes(GLbitfield mask) {
-  using namespace stale;
+/// The groups of state (dirty_bits.h) that PopAttrib restores after a PushAttrib of `mask`: the
+/// rows of OpenGL 2.1, tables 6.5 to 6.27, by their attribute group.
+[[nodiscard]] constexpr std::uint32_t dirtyGroupsOfAttributes(GLbitfield mask) {
+  using namespace dirty;
   struct Row {
     GLbitfield bit;
     std::uint32_t groups;

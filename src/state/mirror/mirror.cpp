@@ -121,28 +121,28 @@ void askFog(const Ask &ask, Mirror &mirror) {
 
 } // namespace
 
-void Mirror::refresh(std::uint32_t &stale) {
-  clock.take(stale);
+void Mirror::refresh(std::uint32_t &dirty) {
+  clock.take(dirty);
   const std::uint32_t groups = clock.changedSince(seen);
   if (groups == 0) [[likely]]
     return;
   seen = clock.now();
   const Ask ask{m_host};
-  if ((groups & stale::kViewport) != 0)
+  if ((groups & dirty::kViewport) != 0)
     askViewport(ask, *this);
-  if ((groups & stale::kRaster) != 0) {
+  if ((groups & dirty::kRaster) != 0) {
     askPolygons(m_caps, ask, *this);
     askLinesAndPoints(ask, *this);
   }
-  if ((groups & (stale::kViewport | stale::kRaster)) != 0)
+  if ((groups & (dirty::kViewport | dirty::kRaster)) != 0)
     limitDepths(*this);
-  if ((groups & (stale::kTexGen | stale::kTextureParameters | stale::kRaster)) != 0)
+  if ((groups & (dirty::kTexGen | dirty::kTextureParameters | dirty::kRaster)) != 0)
     askPointSprites(m_caps, ask, *this);
-  if ((groups & stale::kPixelOps) != 0)
+  if ((groups & dirty::kPixelOps) != 0)
     askPixelOps(m_caps, ask, *this);
-  if ((groups & stale::kFog) != 0)
+  if ((groups & dirty::kFog) != 0)
     askFog(ask, *this);
-  if ((groups & (stale::kQueries | stale::kPixelOps | stale::kRaster | stale::kViewport)) != 0)
+  if ((groups & (dirty::kQueries | dirty::kPixelOps | dirty::kRaster | dirty::kViewport)) != 0)
     askObstacles(m_caps, ask, *this);
 }
 

@@ -7,11 +7,11 @@
 
 #include "fp_compiler/abi.h"
 #include "state/mirror/attributes.h"
-#include "state/mirror/stale_clock.h"
+#include "state/mirror/generation_counter.h"
 #include "swrast/rasterize.h"
 
 /// The host's state as far as a draw of ours depends on it. The host is always right about state,
-/// and is asked for a group only after a command that may have changed it (stale.h).
+/// and is asked for a group only after a command that may have changed it (dirty_bits.h).
 namespace arbiter::host {
 struct HostTable;
 }
@@ -33,7 +33,7 @@ struct SamplerState {
   /// is a SHADOW one too (else the comparison is not made, ARB_fragment_program_shadow).
   bool compares = false;
   const char *obstacle = nullptr; ///< a mode that we lack; null: none
-  std::uint64_t seen = 0;         ///< StaleClock
+  std::uint64_t seen = 0;         ///< GenerationCounter
 };
 
 /// An array as the application gave it: in `buffer` at offset `base`, or (0) in client memory.
@@ -86,9 +86,9 @@ public:
   /// Both outlive the mirror.
   Mirror(const host::HostTable &host, const HostCaps &caps) : m_host(host), m_caps(caps) {}
 
-  /// Takes the bits of `stale` (ContextHot::stale) and asks for the groups that every draw needs:
+  /// Takes the bits of `dirty` (ContextHot::dirty) and asks for the groups that every draw needs:
   /// raster, pixelOps, constants, obstacle.
-  void refresh(std::uint32_t &stale);
+  void refresh(std::uint32_t &dirty);
   /// What refreshSamplers() would ask for. Samplers of ours that are bound in the application's
   /// place are released before it does.
   [[nodiscard]] bool samplersAreStale(std::span<const SamplerUse> uses) const;
@@ -96,7 +96,7 @@ public:
   /// refresh().
   void refreshSamplers(std::span<const SamplerUse> uses);
   /// `current` of the slots of a mask. Takes the bits itself: also before Begin.
-  void refreshCurrent(std::uint32_t &stale, std::uint32_t slots);
+  void refreshCurrent(std::uint32_t &dirty, std::uint32_t slots);
   /// The layer set current values of the host itself, and knows them.
   void noteCurrent(const CurrentValues &values, std::uint32_t slots);
   /// `arrays`. After refresh().
@@ -137,7 +137,7 @@ public:
   bool pointSizeFromProgram = false; ///< VERTEX_PROGRAM_POINT_SIZE
   std::uint8_t spriteCoords = 0;     ///< units with COORD_REPLACE, where POINT_SPRITE is enabled
 
-  StaleClock clock;
+  GenerationCounter clock;
   std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0;
   std::uint8_t polygonStipple[128] = {};
 

@@ -132,14 +132,14 @@ bool restarts(const HostCaps &caps, const Ask &ask) {
 } // namespace
 
 void Mirror::refreshArrays() {
-  constexpr std::uint32_t kGroups = stale::kArrays | stale::kRaster;
+  constexpr std::uint32_t kGroups = dirty::kArrays | dirty::kRaster;
   const std::uint32_t groups = clock.changedSince(arraysSeen) & kGroups;
   arraysSeen = clock.now();
   if (groups == 0) [[likely]]
     return;
   const Ask ask{m_host};
   arrays.restart = restarts(m_caps, ask);
-  if ((groups & stale::kArrays) == 0)
+  if ((groups & dirty::kArrays) == 0)
     return;
   arrays.enabled = arrays.foreign = 0;
   for (const ArrayNames &names : kNames)

@@ -40,9 +40,9 @@ void askSlot(const HostCaps &caps, const Ask &ask, int slot, std::array<float, 4
 
 } // namespace
 
-void Mirror::refreshCurrent(std::uint32_t &stale, std::uint32_t slots) {
-  clock.take(stale);
-  if ((clock.changedSince(currentSeen) & stale::kCurrent) != 0)
+void Mirror::refreshCurrent(std::uint32_t &dirty, std::uint32_t slots) {
+  clock.take(dirty);
+  if ((clock.changedSince(currentSeen) & dirty::kCurrent) != 0)
     currentKnown = 0;
   currentSeen = clock.now();
   const std::uint32_t wanted = slots & ~currentKnown & ~(1u << kGeneric0);
@@ -77,8 +77,8 @@ void Mirror::noteCurrent(const CurrentValues &values, std::uint32_t slots) {
   if ((slots & 1u << kColor) == 0 || !vertex.colorMaterial) [[likely]]
     return;
   // The material followed the colour.
-  const bool upToDate = (clock.changedSince(currentSeen) & stale::kCurrent) == 0;
-  clock.mark(stale::kCurrent);
+  const bool upToDate = (clock.changedSince(currentSeen) & dirty::kCurrent) == 0;
+  clock.mark(dirty::kCurrent);
   if (upToDate)
     currentSeen = clock.now();
 }

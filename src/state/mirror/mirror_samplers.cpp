@@ -155,7 +155,7 @@ void askSampler(const HostCaps &caps, const Ask &ask, const SamplerUse &use, Sam
 } // namespace
 
 namespace {
-constexpr std::uint32_t kSamplerGroups = stale::kTextureBindings | stale::kTextureParameters;
+constexpr std::uint32_t kSamplerGroups = dirty::kTextureBindings | dirty::kTextureParameters;
 } // namespace
 
 bool Mirror::isStale(const SamplerUse &use) const {

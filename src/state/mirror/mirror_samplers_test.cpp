@@ -143,8 +143,8 @@ TEST(MirrorSamplers, OfTexturesAndOfObjects) {
     wanted.key.dimension = kind.dimension;
     wanted.lodBias += bias;
     wanted.key.hasBias = wanted.lodBias != 0 || wanted.minLod != -1000 || wanted.maxLod != 1000;
-    context.stale |= stale::kTextureBindings | stale::kTextureParameters;
-    mirror.refresh(context.stale);
+    context.dirty |= dirty::kTextureBindings | dirty::kTextureParameters;
+    mirror.refresh(context.dirty);
     const SamplerUse uses[] = {{std::uint8_t(unit), kind.dimension}};
     mirror.refreshSamplers(uses);
     SCOPED_TRACE("round " + std::to_string(round));
@@ -164,8 +164,8 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
   Mirror mirror(*context.host, context.caps);
   const SamplerUse uses[] = {{0, abi::Dimension::Tex2D}};
   const auto obstacle = [&] {
-    context.stale |= stale::kTextureParameters;
-    mirror.refresh(context.stale);
+    context.dirty |= dirty::kTextureParameters;
+    mirror.refresh(context.dirty);
     mirror.refreshSamplers(uses);
     const char *const name = mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].obstacle;
     return std::string(name ? name : "");
@@ -185,10 +185,10 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
 /// x of the first three vertices of a slot, through everything from the mirror to the fetch.
 std::array<float, 3> fetched(Context &context, Mirror &mirror, int slot,
                              const DrawCommand &command = {.count = 3}) {
-  context.stale |= stale::kArrays | stale::kCurrent;
-  mirror.refresh(context.stale);
+  context.dirty |= dirty::kArrays | dirty::kCurrent;
+  mirror.refresh(context.dirty);
   mirror.refreshArrays();
-  mirror.refreshCurrent(context.stale, ~0u);
+  mirror.refreshCurrent(context.dirty, ~0u);
   const std::uint32_t slots = 1u | 1u << slot;
   ArraySource source;
   VertexFetcher fetcher;
@@ -281,8 +281,8 @@ TEST(MirrorArrays, WhatWeLackIsRefused) {
   Context &context = host.context();
   Mirror mirror(*context.host, context.caps);
   const auto valid = [&](int slot, const DrawCommand &command = {.count = 3}) {
-    context.stale |= stale::kArrays | stale::kRaster;
-    mirror.refresh(context.stale);
+    context.dirty |= dirty::kArrays | dirty::kRaster;
+    mirror.refresh(context.dirty);
     mirror.refreshArrays();
     ArraySource source;
     const bool opened = source.open(context, mirror, 1u | 1u << slot, command);

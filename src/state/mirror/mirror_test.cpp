@@ -49,12 +49,12 @@ std::vector<GLint> movables() {
 void refreshAll(Context &context, Mirror &mirror) {
   const std::vector<GLint> before = movables();
   ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << "the test's own";
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   mirror.refreshVertexState();
   mirror.refreshArrays();
   const SamplerUse use[] = {{0, abi::Dimension::Tex2D}, {3, abi::Dimension::Cube}};
   mirror.refreshSamplers(use);
-  mirror.refreshCurrent(context.stale, ~0u);
+  mirror.refreshCurrent(context.dirty, ~0u);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   EXPECT_EQ(movables(), before);
 }
@@ -77,10 +77,10 @@ TEST(Mirror, FollowsWhicheverStateChanged) {
     for (int i = 0; i < 1 + numbers.below(3); ++i) {
       const auto at = std::size_t(numbers.below(int(fields.size())));
       checks[at] = fields[at].set(numbers);
-      context.stale |= fields[at].stale;
+      context.dirty |= fields[at].dirty;
     }
     refreshAll(context, mirror);
-    EXPECT_EQ(context.stale & ~StaleClock::kNotOurs, 0u);
+    EXPECT_EQ(context.dirty & ~GenerationCounter::kNotOurs, 0u);
     for (const auto &[at, check] : checks) {
       SCOPED_TRACE(std::string(fields[at].name) + " in round " + std::to_string(round));
       check(mirror);
@@ -95,16 +95,16 @@ TEST(Mirror, AsksOnlyWhatIsStale) {
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();
   Mirror mirror(*context.host, context.caps);
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   EXPECT_FALSE(mirror.pixelOps.depthStencil.depthTest) << "nobody said that it changed";
-  context.stale |= stale::kPixelOps | stale::kFramebuffer;
-  mirror.refresh(context.stale);
+  context.dirty |= dirty::kPixelOps | dirty::kFramebuffer;
+  mirror.refresh(context.dirty);
   EXPECT_TRUE(mirror.pixelOps.depthStencil.depthTest);
   EXPECT_FALSE(mirror.raster.cullBack);
-  EXPECT_EQ(context.stale & stale::kFramebuffer, stale::kFramebuffer) << "is residency's to take";
+  EXPECT_EQ(context.dirty & dirty::kFramebuffer, dirty::kFramebuffer) << "is residency's to take";
 }
 
 void clipControl(GLenum origin) {
@@ -115,31 +115,31 @@ void clipControl(GLenum origin) {
 struct Obstacle {
   const char *name;
   const char *reason;
-  std::uint32_t stale;
+  std::uint32_t dirty;
   void (*begin)();
   void (*end)();
 };
 GLuint g_query;
 const Obstacle kObstacles[] = {
-    {"an occlusion query", "query", stale::kQueries,
+    {"an occlusion query", "query", dirty::kQueries,
      [] { glBeginQuery(GL_SAMPLES_PASSED, g_query); }, [] { glEndQuery(GL_SAMPLES_PASSED); }},
-    {"another query", "query", stale::kQueries,
+    {"another query", "query", dirty::kQueries,
      [] { glBeginQuery(GL_ANY_SAMPLES_PASSED, g_query + 1); },
      [] { glEndQuery(GL_ANY_SAMPLES_PASSED); }},
-    {"feedback", "query", stale::kQueries,
+    {"feedback", "query", dirty::kQueries,
      [] {
        static GLfloat s_buffer[16];
        glFeedbackBuffer(16, GL_2D, s_buffer);
        glRenderMode(GL_FEEDBACK);
      },
      [] { glRenderMode(GL_RENDER); }},
-    {"rasterizer discard", "state", stale::kRaster, [] { glEnable(GL_RASTERIZER_DISCARD); },
+    {"rasterizer discard", "state", dirty::kRaster, [] { glEnable(GL_RASTERIZER_DISCARD); },
      [] { glDisable(GL_RASTERIZER_DISCARD); }},
-    {"sRGB", "state", stale::kPixelOps, [] { glEnable(GL_FRAMEBUFFER_SRGB); },
+    {"sRGB", "state", dirty::kPixelOps, [] { glEnable(GL_FRAMEBUFFER_SRGB); },
      [] { glDisable(GL_FRAMEBUFFER_SRGB); }},
-    {"clip control", "state", stale::kViewport, [] { clipControl(GL_UPPER_LEFT); },
+    {"clip control", "state", dirty::kViewport, [] { clipControl(GL_UPPER_LEFT); },
      [] { clipControl(GL_LOWER_LEFT); }},
-    {"two sources", "state", stale::kPixelOps,
+    {"two sources", "state", dirty::kPixelOps,
      [] {
        glEnable(GL_BLEND);
        glBlendFunc(GL_ONE, GL_SRC1_COLOR);
@@ -153,16 +153,16 @@ TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
   Context &context = host.context();
   Mirror mirror(*context.host, context.caps);
   glGenQueries(2, &g_query);
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   EXPECT_EQ(mirror.obstacle, nullptr);
   for (const Obstacle &obstacle : kObstacles) {
     obstacle.begin();
-    context.stale |= obstacle.stale;
-    mirror.refresh(context.stale);
+    context.dirty |= obstacle.dirty;
+    mirror.refresh(context.dirty);
     EXPECT_STREQ(mirror.obstacle, obstacle.reason) << obstacle.name;
     obstacle.end();
-    context.stale |= obstacle.stale;
-    mirror.refresh(context.stale);
+    context.dirty |= obstacle.dirty;
+    mirror.refresh(context.dirty);
     EXPECT_EQ(mirror.obstacle, nullptr) << obstacle.name << ": " << mirror.obstacleDetail;
   }
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
@@ -197,7 +197,7 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   glEdgeFlag(GL_FALSE);
   glMultiTexCoord3f(GL_TEXTURE3, 1, 2, 3);
   glVertexAttrib4f(5, 5, 6, 7, 8);
-  mirror.refreshCurrent(context.stale, ~0u);
+  mirror.refreshCurrent(context.dirty, ~0u);
   const auto &current = mirror.current;
   using Vec = std::array<float, 4>;
   EXPECT_EQ(current[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
@@ -212,11 +212,11 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   values[kColor] = {1, 1, 1, 1};
   glColor4f(1, 1, 1, 1);
   mirror.noteCurrent(values, 1u << kColor);
-  mirror.refreshCurrent(context.stale, 1u << kColor);
+  mirror.refreshCurrent(context.dirty, 1u << kColor);
   EXPECT_EQ(current[kColor][0], 1.0f);
   glColor4f(0.125f, 0, 0, 0);
-  context.stale |= stale::kCurrent;
-  mirror.refreshCurrent(context.stale, 1u << kColor);
+  context.dirty |= dirty::kCurrent;
+  mirror.refreshCurrent(context.dirty, 1u << kColor);
   EXPECT_EQ(current[kColor][0], 0.125f);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
@@ -241,21 +241,21 @@ TEST(Mirror, CostsLittle) {
     return least;
   };
   const double all = best([&] {
-    context.stale = stale::kAll;
-    mirror.refresh(context.stale);
+    context.dirty = dirty::kAll;
+    mirror.refresh(context.dirty);
     mirror.refreshVertexState();
     mirror.refreshSamplers(uses);
   });
   int turn = 0;
   const double rebind = best([&] {
     glBindTexture(GL_TEXTURE_2D, textures[turn ^= 1]);
-    context.stale |= stale::kTextureBindings;
-    mirror.refresh(context.stale);
+    context.dirty |= dirty::kTextureBindings;
+    mirror.refresh(context.dirty);
     mirror.refreshSamplers(uses);
   });
   const double nothing = best([&] {
     for (int i = 0; i < 100; ++i) {
-      mirror.refresh(context.stale);
+      mirror.refresh(context.dirty);
       mirror.refreshSamplers(uses);
     }
   });

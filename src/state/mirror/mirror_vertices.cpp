@@ -140,8 +140,8 @@ void askPointsAndFog(const Ask &ask, VertexState &state) {
 } // namespace
 
 void Mirror::refreshVertexState(bool floatTarget) {
-  constexpr std::uint32_t kGroups = stale::kTransform | stale::kLighting | stale::kTexGen |
-                                    stale::kFog | stale::kRaster | stale::kPixelOps;
+  constexpr std::uint32_t kGroups = dirty::kTransform | dirty::kLighting | dirty::kTexGen |
+                                    dirty::kFog | dirty::kRaster | dirty::kPixelOps;
   const std::uint32_t groups = clock.changedSince(vertexSeen) & kGroups;
   vertexSeen = clock.now();
   const bool clamps = clampVertexColors && !(clampVertexFixedOnly && floatTarget);
@@ -150,13 +150,13 @@ void Mirror::refreshVertexState(bool floatTarget) {
   const VertexState before = vertex;
   VertexState &state = vertex;
   const Ask ask{m_host};
-  if ((groups & stale::kTransform) != 0)
+  if ((groups & dirty::kTransform) != 0)
     askTransform(m_caps, ask, state);
-  if ((groups & stale::kLighting) != 0)
+  if ((groups & dirty::kLighting) != 0)
     askLighting(ask, state);
-  if ((groups & stale::kTexGen) != 0)
+  if ((groups & dirty::kTexGen) != 0)
     askTexGen(m_caps, ask, state);
-  if ((groups & (stale::kFog | stale::kRaster)) != 0)
+  if ((groups & (dirty::kFog | dirty::kRaster)) != 0)
     askPointsAndFog(ask, state);
   state.clampColors = clamps;
   if (!(before == state))

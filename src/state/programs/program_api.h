@@ -53,7 +53,7 @@ void bindFragmentShader(Context &context, GLuint name);
 /// SetFragmentShaderConstantATI: the shader's own constant between Begin- and
 /// EndFragmentShaderATI, else the context's. `constant` is 0 to 7.
 void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value);
-/// Deletes this context's variants of a program that left its object.
+/// Deletes this context's linked programs of a program that left its object.
 void dropVariants(Context &context, const CompiledProgram &compiled);
 /// What emitted GLSL may use of the host.
 [[nodiscard]] fp::GlslHost glslHost(const HostCaps &caps);

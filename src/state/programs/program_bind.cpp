@@ -79,7 +79,7 @@ void deleteProgram(Context &context, GLuint name) {
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
   if (recent == object)
     recent = nullptr;
-  // Other contexts may have it bound; their variants go when they are swept.
+  // Other contexts may have it bound; their linked programs go when they are swept.
   const auto compiled = context.group->compiledOf(*object);
   if (compiled)
     dropVariants(context, *compiled);
@@ -167,7 +167,7 @@ GLboolean IsProgramARB(Context &context, GLuint program) {
 
 void Enable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
-  context.stale |= about.stale;
+  context.dirty |= about.dirty;
   if (about.capability != Capability::Host) [[unlikely]]
     return setCapability(context, cap, about.capability, true);
   context.host->Enable(cap);
@@ -175,7 +175,7 @@ void Enable(Context &context, GLenum cap) {
 
 void Disable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
-  context.stale |= about.stale;
+  context.dirty |= about.dirty;
   if (about.capability != Capability::Host) [[unlikely]]
     return setCapability(context, cap, about.capability, false);
   context.host->Disable(cap);

@@ -7,7 +7,7 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/share_group.h"
-#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/ati_variants.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_api.h"
@@ -81,8 +81,8 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   compiled->nativeCounts = answers.nativeCounts;
   compiled->underNativeLimits = answers.underNativeLimits;
   if (infoOf(target).language == fp::ir::Language::AtiFragment)
-    compiled->ati =
-        std::make_shared<const AtiForms>(*source.program, glslHost(context.caps), context.numerics);
+    compiled->ati = std::make_shared<const AtiVariants>(*source.program, glslHost(context.caps),
+                                                        context.numerics);
   else {
     compiled->program = std::make_shared<const fp::ir::Program>(*source.program);
     compiled->glsl = replaced
@@ -92,7 +92,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   if (target == Target::Vertex) {
     fp::GlslHost clipping = glslHost(context.caps);
     clipping.clipPlanes = true;
-    compiled->clipped = std::make_shared<const ClippedForm>(clipping, context.numerics);
+    compiled->clipped = std::make_shared<const ClippedVariant>(clipping, context.numerics);
   }
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));

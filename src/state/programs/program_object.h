@@ -25,8 +25,8 @@ enum class Target : std::uint8_t {
 };
 inline constexpr int kTargetCount = 4;
 
-class AtiForms;
-class ClippedForm;
+class AtiVariants;
+class ClippedVariant;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
@@ -45,10 +45,10 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   /// ATI shader; the forms that draws are made with have it, with targets, fog and colour sum.
   std::shared_ptr<const fp::ir::Program> program;
   /// Of an ATI shader, which is emitted for a draw's state and not before: `glsl` is empty then.
-  std::shared_ptr<const AtiForms> ati;
+  std::shared_ptr<const AtiVariants> ati;
   /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
   /// that form itself.
-  std::shared_ptr<const ClippedForm> clipped;
+  std::shared_ptr<const ClippedVariant> clipped;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
   /// The text that was compiled.

@@ -5,7 +5,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/share_group.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
@@ -43,7 +43,7 @@ void engage(Context &context) {
   context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
   context.software->backOff.setForced(context.software->forced);
-  context.stale = stale::kAll;
+  context.dirty = dirty::kAll;
   context.softwarePossible = context.softwareListens = true;
   context.software->residency.enter(context.drawable);
 }

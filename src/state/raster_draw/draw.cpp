@@ -117,7 +117,7 @@ Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
   mirror.refreshArrays();
-  mirror.refreshCurrent(context.stale, slotsOf(pipeline, mirror));
+  mirror.refreshCurrent(context.dirty, slotsOf(pipeline, mirror));
   const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
   ArraySource &arrays = pipeline.arrays();
   const OpenArrays open(context, arrays);
@@ -181,7 +181,7 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
                     if (!outcome.ok())
                       return outcome;
                     Mirror &mirror = context.software->mirror;
-                    mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
+                    mirror.refreshCurrent(context.dirty, slotsOf(pipelineOf(context), mirror));
                     return shadeAll(context, *source, count);
                   }));
 }
@@ -242,7 +242,7 @@ bool begin(Context &context, GLenum mode) {
     return false;
   }
   Mirror &mirror = context.software->mirror;
-  mirror.refreshCurrent(context.stale, slotsOf(pipelineOf(context), mirror));
+  mirror.refreshCurrent(context.dirty, slotsOf(pipelineOf(context), mirror));
   ContextState &state = *context.software;
   state.recorder.begin(mode, mirror.current);
   state.openParts = false;

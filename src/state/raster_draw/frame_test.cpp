@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/residency/residency.h"
 #include "state/testing/real_host.h"
@@ -26,14 +26,14 @@ protected:
     drawable.memoryType = GL_UNSIGNED_BYTE;
     context().drawable = drawable;
     context().software = std::make_unique<ContextState>(context());
-    context().stale = stale::kAll;
+    context().dirty = dirty::kAll;
     context().software->residency.enter(context().drawable);
   }
   Context &context() { return m_host.context(); }
   ContextState &state() { return *context().software; }
   const host::HostTable &gl() { return m_host.gl(); }
   void clear(GLbitfield mask) {
-    context().stale = stale::kAll; // the test sets state behind the layer's back
+    context().dirty = dirty::kAll; // the test sets state behind the layer's back
     clearsTarget(context(), mask);
     gl().Clear(mask);
   }

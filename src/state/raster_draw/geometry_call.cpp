@@ -4,7 +4,7 @@
 #include "state/core/context.h"
 #include "state/core/share_group.h"
 #include "state/host_draw/draw.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/geometry.h"
 #include "state/raster_draw/replay.h"
@@ -31,7 +31,7 @@ void drawOnHost(Context &context, const Geometry &geometry) {
   if (context.attention && !handlers::beginDraw(context))
     return tellCurrentValues(context, geometry.values, geometry.touched);
   context.host->CallList(hostListOf(context, geometry));
-  context.stale |= stale::kCurrent;
+  context.dirty |= dirty::kCurrent;
 }
 
 /// As the application does: whose primitive it is shows when it is whole.
@@ -46,7 +46,7 @@ void beginPrimitive(Context &context, const Geometry &geometry) {
     });
   }
   geometry.read([&](int slot, const float *value) { tellAttribute(*context.host, slot, value); });
-  context.stale |= stale::kCurrent;
+  context.dirty |= dirty::kCurrent;
 }
 
 } // namespace

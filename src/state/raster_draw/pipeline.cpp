@@ -5,7 +5,7 @@
 #include <new>
 
 #include "state/core/context.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/raster_draw/context_state.h"
 #include "swrast/setup/rectangle.h"
 
@@ -23,10 +23,10 @@ constexpr std::uint32_t kManyVertices = 256;
 
 /// The groups that decide about a choice, but for those that VertexState::version and
 /// Mirror::obstacle stand for.
-constexpr std::uint32_t kChoice = stale::kTextureBindings | stale::kTextureParameters |
-                                  stale::kRaster | stale::kPixelOps | stale::kFog | stale::kQueries;
+constexpr std::uint32_t kChoice = dirty::kTextureBindings | dirty::kTextureParameters |
+                                  dirty::kRaster | dirty::kPixelOps | dirty::kFog | dirty::kQueries;
 /// Those, and more, where fixed function shades fragments.
-constexpr std::uint32_t kFixedChoice = kChoice | stale::kTexGen | stale::kLighting;
+constexpr std::uint32_t kFixedChoice = kChoice | dirty::kTexGen | dirty::kLighting;
 
 bool anyFloat(const DrawTargets &targets) {
   return std::any_of(
@@ -103,14 +103,14 @@ Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, 
 
 Outcome Pipeline::choose(Context &context, const Kind &kind) {
   Mirror &mirror = context.software->mirror;
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
   if (m_chosen) {
     mirror.refreshVertexState(m_floatTarget);
     const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
     if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
-        (context.stale & stale::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
+        (context.dirty & dirty::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
       m_seen = mirror.clock.now();
       return {};
     }
@@ -131,7 +131,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
   m_when = context.software->forced ? When::Now : When::Later;
   if (context.numerics == fp::Numerics::Fp24 || !engine())
     return Fallback::NotCompiled;
-  m_compiled = context.variant ? context.variant->fragment.compiled : nullptr;
+  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
   Outcome outcome;
   const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
   if (!outcome.ok())
@@ -151,7 +151,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
     return fallbackNamed(reason, Fallback::Target);
   m_floatTarget = anyFloat(*m_targets);
   const CompiledProgram *const vertexProgram =
-      context.variant ? context.variant->vertex.compiled : nullptr;
+      context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
                             mirror.drawsPoints(m_topology), m_floatTarget, m_when);
@@ -307,9 +307,9 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
       return outcome;
 
   constexpr std::uint32_t kRasterGroups =
-      stale::kViewport | stale::kRaster | stale::kTexGen | stale::kTextureParameters;
-  constexpr std::uint32_t kDataGroups = stale::kPixelOps | stale::kFog | stale::kViewport;
-  const std::uint32_t changed = m_filled ? mirror.clock.changedSince(m_filledSeen) : stale::kAll;
+      dirty::kViewport | dirty::kRaster | dirty::kTexGen | dirty::kTextureParameters;
+  constexpr std::uint32_t kDataGroups = dirty::kPixelOps | dirty::kFog | dirty::kViewport;
+  const std::uint32_t changed = m_filled ? mirror.clock.changedSince(m_filledSeen) : dirty::kAll;
   if ((changed & kRasterGroups) != 0)
     fillRaster(mirror);
   if (const Outcome outcome = acquire(context, indices, count, prepared.shading.opaque, topology);

@@ -114,7 +114,7 @@ private:
   // --- What was chosen, and when ---
   bool m_chosen = false;
   Basis m_basis;
-  std::uint64_t m_seen = 0; ///< StaleClock
+  std::uint64_t m_seen = 0; ///< GenerationCounter
   bool m_floatTarget = false;
   /// By whether inputs are affine.
   struct Prepared {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "state/core/context.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 
 namespace arbiter::state::software {
 
@@ -30,7 +30,7 @@ bool differ(const Vec4 &a, const Vec4 &b) {
 
 } // namespace
 
-std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
+std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state) {
   using fp::ir::StateItem;
   switch (state.item) {
   case StateItem::MaterialAmbient:
@@ -41,7 +41,7 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightProdAmbient:
   case StateItem::LightProdDiffuse:
   case StateItem::LightProdSpecular:
-    return stale::kLighting | stale::kCurrent; // COLOR_MATERIAL follows the colour
+    return dirty::kLighting | dirty::kCurrent; // COLOR_MATERIAL follows the colour
   case StateItem::MaterialShininess:
   case StateItem::LightAmbient:
   case StateItem::LightDiffuse:
@@ -51,14 +51,14 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::LightSpotDirection:
   case StateItem::LightHalf:
   case StateItem::LightModelAmbient:
-    return stale::kLighting;
+    return dirty::kLighting;
   case StateItem::TexEnvColor:
-    return stale::kTextureParameters;
+    return dirty::kTextureParameters;
   case StateItem::FogColor:
   case StateItem::FogParams:
-    return stale::kFog;
+    return dirty::kFog;
   case StateItem::DepthRange:
-    return stale::kViewport;
+    return dirty::kViewport;
   case StateItem::MatrixModelview:
   case StateItem::MatrixProjection:
   case StateItem::MatrixMvp:
@@ -66,13 +66,13 @@ std::uint32_t staleGroupsOf(const fp::ir::StateRef &state) {
   case StateItem::MatrixPalette:
   case StateItem::MatrixProgram:
   case StateItem::ClipPlane:
-    return stale::kTransform;
+    return dirty::kTransform;
   case StateItem::TexGenEye:
   case StateItem::TexGenObject:
-    return stale::kTexGen;
+    return dirty::kTexGen;
   case StateItem::PointSize:
   case StateItem::PointAttenuation:
-    return stale::kRaster;
+    return dirty::kRaster;
   }
   return ~0u;
 }
@@ -93,7 +93,7 @@ ProgramValues::ProgramValues(const fp::ir::Program &program)
       m_local.push_back({row, parameter.index});
       break;
     case fp::ir::ParameterKind::State:
-      m_states.push_back({row, staleGroupsOf(parameter.state), parameter.state});
+      m_states.push_back({row, dirtyGroupsOf(parameter.state), parameter.state});
       m_groups |= m_states.back().groups;
       break;
     }
@@ -117,7 +117,8 @@ bool ProgramValues::updateParameters(const ProgramTarget &target) {
   return changed;
 }
 
-bool ProgramValues::update(Context &context, const StaleClock &clock, const ProgramTarget *target) {
+bool ProgramValues::update(Context &context, const GenerationCounter &clock,
+                           const ProgramTarget *target) {
   bool changed = false;
   if (target) {
     // Before the values, so that a change by another thread meanwhile is seen the next time.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fp_compiler/ir/ir.h"
-#include "state/mirror/stale_clock.h"
+#include "state/mirror/generation_counter.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
@@ -23,7 +23,7 @@ public:
   /// where their group did. `row` is the target that the program was loaded to, bound to the object
   /// that it is of; null for fixed function's. After refresh().
   /// True if a value changed.
-  bool update(Context &context, const StaleClock &clock, const ProgramTarget *row);
+  bool update(Context &context, const GenerationCounter &clock, const ProgramTarget *row);
   [[nodiscard]] const float (*data() const)[4] {
     return reinterpret_cast<const float(*)[4]>(m_values.data());
   }
@@ -42,7 +42,7 @@ private:
   };
   struct State {
     std::uint16_t row;
-    std::uint32_t groups; ///< stale bits that it hangs on
+    std::uint32_t groups; ///< dirty bits that it hangs on
     fp::ir::StateRef state;
   };
   bool updateParameters(const ProgramTarget &target);
@@ -58,7 +58,7 @@ private:
   Versions m_versions;
 };
 
-/// The stale bits whose commands may change a row of state.
-[[nodiscard]] std::uint32_t staleGroupsOf(const fp::ir::StateRef &state);
+/// The dirty bits whose commands may change a row of state.
+[[nodiscard]] std::uint32_t dirtyGroupsOf(const fp::ir::StateRef &state);
 
 } // namespace arbiter::state::software

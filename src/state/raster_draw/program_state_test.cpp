@@ -10,7 +10,7 @@
 
 #include "fp_compiler/ir/builder.h"
 #include "state/core/context.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/testing/real_host.h"
 
 namespace arbiter::state::software {
@@ -43,8 +43,8 @@ TEST(ProgramValues, FollowEnvAndLocalParameters) {
   ProgramTarget &row = context.row(Target::Vertex);
   row.bound = std::make_shared<ProgramObject>(77, Target::Vertex);
   row.bound->locals.resize(8);
-  StaleClock clock;
-  clock.take(context.stale);
+  GenerationCounter clock;
+  clock.take(context.dirty);
   EXPECT_FALSE(values.update(context, clock, &row)) << "zeros as they were";
   row.env[3] = {5, 6, 7, 8};
   ++row.envVersion;
@@ -82,8 +82,8 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   const auto fog = b.state(ref(StateItem::FogColor));
   const auto row = b.state(ref(StateItem::MatrixModelview, 0, 0));
   ProgramValues values(b.program());
-  StaleClock clock;
-  clock.take(context.stale);
+  GenerationCounter clock;
+  clock.take(context.dirty);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, row), (Vec4{1, 0, 0, 0}));
   const GLfloat color[4] = {0.25f, 0.5f, 0.75f, 1};
@@ -91,13 +91,13 @@ TEST(ProgramValues, AskForStateOnlyWhereItIsStale) {
   glMatrixMode(GL_MODELVIEW);
   glScalef(2, 1, 1);
   EXPECT_FALSE(values.update(context, clock, nullptr)) << "nobody said that anything changed";
-  context.stale |= stale::kFog;
-  clock.take(context.stale);
+  context.dirty |= dirty::kFog;
+  clock.take(context.dirty);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, fog), (Vec4{0.25f, 0.5f, 0.75f, 1}));
   EXPECT_EQ(valueOf(values, row), (Vec4{1, 0, 0, 0}));
-  context.stale |= stale::kTransform;
-  clock.take(context.stale);
+  context.dirty |= dirty::kTransform;
+  clock.take(context.dirty);
   EXPECT_TRUE(values.update(context, clock, nullptr));
   EXPECT_EQ(valueOf(values, row), (Vec4{2, 0, 0, 0}));
 }
@@ -129,7 +129,7 @@ TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
     sources.push_back(b.state(row));
   ProgramValues values(b.program());
   testing::Numbers n(7);
-  StaleClock clock;
+  GenerationCounter clock;
   for (int round = 0; round < 20; ++round) {
     const GLfloat any[4] = {n.real(0, 1), n.real(0, 1), n.real(0, 1), 1};
     switch (round % 7) {
@@ -137,39 +137,39 @@ TEST(ProgramValues, EveryRowOfStateIsTheHostsAfterItsGroupChanged) {
       glMatrixMode(n.chance(50) ? GL_MODELVIEW : GL_PROJECTION);
       glRotatef(20, any[0], any[1], any[2]);
       glTranslatef(any[0], any[1], 3);
-      context.stale |= stale::kTransform;
+      context.dirty |= dirty::kTransform;
       break;
     case 1:
       glMaterialfv(GL_FRONT_AND_BACK, n.chance(50) ? GL_AMBIENT : GL_SPECULAR, any);
       glLightfv(GL_LIGHT1, n.chance(50) ? GL_DIFFUSE : GL_POSITION, any);
-      context.stale |= stale::kLighting;
+      context.dirty |= dirty::kLighting;
       break;
     case 2:
       glFogfv(GL_FOG_COLOR, any);
       glFogf(GL_FOG_END, 3 + any[0]);
-      context.stale |= stale::kFog;
+      context.dirty |= dirty::kFog;
       break;
     case 3:
       glActiveTexture(GL_TEXTURE1);
       glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, any);
       glTexGenfv(GL_T, GL_OBJECT_PLANE, any);
-      context.stale |= stale::kTexGen | stale::kTextureParameters;
+      context.dirty |= dirty::kTexGen | dirty::kTextureParameters;
       break;
     case 4:
       glDepthRange(double(any[0]), double(any[1]));
-      context.stale |= stale::kViewport;
+      context.dirty |= dirty::kViewport;
       break;
     case 5:
       glPointSize(1 + any[0]);
-      context.stale |= stale::kRaster;
+      context.dirty |= dirty::kRaster;
       break;
     case 6:
       glEnable(GL_COLOR_MATERIAL);
       glColor4fv(any);
-      context.stale |= stale::kCurrent | stale::kLighting;
+      context.dirty |= dirty::kCurrent | dirty::kLighting;
       break;
     }
-    clock.take(context.stale);
+    clock.take(context.dirty);
     (void)values.update(context, clock, nullptr);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       Vec4 wanted{};

@@ -8,7 +8,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/unit_scope.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "util/exit_lock.h"
 
 namespace arbiter::state {
@@ -118,13 +118,14 @@ void captureLoad(const Context &context, const ProgramObject &object, std::strin
 }
 
 void captureEnter(Context &context) {
-  if (!capturing() || !context.variant)
+  if (!capturing() || !context.linkedProgram)
     return;
   CaptureInForce &inForce = context.inForce;
   inForce.path = std::size_t(context.path);
   inForce.drawsBefore = drawsOf(context, inForce.path);
   const HostErrorScope scope(*context.host, context.pendingError);
-  for (const VariantStage *const stage : {&context.variant->vertex, &context.variant->fragment}) {
+  for (const LinkedProgramStage *const stage :
+       {&context.linkedProgram->vertex, &context.linkedProgram->fragment}) {
     if (!stage->compiled)
       continue;
     const auto slot = std::size_t(stage->compiled->target);
@@ -146,8 +147,9 @@ void captureLeave(Context &context) {
     if (!program || draws == 0)
       continue;
     const std::vector<Vec4> *held = nullptr;
-    if (const Variant *const variant = context.variant)
-      for (const VariantStage *const stage : {&variant->vertex, &variant->fragment})
+    if (const LinkedProgram *const linkedProgram = context.linkedProgram)
+      for (const LinkedProgramStage *const stage :
+           {&linkedProgram->vertex, &linkedProgram->fragment})
         if (stage->compiled == program.get())
           held = &stage->uploaded;
     CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,

@@ -77,7 +77,7 @@ void dropAll(ResidentImages &images) {
   dropShadow(images, images.color);
   dropShadow(images, images.depthStencil);
   objects.redefined();
-  images.hot.stale = ~0u;
+  images.hot.dirty = ~0u;
 }
 
 /// Nothing is known of any object; nothing is pending.

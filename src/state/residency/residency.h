@@ -96,7 +96,7 @@ public:
   /// with `reason` a row of reasons.def.
   [[nodiscard]] const DrawTargets *describeTargets(const char *&reason);
   /// Moves on when what describeTargets() or acquireTexture() told is invalidated. While it stands,
-  /// settle() found nothing, and no command has marked stale::kFramebuffer, they need not be called
+  /// settle() found nothing, and no command has marked dirty::kFramebuffer, they need not be called
   /// again.
   [[nodiscard]] std::uint64_t version() const;
   /// While the targets are as described: true if the shadows are the place to draw to already, as

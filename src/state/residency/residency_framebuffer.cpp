@@ -249,10 +249,10 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
   Framebuffers &f = images.framebuffers;
   ObjectImages &objects = images.objects;
   const bool sizeWanted = !images.sizeKnown && (f.drawName == 0 || f.readName == 0);
-  if ((images.hot.stale & stale::kFramebuffer) == 0 && f.generation == objects.generation &&
+  if ((images.hot.dirty & dirty::kFramebuffer) == 0 && f.generation == objects.generation &&
       !sizeWanted) [[likely]]
     return f;
-  images.hot.stale &= ~stale::kFramebuffer;
+  images.hot.dirty &= ~dirty::kFramebuffer;
   HostErrorScope errors = errorScope(images);
   const host::HostTable &host = *images.hot.host;
   f = {};

@@ -40,9 +40,9 @@ PixelModes::Store storeOf(ResidentImages &images, bool pack) {
 } // namespace
 
 const PixelModes &pixelModes(ResidentImages &images) {
-  if ((images.hot.stale & stale::kPixelStore) == 0) [[likely]]
+  if ((images.hot.dirty & dirty::kPixelStore) == 0) [[likely]]
     return images.modes;
-  images.hot.stale &= ~stale::kPixelStore;
+  images.hot.dirty &= ~dirty::kPixelStore;
   HostErrorScope errors = errorScope(images);
   PixelModes &modes = images.modes;
   modes.pack = storeOf(images, true);

@@ -3,7 +3,7 @@
 
 #include "host/host_table.h"
 #include "state/core/texture_binding.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/residency/residency_images.h"
 #include "util/log.h"
 

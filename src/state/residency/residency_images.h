@@ -115,7 +115,7 @@ struct Framebuffers {
   bool readIsWindow = false;
 };
 
-/// Pixel store and transfer, asked for while stale::kPixelStore is set.
+/// Pixel store and transfer, asked for while dirty::kPixelStore is set.
 struct PixelModes {
   struct Store {
     GLint swapBytes = 0, lsbFirst = 0, rowLength = 0, imageHeight = 0, skipRows = 0, skipPixels = 0,

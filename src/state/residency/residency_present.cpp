@@ -86,7 +86,7 @@ void Residency::enter(const Drawable &drawable) {
   forgetSize(images);
   images.sizeSure = true;
   images.drawable = drawable;
-  images.hot.stale = ~0u;
+  images.hot.dirty = ~0u;
   if (hostMissedFrames(images) && !images.hot.insideBeginEnd && images.hot.listMode == 0)
     lookAtWindow(images);
   updateBehind(images);

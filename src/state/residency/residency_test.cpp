@@ -13,7 +13,7 @@
 #include "state/core/context.h"
 #include "state/core/lifecycle.h"
 #include "state/core/share_group.h"
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
 #include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
@@ -77,7 +77,7 @@ protected:
     makeCurrent(m_context, &drawable);
     if (!m_context->software)
       m_context->software = std::make_unique<ContextState>(*m_context);
-    m_context->stale = stale::kAll;
+    m_context->dirty = dirty::kAll;
     residency().enter(m_context->drawable);
   }
   void TearDown() override {
@@ -94,7 +94,7 @@ protected:
   software::Residency &residency() { return m_context->software->residency; }
   const host::HostTable &gl() { return *m_context->host; }
   /// The application changed state.
-  void changed(std::uint32_t bits = stale::kAll) { m_context->stale |= bits; }
+  void changed(std::uint32_t bits = dirty::kAll) { m_context->dirty |= bits; }
 
   GLuint texture(GLenum internalFormat, int width, int height, const void *rgba = nullptr) {
     GLuint name = 0;
@@ -116,7 +116,7 @@ protected:
   }
   void bindFramebuffer(GLuint name) {
     gl().BindFramebufferEXT(GL_FRAMEBUFFER, name);
-    changed(stale::kFramebuffer);
+    changed(dirty::kFramebuffer);
   }
 
   /// A draw of ours over `rect`.

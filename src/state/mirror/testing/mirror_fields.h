@@ -13,7 +13,7 @@ namespace arbiter::state::software::testing {
 using Check = std::function<void(const Mirror &)>;
 struct Field {
   const char *name;
-  std::uint32_t stale; ///< the bit that an entry point of it sets
+  std::uint32_t dirty; ///< the bit that an entry point of it sets
   Check (*set)(Numbers &numbers);
 };
 [[nodiscard]] std::span<const Field> rasterFields();

@@ -60,7 +60,7 @@ abi::StencilFaceKey randomFace(Numbers &n, GLenum names[4]) {
 }
 
 constexpr Field kPixels[] = {
-    {"alpha test", stale::kPixelOps,
+    {"alpha test", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        const bool on = n.chance(60);
        const auto compare = n.of(kCompares);
@@ -74,7 +74,7 @@ constexpr Field kPixels[] = {
          }
        };
      }},
-    {"depth", stale::kPixelOps,
+    {"depth", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        const bool on = n.chance(60), write = n.chance(50);
        const auto compare = n.of(kCompares);
@@ -89,7 +89,7 @@ constexpr Field kPixels[] = {
          }
        };
      }},
-    {"stencil", stale::kPixelOps,
+    {"stencil", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        const bool on = n.chance(70), twoSide = n.chance(40);
        turn(GL_STENCIL_TEST, on);
@@ -133,7 +133,7 @@ constexpr Field kPixels[] = {
          EXPECT_EQ(m.constants.stencilWriteMask[1], w1);
        };
      }},
-    {"blending", stale::kPixelOps,
+    {"blending", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        const int on = n.below(16);
        const bool perBuffer = n.chance(40);
@@ -168,7 +168,7 @@ constexpr Field kPixels[] = {
          EXPECT_FALSE(m.blendLacking);
        };
      }},
-    {"masks and logic", stale::kPixelOps,
+    {"masks and logic", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        int masks[4];
        for (int i = 0; i < 4; ++i) {
@@ -188,7 +188,7 @@ constexpr Field kPixels[] = {
          EXPECT_EQ(m.pixelOps.logicOp, logic ? abi::LogicOp(op) : abi::LogicOp::Copy);
        };
      }},
-    {"clamps", stale::kPixelOps,
+    {"clamps", dirty::kPixelOps,
      [](Numbers &n) -> Check {
        constexpr GLenum kClamps[] = {GL_TRUE, GL_FALSE, GL_FIXED_ONLY};
        const GLenum fragment = n.of(kClamps), vertex = n.of(kClamps);

@@ -19,7 +19,7 @@ swrast::PolygonMode modeOf(GLenum mode) {
 }
 
 constexpr Field kRaster[] = {
-    {"viewport", stale::kViewport,
+    {"viewport", dirty::kViewport,
      [](Numbers &n) -> Check {
        const int box[4] = {n.below(9) - 4, n.below(9), n.below(64), n.below(64)};
        glViewport(box[0], box[1], box[2], box[3]);
@@ -28,7 +28,7 @@ constexpr Field kRaster[] = {
            EXPECT_EQ(m.raster.viewport[i], float(box[i]));
        };
      }},
-    {"depth range", stale::kViewport,
+    {"depth range", dirty::kViewport,
      [](Numbers &n) -> Check {
        const float near = n.real(0, 1), far = n.real(0, 1);
        glDepthRange(near, far);
@@ -39,7 +39,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.constants.depthMaximum, m.raster.depthClamp ? std::max(near, far) : 1.0f);
        };
      }},
-    {"scissor", stale::kViewport,
+    {"scissor", dirty::kViewport,
      [](Numbers &n) -> Check {
        const swrast::Rect box = {n.below(9) - 4, n.below(9), n.below(64), n.below(64)};
        const bool on = n.chance(60);
@@ -53,7 +53,7 @@ constexpr Field kRaster[] = {
            EXPECT_GE(m.scissor.width, 16384);
        };
      }},
-    {"culling", stale::kRaster,
+    {"culling", dirty::kRaster,
      [](Numbers &n) -> Check {
        constexpr GLenum kFaces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
        const bool on = n.chance(60), clockwise = n.chance(50);
@@ -67,7 +67,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.raster.frontIsClockwise, clockwise);
        };
      }},
-    {"shading", stale::kRaster,
+    {"shading", dirty::kRaster,
      [](Numbers &n) -> Check {
        const bool flat = n.chance(50), first = n.chance(50), clamp = n.chance(50);
        glShadeModel(flat ? GL_FLAT : GL_SMOOTH);
@@ -82,7 +82,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.raster.depthClamp, clamp);
        };
      }},
-    {"polygon modes", stale::kRaster,
+    {"polygon modes", dirty::kRaster,
      [](Numbers &n) -> Check {
        constexpr GLenum kModes[] = {GL_POINT, GL_LINE, GL_FILL};
        const GLenum front = n.of(kModes), back = n.of(kModes);
@@ -96,7 +96,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.smoothPolygons, smooth);
        };
      }},
-    {"polygon offset", stale::kRaster,
+    {"polygon offset", dirty::kRaster,
      [](Numbers &n) -> Check {
        const int on = n.below(8);
        const float factor = n.real(-4, 4), units = n.real(-4, 4);
@@ -112,7 +112,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.raster.offsetUnits, units);
        };
      }},
-    {"polygon stipple", stale::kRaster,
+    {"polygon stipple", dirty::kRaster,
      [](Numbers &n) -> Check {
        const bool on = n.chance(70);
        std::vector<GLubyte> rows(128);
@@ -131,7 +131,7 @@ constexpr Field kRaster[] = {
          }
        };
      }},
-    {"lines", stale::kRaster,
+    {"lines", dirty::kRaster,
      [](Numbers &n) -> Check {
        const float width = n.real(0.5f, 5);
        const bool smooth = n.chance(30), stipple = n.chance(50);
@@ -149,7 +149,7 @@ constexpr Field kRaster[] = {
          }
        };
      }},
-    {"points", stale::kRaster,
+    {"points", dirty::kRaster,
      [](Numbers &n) -> Check {
        const float size = n.real(0.5f, 20), low = n.real(0, 3), high = n.real(4, 30);
        const bool smooth = n.chance(30), byProgram = n.chance(50), twoSide = n.chance(50);
@@ -168,7 +168,7 @@ constexpr Field kRaster[] = {
          EXPECT_EQ(m.twoSidedColor, twoSide);
        };
      }},
-    {"point sprites", stale::kTexGen,
+    {"point sprites", dirty::kTexGen,
      [](Numbers &n) -> Check {
        const bool on = n.chance(60), lower = n.chance(50);
        const int units = n.below(256);
@@ -188,7 +188,7 @@ constexpr Field kRaster[] = {
          }
        };
      }},
-    {"fog", stale::kFog,
+    {"fog", dirty::kFog,
      [](Numbers &n) -> Check {
        const float color[4] = {n.real(0, 1), n.real(0, 1), n.real(0, 1), n.real(0, 1)};
        const float density = n.real(0, 4), start = n.real(-2, 2), end = n.real(3, 8);

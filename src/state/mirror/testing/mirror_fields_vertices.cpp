@@ -22,7 +22,7 @@ template <typename Do> void onUnits(Do act) {
 }
 
 constexpr Field kVertices[] = {
-    {"normals and planes", stale::kTransform,
+    {"normals and planes", dirty::kTransform,
      [](Numbers &n) -> Check {
        const bool normalize = n.chance(50), rescale = n.chance(50);
        const int planes = n.below(64);
@@ -36,7 +36,7 @@ constexpr Field kVertices[] = {
          EXPECT_EQ(m.vertex.clipPlanes, planes);
        };
      }},
-    {"texture matrices", stale::kTransform,
+    {"texture matrices", dirty::kTransform,
      [](Numbers &n) -> Check {
        const int moved = n.below(256);
        GLint mode = 0;
@@ -50,7 +50,7 @@ constexpr Field kVertices[] = {
        glMatrixMode(GLenum(mode));
        return [=](const Mirror &m) { EXPECT_EQ(m.vertex.textureMatrix, moved); };
      }},
-    {"light model", stale::kLighting,
+    {"light model", dirty::kLighting,
      [](Numbers &n) -> Check {
        const bool lighting = n.chance(70), two = n.chance(50), local = n.chance(50),
                   separate = n.chance(50);
@@ -68,7 +68,7 @@ constexpr Field kVertices[] = {
          EXPECT_EQ(m.vertex.separateSpecular, separate);
        };
      }},
-    {"colour material", stale::kLighting,
+    {"colour material", dirty::kLighting,
      [](Numbers &n) -> Check {
        constexpr GLenum kFaces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
        constexpr GLenum kParts[] = {GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR,
@@ -86,7 +86,7 @@ constexpr Field kVertices[] = {
          EXPECT_EQ(m.vertex.colorMaterialParts, on ? kBits[part] : 0);
        };
      }},
-    {"lights", stale::kLighting,
+    {"lights", dirty::kLighting,
      [](Numbers &n) -> Check {
        const int on = n.below(256), positional = n.below(256), spots = n.below(256),
                  attenuated = n.below(256);
@@ -108,7 +108,7 @@ constexpr Field kVertices[] = {
          EXPECT_EQ(m.vertex.attenuated, on & positional & attenuated);
        };
      }},
-    {"texture coordinate generation", stale::kTexGen,
+    {"texture coordinate generation", dirty::kTexGen,
      [](Numbers &n) -> Check {
        constexpr GLint kModes[] = {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP,
                                    GL_REFLECTION_MAP, GL_NORMAL_MAP};
@@ -129,7 +129,7 @@ constexpr Field kVertices[] = {
        });
        return [=](const Mirror &m) { EXPECT_EQ(m.vertex.texGen, wanted); };
      }},
-    {"fog source and point attenuation", stale::kFog,
+    {"fog source and point attenuation", dirty::kFog,
      [](Numbers &n) -> Check {
        const bool depth = n.chance(50), attenuated = n.chance(50);
        const GLfloat factors[3] = {1, 0, attenuated ? 0.5f : 0};

@@ -16,8 +16,8 @@ namespace arbiter::state::software {
 namespace {
 
 /// Commands that change what is asked here.
-constexpr std::uint32_t kGroups = stale::kTextureBindings | stale::kTextureParameters |
-                                  stale::kTexGen | stale::kFog | stale::kLighting;
+constexpr std::uint32_t kGroups = dirty::kTextureBindings | dirty::kTextureParameters |
+                                  dirty::kTexGen | dirty::kFog | dirty::kLighting;
 
 /// The rows of Combiner::function.
 constexpr GLenum kCombineFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,

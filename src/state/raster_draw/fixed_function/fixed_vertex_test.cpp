@@ -13,7 +13,7 @@
 #include "fp_compiler/ir/evaluate.h"
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/validate.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "state/mirror/mirror.h"
 #include "state/testing/real_host.h"
 
@@ -246,8 +246,8 @@ TEST(FixedVertex, IsWhatTheHostMakesOfTheSameState) {
     randomTransform(numbers);
     randomLighting(numbers);
     randomTexGen(numbers);
-    context.stale = stale::kAll;
-    mirror.refresh(context.stale);
+    context.dirty = dirty::kAll;
+    mirror.refresh(context.dirty);
     mirror.refreshVertexState();
     VertexNeeds needs;
     needs.primary = needs.secondary = true;
@@ -288,8 +288,8 @@ TEST(FixedVertex, PrimaryAndSecondarySumToTheSingleColour) {
     for (int separate = 0; separate < 2; ++separate) {
       glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
                     separate ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
-      context.stale = stale::kAll;
-      mirror.refresh(context.stale);
+      context.dirty = dirty::kAll;
+      mirror.refresh(context.dirty);
       mirror.refreshVertexState();
       const fp::ir::Program program = makeFixedVertexProgram(fixedVertexKey(mirror.vertex, needs));
       const fp::ir::Evaluation got = run(context, program, vertex);
@@ -337,7 +337,7 @@ TEST(FixedVertex, ClipDistancesAndFogAndPointSize) {
   glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
   glPointSize(10);
   Mirror mirror(*context.host, context.caps);
-  mirror.refresh(context.stale);
+  mirror.refresh(context.dirty);
   mirror.refreshVertexState();
   EXPECT_EQ(mirror.vertex.clipPlanes, 1u << 5);
   VertexNeeds needs;

@@ -38,7 +38,7 @@ bool ArraySource::open(Context &context, const Mirror &mirror, std::uint32_t slo
                        const DrawCommand &command) {
   m_source.symmetric = context.caps.symmetricSigned;
   const std::uint32_t changed =
-      mirror.clock.changedSince(m_seen) & (stale::kArrays | stale::kBuffers);
+      mirror.clock.changedSince(m_seen) & (dirty::kArrays | dirty::kBuffers);
   m_seen = mirror.clock.now();
   if (changed != 0 || !m_kept || slots != m_keptSlots) {
     m_kept = false;

@@ -2,12 +2,12 @@
 
 #include <new>
 
-#include "state/mirror/stale_clock.h"
+#include "state/mirror/generation_counter.h"
 
 namespace arbiter::state::software {
 
-BufferCopies::Contents BufferCopies::find(const StaleClock &clock, GLuint buffer) {
-  const bool changed = (clock.changedSince(m_seen) & stale::kBuffers) != 0;
+BufferCopies::Contents BufferCopies::find(const GenerationCounter &clock, GLuint buffer) {
+  const bool changed = (clock.changedSince(m_seen) & dirty::kBuffers) != 0;
   m_seen = clock.now();
   if (changed) {
     m_copies.clear();

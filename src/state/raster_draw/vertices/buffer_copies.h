@@ -8,7 +8,7 @@
 
 namespace arbiter::state::software {
 
-class StaleClock;
+class GenerationCounter;
 
 /// What small buffer objects hold, kept on our side so that a draw from one that has not changed
 /// needs no mapping. A buffer that is drawn from once after each change is never copied.
@@ -19,7 +19,7 @@ public:
     std::size_t bytes = 0;
   };
   /// Null data: there is no copy that still holds. Copies stay until a change of any buffer.
-  [[nodiscard]] Contents find(const StaleClock &clock, GLuint buffer);
+  [[nodiscard]] Contents find(const GenerationCounter &clock, GLuint buffer);
   /// The buffer is mapped for a draw. It is copied if it was drawn from before, unchanged since.
   void drawnFrom(GLuint buffer, const Contents &contents);
 

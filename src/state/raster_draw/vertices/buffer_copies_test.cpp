@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "state/mirror/attribute_groups.h"
-#include "state/mirror/stale_clock.h"
+#include "state/mirror/generation_counter.h"
 
 namespace arbiter::state::software {
 namespace {
@@ -16,7 +16,7 @@ protected:
       m_copies.drawnFrom(buffer, contents());
   }
   std::vector<std::uint8_t> m_bytes = {1, 2, 3, 4};
-  StaleClock m_clock;
+  GenerationCounter m_clock;
   BufferCopies m_copies;
 };
 
@@ -34,9 +34,9 @@ TEST_F(BufferCopiesTest, KeepsWhatIsDrawnFromTwice) {
 TEST_F(BufferCopiesTest, ForgetsAllAtAChangeOfBuffersAndAtNoOther) {
   draw(7);
   draw(7);
-  m_clock.mark(stale::kAll & ~stale::kBuffers);
+  m_clock.mark(dirty::kAll & ~dirty::kBuffers);
   EXPECT_TRUE(m_copies.find(m_clock, 7).data);
-  m_clock.mark(stale::kBuffers);
+  m_clock.mark(dirty::kBuffers);
   EXPECT_FALSE(m_copies.find(m_clock, 7).data);
   draw(7);
   EXPECT_FALSE(m_copies.find(m_clock, 7).data) << "once since the change";
@@ -60,25 +60,25 @@ TEST_F(BufferCopiesTest, LeavesLargeBuffersAndWhatIsTooMuch) {
 }
 
 TEST(StaleClockTest, TellsAGroupToAReaderHoweverLateItLooks) {
-  StaleClock clock;
+  GenerationCounter clock;
   EXPECT_EQ(clock.changedSince(0) & 0xFFFFu, 0xFFFFu) << "a reader that never looked";
   const std::uint64_t first = clock.now();
   EXPECT_EQ(clock.changedSince(first), 0u);
-  clock.mark(stale::kFog);
-  EXPECT_EQ(clock.changedSince(first), stale::kFog);
+  clock.mark(dirty::kFog);
+  EXPECT_EQ(clock.changedSince(first), dirty::kFog);
   const std::uint64_t second = clock.now();
-  clock.mark(stale::kRaster | stale::kBuffers);
-  EXPECT_EQ(clock.changedSince(second), stale::kRaster | stale::kBuffers);
-  EXPECT_EQ(clock.changedSince(first), stale::kFog | stale::kRaster | stale::kBuffers);
+  clock.mark(dirty::kRaster | dirty::kBuffers);
+  EXPECT_EQ(clock.changedSince(second), dirty::kRaster | dirty::kBuffers);
+  EXPECT_EQ(clock.changedSince(first), dirty::kFog | dirty::kRaster | dirty::kBuffers);
 }
 
 TEST(AttributeGroups, NameWhatAPopRestores) {
-  EXPECT_EQ(staleGroupsOfAttributes(GL_FOG_BIT) & stale::kFog, stale::kFog);
-  EXPECT_EQ(staleGroupsOfAttributes(GL_FOG_BIT) & (stale::kArrays | stale::kPixelOps), 0u);
-  EXPECT_EQ(staleGroupsOfAttributes(GL_ALL_ATTRIB_BITS), stale::kAll);
-  EXPECT_EQ(staleGroupsOfAttributes(0x40000000u), stale::kAll) << "a group that we do not know of";
-  const std::uint32_t color = staleGroupsOfAttributes(GL_COLOR_BUFFER_BIT);
-  EXPECT_EQ(color & stale::kFramebuffer, stale::kFramebuffer) << "DRAW_BUFFER is in it";
+  EXPECT_EQ(dirtyGroupsOfAttributes(GL_FOG_BIT) & dirty::kFog, dirty::kFog);
+  EXPECT_EQ(dirtyGroupsOfAttributes(GL_FOG_BIT) & (dirty::kArrays | dirty::kPixelOps), 0u);
+  EXPECT_EQ(dirtyGroupsOfAttributes(GL_ALL_ATTRIB_BITS), dirty::kAll);
+  EXPECT_EQ(dirtyGroupsOfAttributes(0x40000000u), dirty::kAll) << "a group that we do not know of";
+  const std::uint32_t color = dirtyGroupsOfAttributes(GL_COLOR_BUFFER_BIT);
+  EXPECT_EQ(color & dirty::kFramebuffer, dirty::kFramebuffer) << "DRAW_BUFFER is in it";
 }
 
 } // namespace

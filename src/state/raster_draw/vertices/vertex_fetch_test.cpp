@@ -87,8 +87,8 @@ class EveryType : public ::testing::TestWithParam<int> {};
 TEST_P(EveryType, IsWhatTheTableSays) {
   const TypeRow &row = kTypes[GetParam()];
   for (int components = 1; components <= 4; ++components)
-    for (int variant = 0; variant < 4; ++variant) {
-      const bool normalized = (variant & 1) != 0 && row.isInteger, symmetric = (variant & 2) != 0;
+    for (int kind = 0; kind < 4; ++kind) {
+      const bool normalized = (kind & 1) != 0 && row.isInteger, symmetric = (kind & 2) != 0;
       VertexSource source;
       source.symmetric = symmetric;
       VertexSource::Array &array = source.arrays[kTexCoord0];

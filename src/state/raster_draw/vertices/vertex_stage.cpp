@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "state/core/context.h"
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 #include "swrast/threads.h"
 
 namespace arbiter::state::software {
@@ -101,7 +101,7 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
 
 void VertexStage::findUnwritten(const Context &context) {
   m_unwritten.clear();
-  if (!m_compiled || context.variant->fragment.compiled)
+  if (!m_compiled || context.linkedProgram->fragment.compiled)
     return;
   const auto &results = m_shape->outputs;
   for (std::size_t i = 0; i < m_fragments->inputs.size(); ++i) {

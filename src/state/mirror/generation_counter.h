@@ -3,24 +3,24 @@
 #include <bit>
 #include <cstdint>
 
-#include "state/mirror/stale.h"
+#include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state::software {
 
-/// The one place that empties ContextHot::stale, but for the groups that residency reads, and
+/// The one place that empties ContextHot::dirty, but for the groups that residency reads, and
 /// tells its many readers: each remembers the time up to which it has seen everything.
-class StaleClock {
+class GenerationCounter {
 public:
   /// Bits that stay in the context: they are residency's.
-  static constexpr std::uint32_t kNotOurs = stale::kFramebuffer | stale::kPixelStore;
+  static constexpr std::uint32_t kNotOurs = dirty::kFramebuffer | dirty::kPixelStore;
 
   /// Called before anything is read; costs a test where nothing changed.
-  /// \param stale ContextHot::stale
-  void take(std::uint32_t &stale) {
-    const std::uint32_t bits = stale & ~kNotOurs;
+  /// \param dirty ContextHot::dirty
+  void take(std::uint32_t &dirty) {
+    const std::uint32_t bits = dirty & ~kNotOurs;
     if (bits == 0) [[likely]]
       return;
-    stale &= kNotOurs;
+    dirty &= kNotOurs;
     mark(bits);
   }
   /// Groups that the layer itself has changed.

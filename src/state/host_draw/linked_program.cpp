@@ -1,4 +1,4 @@
-#include "state/host_draw/variant.h"
+#include "state/host_draw/linked_program.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -89,16 +89,16 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
 
 /// Samplers are set once: two of different types on one unit, which zero would give, is an error at
 /// the draw. Requires the program to be current.
-void setSamplers(Context &context, const Variant &variant) {
-  for (const fp::GlslSampler &sampler : variant.fragment.compiled->glsl.samplers) {
+void setSamplers(Context &context, const LinkedProgram &linkedProgram) {
+  for (const fp::GlslSampler &sampler : linkedProgram.fragment.compiled->glsl.samplers) {
     const GLint location =
-        context.host->GetUniformLocation(variant.hostProgram, sampler.uniform.c_str());
+        context.host->GetUniformLocation(linkedProgram.hostProgram, sampler.uniform.c_str());
     if (location >= 0)
       context.host->Uniform1i(location, sampler.unit);
   }
 }
 
-void findParameters(Context &context, GLuint hostProgram, VariantStage &stage) {
+void findParameters(Context &context, GLuint hostProgram, LinkedProgramStage &stage) {
   const auto &uniforms = stage.compiled->glsl.uniforms;
   const char *const array = isVertex(*stage.compiled) ? "arb_vparam" : "arb_param";
   stage.uploaded.assign(uniforms.size(), Vec4{}); // the host's initial values
@@ -118,35 +118,36 @@ bool isPlain(fp::ir::TexTarget target) {
 }
 
 /// The host's program becomes current, and its uniforms are found.
-void setUp(Context &context, const ProgramPair &pair, Variant &variant) {
-  context.host->UseProgram(variant.hostProgram);
+void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgram) {
+  context.host->UseProgram(linkedProgram.hostProgram);
   context.hostProgramIsOurs = true;
-  for (VariantStage *stage : {&variant.vertex, &variant.fragment}) {
+  for (LinkedProgramStage *stage : {&linkedProgram.vertex, &linkedProgram.fragment}) {
     if (!stage->compiled)
       continue;
-    findParameters(context, variant.hostProgram, *stage);
-    variant.readsState |= stage->readsState;
+    findParameters(context, linkedProgram.hostProgram, *stage);
+    linkedProgram.readsState |= stage->readsState;
   }
   if (!pair.fragment)
     return;
-  setSamplers(context, variant);
+  setSamplers(context, linkedProgram);
   const auto &samplers = pair.fragment->glsl.samplers;
   variant.hasPlainSamplers = std::any_of(samplers.begin(), samplers.end(), [](const auto &sampler) {
     return isPlain(sampler.target);
   });
 }
 
-void destroy(Context &context, const Variant &variant) {
-  if (variant.hostProgram == 0)
+void destroy(Context &context, const LinkedProgram &linkedProgram) {
+  if (linkedProgram.hostProgram == 0)
     return;
-  context.group->removeHostProgram(variant.hostProgram);
-  context.host->DeleteProgram(variant.hostProgram); // where current, when it is no longer
+  context.group->removeHostProgram(linkedProgram.hostProgram);
+  context.host->DeleteProgram(linkedProgram.hostProgram); // where current, when it is no longer
 }
 
 } // namespace
 
-const VariantCache::Shader *
-VariantCache::shaderOf(Context &context, const std::shared_ptr<const CompiledProgram> &compiled) {
+const LinkedProgramCache::Shader *
+LinkedProgramCache::shaderOf(Context &context,
+                             const std::shared_ptr<const CompiledProgram> &compiled) {
   const auto [it, isNew] = m_maps->shaders.try_emplace(compiled.get());
   if (!isNew)
     return &it->second;
@@ -165,10 +166,11 @@ VariantCache::shaderOf(Context &context, const std::shared_ptr<const CompiledPro
   return &it->second;
 }
 
-std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair &pair) {
-  auto variant = std::make_unique<Variant>();
-  variant->vertex.compiled = pair.vertex.get();
-  variant->fragment.compiled = pair.fragment.get();
+std::unique_ptr<LinkedProgram> LinkedProgramCache::build(Context &context,
+                                                         const ProgramPair &pair) {
+  auto linkedProgram = std::make_unique<LinkedProgram>();
+  linkedProgram->vertex.compiled = pair.vertex.get();
+  linkedProgram->fragment.compiled = pair.fragment.get();
   const HostErrorScope scope(*context.host, context.pendingError);
   GLuint shaders[2] = {};
   for (const auto &compiled : {pair.vertex, pair.fragment}) {
@@ -177,58 +179,59 @@ std::unique_ptr<Variant> VariantCache::build(Context &context, const ProgramPair
     GLuint &shader = shaders[isVertex(*compiled) ? 0 : 1];
     shader = shaderOf(context, compiled)->name;
     if (shader == 0)
-      return variant;
+      return linkedProgram;
   }
   // A shader of this pair's own where the two do not fit each other: rare.
   const std::string whole =
       pair.vertex && pair.fragment ? withMissingResults(*pair.vertex, *pair.fragment) : "";
   const GLuint own = whole.empty() ? 0 : compileShader(context, *pair.vertex, whole);
-  variant->hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
+  linkedProgram->hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
   if (own != 0)
     context.host->DeleteShader(own);
-  if (variant->hostProgram == 0)
-    return variant;
+  if (linkedProgram->hostProgram == 0)
+    return linkedProgram;
   try {
-    context.group->addHostProgram(variant->hostProgram);
-    setUp(context, pair, *variant);
+    context.group->addHostProgram(linkedProgram->hostProgram);
+    setUp(context, pair, *linkedProgram);
   } catch (...) { // no memory
-    destroy(context, *variant);
+    destroy(context, *linkedProgram);
     throw;
   }
-  return variant;
+  return linkedProgram;
 }
 
-Variant *VariantCache::get(Context &context, const ProgramPair &pair) {
+LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
   if (!m_maps)
     m_maps = std::make_unique<Maps>();
   const Key key = {pair.vertex.get(), pair.fragment.get()};
-  const auto it = m_maps->variants.find(key);
-  if (it != m_maps->variants.end())
+  const auto it = m_maps->linkedPrograms.find(key);
+  if (it != m_maps->linkedPrograms.end())
     return it->second.get();
   if (m_maps->shaders.size() >= m_sweepAt)
     sweep(context);
-  std::unique_ptr<Variant> &made = m_maps->variants[key]; // its place first: a program is costlier
+  std::unique_ptr<LinkedProgram> &made =
+      m_maps->linkedPrograms[key]; // its place first: a program is costlier
   try {
     made = build(context, pair);
   } catch (...) {
-    m_maps->variants.erase(key);
+    m_maps->linkedPrograms.erase(key);
     throw;
   }
   return made.get();
 }
 
-void VariantCache::drop(Context &context, const CompiledProgram *compiled) {
+void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled) {
   if (!m_maps)
     return;
   const auto shader = m_maps->shaders.find(compiled);
   if (shader == m_maps->shaders.end())
     return;
-  std::erase_if(m_maps->variants, [&](const auto &entry) {
+  std::erase_if(m_maps->linkedPrograms, [&](const auto &entry) {
     if (entry.first.vertex != compiled && entry.first.fragment != compiled)
       return false;
-    if (context.variant == entry.second.get()) {
+    if (context.linkedProgram == entry.second.get()) {
       captureLeave(context); // it holds the parameters of its last draw
-      context.variant = nullptr;
+      context.linkedProgram = nullptr;
     }
     destroy(context, *entry.second);
     return true;
@@ -241,11 +244,12 @@ void VariantCache::drop(Context &context, const CompiledProgram *compiled) {
 }
 
 /// Programs that left their object through another context: nobody else holds them any more.
-void VariantCache::sweep(Context &context) {
+void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, shader] : m_maps->shaders) {
-    const bool inForce = context.variant && (context.variant->vertex.compiled == compiled ||
-                                             context.variant->fragment.compiled == compiled);
+    const bool inForce =
+        context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
+                                  context.linkedProgram->fragment.compiled == compiled);
     if (!inForce && shader.compiled.use_count() == 1)
       left.push_back(compiled);
   }
@@ -254,13 +258,13 @@ void VariantCache::sweep(Context &context) {
   m_sweepAt = std::max<std::size_t>(64, 2 * m_maps->shaders.size());
 }
 
-VariantCache::Names VariantCache::abandon() {
+LinkedProgramCache::Names LinkedProgramCache::abandon() {
   Names names;
   if (!m_maps)
     return names;
-  for (const auto &[key, variant] : m_maps->variants)
-    if (variant->hostProgram != 0)
-      names.programs.push_back(variant->hostProgram);
+  for (const auto &[key, linkedProgram] : m_maps->linkedPrograms)
+    if (linkedProgram->hostProgram != 0)
+      names.programs.push_back(linkedProgram->hostProgram);
   for (const auto &[compiled, shader] : m_maps->shaders)
     if (shader.name != 0)
       names.shaders.push_back(shader.name);

@@ -2,9 +2,9 @@
 #include <cstdint>
 
 /// What of the host's state may have changed since the mirror last asked for it. Entry points that
-/// change state set bits in ContextHot::stale and go on to the host; a draw asks for the groups
+/// change state set bits in ContextHot::dirty and go on to the host; a draw asks for the groups
 /// whose bits are set, and for no others. The rows of entry_points.toml name these bits.
-namespace arbiter::state::software::stale {
+namespace arbiter::state::software::dirty {
 inline constexpr std::uint32_t kTextureBindings = 1u << 0; ///< which texture, unit, sampler object
 inline constexpr std::uint32_t kTextureParameters =
     1u << 1; ///< filters, wraps, levels, LOD bias of units
@@ -29,4 +29,4 @@ inline constexpr std::uint32_t kProgramState =
     1u << 14;                                       ///< any state that a program's parameters name
 inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
 inline constexpr std::uint32_t kAll = ~0u;
-} // namespace arbiter::state::software::stale
+} // namespace arbiter::state::software::dirty

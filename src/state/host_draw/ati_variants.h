@@ -15,10 +15,10 @@ struct CompiledProgram;
 /// An ATI fragment shader, and what it becomes under the fixed-function state of draws: its samples
 /// name no texture targets, and fog and colour sum follow it. Each form is emitted once; contexts
 /// of a share group use the same ones.
-class AtiForms {
+class AtiVariants {
 public:
   /// `program` is checked, of language AtiFragment.
-  AtiForms(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics);
+  AtiVariants(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics);
 
   /// The image units that it samples, one bit each.
   [[nodiscard]] std::uint32_t units() const { return m_units; }

@@ -16,8 +16,8 @@ struct ProgramPair {
   std::shared_ptr<const CompiledProgram> fragment;
 };
 
-/// One stage of a variant.
-struct VariantStage {
+/// One stage of a linked program.
+struct LinkedProgramStage {
   const CompiledProgram *compiled = nullptr; ///< null: fixed function
   std::vector<GLint> locations;              ///< of the uniform array's elements; -1: dropped
   std::vector<Vec4> uploaded;                ///< what the host holds
@@ -27,25 +27,25 @@ struct VariantStage {
 /// A pair of compiled programs as the host's GLSL program, in one context. Each context has its own
 /// because a host program holds its uniform values, and contexts of a share group draw on different
 /// threads.
-struct Variant {
+struct LinkedProgram {
   GLuint hostProgram = 0; ///< 0: the host refused it
-  VariantStage vertex;
-  VariantStage fragment;
+  LinkedProgramStage vertex;
+  LinkedProgramStage fragment;
   bool readsState = false; ///< either stage does
   bool hasPlainSamplers = false;
 };
 
-/// The variants of a context, and the host's shader objects that they are linked from: each program
-/// is compiled once, however many it is paired with.
-class VariantCache {
+/// The linked programs of a context, and the host's shader objects that they are linked from: each
+/// program is compiled once, however many it is paired with.
+class LinkedProgramCache {
 public:
-  constexpr VariantCache() = default;
-  /// The variant of `pair`, of which one program at least is not null; built at the first call, in
-  /// which case the host links, and compiles what it has not compiled yet. Raises no error; a
-  /// variant that the host refused has hostProgram 0.
-  [[nodiscard]] Variant *get(Context &context, const ProgramPair &pair);
-  /// Deletes the shader and the variants of a compiled program that left its object. `context` is
-  /// current.
+  constexpr LinkedProgramCache() = default;
+  /// The linked program of `pair`, of which one program at least is not null; built at the first
+  /// call, in which case the host links, and compiles what it has not compiled yet. Raises no
+  /// error; a linked program that the host refused has hostProgram 0.
+  [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair);
+  /// Deletes the shader and the linked programs of a compiled program that left its object.
+  /// `context` is current.
   void drop(Context &context, const CompiledProgram *compiled);
 
   /// Host objects, for whoever deletes them.
@@ -55,8 +55,8 @@ public:
   };
   /// Empties the cache without touching the host.
   [[nodiscard]] Names abandon();
-  /// The number of variants.
-  [[nodiscard]] std::size_t size() const { return m_maps ? m_maps->variants.size() : 0; }
+  /// The number of linked programs.
+  [[nodiscard]] std::size_t size() const { return m_maps ? m_maps->linkedPrograms.size() : 0; }
 
 private:
   struct Key {
@@ -71,26 +71,26 @@ private:
     }
   };
   struct Shader {
-    std::shared_ptr<const CompiledProgram> compiled; ///< keeps the variants' pointers alive
+    std::shared_ptr<const CompiledProgram> compiled; ///< keeps the linked programs' pointers alive
     GLuint name = 0;                                 ///< 0: the host refused it
   };
   struct Maps {
-    std::unordered_map<Key, std::unique_ptr<Variant>, KeyHash> variants;
+    std::unordered_map<Key, std::unique_ptr<LinkedProgram>, KeyHash> linkedPrograms;
     std::unordered_map<const CompiledProgram *, Shader> shaders;
   };
   [[nodiscard]] const Shader *shaderOf(Context &context,
                                        const std::shared_ptr<const CompiledProgram> &compiled);
-  [[nodiscard]] std::unique_ptr<Variant> build(Context &context, const ProgramPair &pair);
+  [[nodiscard]] std::unique_ptr<LinkedProgram> build(Context &context, const ProgramPair &pair);
   void sweep(Context &context);
 
   std::unique_ptr<Maps> m_maps; ///< null until the first: the null context is a constant
   std::size_t m_sweepAt = 64;
 };
 
-/// Brings the host's uniforms of the variant in force up to date, as far as `attention` says that
-/// they may have changed; its host program is current. No allocation, one call a run of changed
-/// values.
-void uploadParameters(Context &context, Variant &variant, std::uint32_t attention);
+/// Brings the host's uniforms of the linked program in force up to date, as far as `attention` says
+/// that they may have changed; its host program is current. No allocation, one call a run of
+/// changed values.
+void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention);
 
 /// The value of one row of GL state (3.11.3.2), from the host.
 void fetchState(Context &context, const fp::ir::StateRef &state, GLfloat value[4]);

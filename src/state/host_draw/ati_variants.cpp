@@ -1,4 +1,4 @@
-#include "state/host_draw/ati_forms.h"
+#include "state/host_draw/ati_variants.h"
 
 #include <algorithm>
 
@@ -22,15 +22,15 @@ fp::FixedFunction seenBy(std::uint32_t units, const fp::FixedFunction &state) {
 
 } // namespace
 
-AtiForms::AtiForms(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics)
+AtiVariants::AtiVariants(fp::ir::Program program, fp::GlslHost host, fp::Numerics numerics)
     : m_program(std::move(program)), m_host(host), m_numerics(numerics) {
   for (const fp::ir::Instruction &instruction : m_program.code)
     if (fp::ir::info(instruction.op).has(fp::ir::Texture))
       m_units |= 1u << instruction.unit;
 }
 
-std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &whole,
-                                                       const fp::FixedFunction &state) const {
+std::shared_ptr<const CompiledProgram> AtiVariants::under(const CompiledProgram &whole,
+                                                          const fp::FixedFunction &state) const {
   const fp::FixedFunction seen = seenBy(m_units, state);
   const std::lock_guard lock(m_mutex);
   const auto it = std::find_if(m_forms.begin(), m_forms.end(),
@@ -51,7 +51,7 @@ std::shared_ptr<const CompiledProgram> AtiForms::under(const CompiledProgram &wh
   return m_forms.emplace_back(seen, std::move(form)).second;
 }
 
-std::vector<std::shared_ptr<const CompiledProgram>> AtiForms::all() const {
+std::vector<std::shared_ptr<const CompiledProgram>> AtiVariants::all() const {
   const std::lock_guard lock(m_mutex);
   std::vector<std::shared_ptr<const CompiledProgram>> forms;
   for (const Form &form : m_forms)
