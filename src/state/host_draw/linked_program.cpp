@@ -131,7 +131,7 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
     return;
   setSamplers(context, linkedProgram);
   const auto &samplers = pair.fragment->glsl.samplers;
-  variant.hasPlainSamplers = std::any_of(samplers.begin(), samplers.end(), [](const auto &sampler) {
+  linkedProgram.hasPlainSamplers = std::any_of(samplers.begin(), samplers.end(), [](const auto &sampler) {
     return isPlain(sampler.target);
   });
 }
