@@ -97,7 +97,7 @@ class Table:
 
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
     software  {lead: way} of software.toml, or "unknown", of those that have no action
-    dirty     {lead: [bits of mirror/dirty.h]} of those that have either
+    dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
     members   the leads in the host's table; further: those beside it, found when first called
     """
 

@@ -110,7 +110,7 @@ def null_table(table):
 
 
 def recording_table(table):
-    """The table in force while a primitive is kept back from the host: whoever calls the host has
+    """The effective table while a primitive is kept back from the host: whoever calls the host has
     the primitive given to it first."""
     out = [HEADING, '#include "state/raster_draw/replay.h"\n\n#include "host/host_table.h"\n'
            '#include "state/core/current.h"\n\n'

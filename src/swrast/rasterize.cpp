@@ -169,13 +169,13 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
   if (isPolygonal(topology) && all.isFilled())
     return drawTriangles(all);
   DrawStatistics statistics;
-  scratch().strokes.draw(all, statistics);
+  scratch().strokes.rasterize(all, statistics);
   return statistics;
 }
 
-DrawStatistics draw(const RasterState &state, const Shading &shading, Topology topology,
-                    const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
-                    std::uint32_t count) {
+DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topology topology,
+                         const Vertices &vertices, const std::uint32_t *indices,
+                         std::uint32_t first, std::uint32_t count) {
   OwnScratch::lend(true); // the other threads read it
   DrawStatistics statistics;
   try {

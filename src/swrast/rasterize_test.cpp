@@ -368,8 +368,8 @@ TEST(Rasterize, VerticesMayBeMadeAsTheDrawComesToThem) {
       each->state.cullBack = true;
     }
     MadeVertices made(whole.get());
-    (void)draw(canvas.state, canvas.shading, topology, whole.get(), nullptr, 0, count);
-    (void)draw(other.state, other.shading, topology, made.vertices, nullptr, 0, count);
+    (void)rasterize(canvas.state, canvas.shading, topology, whole.get(), nullptr, 0, count);
+    (void)rasterize(other.state, other.shading, topology, made.vertices, nullptr, 0, count);
     EXPECT_EQ(made.made.load(), count);
     EXPECT_EQ(canvas.counts, other.counts);
     EXPECT_EQ(canvas.values, other.values);
@@ -402,13 +402,13 @@ TEST(Rasterize, ManyTrianglesAreThoseOfEach) {
       canvas->state.cullFront = true;
     }
     const Vertices whole = vertices.get();
-    (void)draw(many.state, many.shading, topology, whole, nullptr, 0, kCount);
+    (void)rasterize(many.state, many.shading, topology, whole, nullptr, 0, kCount);
     const std::uint32_t triangles = triangleCount(topology, kCount);
     ASSERT_GT(triangles, 32u) << "few are not sorted";
     for (std::uint32_t i = 0; i < triangles; ++i) {
       // Quads of a draw that leaves the window are cut along their other diagonal.
       const TriangleCorners corners = triangleAt(topology, kCount, i, false, true);
-      (void)draw(each.state, each.shading, Topology::Triangles, whole, corners.corner, 0, 3);
+      (void)rasterize(each.state, each.shading, Topology::Triangles, whole, corners.corner, 0, 3);
     }
     EXPECT_EQ(many.counts, each.counts) << "topology " << int(topology);
   }

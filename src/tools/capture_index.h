@@ -68,7 +68,7 @@ struct CapturedProcess {
 };
 
 struct CaptureIndex {
-  std::string profile; ///< in force in the last process
+  std::string profile; ///< effective in the last process
   std::vector<CapturedProcess> processes;
   std::vector<CapturedProgram> programs; ///< most draws first
   std::vector<std::string> faults;       ///< files that could not be used, with the reason

@@ -34,6 +34,7 @@ struct DebugFlagInfo {
 
 [[nodiscard]] std::span<const EnvInfo> environmentTable();
 [[nodiscard]] std::span<const DebugFlagInfo> debugFlagTable();
+/// The row of a variable.
 [[nodiscard]] const EnvInfo &info(Env variable);
 
 /// ARBITER_BACKEND.

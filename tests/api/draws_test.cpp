@@ -76,7 +76,7 @@ TEST_F(Draws, GlslVerticesAloneFeedTheArbProgram) {
   glProgramEnvParameter4fARB(kFragment, 0, 0, 1, 0, 1);
   EXPECT_EQ(drawn(), kGreenPixel);
   makeProgram(kRed);
-  EXPECT_EQ(drawn(), kRedPixel) << "another program in force";
+  EXPECT_EQ(drawn(), kRedPixel) << "another effective program";
   glPushAttrib(GL_ENABLE_BIT);
   glDisable(kFragment);
   EXPECT_EQ(drawn(), kBluePixel) << "fixed-function fragments";

@@ -382,7 +382,7 @@ TEST_F(VertexDraws, BesideTheApplicationsGlsl) {
   const GLuint both = makeGlsl("void main() { gl_Position = gl_Vertex; }",
                                "void main() { gl_FragColor = vec4(0, 1, 0, 1); }");
   glUseProgram(both);
-  EXPECT_EQ(drawn(), kGreenPixel) << "an invalid program that is not in force is no error";
+  EXPECT_EQ(drawn(), kGreenPixel) << "an invalid program that is not enabled is no error";
   glUseProgram(0);
   glDeleteProgram(swap);
   glDeleteProgram(both);

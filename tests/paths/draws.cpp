@@ -1,4 +1,4 @@
-// Every way to draw, with a vertex and a fragment program in force.
+// Every way to draw, with a vertex and an effective fragment program.
 #include <array>
 
 #include "harness.h"
@@ -199,7 +199,7 @@ void provokingVertex(Recorder &r) {
   r.picture("flat");
 }
 
-/// The program in force changes between draws of the same arrays.
+/// The effective program changes between draws of the same arrays.
 void programsBetween(Recorder &r) {
   const Programs programs = usePrograms();
   useBuffer();
@@ -294,7 +294,7 @@ void clipPlanes(Recorder &r) {
   r.picture("clipped");
 }
 
-/// Planes that come and go while a vertex program is in force: by calls, stacks and lists.
+/// Planes that come and go while a vertex program is effective: by calls, stacks and lists.
 void changingClipPlanes(Recorder &r) {
   usePrograms();
   load("!!ARBvp1.0\nOPTION ARB_position_invariant;\nMOV result.color, vertex.color.bgra;\nEND",

@@ -105,7 +105,7 @@ void attachedAfterLinking(Recorder &r) {
   r.check(linked != 0, "linked");
   gradient(0, -1, 1, 0);
   r.pixel("with the shader", 48, 16, {0, 255, 255, 255});
-  // A link that fails leaves what is in force.
+  // A link that fails leaves what is effective.
   const char *const bad = "void main() { nothing; }";
   glShaderSource(shader, 1, &bad, nullptr);
   glCompileShader(shader);

@@ -5,8 +5,8 @@ namespace paths {
 
 namespace {
 
-/// A list of the host's alone, called while what is in force cannot draw: its draws are errors, its
-/// other commands are not.
+/// A list of the host's alone, called while what is effective cannot draw: its draws are errors,
+/// its other commands are not.
 void plainListInvalid(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint list = glGenLists(3);

@@ -266,7 +266,7 @@ void currentValues(Recorder &r) {
   r.picture("three rectangles");
 }
 
-/// Other commands that draw or read what is in force, inside lists.
+/// Other commands that draw or read what is effective, inside lists.
 void pixelsInLists(Recorder &r) {
   usePrograms();
   const GLubyte texels[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};

@@ -141,7 +141,8 @@ Counts drawByUs(const Scene &scene, Target target, int lanes) {
   }
   if (!scene.edgeFlags.empty())
     vertices.edgeFlags = scene.edgeFlags.data();
-  (void)draw(canvas.state, canvas.shading, scene.topology, vertices, nullptr, 0, vertices.count);
+  (void)rasterize(canvas.state, canvas.shading, scene.topology, vertices, nullptr, 0,
+                  vertices.count);
   return canvas.counts;
 }
 

@@ -18,7 +18,7 @@
 #include "state/host_draw/clip_plane_use.h"
 #include "state/programs/ati_recorder.h"
 #include "state/programs/program_object.h"
-#include "state/report/capture_in_force.h"
+#include "state/report/capture_effective.h"
 #include "state/report/feedback_tracker.h"
 #include "state/residency/drawable.h"
 #include "state/residency/neighbour_epoch.h"
@@ -37,7 +37,7 @@ struct ContextState;
 
 /// Why a draw must be looked at before it goes on (ContextHot::attention).
 namespace attention {
-inline constexpr std::uint32_t kProgram = 1; ///< what is in force may have changed
+inline constexpr std::uint32_t kProgram = 1; ///< what is effective may have changed
 // Env or local values may have changed, of the targets whose programs become the host's shader of
 // that stage.
 inline constexpr std::uint32_t kFragmentParameters = 2;
@@ -110,7 +110,7 @@ public:
 
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
-  bool atiShaderInForce = false; ///< draws depend on fixed-function state (fixed_function.h)
+  bool atiShaderEffective = false; ///< draws depend on fixed-function state (fixed_function.h)
 
   ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
 
@@ -121,8 +121,8 @@ public:
 
   // --- The path that draws take ---
   Path path = Path::NoProgram;
-  LinkedProgram *linkedProgram = nullptr; ///< in force, or null
-  std::uint64_t selections = 0;           ///< counts the choices of what is in force
+  LinkedProgram *linkedProgram = nullptr; ///< current, or null
+  std::uint64_t selections = 0;           ///< counts the choices of what is effective
   bool rasterizes = true;                 ///< the render mode is RENDER
   bool vertexResultsMatter = false;       ///< all of them, while RasterPos is validated
   // Null in the null context alone, as `list` is.
@@ -136,7 +136,7 @@ public:
   std::unique_ptr<ListCompiler> list;
   int listDepth = 0; ///< nested calls of lists that hold our commands
 
-  CaptureInForce inForce; ///< while there is a capture
+  CaptureEffective effective; ///< while there is a capture
 
   /// The rasterizer's part; null where it is not used.
   std::unique_ptr<software::ContextState> software;

@@ -1,5 +1,5 @@
-// What stands before and behind the host's draws: each finds what is in force validated, or is
-// refused. Other commands that care for the program in force are here too.
+// What stands before and behind the host's draws: each finds what is effective validated, or is
+// refused. Other commands that care for the effective program are here too.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
@@ -53,7 +53,7 @@ bool begin(Context &context, Validate validateDraw) {
   if (validateDraw(context)) [[likely]]
     return true;
   ++*context.drawCounter;
-  raise(context, GL_INVALID_OPERATION, "draw: a program in force is not valid");
+  raise(context, GL_INVALID_OPERATION, "draw: an effective program is not valid");
   return false;
 }
 

@@ -33,7 +33,7 @@ std::optional<GlslStages> attachedStages(Context &context, GLuint program) {
   return count > 0 ? std::optional(stages) : std::nullopt;
 }
 
-/// A program that is linked while it is current is in force as it is linked then. Mesa 22.3 takes
+/// A program that is linked while it is current is effective as it is linked then. Mesa 22.3 takes
 /// up only those stages that it had before.
 void takeUpExecutable(Context &context, GLuint program) {
   if (context.listMode != 0 || context.insideBeginEnd || context.hostProgramIsOurs)
@@ -72,7 +72,7 @@ void LinkProgram(Context &context, GLuint program) {
   context.host->LinkProgram(program);
   if (attached)
     context.group->linkedStages.linked(program, *attached);
-  invalidateProgram(context); // its executable may be in force
+  invalidateProgram(context); // its executable may be effective
   takeUpExecutable(context, program);
 }
 

@@ -82,7 +82,7 @@ void noteClipPlane(Context &context, bool enabled) {
   context.group->listsEnableClipPlanes.store(true, std::memory_order_relaxed);
   lookAgain(context);
   if (context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled)
-    context.list->cut(context); // what follows is drawn now, with the form that is in force now
+    context.list->cut(context); // what follows is drawn now, with the form that is effective now
 }
 
 void copyClipPlanes(const Context &from, Context &to) {

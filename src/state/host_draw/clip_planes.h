@@ -45,8 +45,8 @@ void noteClipPlanesChange(Context &context);
 void noteClipPlane(Context &context, bool enabled);
 /// CopyContext brought the enables of `from`.
 void copyClipPlanes(const Context &from, Context &to);
-/// Before a host list is called: one that was compiled since the program came into force may enable
-/// planes.
+/// Before a host list is called: one that was compiled since the program became effective may
+/// enable planes.
 void noteClipPlanesOfLists(Context &context);
 
 } // namespace arbiter::state

@@ -14,11 +14,11 @@ using namespace testing;
 
 constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
-/// Draws; whether the vertex program in force is clipped.
+/// Draws; whether the effective vertex program is clipped.
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
   if (!context.linkedProgram || !context.linkedProgram->vertex.compiled) {
-    ADD_FAILURE() << "no vertex program of ours is in force";
+    ADD_FAILURE() << "no vertex program of ours is effective";
     return false;
   }
   return context.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex") !=

@@ -1,4 +1,4 @@
-// The way of a draw: which program is in force (the application's GLSL, then the ARB program, then
+// The way of a draw: which program is effective (the application's GLSL, then the ARB program, then
 // fixed function), its linked program, its parameters.
 #include "state/host_draw/draw.h"
 
@@ -80,32 +80,32 @@ GLuint applicationPipeline(Context &context) {
 }
 
 /// The rows whose programs shade now; null where fixed function or the application's GLSL does.
-struct InForce {
+struct EffectivePrograms {
   const ProgramTarget *vertex = nullptr;
   const ProgramTarget *fragment = nullptr;
   bool ati = false; ///< an ATI fragment shader is enabled, of either form, and no `fragment`
   [[nodiscard]] bool none() const { return !vertex && !fragment && !ati; }
 };
 
-InForce enabledRows(const Context &context) {
+EffectivePrograms enabledRows(const Context &context) {
   const auto ifEnabled = [&](Target target) {
     const ProgramTarget &row = context.row(target);
     return row.enabled ? &row : nullptr;
   };
-  InForce rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
+  EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   return rows;
 }
 
 /// The compiled programs of the rows; false if one has none that is valid. An ATI shader that is
 /// not leaves fragments to fixed function.
-bool takePrograms(Context &context, const InForce &rows, ProgramPair &pair) {
+bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)
-    pair.fragment = atiShaderInForce(context);
+    pair.fragment = atiShaderEffective(context);
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
 }
 
@@ -125,11 +125,11 @@ bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
 Path choosePath(Context &context) {
   context.linkedProgram = nullptr;
   context.stagesAreLinked = false;
-  context.atiShaderInForce = false;
+  context.atiShaderEffective = false;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)
       row.seenVersion = row.bound->version.load(std::memory_order_acquire);
-  InForce rows = enabledRows(context);
+  EffectivePrograms rows = enabledRows(context);
   if (rows.none())
     return Path::NoProgram;
   const GLuint program = applicationProgram(context);
@@ -207,7 +207,7 @@ void releaseHostProgram(Context &context) {
   context.hostProgramIsOurs = false;
 }
 
-/// Brings what is in force into the host.
+/// Brings what is effective into the host.
 void install(Context &context) {
   ++context.selections;
   setPath(context, choosePath(context));
@@ -239,7 +239,7 @@ bool changedElsewhere(const Context &context) {
   });
 }
 
-/// What is in force, as far as that may have changed.
+/// What is effective, as far as that may have changed.
 void look(Context &context) {
   if (context.group->hasGarbage())
     collectGarbage(context);

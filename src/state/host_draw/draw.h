@@ -6,7 +6,7 @@ namespace arbiter::state {
 /// Decides which path draws take and binds what it needs, raising no error. False if draws are
 /// errors now.
 bool validate(Context &context);
-/// The part of validate() that a draw of the rasterizer's needs: what is in force. What only the
+/// The part of validate() that a draw of the rasterizer's needs: what is effective. What only the
 /// host needs, uniforms and sampler bindings, is left for the validate() before its next draw.
 bool validatePrograms(Context &context);
 
@@ -18,7 +18,7 @@ bool validatePrograms(Context &context);
 void releaseHostState(Context &context);
 /// Its sampler bindings alone; the next draw looks again.
 void releaseSamplers(Context &context);
-/// While the program in force is not valid: makes the host itself refuse draws, in lists too, as
+/// While the effective program is not valid: makes the host itself refuse draws, in lists too, as
 /// the specification asks for. releaseHostState() ends it.
 void refuseDraws(Context &context);
 /// validate() before the host compiles and executes a segment of a list: what it executes must

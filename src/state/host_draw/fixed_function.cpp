@@ -71,14 +71,14 @@ FogMode askFog(Context &context) {
   }
 }
 
-bool vertexProgramInForce(const Context &context) {
+bool vertexProgramEffective(const Context &context) {
   return context.applicationProgram != 0 || context.row(Target::Vertex).enabled;
 }
 
 /// Lighting makes the secondary colour itself, whatever COLOR_SUM says, and leaves it black unless
 /// its specular part is kept apart (OpenGL 1.4, sections 2.13.1 and 3.9).
 bool askColorSum(Context &context) {
-  if (vertexProgramInForce(context) || !context.host->IsEnabled(GL_LIGHTING))
+  if (vertexProgramEffective(context) || !context.host->IsEnabled(GL_LIGHTING))
     return context.host->IsEnabled(GL_COLOR_SUM) != GL_FALSE;
   GLint control = GL_SINGLE_COLOR;
   context.host->GetIntegerv(GL_LIGHT_MODEL_COLOR_CONTROL, &control);
@@ -95,7 +95,7 @@ fp::FixedFunction fixedFunctionNow(Context &context, std::uint32_t units) {
   return state;
 }
 
-std::shared_ptr<const CompiledProgram> atiShaderInForce(Context &context) {
+std::shared_ptr<const CompiledProgram> atiShaderEffective(Context &context) {
   for (const Target target : {Target::AtiText, Target::AtiApi}) {
     ProgramTarget &row = context.row(target);
     if (!row.enabled)
@@ -103,14 +103,14 @@ std::shared_ptr<const CompiledProgram> atiShaderInForce(Context &context) {
     const auto compiled = context.group->compiledOf(*row.bound);
     if (!compiled)
       continue;
-    context.atiShaderInForce = true;
+    context.atiShaderEffective = true;
     return compiled->ati->under(*compiled, fixedFunctionNow(context, compiled->ati->units()));
   }
   return nullptr;
 }
 
 void noteFixedFunctionChange(Context &context) {
-  if (context.atiShaderInForce)
+  if (context.atiShaderEffective)
     invalidateProgram(context);
 }
 

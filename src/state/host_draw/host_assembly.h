@@ -22,7 +22,7 @@ public:
   /// that has none is released. False, with nothing bound, if the host refuses one. Raises no
   /// error.
   [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
-  /// Gives the host the env and local values that the programs in force read.
+  /// Gives the host the env and local values that the effective programs read.
   void uploadParameters(Context &context) const;
   /// Enables the host's fragment target with no program in it: each draw is the host's error then,
   /// as it would be the layer's. False if the host has no such target.

@@ -131,9 +131,9 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
     return;
   setSamplers(context, linkedProgram);
   const auto &samplers = pair.fragment->glsl.samplers;
-  linkedProgram.hasPlainSamplers = std::any_of(samplers.begin(), samplers.end(), [](const auto &sampler) {
-    return isPlain(sampler.target);
-  });
+  linkedProgram.hasPlainSamplers =
+      std::any_of(samplers.begin(), samplers.end(),
+                  [](const auto &sampler) { return isPlain(sampler.target); });
 }
 
 void destroy(Context &context, const LinkedProgram &linkedProgram) {
@@ -247,10 +247,10 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, shader] : m_maps->shaders) {
-    const bool inForce =
+    const bool effective =
         context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
                                   context.linkedProgram->fragment.compiled == compiled);
-    if (!inForce && shader.compiled.use_count() == 1)
+    if (!effective && shader.compiled.use_count() == 1)
       left.push_back(compiled);
   }
   for (const CompiledProgram *const compiled : left)

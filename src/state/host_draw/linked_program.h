@@ -87,8 +87,8 @@ private:
   std::size_t m_sweepAt = 64;
 };
 
-/// Brings the host's uniforms of the linked program in force up to date, as far as `attention` says
-/// that they may have changed; its host program is current. No allocation, one call a run of
+/// Brings the host's uniforms of the effective linked program up to date, as far as `attention`
+/// says that they may have changed; its host program is current. No allocation, one call a run of
 /// changed values.
 void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention);
 

@@ -1,4 +1,4 @@
-// uploadParameters: what the programs in force read, as far as it changed.
+// uploadParameters: what the effective programs read, as far as it changed.
 #include <bit>
 
 #include "host/host_table.h"

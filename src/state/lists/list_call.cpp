@@ -132,7 +132,7 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
   afterHostList(context);
 }
 
-/// A host list may draw: the program in force is bound first. Where that is not valid the host is
+/// A host list may draw: the effective program is bound first. Where that is not valid the host is
 /// brought to refuse: the list's other commands must take effect.
 void callHostList(Context &context, GLuint name, Primitive primitive = Primitive::AsBefore,
                   const Effects &effects = {}) {

@@ -1,4 +1,4 @@
-// Vertex arrays of the vertex array object in force, or of client state.
+// Vertex arrays of the current vertex array object, or of client state.
 #include <algorithm>
 
 #include "state/mirror/mirror.h"

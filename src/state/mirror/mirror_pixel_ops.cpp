@@ -194,8 +194,8 @@ abi::StencilFaceKey askFace(const Ask &ask, const StencilNames &names, abi::Frag
           stencilOp(ask.name(names.depthFail)), stencilOp(ask.name(names.depthPass))};
 }
 
-/// EXT_stencil_two_side keeps a back face of its own, chosen by its active face, and in force only
-/// while its test is enabled; that of GL 2.0 is in force always.
+/// EXT_stencil_two_side keeps a back face of its own, chosen by its active face, and effective only
+/// while its test is enabled; that of GL 2.0 is effective always.
 void askStencil(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
   abi::DepthStencilKey &key = mirror.pixelOps.depthStencil;
   abi::FragmentData &data = mirror.constants;

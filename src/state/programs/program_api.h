@@ -14,9 +14,10 @@ struct Replacement;
 
 /// True where a command of ours may run. Inside Begin/End it raises INVALID_OPERATION (2.6.3).
 [[nodiscard]] bool outsideBeginEnd(Context &context, const char *command);
-/// Marks that the share group uses a program target: lists are cut from now on.
+/// Marks that the share group uses a program target: display lists are divided into segments from
+/// now on.
 void noteProgramApiUse(Context &context);
-/// Makes the next draw look at what is in force.
+/// Makes the next draw look at what is effective.
 void invalidateProgram(Context &context);
 
 /// What the compiler is told for programs of the target.

@@ -24,7 +24,7 @@ void noteProgramApiUse(Context &context) {
 }
 
 void invalidateProgram(Context &context) {
-  // Sticky bits of the program that was in force go; selecting sets them anew.
+  // Sticky bits of the program that was effective go; selecting sets them anew.
   context.attention = attention::kProgram | (context.attention & attention::kList);
 }
 

@@ -8,19 +8,20 @@
 /// (src/dispatch/software.toml).
 namespace arbiter::state::software {
 
-// --- Draws that may be ours; true: drawn. Called where mayDraw(), before anything is prepared for
-// --- the host's draw ---
+// --- Draws that the rasterizer may take; true: drawn. Called where mayDraw(), before anything is
+// --- prepared for the host's draw ---
 
-/// The rasterizer is used or listens, or what comes into force now may bring it.
+/// The rasterizer is used or listens, or what becomes effective now may bring it.
 [[nodiscard]] inline bool mayDraw(const Context &context) {
   return context.softwareListens ||
          (!context.passThrough && (context.attention & attention::kProgram) != 0);
 }
-/// Arguments that the host raises an error for are the host's.
+/// A command of one draw, of arrays or of elements. False also where the host would raise an error
+/// for the arguments: it does so.
 [[nodiscard]] bool draw(Context &context, const DrawCommand &command);
 [[nodiscard]] bool drawRange(Context &context, GLuint start, GLuint end,
                              const DrawCommand &command);
-/// Each of the draws goes its own way.
+/// Each of its draws is judged by itself: some may be the rasterizer's, and others the host's.
 [[nodiscard]] bool multiDrawArrays(Context &context, GLenum mode, const GLint *first,
                                    const GLsizei *count, GLsizei drawCount);
 /// \param baseVertices null: 0 for each

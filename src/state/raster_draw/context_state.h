@@ -17,7 +17,7 @@ class Context;
 
 namespace arbiter::state::software {
 
-/// What draw.cpp keeps: the functions in force.
+/// What draw.cpp keeps: the effective functions.
 struct ContextDraws {
   virtual ~ContextDraws() = default;
 };
@@ -69,7 +69,7 @@ struct ContextState {
 /// force. Until then the rasterizer costs nothing.
 void engage(Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
-/// be where a fragment program of ours comes into force, and programs are made already.
+/// be where a fragment program of ours becomes effective, and programs are made already.
 [[nodiscard]] bool keepsLists(const Context &context);
 
 } // namespace arbiter::state::software

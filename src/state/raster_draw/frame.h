@@ -9,7 +9,8 @@ class Context;
 namespace arbiter::state::software {
 
 /// Before the window system shows the window: residency's present(), and the frame is judged
-/// (back_off.h). What showing it moves is not held against the rasterizer. True: it is shown.
+/// (back_off.h). Transfers that presenting makes do not
+/// count against the rasterizer. True: it is shown.
 [[nodiscard]] bool presentFrame(Context &context);
 /// Finish, by an application that never shows a window, is the end of its frame.
 void finishFrame(Context &context);

@@ -92,7 +92,7 @@ private:
 };
 
 /// The functions of a program, the same object for the same program and mode. Takes a lock: keep
-/// the answer while the program is in force.
+/// the answer while the program is effective.
 [[nodiscard]] std::shared_ptr<FragmentFunctions>
 fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
                   When when);

@@ -326,8 +326,8 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
   m_raster.secondDiagonal = source.fromList;
-  if (swrast::draw(m_raster, prepared.shading, topology, m_vertices.vertices(), indices.indices, 0,
-                   count)
+  if (swrast::rasterize(m_raster, prepared.shading, topology, m_vertices.vertices(),
+                        indices.indices, 0, count)
           .incomplete)
     throw std::bad_alloc();
   return {};

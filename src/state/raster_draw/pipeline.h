@@ -18,7 +18,7 @@ namespace arbiter::state::software {
 struct DrawTargets;
 class Mirror;
 
-/// A context's way from the programs in force to pixels. choose() looks at state and has functions
+/// A context's way from the effective programs to pixels. choose() looks at state and has functions
 /// made; shade() draws vertices with what was chosen. Nothing is written before shade(), so a draw
 /// may be given to the host at any step before.
 ///
@@ -103,7 +103,7 @@ private:
   When m_when = When::Later;
   const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
   ProgramTable<Program> m_programs;
-  Program *m_program = nullptr; ///< in force; of m_programs
+  Program *m_program = nullptr; ///< current; one of m_programs
   FixedFragments m_fixed;
   Units m_units;
   VertexStage m_vertices;

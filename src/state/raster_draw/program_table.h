@@ -7,16 +7,17 @@
 namespace arbiter::state::software {
 
 /// What a context keeps for each program that it drew with. An entry begins as `Entry{source}` and
-/// stays where it is until there are so many that all but the one in force are dropped.
+/// stays where it is until there are so many that all but the effective one are dropped.
 template <typename Entry> class ProgramTable {
 public:
-  /// \param inForce the entry of the last draw, or null: found again without a search, and never
+  /// \param effective the entry of the last draw, or null: found again without a search, and never
   /// dropped
-  [[nodiscard]] Entry &find(const std::shared_ptr<const fp::ir::Program> &source, Entry *inForce) {
-    if (inForce && inForce->source == source)
-      return *inForce;
+  [[nodiscard]] Entry &find(const std::shared_ptr<const fp::ir::Program> &source,
+                            Entry *effective) {
+    if (effective && effective->source == source)
+      return *effective;
     if (m_entries.size() >= kMost)
-      std::erase_if(m_entries, [&](const auto &item) { return &item.second != inForce; });
+      std::erase_if(m_entries, [&](const auto &item) { return &item.second != effective; });
     Entry &entry = m_entries[source.get()];
     if (!entry.source)
       entry.source = source; // which keeps the address its own

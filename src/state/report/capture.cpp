@@ -15,7 +15,7 @@ namespace arbiter::state {
 
 namespace {
 
-/// The contexts that live, so that what is in force at exit is counted too. Never freed: contexts
+/// The contexts that live, so that what is effective at exit is counted too. Never freed: contexts
 /// may die after static destructors began.
 struct Live {
   std::mutex mutex;
@@ -81,7 +81,7 @@ TextureUse look(Context &context, const fp::GlslSampler &sampler) {
   return use;
 }
 
-/// Draws that took the path of the program in force, on the host or by the rasterizer.
+/// Draws that took the path of the effective program, on the host or by the rasterizer.
 std::uint64_t drawsOf(const Context &context, std::size_t path) {
   const std::uint64_t own =
       Path(path) == Path::HostGlsl ? context.draws[std::size_t(Path::Rasterizer)] : 0;
@@ -120,17 +120,17 @@ void captureLoad(const Context &context, const ProgramObject &object, std::strin
 void captureEnter(Context &context) {
   if (!capturing() || !context.linkedProgram)
     return;
-  CaptureInForce &inForce = context.inForce;
-  inForce.path = std::size_t(context.path);
-  inForce.drawsBefore = drawsOf(context, inForce.path);
+  CaptureEffective &effective = context.effective;
+  effective.path = std::size_t(context.path);
+  effective.drawsBefore = drawsOf(context, effective.path);
   const HostErrorScope scope(*context.host, context.pendingError);
   for (const LinkedProgramStage *const stage :
        {&context.linkedProgram->vertex, &context.linkedProgram->fragment}) {
     if (!stage->compiled)
       continue;
     const auto slot = std::size_t(stage->compiled->target);
-    inForce.programs[slot] = stage->compiled->shared_from_this();
-    std::vector<TextureUse> &textures = inForce.textures[slot];
+    effective.programs[slot] = stage->compiled->shared_from_this();
+    std::vector<TextureUse> &textures = effective.textures[slot];
     textures.clear();
     for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)
       textures.push_back(look(context, sampler));
@@ -140,10 +140,10 @@ void captureEnter(Context &context) {
 void captureLeave(Context &context) {
   if (!capturing())
     return;
-  CaptureInForce &inForce = context.inForce;
-  const std::uint64_t draws = drawsOf(context, inForce.path) - inForce.drawsBefore;
+  CaptureEffective &effective = context.effective;
+  const std::uint64_t draws = drawsOf(context, effective.path) - effective.drawsBefore;
   for (std::size_t i = 0; i < kTargetCount; ++i) {
-    const std::shared_ptr<const CompiledProgram> program = std::move(inForce.programs[i]);
+    const std::shared_ptr<const CompiledProgram> program = std::move(effective.programs[i]);
     if (!program || draws == 0)
       continue;
     const std::vector<Vec4> *held = nullptr;
@@ -153,7 +153,7 @@ void captureLeave(Context &context) {
         if (stage->compiled == program.get())
           held = &stage->uploaded;
     CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,
-                                     pathName(Path(inForce.path)), held, &inForce.textures[i]});
+                                     pathName(Path(effective.path)), held, &effective.textures[i]});
   }
 }
 
@@ -161,7 +161,7 @@ void captureFrame(Context &context) {
   if (!capturing())
     return;
   captureLeave(context);
-  // The next draw looks at what is in force, and at its textures, anew.
+  // The next draw looks at what is effective, and at its textures, anew.
   if (!context.passThrough)
     context.attention |= attention::kProgram;
   CaptureRecord::instance()->frameEnded();

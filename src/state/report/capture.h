@@ -13,7 +13,7 @@
 /// What a context tells the record of ARBITER_CAPTURE. Nothing is done for each draw: the draws of
 /// a program are the difference of the path's counter between its coming into force and its
 /// leaving, and the parameters of its last draw are what the host still holds then. Bound textures
-/// are looked at when a program comes into force: by the time it leaves, the application has often
+/// are looked at when a program becomes effective: by the time it leaves, the application has often
 /// bound those of the next.
 namespace arbiter::state {
 

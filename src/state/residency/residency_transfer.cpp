@@ -51,7 +51,7 @@ public:
         return;
       m_host.GetIntegerv(framebuffer == GL_READ_FRAMEBUFFER ? GL_READ_BUFFER : GL_DRAW_BUFFER,
                          &m_buffer);
-      // Not where it is chosen already: the host keeps what was last set beside what is in force,
+      // Not where it is chosen already: the host keeps what was last set beside what is effective,
       // and PopAttrib would find the two at odds.
       m_window = m_buffer != GLint(image.place.target);
       if (m_window)

@@ -29,9 +29,9 @@ struct Image {
 /// Rows of 64-byte multiples. Empty if there is no memory, or a size is not in [1, 16384].
 [[nodiscard]] Image makeImage(const abi::Format &format, int width, int height, int depth = 1,
                               bool topRowFirst = false);
-/// Before a write: a storage of its own that nobody else reads, with the old contents unless they
-/// are not needed.
-/// False if there is no memory; the image is as it was.
+/// To be called before pixels are written: the image then has storage that no other image shares
+/// and no reader uses, with the old pixels if `keepContents`. False if there is no memory; the
+/// image is as it was.
 [[nodiscard]] bool makeWritable(Image &image, bool keepContents);
 
 } // namespace arbiter::swrast

@@ -114,7 +114,7 @@ void Strokes::keepShape(const Draw &draw) {
     shade(draw);
 }
 
-void Strokes::draw(const Draw &draw, DrawStatistics &statistics) {
+void Strokes::rasterize(const Draw &draw, DrawStatistics &statistics) {
   m_count = 0;
   m_statistics = {};
   m_stipple = 0;

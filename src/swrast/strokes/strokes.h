@@ -30,7 +30,7 @@ struct Stroke {
 /// Lines, points and polygons that are not filled, in order; shapes are shaded as they get many.
 class Strokes {
 public:
-  void draw(const Draw &draw, DrawStatistics &statistics);
+  void rasterize(const Draw &draw, DrawStatistics &statistics);
 
 private:
   void addLines(const Draw &draw);

@@ -100,8 +100,8 @@ private:
 };
 
 inline DrawStatistics drawAll(Canvas &canvas, Topology topology, const WindowVertices &vertices) {
-  return draw(canvas.state, canvas.shading, topology, vertices.get(), nullptr, 0,
-              std::uint32_t(vertices.inputs.size()));
+  return rasterize(canvas.state, canvas.shading, topology, vertices.get(), nullptr, 0,
+                   std::uint32_t(vertices.inputs.size()));
 }
 
 } // namespace arbiter::swrast::testing

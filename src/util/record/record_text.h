@@ -10,7 +10,7 @@
 /// either.
 namespace arbiter {
 
-/// The place of one counter, in decimal.
+/// The text that stands for counter `index` until fillIn() puts its value there, in decimal.
 [[nodiscard]] std::string counterPlace(unsigned index);
 
 struct NamedCounter {

@@ -20,7 +20,7 @@ struct CompiledProgram;
 
 namespace arbiter::state::software {
 
-/// From the application's vertices to transformed ones: the vertex program in force or fixed
+/// From the application's vertices to transformed ones: the effective vertex program or fixed
 /// function's, its function, and the arrays that it reads and writes.
 class VertexStage {
 public:
@@ -61,7 +61,7 @@ private:
   /// Application programs with what fixed function adds.
   ExtendedPrograms m_extended;
   ProgramTable<Program> m_programs;
-  Program *m_program = nullptr; ///< in force; of m_programs
+  Program *m_program = nullptr; ///< current; one of m_programs
   std::uint32_t m_slots = 0;
   bool m_twoSided = false;
   bool m_pointSize = false;

@@ -9,11 +9,11 @@
 
 namespace arbiter::state {
 
-/// The programs in force in a context, while there is a capture.
-struct CaptureInForce {
+/// The effective programs in a context, while there is a capture.
+struct CaptureEffective {
   std::array<std::shared_ptr<const CompiledProgram>, kTargetCount> programs;
   std::array<std::vector<TextureUse>, kTargetCount> textures;
-  std::uint64_t drawsBefore = 0; ///< of the path, when they came into force
+  std::uint64_t drawsBefore = 0; ///< of the path, when they became effective
   std::size_t path = 0;
 };
 
