@@ -25,7 +25,7 @@ struct VertexHandle;
 struct CodeHandle;
 struct BytesHandle;
 
-/// Borrowed: whoever is called reads it before returning. `data` may be null where `size` is 0.
+/// Borrowed: the callee reads it before returning. `data` may be null where `size` is 0.
 struct Bytes {
   const char *data;
   std::size_t size;

@@ -88,7 +88,7 @@ void selectArbiter() {
   const bool eglOurs = egl && (endsWith(egl, kIcdByPath) || endsWith(egl, kIcdByName));
   g_savedGlx = copy(glxOurs ? getenv(kSavedGlx) : replaced ? replaced : glx);
   g_savedEgl = copy(eglOurs ? getenv(kSavedEgl) : egl);
-  // Loaded as a vendor alone, by what somebody else selected, and then perhaps so late that other
+  // Loaded as a vendor alone, by what another library selected, and then perhaps so late that other
   // threads read the environment: it stays as it is.
   const char *const preload = getenv("LD_PRELOAD");
   if (!preload || !std::strstr(preload, kLibrary))

@@ -25,7 +25,7 @@ struct Picture {
 /// waiting: the server reads one while the next is drawn to another segment. Behind each goes a
 /// question whose answer says that it was read, so that nothing enters the application's queue of
 /// events, and errors come back to us. One picture of a segment is under way at a time, so that
-/// answers do not pile up, whoever never asks for them.
+/// answers do not pile up, even if they are never asked for.
 class Segment {
 public:
   /// A round trip. Null: there is no memory, or the server cannot reach it, which the connection

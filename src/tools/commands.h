@@ -68,7 +68,7 @@ struct RunArguments {
 struct StatsArguments {
   std::string file; ///< as ARBITER_STATS had it, %p and all
 };
-/// Makes the statistics of processes that were killed where nobody else did.
+/// Makes the statistics of processes that were killed where no other process did.
 [[nodiscard]] int stats(const StatsArguments &arguments);
 
 struct CaptureArguments {

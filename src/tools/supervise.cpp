@@ -37,8 +37,8 @@ sigset_t passedOn() {
   return set;
 }
 
-/// Waits until nobody holds the other end of `pipe`, which is when our parent is gone, and then, if
-/// it did not say that all is done, for the child and for `afterwards`.
+/// Waits until no process holds the other end of `pipe`, which is when our parent is gone, and
+/// then, if it did not say that all is done, for the child and for `afterwards`.
 [[noreturn]] void watch(int pipe, pid_t child, const std::function<void()> &afterwards) {
   ::setsid(); // what ends the group does not end this
   char done = 0;

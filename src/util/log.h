@@ -36,7 +36,7 @@ int readLogLevel() noexcept;
 [[gnu::format(printf, 2, 3)]] void logInfo(const char *room, const char *format, ...) noexcept;
 [[gnu::format(printf, 2, 3)]] void logDebug(const char *room, const char *format, ...) noexcept;
 
-/// A text of any length and number of lines (a listing), written in one piece. Whoever calls it has
+/// A text of any length and number of lines (a listing), written in one piece. The caller has
 /// asked debugFlag(), so it is written unless the log is off; `level` is its label.
 void logText(LogLevel level, const char *room, std::string_view title,
              std::string_view text) noexcept;

@@ -46,7 +46,7 @@ private:
     return written;
   }
 
-  /// The components of its destination that somebody waits for; nobody does any more.
+  /// The components of its destination that something reads later; nothing does any more.
   std::uint8_t take(const Instruction &instruction) {
     if (ir::info(instruction.op).has(ir::Kills))
       return 0xF;

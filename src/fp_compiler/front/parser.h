@@ -170,7 +170,7 @@ private:
   const Limits &m_limits;
   LimitPolicy m_policy;
   Reporter &m_reporter;
-  NameTable *m_names; ///< null where nobody asks for names
+  NameTable *m_names; ///< null where names are not wanted
   TokenStream m_tokens;
   Binder m_binder;
   SymbolTable m_symbols;

@@ -53,7 +53,7 @@
 /// TXB      w is added to the level of detail before its clamp; rectangles ignore it.
 ///
 /// Left to the host: LRP with an infinite operand, or with one so large that c + a*(b-c) loses b
-/// (hosts compute it so); x - x of an infinity or a NaN (they make 0 of it, as GLSL owes nobody a
+/// (hosts compute it so); x - x of an infinity or a NaN (they make 0 of it, as GLSL owes no
 /// NaN); ABS_SAT of a NaN (0 or 1); a sample at an infinity or NaN.
 ///
 /// Options. ARB_fog_*: each output colour is clamped to [0,1], then its rgb is

@@ -21,7 +21,7 @@ struct ContextHot {
   /// Non-zero if a draw must call Context::beginDraw first: dirty bits, list compilation, counters
   /// that want each draw. Zero on the hot path.
   std::uint32_t attention = 0;
-  /// The host's current program is the layer's; whoever would observe it restores the
+  /// The host's current program is the layer's; what would observe it restores the
   /// application's first (Context::restoreApplicationProgram).
   bool hostProgramIsOurs = false;
   bool insideBeginEnd = false;
@@ -35,7 +35,7 @@ struct ContextHot {
   bool passThrough = false;
   /// The rasterizer of our own is used here (Context::software is not null).
   bool softwarePossible = false;
-  /// Images of ours are newer than the host's: whoever lets the host read pixels has it brought up
+  /// Images of ours are newer than the host's: what lets the host read pixels has it brought up
   /// to date first (state/residency/residency.h).
   bool hostIsBehind = false;
   /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a

@@ -12,8 +12,8 @@ namespace arbiter::state {
 
 /// Names of textures and renderbuffers that a share group's contexts deleted. A host gives such a
 /// name out again while the object that had it lives on: attached to a framebuffer, or bound in
-/// another context. Asked what is attached, it tells that name, of either object. So whoever finds
-/// an object by what the host says is attached asks here which one is meant.
+/// another context. Asked what is attached, it tells that name, of either object. So code that
+/// finds an object by what the host says is attached asks here which one is meant.
 class DeletedNames {
 public:
   enum class Kind : std::uint8_t { Texture, Renderbuffer };

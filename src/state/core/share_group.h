@@ -29,7 +29,8 @@ public:
 
   // --- Program objects: one name space for all targets (AFP 1364-1367) ---
 
-  /// The object of that name, or null. A name that Gen returned and nobody bound has no object.
+  /// The object of that name, or null. A name that Gen returned and that was never bound has no
+  /// object.
   [[nodiscard]] std::shared_ptr<ProgramObject> find(GLuint name);
   /// The object of that name, made if there is none. Its target may not be `target`.
   [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, Target target,
@@ -37,7 +38,7 @@ public:
   /// Frees the name; the object lives on where it is bound. Null if there was none.
   std::shared_ptr<ProgramObject> remove(GLuint name);
   [[nodiscard]] bool contains(GLuint name);
-  /// A name that nobody uses and that was not given before.
+  /// A name that is unused and was not given before.
   [[nodiscard]] GLuint takeName();
   /// Every object of the group, at this moment.
   [[nodiscard]] std::vector<std::shared_ptr<ProgramObject>> objects();

@@ -51,7 +51,7 @@ GLuint HostAssembly::nameOf(Context &context,
                                [&](const Entry &entry) { return entry.compiled == compiled; });
   if (it != m_entries.end())
     return it->name;
-  // Texts that left their object are held by nobody else any more.
+  // Texts that left their object are held by nothing else any more.
   std::erase_if(m_entries, [&](const Entry &entry) {
     if (entry.compiled.use_count() > 1)
       return false;

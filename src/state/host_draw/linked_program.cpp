@@ -243,7 +243,7 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
   m_maps->shaders.erase(shader);
 }
 
-/// Programs that left their object through another context: nobody else holds them any more.
+/// Programs that left their object through another context: nothing else holds them any more.
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
   for (const auto &[compiled, shader] : m_maps->shaders) {

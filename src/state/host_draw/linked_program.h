@@ -48,7 +48,7 @@ public:
   /// `context` is current.
   void drop(Context &context, const CompiledProgram *compiled);
 
-  /// Host objects, for whoever deletes them.
+  /// Host objects, for the context that deletes them.
   struct Names {
     std::vector<GLuint> programs;
     std::vector<GLuint> shaders;

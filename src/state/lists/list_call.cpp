@@ -108,7 +108,7 @@ void execute(Context &context, const Command &command) {
 
 namespace {
 
-/// Nobody knows what a list does.
+/// What a list does is not known.
 void beforeHostLists(Context &context) {
   if (context.softwarePossible)
     context.software->hostDrawsList();

@@ -65,7 +65,7 @@ private:
         std::this_thread::sleep_for(kLate);
       try {
         task();
-      } catch (const std::exception &) { // no memory, and nobody here to tell
+      } catch (const std::exception &) { // no memory, and no caller to tell
       }
       lock.lock();
       m_busy = false;

@@ -14,7 +14,7 @@ std::uint64_t transfers(const ContextState &state) {
   return statistics.downloads + statistics.uploads;
 }
 
-/// Draws of whoever, and the host's turns that are none of the application's draws.
+/// Draws of either rasterizer, and the host's turns that are none of the application's draws.
 std::uint64_t workOf(const ContextState &state) {
   return std::accumulate(state.fallbacks.begin(), state.fallbacks.end(),
                          state.drawn + state.hostTurns);

@@ -59,7 +59,7 @@ template <typename Work> void withoutMemory(Work work) {
   }
 }
 
-/// The objects by program and mode. An entry whose program nobody else holds is dropped when the
+/// The objects by program and mode. An entry whose program nothing else holds is dropped when the
 /// next one is made.
 template <typename Functions> class Table {
 public:
@@ -168,7 +168,7 @@ FragmentFunctions::Slot &FragmentFunctions::slot(const abi::FragmentKey &key, Wh
     return *slot;
   try {
     run(when, [self = shared_from_this(), key, slot] { self->compile(key, *slot); });
-  } catch (const std::exception &) { // nobody will make it
+  } catch (const std::exception &) { // it will not be made
     slot->progress.store(Progress::Failed, std::memory_order_release);
     throw;
   }

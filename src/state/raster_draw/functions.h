@@ -44,8 +44,8 @@ public:
     return m_prepared.load(std::memory_order_acquire);
   }
   [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
-  /// The place of the function for `key`; asks for it if nobody has. Requires prepared(). Takes a
-  /// lock: keep the answer.
+  /// The place of the function for `key`; asks for it if it was not asked for yet. Requires
+  /// prepared(). Takes a lock: keep the answer.
   [[nodiscard]] Slot &slot(const abi::FragmentKey &key, When when);
 
 private:

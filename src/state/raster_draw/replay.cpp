@@ -48,7 +48,7 @@ void stopRecording(Context &context) {
 const host::HostTable *handOver() {
   auto &context = static_cast<Context &>(*t_current);
   if (context.host != &kRecordingHost)
-    return context.host; // somebody kept the table of a moment ago
+    return context.host; // the caller kept the table of a moment ago
   if (context.listMode != 0) {
     context.list->giveHost(context);
     return context.host;

@@ -4,7 +4,7 @@
 
 /// A primitive that is kept back from the host, and its ways to it.
 ///
-/// While it is recorded, ContextHot::host is kRecordingHost: whoever calls the host, an entry point
+/// While it is recorded, ContextHot::host is kRecordingHost: what calls the host, an entry point
 /// or the state tracker, by that gives it the primitive as far as it is there, and from then on it
 /// is the host's. A list that is compiled holds the host back in the same way (list_compiler.h). So
 /// commands that a recorded primitive cannot take need no code of their own, and those that are

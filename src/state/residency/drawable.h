@@ -21,7 +21,7 @@ struct Drawable {
   Kind kind = Kind::None;
   const void *display = nullptr, *draw = nullptr; ///< handles for `size`
   bool sameRead = true;                           ///< the read drawable is the same
-  /// Asks the window system; null where width and height are fixed. False: nobody knows.
+  /// Asks the window system; null where width and height are fixed. False: it is not known.
   /// \param sure an answer as old as the last frame will not do, though the window system told the
   ///             application of no change since
   bool (*size)(const Drawable &drawable, int &width, int &height, bool sure) = nullptr;
@@ -30,8 +30,8 @@ struct Drawable {
   std::shared_ptr<swrast::Storage> (*sharedMemory)(const Drawable &drawable,
                                                    std::size_t bytes) = nullptr;
   /// Shows an image of the window's size: it is read while the caller goes on, until its storage
-  /// says that nobody reads it (swrast::Storage::isRead). False: it could not, or the storage is
-  /// not of sharedMemory().
+  /// says that it is not read any more (swrast::Storage::isRead). False: it could not, or the
+  /// storage is not of sharedMemory().
   bool (*show)(const Drawable &drawable, const swrast::Image &image) = nullptr;
   void *presenter = nullptr; ///< for the two
   void *memory = nullptr;    ///< of Kind::Memory: its lowest address, and what it holds

@@ -266,7 +266,7 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
     describeDrawObject(images, f);
   describeRead(images, f);
   f.generation = objects.generation;
-  objects.changed(); // the mark is gone, whoever it was that asked
+  objects.changed(); // the mark is gone, by whichever question
   return f;
 }
 

@@ -48,7 +48,7 @@ void copyToMemory(ResidentImages &images) {
 bool Residency::present() {
   ResidentImages &images = *m_images;
   settleImages(images);
-  // Nobody sees a pbuffer, and swapping it does nothing to it.
+  // A pbuffer is not seen, and swapping it does nothing to it.
   if (images.drawable.kind != Drawable::Kind::Window)
     return false;
   PixelImage &color = images.color;

@@ -246,7 +246,7 @@ void Bins::shade(const Draw &draw, std::uint32_t first, std::uint32_t count,
     try {
       setUp(draw, chunk, first + i * kChunk, first + std::min(count, (i + 1) * kChunk));
       chunk.usable = true;
-    } catch (const std::bad_alloc &) { // on a thread with nobody to tell: it is not drawn, and said
+    } catch (const std::bad_alloc &) { // on a thread without a caller: it is not drawn, and said
     }
   };
   parallel(m_used, setUpChunk);

@@ -26,7 +26,7 @@ void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {
 }
 
 /// Rows of long images are an odd number of lines apart: those of a power of two would lie in the
-/// same few sets of a cache all of them, and whoever goes down a column would not find the row
+/// same few sets of a cache all of them, and code that goes down a column would not find the row
 /// above it there any more.
 std::int64_t strideOf(std::int64_t bytes) {
   constexpr std::int64_t kLine = 64, kLong = 1024;

@@ -6,7 +6,7 @@
 #include "fp_compiler/abi.h"
 #include "swrast/image/storage.h"
 
-/// Pixels in memory, shared until somebody writes: what makes a feedback copy free.
+/// Pixels in memory, shared until one of the images is written: what makes a feedback copy free.
 namespace arbiter::swrast {
 
 /// A rectangle of a colour buffer or a level of a texture. A value: copying it shares the pixels.

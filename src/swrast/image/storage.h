@@ -15,8 +15,8 @@ public:
   /// Whose memory images use that is none of ours.
   struct Owner {
     void (*release)(void *user); ///< the last image lets go
-    /// Whether somebody beside the images has still to read what was written: until then it may not
-    /// be written again. \param wait until he has
+    /// Whether a reader other than the images has still to read what was written: until then it may
+    /// not be written again. \param wait until he has
     bool (*isRead)(void *user, bool wait);
   };
   /// On failure the owner is told at once. 64 bytes before and behind may be read of it too.
@@ -27,7 +27,7 @@ public:
   Storage &operator=(const Storage &) = delete;
   [[nodiscard]] std::uint8_t *data() const { return m_data; } ///< aligned to 64 bytes
   [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-  /// Whether somebody beside the images has still to read it. Ours is read by images alone.
+  /// Whether a reader other than the images still reads it. Ours is read by images alone.
   [[nodiscard]] bool isRead() const { return m_owner && m_owner->isRead(m_user, false); }
   /// Until it may be written again.
   void awaitReader() const {

@@ -85,7 +85,7 @@ private:
   bool m_refreshesHints = false; ///< the client knows workspace/inlayHint/refresh
   State m_state = State::New;
   bool m_wasShutDown = false;
-  bool m_gone = false; ///< nobody reads what is written
+  bool m_gone = false; ///< what is written is not read any more
   std::int64_t m_nextId = 1;
   std::deque<Json> m_waiting;
   std::set<Json> m_cancelled; ///< ids of requests that wait

@@ -79,7 +79,7 @@ private:
     if constexpr (std::is_same_v<T, bool>) {
       std::uint8_t byte = 0;
       read(byte);
-      if (byte > 1) // no bool: undefined behaviour for whoever reads it
+      if (byte > 1) // no bool: undefined behaviour for its reader
         fail();
       value = byte == 1;
     } else if constexpr (detail::kIsNumber<T>) {

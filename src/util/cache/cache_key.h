@@ -10,7 +10,7 @@ namespace arbiter {
 /// it, so that a file which another user, another machine or another folder made is no entry. Made
 /// at the first call; one that is not the user's own, that others may read, or that is not whole is
 /// replaced, and with it all that was signed. Nothing if there is none and none can be made.
-/// \param folder exists, is the user's, and nobody else may write to it
+/// \param folder exists, is the user's, and no other user may write to it
 [[nodiscard]] std::optional<HashKey> cacheKeyOf(const std::string &folder);
 
 } // namespace arbiter

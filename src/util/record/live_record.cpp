@@ -72,7 +72,7 @@ struct LiveRecord::Layout {
     std::memcpy(target, path.data(), path.size());
     std::memcpy(magic, kMagic, sizeof magic);
   }
-  /// Of a file that somebody left: nothing leads out of it.
+  /// Of a file that another process left: nothing leads out of it.
   [[nodiscard]] bool isSound() const {
     const Frame &current = frames[frame.load() & 1];
     return std::memcmp(magic, kMagic, sizeof magic) == 0 && target[kPathBytes - 1] == '\0' &&

@@ -7,7 +7,7 @@
 
 /// A report of a process that is there whatever ends it: while the process runs, what the report
 /// will say lies in a file that is mapped (TARGET.PID.running), so that the kernel keeps it when
-/// the process is killed. Whoever comes first makes the report of it: the process itself when it
+/// the process is killed. The first to come makes the report of it: the process itself when it
 /// exits, `arbiter run` when its command is dead, or `arbiter stats` later.
 ///
 /// The record holds texts and counters (record_text.h), and nothing of their meaning, so that a
@@ -21,7 +21,7 @@ public:
   /// A record in a mapped file, or in plain memory where there can be none (no folder, no room, a
   /// limit of files' sizes). Null without memory.
   /// \param target where the report goes
-  /// \param named  the target has the process's number in its name: nobody else's report is there
+  /// \param named  the target has the process's number in its name: no other report is there
   static LiveRecord *make(const std::string &target, bool named);
   /// One that nothing is to become of. Null without memory.
   static LiveRecord *inMemory();

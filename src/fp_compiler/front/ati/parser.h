@@ -100,7 +100,7 @@ private:
   std::string_view m_text;
   const Limits &m_limits;
   Reporter &m_reporter;
-  NameTable *m_names; ///< null where nobody asks for names
+  NameTable *m_names; ///< null where names are not wanted
   Tokens m_tokens;
   Shader m_shader;
 

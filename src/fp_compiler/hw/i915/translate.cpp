@@ -190,7 +190,7 @@ private:
         alu(kWholeProgram, SlotCause::Depth);
   }
 
-  /// Who wrote a register last, and in which phase, from 1; 0: nobody.
+  /// Who wrote a register last, and in which phase, from 1; 0: nothing.
   struct Touched {
     std::uint32_t phase = 0;
     std::uint16_t writer = 0;

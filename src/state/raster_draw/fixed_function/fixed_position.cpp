@@ -163,7 +163,7 @@ ExtendedPrograms::get(const std::shared_ptr<const Program> &program, std::uint8_
   return m_programs.emplace(key, std::move(entry)).first->second.extended;
 }
 
-/// Programs that nobody else holds any more.
+/// Programs that nothing else holds any more.
 void ExtendedPrograms::sweep() {
   std::unordered_map<const Program *, long> held;
   for (const auto &[key, entry] : m_programs)

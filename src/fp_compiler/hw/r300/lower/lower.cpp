@@ -37,7 +37,7 @@ private:
            m_program.outputs[dst.index].kind == ir::OutputKind::Depth;
   }
 
-  /// The components of each instruction's result that somebody reads, and whether one alone does.
+  /// The components of each instruction's result that something reads, and whether one alone does.
   void liveMasks() {
     std::vector<std::uint8_t> readers(m_program.temporaries.size() + m_program.outputs.size(), 0);
     std::vector<std::uint8_t> live(m_program.temporaries.size() + m_program.outputs.size(), 0);

@@ -2,7 +2,7 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// A result as it is, clamped: nobody but the options reads it, so that the operations which make
+/// A result as it is, clamped: nothing but the options reads it, so that the operations which make
 /// it can clamp.
 Value Results::clamped(Home home, std::uint8_t mask) {
   Value value = m_emit.current(home);

@@ -16,7 +16,7 @@ constexpr auto kParameters = &ResourceCounts::parameters;
 std::uint32_t placeOf(std::uint16_t origin) { return origin == kNone ? kNoInstruction : origin; }
 
 /// Calls visit(origin, cause, in the RGB half, halves of a slot that it takes) for each operation
-/// of a pair: a shared slot is one half each. An empty slot is whole, and nobody's.
+/// of a pair: a shared slot is one half each. An empty slot is whole, and of no instruction.
 template <typename Visit> void forOperations(const Pair &pair, Visit visit) {
   const bool rgb = pair.rgb.op != RgbOp::None, alpha = pair.alpha.op != AlphaOp::None;
   if (rgb)
