@@ -96,7 +96,7 @@ void triangles(benchmark::State &bench) {
     for (int c = 0; c < 4; ++c)
       arrays.inputs[i][c] = vertices.inputs.data();
   for (auto _ : bench)
-    draw(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, arrays.count);
+    rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, arrays.count);
   bench.SetItemsProcessed(bench.iterations() * wanted);
   setThreadCount(0);
 }

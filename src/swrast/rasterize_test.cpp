@@ -162,7 +162,7 @@ TEST(Rasterize, BackFacesTakeTheirOwnInputs) {
     const float back[3] = {7, 7, 7};
     Vertices arrays = vertices.get();
     arrays.backInputs[0][0] = back;
-    draw(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
+    rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
     EXPECT_EQ(canvas.valueAt(2, 2), clockwise ? 7 : 1);
   }
 }
@@ -313,7 +313,7 @@ TEST(Rasterize, IndicesBeyondTheVerticesAreNotDrawn) {
   vertices.add(0, 16);
   const std::uint32_t indices[] = {0, 1, 2, 0, 2, 4000000000u, 0, 2, 3};
   const DrawStatistics statistics =
-      draw(canvas.state, canvas.shading, Topology::Triangles, vertices.get(), indices, 0, 9);
+      rasterize(canvas.state, canvas.shading, Topology::Triangles, vertices.get(), indices, 0, 9);
   EXPECT_EQ(statistics.primitives, 2u);
   for (const std::uint32_t count : canvas.counts)
     ASSERT_EQ(count, 1u);

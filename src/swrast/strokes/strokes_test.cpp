@@ -65,7 +65,7 @@ TEST(Strokes, ACutByAPlaneOfTheApplicationIsASide) {
     Vertices arrays = vertices.get();
     const float distance[3] = {10.0f, -16.0f, 10.0f}; // outside to the right of x = 12.5
     arrays.clipDistance[0] = distance;
-    draw(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
+    rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
     if (mode == PolygonMode::Line)
       EXPECT_GT(drawnIn(canvas, {12, 4, 1, 12}), 10u) << "along the cut";
     else
@@ -95,7 +95,7 @@ TEST(Strokes, CornersAsPointsTakeTheirVerticesSizes) {
   Vertices arrays = vertices.get();
   const float sizes[3] = {3, 5, 1};
   arrays.pointSize = sizes;
-  draw(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
+  rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
   EXPECT_EQ(drawnIn(canvas, {0, 0, 12, 12}), 9u);
   EXPECT_EQ(drawnIn(canvas, {16, 0, 16, 12}), 25u);
   EXPECT_EQ(drawnIn(canvas, {0, 16, 12, 16}), 1u);
