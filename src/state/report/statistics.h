@@ -15,7 +15,7 @@ struct CompiledProgram;
 struct ProgramObject;
 
 /// Version of the JSON's form; grows when a member changes its meaning or goes.
-inline constexpr int kStatisticsSchema = 1;
+inline constexpr int kStatisticsSchema = 2;
 
 void noteContextCreated(Context &context);
 /// Adds the context's counters to those of contexts that are gone. It is about to be freed.
