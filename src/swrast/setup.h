@@ -144,6 +144,8 @@ struct Gradients {
 
   [[nodiscard]] abi::Plane plane(double f0, double f1, double f2) const {
     const double d1 = f1 - f0, d2 = f2 - f0;
+    if (d1 == 0 && d2 == 0)
+      return {float(f0 + 0.0), 0, 0}; // what the sums below come to: -0 becomes 0
     const double dx = d1 * dx1 + d2 * dx2, dy = d1 * dy1 + d2 * dy2;
     return {float(f0 + dx * toX + dy * toY), float(dx), float(dy)};
   }
