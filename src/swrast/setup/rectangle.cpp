@@ -1,6 +1,7 @@
 #include "swrast/setup/rectangle.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "swrast/setup/assembly.h"
@@ -129,11 +130,16 @@ namespace {
 bool fits(double a, double b, double scale) { return std::fabs(a - b) <= scale * 0x1p-22; }
 
 bool isAffineOver(const Rectangle &rectangle, const float *values) {
-  const double f0 = values[rectangle.vertex[0]], f1 = values[rectangle.vertex[1]];
-  const double f2 = values[rectangle.vertex[2]], f3 = values[rectangle.vertex[3]];
-  const double scale = std::max({std::fabs(f0), std::fabs(f1), std::fabs(f2), std::fabs(f3)});
-  if (!fits(f0 + f2, f1 + f3, scale))
-    return false;
+  const float v0 = values[rectangle.vertex[0]], v1 = values[rectangle.vertex[1]];
+  const float v2 = values[rectangle.vertex[2]], v3 = values[rectangle.vertex[3]];
+  // One value for all, as the current colour is.
+  const bool constant = v0 == v1 && v0 == v2 && v0 == v3 && std::fabs(v0) <= FLT_MAX;
+  if (!constant) {
+    const double f0 = v0, f1 = v1, f2 = v2, f3 = v3;
+    const double scale = std::max({std::fabs(f0), std::fabs(f1), std::fabs(f2), std::fabs(f3)});
+    if (!fits(f0 + f2, f1 + f3, scale))
+      return false;
+  }
   for (int i = 0; i < rectangle.otherCount; ++i)
     if (values[rectangle.others[i]] != values[rectangle.vertex[rectangle.otherOf[i]]])
       return false;
