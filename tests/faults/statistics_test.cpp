@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,7 +38,8 @@ TEST(Statistics, ProgramsAndDrawsAreInTheFile) {
   }
   writeStatistics();
   const std::string text = read(g_path);
-  EXPECT_NE(text.find("\"schema\": 1"), std::string::npos) << text;
+  const std::string schema = "\"schema\": " + std::to_string(kStatisticsSchema);
+  EXPECT_NE(text.find(schema), std::string::npos) << text;
   EXPECT_NE(text.find("\"host_glsl\": 2"), std::string::npos) << text;
   EXPECT_NE(text.find("\"position\": 15"), std::string::npos) << text;
   EXPECT_NE(text.find("\"pixels\": 128"), std::string::npos) << text;
