@@ -112,15 +112,15 @@ def null_table(table):
 def recording_table(table):
     """The effective table while a primitive is kept back from the host: whoever calls the host has
     the primitive given to it first."""
-    out = [HEADING, '#include "state/raster_draw/replay.h"\n\n#include "host/host_table.h"\n'
+    out = [HEADING, '#include "state/raster_draw/immediate/replay.h"\n\n#include "host/host_table.h"\n'
            '#include "state/core/current.h"\n\n'
            "namespace arbiter::state::software {\n\nnamespace {\n\n"]
     for name in table.members:
         command = table.commands[name]
         give = "" if command.result == "void" else "return "
         out.append(f"{command.result} recording{name}({command.declare()}) {{\n"
-                   f"  {give}handOver()->{name}({command.arguments()});\n}}\n")
+                   f"  {give}flushToHost()->{name}({command.arguments()});\n}}\n")
     out.append(f"\n}} // namespace\n\n{CONSTANT} const host::HostTable kRecordingHost = {{\n")
     out += [f"    .{name} = recording{name},\n" for name in table.members]
-    out.append("    .instead = handOver,\n};\n\n} // namespace arbiter::state::software\n")
+    out.append("    .instead = flushToHost,\n};\n\n} // namespace arbiter::state::software\n")
     return "".join(out)

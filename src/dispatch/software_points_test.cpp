@@ -13,7 +13,7 @@
 #include "state/mirror/convert.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/replay.h"
+#include "state/raster_draw/immediate/replay.h"
 #include "state/testing/current_context.h"
 #include "state/testing/fake_host.h"
 

@@ -68,7 +68,7 @@ ALLOWED = {
     "util/record": set(),
 }
 MOST_UNITS = 8  # of a circle
-MOST_FILES = 42  # of one folder, tests and tables included
+MOST_FILES = 37  # of one folder, tests and tables included
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)"', re.M)
 SUFFIXES = {".h", ".cpp", ".def"}

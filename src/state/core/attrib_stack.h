@@ -23,7 +23,7 @@ public:
     m_entries.reserve(depth); // pushes then never allocate
   }
 
-  /// False: the host's stack overflows, and so would ours.
+  /// False: the host's stack overflows, and so would the layer's.
   bool push(Entry entry) {
     if (m_entries.size() >= m_maxDepth)
       return false;

@@ -52,7 +52,7 @@ inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may d
 inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
 } // namespace attention
 
-/// Where a draw goes, with the reason where that is not ours. The rows of the statistics.
+/// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
 enum class Path : std::uint8_t {
   HostGlsl,             ///< our translation, on the host
   Rasterizer,           ///< by our own rasterizer
@@ -61,7 +61,7 @@ enum class Path : std::uint8_t {
   ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
   HostAssembly,         ///< on the host's ARB path, beside one stage of the application's GLSL
   ApplicationStageGlsl, ///< host untouched: one stage of GLSL, and the host refuses the ARB program
-  NotOffered,           ///< host untouched: this context has no program targets of ours
+  NotOffered,           ///< host untouched: this context has no program targets of the layer's
   Recorded,             ///< into a display list: counted when compiled
   InvalidProgram,       ///< dropped: the bound program object holds no valid program
   HostRefused,          ///< dropped: the host did not compile or link our shader
@@ -131,7 +131,8 @@ public:
   std::unique_ptr<HostAssembly> hostAssembly;
 
   AttribStack attribStack;
-  /// While `host` holds it back: for a primitive that is recorded, or for a list (replay.h).
+  /// The host's own table while `host` defers it: for a primitive that is recorded, or for a list
+  /// (replay.h).
   const host::HostTable *trueHost = nullptr;
   std::unique_ptr<ListCompiler> list;
   int listDepth = 0; ///< nested calls of lists that hold our commands

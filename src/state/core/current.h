@@ -25,8 +25,8 @@ struct ContextHot {
   /// application's first (Context::restoreApplicationProgram).
   bool hostProgramIsOurs = false;
   bool insideBeginEnd = false;
-  /// The host's program is a vertex and a fragment program of ours, linked: of the vertex program's
-  /// results it has only those that the fragment program reads.
+  /// The host's program is a vertex and a fragment program of the layer's, linked: of the vertex
+  /// program's results it has only those that the fragment program reads.
   bool stagesAreLinked = false;
   /// 0, GL_COMPILE or GL_COMPILE_AND_EXECUTE.
   std::uint16_t listMode = 0;
@@ -35,13 +35,13 @@ struct ContextHot {
   bool passThrough = false;
   /// The rasterizer of our own is used here (Context::software is not null).
   bool softwarePossible = false;
-  /// Images of ours are newer than the host's: what lets the host read pixels has it brought up
+  /// Some images are shadow-valid alone: what lets the host read pixels has it brought up
   /// to date first (state/residency/residency.h).
   bool hostIsBehind = false;
   /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a
   /// command means to the rasterizer is of interest.
   bool softwareListens = false;
-  /// A primitive is kept back from the host: its vertices go here. Null: to the host.
+  /// A primitive is deferred: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them
   /// (mirror/dirty_bits.h).

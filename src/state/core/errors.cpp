@@ -5,7 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/memory.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 
@@ -49,10 +49,17 @@ GLenum takeError(Context &context) {
     return context.host->GetError(); // raises INVALID_OPERATION there, as it should
   if (context.pendingError == GL_NO_ERROR)
     return context.host->GetError();
-  (void)takeHostErrors(*context.host); // raised later than ours, hence never recorded
+  (void)takeHostErrors(*context.host); // raised later than the layer's, hence never recorded
   const GLenum error = context.pendingError;
   context.pendingError = GL_NO_ERROR;
   return error;
+}
+
+bool outsideBeginEnd(Context &context, const char *command) {
+  if (!context.insideBeginEnd) [[likely]]
+    return true;
+  raise(context, GL_INVALID_OPERATION, command);
+  return false;
 }
 
 void outOfMemory(Context &context, const char *name) noexcept {
@@ -63,11 +70,7 @@ void outOfMemory(Context &context, const char *name) noexcept {
   invalidateProgram(context);
   // What was chosen before is not what a draw that failed half-way has left.
   if (context.software)
-    context.software->draws.reset();
+    context.software->forgetPipeline();
 }
-
-namespace handlers {
-GLenum GetError(Context &context) { return takeError(context); }
-} // namespace handlers
 
 } // namespace arbiter::state

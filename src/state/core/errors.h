@@ -7,11 +7,16 @@ namespace arbiter::state {
 
 class Context;
 
-/// Records a GL error of ours (2.5). The first error since the last GetError wins, be it ours or
-/// the host's: a host's error that waits was raised before. `why` goes to the log at level info.
+/// Records a GL error of the layer's (2.5). The first error since the last GetError wins, be it the
+/// layer's or the host's: a host's error that waits was raised before. `why` goes to the log at
+/// level info.
 void raise(Context &context, GLenum error, const char *why);
 
-/// GetError: ours, or else the host's.
+/// True where a command of the layer's may run. Inside Begin/End it raises INVALID_OPERATION
+/// (2.6.3).
+[[nodiscard]] bool outsideBeginEnd(Context &context, const char *command);
+
+/// GetError: the layer's, or else the host's.
 [[nodiscard]] GLenum takeError(Context &context);
 
 } // namespace arbiter::state

@@ -76,7 +76,7 @@ struct HostCaps {
 
   [[nodiscard]] bool has(const char *extension) const;
 
-  /// Why ARB programs cannot be ours here; null if they can.
+  /// Why the layer cannot implement ARB programs here; null if it can.
   [[nodiscard]] const char *obstacle() const;
 };
 

@@ -39,8 +39,8 @@ struct Identity {
   bool operator==(const Identity &) const = default;
 };
 
-/// `offered`: ARB_fragment_program is ours in this context. A card's version above the host's is
-/// not taken over: it would promise entry points that are not there.
+/// `offered`: the layer implements ARB_fragment_program in this context. A card's version above the
+/// host's is not taken over: it would promise entry points that are not there.
 [[nodiscard]] Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules);
 
 /// The one copy of such an identity in the process, which is never freed: applications keep the

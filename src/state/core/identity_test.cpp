@@ -40,7 +40,7 @@ using Names = std::vector<std::string>;
 TEST(Identity, WithoutRulesEverythingIsTheHosts) {
   const Identity identity = makeIdentity(caps(), true, {});
   EXPECT_EQ(identity.vendor + identity.renderer + identity.version + identity.shadingLanguage, "");
-  const Names theirs = caps().extensions; // in their order, and ours behind them
+  const Names theirs = caps().extensions; // in their order, and the layer's after them
   ASSERT_GT(identity.extensions.names.size(), theirs.size());
   EXPECT_TRUE(std::equal(theirs.begin(), theirs.end(), identity.extensions.names.begin()));
 }

@@ -3,8 +3,8 @@
 
 #include "util/own_exception.h"
 
-/// What becomes of a command that finds no memory of the layer's. Commands allocate as any code of
-/// ours does, and what they throw is caught where they were entered: by the generated entry points,
+/// What becomes of a command that finds no memory of the layer's. Commands allocate as any other
+/// code does, and what they throw is caught where they were entered: by the generated entry points,
 /// and by the window system's.
 namespace arbiter::state {
 

@@ -2,7 +2,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/share_group.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state::handlers {
 

@@ -1,23 +1,23 @@
-// Begin and End: a primitive goes to the host vertex by vertex, or is kept back for the rasterizer.
+// Begin and End: a primitive goes to the host vertex by vertex, or is deferred for the rasterizer.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
-#include "state/raster_draw/draw.h"
-#include "state/raster_draw/replay.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/replay.h"
 
 namespace arbiter::state {
 
 namespace {
 
-/// The primitive is recorded, to be drawn by us.
-bool keepsBack(Context &context, GLenum mode) {
+/// The primitive is recorded, to be drawn by the rasterizer.
+bool defer(Context &context, GLenum mode) {
   if (mode > GL_POLYGON || context.insideBeginEnd || context.listMode != 0)
     return false;
-  if (!validatePrograms(context) || !context.softwarePossible || !software::begin(context, mode))
+  if (!software::usesRasterizer(context) || !software::beginPrimitive(context, mode))
     return false;
   software::startRecording(context);
   return true;
@@ -30,7 +30,7 @@ namespace handlers {
 void Begin(Context &context, GLenum mode) {
   if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
     return;
-  if (software::mayDraw(context) && keepsBack(context, mode))
+  if (software::mayDraw(context) && defer(context, mode))
     return;
   if (context.attention && !beginDraw(context)) [[unlikely]]
     return;
@@ -52,7 +52,7 @@ void End(Context &context) {
   if (context.recorder) {
     software::stopRecording(context);
     context.insideBeginEnd = false;
-    return software::end(context);
+    return software::endPrimitive(context);
   }
   if (context.listMode)
     context.list->notePixels();

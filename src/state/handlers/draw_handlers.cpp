@@ -3,11 +3,12 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
+#include "state/host_draw/application_glsl.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -104,11 +105,7 @@ void restoreApplicationProgram(Context &context) {
   invalidateProgram(context);
 }
 
-GLuint guardName(Context &context, GLuint name) {
-  // No host gives so high a name; as a program or shader it is unknown, as ours must seem.
-  constexpr GLuint kUnknown = 0xFFFFFFF0u;
-  return context.group && context.group->ownsHostProgram(name) ? kUnknown : name;
-}
+GLuint guardName(Context &context, GLuint name) { return guardedName(context, name); }
 
 } // namespace handlers
 } // namespace arbiter::state

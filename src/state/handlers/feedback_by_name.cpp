@@ -3,8 +3,8 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/texture_binding.h"
-#include "state/handlers/feedback.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/copy_texture.h"
 
 namespace arbiter::state {
 

@@ -6,13 +6,17 @@
 #include "fp_compiler/ir/print.h"
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/ati_variants.h"
+#include "state/host_draw/drop_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/ati_recorder.h"
-#include "state/programs/program_api.h"
+#include "state/programs/fragment_shaders.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/program_load.h"
 #include "state/report/statistics.h"
+#include "state/share/share_group.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -92,28 +96,6 @@ void replaceShader(Context &context, std::shared_ptr<const CompiledProgram> comp
 }
 
 } // namespace
-
-void bindFragmentShader(Context &context, GLuint name) {
-  if (context.atiRecorder)
-    return raise(context, GL_INVALID_OPERATION,
-                 "BindFragmentShader between Begin- and EndFragmentShader");
-  ProgramTarget &row = shaderRow(context);
-  auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
-  if (!recent || recent->name != name || recent->target != Target::AtiApi ||
-      recent->deleted.load(std::memory_order_acquire))
-    recent = name == 0 ? context.group->defaultProgram(Target::AtiApi)
-                       : context.group->fragmentShaders.findOrCreate(name);
-  if (row.bound == recent && row.seenVersion == recent->version.load(std::memory_order_acquire))
-    return;
-  row.bound = recent;
-  invalidateProgram(context);
-}
-
-void setFragmentShaderConstant(Context &context, int constant, const Vec4 &value) {
-  if (context.atiRecorder)
-    return context.atiRecorder->setConstant(constant, value);
-  setEnv(context, shaderRow(context), GLuint(constant), 1, &value);
-}
 
 namespace handlers {
 

@@ -1,4 +1,5 @@
-// Get, GetString and GetStringi: the few values that are ours, or that our host objects would show.
+// Get, GetString and GetStringi: the few values that are the layer's, or that its objects on the
+// host would show.
 #include <algorithm>
 #include <climits>
 #include <type_traits>
@@ -11,7 +12,6 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -141,7 +141,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
                                    context.software->residency.statistics().copiesShared, INT_MAX))
                              : 0;
     return context.offered;
-  case GL_CURRENT_PROGRAM: // ours is current only where the application has none
+  case GL_CURRENT_PROGRAM: // the layer's is current only where the application has none
     if (!context.hostProgramIsOurs)
       return false;
     value = 0;
@@ -248,6 +248,8 @@ const GLubyte *GetStringi(Context &context, GLenum name, GLuint index) {
   raise(context, GL_INVALID_VALUE, "GetStringi: index");
   return nullptr;
 }
+
+GLenum GetError(Context &context) { return takeError(context); }
 
 } // namespace handlers
 } // namespace arbiter::state

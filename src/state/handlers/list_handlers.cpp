@@ -1,13 +1,13 @@
-// The entry points of display lists (5.4). Lists without a command of ours are the host's, whole.
+// The entry points of display lists (5.4). Lists without a command of the layer's are the host's,
+// whole.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
-#include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_api.h"
 #include "state/raster_draw/context_state.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state::handlers {
 
@@ -33,8 +33,8 @@ void NewList(Context &context, GLuint list, GLenum mode) {
                      (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
   if (!legal)
     return context.host->NewList(list, mode); // raises the error
-  // While a list is executed as it is compiled nothing is ours. One that is only compiled leaves
-  // pixels alone, but for commands that are executed at once.
+  // While a list is executed as it is compiled nothing is the rasterizer's. One that is only
+  // compiled leaves pixels alone, but for commands that are executed at once.
   if (context.softwarePossible && mode == GL_COMPILE_AND_EXECUTE)
     context.software->residency.hostDoesAnything("glNewList");
   else if (context.softwarePossible)
@@ -43,14 +43,14 @@ void NewList(Context &context, GLuint list, GLenum mode) {
 }
 
 void EndList(Context &context) {
-  context.list->settle(context);
+  context.list->leavePrimitive(context);
   if (context.listMode == 0 || context.insideBeginEnd)
     return context.host->EndList();
   context.list->end(context);
 }
 
 void CallList(Context &context, GLuint list) {
-  context.list->settle(context);
+  context.list->leavePrimitive(context);
   if (recordsCalls(context) && !context.insideBeginEnd)
     return context.list->record(context, {.kind = Command::Kind::CallList, .name = list});
   if (context.listMode)
@@ -59,7 +59,7 @@ void CallList(Context &context, GLuint list) {
 }
 
 void CallLists(Context &context, GLsizei n, GLenum type, const void *lists) {
-  context.list->settle(context);
+  context.list->leavePrimitive(context);
   const std::size_t bytes = callListsBytes(n, type);
   if (recordsCalls(context) && !context.insideBeginEnd && bytes > 0 && lists) {
     Command command{.kind = Command::Kind::CallLists, .target = type};

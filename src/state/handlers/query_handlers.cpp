@@ -1,6 +1,6 @@
 // Conditional rendering, which cannot be asked for. One that the host refuses is taken for begun:
 // until its end draws are the host's, which is always right. In a list that we keep it is a command
-// of ours.
+// of the layer's.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -14,7 +14,7 @@ namespace {
 bool isRecorded(Context &context) {
   if (context.listMode == 0 || !context.list->keeps())
     return false;
-  context.list->settle(context);
+  context.list->leavePrimitive(context);
   return !context.insideBeginEnd;
 }
 

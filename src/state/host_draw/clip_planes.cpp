@@ -2,10 +2,10 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/linked_program.h"
 #include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -24,7 +24,7 @@ bool anyEnabled(Context &context) {
   return false;
 }
 
-void lookAgain(Context &context) {
+void invalidateClipPlanes(Context &context) {
   context.clipPlanes.known = false;
   if (context.row(Target::Vertex).enabled)
     invalidateProgram(context);
@@ -64,7 +64,7 @@ bool clipPlanesMatter(Context &context) {
 
 void noteClipPlanesChange(Context &context) {
   if (context.clipPlanes.used)
-    lookAgain(context);
+    invalidateClipPlanes(context);
 }
 
 void noteClipPlane(Context &context, bool enabled) {
@@ -80,7 +80,7 @@ void noteClipPlane(Context &context, bool enabled) {
   if (!enabled || listsEnablePlanes(context))
     return;
   context.group->listsEnableClipPlanes.store(true, std::memory_order_relaxed);
-  lookAgain(context);
+  invalidateClipPlanes(context);
   if (context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled)
     context.list->cut(context); // what follows is drawn now, with the form that is effective now
 }

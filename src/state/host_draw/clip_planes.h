@@ -41,7 +41,7 @@ private:
 /// where none was ever enabled.
 void noteClipPlanesChange(Context &context);
 /// Enable or Disable of a plane. An enable that goes into a display list counts for good, and for
-/// all of the share group: draws of that list follow it without a look of ours.
+/// all of the share group: draws of that list follow it without being looked at.
 void noteClipPlane(Context &context, bool enabled);
 /// CopyContext brought the enables of `from`.
 void copyClipPlanes(const Context &from, Context &to);

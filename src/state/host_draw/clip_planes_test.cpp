@@ -18,7 +18,7 @@ constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.posi
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
   if (!context.linkedProgram || !context.linkedProgram->vertex.compiled) {
-    ADD_FAILURE() << "no vertex program of ours is effective";
+    ADD_FAILURE() << "no vertex program of the layer's is effective";
     return false;
   }
   return context.linkedProgram->vertex.compiled->glsl.text.find("gl_ClipVertex") !=
@@ -108,7 +108,7 @@ TEST(ClipPlanes, AListThatIsExecutedFollowsAtOnce) {
   EXPECT_TRUE(clips(*context));
   handlers::EndList(*context);
   EXPECT_EQ(host.recorded, std::vector<std::string>{"Enable 12288"})
-      << "nothing of ours goes into the list";
+      << "nothing of the layer's goes into the list";
 }
 
 TEST(ClipPlanes, CopyContextCopiesThem) {

@@ -7,8 +7,6 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/core/garbage.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/application_glsl.h"
 #include "state/host_draw/ati_variants.h"
 #include "state/host_draw/clip_planes.h"
@@ -16,10 +14,12 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/sampler_override.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
 #include "state/raster_draw/context_state.h"
 #include "state/report/capture.h"
+#include "state/share/garbage.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -60,7 +60,7 @@ void setPath(Context &context, Path path) {
   context.drawCounter = &context.draws[std::size_t(path)];
 }
 
-/// The host's CURRENT_PROGRAM is the application's unless ours is bound. Only the host knows
+/// The host's CURRENT_PROGRAM is the application's unless the layer's is bound. Only the host knows
 /// whether a UseProgram succeeded, and what a list did; so it is asked, once after each.
 GLuint applicationProgram(Context &context) {
   if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
@@ -156,7 +156,7 @@ Path choosePath(Context &context) {
   if (!pair.vertex && !pair.fragment)
     return Path::NoProgram;
   // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
-  // function; no program of ours can be linked to the application's.
+  // function; no program of the layer's can be linked to the application's.
   if (program != 0 || pipeline != 0)
     return context.hostAssembly->apply(context, pair) ? Path::HostAssembly
                                                       : Path::ApplicationStageGlsl;
@@ -188,14 +188,14 @@ std::uint32_t stickyAttention(const Context &context) {
         context.group->compareModeUsed.load(std::memory_order_relaxed))
       bits |= attention::kCompare;
   }
-  const bool ours = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
-                    isDropped(context.path) || context.row(Target::AtiText).enabled ||
-                    context.row(Target::AtiApi).enabled;
-  if (ours && context.group->contexts.load(std::memory_order_relaxed) > 1)
+  const bool needsLayer = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
+                          isDropped(context.path) || context.row(Target::AtiText).enabled ||
+                          context.row(Target::AtiApi).enabled;
+  if (needsLayer && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   if (context.softwarePossible)
     bits |= attention::kSoftware;
-  if (ours && replacing() && context.frames == 0)
+  if (needsLayer && replacing() && context.frames == 0)
     bits |= attention::kWatch;
   return bits;
 }
@@ -240,7 +240,7 @@ bool changedElsewhere(const Context &context) {
 }
 
 /// What is effective, as far as that may have changed.
-void look(Context &context) {
+void refreshEffective(Context &context) {
   if (context.group->hasGarbage())
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
@@ -254,22 +254,22 @@ void look(Context &context) {
 } // namespace
 
 bool validatePrograms(Context &context) {
-  constexpr std::uint32_t kLook = attention::kProgram | attention::kWatch | attention::kShared;
-  const bool known = (context.attention & kLook) == 0 && !context.group->hasGarbage() &&
+  constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
+  const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
   // A capture tells what a program was drawn with by what was sent to the host.
   if (capturing()) [[unlikely]]
     return validate(context);
   if (known) [[likely]]
     return !isDropped(context.path);
-  look(context);
+  refreshEffective(context);
   context.attention =
       stickyAttention(context) | (context.attention & (attention::kList | attention::kParameters));
   return !isDropped(context.path);
 }
 
 bool validate(Context &context) {
-  look(context);
+  refreshEffective(context);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.path == Path::HostGlsl) {
     LinkedProgram &linkedProgram = *context.linkedProgram;
@@ -318,16 +318,6 @@ void refuseDraws(Context &context) {
     return;
   context.host->UseProgram(mute.hostProgram);
   context.hostProgramIsOurs = true;
-}
-
-void dropVariants(Context &context, const CompiledProgram &compiled) {
-  context.linkedPrograms->drop(context, &compiled);
-  if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
-    context.linkedPrograms->drop(context, form.get());
-  if (!compiled.ati)
-    return;
-  for (const auto &form : compiled.ati->all())
-    context.linkedPrograms->drop(context, form.get());
 }
 
 void validateForList(Context &context) {

@@ -1,12 +1,11 @@
 #include "state/host_draw/fixed_function.h"
 
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/ati_variants.h"
 #include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -38,7 +37,7 @@ bool enabledTarget(Context &context, TexTarget &target) {
   return false;
 }
 
-void askTargets(Context &context, std::uint32_t units, fp::FixedFunction &state) {
+void queryTargets(Context &context, std::uint32_t units, fp::FixedFunction &state) {
   if (units == 0)
     return;
   GLint active = GL_TEXTURE0;
@@ -56,7 +55,7 @@ void askTargets(Context &context, std::uint32_t units, fp::FixedFunction &state)
     context.host->ActiveTexture(GLenum(active));
 }
 
-FogMode askFog(Context &context) {
+FogMode queryFog(Context &context) {
   if (!context.host->IsEnabled(GL_FOG))
     return FogMode::None;
   GLint mode = GL_EXP;
@@ -77,7 +76,7 @@ bool vertexProgramEffective(const Context &context) {
 
 /// Lighting makes the secondary colour itself, whatever COLOR_SUM says, and leaves it black unless
 /// its specular part is kept apart (OpenGL 1.4, sections 2.13.1 and 3.9).
-bool askColorSum(Context &context) {
+bool queryColorSum(Context &context) {
   if (vertexProgramEffective(context) || !context.host->IsEnabled(GL_LIGHTING))
     return context.host->IsEnabled(GL_COLOR_SUM) != GL_FALSE;
   GLint control = GL_SINGLE_COLOR;
@@ -89,9 +88,9 @@ bool askColorSum(Context &context) {
 
 fp::FixedFunction fixedFunctionNow(Context &context, std::uint32_t units) {
   fp::FixedFunction state;
-  askTargets(context, units, state);
-  state.fog = askFog(context);
-  state.colorSum = askColorSum(context);
+  queryTargets(context, units, state);
+  state.fog = queryFog(context);
+  state.colorSum = queryColorSum(context);
   return state;
 }
 
@@ -122,58 +121,4 @@ void noteFixedFunctionCommand(Context &context) {
     context.list->cut(context);
 }
 
-namespace handlers {
-
-// FOG_MODE is the one parameter of fog that chooses a form, LIGHT_MODEL_COLOR_CONTROL the one of
-// the light model; the others reach the host's shader by themselves.
-
-void Fogf(Context &context, GLenum pname, GLfloat param) {
-  context.host->Fogf(pname, param);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogi(Context &context, GLenum pname, GLint param) {
-  context.host->Fogi(pname, param);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogfv(Context &context, GLenum pname, const GLfloat *params) {
-  context.host->Fogfv(pname, params);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void Fogiv(Context &context, GLenum pname, const GLint *params) {
-  context.host->Fogiv(pname, params);
-  if (pname == GL_FOG_MODE)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModelf(Context &context, GLenum pname, GLfloat param) {
-  context.host->LightModelf(pname, param);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModeli(Context &context, GLenum pname, GLint param) {
-  context.host->LightModeli(pname, param);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModelfv(Context &context, GLenum pname, const GLfloat *params) {
-  context.host->LightModelfv(pname, params);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-void LightModeliv(Context &context, GLenum pname, const GLint *params) {
-  context.host->LightModeliv(pname, params);
-  if (pname == GL_LIGHT_MODEL_COLOR_CONTROL)
-    noteFixedFunctionCommand(context);
-}
-
-} // namespace handlers
 } // namespace arbiter::state

@@ -12,10 +12,10 @@ struct CompiledProgram;
 struct ProgramPair;
 
 /// The uses of the host's own ARB path. The application's GLSL program has one stage alone, and the
-/// other one is an ARB program's: no GLSL program of ours can join one of the application's. Or a
-/// program is so long that the host's GLSL compiler may not survive it. The host gets assembly:
-/// from a program that our compiler checked, within our limits, and each in a host object of its
-/// own, for a host may not survive one that is specified again and again.
+/// other one is an ARB program's: no GLSL program of the layer's can join one of the application's.
+/// Or a program is so long that the host's GLSL compiler may not survive it. The host gets
+/// assembly: from a program that our compiler checked, within our limits, and each in a host object
+/// of its own, for a host may not survive one that is specified again and again.
 class HostAssembly {
 public:
   /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage
@@ -28,7 +28,7 @@ public:
   /// as it would be the layer's. False if the host has no such target.
   [[nodiscard]] bool refuse(Context &context);
   [[nodiscard]] bool refuses() const { return m_refuses; }
-  /// PopAttrib or CopyContext may have brought back an enable of ours on the host.
+  /// PopAttrib or CopyContext may have brought back an enable of the layer's on the host.
   void disableAgain(Context &context) const;
   /// Disables and unbinds what apply() bound.
   void release(Context &context);

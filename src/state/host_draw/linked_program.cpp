@@ -6,9 +6,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/undefined_results.h"
 #include "state/report/capture.h"
+#include "state/share/share_group.h"
 #include "util/log.h"
 
 namespace arbiter::state {

@@ -1,10 +1,9 @@
 #include "state/host_draw/sampler_override.h"
 
-#include "host/handlers.h"
 #include "host/host_table.h"
-#include "state/core/share_group.h"
-#include "state/host_draw/draw.h"
+#include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -36,29 +35,29 @@ constexpr GLenum kIntegers[] = {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL
                                 GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
 constexpr GLenum kFloats[] = {GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD, GL_TEXTURE_LOD_BIAS};
 
-/// Copies to `ours` what `get` reads of the application's texture or sampler.
+/// Copies to `uncompared` what `get` reads of the application's texture or sampler.
 template <typename GetIv, typename GetFv>
-void copyParameters(Context &context, GLuint ours, GetIv getIv, GetFv getFv) {
+void copyParameters(Context &context, GLuint uncompared, GetIv getIv, GetFv getFv) {
   const host::HostTable &host = *context.host;
   for (const GLenum pname : kIntegers) {
     GLint value = 0;
     getIv(pname, &value);
-    host.SamplerParameteri(ours, pname, value);
+    host.SamplerParameteri(uncompared, pname, value);
   }
   for (const GLenum pname : kFloats) {
     GLfloat value = 0.0f;
     getFv(pname, &value);
-    host.SamplerParameterfv(ours, pname, &value);
+    host.SamplerParameterfv(uncompared, pname, &value);
   }
   GLfloat border[4] = {};
   getFv(GL_TEXTURE_BORDER_COLOR, border);
-  host.SamplerParameterfv(ours, GL_TEXTURE_BORDER_COLOR, border);
+  host.SamplerParameterfv(uncompared, GL_TEXTURE_BORDER_COLOR, border);
   if (context.caps.anisotropy) {
     GLfloat value = 1.0f;
     getFv(GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
-    host.SamplerParameterfv(ours, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
+    host.SamplerParameterfv(uncompared, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
   }
-  host.SamplerParameteri(ours, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  host.SamplerParameteri(uncompared, GL_TEXTURE_COMPARE_MODE, GL_NONE);
 }
 
 } // namespace
@@ -80,22 +79,22 @@ void SamplerOverride::applyUnit(Context &context, const fp::GlslSampler &sampler
     return;
 
   Unit &unit = m_units[sampler.unit];
-  if (unit.ours == 0)
-    host.GenSamplers(1, &unit.ours);
-  if (unit.ours == 0)
+  if (unit.uncompared == 0)
+    host.GenSamplers(1, &unit.uncompared);
+  if (unit.uncompared == 0)
     return;
   if (bound != 0)
     copyParameters(
-        context, unit.ours,
+        context, unit.uncompared,
         [&](GLenum pname, GLint *v) { host.GetSamplerParameteriv(GLuint(bound), pname, v); },
         [&](GLenum pname, GLfloat *v) { host.GetSamplerParameterfv(GLuint(bound), pname, v); });
   else
     copyParameters(
-        context, unit.ours,
+        context, unit.uncompared,
         [&](GLenum pname, GLint *v) { host.GetTexParameteriv(target, pname, v); },
         [&](GLenum pname, GLfloat *v) { host.GetTexParameterfv(target, pname, v); });
   unit.application = GLuint(bound);
-  host.BindSampler(sampler.unit, unit.ours);
+  host.BindSampler(sampler.unit, unit.uncompared);
   m_active |= 1u << sampler.unit;
 }
 
@@ -119,7 +118,7 @@ bool SamplerOverride::owns(GLuint sampler) const {
   if (sampler == 0)
     return false;
   for (const Unit &unit : m_units)
-    if (unit.ours == sampler)
+    if (unit.uncompared == sampler)
       return true;
   return false;
 }
@@ -127,24 +126,12 @@ bool SamplerOverride::owns(GLuint sampler) const {
 std::vector<GLuint> SamplerOverride::abandon() {
   std::vector<GLuint> names;
   for (Unit &unit : m_units) {
-    if (unit.ours != 0)
-      names.push_back(unit.ours);
+    if (unit.uncompared != 0)
+      names.push_back(unit.uncompared);
     unit = {};
   }
   m_active = 0;
   return names;
 }
 
-namespace handlers {
-
-void BindSampler(Context &context, GLuint unit, GLuint sampler) {
-  releaseSamplers(context);
-  context.host->BindSampler(unit, sampler);
-}
-void BindSamplers(Context &context, GLuint first, GLsizei count, const GLuint *samplers) {
-  releaseSamplers(context);
-  context.host->BindSamplers(first, count, samplers);
-}
-
-} // namespace handlers
 } // namespace arbiter::state

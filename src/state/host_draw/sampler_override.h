@@ -13,8 +13,8 @@ class Context;
 struct LinkedProgram;
 
 /// Without a SHADOW target TEXTURE_COMPARE_MODE counts as NONE (AFP 4051-4057), while a host's
-/// plain samplers still compare. Where a texture of a used unit compares, a sampler object of ours
-/// that copies its parameters with compare NONE is bound for the draw.
+/// plain samplers still compare. Where a texture of a used unit compares, a sampler object of the
+/// layer's that copies its parameters with compare NONE is bound for the draw.
 class SamplerOverride {
 public:
   static constexpr int kMaxUnits = 32;
@@ -33,8 +33,8 @@ private:
   void applyUnit(Context &context, const fp::GlslSampler &sampler);
 
   struct Unit {
-    GLuint ours = 0;        ///< made at first use
-    GLuint application = 0; ///< its binding while ours is bound
+    GLuint uncompared = 0;  ///< made at first use
+    GLuint application = 0; ///< its binding while the override is bound
   };
   std::array<Unit, kMaxUnits> m_units{};
   std::uint32_t m_active = 0; ///< one bit a unit

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "host/host_table.h"
-#include "state/raster_draw/geometry.h"
+#include "state/raster_draw/immediate/geometry.h"
 
 namespace arbiter::state {
 

@@ -22,7 +22,7 @@ namespace software {
 class Geometry;
 }
 
-/// A command of ours in a display list. The host never sees these, so it cannot record them.
+/// A command of the layer's in a display list. The host never sees these, so it cannot record them.
 struct Command {
   enum class Kind : std::uint8_t {
     ProgramString, ///< target, format; bytes: a copy of the string, made when recorded
@@ -63,7 +63,8 @@ struct Effects {
   bool pixels = true;        ///< draws, or reads or writes images
 };
 
-/// A list as segments: host lists, primitives that are ours to draw, and our commands in turn.
+/// A list as segments: host lists, primitives that the rasterizer may draw, and the layer's
+/// commands in turn.
 struct DisplayList {
   struct Item {
     GLuint hostList = 0; ///< 0: a command, or primitives
@@ -95,7 +96,7 @@ public:
   /// GenLists in place of the host's: `count` free names in a row from the bottom, which the host
   /// is made to know as empty lists. 0 if there are none. No list is being compiled.
   [[nodiscard]] GLuint generate(const host::HostTable &host, GLsizei count);
-  /// The names of [first, first + count) that have a list of ours.
+  /// The names of [first, first + count) that have a list of the layer's.
   [[nodiscard]] std::vector<GLuint> namesIn(GLuint first, GLsizei count);
   /// The segments whose names are in [first, first + count).
   [[nodiscard]] std::vector<GLuint> segmentsIn(GLuint first, GLsizei count);

@@ -6,14 +6,19 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/use_program.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_api.h"
+#include "state/programs/fragment_shaders.h"
+#include "state/programs/parameters.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/program_load.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/geometry.h"
-#include "state/raster_draw/geometry_call.h"
+#include "state/raster_draw/copy_texture.h"
+#include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/geometry_call.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -37,7 +42,7 @@ void bindPrograms(Context &context, ProgramTarget &row, const Command &command) 
   }
 }
 
-/// A command of the program API. Its target was one of ours when it was recorded.
+/// A command of the program API. Its target was one of the layer's when it was recorded.
 void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
   const bool enables =
       command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
@@ -102,7 +107,7 @@ void execute(Context &context, const Command &command) {
   case Command::Kind::EndConditional:
     return handlers::EndConditionalRender(context);
   case Command::Kind::CopyTexture:
-    return copyTexture(context, command);
+    return copyTexture(context, copyOf(command));
   }
 }
 
@@ -123,7 +128,7 @@ void noteViewport(Context &context, const Effects &effects) {
   context.software->residency.drawableMayHaveChanged({box[0], box[1], box[2], box[3]});
 }
 
-/// A segment that sets state and touches no pixel: draws of ours may go on behind it.
+/// A segment that sets state and touches no pixel: draws of the rasterizer's may go on after it.
 void callStateList(Context &context, GLuint name, const Effects &effects) {
   context.host->CallList(name);
   context.dirty |= effects.dirty;
@@ -260,7 +265,7 @@ void callListIntoHost(Context &context, GLuint name) {
     if (item.geometry)
       context.host->Begin(item.geometry->mode); // an error, as in callGeometry()
     if (item.hostList == 0)
-      continue; // ours are errors between Begin and End
+      continue; // the layer's are errors between Begin and End
     context.host->CallList(item.hostList);
     if (item.primitive != Primitive::AsBefore)
       context.insideBeginEnd = item.primitive == Primitive::Open;

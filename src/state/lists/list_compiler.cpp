@@ -6,12 +6,12 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/draw.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/replay.h"
+#include "state/raster_draw/immediate/replay.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -46,8 +46,8 @@ void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
 } // namespace
 
 void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
-  // What executes with the list must find its program bound: nothing of ours may be called once the
-  // host records. And what is only recorded must not find ours bound.
+  // What executes with the list must find its program bound: nothing of the layer's may be called
+  // once the host records. And what is only recorded must not find the layer's bound.
   if (mode == GL_COMPILE_AND_EXECUTE) {
     validateForList(context);
   } else {
@@ -88,7 +88,7 @@ void ListCompiler::setMode(Context &context, std::uint16_t mode) {
 }
 
 /// The segment, which the host has closed, becomes an item, with the pushes in it that wait for an
-/// entry of ours.
+/// entry of the layer's.
 void ListCompiler::finishSegment() {
   DisplayList::Item item;
   item.hostList = std::exchange(m_segment, 0);
@@ -117,7 +117,7 @@ void ListCompiler::finishGeometry() {
 
 /// Our own commands may run: the host compiles nothing, and is called as ever.
 void ListCompiler::closeSegment(Context &context) {
-  settle(context);
+  leavePrimitive(context);
   if (m_segment != 0) {
     context.host->EndList();
     const std::size_t at = m_items.size();
@@ -138,7 +138,7 @@ void ListCompiler::closeSegment(Context &context) {
 void ListCompiler::resume(Context &context) {
   context.trueHost = context.host;
   if (!m_keeps) {
-    if (context.softwarePossible) // our own commands ran: a copy may have been held back
+    if (context.softwarePossible) // commands of the layer's ran: a copy may have been deferred
       withinMemory(context, "NewList",
                    [&] { context.software->residency.hostDoesAnything("glNewList"); });
     return openSegment(context);
@@ -174,7 +174,7 @@ void ListCompiler::record(Context &context, Command command) {
   if (follows && joinBinds(m_items.back(), command, recordable(context.dirty)))
     return;
   makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
-  settle(context);
+  leavePrimitive(context);
   DisplayList::Item item;
   item.effects.dirty =
       m_keeps ? recordable(context.dirty) : 0; // what the command's entry point has said
@@ -237,7 +237,7 @@ void ListCompiler::end(Context &context) {
     closeSegment(context);
     list = made;
   } else {
-    // A list that moves the attribute stack, or leaves a primitive open, is ours to watch.
+    // A list that moves the attribute stack, or leaves a primitive open, is watched by the layer.
     const bool watched =
         m_primitive == Primitive::Open || m_endsFirst || !m_items.empty() ||
         std::any_of(m_pushes.begin(), m_pushes.end(), [](const Push &push) { return !push.noted; });

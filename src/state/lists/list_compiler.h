@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "state/lists/display_list.h"
-#include "state/raster_draw/geometry.h"
-#include "state/raster_draw/vertices/immediate.h"
+#include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/recorder.h"
 
 namespace arbiter::state {
 
 class Context;
 
 /// The list between NewList and EndList. The host compiles into one host list after another; each
-/// command of ours closes one, and the next is opened when the host is called again: until then
-/// ContextHot::host is the table that stands in for it (raster_draw/replay.h).
+/// command of the layer's closes one, and the next is opened when the host is called again: until
+/// then ContextHot::host is the table that stands in for it (raster_draw/immediate/replay.h).
 ///
 /// Where the rasterizer may draw (raster_draw/context_state.h, keepsLists) primitives are kept from
 /// the host: its lists hold the state between them, and what each changes is noted.
@@ -48,12 +48,12 @@ public:
   [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
   /// The host is called: it compiles what comes. An open segment is the host's already.
   void giveHost(Context &context) {
-    settle(context);
+    leavePrimitive(context);
     openSegment(context);
   }
   /// Before a command that is no part of a primitive that is recorded: it is an item up to here,
   /// which leaves Begin/End open, and its rest is what comes.
-  void settle(Context &context) {
+  void leavePrimitive(Context &context) {
     if (m_recording)
       interruptPrimitive(context);
   }
@@ -71,16 +71,17 @@ public:
     m_primitive = primitive;
   }
   /// PushAttrib is the host's to compile. Our entry of the stack is made where the list is next
-  /// cut, as nothing of ours has changed until there: a list that pops it before needs no cut.
+  /// cut, as nothing of the layer's has changed until there: a list that pops it before needs no
+  /// cut.
   void notePush(GLbitfield mask) { m_pushes.push_back({mask, false}); }
-  /// True if the pop must be a command of ours: its push has an entry of ours, or is in another
-  /// list.
+  /// True if the pop must be a command of the layer's: its push has an entry of the layer's, or is
+  /// in another list.
   [[nodiscard]] bool notePop();
 
 private:
   struct Push {
     GLbitfield mask;
-    bool noted; ///< as a command of ours
+    bool noted; ///< as a command of the layer's
   };
   void closeSegment(Context &context);
   void resume(Context &context);

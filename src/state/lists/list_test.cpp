@@ -311,10 +311,10 @@ TEST(Lists, RectanglesArePrimitives) {
   FakeHost host;
   const KeepingContext context(host);
   handlers::NewList(*context, 1, GL_COMPILE);
-  EXPECT_TRUE(software::rectangle(*context, 1, 2, 3, 4));
-  EXPECT_TRUE(software::rectangle(*context, 1, 2, 3, 4));
+  EXPECT_TRUE(software::tryRectangle(*context, 1, 2, 3, 4));
+  EXPECT_TRUE(software::tryRectangle(*context, 1, 2, 3, 4));
   handlers::Begin(*context, GL_LINES);
-  EXPECT_FALSE(software::rectangle(*context, 1, 2, 3, 4)) << "an error, and the host's";
+  EXPECT_FALSE(software::tryRectangle(*context, 1, 2, 3, 4)) << "an error, and the host's";
   handlers::EndList(*context);
   const auto list = context->group->lists.find(1);
   ASSERT_EQ(list->items.size(), 2u);

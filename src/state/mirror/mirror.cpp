@@ -3,26 +3,26 @@
 #include <algorithm>
 #include <cstring>
 
-#include "state/mirror/ask.h"
+#include "state/mirror/host_query.h"
 #include "state/mirror/mirror_groups.h"
 
 namespace arbiter::state::software {
 
 namespace {
 
-void askViewport(const Ask &ask, Mirror &mirror) {
+void queryViewport(const HostQuery &query, Mirror &mirror) {
   swrast::RasterState &raster = mirror.raster;
   GLfloat range[2] = {0, 1};
   GLint box[4] = {};
-  ask.host.GetFloatv(GL_VIEWPORT, raster.viewport);
-  ask.host.GetFloatv(GL_DEPTH_RANGE, range);
+  query.host.GetFloatv(GL_VIEWPORT, raster.viewport);
+  query.host.GetFloatv(GL_DEPTH_RANGE, range);
   raster.depthNear = range[0];
   raster.depthFar = range[1];
-  mirror.scissorEnabled = ask.enabled(GL_SCISSOR_TEST);
+  mirror.scissorEnabled = query.enabled(GL_SCISSOR_TEST);
   mirror.scissor = {0, 0, INT16_MAX, INT16_MAX};
   if (!mirror.scissorEnabled)
     return;
-  ask.host.GetIntegerv(GL_SCISSOR_BOX, box);
+  query.host.GetIntegerv(GL_SCISSOR_BOX, box);
   mirror.scissor = {box[0], box[1], box[2], box[3]};
 }
 
@@ -37,52 +37,52 @@ swrast::PolygonMode polygonMode(GLint mode) {
   }
 }
 
-void askPolygons(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryPolygons(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   swrast::RasterState &raster = mirror.raster;
   raster.cullFront = raster.cullBack = false;
-  if (ask.enabled(GL_CULL_FACE)) {
-    const GLenum face = ask.name(GL_CULL_FACE_MODE);
+  if (query.enabled(GL_CULL_FACE)) {
+    const GLenum face = query.name(GL_CULL_FACE_MODE);
     raster.cullFront = face != GL_BACK;
     raster.cullBack = face != GL_FRONT;
   }
-  raster.frontIsClockwise = ask.name(GL_FRONT_FACE) == GL_CW;
-  raster.flatShade = ask.name(GL_SHADE_MODEL) == GL_FLAT;
+  raster.frontIsClockwise = query.name(GL_FRONT_FACE) == GL_CW;
+  raster.flatShade = query.name(GL_SHADE_MODEL) == GL_FLAT;
   raster.provokingIsFirst =
-      caps.provokingVertex && ask.name(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION;
+      caps.provokingVertex && query.name(GL_PROVOKING_VERTEX) == GL_FIRST_VERTEX_CONVENTION;
   raster.quadsProvokingIsFirst = raster.provokingIsFirst && caps.quadsFollowProvokingVertex;
-  raster.depthClamp = caps.depthClamp && ask.enabled(GL_DEPTH_CLAMP);
+  raster.depthClamp = caps.depthClamp && query.enabled(GL_DEPTH_CLAMP);
   GLint modes[2] = {GL_FILL, GL_FILL};
-  ask.host.GetIntegerv(GL_POLYGON_MODE, modes);
+  query.host.GetIntegerv(GL_POLYGON_MODE, modes);
   raster.front = polygonMode(modes[0]);
   raster.back = polygonMode(modes[1]);
-  raster.offsetFill = ask.enabled(GL_POLYGON_OFFSET_FILL);
-  raster.offsetLine = ask.enabled(GL_POLYGON_OFFSET_LINE);
-  raster.offsetPoint = ask.enabled(GL_POLYGON_OFFSET_POINT);
-  raster.offsetFactor = ask.number(GL_POLYGON_OFFSET_FACTOR);
-  raster.offsetUnits = ask.number(GL_POLYGON_OFFSET_UNITS);
-  mirror.smoothPolygons = ask.enabled(GL_POLYGON_SMOOTH);
+  raster.offsetFill = query.enabled(GL_POLYGON_OFFSET_FILL);
+  raster.offsetLine = query.enabled(GL_POLYGON_OFFSET_LINE);
+  raster.offsetPoint = query.enabled(GL_POLYGON_OFFSET_POINT);
+  raster.offsetFactor = query.number(GL_POLYGON_OFFSET_FACTOR);
+  raster.offsetUnits = query.number(GL_POLYGON_OFFSET_UNITS);
+  mirror.smoothPolygons = query.enabled(GL_POLYGON_SMOOTH);
   raster.polygonStipple = nullptr;
-  if (ask.enabled(GL_POLYGON_STIPPLE)) {
-    askPolygonStipple(caps, ask, mirror.polygonStipple);
+  if (query.enabled(GL_POLYGON_STIPPLE)) {
+    queryPolygonStipple(caps, query, mirror.polygonStipple);
     raster.polygonStipple = mirror.polygonStipple;
   }
 }
 
-void askLinesAndPoints(const Ask &ask, Mirror &mirror) {
+void queryLinesAndPoints(const HostQuery &query, Mirror &mirror) {
   swrast::RasterState &raster = mirror.raster;
-  raster.lineWidth = ask.number(GL_LINE_WIDTH);
-  mirror.smoothLines = ask.enabled(GL_LINE_SMOOTH);
+  raster.lineWidth = query.number(GL_LINE_WIDTH);
+  mirror.smoothLines = query.enabled(GL_LINE_SMOOTH);
   raster.lineStippleFactor = 0;
-  if (ask.enabled(GL_LINE_STIPPLE)) {
-    raster.lineStippleFactor = ask.integer(GL_LINE_STIPPLE_REPEAT);
-    raster.lineStipple = std::uint16_t(ask.integer(GL_LINE_STIPPLE_PATTERN));
+  if (query.enabled(GL_LINE_STIPPLE)) {
+    raster.lineStippleFactor = query.integer(GL_LINE_STIPPLE_REPEAT);
+    raster.lineStipple = std::uint16_t(query.integer(GL_LINE_STIPPLE_PATTERN));
   }
-  raster.pointSize = ask.number(GL_POINT_SIZE);
-  raster.pointSizeMinimum = ask.number(GL_POINT_SIZE_MIN);
-  raster.pointSizeMaximum = ask.number(GL_POINT_SIZE_MAX);
-  mirror.smoothPoints = ask.enabled(GL_POINT_SMOOTH);
-  mirror.pointSizeFromProgram = ask.enabled(GL_VERTEX_PROGRAM_POINT_SIZE);
-  mirror.twoSidedColor = ask.enabled(GL_VERTEX_PROGRAM_TWO_SIDE);
+  raster.pointSize = query.number(GL_POINT_SIZE);
+  raster.pointSizeMinimum = query.number(GL_POINT_SIZE_MIN);
+  raster.pointSizeMaximum = query.number(GL_POINT_SIZE_MAX);
+  mirror.smoothPoints = query.enabled(GL_POINT_SMOOTH);
+  mirror.pointSizeFromProgram = query.enabled(GL_VERTEX_PROGRAM_POINT_SIZE);
+  mirror.twoSidedColor = query.enabled(GL_VERTEX_PROGRAM_TWO_SIDE);
 }
 
 /// What a fragment's depth is clamped to: with ARB_depth_clamp the depth range, else all that a
@@ -95,26 +95,26 @@ void limitDepths(Mirror &mirror) {
 }
 
 /// POINT_SPRITE's coordinates are of units, so the active one has to move.
-void askPointSprites(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryPointSprites(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   mirror.spriteCoords = 0;
-  if (!ask.enabled(GL_POINT_SPRITE))
+  if (!query.enabled(GL_POINT_SPRITE))
     return;
-  mirror.raster.spriteOriginLowerLeft = ask.name(GL_POINT_SPRITE_COORD_ORIGIN) == GL_LOWER_LEFT;
-  const UnitsScope units(ask.host);
+  mirror.raster.spriteOriginLowerLeft = query.name(GL_POINT_SPRITE_COORD_ORIGIN) == GL_LOWER_LEFT;
+  const UnitsScope units(query.host);
   for (int unit = 0; unit < std::min(caps.maxTextureCoords, 8); ++unit) {
     GLint replace = 0;
     units.select(unit);
-    ask.host.GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replace);
+    query.host.GetTexEnviv(GL_POINT_SPRITE, GL_COORD_REPLACE, &replace);
     mirror.spriteCoords |= std::uint8_t((replace != 0) << unit);
   }
 }
 
-void askFog(const Ask &ask, Mirror &mirror) {
+void queryFog(const HostQuery &query, Mirror &mirror) {
   abi::FragmentData &data = mirror.constants;
-  ask.host.GetFloatv(GL_FOG_COLOR, data.fogColor);
-  data.fogDensity = ask.number(GL_FOG_DENSITY);
-  data.fogStart = ask.number(GL_FOG_START);
-  data.fogEnd = ask.number(GL_FOG_END);
+  query.host.GetFloatv(GL_FOG_COLOR, data.fogColor);
+  data.fogDensity = query.number(GL_FOG_DENSITY);
+  data.fogStart = query.number(GL_FOG_START);
+  data.fogEnd = query.number(GL_FOG_END);
   const float span = data.fogEnd - data.fogStart;
   data.fogScale = span != 0.0f ? 1.0f / span : 0.0f;
 }
@@ -127,23 +127,23 @@ void Mirror::refresh(std::uint32_t &dirty) {
   if (groups == 0) [[likely]]
     return;
   seen = clock.now();
-  const Ask ask{m_host};
+  const HostQuery query{m_host};
   if ((groups & dirty::kViewport) != 0)
-    askViewport(ask, *this);
+    queryViewport(query, *this);
   if ((groups & dirty::kRaster) != 0) {
-    askPolygons(m_caps, ask, *this);
-    askLinesAndPoints(ask, *this);
+    queryPolygons(m_caps, query, *this);
+    queryLinesAndPoints(query, *this);
   }
   if ((groups & (dirty::kViewport | dirty::kRaster)) != 0)
     limitDepths(*this);
   if ((groups & (dirty::kTexGen | dirty::kTextureParameters | dirty::kRaster)) != 0)
-    askPointSprites(m_caps, ask, *this);
+    queryPointSprites(m_caps, query, *this);
   if ((groups & dirty::kPixelOps) != 0)
-    askPixelOps(m_caps, ask, *this);
+    queryPixelOps(m_caps, query, *this);
   if ((groups & dirty::kFog) != 0)
-    askFog(ask, *this);
+    queryFog(query, *this);
   if ((groups & (dirty::kQueries | dirty::kPixelOps | dirty::kRaster | dirty::kViewport)) != 0)
-    askObstacles(m_caps, ask, *this);
+    queryObstacles(m_caps, query, *this);
 }
 
 bool Mirror::drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const {

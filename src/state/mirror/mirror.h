@@ -10,8 +10,9 @@
 #include "state/mirror/generation_counter.h"
 #include "swrast/rasterize.h"
 
-/// The host's state as far as a draw of ours depends on it. The host is always right about state,
-/// and is asked for a group only after a command that may have changed it (dirty_bits.h).
+/// The host's state as far as a draw of the rasterizer's depends on it. The host is always right
+/// about state, and is asked for a group only after a command that may have changed it
+/// (dirty_bits.h).
 namespace arbiter::host {
 struct HostTable;
 }
@@ -89,9 +90,9 @@ public:
   /// Takes the bits of `dirty` (ContextHot::dirty) and asks for the groups that every draw needs:
   /// raster, pixelOps, constants, obstacle.
   void refresh(std::uint32_t &dirty);
-  /// What refreshSamplers() would ask for. Samplers of ours that are bound in the application's
-  /// place are released before it does.
-  [[nodiscard]] bool samplersAreStale(std::span<const SamplerUse> uses) const;
+  /// What refreshSamplers() would ask for. Samplers of the layer's that are bound in the
+  /// application's place are released before it does.
+  [[nodiscard]] bool samplersAreDirty(std::span<const SamplerUse> uses) const;
   /// Brings samplers[unit][dimension] up to date, for all that the program samples. After
   /// refresh().
   void refreshSamplers(std::span<const SamplerUse> uses);
@@ -106,7 +107,8 @@ public:
 
   /// Primitives of that kind come to points, of which vertices may say the size.
   [[nodiscard]] bool drawsPoints(swrast::Topology topology) const;
-  /// Why primitives of that kind cannot be ours, beside `obstacle`: smooth ones; null: they can.
+  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth ones; null:
+  /// they can.
   [[nodiscard]] const char *obstacleOf(swrast::Topology topology) const;
 
   swrast::RasterState raster; ///< without clip, which depends on the target
@@ -144,7 +146,7 @@ public:
 private:
   /// Are there polygons, and is a face of theirs that is not culled drawn so?
   [[nodiscard]] bool drawnAs(swrast::Topology topology, swrast::PolygonMode mode) const;
-  [[nodiscard]] bool isStale(const SamplerUse &use) const;
+  [[nodiscard]] bool isDirty(const SamplerUse &use) const;
 
   const host::HostTable &m_host;
   const HostCaps &m_caps;

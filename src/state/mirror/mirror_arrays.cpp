@@ -52,38 +52,40 @@ void add(ArrayBindings &arrays, int slot, const ArrayBinding &binding) {
   arrays.enabled |= 1u << slot;
 }
 
-void askArray(const Ask &ask, const ArrayNames &names, int slot, ArrayBindings &arrays) {
-  if (!ask.enabled(names.enable))
+void queryArray(const HostQuery &query, const ArrayNames &names, int slot, ArrayBindings &arrays) {
+  if (!query.enabled(names.enable))
     return;
   ArrayBinding binding;
   binding.enabled = true;
   binding.array.normalized = names.normalized;
-  setShape(binding.array, names.size != 0 ? ask.integer(names.size) : names.components,
-           names.type != 0 ? ask.integer(names.type) : GL_UNSIGNED_BYTE, ask.integer(names.stride));
-  binding.buffer = GLuint(ask.integer(names.buffer));
+  setShape(binding.array, names.size != 0 ? query.integer(names.size) : names.components,
+           names.type != 0 ? query.integer(names.type) : GL_UNSIGNED_BYTE,
+           query.integer(names.stride));
+  binding.buffer = GLuint(query.integer(names.buffer));
   void *pointer = nullptr;
-  ask.host.GetPointerv(names.pointer, &pointer);
+  query.host.GetPointerv(names.pointer, &pointer);
   binding.array.base = pointer;
   add(arrays, slot, binding);
 }
 
 /// Where an array of a buffer starts: bindings (ARB_vertex_attrib_binding) may be set apart from
 /// the pointer, which does not follow them.
-void askBinding(const Ask &ask, GLuint index, ArrayBinding &binding) {
+void queryBinding(const HostQuery &query, GLuint index, ArrayBinding &binding) {
   GLint point = 0, relative = 0, stride = 0;
   GLint64 offset = 0;
-  ask.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &point);
-  ask.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
-  ask.host.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, GLuint(point), &offset);
-  ask.host.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, GLuint(point), &stride);
+  query.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &point);
+  query.host.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
+  query.host.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, GLuint(point), &offset);
+  query.host.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, GLuint(point), &stride);
   binding.array.base = reinterpret_cast<const void *>(std::uintptr_t(offset + relative));
   binding.array.stride = std::uint32_t(stride); // 0: one element for all vertices
 }
 
-void askGeneric(const HostCaps &caps, const Ask &ask, GLuint index, ArrayBindings &arrays) {
+void queryGeneric(const HostCaps &caps, const HostQuery &query, GLuint index,
+                  ArrayBindings &arrays) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
-    ask.host.GetVertexAttribiv(index, pname, &value);
+    query.host.GetVertexAttribiv(index, pname, &value);
     return value;
   };
   if (get(GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0)
@@ -96,10 +98,10 @@ void askGeneric(const HostCaps &caps, const Ask &ask, GLuint index, ArrayBinding
            get(GL_VERTEX_ATTRIB_ARRAY_STRIDE));
   binding.buffer = GLuint(get(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING));
   void *pointer = nullptr;
-  ask.host.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  query.host.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
   binding.array.base = pointer;
   if (caps.attribBinding && binding.buffer != 0)
-    askBinding(ask, index, binding);
+    queryBinding(query, index, binding);
   const bool foreign = (caps.instanced && get(GL_VERTEX_ATTRIB_ARRAY_DIVISOR) != 0) ||
                        (caps.integerArrays && get(GL_VERTEX_ATTRIB_ARRAY_INTEGER) != 0) ||
                        (caps.doubleArrays && get(GL_VERTEX_ATTRIB_ARRAY_LONG) != 0) ||
@@ -109,24 +111,24 @@ void askGeneric(const HostCaps &caps, const Ask &ask, GLuint index, ArrayBinding
   add(arrays, slot, binding);
 }
 
-void askTexCoordArrays(const HostCaps &caps, const Ask &ask, ArrayBindings &arrays) {
-  const GLenum first = ask.name(GL_CLIENT_ACTIVE_TEXTURE);
+void queryTexCoordArrays(const HostCaps &caps, const HostQuery &query, ArrayBindings &arrays) {
+  const GLenum first = query.name(GL_CLIENT_ACTIVE_TEXTURE);
   GLenum selected = first;
   const auto select = [&](GLenum unit) {
     if (selected != unit)
-      ask.host.ClientActiveTexture(selected = unit);
+      query.host.ClientActiveTexture(selected = unit);
   };
   for (int unit = 0; unit < std::min(caps.maxTextureCoords, 8); ++unit) {
     select(GLenum(GL_TEXTURE0 + unit));
-    askArray(ask, kTexCoordNames, kTexCoord0 + unit, arrays);
+    queryArray(query, kTexCoordNames, kTexCoord0 + unit, arrays);
   }
   select(first);
 }
 
-bool restarts(const HostCaps &caps, const Ask &ask) {
-  return (caps.primitiveRestart && ask.enabled(GL_PRIMITIVE_RESTART)) ||
-         (caps.restartNv && ask.enabled(GL_PRIMITIVE_RESTART_NV)) ||
-         (caps.fixedIndexRestart && ask.enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX));
+bool restarts(const HostCaps &caps, const HostQuery &query) {
+  return (caps.primitiveRestart && query.enabled(GL_PRIMITIVE_RESTART)) ||
+         (caps.restartNv && query.enabled(GL_PRIMITIVE_RESTART_NV)) ||
+         (caps.fixedIndexRestart && query.enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX));
 }
 
 } // namespace
@@ -137,17 +139,17 @@ void Mirror::refreshArrays() {
   arraysSeen = clock.now();
   if (groups == 0) [[likely]]
     return;
-  const Ask ask{m_host};
-  arrays.restart = restarts(m_caps, ask);
+  const HostQuery query{m_host};
+  arrays.restart = restarts(m_caps, query);
   if ((groups & dirty::kArrays) == 0)
     return;
   arrays.enabled = arrays.foreign = 0;
   for (const ArrayNames &names : kNames)
-    askArray(ask, names, names.slot, arrays);
-  askTexCoordArrays(m_caps, ask, arrays);
+    queryArray(query, names, names.slot, arrays);
+  queryTexCoordArrays(m_caps, query, arrays);
   for (GLuint i = 0; i < GLuint(std::min(m_caps.maxVertexAttribs, 16)); ++i)
-    askGeneric(m_caps, ask, i, arrays); // 0 after the position, which it stands for
-  arrays.elementBuffer = GLuint(ask.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
+    queryGeneric(m_caps, query, i, arrays); // 0 after the position, which it stands for
+  arrays.elementBuffer = GLuint(query.integer(GL_ELEMENT_ARRAY_BUFFER_BINDING));
 }
 
 } // namespace arbiter::state::software

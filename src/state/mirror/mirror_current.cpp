@@ -11,29 +11,31 @@ namespace {
 
 constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
 
-void askSlot(const HostCaps &caps, const Ask &ask, int slot, std::array<float, 4> &value) {
+void querySlot(const HostCaps &caps, const HostQuery &query, int slot,
+               std::array<float, 4> &value) {
   value = {0, 0, 0, 1};
   switch (slot) {
   case kPosition:
     break; // there is none
   case kNormal:
-    ask.host.GetFloatv(GL_CURRENT_NORMAL, value.data());
+    query.host.GetFloatv(GL_CURRENT_NORMAL, value.data());
     break;
   case kColor:
-    ask.host.GetFloatv(GL_CURRENT_COLOR, value.data());
+    query.host.GetFloatv(GL_CURRENT_COLOR, value.data());
     break;
   case kSecondary:
-    ask.host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
+    query.host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
     break;
   case kFogCoord:
-    ask.host.GetFloatv(GL_CURRENT_FOG_COORDINATE, value.data());
+    query.host.GetFloatv(GL_CURRENT_FOG_COORDINATE, value.data());
     break;
   case kEdgeFlag:
-    value[0] = ask.boolean(GL_EDGE_FLAG) ? 1.0f : 0.0f;
+    value[0] = query.boolean(GL_EDGE_FLAG) ? 1.0f : 0.0f;
     break;
   default:
     if (slot >= kGeneric0 && slot - kGeneric0 < caps.maxVertexAttribs)
-      ask.host.GetVertexAttribfv(GLuint(slot - kGeneric0), GL_CURRENT_VERTEX_ATTRIB, value.data());
+      query.host.GetVertexAttribfv(GLuint(slot - kGeneric0), GL_CURRENT_VERTEX_ATTRIB,
+                                   value.data());
     break;
   }
 }
@@ -48,10 +50,10 @@ void Mirror::refreshCurrent(std::uint32_t &dirty, std::uint32_t slots) {
   const std::uint32_t wanted = slots & ~currentKnown & ~(1u << kGeneric0);
   if (wanted == 0) [[likely]]
     return;
-  const Ask ask{m_host};
+  const HostQuery query{m_host};
   for (std::uint32_t left = wanted & ~kTexCoords; left != 0; left &= left - 1) {
     const int slot = std::countr_zero(left);
-    askSlot(m_caps, ask, slot, current[std::size_t(slot)]);
+    querySlot(m_caps, query, slot, current[std::size_t(slot)]);
   }
   if ((wanted & kTexCoords) != 0) {
     const UnitsScope units(m_host);
@@ -62,7 +64,7 @@ void Mirror::refreshCurrent(std::uint32_t &dirty, std::uint32_t slots) {
       if (slot - kTexCoord0 >= m_caps.maxTextureCoords)
         continue;
       units.select(slot - kTexCoord0);
-      ask.host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
+      query.host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
     }
   }
   currentKnown |= wanted;

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "state/core/host_caps.h"
-#include "state/mirror/ask.h"
+#include "state/mirror/host_query.h"
 
 /// Parts of mirror.cpp, a file each.
 namespace arbiter::state::software {
@@ -31,10 +31,10 @@ private:
 };
 
 /// Alpha test, blending, depth and stencil tests, logic operation, masks, clamps.
-void askPixelOps(const HostCaps &caps, const Ask &ask, Mirror &mirror);
+void queryPixelOps(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
 /// Whatever keeps all draws with the host. After the other groups.
-void askObstacles(const HostCaps &caps, const Ask &ask, Mirror &mirror);
+void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror);
 /// 32 rows of 4 bytes, the lowest first, the leftmost pixel in the highest bit.
-void askPolygonStipple(const HostCaps &caps, const Ask &ask, std::uint8_t rows[128]);
+void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint8_t rows[128]);
 
 } // namespace arbiter::state::software

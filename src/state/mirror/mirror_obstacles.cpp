@@ -7,12 +7,12 @@ namespace arbiter::state::software {
 namespace {
 
 /// A query counts what is drawn: the samples, or the primitives.
-bool queryActive(const HostCaps &caps, const Ask &ask) {
+bool queryActive(const HostCaps &caps, const HostQuery &query) {
   const auto active = [&](bool offered, GLenum target) {
-    GLint query = 0;
+    GLint name = 0;
     if (offered)
-      ask.host.GetQueryiv(target, GL_CURRENT_QUERY, &query);
-    return query != 0;
+      query.host.GetQueryiv(target, GL_CURRENT_QUERY, &name);
+    return name != 0;
   };
   return active(caps.occlusionQuery, GL_SAMPLES_PASSED) ||
          active(caps.anySamples, GL_ANY_SAMPLES_PASSED) ||
@@ -31,36 +31,36 @@ constexpr Cap kCaps[] = {
     {&HostCaps::srgbFramebuffer, GL_FRAMEBUFFER_SRGB, "FRAMEBUFFER_SRGB"},
 };
 
-bool clipControlled(const HostCaps &caps, const Ask &ask) {
-  return caps.clipControl && (ask.name(GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
-                              ask.name(GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE);
+bool clipControlled(const HostCaps &caps, const HostQuery &query) {
+  return caps.clipControl && (query.name(GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
+                              query.name(GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE);
 }
 
 } // namespace
 
-void askObstacles(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryObstacles(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   mirror.obstacle = mirror.obstacleDetail = nullptr;
   const auto note = [&](const char *reason, const char *what) {
     refuse(mirror.obstacle, mirror.obstacleDetail, reason, what);
   };
-  if (ask.name(GL_RENDER_MODE) != GL_RENDER)
+  if (query.name(GL_RENDER_MODE) != GL_RENDER)
     note("query", "RENDER_MODE");
   if (mirror.conditional)
     note("query", "conditional rendering");
-  if (queryActive(caps, ask))
+  if (queryActive(caps, query))
     note("query", "an active query");
-  if (caps.transformFeedback2 && ask.boolean(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE))
+  if (caps.transformFeedback2 && query.boolean(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE))
     note("query", "transform feedback");
   for (const Cap &cap : kCaps)
-    if (caps.*cap.offered && ask.enabled(cap.cap))
+    if (caps.*cap.offered && query.enabled(cap.cap))
       note("state", cap.name);
-  if (clipControlled(caps, ask))
+  if (clipControlled(caps, query))
     note("state", "CLIP_ORIGIN or CLIP_DEPTH_MODE");
   if (mirror.blendLacking)
     note("state", "a blend function of two sources, or an advanced equation");
 }
 
-void askPolygonStipple(const HostCaps &caps, const Ask &ask, std::uint8_t rows[128]) {
+void queryPolygonStipple(const HostCaps &caps, const HostQuery &query, std::uint8_t rows[128]) {
   // The pattern is packed as any image is, so packing has to be plain while it is asked for.
   struct Store {
     GLenum pname;
@@ -70,19 +70,19 @@ void askPolygonStipple(const HostCaps &caps, const Ask &ask, std::uint8_t rows[1
   Store stores[] = {{GL_PACK_SWAP_BYTES, 0}, {GL_PACK_LSB_FIRST, 0},   {GL_PACK_ROW_LENGTH, 0},
                     {GL_PACK_SKIP_ROWS, 0},  {GL_PACK_SKIP_PIXELS, 0}, {GL_PACK_ALIGNMENT, 1}};
   for (Store &store : stores) {
-    store.before = ask.integer(store.pname);
+    store.before = query.integer(store.pname);
     if (store.before != store.plain)
-      ask.host.PixelStorei(store.pname, store.plain);
+      query.host.PixelStorei(store.pname, store.plain);
   }
-  const GLint buffer = caps.pixelBuffers ? ask.integer(GL_PIXEL_PACK_BUFFER_BINDING) : 0;
+  const GLint buffer = caps.pixelBuffers ? query.integer(GL_PIXEL_PACK_BUFFER_BINDING) : 0;
   if (buffer != 0)
-    ask.host.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  ask.host.GetPolygonStipple(rows);
+    query.host.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  query.host.GetPolygonStipple(rows);
   if (buffer != 0)
-    ask.host.BindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(buffer));
+    query.host.BindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(buffer));
   for (const Store &store : stores)
     if (store.before != store.plain)
-      ask.host.PixelStorei(store.pname, store.before);
+      query.host.PixelStorei(store.pname, store.before);
 }
 
 } // namespace arbiter::state::software

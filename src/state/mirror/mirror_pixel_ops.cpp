@@ -96,35 +96,35 @@ bool blendOf(const BlendNames &names, abi::BlendKey &key) {
 }
 
 /// Of draw buffer `i`, or of all where the host has one state for all.
-BlendNames askBlend(const Ask &ask, bool indexed, GLuint i) {
+BlendNames queryBlend(const HostQuery &query, bool indexed, GLuint i) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;
     if (indexed)
-      ask.host.GetIntegeri_v(pname, i, &value);
+      query.host.GetIntegeri_v(pname, i, &value);
     else
-      ask.host.GetIntegerv(pname, &value);
+      query.host.GetIntegerv(pname, &value);
     return GLenum(value);
   };
   return {get(GL_BLEND_SRC_RGB),   get(GL_BLEND_DST_RGB),      get(GL_BLEND_SRC_ALPHA),
           get(GL_BLEND_DST_ALPHA), get(GL_BLEND_EQUATION_RGB), get(GL_BLEND_EQUATION_ALPHA)};
 }
 
-void askTarget(const HostCaps &caps, const Ask &ask, GLuint i, abi::ColorTargetKey &target,
-               bool &lacking) {
+void queryTarget(const HostCaps &caps, const HostQuery &query, GLuint i,
+                 abi::ColorTargetKey &target, bool &lacking) {
   GLboolean mask[4] = {1, 1, 1, 1};
   bool blends = false;
   if (caps.indexedBuffers) {
-    ask.host.GetBooleani_v(GL_COLOR_WRITEMASK, i, mask);
-    blends = ask.host.IsEnabledi(GL_BLEND, i) != GL_FALSE;
+    query.host.GetBooleani_v(GL_COLOR_WRITEMASK, i, mask);
+    blends = query.host.IsEnabledi(GL_BLEND, i) != GL_FALSE;
   } else {
-    ask.host.GetBooleanv(GL_COLOR_WRITEMASK, mask);
-    blends = ask.enabled(GL_BLEND);
+    query.host.GetBooleanv(GL_COLOR_WRITEMASK, mask);
+    blends = query.enabled(GL_BLEND);
   }
   target.writeMask = 0;
   for (int c = 0; c < 4; ++c)
     target.writeMask |= std::uint8_t((mask[c] ? 1 : 0) << c);
   target.blend = {};
-  if (blends && !blendOf(askBlend(ask, caps.indexedBlend, i), target.blend))
+  if (blends && !blendOf(queryBlend(query, caps.indexedBlend, i), target.blend))
     lacking = true;
 }
 
@@ -141,33 +141,33 @@ bool usesConstant(const abi::BlendKey &key) {
 
 /// The blend colour as it was set: blending clamps it by the buffer's format, a question for it by
 /// CLAMP_FRAGMENT_COLOR (ARB_color_buffer_float), which is off while it is asked for.
-void askBlendColor(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryBlendColor(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   const auto &targets = mirror.pixelOps.targets;
   const bool matters =
       caps.clampColor && std::any_of(targets.begin(), targets.end(),
                                      [](const auto &target) { return usesConstant(target.blend); });
-  const GLenum clamp = matters ? ask.name(GL_CLAMP_FRAGMENT_COLOR) : GLenum(GL_FALSE);
+  const GLenum clamp = matters ? query.name(GL_CLAMP_FRAGMENT_COLOR) : GLenum(GL_FALSE);
   if (clamp != GL_FALSE)
-    ask.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
-  ask.host.GetFloatv(GL_BLEND_COLOR, mirror.constants.blendColor);
+    query.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+  query.host.GetFloatv(GL_BLEND_COLOR, mirror.constants.blendColor);
   if (clamp != GL_FALSE)
-    ask.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, clamp);
+    query.host.ClampColor(GL_CLAMP_FRAGMENT_COLOR, clamp);
 }
 
-void askTargets(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryTargets(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   bool lacking = false;
   const int count = std::min(caps.maxDrawBuffers, abi::kMaxColorTargets);
   for (int i = 0; i < count; ++i) {
     if (i > 0 && !caps.indexedBuffers)
       mirror.pixelOps.targets[std::size_t(i)] = mirror.pixelOps.targets[0];
     else
-      askTarget(caps, ask, GLuint(i), mirror.pixelOps.targets[std::size_t(i)], lacking);
+      queryTarget(caps, query, GLuint(i), mirror.pixelOps.targets[std::size_t(i)], lacking);
   }
   mirror.blendLacking = lacking;
-  askBlendColor(caps, ask, mirror);
-  mirror.pixelOps.logicOpEnabled = ask.enabled(GL_COLOR_LOGIC_OP) ? 1 : 0;
+  queryBlendColor(caps, query, mirror);
+  mirror.pixelOps.logicOpEnabled = query.enabled(GL_COLOR_LOGIC_OP) ? 1 : 0;
   mirror.pixelOps.logicOp = mirror.pixelOps.logicOpEnabled
-                                ? abi::LogicOp(ask.name(GL_LOGIC_OP_MODE) - GL_CLEAR)
+                                ? abi::LogicOp(query.name(GL_LOGIC_OP_MODE) - GL_CLEAR)
                                 : abi::LogicOp::Copy;
 }
 
@@ -185,74 +185,74 @@ constexpr StencilNames kBack = {GL_STENCIL_BACK_FUNC,
                                 GL_STENCIL_BACK_VALUE_MASK,
                                 GL_STENCIL_BACK_WRITEMASK};
 
-abi::StencilFaceKey askFace(const Ask &ask, const StencilNames &names, abi::FragmentData &data,
-                            int face) {
-  data.stencilReference[face] = std::uint8_t(std::clamp(ask.integer(names.reference), 0, 0xFF));
-  data.stencilCompareMask[face] = std::uint8_t(ask.integer(names.compareMask));
-  data.stencilWriteMask[face] = std::uint8_t(ask.integer(names.writeMask));
-  return {compareOf(ask.name(names.function)), stencilOp(ask.name(names.fail)),
-          stencilOp(ask.name(names.depthFail)), stencilOp(ask.name(names.depthPass))};
+abi::StencilFaceKey queryFace(const HostQuery &query, const StencilNames &names,
+                              abi::FragmentData &data, int face) {
+  data.stencilReference[face] = std::uint8_t(std::clamp(query.integer(names.reference), 0, 0xFF));
+  data.stencilCompareMask[face] = std::uint8_t(query.integer(names.compareMask));
+  data.stencilWriteMask[face] = std::uint8_t(query.integer(names.writeMask));
+  return {compareOf(query.name(names.function)), stencilOp(query.name(names.fail)),
+          stencilOp(query.name(names.depthFail)), stencilOp(query.name(names.depthPass))};
 }
 
 /// EXT_stencil_two_side keeps a back face of its own, chosen by its active face, and effective only
 /// while its test is enabled; that of GL 2.0 is effective always.
-void askStencil(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryStencil(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   abi::DepthStencilKey &key = mirror.pixelOps.depthStencil;
   abi::FragmentData &data = mirror.constants;
-  key.stencilTest = ask.enabled(GL_STENCIL_TEST) ? 1 : 0;
+  key.stencilTest = query.enabled(GL_STENCIL_TEST) ? 1 : 0;
   key.front = key.back = {};
   if (!key.stencilTest)
     return;
-  if (!caps.stencilTwoSide || !ask.enabled(GL_STENCIL_TEST_TWO_SIDE_EXT)) {
+  if (!caps.stencilTwoSide || !query.enabled(GL_STENCIL_TEST_TWO_SIDE_EXT)) {
     GLint active = GL_FRONT;
     if (caps.stencilTwoSide) {
-      active = ask.integer(GL_ACTIVE_STENCIL_FACE_EXT);
+      active = query.integer(GL_ACTIVE_STENCIL_FACE_EXT);
       if (active != GL_FRONT)
-        ask.host.ActiveStencilFaceEXT(GL_FRONT);
+        query.host.ActiveStencilFaceEXT(GL_FRONT);
     }
-    key.front = askFace(ask, kFront, data, 0);
-    key.back = askFace(ask, kBack, data, 1);
+    key.front = queryFace(query, kFront, data, 0);
+    key.back = queryFace(query, kBack, data, 1);
     if (active != GL_FRONT)
-      ask.host.ActiveStencilFaceEXT(GLenum(active));
+      query.host.ActiveStencilFaceEXT(GLenum(active));
     return;
   }
-  const GLenum active = ask.name(GL_ACTIVE_STENCIL_FACE_EXT);
-  ask.host.ActiveStencilFaceEXT(GL_FRONT);
-  key.front = askFace(ask, kFront, data, 0);
-  ask.host.ActiveStencilFaceEXT(GL_BACK);
-  key.back = askFace(ask, kFront, data, 1);
-  ask.host.ActiveStencilFaceEXT(active);
+  const GLenum active = query.name(GL_ACTIVE_STENCIL_FACE_EXT);
+  query.host.ActiveStencilFaceEXT(GL_FRONT);
+  key.front = queryFace(query, kFront, data, 0);
+  query.host.ActiveStencilFaceEXT(GL_BACK);
+  key.back = queryFace(query, kFront, data, 1);
+  query.host.ActiveStencilFaceEXT(active);
 }
 
-void askDepth(const Ask &ask, abi::DepthStencilKey &key) {
-  key.depthTest = ask.enabled(GL_DEPTH_TEST) ? 1 : 0;
+void queryDepth(const HostQuery &query, abi::DepthStencilKey &key) {
+  key.depthTest = query.enabled(GL_DEPTH_TEST) ? 1 : 0;
   key.depthWrite = 0;
   key.depthCompare = abi::Compare::Less;
   if (!key.depthTest)
     return;
   GLboolean mask = GL_TRUE;
-  ask.host.GetBooleanv(GL_DEPTH_WRITEMASK, &mask);
+  query.host.GetBooleanv(GL_DEPTH_WRITEMASK, &mask);
   key.depthWrite = mask ? 1 : 0;
-  key.depthCompare = compareOf(ask.name(GL_DEPTH_FUNC));
+  key.depthCompare = compareOf(query.name(GL_DEPTH_FUNC));
 }
 
 } // namespace
 
-void askPixelOps(const HostCaps &caps, const Ask &ask, Mirror &mirror) {
+void queryPixelOps(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   abi::FragmentKey &key = mirror.pixelOps;
   key.alphaTest = abi::Compare::Always;
   mirror.constants.alphaReference = 0;
-  if (ask.enabled(GL_ALPHA_TEST)) {
-    key.alphaTest = compareOf(ask.name(GL_ALPHA_TEST_FUNC));
-    mirror.constants.alphaReference = ask.number(GL_ALPHA_TEST_REF);
+  if (query.enabled(GL_ALPHA_TEST)) {
+    key.alphaTest = compareOf(query.name(GL_ALPHA_TEST_FUNC));
+    mirror.constants.alphaReference = query.number(GL_ALPHA_TEST_REF);
   }
-  askTargets(caps, ask, mirror);
-  askDepth(ask, key.depthStencil);
-  askStencil(caps, ask, mirror);
+  queryTargets(caps, query, mirror);
+  queryDepth(query, key.depthStencil);
+  queryStencil(caps, query, mirror);
   GLint clamp = GL_TRUE, clampVertex = GL_TRUE;
   if (caps.clampColor) {
-    clamp = ask.integer(GL_CLAMP_FRAGMENT_COLOR);
-    clampVertex = ask.integer(GL_CLAMP_VERTEX_COLOR);
+    clamp = query.integer(GL_CLAMP_FRAGMENT_COLOR);
+    clampVertex = query.integer(GL_CLAMP_VERTEX_COLOR);
   }
   mirror.clampFixedOnly = clamp == GL_FIXED_ONLY;
   key.clampColors = clamp != GL_FALSE ? 1 : 0;

@@ -88,7 +88,7 @@ struct Source {
 };
 
 /// What a sampler object replaces.
-void askSampling(const HostCaps &caps, const Source &source, SamplerState &state) {
+void querySampling(const HostCaps &caps, const Source &source, SamplerState &state) {
   abi::SamplerKey &key = state.key;
   constexpr GLenum kWraps[] = {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
   // Those that a target has no coordinate for stay as they are: fewer keys.
@@ -118,7 +118,7 @@ void askSampling(const HostCaps &caps, const Source &source, SamplerState &state
 }
 
 /// What is the texture's whatever the sampler object.
-void askTexture(const HostCaps &caps, const Source &source, SamplerState &state) {
+void queryTexture(const HostCaps &caps, const Source &source, SamplerState &state) {
   state.baseLevel = source.integer(GL_TEXTURE_BASE_LEVEL);
   state.maxLevel = source.integer(GL_TEXTURE_MAX_LEVEL);
   state.depthMode = GLenum(source.integer(GL_DEPTH_TEXTURE_MODE));
@@ -130,7 +130,8 @@ void askTexture(const HostCaps &caps, const Source &source, SamplerState &state)
 }
 
 /// The unit is the active one.
-void askSampler(const HostCaps &caps, const Ask &ask, const SamplerUse &use, SamplerState &state) {
+void querySampler(const HostCaps &caps, const HostQuery &query, const SamplerUse &use,
+                  SamplerState &state) {
   const std::uint64_t seen = state.seen;
   state = {};
   state.seen = seen;
@@ -140,14 +141,14 @@ void askSampler(const HostCaps &caps, const Ask &ask, const SamplerUse &use, Sam
     state.obstacle = "no rectangles";
     return;
   }
-  state.texture = GLuint(ask.integer(names.binding));
-  const GLuint sampler = caps.samplerObjects ? GLuint(ask.integer(GL_SAMPLER_BINDING)) : 0;
-  ask.host.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &state.lodBias);
-  askSampling(caps, {ask.host, names.target, sampler}, state);
-  askTexture(caps, {ask.host, names.target, 0}, state);
+  state.texture = GLuint(query.integer(names.binding));
+  const GLuint sampler = caps.samplerObjects ? GLuint(query.integer(GL_SAMPLER_BINDING)) : 0;
+  query.host.GetTexEnvfv(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, &state.lodBias);
+  querySampling(caps, {query.host, names.target, sampler}, state);
+  queryTexture(caps, {query.host, names.target, 0}, state);
   if (use.dimension == abi::Dimension::Cube && caps.seamlessCube &&
       (state.key.magnify == abi::Filter::Linear || state.key.minify == abi::Filter::Linear) &&
-      ask.enabled(GL_TEXTURE_CUBE_MAP_SEAMLESS))
+      query.enabled(GL_TEXTURE_CUBE_MAP_SEAMLESS))
     state.obstacle = "TEXTURE_CUBE_MAP_SEAMLESS";
   state.key.hasBias = state.lodBias != 0 || state.minLod != -1000 || state.maxLod != 1000;
 }
@@ -158,24 +159,24 @@ namespace {
 constexpr std::uint32_t kSamplerGroups = dirty::kTextureBindings | dirty::kTextureParameters;
 } // namespace
 
-bool Mirror::isStale(const SamplerUse &use) const {
+bool Mirror::isDirty(const SamplerUse &use) const {
   const SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
   return (clock.changedSince(state.seen) & kSamplerGroups) != 0;
 }
 
-bool Mirror::samplersAreStale(std::span<const SamplerUse> uses) const {
-  return std::any_of(uses.begin(), uses.end(), [&](const SamplerUse &use) { return isStale(use); });
+bool Mirror::samplersAreDirty(std::span<const SamplerUse> uses) const {
+  return std::any_of(uses.begin(), uses.end(), [&](const SamplerUse &use) { return isDirty(use); });
 }
 
 void Mirror::refreshSamplers(std::span<const SamplerUse> uses) {
-  const Ask ask{m_host};
+  const HostQuery query{m_host};
   const UnitsScope units(m_host);
   for (const SamplerUse &use : uses) {
-    if (!isStale(use))
+    if (!isDirty(use))
       continue;
     SamplerState &state = samplers[use.unit][std::size_t(use.dimension)];
     units.select(use.unit);
-    askSampler(m_caps, ask, use, state);
+    querySampler(m_caps, query, use, state);
     state.seen = clock.now();
   }
 }

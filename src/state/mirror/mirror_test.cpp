@@ -90,7 +90,7 @@ TEST(Mirror, FollowsWhicheverStateChanged) {
   }
 }
 
-TEST(Mirror, AsksOnlyWhatIsStale) {
+TEST(Mirror, AsksOnlyWhatIsDirty) {
   const RealHost host;
   ASSERT_TRUE(host.valid()) << "no context of OSMesa";
   Context &context = host.context();

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kLights = 8;
 
-void askColorMaterial(const Ask &ask, VertexState &state) {
-  state.colorMaterial = ask.enabled(GL_COLOR_MATERIAL);
+void queryColorMaterial(const HostQuery &query, VertexState &state) {
+  state.colorMaterial = query.enabled(GL_COLOR_MATERIAL);
   state.colorMaterialFace = state.colorMaterialParts = 0;
   if (!state.colorMaterial)
     return;
-  const GLenum face = ask.name(GL_COLOR_MATERIAL_FACE);
+  const GLenum face = query.name(GL_COLOR_MATERIAL_FACE);
   state.colorMaterialFace = std::uint8_t((face != GL_BACK ? 1 : 0) | (face != GL_FRONT ? 2 : 0));
-  switch (ask.name(GL_COLOR_MATERIAL_PARAMETER)) {
+  switch (query.name(GL_COLOR_MATERIAL_PARAMETER)) {
   case GL_EMISSION:
     state.colorMaterialParts = 1;
     break;
@@ -38,19 +38,19 @@ void askColorMaterial(const Ask &ask, VertexState &state) {
   }
 }
 
-void askLight(const Ask &ask, int light, VertexState &state) {
+void queryLight(const HostQuery &query, int light, VertexState &state) {
   const GLenum name = GLenum(GL_LIGHT0 + light);
   const auto bit = std::uint8_t(1u << light);
-  if (!ask.enabled(name))
+  if (!query.enabled(name))
     return;
   state.lights |= bit;
   const auto get = [&](GLenum pname) {
     GLfloat value = 0;
-    ask.host.GetLightfv(name, pname, &value);
+    query.host.GetLightfv(name, pname, &value);
     return value;
   };
   GLfloat position[4] = {};
-  ask.host.GetLightfv(name, GL_POSITION, position);
+  query.host.GetLightfv(name, GL_POSITION, position);
   if (get(GL_SPOT_CUTOFF) != 180.0f)
     state.spots |= bit;
   if (position[3] == 0)
@@ -61,24 +61,24 @@ void askLight(const Ask &ask, int light, VertexState &state) {
     state.attenuated |= bit;
 }
 
-void askLighting(const Ask &ask, VertexState &state) {
-  state.lighting = ask.enabled(GL_LIGHTING);
-  askColorMaterial(ask, state);
+void queryLighting(const HostQuery &query, VertexState &state) {
+  state.lighting = query.enabled(GL_LIGHTING);
+  queryColorMaterial(query, state);
   state.lights = state.positional = state.spots = state.attenuated = 0;
   if (!state.lighting)
     return;
-  state.twoSided = ask.boolean(GL_LIGHT_MODEL_TWO_SIDE);
-  state.localViewer = ask.boolean(GL_LIGHT_MODEL_LOCAL_VIEWER);
-  state.separateSpecular = ask.name(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
+  state.twoSided = query.boolean(GL_LIGHT_MODEL_TWO_SIDE);
+  state.localViewer = query.boolean(GL_LIGHT_MODEL_LOCAL_VIEWER);
+  state.separateSpecular = query.name(GL_LIGHT_MODEL_COLOR_CONTROL) == GL_SEPARATE_SPECULAR_COLOR;
   for (int light = 0; light < kLights; ++light)
-    askLight(ask, light, state);
+    queryLight(query, light, state);
 }
 
-std::uint8_t askTexGenMode(const Ask &ask, GLenum coordinate) {
-  if (!ask.enabled(GL_TEXTURE_GEN_S + (coordinate - GL_S)))
+std::uint8_t queryTexGenMode(const HostQuery &query, GLenum coordinate) {
+  if (!query.enabled(GL_TEXTURE_GEN_S + (coordinate - GL_S)))
     return 0;
   GLint mode = GL_EYE_LINEAR;
-  ask.host.GetTexGeniv(coordinate, GL_TEXTURE_GEN_MODE, &mode);
+  query.host.GetTexGeniv(coordinate, GL_TEXTURE_GEN_MODE, &mode);
   switch (mode) {
   case GL_OBJECT_LINEAR:
     return 1 + std::uint8_t(TexGenMode::ObjectLinear);
@@ -93,15 +93,15 @@ std::uint8_t askTexGenMode(const Ask &ask, GLenum coordinate) {
   }
 }
 
-void askTexGen(const HostCaps &caps, const Ask &ask, VertexState &state) {
-  const UnitsScope units(ask.host);
+void queryTexGen(const HostCaps &caps, const HostQuery &query, VertexState &state) {
+  const UnitsScope units(query.host);
   for (int unit = 0; unit < 8; ++unit) {
     state.texGen[std::size_t(unit)] = {};
     if (unit >= caps.maxTextureCoords)
       continue;
     units.select(unit);
     for (GLenum c = 0; c < 4; ++c)
-      state.texGen[std::size_t(unit)][c] = askTexGenMode(ask, GL_S + c);
+      state.texGen[std::size_t(unit)][c] = queryTexGenMode(query, GL_S + c);
   }
 }
 
@@ -112,28 +112,28 @@ bool isIdentity(const GLfloat matrix[16]) {
   return true;
 }
 
-void askTransform(const HostCaps &caps, const Ask &ask, VertexState &state) {
-  state.normalize = ask.enabled(GL_NORMALIZE);
-  state.rescale = ask.enabled(GL_RESCALE_NORMAL);
+void queryTransform(const HostCaps &caps, const HostQuery &query, VertexState &state) {
+  state.normalize = query.enabled(GL_NORMALIZE);
+  state.rescale = query.enabled(GL_RESCALE_NORMAL);
   state.clipPlanes = 0;
   for (int plane = 0; plane < std::min(caps.maxClipPlanes, 8); ++plane)
-    if (ask.enabled(GLenum(GL_CLIP_PLANE0 + plane)))
+    if (query.enabled(GLenum(GL_CLIP_PLANE0 + plane)))
       state.clipPlanes |= std::uint8_t(1u << plane);
   state.textureMatrix = 0;
-  const UnitsScope units(ask.host);
+  const UnitsScope units(query.host);
   for (int unit = 0; unit < std::min(caps.maxTextureCoords, 8); ++unit) {
     GLfloat matrix[16] = {};
     units.select(unit);
-    ask.host.GetFloatv(GL_TEXTURE_MATRIX, matrix);
+    query.host.GetFloatv(GL_TEXTURE_MATRIX, matrix);
     if (!isIdentity(matrix))
       state.textureMatrix |= std::uint8_t(1u << unit);
   }
 }
 
-void askPointsAndFog(const Ask &ask, VertexState &state) {
-  state.fogFromDepth = ask.name(GL_FOG_COORDINATE_SOURCE) == GL_FRAGMENT_DEPTH;
+void queryPointsAndFog(const HostQuery &query, VertexState &state) {
+  state.fogFromDepth = query.name(GL_FOG_COORDINATE_SOURCE) == GL_FRAGMENT_DEPTH;
   GLfloat factors[3] = {1, 0, 0};
-  ask.host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, factors);
+  query.host.GetFloatv(GL_POINT_DISTANCE_ATTENUATION, factors);
   state.pointAttenuation = factors[0] != 1 || factors[1] != 0 || factors[2] != 0;
 }
 
@@ -149,15 +149,15 @@ void Mirror::refreshVertexState(bool floatTarget) {
     return;
   const VertexState before = vertex;
   VertexState &state = vertex;
-  const Ask ask{m_host};
+  const HostQuery query{m_host};
   if ((groups & dirty::kTransform) != 0)
-    askTransform(m_caps, ask, state);
+    queryTransform(m_caps, query, state);
   if ((groups & dirty::kLighting) != 0)
-    askLighting(ask, state);
+    queryLighting(query, state);
   if ((groups & dirty::kTexGen) != 0)
-    askTexGen(m_caps, ask, state);
+    queryTexGen(m_caps, query, state);
   if ((groups & (dirty::kFog | dirty::kRaster)) != 0)
-    askPointsAndFog(ask, state);
+    queryPointsAndFog(query, state);
   state.clampColors = clamps;
   if (!(before == state))
     ++state.version;

@@ -1,6 +1,5 @@
 // Programs that are longer than any card's profile lets them be: this runs with
 // ARBITER_PROFILE=host.
-#include "state/host_draw/draw.h"
 
 #include <string>
 

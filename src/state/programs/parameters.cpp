@@ -1,22 +1,14 @@
-// Program parameters (3.11.1, 6.1.12; EXT_gpu_program_parameters; EXT_direct_state_access).
-#include <algorithm>
-#include <cstring>
-#include <optional>
+#include "state/programs/parameters.h"
 
-#include "host/handlers.h"
-#include "host/host_table.h"
+#include <algorithm>
+
+#include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
-#include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
 
 namespace arbiter::state {
 
-namespace {
-
 /// Checks [index, index + count) against `size` without overflow.
-bool checkRange(Context &context, GLuint index, GLsizei count, std::size_t size,
-                const char *command) {
+bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size, const char *command) {
   if (count >= 0 && index < size && std::size_t(count) <= size - index)
     return true;
   // An empty range at the end is no error: nothing beyond the limit is touched.
@@ -26,96 +18,8 @@ bool checkRange(Context &context, GLuint index, GLsizei count, std::size_t size,
   return false;
 }
 
-Vec4 fromDoubles(const GLdouble *v) {
-  return {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])};
-}
-Vec4 fromFloats(const GLfloat *v) { return {v[0], v[1], v[2], v[3]}; }
-
-void recordParameters(Context &context, Command::Kind kind, const ProgramTarget &row, GLuint index,
-                      GLsizei count, const Vec4 *values) {
-  Command command{.kind = kind, .target = row.info().name, .name = index};
-  command.count = count;
-  if (count > 0)
-    command.values.assign(values, values + count);
-  context.list->record(context, std::move(command));
-}
-
-/// The way of an env setter with anything unusual about it.
-[[gnu::noinline]] void env(Context &context, ProgramTarget &row, GLuint index, GLsizei count,
-                           const Vec4 *values) {
-  if (!outsideBeginEnd(context, "ProgramEnvParameter between Begin and End"))
-    return;
-  if (context.listMode)
-    return recordParameters(context, Command::Kind::Env, row, index, count, values);
-  setEnv(context, row, index, count, values);
-}
-
-[[gnu::noinline]] void local(Context &context, ProgramTarget &row, GLuint index, GLsizei count,
-                             const Vec4 *values) {
-  if (!outsideBeginEnd(context, "ProgramLocalParameter between Begin and End"))
-    return;
-  if (context.listMode)
-    return recordParameters(context, Command::Kind::Local, row, index, count, values);
-  setLocal(context, *row.bound, index, count, values);
-}
-
-bool isImmediate(const Context &context) {
-  return !context.insideBeginEnd && context.listMode == 0;
-}
-
-/// One env parameter: the call that applications make thousands of times a frame.
-[[gnu::always_inline]] inline void env(Context &context, ProgramTarget &row, GLuint index,
-                                       const Vec4 &value) {
-  if (!isImmediate(context) || index >= row.env.size()) [[unlikely]]
-    return env(context, row, index, 1, &value);
-  row.env[index] = value;
-  ++row.envVersion;
-  context.attention |= row.parameterBits;
-}
-
-/// One local parameter of the bound program.
-[[gnu::always_inline]] inline void local(Context &context, ProgramTarget &row, GLuint index,
-                                         const Vec4 &value) {
-  ProgramObject &object = *row.bound;
-  if (!isImmediate(context) || index >= object.locals.size()) [[unlikely]]
-    return local(context, row, index, 1, &value);
-  object.locals[index].store(value);
-  object.changed(row.seenVersion);
-  context.attention |= row.parameterBits;
-}
-
-std::optional<Vec4> readEnv(Context &context, const ProgramTarget &row, GLuint index) {
-  if (!outsideBeginEnd(context, "GetProgramEnvParameter between Begin and End") ||
-      !checkRange(context, index, 1, row.env.size(), "GetProgramEnvParameter: index"))
-    return std::nullopt;
-  return row.env[index];
-}
-
-std::optional<Vec4> readLocal(Context &context, const ProgramTarget &row, GLuint index) {
-  const ProgramObject &object = *row.bound;
-  if (!outsideBeginEnd(context, "GetProgramLocalParameter between Begin and End") ||
-      !checkRange(context, index, 1, object.locals.size(), "GetProgramLocalParameter: index"))
-    return std::nullopt;
-  return object.locals[index].load();
-}
-
-template <typename T> void copyOut(const std::optional<Vec4> &value, T *params) {
-  if (value && params)
-    std::copy(value->begin(), value->end(), params);
-}
-
-/// Reads GLfloat quadruples that need not be aligned as Vec4 is.
-std::vector<Vec4> gather(GLsizei count, const GLfloat *params) {
-  std::vector<Vec4> values(std::size_t(std::max(count, 0)));
-  if (count > 0)
-    std::memcpy(values.data(), params, values.size() * sizeof(Vec4));
-  return values;
-}
-
-} // namespace
-
 void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, const Vec4 *values) {
-  if (!checkRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
+  if (!isRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
     return;
   std::copy_n(values, count, row.env.begin() + std::ptrdiff_t(index));
   ++row.envVersion;
@@ -124,7 +28,7 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
 
 void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values) {
-  if (!checkRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
+  if (!isRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
     return;
   for (GLsizei i = 0; i < count; ++i)
     object.locals[index + GLuint(i)].store(values[i]);
@@ -135,128 +39,4 @@ void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei cou
   context.attention |= row.parameterBits;
 }
 
-namespace handlers {
-
-void ProgramEnvParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
-                              GLfloat z, GLfloat w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4fARB(target, index, x, y, z, w);
-  const Vec4 value = {x, y, z, w};
-  env(context, *row, index, value);
-}
-
-void ProgramEnvParameter4fvARB(Context &context, GLenum target, GLuint index,
-                               const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4fvARB(target, index, params);
-  const Vec4 value = fromFloats(params);
-  env(context, *row, index, value);
-}
-
-void ProgramEnvParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
-                              GLdouble z, GLdouble w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4dARB(target, index, x, y, z, w);
-  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  env(context, *row, index, value);
-}
-
-void ProgramEnvParameter4dvARB(Context &context, GLenum target, GLuint index,
-                               const GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameter4dvARB(target, index, params);
-  const Vec4 value = fromDoubles(params);
-  env(context, *row, index, value);
-}
-
-void ProgramEnvParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
-                                const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramEnvParameters4fvEXT(target, index, count, params);
-  if (count < 0 || std::size_t(count) > row->env.size())
-    return raise(context, GL_INVALID_VALUE, "ProgramEnvParameters: count");
-  env(context, *row, index, count, gather(count, params).data());
-}
-
-void ProgramLocalParameter4fARB(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
-                                GLfloat z, GLfloat w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4fARB(target, index, x, y, z, w);
-  const Vec4 value = {x, y, z, w};
-  local(context, *row, index, value);
-}
-
-void ProgramLocalParameter4fvARB(Context &context, GLenum target, GLuint index,
-                                 const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4fvARB(target, index, params);
-  const Vec4 value = fromFloats(params);
-  local(context, *row, index, value);
-}
-
-void ProgramLocalParameter4dARB(Context &context, GLenum target, GLuint index, GLdouble x,
-                                GLdouble y, GLdouble z, GLdouble w) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4dARB(target, index, x, y, z, w);
-  const Vec4 value = {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)};
-  local(context, *row, index, value);
-}
-
-void ProgramLocalParameter4dvARB(Context &context, GLenum target, GLuint index,
-                                 const GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameter4dvARB(target, index, params);
-  const Vec4 value = fromDoubles(params);
-  local(context, *row, index, value);
-}
-
-void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index, GLsizei count,
-                                  const GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramLocalParameters4fvEXT(target, index, count, params);
-  if (count < 0 || std::size_t(count) > row->bound->locals.size())
-    return raise(context, GL_INVALID_VALUE, "ProgramLocalParameters: count");
-  local(context, *row, index, count, gather(count, params).data());
-}
-
-void GetProgramEnvParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramEnvParameterfvARB(target, index, params);
-  copyOut(readEnv(context, *row, index), params);
-}
-
-void GetProgramEnvParameterdvARB(Context &context, GLenum target, GLuint index, GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramEnvParameterdvARB(target, index, params);
-  copyOut(readEnv(context, *row, index), params);
-}
-
-void GetProgramLocalParameterfvARB(Context &context, GLenum target, GLuint index, GLfloat *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramLocalParameterfvARB(target, index, params);
-  copyOut(readLocal(context, *row, index), params);
-}
-
-void GetProgramLocalParameterdvARB(Context &context, GLenum target, GLuint index,
-                                   GLdouble *params) {
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramLocalParameterdvARB(target, index, params);
-  copyOut(readLocal(context, *row, index), params);
-}
-
-} // namespace handlers
 } // namespace arbiter::state

@@ -1,20 +1,23 @@
 // ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
+#include "state/programs/program_load.h"
+#include "state/core/context.h"
+#include "state/host_draw/drop_variants.h"
+
 #include <algorithm>
 #include <cstring>
 
 #include "fp_compiler/ir/print.h"
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/core/share_group.h"
 #include "state/host_draw/ati_variants.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/lists/list_compiler.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
 #include "state/programs/program_cache.h"
 #include "state/programs/replacement.h"
 #include "state/report/capture.h"
 #include "state/report/statistics.h"
+#include "state/share/share_group.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -162,20 +165,4 @@ void recordProgramString(Context &context, Command::Kind kind, const ProgramTarg
   context.list->record(context, std::move(command));
 }
 
-namespace handlers {
-
-void ProgramStringARB(Context &context, GLenum target, GLenum format, GLsizei len,
-                      const void *string) {
-  if (!outsideBeginEnd(context, "ProgramString between Begin and End"))
-    return;
-  ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->ProgramStringARB(target, format, len, string); // raises INVALID_ENUM
-  noteProgramApiUse(context);
-  if (context.listMode)
-    return recordProgramString(context, Command::Kind::ProgramString, *row, 0, format, len, string);
-  loadProgram(context, *row->bound, format, len, string);
-}
-
-} // namespace handlers
 } // namespace arbiter::state

@@ -84,7 +84,7 @@ TEST(Programs, TheAttributeStackIsMirrored) {
     handlers::PushAttrib(*context, GL_ENABLE_BIT);
   handlers::PushAttrib(*context, GL_ENABLE_BIT);
   EXPECT_EQ(handlers::GetError(*context), GLenum(GL_STACK_OVERFLOW));
-  EXPECT_EQ(context->attribStack.depth(), 16u) << "the host refused, and so must ours";
+  EXPECT_EQ(context->attribStack.depth(), 16u) << "the host refused, and so must the layer";
   handlers::Disable(*context, kFragment);
   handlers::PopAttrib(*context);
   EXPECT_TRUE(handlers::IsEnabled(*context, kFragment));

@@ -1,12 +1,8 @@
-// GetProgramiv and GetProgramString (6.1.12): every count is the compiler's, computed for the
 // program that last loaded; object 0 and an object without a program answer zero.
-#include <cstring>
+#include "state/programs/queries.h"
 
-#include "host/handlers.h"
-#include "host/host_table.h"
-#include "state/core/errors.h"
-#include "state/core/share_group.h"
-#include "state/programs/program_api.h"
+#include "state/core/context.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -115,30 +111,4 @@ bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObjec
   }
 }
 
-namespace handlers {
-
-void GetProgramivARB(Context &context, GLenum target, GLenum pname, GLint *params) {
-  const ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramivARB(target, pname, params);
-  if (!outsideBeginEnd(context, "GetProgramiv between Begin and End") || !params)
-    return;
-  if (!queryProgram(context, *row, *row->bound, pname, params))
-    raise(context, GL_INVALID_ENUM, "GetProgramiv: pname");
-}
-
-void GetProgramStringARB(Context &context, GLenum target, GLenum pname, void *string) {
-  const ProgramTarget *const row = rowOf(context, target);
-  if (!row)
-    return context.host->GetProgramStringARB(target, pname, string);
-  if (!outsideBeginEnd(context, "GetProgramString between Begin and End"))
-    return;
-  if (pname != GL_PROGRAM_STRING_ARB)
-    return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
-  const auto program = context.group->compiledOf(*row->bound);
-  if (program && string)
-    std::memcpy(string, program->text.data(), program->text.size()); // no terminator (6.1.12)
-}
-
-} // namespace handlers
 } // namespace arbiter::state

@@ -1,8 +1,10 @@
 #include "state/programs/replacement.h"
+#include "state/host_draw/drop_variants.h"
 
 #include "state/core/context.h"
-#include "state/core/share_group.h"
-#include "state/programs/program_api.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/program_load.h"
+#include "state/share/share_group.h"
 #include "util/log.h"
 
 namespace arbiter::state {

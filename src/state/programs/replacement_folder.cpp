@@ -16,7 +16,7 @@ namespace arbiter::state {
 namespace {
 
 constexpr std::int64_t kPollInterval = 10'000'000;    ///< ns between two questions to inotify
-constexpr std::int64_t kLookInterval = 1'000'000'000; ///< ns between two looks at every file
+constexpr std::int64_t kScanInterval = 1'000'000'000; ///< ns between two scans of every file
 
 std::int64_t coarseNow() {
   timespec time{};
@@ -105,7 +105,7 @@ bool ReplacementFolder::reported() {
   }
 }
 
-void ReplacementFolder::look() {
+void ReplacementFolder::scan() {
   const std::uint64_t next = m_generation.load(std::memory_order_relaxed) + 1;
   bool any = false;
   for (auto &[name, file] : m_files) {
@@ -130,13 +130,13 @@ void ReplacementFolder::poll() {
   m_nextPoll.store(now + kPollInterval, std::memory_order_relaxed);
   if (m_process != getpid())
     watch();
-  const bool due = now >= m_nextLook;
+  const bool due = now >= m_nextScan;
   if (due && m_notify < 0)
     watch();
   if (!due && (m_notify < 0 || !reported()))
     return;
-  m_nextLook = now + kLookInterval;
-  look();
+  m_nextScan = now + kScanInterval;
+  scan();
 }
 
 bool ReplacementFolder::changedSince(const std::string &name, std::uint64_t generation) {

@@ -51,14 +51,14 @@ private:
 
   void watch();
   [[nodiscard]] bool reported();
-  void look();
+  void scan();
 
   const std::string m_path;
   std::mutex m_mutex;
   std::unordered_map<std::string, File> m_files;
   std::atomic<std::uint64_t> m_generation{0};
   std::atomic<std::int64_t> m_nextPoll{0}; ///< monotonic ns
-  std::int64_t m_nextLook = 0;
+  std::int64_t m_nextScan = 0;
   int m_notify = -1;
   pid_t m_process = 0; ///< that m_notify belongs to
 };

@@ -7,7 +7,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Frames of an application whose time hangs on who draws.
+/// Frames of an application whose time depends on who draws.
 class Frames {
 public:
   explicit Frames(BackOff &backOff) : m_backOff(backOff) {}

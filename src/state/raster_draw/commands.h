@@ -2,9 +2,9 @@
 #include "state/core/context.h"
 #include "state/mirror/convert.h"
 #include "state/raster_draw/draw.h"
-#include "state/raster_draw/vertices/immediate.h"
+#include "state/raster_draw/immediate/recorder.h"
 
-/// What the generated entry points ask of the rasterizer's part before a command goes to the host
+/// What the generated entry points ask of the rasterizer before a command goes to the host
 /// (src/dispatch/software.toml).
 namespace arbiter::state::software {
 
@@ -16,22 +16,10 @@ namespace arbiter::state::software {
   return context.softwareListens ||
          (!context.passThrough && (context.attention & attention::kProgram) != 0);
 }
-/// A command of one draw, of arrays or of elements. False also where the host would raise an error
-/// for the arguments: it does so.
-[[nodiscard]] bool draw(Context &context, const DrawCommand &command);
-[[nodiscard]] bool drawRange(Context &context, GLuint start, GLuint end,
-                             const DrawCommand &command);
-/// Each of its draws is judged by itself: some may be the rasterizer's, and others the host's.
-[[nodiscard]] bool multiDrawArrays(Context &context, GLenum mode, const GLint *first,
-                                   const GLsizei *count, GLsizei drawCount);
-/// \param baseVertices null: 0 for each
-[[nodiscard]] bool multiDrawElements(Context &context, GLenum mode, const GLsizei *count,
-                                     GLenum type, const void *const *indices, GLsizei drawCount,
-                                     const GLint *baseVertices);
-[[nodiscard]] bool rectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
+[[nodiscard]] bool tryRectangle(Context &context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2);
 
 // --- Before the host does what `name` says. Between Begin and End, where these are errors, and
-// --- while a list is compiled, where nothing is ours, they do nothing ---
+// --- while a list is compiled, where nothing is the rasterizer's, they do nothing ---
 
 void hostReads(Context &context, const char *name);
 void hostWrites(Context &context, const char *name);

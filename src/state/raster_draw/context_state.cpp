@@ -4,8 +4,8 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/share_group.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/share/share_group.h"
 #include "util/flags.h"
 
 namespace arbiter::state::software {
@@ -48,7 +48,7 @@ void engage(Context &context) {
   context.software->residency.enter(context.drawable);
 }
 
-// The mirror is never asked for anything while the host is held back (Context::trueHost).
+// The mirror is never asked for anything while the host is deferred (Context::trueHost).
 ContextState::ContextState(Context &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
       residency({context, context.caps, context.pendingError, context.neighbours,

@@ -6,21 +6,19 @@
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/back_off.h"
 #include "state/raster_draw/fallback.h"
-#include "state/raster_draw/vertices/immediate.h"
+#include "state/raster_draw/immediate/recorder.h"
 #include "state/residency/residency.h"
 
-/// What a context keeps for the rasterizer of our own; null in Context::software where it is not
-/// used (a GPU host, ARBITER_BACKEND=host, a context without our program targets).
+/// What a context keeps for the rasterizer; null in Context::software where it is not
+/// used (a GPU host, ARBITER_BACKEND=host, a context without the layer's program targets).
 namespace arbiter::state {
 class Context;
 }
 
 namespace arbiter::state::software {
 
-/// What draw.cpp keeps: the effective functions.
-struct ContextDraws {
-  virtual ~ContextDraws() = default;
-};
+class Pipeline;
+
 struct ContextState {
   explicit ContextState(Context &context);
   ~ContextState();
@@ -31,7 +29,11 @@ struct ContextState {
   Residency residency;
   ImmediateRecorder recorder;
   bool openParts = false; ///< of the primitive that is recorded: some have been drawn
-  std::unique_ptr<ContextDraws> draws;
+  /// Null before the first draw that is looked at. Who makes it (decision.cpp) knows how it is
+  /// destroyed: all that uses it includes this header.
+  std::unique_ptr<Pipeline, void (*)(Pipeline *)> pipeline{nullptr, nullptr};
+  /// The next draw looks at all state anew.
+  void forgetPipeline() { pipeline.reset(); }
   BackOff backOff;
   bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
   /// Turns of the host in this frame that draw what the rasterizer cannot. Depths of two
@@ -65,11 +67,11 @@ struct ContextState {
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
 };
 
-/// Makes Context::software where it is to be: when a fragment program of ours first comes into
-/// force. Until then the rasterizer costs nothing.
+/// Makes Context::software where it is to be: when a fragment program first becomes
+/// effective. Until then the rasterizer costs nothing.
 void engage(Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
-/// be where a fragment program of ours becomes effective, and programs are made already.
+/// be where a fragment program of the layer's becomes effective, and programs are made already.
 [[nodiscard]] bool keepsLists(const Context &context);
 
 } // namespace arbiter::state::software

@@ -4,9 +4,9 @@
 #include <GL/gl.h>
 
 #include "state/mirror/attributes.h"
+#include "state/raster_draw/outcome.h"
 
-/// The way of a draw that may be ours: does it qualify, what function shades it, which images it
-/// goes to; else the host draws, after it was brought up to date.
+/// Draws of arrays and of vertices that a list has kept.
 namespace arbiter::state {
 class Context;
 }
@@ -24,16 +24,29 @@ struct DrawCommand {
   GLint baseVertex = 0;
 };
 
-/// For all of them programs are valid (validatePrograms). Where the host draws after all, it has
-/// been validated for and brought up to date.
-/// True: drawn. False: the host's; hostDraws() has been called, and the caller goes on.
-[[nodiscard]] bool drawArrays(Context &context, const DrawCommand &command);
-/// The same of the first `count` vertices of `source`; null: they are none that we draw.
+// --- Commands. True: drawn. Called where mayDraw() (commands.h), before anything is prepared for
+// the
+// --- host's draw; false also where the host would raise an error for the arguments: it does so ---
+
+/// One draw, of arrays or of elements.
+[[nodiscard]] bool tryDraw(Context &context, const DrawCommand &command);
+[[nodiscard]] bool tryDrawRange(Context &context, GLuint start, GLuint end,
+                                const DrawCommand &command);
+/// Each of its draws is judged by itself: some may be the rasterizer's, and others the host's.
+[[nodiscard]] bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first,
+                                      const GLsizei *count, GLsizei drawCount);
+/// \param baseVertices null: 0 for each
+[[nodiscard]] bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count,
+                                        GLenum type, const void *const *indices, GLsizei drawCount,
+                                        const GLint *baseVertices);
+
+// --- Vertices, inside a command for which usesRasterizer() (decision.h) ---
+
+/// Draws the first `count` vertices of `source` (null: the rasterizer does not draw them). False:
+/// the host's, which has been brought up to date for it.
 [[nodiscard]] bool drawVertices(Context &context, GLenum mode, const VertexSource *source,
                                 std::uint32_t count);
-/// At Begin: true if the primitive is kept back from the host; then end() draws it, or has the host
-/// draw it after all. False: hostDraws() has been called.
-[[nodiscard]] bool begin(Context &context, GLenum mode);
-void end(Context &context);
+/// The same after decide(): with what has been chosen. Not ok: nothing has been drawn.
+Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count);
 
 } // namespace arbiter::state::software

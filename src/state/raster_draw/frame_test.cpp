@@ -1,4 +1,4 @@
-// Where frames end, and which of them were ours as a whole.
+// Where frames end, and which of them the rasterizer drew as a whole.
 #include "state/raster_draw/frame.h"
 
 #include <gtest/gtest.h>

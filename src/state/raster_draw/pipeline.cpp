@@ -59,7 +59,7 @@ bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::Fr
 void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source) {
   m_program = &m_programs.find(source, m_program);
   if (!m_program->functions)
-    m_program->functions = fragmentFunctions(source, context.numerics, m_when);
+    m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
 }
 
 Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
@@ -128,7 +128,7 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
 Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind) {
   m_topology = swrast::Topology(kind.mode);
   m_many = kind.count >= kManyVertices;
-  m_when = context.software->forced ? When::Now : When::Later;
+  m_wait = context.software->forced ? Wait::UntilDone : Wait::Briefly;
   if (context.numerics == fp::Numerics::Fp24 || !engine())
     return Fallback::NotCompiled;
   m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
@@ -154,7 +154,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
       context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
   if (const Outcome vertices =
           m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            mirror.drawsPoints(m_topology), m_floatTarget, m_when);
+                            mirror.drawsPoints(m_topology), m_floatTarget, m_wait);
       !vertices.ok())
     return vertices;
   return makeKey(context, mirror);
@@ -167,7 +167,7 @@ abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
     if (recent.slot && std::memcmp(&recent.key, &m_key, sizeof m_key) == 0)
       slot = recent.slot;
   if (!slot) {
-    slot = &m_program->functions->slot(m_key, m_when);
+    slot = &m_program->functions->slot(m_key, m_wait);
     m_program->recent[m_program->nextRecent++ % m_program->recent.size()] = {m_key, slot};
   }
   const abi::ShadeFunction function = slot->function.load(std::memory_order_acquire);
@@ -271,7 +271,7 @@ void Pipeline::fillData(const Mirror &mirror) {
   m_data.windowHeight = float(m_targets->height);
 }
 
-/// The targets become ours to write to.
+/// The targets' shadows become valid to write to.
 Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint32_t count,
                           bool opaque, swrast::Topology topology) {
   const abi::DepthStencilKey &depth = m_key.depthStencil;

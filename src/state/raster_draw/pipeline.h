@@ -2,12 +2,11 @@
 #include <array>
 
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/draw.h"
 #include "state/raster_draw/fixed_function/fixed_fragment.h"
-#include "state/raster_draw/functions.h"
+#include "state/raster_draw/functions/functions.h"
+#include "state/raster_draw/functions/program_table.h"
 #include "state/raster_draw/outcome.h"
 #include "state/raster_draw/program_state.h"
-#include "state/raster_draw/program_table.h"
 #include "state/raster_draw/units.h"
 #include "state/raster_draw/vertices/array_source.h"
 #include "state/raster_draw/vertices/vertex_stage.h"
@@ -25,7 +24,7 @@ class Mirror;
 /// A draw works only on what changed since the one before: what was chosen is kept with what it was
 /// chosen by (Basis, and the groups of state that decide), and what pixels are drawn with is filled
 /// again group by group.
-class Pipeline : public ContextDraws {
+class Pipeline {
 public:
   /// What of a draw decides about functions.
   struct Kind {
@@ -100,7 +99,7 @@ private:
 
   swrast::Topology m_topology = swrast::Topology::Triangles;
   bool m_many = false; ///< vertices
-  When m_when = When::Later;
+  Wait m_wait = Wait::Briefly;
   const CompiledProgram *m_compiled = nullptr; ///< null: fixed function
   ProgramTable<Program> m_programs;
   Program *m_program = nullptr; ///< current; one of m_programs

@@ -42,7 +42,7 @@ private:
   };
   struct State {
     std::uint16_t row;
-    std::uint32_t groups; ///< dirty bits that it hangs on
+    std::uint32_t groups; ///< dirty bits that it depends on
     fp::ir::StateRef state;
   };
   bool updateParameters(const ProgramTarget &target);

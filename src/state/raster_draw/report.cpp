@@ -4,7 +4,7 @@
 
 #include "state/core/context.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/functions.h"
+#include "state/raster_draw/functions/functions.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
 

@@ -91,7 +91,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
   m_levelsMatter = 0;
   for (const auto &sampler : shape.samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
-  if (mirror.samplersAreStale(m_uses)) [[unlikely]] {
+  if (mirror.samplersAreDirty(m_uses)) [[unlikely]] {
     releaseSamplers(context);
     mirror.refreshSamplers(m_uses);
   }

@@ -62,7 +62,7 @@ Binding bindingOf(fp::ir::TexTarget target) {
   return {};
 }
 
-TextureUse look(Context &context, const fp::GlslSampler &sampler) {
+TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
   const host::HostTable &host = *context.host;
   const UnitScope unit(host, sampler.unit);
   const Binding binding = bindingOf(sampler.target);
@@ -133,7 +133,7 @@ void captureEnter(Context &context) {
     std::vector<TextureUse> &textures = effective.textures[slot];
     textures.clear();
     for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)
-      textures.push_back(look(context, sampler));
+      textures.push_back(describeTexture(context, sampler));
   }
 }
 

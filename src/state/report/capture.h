@@ -11,7 +11,7 @@
 #include "state/report/capture_record.h"
 
 /// What a context tells the record of ARBITER_CAPTURE. Nothing is done for each draw: the draws of
-/// a program are the difference of the path's counter between its coming into force and its
+/// a program are the difference of the path's counter between its becoming effective and its
 /// leaving, and the parameters of its last draw are what the host still holds then. Bound textures
 /// are looked at when a program becomes effective: by the time it leaves, the application has often
 /// bound those of the next.

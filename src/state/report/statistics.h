@@ -5,7 +5,7 @@
 #include "fp_compiler/compiler.h"
 
 /// The statistics of the process (ARBITER_STATS, `arbiter run --stats`) as JSON: contexts,
-/// programs, draws by path with the reason where they are not ours, feedback copies. Written at
+/// programs, draws by path with the reason where they are the host's, feedback copies. Written at
 /// exit; until then they lie in a record that outlives the process (util/record/live_record.h),
 /// brought up to date at each frame's end and at what is rare.
 namespace arbiter::state {
@@ -37,8 +37,8 @@ void noteFragmentShader(const Context &context, const ProgramObject &object,
 /// that the variable was meant for writes to FILE.PID instead, as does one that finds the file
 /// written by another process since it began: the first one's figures are not lost. `%p` in the
 /// name is the process id. Called at exit; safe to call more than once. Allocates nothing and waits
-/// for no lock, as exit() may have been called by a signal's handler above a frame of ours or of
-/// the allocator's.
+/// for no lock, as exit() may have been called by a signal's handler above a frame of the layer's
+/// or of the allocator's.
 void writeStatistics();
 
 } // namespace arbiter::state

@@ -13,7 +13,7 @@ namespace arbiter::state::software {
 /// The interposer says it before the context becomes current.
 struct Drawable {
   enum class Kind : std::uint8_t {
-    None,    ///< surfaceless, or unknown: never ours
+    None,    ///< surfaceless, or unknown: never the rasterizer's
     Window,  ///< seen by others: a window, a pixmap
     Pbuffer, ///< seen by GL alone
     Memory,  ///< the application's own memory (OSMesa)

@@ -15,9 +15,9 @@ void uploadList(ResidentImages &images, std::vector<PixelImage *> &list) {
   // One by one: what finds no memory stays in the list, as its shadow is what counts.
   while (!list.empty()) {
     PixelImage *const image = list.back();
-    if (image->newest == Newest::Shadow) {
+    if (image->valid == Valid::Shadow) {
       upload(images, *image);
-      setNewest(images, *image, Newest::Both);
+      setValid(images, *image, Valid::Both);
     }
     image->listed = false;
     list.pop_back();
@@ -26,7 +26,7 @@ void uploadList(ResidentImages &images, std::vector<PixelImage *> &list) {
 
 void uploadAll(ResidentImages &images) {
   if (!images.pending.empty())
-    lookAtWindow(images);
+    refreshWindowSize(images);
   uploadList(images, images.objects.pending);
   uploadList(images, images.pending);
   images.hot.hostIsBehind = false;
@@ -52,7 +52,8 @@ void dropFramebuffer(ResidentImages &images) {
   for (PixelImage *image : f.color)
     drop(image);
   drop(f.depthStencil);
-  // What is attached to a framebuffer that is not ours is not all known: any image may be.
+  // What is attached to a framebuffer that the rasterizer cannot draw to is not all known: any
+  // image may be.
   if (f.drawName != 0 && f.reason)
     dropObjects(images);
   if (f.drawName == 0) {
@@ -93,7 +94,7 @@ void forgetObjects(ResidentImages &images) {
 
 } // namespace
 
-void settleImages(ResidentImages &images) {
+void dropIfNeighbourWasCurrent(ResidentImages &images) {
   const std::uint64_t epoch = images.neighbours.epoch();
   if (images.epoch == epoch) [[likely]]
     return;
@@ -103,15 +104,15 @@ void settleImages(ResidentImages &images) {
   images.epoch = NeighbourEpoch::isCrowded(epoch) ? 0 : epoch;
 }
 
-bool settleAlone(ResidentImages &images) {
-  settleImages(images);
+bool isAlone(ResidentImages &images) {
+  dropIfNeighbourWasCurrent(images);
   return images.epoch != 0;
 }
 
 Residency::Residency(const Surroundings &around) : m_images(new ResidentImages(around)) {}
 Residency::~Residency() = default;
 
-bool Residency::settle() { return settleAlone(*m_images); }
+bool Residency::syncWithNeighbours() { return isAlone(*m_images); }
 
 void Residency::forget() {
   ResidentImages &images = *m_images;
@@ -125,7 +126,7 @@ void Residency::synchronise(const char *why) {
   ResidentImages &images = *m_images;
   if (!images.hot.hostIsBehind)
     return;
-  settleImages(images);
+  dropIfNeighbourWasCurrent(images);
   logDebug("residency", "the host is brought up to date: %s", why);
   uploadAll(images);
 }
@@ -133,9 +134,9 @@ void Residency::synchronise(const char *why) {
 void Residency::hostTakesTargets(const char *why) {
   ResidentImages &images = *m_images;
   synchronise(why);
-  settleImages(images);
+  dropIfNeighbourWasCurrent(images);
   if (hostMissedFrames(images))
-    lookAtWindow(images);
+    refreshWindowSize(images);
   if (images.objects.valid != 0)
     dropFramebuffer(images);
 }

@@ -22,7 +22,7 @@ namespace arbiter::state::software {
 class NeighbourEpoch;
 struct ResidentImages;
 
-/// The current draw framebuffer as images of ours.
+/// The current draw framebuffer as images of the layer's.
 struct DrawTargets {
   int width = 0, height = 0;                        ///< pixels; the smallest attachment's
   swrast::Image *color[abi::kMaxColorTargets] = {}; ///< by draw buffer; null: GL_NONE
@@ -48,7 +48,8 @@ struct TextureImages {
 /// One of the copies from the read buffer to a texture: by sharing the shadow where it is whole, by
 /// copying in memory where it is not. The host is then behind with that texture.
 struct CopyToTexture {
-  GLenum target = 0;
+  GLuint texture = 0; ///< bound to the target
+  GLenum target = 0;  ///< of an image: a face of a cube map
   GLint level = 0;
   bool defines = false; ///< CopyTexImage: (re)defines the level with internalFormat
   GLenum internalFormat = 0;
@@ -96,8 +97,8 @@ public:
   /// with `reason` a row of reasons.def.
   [[nodiscard]] const DrawTargets *describeTargets(const char *&reason);
   /// Moves on when what describeTargets() or acquireTexture() told is invalidated. While it stands,
-  /// settle() found nothing, and no command has marked dirty::kFramebuffer, they need not be called
-  /// again.
+  /// syncWithNeighbours() found nothing, and no command has marked dirty::kFramebuffer, they need
+  /// not be called again.
   [[nodiscard]] std::uint64_t version() const;
   /// While the targets are as described: true if the shadows are the place to draw to already, as
   /// after acquireTargets() and with nothing in between that moved pixels; they are drawn to then.
@@ -119,8 +120,9 @@ public:
                                                     TextureLevels range, bool mipmapped,
                                                     const char *&reason);
 
-  // --- Commands on pixels; false: not ours, go on as with any other command ---
+  // --- Commands on pixels; false: the host's, go on as with any other command ---
 
+  /// False: the host has been brought up to date for the copy, and the level is its own.
   [[nodiscard]] bool copyToTexture(const CopyToTexture &copy);
   [[nodiscard]] bool clear(GLbitfield mask);
   /// What tells the draw framebuffer from others, where Clear of `mask` replaces all of its colours
@@ -146,7 +148,7 @@ public:
 
   /// All pending images go to the host. Afterwards nothing is pending; shadows stay valid.
   void synchronise(const char *why);
-  /// The host is about to write to its draw framebuffer (a draw that is not ours, or a clear):
+  /// The host is about to write to its draw framebuffer (a draw of the host's, or a clear):
   /// synchronise(), then the framebuffer's images are the host's.
   void hostTakesTargets(const char *why);
   /// The host is about to do something unknown: synchronise(), then every image is the host's.
@@ -160,7 +162,7 @@ public:
   /// Before a draw looks at state: where a neighbour (neighbours.h) was current since, all that is
   /// known of images and of the host's state is forgotten. False while one is current: the draw is
   /// the host's, and so is every image.
-  [[nodiscard]] bool settle();
+  [[nodiscard]] bool syncWithNeighbours();
   /// Gives the memory back of what is not good any more. The context is current to no thread, and
   /// does not become so meanwhile.
   void forget();

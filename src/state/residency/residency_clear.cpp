@@ -58,10 +58,10 @@ bool covers(const Rect &rect, const PixelImage &image) {
          rect.height >= image.height;
 }
 
-/// Ours if the shadow has the newest pixels, or all of them go in a buffer that draws of ours were
-/// the last to write to.
-bool ours(const PixelImage &image, bool whole) {
-  return image.newest != Newest::Host || (whole && image.drawnHere);
+/// Cleared in memory if the shadow is valid, or all of them go in a buffer that the rasterizer's
+/// draws were the last to write to.
+bool clearsInMemory(const PixelImage &image, bool whole) {
+  return image.valid != Valid::Host || (whole && image.drawnHere);
 }
 
 bool clearColor(ResidentImages &images, PixelImage &image, int slice, const ClearState &state) {
@@ -71,7 +71,7 @@ bool clearColor(ResidentImages &images, PixelImage &image, int slice, const Clea
   swrast::Image part = image.shadow;
   part.offset += slice * part.sliceStride;
   swrast::fill(part, state.area, state.color, state.colorMask);
-  setNewest(images, image, Newest::Shadow);
+  setValid(images, image, Valid::Shadow);
   return true;
 }
 
@@ -86,7 +86,7 @@ GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
     const bool all = state.colorMask == 0xF;
     bool possible = true;
     for (const PixelImage *image : f.color)
-      possible = possible && (!image || ours(*image, all && covers(state.area, *image)));
+      possible = possible && (!image || clearsInMemory(*image, all && covers(state.area, *image)));
     bool failed = false;
     if (possible && !state.area.empty())
       for (std::size_t i = 0; i < f.color.size(); ++i)
@@ -103,11 +103,11 @@ GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
   const bool depth = (rest & GL_DEPTH_BUFFER_BIT) != 0 && state.depthMask;
   const std::uint8_t stencil = (rest & GL_STENCIL_BUFFER_BIT) != 0 ? state.stencilMask : 0;
   const bool whole = covers(state.area, image) && depth && (stencil == 0xFF || f.stencilBits == 0);
-  if (!ours(image, whole) || !makeOwn(images, image, !whole))
+  if (!clearsInMemory(image, whole) || !makeOwn(images, image, !whole))
     return done;
   if (!state.area.empty())
     swrast::fillDepthStencil(image.shadow, state.area, depth, state.depth, stencil, state.stencil);
-  setNewest(images, image, Newest::Shadow);
+  setValid(images, image, Valid::Shadow);
   return done | rest;
 }
 
@@ -116,7 +116,7 @@ GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
 const void *Residency::wholeTargetCleared(GLbitfield mask) {
   ResidentImages &images = *m_images;
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  if (!settleAlone(images) || (mask & kBoth) != kBoth)
+  if (!isAlone(images) || (mask & kBoth) != kBoth)
     return nullptr;
   const Framebuffers &f = framebuffersOf(images);
   if (f.reason || !f.depthStencil)
@@ -130,7 +130,7 @@ const void *Residency::wholeTargetCleared(GLbitfield mask) {
 bool Residency::clear(GLbitfield mask) {
   ResidentImages &images = *m_images;
   constexpr GLbitfield kOurs = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-  if (!settleAlone(images) || mask == 0 || (mask & ~kOurs) != 0)
+  if (!isAlone(images) || mask == 0 || (mask & ~kOurs) != 0)
     return false;
   ObjectImages &objects = images.objects;
   // The mode of an application that never draws by us costs nothing.
@@ -141,18 +141,18 @@ bool Residency::clear(GLbitfield mask) {
     return true;
   if (done == 0)
     return false;
-  // The rest is the host's, whose pixels of it are the newest.
+  // The rest is the host's, whose copy of it is valid.
   const GLbitfield rest = mask & ~done;
   const Framebuffers &f = framebuffersOf(images);
   if ((rest & GL_COLOR_BUFFER_BIT) != 0)
     for (PixelImage *image : f.color)
       if (image) {
-        if (image->newest == Newest::Shadow)
+        if (image->valid == Valid::Shadow)
           upload(images, *image);
         dropShadow(images, *image);
       }
   if ((rest & ~GLbitfield(GL_COLOR_BUFFER_BIT)) != 0 && f.depthStencil) {
-    if (f.depthStencil->newest == Newest::Shadow)
+    if (f.depthStencil->valid == Valid::Shadow)
       upload(images, *f.depthStencil);
     dropShadow(images, *f.depthStencil);
   }

@@ -30,14 +30,9 @@ bool worthSharing(const Image &image, const Rect &rect) {
 /// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
 /// level that the copy would define anew.
 PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
-  const GLenum binding = bindingOf(copy.target);
-  if (binding == 0)
+  if (copy.texture == 0 || !isNamedAsBound(images, copy.texture))
     return nullptr;
-  GLint name = 0;
-  images.hot.host->GetIntegerv(binding, &name);
-  if (name == 0 || !isNamedAsBound(images, GLuint(name)))
-    return nullptr;
-  Texture &texture = textureOf(images.objects, GLuint(name));
+  Texture &texture = textureOf(images.objects, copy.texture);
   PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
   if (!image || image->base == 0)
     return nullptr;
@@ -65,7 +60,7 @@ PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
 
 bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from,
                   const CopyToTexture &copy, const Rect &source, bool whole) {
-  if (!whole && to.newest == Newest::Host && !download(images, to))
+  if (!whole && to.valid == Valid::Host && !download(images, to))
     return false;
   // Held on to: `to` may be the very image that is read.
   const Image pixels = from.shadow;
@@ -78,11 +73,11 @@ bool copyInMemory(ResidentImages &images, PixelImage &to, const PixelImage &from
   return true;
 }
 
-bool copyPixelsOurs(ResidentImages &images, const CopyToTexture &copy) {
+bool copyBetweenShadows(ResidentImages &images, const CopyToTexture &copy) {
   const Framebuffers &f = framebuffersOf(images);
   PixelImage *const from = f.read;
-  // Where the host has the newest pixels of the source it copies without moving any to us.
-  if (!from || from->newest == Newest::Host)
+  // Where the source is host-valid the host copies, and no pixel is moved.
+  if (!from || from->valid == Valid::Host)
     return false;
   const PixelModes &modes = pixelModes(images);
   if (modes.transfers)
@@ -109,7 +104,7 @@ bool copyPixelsOurs(ResidentImages &images, const CopyToTexture &copy) {
       return false;
     ++objects.statistics.copiesInMemory;
   }
-  setNewest(images, *to, Newest::Shadow);
+  setValid(images, *to, Valid::Shadow);
   return true;
 }
 
@@ -117,17 +112,10 @@ bool copyPixelsOurs(ResidentImages &images, const CopyToTexture &copy) {
 
 bool Residency::copyToTexture(const CopyToTexture &copy) {
   ResidentImages &images = *m_images;
-  if (!settleAlone(images))
-    return false;
-  ObjectImages &objects = images.objects;
-  {
-    if (objects.valid == 0)
-      return false;
-    if (copyPixelsOurs(images, copy))
-      return true;
-  }
+  if (isAlone(images) && images.objects.valid != 0 && copyBetweenShadows(images, copy))
+    return true;
   // The host copies: from its read buffer, to a texture that is its own afterwards.
-  synchronise("copy");
+  synchronise("glCopyTexImage");
   textureRedefined(textureTargetOf(copy.target));
   return false;
 }

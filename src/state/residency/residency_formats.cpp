@@ -1,4 +1,4 @@
-// The formats of images: the host's, ours, and how one is told of the other.
+// The formats of images: the host's, the layer's, and how one is told of the other.
 #include "state/residency/residency_images.h"
 
 namespace arbiter::state::software {

@@ -20,7 +20,7 @@ bool readsAsOther(GLenum base) {
          base == GL_INTENSITY;
 }
 
-/// The image that is attached there, or null: nothing, or none that can be ours (`foreign`).
+/// The image that is attached there, or null: nothing, or none that can have a shadow (`foreign`).
 /// `slice` is that of a 3D texture, else 0.
 PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachment, bool &foreign,
                      int &slice) {
@@ -67,7 +67,7 @@ PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachme
   return nullptr;
 }
 
-/// Buffer i of the draw buffers as an image; null with `foreign` set where it is none of ours.
+/// Buffer i of the draw buffers as an image; null with `foreign` set where it can have no shadow.
 PixelImage *windowBuffer(ResidentImages &images, GLenum buffer, bool &foreign) {
   const bool back = buffer == GL_BACK || buffer == GL_BACK_LEFT;
   const bool front = buffer == GL_FRONT || buffer == GL_FRONT_LEFT || buffer == GL_LEFT;
@@ -259,7 +259,7 @@ const Framebuffers &framebuffersOf(ResidentImages &images) {
   f.drawName = GLuint(get(host, GL_DRAW_FRAMEBUFFER_BINDING));
   f.readName = GLuint(get(host, GL_READ_FRAMEBUFFER_BINDING));
   if (f.drawName == 0 || f.readName == 0)
-    lookAtWindow(images);
+    refreshWindowSize(images);
   if (f.drawName == 0)
     describeDrawWindow(images, f);
   else

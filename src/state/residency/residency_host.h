@@ -48,7 +48,7 @@ private:
   bool m_clamped = false;
 };
 
-/// Framebuffers of ours bound, or the window's, with its own buffers chosen.
+/// Framebuffers of the layer's bound, or the window's, with its own buffers chosen.
 class FramebufferBinding {
 public:
   FramebufferBinding(ResidentImages &images, GLuint draw, GLuint read);

@@ -244,25 +244,25 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   return *image;
 }
 
-void setNewest(ResidentImages &images, PixelImage &image, Newest newest) {
+void setValid(ResidentImages &images, PixelImage &image, Valid which) {
   ObjectImages &objects = images.objects;
-  const bool isPending = newest == Newest::Shadow && !image.listed;
+  const bool isPending = which == Valid::Shadow && !image.listed;
   if (isPending) // first, as it may find no memory
     (image.place.kind == Place::Kind::Window ? images.pending : objects.pending).push_back(&image);
-  if ((image.newest == Newest::Host) != (newest == Newest::Host)) {
-    objects.valid += newest == Newest::Host ? std::size_t(-1) : std::size_t(1);
+  if ((image.valid == Valid::Host) != (which == Valid::Host)) {
+    objects.valid += which == Valid::Host ? std::size_t(-1) : std::size_t(1);
     objects.changed();
   }
-  image.newest = newest;
+  image.valid = which;
   image.shown = false;
-  if (newest != Newest::Shadow)
+  if (which != Valid::Shadow)
     return;
   images.hot.hostIsBehind = true;
   image.listed = true;
 }
 
 void dropShadow(ResidentImages &images, PixelImage &image) {
-  setNewest(images, image, Newest::Host);
+  setValid(images, image, Valid::Host);
   image.drawnHere = false;
   image.shadow.storage.reset();
   image.shadow.format = image.format;

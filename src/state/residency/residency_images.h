@@ -10,18 +10,18 @@
 #include <GL/glext.h>
 
 #include "state/core/current.h"
-#include "state/core/deleted_names.h"
 #include "state/core/host_caps.h"
 #include "state/core/host_errors.h"
 #include "state/residency/neighbour_epoch.h"
 #include "state/residency/residency.h"
+#include "state/share/deleted_names.h"
 #include "swrast/image/image.h"
 
-/// The images that residency keeps: what each is, where its newest pixels are, and the tables that
+/// The images that residency keeps: what each is, which copy of it is valid, and the tables that
 /// find them. For the files of residency*.cpp only.
 namespace arbiter::state::software {
 
-enum class Newest : std::uint8_t {
+enum class Valid : std::uint8_t {
   Host,  ///< there is no shadow that counts
   Both,  ///< equal
   Shadow ///< pending: the host is behind
@@ -50,7 +50,7 @@ struct PixelImage {
   /// Sizes and format are set even while there are no pixels. The format may differ from `format`
   /// after a copy: it then gives the same RGBA at the same precision.
   swrast::Image shadow;
-  Newest newest = Newest::Host;
+  Valid valid = Valid::Host;
   bool listed = false;    ///< in a list of pending images
   bool shown = false;     ///< of the window: others see these pixels already
   bool drawnHere = false; ///< by us, since the host last wrote to it
@@ -74,7 +74,7 @@ struct ObjectImages {
   std::vector<PixelImage *> pending; ///< textures and renderbuffers
   /// Moves on when an image may be another than a framebuffer's description says.
   std::uint64_t generation = 1;
-  /// Moves on when what describeTargets() or acquireTexture() told may be otherwise now: an image
+  /// Moves on when what describeTargets() or acquireTexture() told is invalidated: an image
   /// has other memory, another format or size, or its pixels are the host's.
   std::uint64_t version = 1;
   /// To be called where a PixelImage gets another shadow.
@@ -91,8 +91,8 @@ struct ObjectImages {
   /// By abi::Dimension: the base level that texture 0 does not have, as the host said, which makes
   /// it incomplete; -1 where that is not known.
   std::array<GLint, 5> absent{-1, -1, -1, -1, -1};
-  /// What the texture of ours is that pixels go through on their way to other images; the group has
-  /// one.
+  /// What the texture of the layer's is that pixels go through on their way to other images; the
+  /// group has one.
   struct Way {
     GLint width = 0, height = 0, format = 0;
     bool operator==(const Way &) const = default;
@@ -104,13 +104,13 @@ struct ObjectImages {
 struct Framebuffers {
   std::uint64_t generation = 0; ///< of ObjectImages when it was asked; 0: never
   GLuint drawName = 0, readName = 0;
-  const char *reason = nullptr; ///< why the draw framebuffer is not ours
+  const char *reason = nullptr; ///< why the rasterizer cannot draw to it
   std::array<PixelImage *, abi::kMaxColorTargets> color{};
   std::array<int, abi::kMaxColorTargets> slice{}; ///< of `color`, the one that is attached
   PixelImage *depthStencil = nullptr;
   int depthBits = 0, stencilBits = 0;
   int width = 0, height = 0;
-  PixelImage *read = nullptr; ///< the read buffer; null: none, or not ours
+  PixelImage *read = nullptr; ///< the read buffer; null: none, or one that has no shadow
   PixelImage *readDepth = nullptr;
   bool readIsWindow = false;
 };
@@ -153,15 +153,15 @@ struct ResidentImages {
   PixelModes modes;
 };
 
-/// Errors of the host's within it are ours.
+/// Errors of the host's within it are the layer's.
 [[nodiscard]] HostErrorScope errorScope(ResidentImages &images);
 
 // --- residency.cpp ---
 /// All images are good then: what neighbours may have changed since is the host's, which was given
 /// what was pending. Each command begins with this.
-void settleImages(ResidentImages &images);
+void dropIfNeighbourWasCurrent(ResidentImages &images);
 /// The same of a command that the host does as well: false while a neighbour is current.
-[[nodiscard]] bool settleAlone(ResidentImages &images);
+[[nodiscard]] bool isAlone(ResidentImages &images);
 /// The window may have another size: it is asked for before the next use.
 void forgetSize(ResidentImages &images);
 
@@ -178,7 +178,7 @@ void forgetSize(ResidentImages &images);
 [[nodiscard]] GLenum textureTargetOf(GLenum imageTarget);
 /// Finds out a texture's target where only its name is known. 0: none that we know.
 [[nodiscard]] GLenum findTarget(ResidentImages &images, Texture &texture);
-void setNewest(ResidentImages &images, PixelImage &image, Newest newest);
+void setValid(ResidentImages &images, PixelImage &image, Valid which);
 /// The shadow's memory is given back: the host has all.
 void dropShadow(ResidentImages &images, PixelImage &image);
 /// Memory for all of it, contents undefined; of a window where the window system can show it.
@@ -218,7 +218,7 @@ void describeWindow(ResidentImages &images, int width, int height);
 /// Before the host reads or writes the window's buffers, the first time since it was bound or a
 /// frame ended: describes them, with the size that the host's have. Pixels of another size are
 /// gone, as they are from the host.
-void lookAtWindow(ResidentImages &images);
+void refreshWindowSize(ResidentImages &images);
 /// The host does not know that the window may have another size since.
 [[nodiscard]] bool hostMissedFrames(const ResidentImages &images);
 

@@ -9,20 +9,20 @@ namespace {
 
 /// One image of the window given to the host, if it is newer.
 void give(ResidentImages &images, PixelImage &image) {
-  if (image.newest == Newest::Shadow)
-    lookAtWindow(images);
-  if (image.newest != Newest::Shadow)
+  if (image.valid == Valid::Shadow)
+    refreshWindowSize(images);
+  if (image.valid != Valid::Shadow)
     return;
   upload(images, image);
-  setNewest(images, image, Newest::Both);
+  setValid(images, image, Valid::Both);
 }
 
 void updateBehind(ResidentImages &images) {
   bool behind = false;
   for (const PixelImage *image : images.objects.pending)
-    behind = behind || image->newest == Newest::Shadow;
+    behind = behind || image->valid == Valid::Shadow;
   for (const PixelImage *image : images.pending)
-    behind = behind || image->newest == Newest::Shadow;
+    behind = behind || image->valid == Valid::Shadow;
   images.hot.hostIsBehind = behind;
 }
 
@@ -30,7 +30,7 @@ void updateBehind(ResidentImages &images) {
 void copyToMemory(ResidentImages &images) {
   Drawable &drawable = images.drawable;
   PixelImage &image = images.color;
-  if (image.newest != Newest::Shadow || image.shown || !drawable.memory)
+  if (image.valid != Valid::Shadow || image.shown || !drawable.memory)
     return;
   GLint rowLength = image.width;
   bool topRowFirst = false;
@@ -47,13 +47,13 @@ void copyToMemory(ResidentImages &images) {
 
 bool Residency::present() {
   ResidentImages &images = *m_images;
-  settleImages(images);
+  dropIfNeighbourWasCurrent(images);
   // A pbuffer is not seen, and swapping it does nothing to it.
   if (images.drawable.kind != Drawable::Kind::Window)
     return false;
   PixelImage &color = images.color;
   const bool shown = images.doubleBuffered && images.drawable.show &&
-                     color.newest == Newest::Shadow &&
+                     color.valid == Valid::Shadow &&
                      images.drawable.show(images.drawable, color.shadow);
   if (shown) {
     color.shown = true;
@@ -71,7 +71,7 @@ void Residency::leave() {
     return;
   synchronise("the context leaves its thread");
   // The host wrote to its own copy of the application's memory.
-  if (images.drawable.kind == Drawable::Kind::Memory && images.color.newest != Newest::Host)
+  if (images.drawable.kind == Drawable::Kind::Memory && images.color.valid != Valid::Host)
     images.hot.host->Flush();
   dropShadow(images, images.color);
   dropShadow(images, images.depthStencil);
@@ -88,14 +88,14 @@ void Residency::enter(const Drawable &drawable) {
   images.drawable = drawable;
   images.hot.dirty = ~0u;
   if (hostMissedFrames(images) && !images.hot.insideBeginEnd && images.hot.listMode == 0)
-    lookAtWindow(images);
+    refreshWindowSize(images);
   updateBehind(images);
 }
 
 void Residency::flush(bool finish) {
   ResidentImages &images = *m_images;
   const bool visible = images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered &&
-                       images.color.newest == Newest::Shadow;
+                       images.color.valid == Valid::Shadow;
   if (visible || images.groupContexts.load(std::memory_order_relaxed) > 1 ||
       NeighbourEpoch::isCrowded(images.neighbours.epoch()))
     synchronise("flush");

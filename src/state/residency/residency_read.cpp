@@ -104,14 +104,13 @@ bool Residency::readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLen
                            GLenum type, void *pixels) {
   ResidentImages &images = *m_images;
   ByteFormat bytes;
-  if (!settleAlone(images) || !pixels || width <= 0 || height <= 0 ||
-      !byteFormat(format, type, bytes))
+  if (!isAlone(images) || !pixels || width <= 0 || height <= 0 || !byteFormat(format, type, bytes))
     return false;
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return false;
   const PixelImage *const image = framebuffersOf(images).read;
-  if (!image || image->newest == Newest::Host)
+  if (!image || image->valid == Valid::Host)
     return false;
   const PixelModes &modes = pixelModes(images);
   // What lies outside is left as it is by the host: it is asked.
@@ -126,7 +125,7 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
   ResidentImages &images = *m_images;
   const GLenum binding = bindingOf(target);
   ByteFormat bytes;
-  if (!settleAlone(images) || !pixels || binding == 0 || !byteFormat(format, type, bytes))
+  if (!isAlone(images) || !pixels || binding == 0 || !byteFormat(format, type, bytes))
     return false;
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
@@ -139,7 +138,7 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
   const PixelImage *const image = levelOf(images, *found->second, target, level);
   // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is
   // that of sampling.
-  if (!image || image->newest == Newest::Host || image->depth != 1 ||
+  if (!image || image->valid == Valid::Host || image->depth != 1 ||
       (image->base != GL_RGBA && image->base != GL_RGB))
     return false;
   const PixelModes &modes = pixelModes(images);

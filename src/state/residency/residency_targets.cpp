@@ -27,13 +27,13 @@ bool restoreFormat(ResidentImages &images, PixelImage &image) {
   return true;
 }
 
-/// The shadow becomes the newest, ready to be written to.
+/// The shadow becomes the valid copy, ready to be written to.
 bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
-  if (keep && image.newest == Newest::Host && !download(images, image))
+  if (keep && image.valid == Valid::Host && !download(images, image))
     return false;
   if (!makeOwn(images, image, keep))
     return false;
-  setNewest(images, image, Newest::Shadow);
+  setValid(images, image, Valid::Shadow);
   images.objects.drawn = true;
   image.drawnHere = true;
   return true;
@@ -43,7 +43,7 @@ bool acquire(ResidentImages &images, PixelImage &image, bool keep) {
 
 const DrawTargets *Residency::describeTargets(const char *&reason) {
   ResidentImages &images = *m_images;
-  settleImages(images);
+  dropIfNeighbourWasCurrent(images);
   reason = "target";
   const Framebuffers &f = framebuffersOf(images);
   if (f.reason) {
@@ -76,7 +76,7 @@ bool Residency::targetsHeld(bool depthStencilUsed) {
   ResidentImages &images = *m_images;
   const Framebuffers &f = images.framebuffers;
   const auto isHeld = [](const PixelImage *image) {
-    return !image || (image->newest == Newest::Shadow && image->listed && !image->shadow.shared() &&
+    return !image || (image->valid == Valid::Shadow && image->listed && !image->shadow.shared() &&
                       !image->shadow.storage->isRead());
   };
   if (!std::all_of(f.color.begin(), f.color.end(), isHeld) ||

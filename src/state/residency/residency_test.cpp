@@ -12,9 +12,9 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/lifecycle.h"
-#include "state/core/share_group.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/context_state.h"
+#include "state/share/share_group.h"
 #include "swrast/image/copy_pixels.h"
 #include "swrast/image/image.h"
 
@@ -119,7 +119,7 @@ protected:
     changed(dirty::kFramebuffer);
   }
 
-  /// A draw of ours over `rect`.
+  /// A draw of the rasterizer's over `rect`.
   void draw(const swrast::Rect &rect, std::uint32_t rgba) {
     const char *reason = nullptr;
     const DrawTargets *const targets = residency().describeTargets(reason);
@@ -159,8 +159,15 @@ protected:
   static std::uint32_t packed(const std::uint8_t *b) {
     return std::uint32_t(b[0]) << 24 | std::uint32_t(b[1]) << 16 | std::uint32_t(b[2]) << 8 | b[3];
   }
+  /// What is bound to GL_TEXTURE_2D.
+  GLuint boundTexture() {
+    GLint name = 0;
+    gl().GetIntegerv(GL_TEXTURE_BINDING_2D, &name);
+    return GLuint(name);
+  }
   bool copy(int destX, int destY, int x, int y, int width, int height) {
     CopyToTexture command;
+    command.texture = boundTexture();
     command.target = GL_TEXTURE_2D;
     command.destX = destX;
     command.destY = destY;
@@ -359,7 +366,7 @@ TEST_F(Residency, TheHostsStateIsAsItWas) {
   EXPECT_EQ(directPixel(0, 0), 0x10203040u);
   GLuint next = 0;
   gl().GenTextures(1, &next);
-  EXPECT_LT(next, 1000u) << "names of ours push the application's up";
+  EXPECT_LT(next, 1000u) << "names of the layer's push the application's up";
   gl().GenFramebuffers(1, &next);
   EXPECT_LT(next, 1000u);
 }
@@ -387,7 +394,7 @@ TEST_F(Residency, ErrorsThatWaitStay) {
   context().pendingError = GL_NO_ERROR;
 }
 
-TEST_F(Residency, ClearIsOursWhereTheShadowIsNewest) {
+TEST_F(Residency, ClearIsInMemoryWhereTheShadowIsValid) {
   EXPECT_FALSE(residency().clear(GL_COLOR_BUFFER_BIT)) << "the host was the last to draw";
   drawAll(0x10203040);
   gl().ClearColor(1.0f, 0.0f, 1.0f, 0.0f);
@@ -469,6 +476,7 @@ TEST_F(Residency, ACopyMayDefineTheLevelThatItIs) {
   const GLuint name = texture(GL_RGBA8, kWidth, kHeight);
   drawAll(0x10203040);
   CopyToTexture command;
+  command.texture = boundTexture();
   command.target = GL_TEXTURE_2D;
   command.defines = true;
   command.internalFormat = GL_RGBA8;
@@ -482,7 +490,7 @@ TEST_F(Residency, ACopyMayDefineTheLevelThatItIs) {
 
 class ResidencyOfDepth : public Residency, public testing::WithParamInterface<GLenum> {
 protected:
-  /// A draw of ours that writes depth and stencil over `rect`.
+  /// A draw of the rasterizer's that writes depth and stencil over `rect`.
   void drawDepth(const swrast::Rect &rect, float depth, std::uint8_t stencil) {
     const char *reason = nullptr;
     const DrawTargets *const targets = residency().describeTargets(reason);
@@ -540,7 +548,7 @@ TEST_P(ResidencyOfDepth, GoesToTheHostAndBack) {
     EXPECT_EQ(hostStencil(2, 5), 0x5A);
     EXPECT_EQ(hostStencil(3, 5), 0x33);
   }
-  // A clear of ours, then the host's.
+  // A clear in memory, then the host's.
   gl().ClearDepth(0.5);
   gl().Enable(GL_SCISSOR_TEST);
   gl().Scissor(0, 0, 4, 6);

@@ -98,7 +98,7 @@ private:
         for (int face = 0; face < faces; ++face) {
           PixelImage &image =
               *levelOf(m_images, m_texture, first + GLenum(face), baseLevel + level);
-          if (pass == 0 && image.newest == Newest::Host && !download(m_images, image)) {
+          if (pass == 0 && image.valid == Valid::Host && !download(m_images, image)) {
             reason = "memory";
             return false;
           }
@@ -132,7 +132,7 @@ private:
 const TextureImages kIncomplete;
 
 /// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
-/// image. Where it has one it is not ours: its name tells it not from those of other targets.
+/// image. Where it has one it gets no shadow: its name tells it not from those of other targets.
 bool zeroIsAbsent(ResidentImages &images, abi::Dimension dimension, TextureLevels range) {
   GLint &absent = images.objects.absent[std::size_t(dimension)];
   if (absent == range.base)
@@ -187,7 +187,7 @@ void redefine(ResidentImages &images, Texture &texture) {
 
 void Residency::textureRedefined(GLenum target) {
   ResidentImages &images = *m_images;
-  if (!settleAlone(images))
+  if (!isAlone(images))
     return;
   ObjectImages &objects = images.objects;
   objects.absent.fill(-1);
@@ -198,7 +198,7 @@ void Residency::textureRedefined(GLenum target) {
     const GLenum binding =
         bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
     if (binding == 0)
-      return; // a proxy, an array: none of ours
+      return; // a proxy, an array: none that has a shadow
     GLint bound = 0;
     images.hot.host->GetIntegerv(binding, &bound);
     name = GLuint(bound);
@@ -207,9 +207,9 @@ void Residency::textureRedefined(GLenum target) {
     if (target != 0 && key != name)
       continue;
     for (const std::unique_ptr<PixelImage> &image : texture->images)
-      if (image && image->newest == Newest::Shadow) {
+      if (image && image->valid == Valid::Shadow) {
         upload(images, *image);
-        setNewest(images, *image, Newest::Both);
+        setValid(images, *image, Valid::Both);
       }
     redefine(images, *texture);
   }
@@ -218,7 +218,7 @@ void Residency::textureRedefined(GLenum target) {
 
 void Residency::texturesDeleted(GLsizei n, const GLuint *names) {
   ResidentImages &images = *m_images;
-  if (!settleAlone(images) || !names)
+  if (!isAlone(images) || !names)
     return;
   ObjectImages &objects = images.objects;
   for (GLsizei i = 0; i < n; ++i) {
@@ -227,7 +227,7 @@ void Residency::texturesDeleted(GLsizei n, const GLuint *names) {
       continue;
     // Its images live on where they are attached to a framebuffer that is not bound.
     for (const std::unique_ptr<PixelImage> &image : found->second->images)
-      if (image && image->newest == Newest::Shadow)
+      if (image && image->valid == Valid::Shadow)
         upload(images, *image);
     redefine(images, *found->second);
     std::erase_if(objects.pending,

@@ -40,8 +40,8 @@ std::uint64_t bytesOf(const PixelImage &image) {
          std::uint64_t(abi::bytesOf(image.format.layout));
 }
 
-/// What the host reads from: the image as the only attachment of a framebuffer of ours, or the
-/// window's buffer.
+/// What the host reads from: the image as the only attachment of a framebuffer of the layer's, or
+/// the window's buffer.
 class Attachment {
 public:
   Attachment(ResidentImages &images, GLenum framebuffer, const PixelImage &image)
@@ -214,7 +214,7 @@ void writeBuffer(ResidentImages &images, PixelImage &image) {
   GlFormat gl;
   const Image from = plain(image, flipped, gl);
   if (from.empty())
-    throw std::bad_alloc(); // the shadow stays the newest
+    throw std::bad_alloc(); // the shadow stays the valid copy
   const GLint internalFormat = uploadFormat(image, gl);
   const TextureBinding binding(host, GL_TEXTURE_2D, kOurTexture);
   ObjectImages &objects = images.objects;
@@ -268,7 +268,7 @@ bool download(ResidentImages &images, PixelImage &image) {
     return false;
   image.shadow = std::move(to);
   images.objects.changed();
-  setNewest(images, image, Newest::Both);
+  setValid(images, image, Valid::Both);
   ResidencyStatistics &statistics = images.objects.statistics;
   ++statistics.downloads;
   statistics.downloadedBytes += bytesOf(image);

@@ -174,7 +174,7 @@ bool write(ResidentImages &images, PixelImage &image, const Rect &to, GLenum for
   for (int y = 0; y < to.height; ++y)
     writeRow(plan, rows.data + y * rows.stride, image.shadow.pixel(to.x, to.y + y), to.width);
   if (whole)
-    setNewest(images, image, Newest::Both);
+    setValid(images, image, Valid::Both);
   return true;
 }
 
@@ -185,7 +185,7 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
                             const void *pixels) {
   ResidentImages &images = *m_images;
   const GLenum binding = bindingOf(target);
-  if (!settleAlone(images) || binding == 0)
+  if (!isAlone(images) || binding == 0)
     return;
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
@@ -196,10 +196,10 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
     return;
   PixelImage *const image = levelOf(images, *found->second, target, level);
-  if (!image || image->newest == Newest::Host ||
+  if (!image || image->valid == Valid::Host ||
       (z == 0 && write(images, *image, {x, y, width, height}, format, type, pixels)))
     return;
-  if (image->newest == Newest::Shadow)
+  if (image->valid == Valid::Shadow)
     upload(images, *image);
   dropShadow(images, *image);
 }

@@ -1,7 +1,8 @@
 // How large the window's buffers are. What the host's have counts, whatever size the window system
-// tells: the host draws between draws of ours, clips by its own buffers, and what a read does not
-// reach stays as it was. A software host takes over a window's size only at the first command on
-// pixels after it was bound or showed a frame itself; frames that we show it does not hear of.
+// tells: the host draws between draws of the rasterizer's, clips by its own buffers, and what a
+// read does not reach stays as it was. A software host takes over a window's size only at the first
+// command on pixels after it was bound or showed a frame itself; frames that we show it does not
+// hear of.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -91,9 +92,9 @@ Size told(const Drawable &drawable, bool sure) {
 /// The host looks at the window again, with the pixels in its back buffer that are shown already.
 void refreshHost(ResidentImages &images) {
   PixelImage &color = images.color;
-  if (color.newest == Newest::Shadow) {
+  if (color.valid == Valid::Shadow) {
     upload(images, color);
-    setNewest(images, color, Newest::Both);
+    setValid(images, color, Valid::Both);
   }
   windowFrames().swapHost(images.drawable);
 }
@@ -133,7 +134,7 @@ bool hostMissedFrames(const ResidentImages &images) {
 
 void Residency::hostSwaps() { forgetSize(*m_images); }
 
-void lookAtWindow(ResidentImages &images) {
+void refreshWindowSize(ResidentImages &images) {
   if (images.sizeKnown && images.color.described)
     return;
   const host::HostTable &host = *images.hot.host;

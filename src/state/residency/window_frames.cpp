@@ -11,7 +11,7 @@ constinit Sealed<WindowFrames> g_frames;
 } // namespace
 
 void setWindowFrames(const WindowFrames &frames) {
-  g_frames.fill([&](WindowFrames &ours) { ours = frames; });
+  g_frames.fill([&](WindowFrames &published) { published = frames; });
 }
 
 const WindowFrames &windowFrames() { return *g_frames; }

@@ -5,7 +5,7 @@
 #include "host/handlers.h"
 #include "state/core/context.h"
 #include "state/core/lifecycle.h"
-#include "state/core/share_group.h"
+#include "state/share/share_group.h"
 #include "state/testing/fake_host.h"
 
 namespace arbiter::state::testing {

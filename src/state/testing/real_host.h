@@ -6,8 +6,8 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 
-/// A context of the real host's (OSMesa over llvmpipe), and ours in front of it, for tests of what
-/// is asked of the host.
+/// A context of the real host's (OSMesa over llvmpipe), and the layer's in front of it, for tests
+/// of what is asked of the host.
 namespace arbiter::state::software::testing {
 
 class RealHost {

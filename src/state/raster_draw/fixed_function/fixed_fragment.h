@@ -20,7 +20,7 @@ class Context;
 
 namespace arbiter::state::software {
 
-/// What of a texture's format its environment function hangs on (table 3.20 and those after it).
+/// What of a texture's format its environment function depends on (table 3.20 and those after it).
 enum class TexelKind : std::uint8_t { Alpha, Opaque, Translucent, Intensity };
 
 /// COMBINE's one half, as plain numbers.

@@ -32,7 +32,7 @@ GLint environmentValue(const host::HostTable &host, GLenum pname) {
 
 /// One half of COMBINE. `half` 0 is RGB's, 1 alpha's: their names differ by one distance
 /// throughout.
-bool askCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
+bool queryCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
   const GLint function = environmentValue(host, alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB);
   const auto *const row =
       std::find(std::begin(kCombineFunctions), std::end(kCombineFunctions), GLenum(function));
@@ -68,7 +68,7 @@ bool askCombiner(const host::HostTable &host, bool alpha, Combiner &half) {
 }
 
 /// Of the active unit. False: an environment of an extension.
-bool askEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
+bool queryEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
   switch (environmentValue(host, GL_TEXTURE_ENV_MODE)) {
   case GL_REPLACE:
     unit.environment = Environment::Replace;
@@ -87,7 +87,7 @@ bool askEnvironment(const host::HostTable &host, TextureUnitKey &unit) {
     return true;
   case GL_COMBINE:
     unit.environment = Environment::Combine;
-    return askCombiner(host, false, unit.color) && askCombiner(host, true, unit.alpha);
+    return queryCombiner(host, false, unit.color) && queryCombiner(host, true, unit.alpha);
   default:
     return false;
   }
@@ -123,20 +123,20 @@ Outcome FixedFragments::ask(Context &context) {
       continue;
     const UnitScope scope(*context.host, unit);
     m_state.units[unit].target = state.targets[unit];
-    if (!askEnvironment(*context.host, m_state.units[unit]))
+    if (!queryEnvironment(*context.host, m_state.units[unit]))
       return Fallback::NoFragmentProgram;
   }
   return {};
 }
 
-/// What hangs on the textures themselves. A unit whose texture is not complete is as if disabled.
+/// What depends on the textures themselves. A unit whose texture is not complete is as if disabled.
 Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFragmentKey &key) {
   for (std::size_t i = 0; i < key.units.size(); ++i) {
     TextureUnitKey &unit = key.units[i];
     if (unit.environment == Environment::Off)
       continue;
     const SamplerUse use{std::uint8_t(i), dimensionOf(unit.target)};
-    if (mirror.samplersAreStale({&use, 1})) {
+    if (mirror.samplersAreDirty({&use, 1})) {
       releaseSamplers(context);
       mirror.refreshSamplers({&use, 1});
     }

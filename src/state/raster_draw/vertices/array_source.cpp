@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "state/core/context.h"
-#include "state/mirror/ask.h"
+#include "state/mirror/host_query.h"
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 

@@ -59,7 +59,7 @@ TEST_F(BufferCopiesTest, LeavesLargeBuffersAndWhatIsTooMuch) {
   EXPECT_LT(kept, 20) << "a mebibyte in all";
 }
 
-TEST(StaleClockTest, TellsAGroupToAReaderHoweverLateItLooks) {
+TEST(GenerationCounterTest, TellsAGroupToAReaderHoweverLateItLooks) {
   GenerationCounter clock;
   EXPECT_EQ(clock.changedSince(0) & 0xFFFFu, 0xFFFFu) << "a reader that never looked";
   const std::uint64_t first = clock.now();

@@ -64,25 +64,25 @@ bool isColor(const fp::ir::Attribute &attribute) {
 } // namespace
 
 void VertexStage::take(Context &context, const std::shared_ptr<const fp::ir::Program> &source,
-                       When when) {
+                       Wait wait) {
   m_program = &m_programs.find(source, m_program);
   if (!m_program->functions)
-    m_program->functions = vertexFunctions(source, context.numerics, when);
+    m_program->functions = vertexFunctions(source, context.numerics, wait);
 }
 
 Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
                             const fp::jit::FragmentShape &fragments, bool points, bool floatTarget,
-                            When when) {
+                            Wait wait) {
   m_compiled = compiled;
   m_fragments = &fragments;
   mirror.refreshVertexState(floatTarget);
   m_clipPlanes = mirror.vertex.clipPlanes;
   if (!compiled) {
-    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), when);
+    take(context, m_fixed.get(mirror.vertex, needsOf(fragments, points)), wait);
     m_twoSided = mirror.vertex.lighting && mirror.vertex.twoSided;
     m_pointSize = points && mirror.vertex.pointAttenuation;
   } else {
-    take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), when);
+    take(context, m_extended.get(compiled->program, m_clipPlanes, mirror.vertex.clampColors), wait);
     m_twoSided = mirror.twoSidedColor;
     m_pointSize = points && mirror.pointSizeFromProgram;
   }

@@ -6,10 +6,10 @@
 #include "state/mirror/attributes.h"
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
-#include "state/raster_draw/functions.h"
+#include "state/raster_draw/functions/functions.h"
+#include "state/raster_draw/functions/program_table.h"
 #include "state/raster_draw/outcome.h"
 #include "state/raster_draw/program_state.h"
-#include "state/raster_draw/program_table.h"
 #include "state/raster_draw/vertices/vertex_fetch.h"
 #include "swrast/rasterize.h"
 
@@ -27,7 +27,7 @@ public:
   /// Chooses the function for what the fragments need. `compiled` is the application's vertex
   /// program, or null; `floatTarget`: a colour buffer holds floats.
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
-                 const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, When when);
+                 const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, Wait wait);
   /// The slots that the function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_slots; }
   /// Those, and the others whose current values are wanted.
@@ -48,7 +48,7 @@ private:
     std::shared_ptr<VertexFunctions> functions;
     std::unique_ptr<ProgramValues> values;
   };
-  void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, When when);
+  void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, Wait wait);
   void connect(float *const *outputs);
   void findUnwritten(const Context &context);
   [[nodiscard]] bool connectUnwritten(const Mirror &mirror);

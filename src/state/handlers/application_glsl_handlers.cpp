@@ -1,0 +1,114 @@
+// The application's own GLSL programs and pipelines, and the attribute stack: each may change who
+// shades.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/host_draw/application_glsl.h"
+#include "state/host_draw/draw.h"
+#include "state/host_draw/fixed_function.h"
+#include "state/host_draw/use_program.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A program that is linked while it is current is effective as it is linked then. Mesa 22.3 takes
+/// up only those stages that it had before.
+void takeUpExecutable(Context &context, GLuint program) {
+  if (context.listMode != 0 || context.insideBeginEnd || context.hostProgramIsOurs)
+    return;
+  GLint current = 0;
+  context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
+  if (GLuint(current) != program || program == 0)
+    return;
+  const HostErrorScope scope(*context.host,
+                             context.pendingError); // where the link failed it stays as it was
+  context.host->UseProgram(program);
+}
+
+} // namespace
+
+namespace handlers {
+
+void LinkProgram(Context &context, GLuint program) {
+  program = guardName(context, program);
+  // Before the link: it may leave an error, which is the application's.
+  const auto attached = attachedStages(context, program);
+  context.host->LinkProgram(program);
+  if (attached)
+    context.group->linkedStages.linked(program, *attached);
+  invalidateProgram(context); // its executable may be effective
+  takeUpExecutable(context, program);
+}
+
+void ProgramBinary(Context &context, GLuint program, GLenum binaryFormat, const void *binary,
+                   GLsizei length) {
+  program = guardName(context, program);
+  context.group->linkedStages.forget(program);
+  context.host->ProgramBinary(program, binaryFormat, binary, length);
+  invalidateProgram(context);
+}
+
+GLuint CreateShaderProgramv(Context &context, GLenum type, GLsizei count,
+                            const GLchar *const *strings) {
+  const GLuint program = context.host->CreateShaderProgramv(type, count, strings);
+  if (program != 0)
+    context.group->linkedStages.set(program, stageOf(type));
+  return program;
+}
+
+void BindProgramPipeline(Context &context, GLuint pipeline) {
+  if (context.hostProgramIsOurs && !context.listMode)
+    releaseHostState(context);
+  context.host->BindProgramPipeline(pipeline);
+  context.pipelinesUsed = true;
+  invalidateProgram(context);
+}
+
+void UseProgramStages(Context &context, GLuint pipeline, GLbitfield stages, GLuint program) {
+  context.host->UseProgramStages(pipeline, stages, guardName(context, program));
+  invalidateProgram(context);
+}
+
+void UseProgram(Context &context, GLuint program) {
+  if (context.insideBeginEnd)
+    return context.host->UseProgram(program); // the host raises the error
+  if (context.listMode) {
+    if (context.group->programApiUsed.load(std::memory_order_relaxed))
+      return context.list->record(context, {.kind = Command::Kind::UseProgram, .name = program});
+    context.group->hostListsChangeProgram.store(true, std::memory_order_relaxed);
+    return context.host->UseProgram(program);
+  }
+  useProgram(context, program);
+}
+
+void PushAttrib(Context &context, GLbitfield mask) {
+  if (context.insideBeginEnd)
+    return context.host->PushAttrib(mask);
+  if (!context.listMode)
+    return pushAttrib(context, mask);
+  context.list->notePush(mask);
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    pushEnables(context, mask);
+  context.host->PushAttrib(mask);
+}
+
+void PopAttrib(Context &context) {
+  if (context.insideBeginEnd)
+    return context.host->PopAttrib();
+  if (!context.listMode)
+    return popAttrib(context);
+  if (context.list->notePop())
+    return context.list->record(context, {.kind = Command::Kind::PopAttrib});
+  context.host->PopAttrib();
+  if (context.listMode == GL_COMPILE_AND_EXECUTE)
+    popEnables(context);
+  noteFixedFunctionCommand(context);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

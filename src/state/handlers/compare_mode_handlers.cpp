@@ -1,0 +1,65 @@
+// Every command that sets TEXTURE_COMPARE_MODE, of a texture or a sampler: once one sets it, draws
+// of programs with plain targets look for textures that compare. A list's commands are seen when
+// they are compiled, and PopAttrib restores only what one of these set before.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/host_draw/draw.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+[[gnu::noinline, gnu::cold]] void useCompareMode(Context &context) {
+  if (!context.group->compareModeUsed.exchange(true, std::memory_order_relaxed))
+    context.attention |= attention::kProgram;
+}
+
+template <typename T> void note(Context &context, GLenum pname, T value) {
+  if (pname == GL_TEXTURE_COMPARE_MODE && value != T(GL_NONE)) [[unlikely]]
+    useCompareMode(context);
+}
+template <typename T> void note(Context &context, GLenum pname, const T *values) {
+  if (pname == GL_TEXTURE_COMPARE_MODE && values) [[unlikely]]
+    note(context, pname, *values);
+}
+
+} // namespace
+
+namespace handlers {
+
+// Of a target or an object; of a texture or a unit, with a target.
+#define SETTER(name, Object, Value)                                                                \
+  void name(Context &context, Object object, GLenum pname, Value value) {                          \
+    note(context, pname, value);                                                                   \
+    context.host->name(object, pname, value);                                                      \
+  }
+#define TARGET_SETTER(name, Object, Value)                                                         \
+  void name(Context &context, Object object, GLenum target, GLenum pname, Value value) {           \
+    note(context, pname, value);                                                                   \
+    context.host->name(object, target, pname, value);                                              \
+  }
+#define SETTERS(setter, prefix, suffix, Object)                                                    \
+  setter(prefix##i##suffix, Object, GLint) setter(prefix##f##suffix, Object, GLfloat)              \
+      setter(prefix##iv##suffix, Object, const GLint *)                                            \
+          setter(prefix##fv##suffix, Object, const GLfloat *)                                      \
+              setter(prefix##Iiv##suffix, Object, const GLint *)                                   \
+                  setter(prefix##Iuiv##suffix, Object, const GLuint *)
+SETTERS(SETTER, TexParameter, , GLenum)
+SETTERS(SETTER, TextureParameter, , GLuint)
+SETTERS(SETTER, SamplerParameter, , GLuint)
+SETTERS(TARGET_SETTER, TextureParameter, EXT, GLuint)
+SETTERS(TARGET_SETTER, MultiTexParameter, EXT, GLenum)
+
+void BindSampler(Context &context, GLuint unit, GLuint sampler) {
+  releaseSamplers(context);
+  context.host->BindSampler(unit, sampler);
+}
+void BindSamplers(Context &context, GLuint first, GLsizei count, const GLuint *samplers) {
+  releaseSamplers(context);
+  context.host->BindSamplers(first, count, samplers);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

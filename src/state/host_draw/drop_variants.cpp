@@ -1,0 +1,20 @@
+#include "state/host_draw/drop_variants.h"
+
+#include "state/core/context.h"
+#include "state/host_draw/ati_variants.h"
+#include "state/host_draw/clip_planes.h"
+#include "state/host_draw/linked_program.h"
+
+namespace arbiter::state {
+
+void dropVariants(Context &context, const CompiledProgram &compiled) {
+  context.linkedPrograms->drop(context, &compiled);
+  if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
+    context.linkedPrograms->drop(context, form.get());
+  if (!compiled.ati)
+    return;
+  for (const auto &form : compiled.ati->all())
+    context.linkedPrograms->drop(context, form.get());
+}
+
+} // namespace arbiter::state

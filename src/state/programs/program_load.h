@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+#include <string_view>
+
+#include <GL/gl.h>
+
+#include "fp_compiler/compilation.h"
+#include "state/core/context.h"
+#include "state/lists/display_list.h"
+
+/// A program's text on its way into a program object.
+namespace arbiter::state {
+
+struct Replacement;
+
+/// What the compiler is told for programs of the target.
+[[nodiscard]] fp::CompileOptions compileOptions(const ProgramTarget &row);
+/// The text through the compiler, or from the program cache.
+[[nodiscard]] fp::Compilation compileText(const Context &context, const ProgramTarget &row,
+                                          std::string_view text);
+/// What an object holds after a load of `text`: the GLSL of a valid replacement or else of the text
+/// itself, with the answers that the application expects.
+/// \param own of the text; \param replacement null where there is none
+/// \returns null where neither is valid.
+[[nodiscard]] std::shared_ptr<const CompiledProgram>
+compileProgram(const Context &context, Target target, std::string_view text,
+               const fp::Compilation &own, const Replacement *replacement);
+/// ProgramString (3.11.1) into `object`, in the language of its target.
+void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
+                 const void *string);
+/// Records ProgramString, or the named one if `object` is not zero, in the list being compiled.
+void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,
+                         GLuint object, GLenum format, GLsizei length, const void *string);
+/// What emitted GLSL may use of the host.
+[[nodiscard]] fp::GlslHost glslHost(const HostCaps &caps);
+
+} // namespace arbiter::state

@@ -1,0 +1,90 @@
+#include "state/raster_draw/copy_texture.h"
+
+#include <cstring>
+
+#include "host/host_table.h"
+#include "state/core/texture_binding.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+void forward(const host::HostTable &host, const CopyCommand &c) {
+  const CopyRegion &r = c.region;
+  switch (c.kind) {
+  case CopyKind::Image1D:
+    return host.CopyTexImage1D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, c.border);
+  case CopyKind::Image2D:
+    return host.CopyTexImage2D(c.target, c.level, c.internalFormat, r.x, r.y, r.width, r.height,
+                               c.border);
+  case CopyKind::SubImage1D:
+    return host.CopyTexSubImage1D(c.target, c.level, r.destX, r.x, r.y, r.width);
+  case CopyKind::SubImage2D:
+    return host.CopyTexSubImage2D(c.target, c.level, r.destX, r.destY, r.x, r.y, r.width, r.height);
+  case CopyKind::SubImage3D:
+    return host.CopyTexSubImage3D(c.target, c.level, r.destX, r.destY, r.destZ, r.x, r.y, r.width,
+                                  r.height);
+  }
+}
+
+/// As residency sees the copy.
+software::CopyToTexture copyTo(GLuint texture, const CopyCommand &copy) {
+  const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
+  const CopyRegion &r = copy.region;
+  return {texture,     copy.target, copy.level, defines, copy.internalFormat,
+          copy.border, r.destX,     r.destY,    r.destZ, r.x,
+          r.y,         r.width,     r.height};
+}
+
+} // namespace
+
+void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const CopyRegion &region) {
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    context.host->GetIntegerv(pname, &value);
+    return GLuint(value);
+  };
+  ColorBuffer source;
+  if (context.caps.framebufferObjects)
+    source.framebuffer = get(GL_READ_FRAMEBUFFER_BINDING);
+  source.buffer = get(GL_READ_BUFFER);
+  context.feedback.record(to, kind, source, region, context.frames);
+}
+
+/// Where the copy goes to is asked from the host, once: bindings are passed on untracked, and a
+/// query is small beside a copy.
+void copyTexture(Context &context, const CopyCommand &copy) {
+  if (context.insideBeginEnd || context.listMode == GL_COMPILE)
+    return forward(*context.host, copy);
+  GLint texture = 0;
+  if (const GLenum binding = bindingOf(copy.target)) {
+    context.host->GetIntegerv(binding, &texture);
+    trackCopy(context, {GLuint(texture), copy.target, copy.level}, copy.kind, copy.region);
+  }
+  if (context.software && context.listMode == 0 &&
+      context.software->residency.copyToTexture(copyTo(GLuint(texture), copy)))
+    return;
+  forward(*context.host, copy);
+}
+
+Command commandOf(const CopyCommand &copy) {
+  Command command{.kind = Command::Kind::CopyTexture, .target = copy.target};
+  command.object = GLuint(copy.kind);
+  command.format = copy.internalFormat;
+  command.count = copy.level;
+  command.name = GLuint(copy.border);
+  command.bytes.assign(reinterpret_cast<const char *>(&copy.region), sizeof copy.region);
+  return command;
+}
+
+CopyCommand copyOf(const Command &command) {
+  CopyCommand copy{.kind = CopyKind(command.object), .target = command.target};
+  copy.level = command.count;
+  copy.internalFormat = command.format;
+  copy.border = GLint(command.name);
+  std::memcpy(&copy.region, command.bytes.data(), sizeof copy.region);
+  return copy;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,115 @@
+#include "state/raster_draw/decision.h"
+
+#include <optional>
+
+#include "state/core/context.h"
+#include "state/host_draw/draw.h"
+#include "state/lists/list_compiler.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/functions/compile_thread.h"
+#include "state/raster_draw/pipeline.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// What keeps any draw of now with the host, as far as that is known without looking at state.
+Outcome decideByPath(Context &context) {
+  if (context.listMode != 0)
+    return Fallback::List;
+  // Fixed function alone is the rasterizer's too, once a program has been drawn.
+  if (context.path == Path::HostAssembly && !applicationShades(context))
+    return Fallback::NotCompiled; // too long
+  if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
+    return Fallback::NoFragmentProgram;
+  if (context.path == Path::NoProgram && applicationShades(context))
+    return Fallback::NoFragmentProgram;
+  if (!context.software->residency.syncWithNeighbours())
+    return Fallback::Shared;
+  if (!context.software->backOff.engaged())
+    return Fallback::BackedOff;
+  return {};
+}
+
+/// The current values that vertices read: unfilled polygons have edge flags too.
+std::uint32_t currentSlotsOf(const Pipeline &pipeline, const Mirror &mirror) {
+  const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
+                        mirror.raster.back != swrast::PolygonMode::Fill;
+  return pipeline.currentSlots() | (unfilled ? 1u << kEdgeFlag : 0u);
+}
+
+/// Whether a draw must meet depths that the rasterizer wrote in this frame.
+bool meetsDepths(const ContextState &state) {
+  const abi::DepthStencilKey &depth = state.mirror.pixelOps.depthStencil;
+  return state.depthsTested && (depth.depthTest != 0 || depth.stencilTest != 0);
+}
+
+} // namespace
+
+bool isHosts(Context &context) {
+  if (context.listMode != 0)
+    context.list->notePixels();
+  return context.insideBeginEnd || context.listMode != 0;
+}
+
+bool usesRasterizer(Context &context) {
+  return validatePrograms(context) && context.softwarePossible;
+}
+
+Outcome decide(Context &context, GLenum mode, std::uint32_t count) {
+  if (mode > GL_POLYGON)
+    return Fallback::Vertices;
+  if (const Outcome outcome = decideByPath(context); !outcome.ok())
+    return outcome;
+  Pipeline &pipeline = pipelineOf(context);
+  if (const Outcome outcome = pipeline.choose(context, {mode, count}); !outcome.ok())
+    return outcome;
+  Mirror &mirror = context.software->mirror;
+  mirror.refreshCurrent(context.dirty, currentSlotsOf(pipeline, mirror));
+  return {};
+}
+
+bool waitsForCode(Context &context, const Outcome &outcome) {
+  if (outcome.ok() || outcome.reason() != Fallback::Compiling || !meetsDepths(*context.software))
+    return false;
+  awaitCompiler(std::nullopt);
+  return true;
+}
+
+void noteDrawn(Context &context) {
+  ContextState &state = *context.software;
+  ++state.drawn;
+  state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
+  ++context.draws[std::size_t(Path::Rasterizer)];
+}
+
+void giveToHost(Context &context, Fallback reason) {
+  ContextState &state = *context.software;
+  state.fellBack(reason);
+  state.hostDrew = true;
+  // What the rasterizer will take later, or leaves for this alone, says nothing about the frame.
+  const bool says =
+      reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
+  if (says)
+    state.hostDraws(fallbackName(reason));
+  else
+    state.residency.hostTakesTargets(fallbackName(reason));
+  static_cast<void>(validate(context));
+}
+
+bool conclude(Context &context, const Outcome &outcome) {
+  if (outcome.ok()) [[likely]]
+    noteDrawn(context);
+  else
+    giveToHost(context, outcome.reason());
+  return outcome.ok();
+}
+
+Pipeline &pipelineOf(Context &context) {
+  ContextState &state = *context.software;
+  if (!state.pipeline) [[unlikely]]
+    state.pipeline = {new Pipeline, [](Pipeline *pipeline) { delete pipeline; }};
+  return *state.pipeline;
+}
+
+} // namespace arbiter::state::software

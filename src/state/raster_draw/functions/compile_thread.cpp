@@ -1,0 +1,116 @@
+#include "state/raster_draw/functions/compile_thread.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include "util/flags.h"
+#include "util/thread.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// LLVM recurses by the depth of a program's dependencies. Pages that are not reached are not
+/// there.
+constexpr std::size_t kStack = std::size_t(16) << 20;
+/// Longer than a draw waits that can do without (functions.cpp).
+constexpr std::chrono::milliseconds kLate{60};
+
+class Compiler {
+public:
+  bool add(std::function<void()> task) {
+    const std::lock_guard lock(m_mutex);
+    if (!m_started)
+      m_started = startThread(
+          "arbiter-compile", kStack, [](void *self) { static_cast<Compiler *>(self)->run(); },
+          this);
+    if (!m_started)
+      return false;
+    m_tasks.push_back(std::move(task));
+    m_wake.notify_one();
+    return true;
+  }
+
+  void await(std::optional<std::chrono::milliseconds> atMost) {
+    std::unique_lock lock(m_mutex);
+    const auto idle = [this] { return m_tasks.empty() && !m_busy; };
+    if (!m_started)
+      return;
+    if (atMost)
+      m_idle.wait_for(lock, *atMost, idle);
+    else
+      m_idle.wait(lock, idle);
+  }
+
+private:
+  [[noreturn]] void run() {
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+      if (m_tasks.empty()) {
+        m_wake.wait(lock);
+        continue;
+      }
+      const std::function<void()> task = std::move(m_tasks.front());
+      m_tasks.pop_front();
+      m_busy = true;
+      lock.unlock();
+      if (debugFlag(DebugFlag::LateCode))
+        std::this_thread::sleep_for(kLate);
+      try {
+        task();
+      } catch (const std::exception &) { // no memory, and no caller to tell
+      }
+      lock.lock();
+      m_busy = false;
+      m_idle.notify_all();
+    }
+  }
+
+  std::mutex m_mutex;
+  std::condition_variable m_wake, m_idle;
+  std::deque<std::function<void()>> m_tasks;
+  bool m_started = false;
+  bool m_busy = false; ///< a task is run, without the lock
+};
+
+std::atomic<Compiler *> g_compiler{nullptr};
+
+/// Never freed: contexts may draw in other libraries' destructors, and the thread runs on until the
+/// process is gone. A child of fork() has no thread and perhaps a held lock, so it makes one anew
+/// and leaks its parent's.
+Compiler *compiler() {
+  if (Compiler *const existing = g_compiler.load(std::memory_order_acquire))
+    return existing;
+  static const int s_forks = pthread_atfork(
+      nullptr, nullptr, [] { g_compiler.store(nullptr, std::memory_order_release); });
+  (void)s_forks;
+  auto *made = new (std::nothrow) Compiler;
+  Compiler *other = nullptr;
+  if (!made || g_compiler.compare_exchange_strong(other, made, std::memory_order_acq_rel))
+    return made;
+  delete made;
+  return other;
+}
+
+} // namespace
+
+bool compileLater(std::function<void()> task) {
+  const NoCancel scope;
+  Compiler *const own = compiler();
+  return own && own->add(std::move(task));
+}
+
+void awaitCompiler(std::optional<std::chrono::milliseconds> atMost) {
+  const NoCancel scope;
+  if (Compiler *const own = compiler())
+    own->await(atMost);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,230 @@
+#include "state/raster_draw/functions/functions.h"
+
+#include <chrono>
+#include <exception>
+
+#include "state/raster_draw/functions/compile_thread.h"
+#include "util/cache/cache_store.h"
+#include "util/flags.h"
+#include "util/log.h"
+#include "util/thread.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+std::atomic<std::uint64_t> g_functions{0}, g_failed{0}, g_codeBytes{0}, g_nanoseconds{0};
+
+/// Adds the time until its end to the statistics.
+class Stopwatch {
+public:
+  ~Stopwatch() {
+    const auto time = std::chrono::steady_clock::now() - m_begin;
+    g_nanoseconds += std::uint64_t(std::chrono::nanoseconds(time).count());
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+};
+
+/// A software host compiles too before it draws with a program or a state for the first time, on
+/// the thread that draws, and takes longer than this back end as a rule: the draw waits for our
+/// function rather than for the host's. What takes longer than this is left to the compiling
+/// thread, and the host draws meanwhile.
+constexpr std::chrono::milliseconds kWorthWaiting{50};
+
+/// On the compiling thread, as the application's may have a small stack, or an operator new or a
+/// floating-point environment that LLVM is not made for. Where there is no such thread what was
+/// asked for stays in the making, and the host draws.
+template <typename Task> void run(Wait wait, Task task) {
+  if (compileLater(std::move(task)))
+    awaitCompiler(wait == Wait::UntilDone ? std::nullopt : std::optional(kWorthWaiting));
+}
+
+template <typename Code> void note(const Code &code, const char *what, const std::string &reason) {
+  if (code) {
+    ++g_functions;
+    g_codeBytes += code->bytes;
+    return;
+  }
+  ++g_failed;
+  logInfo("software", "a %s program stays with the host: %s", what, reason.c_str());
+}
+
+/// What finds no memory here makes no function: the program stays with the host.
+template <typename Work> void withoutMemory(Work work) {
+  try {
+    work();
+  } catch (const std::exception &) {
+  }
+}
+
+/// The objects by program and mode. An entry whose program nothing else holds is dropped when the
+/// next one is made.
+template <typename Functions> class Table {
+public:
+  std::shared_ptr<Functions> find(const std::shared_ptr<const fp::ir::Program> &program,
+                                  fp::Numerics numerics, bool &made) {
+    const std::lock_guard lock(m_mutex);
+    Entry &entry = m_entries[{program.get(), numerics}];
+    made = !entry.functions;
+    if (!made)
+      return entry.functions;
+    entry.program = program;
+    entry.functions = std::make_shared<Functions>(program, numerics);
+    std::shared_ptr<Functions> functions = entry.functions;
+    sweep();
+    return functions;
+  }
+
+private:
+  struct Key {
+    const fp::ir::Program *program;
+    fp::Numerics numerics;
+    bool operator==(const Key &) const = default;
+  };
+  struct KeyHash {
+    std::size_t operator()(const Key &key) const {
+      return std::hash<const void *>()(key.program) * 4 + std::size_t(key.numerics);
+    }
+  };
+  struct Entry {
+    std::shared_ptr<const fp::ir::Program> program;
+    std::shared_ptr<Functions> functions;
+  };
+  /// Two holders are the entry and its functions themselves.
+  void sweep() {
+    if (m_entries.size() < m_sweepAt)
+      return;
+    std::erase_if(m_entries, [](const auto &item) {
+      return item.second.program.use_count() <= 2 && item.second.functions.use_count() == 1;
+    });
+    m_sweepAt = 2 * m_entries.size() + 64;
+  }
+  std::mutex m_mutex;
+  std::unordered_map<Key, Entry, KeyHash> m_entries;
+  std::size_t m_sweepAt = 64;
+};
+
+/// Never freed, as the compiling thread may outlive static destructors.
+template <typename Functions> Table<Functions> &table() {
+  static auto *const s_table = new Table<Functions>;
+  return *s_table;
+}
+
+} // namespace
+
+fp::jit::Engine *engine() {
+  static fp::jit::Engine *const s_engine = []() -> fp::jit::Engine * {
+    const NoCancel scope; // files are read, and LLVM is started
+    fp::jit::EngineOptions options;
+    if (settings().cache && !cacheFolder().empty()) {
+      options.cacheFolder = cacheFolder() + "/code";
+      options.cacheMaxBytes = std::uint64_t(settings().cacheMaxMegabytes) << 20;
+    }
+    std::string reason;
+    std::unique_ptr<fp::jit::Engine> made = fp::jit::makeEngine(options, reason);
+    if (made)
+      logInfo("software", "rasterizer: %s", made->target().c_str());
+    else
+      logWarn("software", "no rasterizer, the host draws: %s", reason.c_str());
+    return made.release(); // its code may run until the process is gone
+  }();
+  return s_engine;
+}
+
+void FragmentFunctions::prepare() {
+  const Stopwatch stopwatch;
+  withoutMemory([&] {
+    if (fp::jit::Engine *const jit = engine())
+      m_owned = jit->prepareFragment(*m_source, m_numerics);
+  });
+  m_prepared.store(m_owned.get(), std::memory_order_release);
+  m_progress.store(m_owned ? Progress::Ready : Progress::Failed, std::memory_order_release);
+}
+
+void FragmentFunctions::compile(const abi::FragmentKey &key, Slot &slot) {
+  const Stopwatch stopwatch;
+  std::string reason;
+  withoutMemory([&] { slot.code = engine()->compile(*m_owned, key, reason); });
+  note(slot.code, "fragment", reason);
+  if (slot.code)
+    slot.function.store(slot.code->function, std::memory_order_release);
+  slot.progress.store(slot.code ? Progress::Ready : Progress::Failed, std::memory_order_release);
+}
+
+FragmentFunctions::Slot &FragmentFunctions::slot(const abi::FragmentKey &key, Wait wait) {
+  Slot *slot = nullptr;
+  bool made = false;
+  {
+    const std::lock_guard lock(m_mutex);
+    std::unique_ptr<Slot> &entry = m_slots[key];
+    made = !entry;
+    if (made)
+      entry = std::make_unique<Slot>();
+    slot = entry.get();
+  }
+  if (!made)
+    return *slot;
+  try {
+    run(wait, [self = shared_from_this(), key, slot] { self->compile(key, *slot); });
+  } catch (const std::exception &) { // it will not be made
+    slot->progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
+  return *slot;
+}
+
+void VertexFunctions::make() {
+  const Stopwatch stopwatch;
+  std::string reason = "it cannot be prepared";
+  withoutMemory([&] {
+    if (fp::jit::Engine *const jit = engine()) {
+      m_owned = jit->prepareVertex(*m_source, m_numerics);
+      if (m_owned)
+        m_code = jit->compile(*m_owned, reason);
+    }
+  });
+  note(m_code, "vertex", reason);
+  m_prepared.store(m_code ? m_owned.get() : nullptr, std::memory_order_release);
+  m_progress.store(m_code ? Progress::Ready : Progress::Failed, std::memory_order_release);
+}
+
+std::shared_ptr<FragmentFunctions>
+fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                  Wait wait) {
+  bool made = false;
+  auto functions = table<FragmentFunctions>().find(program, numerics, made);
+  if (!made)
+    return functions;
+  try {
+    run(wait, [functions] { functions->prepare(); });
+  } catch (const std::exception &) {
+    functions->m_progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
+  return functions;
+}
+
+std::shared_ptr<VertexFunctions>
+vertexFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                Wait wait) {
+  bool made = false;
+  auto functions = table<VertexFunctions>().find(program, numerics, made);
+  if (!made)
+    return functions;
+  try {
+    run(wait, [functions] { functions->make(); });
+  } catch (const std::exception &) {
+    functions->m_progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
+  return functions;
+}
+
+CompileStatistics compileStatistics() {
+  return {g_functions.load(), g_failed.load(), g_codeBytes.load(),
+          double(g_nanoseconds.load()) * 1e-6};
+}
+
+} // namespace arbiter::state::software

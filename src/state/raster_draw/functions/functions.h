@@ -1,0 +1,111 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+#include "fp_compiler/abi.h"
+#include "fp_compiler/jit.h"
+
+/// The process's machine code: the engine, made when first wanted, and the functions by program and
+/// key. What is missing is compiled on a thread of its own, which the draw waits for a while; if it
+/// is not ready by then the host draws until it is.
+namespace arbiter::state::software {
+
+/// The engine, made at the first call (it loads LLVM); null where the library does not load, which
+/// is said once in the log.
+[[nodiscard]] fp::jit::Engine *engine();
+
+/// How far a thing that is compiled aside has come.
+enum class Progress : std::uint8_t { Making, Ready, Failed };
+
+/// One function, or the place where it will be.
+template <typename Function> struct FunctionSlot {
+  /// Null until it is ready: one load is all that a draw pays.
+  std::atomic<Function> function{nullptr};
+  std::atomic<Progress> progress{Progress::Making};
+  std::unique_ptr<fp::jit::Code<Function>> code;
+};
+
+/// Whether a caller waits for a while, or until all is compiled (ARBITER_BACKEND=swrast).
+enum class Wait : std::uint8_t { Briefly, UntilDone };
+
+/// The functions of one fragment program in one mode. Contexts share it; it lives as long as
+/// someone holds it, functions as long as it.
+class FragmentFunctions : public std::enable_shared_from_this<FragmentFunctions> {
+public:
+  using Slot = FunctionSlot<abi::ShadeFunction>;
+  FragmentFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
+      : m_source(std::move(source)), m_numerics(numerics) {}
+
+  /// The program as the back end sees it; null while it is prepared, and where it cannot be.
+  [[nodiscard]] const fp::jit::FragmentProgram *prepared() const {
+    return m_prepared.load(std::memory_order_acquire);
+  }
+  [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
+  /// The place of the function for `key`; asks for it if it was not asked for yet. Requires
+  /// prepared(). Takes a lock: keep the answer.
+  [[nodiscard]] Slot &slot(const abi::FragmentKey &key, Wait wait);
+
+private:
+  friend std::shared_ptr<FragmentFunctions>
+  fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &, fp::Numerics, Wait);
+  void prepare();
+  void compile(const abi::FragmentKey &key, Slot &slot);
+
+  struct Hash {
+    std::size_t operator()(const abi::FragmentKey &key) const { return abi::hashOf(key); }
+  };
+  const std::shared_ptr<const fp::ir::Program> m_source;
+  const fp::Numerics m_numerics;
+  std::unique_ptr<fp::jit::FragmentProgram> m_owned;
+  std::atomic<const fp::jit::FragmentProgram *> m_prepared{nullptr};
+  std::atomic<Progress> m_progress{Progress::Making};
+  std::mutex m_mutex;
+  std::unordered_map<abi::FragmentKey, std::unique_ptr<Slot>, Hash> m_slots;
+};
+
+/// The same of a vertex program, which has one function.
+class VertexFunctions : public std::enable_shared_from_this<VertexFunctions> {
+public:
+  VertexFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
+      : m_source(std::move(source)), m_numerics(numerics) {}
+  /// Null until the function is ready, and where it cannot be made.
+  [[nodiscard]] const fp::jit::VertexProgram *prepared() const {
+    return m_prepared.load(std::memory_order_acquire);
+  }
+  [[nodiscard]] abi::VertexFunction function() const { return m_code ? m_code->function : nullptr; }
+  [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
+
+private:
+  friend std::shared_ptr<VertexFunctions>
+  vertexFunctions(const std::shared_ptr<const fp::ir::Program> &, fp::Numerics, Wait);
+  void make();
+
+  const std::shared_ptr<const fp::ir::Program> m_source;
+  const fp::Numerics m_numerics;
+  std::unique_ptr<fp::jit::VertexProgram> m_owned;
+  std::unique_ptr<fp::jit::VertexCode> m_code;
+  std::atomic<const fp::jit::VertexProgram *> m_prepared{nullptr};
+  std::atomic<Progress> m_progress{Progress::Making};
+};
+
+/// The functions of a program, the same object for the same program and mode. Takes a lock: keep
+/// the answer while the program is effective.
+[[nodiscard]] std::shared_ptr<FragmentFunctions>
+fragmentFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                  Wait wait);
+[[nodiscard]] std::shared_ptr<VertexFunctions>
+vertexFunctions(const std::shared_ptr<const fp::ir::Program> &program, fp::Numerics numerics,
+                Wait wait);
+
+/// Compiled and still waiting, for --stats.
+struct CompileStatistics {
+  std::uint64_t functions = 0, failed = 0;
+  std::uint64_t codeBytes = 0;
+  double milliseconds = 0; ///< spent compiling, on whatever thread
+};
+[[nodiscard]] CompileStatistics compileStatistics();
+
+} // namespace arbiter::state::software

@@ -1,0 +1,99 @@
+#include "state/raster_draw/immediate/geometry.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// Vertices of a primitive where primitives of the mode may follow each other in one; 0: they may
+/// not.
+std::uint32_t independent(GLenum mode) {
+  switch (mode) {
+  case GL_POINTS:
+    return 1;
+  case GL_LINES:
+    return 2;
+  case GL_TRIANGLES:
+    return 3;
+  case GL_QUADS:
+    return 4;
+  default:
+    return 0;
+  }
+}
+
+bool isUniform(const ImmediateRecorder &recorder) {
+  for (unsigned i = 1; i < recorder.slotCount(); ++i)
+    if (recorder.since(int(recorder.slot(i))) != 0)
+      return false;
+  return true;
+}
+
+void take(Geometry &to, const ImmediateRecorder &recorder) {
+  to.touched |= recorder.touched();
+  for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
+    const auto slot = std::size_t(std::countr_zero(left));
+    to.values[slot] = recorder.values()[slot];
+  }
+}
+
+} // namespace
+
+std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder) {
+  auto geometry = std::make_unique<Geometry>();
+  geometry->mode = recorder.mode();
+  geometry->count = recorder.count();
+  geometry->slotCount = recorder.slotCount();
+  geometry->stride = 4 * geometry->slotCount;
+  for (unsigned i = 0; i < recorder.slotCount(); ++i) {
+    geometry->slots[i] = recorder.slot(i);
+    geometry->since[i] = recorder.since(int(recorder.slot(i)));
+  }
+  geometry->uniform = isUniform(recorder);
+  geometry->data.assign(recorder.data(),
+                        recorder.data() + std::size_t(geometry->count) * geometry->stride);
+  take(*geometry, recorder);
+  return geometry;
+}
+
+bool append(Geometry &to, const ImmediateRecorder &recorder) {
+  const std::uint32_t size = independent(to.mode);
+  constexpr std::uint32_t kMost = 1u << 24;
+  if (size == 0 || recorder.mode() != to.mode || !to.uniform || !isUniform(recorder) ||
+      recorder.slotCount() != to.slotCount || to.count + recorder.count() > kMost)
+    return false;
+  // The order of the slots is that of their first use.
+  if (!std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots()))
+    return false;
+  const std::uint32_t whole = to.count - to.count % size; // the rest makes no primitive
+  const std::size_t floats = std::size_t(whole + recorder.count()) * to.stride;
+  if (to.data.capacity() < floats) // before anything changes, as there may be no memory
+    to.data.reserve(std::max(floats, 2 * to.data.capacity()));
+  to.data.resize(std::size_t(whole) * to.stride);
+  to.data.insert(to.data.end(), recorder.data(),
+                 recorder.data() + std::size_t(recorder.count()) * to.stride);
+  to.count = whole + recorder.count();
+  take(to, recorder);
+  return true;
+}
+
+VertexSource Geometry::source() const {
+  VertexSource source;
+  source.count = count;
+  source.fromList = true;
+  for (unsigned i = 0; i < slotCount; ++i)
+    source.arrays[slots[i]] = {.base = data.data() + 4 * i,
+                               .stride = std::uint32_t(stride * sizeof(float)),
+                               .type = GL_FLOAT,
+                               .components = 4};
+  return source;
+}
+
+GLuint Geometry::madeHostList() const {
+  const std::lock_guard lock(m_mutex);
+  return m_hostList;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/mirror/attributes.h"
+#include "state/raster_draw/immediate/recorder.h"
+
+/// Primitives of a display list (OpenGL 1.4, 5.4) as the application gave them: vertices that stay
+/// where they are from call to call.
+namespace arbiter::state::software {
+
+/// One or more primitives of one mode, or the beginning of one: a list may leave it open, or go on
+/// in it with a command that is no vertex (CallList). An attribute that was not set in the list
+/// when its vertex was made has the value that is current when the list is called.
+class Geometry {
+public:
+  GLenum mode = GL_POINTS;
+  std::uint32_t count = 0;  ///< vertices
+  std::vector<float> data;  ///< `count` times `stride` floats
+  std::uint32_t stride = 4; ///< floats: a vec4 for each of `slots`, the position first
+  std::uint32_t slotCount = 1;
+  std::array<std::uint8_t, kSlots> slots{};
+  /// From which vertex on each of them is set.
+  std::array<std::uint32_t, kSlots> since{};
+  bool open = false;         ///< Begin without End
+  bool uniform = true;       ///< all of them from the first vertex on
+  std::uint32_t touched = 0; ///< slots that were set, one bit each
+  CurrentValues values{};    ///< of these, as the primitives leave them behind
+
+  /// The host's list that draws the same, which `make` makes when it is first asked for and gives
+  /// the name of.
+  template <typename Make> [[nodiscard]] GLuint hostList(Make &&make) const {
+    const std::lock_guard lock(m_mutex);
+    if (m_hostList == 0)
+      m_hostList = make();
+    return m_hostList;
+  }
+  /// That list, or 0.
+  [[nodiscard]] GLuint madeHostList() const;
+  /// What is between Begin and End: calls `set(slot, const float value[4])` of each attribute as it
+  /// is set, and of kPosition for a vertex.
+  template <typename Set> void read(Set &&set) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float *const vertex = data.data() + std::size_t(i) * stride;
+      for (unsigned slot = 1; slot < slotCount; ++slot)
+        if (i >= since[slot])
+          set(int(slots[slot]), vertex + 4 * slot);
+      set(int(kPosition), vertex);
+    }
+    for (std::uint32_t left = touched; left != 0; left &= left - 1)
+      set(std::countr_zero(left), values[std::size_t(std::countr_zero(left))].data());
+  }
+  /// The vertices, for as long as this lives.
+  [[nodiscard]] VertexSource source() const;
+
+private:
+  mutable std::mutex m_mutex; ///< contexts of a share group may call the list at the same time
+  mutable GLuint m_hostList = 0;
+};
+
+/// What the recorder has of a primitive.
+[[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder);
+/// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
+[[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder);
+
+} // namespace arbiter::state::software

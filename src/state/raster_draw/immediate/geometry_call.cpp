@@ -1,0 +1,68 @@
+#include "state/raster_draw/immediate/geometry_call.h"
+
+#include "host/handlers.h"
+#include "state/core/context.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/commands.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/draw.h"
+#include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/replay.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// The host's list that draws the same. No list is being compiled, and it is outside Begin and End.
+GLuint hostListOf(Context &context, const Geometry &geometry) {
+  return geometry.hostList([&] {
+    const GLuint name = context.group->lists.takeSegmentName(*context.host);
+    context.host->NewList(name, GL_COMPILE);
+    context.host->Begin(geometry.mode);
+    geometry.read([&](int slot, const float *value) { setAttribute(*context.host, slot, value); });
+    context.host->End();
+    context.host->EndList();
+    return name;
+  });
+}
+
+/// The host draws, after it was brought up to date.
+void drawOnHost(Context &context, const Geometry &geometry) {
+  if (context.attention && !handlers::beginDraw(context))
+    return setCurrentValues(context, geometry.values, geometry.touched);
+  context.host->CallList(hostListOf(context, geometry));
+  context.dirty |= dirty::kCurrent;
+}
+
+/// As the application does: whose primitive it is shows when it is whole.
+void beginPrimitive(Context &context, const Geometry &geometry) {
+  handlers::Begin(context, geometry.mode);
+  if (ImmediateRecorder *const to = context.recorder) {
+    return geometry.read([&](int slot, const float *v) {
+      if (slot == kPosition)
+        to->vertex(v[0], v[1], v[2], v[3]);
+      else
+        to->set(slot, v[0], v[1], v[2], v[3]);
+    });
+  }
+  geometry.read([&](int slot, const float *value) { setAttribute(*context.host, slot, value); });
+  context.dirty |= dirty::kCurrent;
+}
+
+} // namespace
+
+void callGeometry(Context &context, const Geometry &geometry) {
+  if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
+    return handlers::Begin(context, geometry.mode);
+  if (geometry.open)
+    return beginPrimitive(context, geometry);
+  if (mayDraw(context) && usesRasterizer(context) && geometry.count != 0) {
+    const VertexSource source = geometry.source();
+    if (drawVertices(context, geometry.mode, geometry.uniform ? &source : nullptr, geometry.count))
+      return setCurrentValues(context, geometry.values, geometry.touched);
+  }
+  drawOnHost(context, geometry);
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,108 @@
+#include "state/raster_draw/immediate/primitive.h"
+
+#include <exception>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/core/memory.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/draw.h"
+#include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/large_draw.h"
+#include "state/raster_draw/pipeline.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// Gives the host what there is of the primitive that was recorded, for the reason.
+void replayFor(Context &context, Fallback reason) {
+  withinMemory(context, "End", [&] { giveToHost(context, reason); });
+  replayToHost(context);
+}
+
+/// More vertices are recorded than a draw has arrays for: what is full of parts is drawn. Where
+/// that cannot be the primitive is the host's from here on, with the vertex at `position`.
+bool drawOpen(void *owner, const float position[4]) {
+  auto &context = *static_cast<Context *>(owner);
+  ContextState &state = *context.software;
+  ImmediateRecorder &recorder = state.recorder;
+  stopRecording(context);
+  context.insideBeginEnd = false;
+  Pipeline &pipeline = pipelineOf(context);
+  const OpenPart part = openPart(pipeline, recorder.count());
+  const VertexSource source = recorder.end();
+  Outcome outcome;
+  try {
+    outcome = outcomeOf(
+        context, [&] { return drawInParts(context, pipeline, source, {.count = part.drawn}); });
+  } catch (const std::exception &error) {
+    recorder.fail();         // and End says so
+    startRecording(context); // an application that catches its own exception is before End still
+    passOn(error);
+    stopRecording(context);
+    context.insideBeginEnd = false;
+  }
+  if (!outcome.ok()) {
+    replayFor(context, outcome.reason());
+    context.insideBeginEnd = true;
+    setAttribute(*context.host, kPosition, position);
+    return false;
+  }
+  recorder.forget(part.kept, part.done);
+  recorder.limit(kMostOpen, drawOpen, &context);
+  if (!state.openParts && !recorder.failed())
+    noteDrawn(context);
+  state.openParts = true;
+  startRecording(context);
+  return !recorder.failed();
+}
+
+} // namespace
+
+bool beginPrimitive(Context &context, GLenum mode) {
+  const Outcome outcome = outcomeOf(context, [&] { return decide(context, mode, 0); });
+  if (!outcome.ok()) {
+    giveToHost(context, outcome.reason());
+    return false;
+  }
+  ContextState &state = *context.software;
+  state.recorder.begin(mode, state.mirror.current);
+  state.openParts = false;
+  if (opensInParts(context, pipelineOf(context)))
+    state.recorder.limit(kMostAtOnce, drawOpen, &context);
+  return true;
+}
+
+void endPrimitive(Context &context) {
+  ContextState &state = *context.software;
+  const VertexSource source = state.recorder.end();
+  const std::uint32_t count = state.recorder.count();
+  Outcome outcome;
+  if (state.recorder.failed())
+    outcome = Fallback::Memory;
+  else if (count != 0)
+    try {
+      outcome = outcomeOf(context, [&] {
+        return state.openParts ? drawInParts(context, pipelineOf(context), source, {.count = count})
+                               : drawSource(context, source, count);
+      });
+    } catch (const std::exception &) { // the attributes have been set whatever was drawn
+      setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+      throw;
+    }
+  if (!outcome.ok()) {
+    replayFor(context, outcome.reason());
+    context.host->End();
+    if (state.recorder.failed())
+      raise(context, GL_OUT_OF_MEMORY, "End: no memory for the primitive's vertices");
+    return;
+  }
+  setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+  if (!state.openParts)
+    noteDrawn(context);
+}
+
+} // namespace arbiter::state::software
