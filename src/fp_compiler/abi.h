@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// What machine code of ours is called with: plain data, shared by the compiler's JIT back end,
-/// which makes the functions, and the rasterizer, which calls them. No LLVM, no GL, no containers.
+/// What the machine code of programs is called with: plain data, shared by the compiler's JIT back
+/// end, which makes the functions, and the rasterizer, which calls them. No LLVM, no GL, no
+/// containers.
 ///
 /// Keys are plain bytes without padding that matters: make them with `Key key{}` so that unused
 /// parts are zero, compare and hash them as bytes. What a key says is compiled into the code; what
@@ -133,7 +134,7 @@ struct SamplerKey {
 
 /// One image: a level of a texture, or of one face of a cube map. `base` is texel (0, 0, 0); rows
 /// and slices follow in strides of bytes, which are negative where an image is kept upside down.
-/// 64 bytes before the first and behind the last row may be read.
+/// 64 bytes before the first and after the last row may be read.
 struct TextureLevel {
   const std::uint8_t *base = nullptr;
   std::int64_t rowStride = 0;

@@ -11,8 +11,8 @@ namespace arbiter::fp {
 
 struct Compilation {
   CheckResult check;
-  /// Empty where the check failed, and for ATI's languages: theirs depends on the state that they
-  /// are drawn under (fixed_function.h).
+  /// Empty where the check failed, and for ATI's languages: their GLSL depends on the state that
+  /// they are drawn under (fixed_function.h).
   GlslShader glsl;
 };
 

@@ -276,7 +276,7 @@ void *getProcAddress(const char *name) {
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), name);
   if (!hook)
     return hostLookup(name);
-  return *hook->host ? hook->ours : nullptr;
+  return *hook->host ? hook->function : nullptr;
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.

@@ -273,7 +273,7 @@ Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXCo
                      context);
 }
 
-/// The drawable that is shown may be another one than the current context's: nothing of ours is in
+/// The drawable that is shown may be another one than the current context's: nothing pending is in
 /// its back buffer then, but the host must be up to date with its own.
 /// \return the frame is shown: the host has nothing to swap
 bool frameEnds(GLXDrawable drawable) {
@@ -386,7 +386,7 @@ void *getProcAddress(const GLubyte *name) {
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), text);
   if (!hook)
     return hostLookup(text);
-  return *hook->host ? hook->ours : nullptr;
+  return *hook->host ? hook->function : nullptr;
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.

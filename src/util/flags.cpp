@@ -252,7 +252,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
 }
 
 const Settings &settings() noexcept {
-  // Never destroyed: calls may come from destructors of the application, after ours would have run.
+  // Never destroyed: calls may come from destructors of the application, after the layer's would
+  // have run.
   static const Settings *const instance = []() -> const Settings * {
     try {
       return readProcess();

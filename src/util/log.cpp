@@ -30,8 +30,8 @@ int readLogLevel() noexcept {
 namespace {
 
 /// A descriptor and the file that it is of. An application may close what it does not know (those
-/// that become daemons do) and open something else, which then has the number: a line of ours must
-/// not get there.
+/// that become daemons do) and open something else, which then has the number: a line of the log
+/// must not get there.
 struct Sink {
   int descriptor = -1;
   dev_t device = 0;
