@@ -72,8 +72,9 @@ struct BitField {
 /// Where a component of a texel's RGBA comes from: a stored component, or a constant.
 enum class From : std::uint8_t { C0, C1, C2, C3, Zero, One };
 /// R, G, B, A in terms of stored components: BGRA8 is U8x4 with {C2, C1, C0, C3}, LUMINANCE8 is
-/// U8x1 with {C0, C0, C0, One}, RGB8 is U8x4 with {C0, C1, C2, One}. A colour buffer's tells where
-/// each component is written; one that is constant is not written (its byte, if any, is 0xFF or 1).
+/// U8x1 with {C0, C0, C0, One}, RGB8 is U8x4 with {C0, C1, C2, One}. Of a colour buffer it says
+/// where each component is written; one that is constant is not written (its byte, if any, is 0xFF
+/// or 1).
 using Swizzle = std::array<From, 4>;
 inline constexpr Swizzle kRgba = {From::C0, From::C1, From::C2, From::C3};
 

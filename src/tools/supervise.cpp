@@ -17,7 +17,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// What ends or tells a process and has no meaning for us of its own.
+/// Signals that end or notify a process, and mean nothing to the supervisor itself.
 constexpr int kPassedOn[] = {SIGTERM, SIGHUP,  SIGINT,    SIGQUIT, SIGUSR1,
                              SIGUSR2, SIGALRM, SIGVTALRM, SIGWINCH};
 
@@ -54,7 +54,7 @@ sigset_t passedOn() {
 }
 
 /// The helper of supervise(). It holds nothing of what this process was given, which others may
-/// wait for the end of. \returns the end of a pipe to tell it that it is not needed, or -1
+/// wait for the end of. \returns the end of a pipe by which it learns that it is not needed, or -1
 int startHelper(pid_t child, const std::function<void()> &afterwards) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)

@@ -11,7 +11,7 @@ struct TriangleCorners {
   std::uint32_t corner[3];
   std::uint32_t provoking;
   /// Bit k: the side from corner k to the next is a side of the primitive, not a diagonal; where it
-  /// is drawn hangs on the edge flag of corner k too.
+  /// is drawn depends on the edge flag of corner k too.
   std::uint32_t sides;
 };
 struct LineEnds {

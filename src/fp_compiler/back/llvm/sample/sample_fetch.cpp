@@ -57,10 +57,10 @@ Value *permuted(Code &code, Value *values, Value *index) {
 }
 
 /// Whether a gather costs hardly more than its loads, so that nothing is worth avoiding it: on
-/// Sapphire Rapids and later, which the feature tells better than a name that a virtual machine
-/// made up. Intel's earlier ones are slow since they were mended against data sampling, AMD's
-/// always were, and for a processor that it does not know as quick LLVM makes single loads of a
-/// gather.
+/// Sapphire Rapids and later, which the feature identifies better than a name that a virtual
+/// machine made up. Intel's earlier ones are slow since they were mended against data sampling,
+/// AMD's always were, and for a processor that it does not know as quick LLVM makes single loads of
+/// a gather.
 bool gathersQuickly(const Cpu &cpu) {
   return cpu.features.find("+avx512fp16") != std::string::npos;
 }
@@ -217,9 +217,9 @@ std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const Imag
     for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
       // The second texels' window is one further: it ends 64 bytes after the last row at most.
       const Window &window = windows[line];
-      Value *const behind = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
+      Value *const secondBase = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
       pairs[line] = pairOf(code, loadWindow(code, image, window.base, window.lane),
-                           loadWindow(code, image, behind, window.lane));
+                           loadWindow(code, image, secondBase, window.lane));
     }
     return valuesOf(pairs);
   };

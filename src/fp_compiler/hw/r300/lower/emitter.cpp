@@ -237,7 +237,7 @@ std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t comp
 std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t components,
                              std::array<std::uint8_t, 3> &parts) {
   const std::uint32_t count = phases(operands, components, parts);
-  std::array<Value, 3> behind;
+  std::array<Value, 3> throughCopies;
   bool once = false, differ = false;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     once |= operands[i].once;
@@ -246,10 +246,10 @@ std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t compo
   if (!differ || count == 3 || std::popcount(components) < 2)
     return count;
   for (std::size_t i = 0; i < operands.size(); ++i)
-    behind[i] = valueOf(operands[i].through);
+    throughCopies[i] = valueOf(operands[i].through);
   std::array<std::uint8_t, 3> others;
   const std::uint32_t through =
-      phases(std::span<const Value>(behind).first(operands.size()), components, others);
+      phases(std::span<const Value>(throughCopies).first(operands.size()), components, others);
   if (through > count + (once ? 1u : 0u))
     return count;
   parts = others;

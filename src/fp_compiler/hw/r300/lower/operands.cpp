@@ -73,8 +73,8 @@ Value Operands::read(const ir::Operand &operand) {
       value.direct[c] = value.through[c] = literal(select == ir::Select::One ? 1.0f : 0.0f);
     } else {
       value.direct[c] = source.direct[std::size_t(select)];
-      const Ref &behind = source.through[std::size_t(select)];
-      value.through[c] = m_emit.readable(behind) ? behind : value.direct[c];
+      const Ref &through = source.through[std::size_t(select)];
+      value.through[c] = m_emit.readable(through) ? through : value.direct[c];
     }
     if (operand.negate >> c & 1) {
       value.direct[c] = negated(value.direct[c]);
