@@ -392,7 +392,7 @@ TEST_F(VertexDraws, TransformFeedbackOfTheApplications) {
   if (epoxy_gl_version() < 30)
     GTEST_SKIP() << "no transform feedback";
   makeProgram(kThrough, kVertex);
-  EXPECT_EQ(drawn(), kBluePixel); // ours is bound on the host
+  EXPECT_EQ(drawn(), kBluePixel); // the linked program is bound on the host
   EXPECT_GL_ERROR(GL_INVALID_OPERATION, glBeginTransformFeedback(GL_POINTS));
   const GLuint glsl = makeGlsl("varying vec4 twice;\n"
                                "void main() { gl_Position = gl_Vertex; twice = 2.0 * gl_Vertex; }",

@@ -178,7 +178,7 @@ class Piglit:
 
 
 def run_early(setting):
-    """A library's constructor draws before ours: through the layer if it was selected from outside
+    """A library's constructor draws before the layer's: through the layer if it was selected from outside
     (as arbiter run does), by the host if only preloaded; right pixels in both."""
     client = setting.clients / "client_early"
     outcome = execute([client], setting.environment(True))
@@ -203,7 +203,7 @@ def run_chosen(setting):
         need_statistics(setting.stats)
     shell = 'echo "$__GLX_VENDOR_LIBRARY_NAME $ARBITER_SAVED_GLX_VENDOR"'
     outcome = execute(["sh", "-c", shell], setting.environment(True, {"__GLX_VENDOR_LIBRARY_NAME": "mesa"}))
-    need(outcome.out.split() == ["arbiter", "mesa"], "children are told " + outcome.out)
+    need(outcome.out.split() == ["arbiter", "mesa"], "children find " + outcome.out)
 
 
 def run_close(setting):
@@ -221,8 +221,8 @@ def run_close(setting):
 
 def run_cycles(setting):
     """1,000 contexts with programs of both targets: the layer's memory grows by no more than the
-    host's own, give or take a page a cycle over the whole; whoever draws, as auto may change its mind
-    late and bring in the other's compiler."""
+    host's own, give or take a page a cycle over the whole, with a back end that is named: auto may change
+    its mind late and bring in the other one's compiler."""
     cycles, slack = 1000, 2048  # kilobytes
     grown = {}
     for where in ("bare host", "host", "swrast"):
@@ -316,7 +316,7 @@ def run_secure(setting):
 
 
 def run_overlay(setting):
-    """Another preloaded library that wraps GLX, before and behind ours."""
+    """Another preloaded library that wraps GLX, before and behind the layer."""
     overlay = setting.clients / "libclient_overlay.so"
     for order in ((setting.layer, overlay), (overlay, setting.layer)):
         setting.stats.unlink(missing_ok=True)
@@ -415,8 +415,8 @@ def run_disassembly(setting):
         elif "call" in line and "__tls_get_addr" in line:
             callers.add(function)
     # The C++ runtime's own, for exceptions, is linked in; no GL call comes by it.
-    ours = callers - {"__cxa_get_globals", "__cxa_get_globals_fast"}
-    need(not ours, f"__tls_get_addr is called by {sorted(ours)}")
+    unexpected = callers - {"__cxa_get_globals", "__cxa_get_globals_fast"}
+    need(not unexpected, f"__tls_get_addr is called by {sorted(unexpected)}")
     for name in ("glDrawArrays", "glDrawElements", "glUniform4fv", "glBegin", "glEnable"):
         body = re.search(rf"<{name}>:\n(.*?)\n\n", code, re.S)
         need(body, f"{name} is not in the disassembly")

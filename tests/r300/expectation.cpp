@@ -120,7 +120,7 @@ void widen(Expected &expected, float seen) {
     expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
 }
 
-void settle(Expected &expected) {
+void finishTolerance(Expected &expected) {
   const float scale = 1.0f + std::fabs(expected.value);
   if (expected.slack > kIllConditioned * scale)
     expected.comparable = false;
@@ -174,9 +174,9 @@ Expectation expect(const Program &program, const Inputs &inputs, std::uint64_t s
   }
   for (auto &output : result.outputs)
     for (Expected &expected : output)
-      settle(expected);
+      finishTolerance(expected);
   if (result.depth)
-    settle(*result.depth);
+    finishTolerance(*result.depth);
   return result;
 }
 
