@@ -1,4 +1,4 @@
-"""Writer of the entry points that exist for the rasterizer of our own (software.toml)."""
+"""Writer of the entry points that exist for the rasterizer (software.toml)."""
 import re
 import sys
 

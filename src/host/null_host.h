@@ -10,7 +10,7 @@
 namespace arbiter::host {
 
 /// One call on its way to the next definition. function() is null where there is none, and in a
-/// call that came back to us: libGL's own stub may lead here.
+/// call that came back to the layer: libGL's own stub may lead here.
 class NullCall {
 public:
   /// A null name: no call at all.

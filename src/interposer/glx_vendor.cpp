@@ -13,7 +13,7 @@
 
 #include <dlfcn.h>
 
-// Our names stand in tables, not in prototypes of the library's headers.
+// The layer's names stand in tables, not in prototypes of the library's headers.
 #include <glvnd/libglxabi.h>
 
 #include <X11/Xlibint.h>
@@ -432,7 +432,8 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
   if (!layerAllowed())
     return True;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
-  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and us.
+  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
+  // layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

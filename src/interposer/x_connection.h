@@ -63,7 +63,7 @@ public:
       : display(ofDisplay), xcb(connection) {}
   const void *const display;
   std::atomic<xcb_connection_t *> xcb; ///< null: closed
-  std::atomic<bool> refused = false;   ///< the server cannot reach our memory
+  std::atomic<bool> refused = false;   ///< the server cannot reach this process's memory
 
   /// Moves on when the application, or another library, sent a request or got an event or an
   /// answer.

@@ -142,7 +142,7 @@ class Capture(Temporary):
     def test_signals(self):
         result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
         self.assertEqual(result.returncode, 128 + 11)
-        for _ in range(20):  # the command's first act races with our own after the fork
+        for _ in range(20):  # the command's first act races with the parent's after the fork
             result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
             self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')
 

@@ -37,7 +37,7 @@ sigset_t passedOn() {
   return set;
 }
 
-/// Waits until no process holds the other end of `pipe`, which is when our parent is gone, and
+/// Waits until no process holds the other end of `pipe`, which is when the parent is gone, and
 /// then, if it did not say that all is done, for the child and for `afterwards`.
 [[noreturn]] void watch(int pipe, pid_t child, const std::function<void()> &afterwards) {
   ::setsid(); // what ends the group does not end this
@@ -61,7 +61,7 @@ int startHelper(pid_t child, const std::function<void()> &afterwards) {
     return -1;
   const pid_t helper = ::fork();
   if (helper == 0) {
-    if (::fork() != 0) // not a child that anybody waits for
+    if (::fork() != 0) // not a child that a process waits for
       ::_exit(0);
     const int own = ::fcntl(ends[0], F_DUPFD_CLOEXEC, 3);
     for (int i = 0; i < own; ++i)
@@ -94,7 +94,7 @@ int awaitEnd(pid_t child) {
 int supervise(const std::vector<Assignment> &environment, const std::vector<std::string> &command,
               const std::function<void()> &afterwards) {
   // Held back until there is a child to pass them on to: a signal that came between the fork and
-  // the handlers would end us and leave the command running.
+  // the handlers would end this process and leave the command running.
   const sigset_t passed = passedOn();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &passed, &before);

@@ -258,7 +258,7 @@ const Settings &settings() noexcept {
     try {
       return readProcess();
     } catch (...) {
-      return nullptr; // out of memory before anything was asked of us
+      return nullptr; // out of memory before the layer was asked for anything
     }
   }();
   if (instance != nullptr)

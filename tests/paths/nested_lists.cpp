@@ -16,7 +16,8 @@ void setEnv(float value, GLuint index = 0) {
   glProgramEnvParameter4fARB(kFragment, index, value, 0, 0, 0);
 }
 
-/// A chain longer than MAX_LIST_NESTING: how deep it goes, with our commands and without.
+/// A chain longer than MAX_LIST_NESTING: how deep it goes, with commands of the layer's and
+/// without.
 void depth(Recorder &r) {
   usePrograms();
   const int length = integer(GL_MAX_LIST_NESTING) + 8;

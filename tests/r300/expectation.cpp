@@ -99,8 +99,8 @@ private:
     value += share * (relative * std::fabs(value) + absolute);
   }
 
-  /// A base that is not above zero, to a power below: 0 by our page, an infinity through LG2 and
-  /// EX2, and nothing that the specification defines.
+  /// A base that is not above zero, to a power below: 0 by ir/semantics.h, an infinity through
+  /// LG2 and EX2, and nothing that the specification defines.
   static void leaveOpen(float &base, float exponent) {
     if (base <= 0 && exponent < 0)
       base = std::numeric_limits<float>::min();
