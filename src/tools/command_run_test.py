@@ -74,9 +74,9 @@ class Run(Temporary):
         by_path.write_text(f'{{"library_path": "{library}"}}')
         self.assertEqual(chosen(), str(by_path))
         # What was selected before is the layer's host.
-        theirs = {'__EGL_VENDOR_LIBRARY_FILENAMES': '/theirs'}
-        self.assertEqual(chosen(**theirs), str(by_path))
-        self.assertEqual(chosen('ARBITER_SAVED_EGL_VENDORS', **theirs), '/theirs')
+        before = {'__EGL_VENDOR_LIBRARY_FILENAMES': '/theirs'}
+        self.assertEqual(chosen(**before), str(by_path))
+        self.assertEqual(chosen('ARBITER_SAVED_EGL_VENDORS', **before), '/theirs')
 
     def test_the_command_is_passed_on_as_it_is(self):
         def run(*words):
