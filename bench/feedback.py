@@ -59,7 +59,7 @@ def parse(argv):
         parser.error(f"the layer is not built: {args.layer}")
     if args.self_test:
         args.size, args.turns = 64, 3
-        paced.SETTLE_S = 0.1
+        paced.REACH_PACE_S = 0.1
     return args
 
 

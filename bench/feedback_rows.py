@@ -53,7 +53,7 @@ def command_of(args, workload, size, headless=True):
 
 
 def drawn_note(stats):
-    """What the layer's statistics say: figures without a draw of ours would be the host's."""
+    """What the layer's statistics say: figures without a draw of the rasterizer would be the host's."""
     try:
         document = json.loads(stats.read_text())
     except (OSError, ValueError):
@@ -72,7 +72,7 @@ def pair_row(args, name, command, least, more=None):
     clients = [Client(command, environment(None, more)),
                Client(command, environment(args.layer, {**extra, **(more or {})}))]
     for client in clients:
-        client.settle()
+        client.reach_pace()
     rounds = take_turns(clients, args.turns)
     for client in clients:
         client.close()
@@ -121,7 +121,7 @@ def size_rows(args, _):
         clients = [Client(command_of(args, workload, size), environment(args.layer, settings(args)))
                    for size in sizes]
         for client in clients:
-            client.settle()
+            client.reach_pace()
         rounds = take_turns(clients, max(3, args.turns // 2))
         for client in clients:
             client.close()
@@ -142,7 +142,7 @@ def thread_rows(args, _):
         clients = [Client(command, environment(args.layer, settings(args, ARBITER_THREADS=count)))
                    for count in ("1", "2")]
         for client in clients:
-            client.settle()
+            client.reach_pace()
         rounds = take_turns(clients, args.turns)
         for client in clients:
             client.close()
@@ -212,7 +212,7 @@ def memory_rows(args, _):
         peaks = []
         for layer, extra in ((None, {}), (args.layer, settings(args))):
             client = Client(command_of(args, workload, size), environment(layer, extra))
-            client.settle()
+            client.reach_pace()
             client.turn()
             peaks.append(client.peak_bytes())
             client.close()

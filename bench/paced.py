@@ -17,11 +17,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / '
 from plain_environment import plain  # noqa: E402
 
 TURN_MS = 40.0
-SETTLE_S = 6.0  # the longest that a side may take to reach its pace: machine code is compiled meanwhile
+REACH_PACE_S = 6.0  # the longest that a side may take to reach its pace: machine code is compiled meanwhile
 
 
 def environment(layer=None, extra=None):
-    """Without anything of ours or of the host's drivers; with the layer in front if there is one."""
+    """Without any variable of the layer's or of the host's drivers; with the layer in front if there is one."""
     env = plain(MESA_SHADER_CACHE_DISABLE="true")
     if layer:
         env["LD_PRELOAD"] = str(layer)
@@ -54,7 +54,7 @@ class Client:
         self.process.stdin.flush()
         return self.answer(order)
 
-    def settle(self):
+    def reach_pace(self):
         """Frames until two batches in a row take the same time; then as many a turn as fill it."""
         begin, before = time.monotonic(), math.inf
         while True:
@@ -62,7 +62,7 @@ class Client:
             self.frames = min(4000, max(1, round(TURN_MS / max(now, 0.001))))
             waited = time.monotonic() - begin
             # The host draws until machine code is ready: at first a pace says nothing.
-            if waited > SETTLE_S or (waited > SETTLE_S / 12 and abs(now - before) < 0.1 * now):
+            if waited > REACH_PACE_S or (waited > REACH_PACE_S / 12 and abs(now - before) < 0.1 * now):
                 return
             before = now
 

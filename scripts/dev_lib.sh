@@ -94,7 +94,7 @@ plain_environment() {
   export LIBGL_ALWAYS_SOFTWARE=1
 }
 
-# A display of our own on a free number, gone with this script.
+# A display of its own on a free number, gone with this script.
 start_display() {
   local file
   file=$(mktemp)

@@ -11,7 +11,7 @@ namespace {
 struct Session {
   Demo *demo;
   bool paused = false;
-  bool titleStale = true;
+  bool titleDirty = true;
 };
 
 Session &session(GLFWwindow *window) {
@@ -52,7 +52,7 @@ void onKey(GLFWwindow *window, int key, int, int action, int) {
     s.paused = !s.paused;
   else if (!moveSlider(*s.demo, key) && key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
     s.demo->key(char('A' + key - GLFW_KEY_A));
-  s.titleStale = true;
+  s.titleDirty = true;
 }
 
 void onPointer(GLFWwindow *window, double x, double y) {
@@ -71,7 +71,7 @@ void showTitle(GLFWwindow *window, Session &s) {
     title += value;
   }
   glfwSetWindowTitle(window, (title + (s.paused ? "  (paused)" : "")).c_str());
-  s.titleStale = false;
+  s.titleDirty = false;
 }
 
 } // namespace
@@ -84,7 +84,7 @@ void runWindow(Demo &demo, Surface &surface, int frames) {
   glfwSetCursorPosCallback(window, onPointer);
   int frame = 0;
   while (!glfwWindowShouldClose(window) && (frames == 0 || frame < frames)) {
-    if (s.titleStale)
+    if (s.titleDirty)
       showTitle(window, s);
     if (s.paused) {
       // A slider may have moved; the frame's number stays.

@@ -59,7 +59,7 @@
 /* GL_ARBITER_feedback is in the extension string of contexts whose programs are Arbiter's. There is
  * nothing new to learn: glReadBuffer and glCopyTexSubImage2D are what they always were, and where
  * the rasterizer draws, a copy of a whole colour buffer shares its pixels instead of moving them.
- * Two values of glGetIntegerv, of the context, tell how often; they never go beyond 2^31 - 1. */
+ * Two values of glGetIntegerv, of the context, count the copies; they never go beyond 2^31 - 1. */
 #ifndef GL_ARBITER_feedback
 #define GL_ARBITER_feedback 1
 /* Copies to textures so far. */

@@ -15,7 +15,7 @@ import gl_commands
 HERE = pathlib.Path(__file__).resolve().parent
 GL_XML = pathlib.Path("/usr/share/khronos-api/gl.xml")
 TITLES = {"own": "Arbiter's own", "draw": "Draws", "pixels": "Pixels", "validate": "Validated",
-          "observe": "Observed", "guard": "Guarded", "handled": "Pixels that may be ours"}
+          "observe": "Observed", "guard": "Guarded", "handled": "Pixels that may be pending"}
 # How the rasterizer sees a command that is otherwise passed on; rows of [software] in reasons.toml.
 SOFTWARE_TITLES = {"record": "Vertices and attributes", "reads": "Reads pixels",
                    "draws": "Writes to the framebuffer", "dirty": "Changes state",

@@ -43,12 +43,12 @@ template <typename Function> Function *entry(Function *, const char *name) {
 
 template <typename Function, typename... Values>
 void compare(const char *name, Function *host, Values... values) {
-  Function *const ours = entry(host, name);
+  Function *const thunk = entry(host, name);
   const std::string text = name;
   benchmark::RegisterBenchmark((text + "/host").c_str(),
                                [=](benchmark::State &s) { calls(s, host, values...); });
   benchmark::RegisterBenchmark((text + "/entry").c_str(),
-                               [=](benchmark::State &s) { calls(s, ours, values...); });
+                               [=](benchmark::State &s) { calls(s, thunk, values...); });
 }
 
 } // namespace

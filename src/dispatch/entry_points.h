@@ -4,7 +4,7 @@
 namespace arbiter::dispatch {
 
 struct EntryPoint {
-  /// Ours, or null: the command is not intercepted.
+  /// The layer's function, or null: the command is not intercepted.
   void *function = nullptr;
   /// The layer offers it even where the host lacks it.
   bool provided = false;

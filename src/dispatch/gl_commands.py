@@ -98,7 +98,7 @@ class Table:
     action    {lead: way} of entry_points.toml; `handled` of software.toml is one too
     software  {lead: way} of software.toml, or "unknown", of those that have no action
     dirty     {lead: [bits of mirror/dirty_bits.h]} of those that have either
-    members   the leads in the host's table; further: those beside it, found when first called
+    members   the leads in the host's table; lazy: those beside it, looked up when first called
     """
 
     def __init__(self, commands, config, software, desktop):
@@ -120,8 +120,8 @@ class Table:
         self._read_software(software)
         self.needs = [self._canonical(n) for n in config.get("host", {}).get("needs", [])]
         self.members = sorted(set(self.action) | set(self.needs))
-        self.further = sorted(lead for lead, way in self.software.items()
-                              if way != "harmless" and lead not in self.members)
+        self.lazy = sorted(lead for lead, way in self.software.items()
+                           if way != "harmless" and lead not in self.members)
 
     def _canonical(self, name):
         if name not in self.commands:

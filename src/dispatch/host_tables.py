@@ -2,7 +2,7 @@
 from gl_commands import HEADING
 
 
-# A table has a part that is filled later (`further`), so that the compiler would leave a constant one
+# A table has a part that is filled later (`lazy`), so that the compiler would leave a constant one
 # writable too; these have no lookup and are never written.
 CONSTANT = '[[gnu::section(".data.rel.ro.arbiter")]] constinit'
 
@@ -17,8 +17,8 @@ def header(table):
         command = table.commands[name]
         out.append(f"  {command.result} (*{name})({command.types()}) = nullptr;\n")
     out.append("  // What follows is no function of the host's.\n"
-               "  /// Further functions by number (further.h), null until first called.\n"
-               f"  mutable void *further[{len(table.further)}] = {{}};\n"
+               "  /// Lazy functions by number (lazy_functions.h), null until first called.\n"
+               f"  mutable void *lazy[{len(table.lazy)}] = {{}};\n"
                "  /// Where they come from; null in tables that have none.\n"
                "  GetProc lookup = nullptr;\n"
                "  /// Of a table that only stands in for another: brings the thread to the true one.\n"
@@ -46,7 +46,7 @@ def source(table):
         out.append('  "' + "\\0".join(table.entry_names(name)) + '\\0",\n')
     out.append("""};
 
-static_assert(offsetof(HostTable, further) == sizeof(kNames) / sizeof(kNames[0]) * sizeof(void *));
+static_assert(offsetof(HostTable, lazy) == sizeof(kNames) / sizeof(kNames[0]) * sizeof(void *));
 
 } // namespace
 
@@ -69,20 +69,20 @@ std::size_t loadHostTable(HostTable &table, GetProc getProc) {
   return found;
 }
 
-/// The names of the further functions, each group's parted by NUL and ended by an empty one, and
+/// The names of the lazy functions, each group's parted by NUL and ended by an empty one, and
 /// where each begins: numbers, so that nothing is relocated when the library is loaded.
-constexpr char kFurtherNames[] =
+constexpr char kLazyNames[] =
 """)
     offset, offsets = 0, []
-    for name in table.further:
+    for name in table.lazy:
         names = table.entry_names(name)
         out.append('    "' + "\\0".join(names) + '\\0\\0"\n')
         offsets.append(offset)
         offset += sum(len(n) + 1 for n in names) + 1
-    out.append(";\nconstexpr std::uint32_t kFurtherOffsets[] = {"
+    out.append(";\nconstexpr std::uint32_t kLazyOffsets[] = {"
                + ", ".join(str(o) for o in offsets) + """};
 
-const char *furtherNames(std::size_t index) { return kFurtherNames + kFurtherOffsets[index]; }
+const char *lazyNames(std::size_t index) { return kLazyNames + kLazyOffsets[index]; }
 
 } // namespace arbiter::host
 """)
@@ -110,8 +110,8 @@ def null_table(table):
 
 
 def recording_table(table):
-    """The effective table while a primitive is kept back from the host: whoever calls the host has
-    the primitive given to it first."""
+    """The effective table while a primitive is deferred: each function of it has the host draw the
+    primitive first, then calls the host's."""
     out = [HEADING, '#include "state/raster_draw/immediate/replay.h"\n\n#include "host/host_table.h"\n'
            '#include "state/core/current.h"\n\n'
            "namespace arbiter::state::software {\n\nnamespace {\n\n"]

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dispatch/entry_points.h"
-#include "host/further.h"
+#include "host/lazy_functions.h"
 #include "state/core/context.h"
 #include "state/core/lifecycle.h"
 #include "state/mirror/convert.h"

@@ -1,4 +1,4 @@
-"""Writer of the entry points that exist for the rasterizer of our own (software.toml)."""
+"""Writer of the entry points that exist for the rasterizer (software.toml)."""
 import re
 import sys
 
@@ -16,8 +16,8 @@ def leads(table):
 
 
 def recorded(command):
-    """What a command of [record] does to the primitive that is kept back: C++ statements, under
-    the condition that it can be told so (else the host gets it, with the primitive)."""
+    """What a command of [record] does to the deferred primitive: C++ statements, under the
+    condition that it can record them (else the host gets the command, after the primitive)."""
     if command.name in ("EdgeFlag", "EdgeFlagv"):
         flag = ("*" if command.name[-1] == "v" else "") + command.params[0][1]
         return "true", f"hot->recorder->set(kEdgeFlag, {flag} ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f)"
@@ -54,11 +54,11 @@ def call(table, command):
     pointer = f"{command.result} (*)({command.types()})"
     first = (f"[[gnu::cold, gnu::noinline]] static {command.result} first_{symbol}"
              f"({command.declare()}) {{\n"
-             f"  const host::FurtherCall call(*t_current->host, {table.further.index(command.name)});\n"
+             f"  const host::LazyCall call(*t_current->host, {table.lazy.index(command.name)});\n"
              f"  if (call.function())\n    {give}reinterpret_cast<{pointer}>(call.function())"
              f"({command.arguments()});\n"
              + ("" if command.result == "void" else "  return {};\n") + "}\n")
-    body = (f"  if (void *const found = host::further(*hot->host, {table.further.index(command.name)})) "
+    body = (f"  if (void *const found = host::lazyFunction(*hot->host, {table.lazy.index(command.name)})) "
             f"[[likely]]\n    return reinterpret_cast<{pointer}>(found)({command.arguments()});\n"
             f"  {give}first_{symbol}({command.arguments()});\n")
     return first, body
@@ -89,7 +89,7 @@ def source(table):
 #include <cstring>
 #include <iterator>
 
-#include "host/further.h"
+#include "host/lazy_functions.h"
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
 #include "state/mirror/dirty_bits.h"

@@ -65,17 +65,17 @@ def thunks(table, command, action, symbol):
     dirty = f"  t->dirty |= {bits};\n" if bits else ""
     count = "  ++*t->drawCounter;\n" if action in ("draw", "pixels") else ""
     if action == "handled":
-        ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        handled = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         host_way = call if result != "void" else f"return {call}"
         return "", (lead + dirty + f"  if (!t->softwareListens) [[likely]]\n    {host_way}\n"
-                    + guarded(command, f"  {ours}\n"))
+                    + guarded(command, f"  {handled}\n"))
     if action == "own":
-        ours = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
-        ours = dirty + guarded(command, f"  {ours}\n")
+        handled = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        handled = dirty + guarded(command, f"  {handled}\n")
         if result == "void":
             return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
-                               f"    {call}\n    return;\n  }}\n{ours}")
-        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{ours}"
+                               f"    {call}\n    return;\n  }}\n{handled}")
+        return "", lead + f"  if (t->passThrough) [[unlikely]]\n    {call}\n{handled}"
     if action == "guard":
         names = [n for t, n, kind in command.params
                  if kind in ("program", "shader", "handle") and "*" not in t]

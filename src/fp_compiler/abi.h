@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// What machine code of ours is called with: plain data, shared by the compiler's JIT back end,
-/// which makes the functions, and the rasterizer, which calls them. No LLVM, no GL, no containers.
+/// What the machine code of programs is called with: plain data, shared by the compiler's JIT back
+/// end, which makes the functions, and the rasterizer, which calls them. No LLVM, no GL, no
+/// containers.
 ///
 /// Keys are plain bytes without padding that matters: make them with `Key key{}` so that unused
 /// parts are zero, compare and hash them as bytes. What a key says is compiled into the code; what
@@ -71,8 +72,9 @@ struct BitField {
 /// Where a component of a texel's RGBA comes from: a stored component, or a constant.
 enum class From : std::uint8_t { C0, C1, C2, C3, Zero, One };
 /// R, G, B, A in terms of stored components: BGRA8 is U8x4 with {C2, C1, C0, C3}, LUMINANCE8 is
-/// U8x1 with {C0, C0, C0, One}, RGB8 is U8x4 with {C0, C1, C2, One}. A colour buffer's tells where
-/// each component is written; one that is constant is not written (its byte, if any, is 0xFF or 1).
+/// U8x1 with {C0, C0, C0, One}, RGB8 is U8x4 with {C0, C1, C2, One}. Of a colour buffer it says
+/// where each component is written; one that is constant is not written (its byte, if any, is 0xFF
+/// or 1).
 using Swizzle = std::array<From, 4>;
 inline constexpr Swizzle kRgba = {From::C0, From::C1, From::C2, From::C3};
 
@@ -133,7 +135,7 @@ struct SamplerKey {
 
 /// One image: a level of a texture, or of one face of a cube map. `base` is texel (0, 0, 0); rows
 /// and slices follow in strides of bytes, which are negative where an image is kept upside down.
-/// 64 bytes before the first and behind the last row may be read.
+/// 64 bytes before the first and after the last row may be read.
 struct TextureLevel {
   const std::uint8_t *base = nullptr;
   std::int64_t rowStride = 0;

@@ -9,10 +9,11 @@
 /// cache. No GL, no files.
 namespace arbiter::fp {
 
+/// What came of a program string: the checked program or its diagnostics, and its GLSL.
 struct Compilation {
   CheckResult check;
-  /// Empty where the check failed, and for ATI's languages: theirs depends on the state that they
-  /// are drawn under (fixed_function.h).
+  /// Empty where the check failed, and for ATI's languages: their GLSL depends on the state that
+  /// they are drawn under (fixed_function.h).
   GlslShader glsl;
 };
 
@@ -30,7 +31,7 @@ struct CompilationInput {
 /// All that decides the result, as bytes: equal for equal inputs, different for different ones.
 [[nodiscard]] std::string cacheKey(const CompilationInput &input, std::string_view text);
 
-/// The result as bytes, for this build of the compiler only.
+/// The result as bytes, which only deserialise() of the same build of the compiler reads.
 [[nodiscard]] std::string serialise(const Compilation &compilation);
 /// Nothing if the bytes are not, to the last, what serialise() wrote, or hold a program that
 /// ir::validate() does not accept. Safe for any bytes.

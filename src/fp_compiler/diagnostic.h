@@ -8,7 +8,7 @@
 namespace arbiter::fp {
 
 enum class Severity : std::uint8_t { Error, Warning, Note };
-/// "error", "warning", "note"
+/// The word for it in lines that editors read: "error", "warning", "note".
 [[nodiscard]] const char *severityName(Severity severity);
 
 /// One finding about a program string. `span.begin` of the first error is GL_PROGRAM_ERROR_POSITION
@@ -26,6 +26,7 @@ struct LineColumn {
   std::uint32_t line = 1;
   std::uint32_t column = 1;
 };
+/// Where byte \p offset of \p text stands; the place after the last byte if it is beyond.
 [[nodiscard]] LineColumn locate(std::string_view text, std::uint32_t offset);
 
 /// "file:line:col: error: text [ID]", then the source line, a caret line and the hint.

@@ -32,8 +32,8 @@ struct FragmentShape {
   std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
   bool writesDepth = false;
   bool kills = false;
-  /// A sample whose level of detail hangs on more than an affine coordinate, so that a sampler with
-  /// mipmaps, or with different magnification and minification, needs Lanes::Quad. Bit a unit.
+  /// A sample whose level of detail depends on more than an affine coordinate, so that a sampler
+  /// with mipmaps, or with different magnification and minification, needs Lanes::Quad. Bit a unit.
   std::uint32_t needsQuads = 0;
 };
 

@@ -13,18 +13,18 @@ namespace {
 /// The calling thread is inside a call to the next definition.
 constinit thread_local bool t_insideNullCall __attribute__((tls_model("initial-exec"))) = false;
 
-/// The functions after ours in the order of lookup, each once it is found.
-constinit Sealed<std::array<void *, kFunctions + std::size(HostTable{}.further)>> g_next;
+/// The functions after this library's in the order of lookup, each once it is found.
+constinit Sealed<std::array<void *, kFunctions + std::size(HostTable{}.lazy)>> g_next;
 
 bool inThisLibrary(const void *function) {
-  Dl_info theirs, ours;
-  return dladdr(function, &theirs) != 0 &&
-         dladdr(reinterpret_cast<const void *>(&inThisLibrary), &ours) != 0 &&
-         theirs.dli_fbase == ours.dli_fbase;
+  Dl_info found, own;
+  return dladdr(function, &found) != 0 &&
+         dladdr(reinterpret_cast<const void *>(&inThisLibrary), &own) != 0 &&
+         found.dli_fbase == own.dli_fbase;
 }
 
 void *resolve(const char *name) {
-  // dlerror belongs to the application: a miss of ours must not be what it reads next.
+  // dlerror belongs to the application: a miss of this search must not be what it reads next.
   void *function = dlsym(RTLD_NEXT, name);
   if (!function)
     function = dlsym(RTLD_DEFAULT, name);

@@ -276,7 +276,7 @@ void *getProcAddress(const char *name) {
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), name);
   if (!hook)
     return hostLookup(name);
-  return *hook->host ? hook->ours : nullptr;
+  return *hook->host ? hook->function : nullptr;
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
@@ -320,7 +320,8 @@ __egl_Main(std::uint32_t version, const __EGLapiExports *exports, __EGLvendorInf
   if (!layerAllowed())
     return EGL_TRUE;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
-  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and us.
+  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
+  // layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

@@ -13,7 +13,7 @@
 
 #include <dlfcn.h>
 
-// Our names stand in tables, not in prototypes of the library's headers.
+// The layer's names stand in tables, not in prototypes of the library's headers.
 #include <glvnd/libglxabi.h>
 
 #include <X11/Xlibint.h>
@@ -273,7 +273,7 @@ Bool makeCurrentRead(Display *display, GLXDrawable draw, GLXDrawable read, GLXCo
                      context);
 }
 
-/// The drawable that is shown may be another one than the current context's: nothing of ours is in
+/// The drawable that is shown may be another one than the current context's: nothing pending is in
 /// its back buffer then, but the host must be up to date with its own.
 /// \return the frame is shown: the host has nothing to swap
 bool frameEnds(GLXDrawable drawable) {
@@ -386,7 +386,7 @@ void *getProcAddress(const GLubyte *name) {
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), text);
   if (!hook)
     return hostLookup(text);
-  return *hook->host ? hook->ours : nullptr;
+  return *hook->host ? hook->function : nullptr;
 }
 
 /// False for a second vendor of this name in the process: there is one host to stand in front of.
@@ -432,7 +432,8 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
   if (!layerAllowed())
     return True;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
-  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and us.
+  // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
+  // layer.
   imports->isPatchSupported = nullptr;
   imports->initiatePatch = nullptr;
   imports->releasePatch = nullptr;

@@ -140,10 +140,10 @@ void *openHostLibrary(const std::string &name, const char *entry) {
     return nullptr;
   }
   void *const function = dlsym(handle, entry);
-  Dl_info theirs, ours;
-  if (!function || !dladdr(function, &theirs) ||
-      !dladdr(reinterpret_cast<void *>(&openHostLibrary), &ours) ||
-      theirs.dli_fbase == ours.dli_fbase) {
+  Dl_info found, own;
+  if (!function || !dladdr(function, &found) ||
+      !dladdr(reinterpret_cast<void *>(&openHostLibrary), &own) ||
+      found.dli_fbase == own.dli_fbase) {
     if (!function)
       (void)dlerror();
     dlclose(handle);

@@ -36,13 +36,14 @@ struct RealOsMesa {
 };
 
 bool isThisLibrary(const void *function) {
-  Dl_info theirs, ours;
-  return !dladdr(function, &theirs) ||
-         !dladdr(reinterpret_cast<const void *>(&isThisLibrary), &ours) ||
-         theirs.dli_fbase == ours.dli_fbase;
+  Dl_info found, own;
+  return !dladdr(function, &found) ||
+         !dladdr(reinterpret_cast<const void *>(&isThisLibrary), &own) ||
+         found.dli_fbase == own.dli_fbase;
 }
 
-/// The library that defines the next OSMesaMakeCurrent after ours: the one the client is linked to.
+/// The library that defines the next OSMesaMakeCurrent after this one: the one the client is linked
+/// to.
 void *libraryAfterUs() {
   void *const next = dlsym(RTLD_NEXT, "OSMesaMakeCurrent");
   Dl_info info;
@@ -70,7 +71,8 @@ constinit Sealed<host::HostTable> g_table;
 const RealOsMesa &real() {
   static const RealOsMesa &s_real = g_real.fill([](RealOsMesa &r) {
     r.library = libraryAfterUs();
-    // The file that the front library was made for, by absolute path: its name alone may be ours.
+    // The file that the front library was made for, by absolute path: its name alone may be this
+    // library's.
     if (!r.library && !settings().hostOsmesa.empty())
       r.library = openLibrary(settings().hostOsmesa.c_str());
     if (!r.library)
@@ -134,7 +136,7 @@ state::software::Drawable memoryOf(void *buffer, GLenum type, int width, int hei
 }
 
 /// The thread is inside a create call: the real library's simpler ones call the fuller ones by
-/// their exported names, which are ours.
+/// their exported names, which are this library's functions.
 constinit thread_local bool t_creating __attribute__((tls_model("initial-exec"))) = false;
 
 template <typename Create> OSMesaContext remembered(OSMesaContext share, Create create) {
@@ -215,7 +217,7 @@ ARBITER_EXPORT OSMESAproc OSMesaGetProcAddress(const char *name) {
     return nullptr;
   const struct {
     const char *name;
-    void *ours;
+    void *function;
   } hooks[] = {
       {"OSMesaCreateContext", reinterpret_cast<void *>(OSMesaCreateContext)},
       {"OSMesaCreateContextExt", reinterpret_cast<void *>(OSMesaCreateContextExt)},
@@ -226,6 +228,6 @@ ARBITER_EXPORT OSMESAproc OSMesaGetProcAddress(const char *name) {
   };
   for (const auto &hook : hooks)
     if (std::strcmp(hook.name, name) == 0)
-      return reinterpret_cast<OSMESAproc>(hook.ours);
+      return reinterpret_cast<OSMESAproc>(hook.function);
   return reinterpret_cast<OSMESAproc>(resolveGl(name, hostLookup));
 }

@@ -21,7 +21,7 @@ namespace arbiter::interposer {
 namespace {
 
 constexpr const char *kEglSelection = "__EGL_VENDOR_LIBRARY_FILENAMES";
-/// Child processes find the selection already changed; these tell them what it was.
+/// Child processes find the selection already changed; these have what it was.
 constexpr const char *kSavedGlx = "ARBITER_SAVED_GLX_VENDOR";
 constexpr const char *kSavedEgl = "ARBITER_SAVED_EGL_VENDORS";
 /// The ICD files beside the library, in the build tree and installed: by path, and by name alone.
@@ -74,8 +74,8 @@ void save(const char *variable, const char *value) {
 
 /// Done once, by the constructor or by a vendor's main that runs before it: libglvnd reads both
 /// variables at its first use, and where an application's own libraries call GL in constructors,
-/// that is before ours. `arbiter run` sets them from outside. libGLX reads its variable even in its
-/// constructor; what it named was replaced before that (first.cpp).
+/// that is before this one. `arbiter run` sets them from outside. libGLX reads its variable even in
+/// its constructor; what it named was replaced before that (first.cpp).
 void selectArbiter() {
   static bool s_done = false;
   if (s_done || !layerAllowed())

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the library knows about the process it lives in, settled in its constructor.
+/// What the library knows about the process it lives in, read in its constructor.
 namespace arbiter::interposer {
 
 /// False in a set-user-id program: the vendors are then passed through unwrapped, and no variable

@@ -22,13 +22,13 @@ void *resolveGl(const char *name, HostLookup host) {
   const dispatch::EntryPoint entry = dispatch::find(name);
   if (entry.function && entry.provided)
     return entry.function;
-  void *const theirs = host(name);
-  if (!theirs || settings().backend == Backend::Host)
-    return entry.function && !entry.forSoftware && theirs ? entry.function : theirs;
+  void *const hosts = host(name);
+  if (!hosts || settings().backend == Backend::Host)
+    return entry.function && !entry.forSoftware && hosts ? entry.function : hosts;
   if (entry.function)
     return entry.function;
   void *const software = dispatch::findForSoftware(name);
-  return software ? software : theirs;
+  return software ? software : hosts;
 }
 
 const host::HostTable &loadTable(Sealed<host::HostTable> &table, HostLookup host,

@@ -28,10 +28,11 @@ template <typename Function> struct HostFunction {
   }
 };
 
-/// One hook of a window-system interface: our function under a name, and the place of the host's.
+/// One hook of a window-system interface: the layer's function under a name, and the place of the
+/// host's.
 struct Hook {
   const char *name;
-  void *ours;
+  void *function;
   void *const *host;
 };
 

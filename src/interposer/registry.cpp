@@ -68,9 +68,9 @@ bool created(const Key &key, const host::HostTable &table, const void *shareHand
       share = entry->context;
   r.entries.reserve(r.entries.size() + 1); // what is made must be found
   state::Context *const context = state::createContext(key.provider, &table, share);
-  if (Entry *stale = find(r, key)) {
-    state::destroyContext(stale->context);
-    *stale = {key, context};
+  if (Entry *replaced = find(r, key)) {
+    state::destroyContext(replaced->context);
+    *replaced = {key, context};
   } else {
     r.entries.push_back({key, context});
   }

@@ -28,7 +28,8 @@ void destroyed(const Key &key);
 /// The host made the context current on this thread; one never seen before is adopted. A null
 /// handle un-binds, if what is current is the provider's own.
 /// \param drawable null: unknown
-/// \return false if there is no memory: then no context of ours is current, and the host's must be
+/// \return false if there is no memory: then no context of the layer's is current, and the host's
+/// must be
 ///         un-bound too
 [[nodiscard]] bool madeCurrent(const Key &key, const host::HostTable &table,
                                const state::software::Drawable *drawable = nullptr);

@@ -1,4 +1,4 @@
-/// The registry against a state tracker of the test's own, which notes what it is told.
+/// The registry against a state tracker of the test's own, which notes its calls.
 #include "interposer/registry.h"
 
 #include <memory>

@@ -38,17 +38,18 @@ bool Connection::sent(unsigned sequence) {
   return !follows;
 }
 
-void Connection::listen(const std::function<void()> &takeOurs) {
+void Connection::listen(const std::function<void()> &takeOwn) {
   xcb_connection_t *const c = xcb;
   if (!c || !arbiter::interposer::xcb().xcb_total_read) {
     ++m_changes;
     return;
   }
   const auto total = [c] { return arbiter::interposer::xcb().xcb_total_read(c); };
-  // Looking for answers reads what there is. Once it reads nothing more, all of ours are taken.
+  // Looking for answers reads what there is. Once it reads nothing more, all of the layer's answers
+  // are taken.
   std::uint64_t before = total(), after = 0;
   for (int i = 0; i < 3; ++i, before = after) {
-    takeOurs();
+    takeOwn();
     after = total();
     if (after == before)
       break;

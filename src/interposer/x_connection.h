@@ -55,30 +55,32 @@ struct Xcb {
 template <typename Reply> using Answer = std::unique_ptr<Reply, decltype(&std::free)>;
 template <typename Reply> Answer<Reply> answer(Reply *reply) { return {reply, &std::free}; }
 
-/// The connection, and whether anything but ours went over it: as long as nothing did, the
-/// application has neither asked the server to change anything nor heard of a change.
+/// The connection, and whether anything but the layer's requests went over it: as long as nothing
+/// did, the application has neither asked the server to change anything nor heard of a change.
 class Connection {
 public:
   Connection(const void *ofDisplay, xcb_connection_t *connection)
       : display(ofDisplay), xcb(connection) {}
   const void *const display;
   std::atomic<xcb_connection_t *> xcb; ///< null: closed
-  std::atomic<bool> refused = false;   ///< the server cannot reach our memory
+  std::atomic<bool> refused = false;   ///< the server cannot reach this process's memory
 
-  /// Moves on when the application, or anybody, sent a request or got an event or an answer.
+  /// Moves on when the application, or another library, sent a request or got an event or an
+  /// answer.
   [[nodiscard]] std::uint64_t changes() const { return m_changes; }
-  /// A request of ours was sent. \return the number of changes moved on
+  /// A request of the layer's was sent. \return the number of changes moved on
   bool sent(unsigned sequence);
-  /// An answer or error to a request of ours was taken.
+  /// An answer or error to a request of the layer's was taken.
   void taken() { m_taken += kAnswerBytes; }
-  /// Looks for what came in. \param takeOurs takes all answers that are there
-  void listen(const std::function<void()> &takeOurs);
+  /// Looks for what came in. \param takeOwn takes all answers to the layer's requests that are
+  /// there
+  void listen(const std::function<void()> &takeOwn);
 
 private:
   static constexpr std::uint64_t kAnswerBytes = 32; ///< the two kinds of questions have short ones
   std::mutex m_mutex;                               ///< of m_last and m_others
-  unsigned m_last = 0;                              ///< the last request of ours
-  std::uint64_t m_others = 0;                       ///< bytes that were for others
+  unsigned m_last = 0;                              ///< the layer's last request
+  std::uint64_t m_others = 0;                       ///< bytes that answer other requests
   std::atomic<std::uint64_t> m_taken = 0, m_changes = 1;
 };
 

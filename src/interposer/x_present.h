@@ -1,10 +1,11 @@
 #pragma once
 #include "state/residency/drawable.h"
 
-/// Pixels of ours shown in a window by the X server itself, from memory that both share (MIT-SHM):
-/// one copy where the way through the host takes four, made while the next frame is drawn. The
-/// requests go over the connection of the application's Display, so that the server comes to them
-/// in the order of the application's own: what it asks for after a swap, it finds shown.
+/// The rasterizer's pixels shown in a window by the X server itself, from memory that both share
+/// (MIT-SHM): one copy where the way through the host takes four, made while the next frame is
+/// drawn. The requests go over the connection of the application's Display, so that the server
+/// comes to them in the order of the application's own: what it asks for after a swap, it finds
+/// shown.
 namespace arbiter::interposer {
 
 /// Says how a window shows images, where that is possible: a local server, true colour of 24 bits

@@ -84,7 +84,7 @@ Segment::~Segment() {
 bool Segment::show(const Picture &picture, std::atomic<bool> &failed) {
   const std::lock_guard lock(m_mutex);
   xcb_connection_t *const c = m_connection->xcb;
-  if (!c || !settle(c, true))
+  if (!c || !takeAnswers(c, true))
     return false;
   PutImageRequest request{};
   request.drawable = picture.drawable;
@@ -115,11 +115,11 @@ bool Segment::isRead(bool wait) {
   else if (!lock.try_lock())
     return true;
   xcb_connection_t *const c = m_connection->xcb;
-  return c && !settle(c, wait);
+  return c && !takeAnswers(c, wait);
 }
 
 /// Takes the answers if they are there. \return no picture is under way
-bool Segment::settle(xcb_connection_t *connection, bool wait) {
+bool Segment::takeAnswers(xcb_connection_t *connection, bool wait) {
   if (!m_underWay)
     return true;
   xcb_generic_error_t *error = nullptr;

@@ -9,7 +9,8 @@
 /// Memory that this process and the X server share (MIT-SHM).
 namespace arbiter::interposer {
 
-/// True if the server has the extension; whether it reaches our memory shows when it is attached.
+/// True if the server has the extension; whether it reaches this process's memory shows when it is
+/// attached.
 [[nodiscard]] bool hasSharedMemory(xcb_connection_t *connection);
 
 /// What of a segment is shown where, of 32 bits a pixel, the top row first.
@@ -24,8 +25,8 @@ struct Picture {
 /// A segment and the pictures of it that the server has still to read. Pictures are put without
 /// waiting: the server reads one while the next is drawn to another segment. Behind each goes a
 /// question whose answer says that it was read, so that nothing enters the application's queue of
-/// events, and errors come back to us. One picture of a segment is under way at a time, so that
-/// answers do not pile up, even if they are never asked for.
+/// events, and errors come back to the segment. One picture of a segment is under way at a time, so
+/// that answers do not pile up, even if they are never asked for.
 class Segment {
 public:
   /// A round trip. Null: there is no memory, or the server cannot reach it, which the connection
@@ -52,7 +53,7 @@ public:
 
 private:
   Segment() = default;
-  bool settle(xcb_connection_t *connection, bool wait);
+  bool takeAnswers(xcb_connection_t *connection, bool wait);
 
   std::shared_ptr<Connection> m_connection;
   std::uint32_t m_name = 0;

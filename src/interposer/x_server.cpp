@@ -55,7 +55,7 @@ struct Xcb {
 #undef ARBITER_XCB
 };
 
-std::string ask(const Xcb &xcb, xcb_connection_t *connection, int screen) {
+std::string queryVendorNames(const Xcb &xcb, xcb_connection_t *connection, int screen) {
   const xcb_query_extension_reply_t *const glx = xcb.xcb_get_extension_data(connection, &g_glx);
   if (!glx || !glx->present)
     return {};
@@ -93,7 +93,7 @@ std::string serverVendorNames() {
   xcb_connection_t *const connection = xcb.xcb_connect(nullptr, &screen);
   std::string names;
   if (connection && !xcb.xcb_connection_has_error(connection))
-    names = ask(xcb, connection, screen);
+    names = queryVendorNames(xcb, connection, screen);
   if (connection)
     xcb.xcb_disconnect(connection);
   return names;

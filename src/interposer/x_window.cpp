@@ -6,11 +6,11 @@ namespace {
 constexpr std::size_t kMostQuestions = 8; ///< under way
 }
 
-bool Window::size(int &width, int &height, bool sure, const std::function<void()> &takeOurs) {
+bool Window::size(int &width, int &height, bool sure, const std::function<void()> &takeOwn) {
   xcb_connection_t *const c = connection->xcb;
   if (!c)
     return false;
-  connection->listen(takeOurs);
+  connection->listen(takeOwn);
   const std::lock_guard lock(m_mutex);
   std::uint64_t changes = connection->changes();
   const unsigned question = xcb().xcb_get_geometry(c, window).sequence;

@@ -9,7 +9,7 @@ namespace arbiter::interposer {
 
 /// A window as a place to show pictures in, and its size. The server comes to a question only after
 /// the pictures before it, so that waiting for the answer would wait for the last frame; while
-/// nothing but ours goes over the connection the last answer will do.
+/// nothing but the layer's requests goes over the connection the last answer will do.
 class Window {
 public:
   Window(std::shared_ptr<Connection> to, std::uint32_t name, std::uint32_t graphicsContext,
@@ -21,11 +21,11 @@ public:
   std::atomic<bool> failed = false; ///< the server refused a picture: the host is to show them
   std::atomic<bool> hostMissedFrames = false; ///< that were shown since it last looked at the size
 
-  /// Asks for the size. Waits for the answer if it may be another one than was last told, or if
+  /// Asks for the size. Waits for the answer if it may be another one than the last answer's, or if
   /// `sure`; else the answer counts for a later call, since other clients may change the size too.
-  /// \param takeOurs takes all answers of the connection that are there, this window's too
+  /// \param takeOwn takes all answers to the layer's requests that are there, this window's too
   /// \return false: there is no such window
-  bool size(int &width, int &height, bool sure, const std::function<void()> &takeOurs);
+  bool size(int &width, int &height, bool sure, const std::function<void()> &takeOwn);
   /// Takes the answers that are there.
   void takeAnswers();
   /// The name may be another window's since.

@@ -33,20 +33,20 @@ Scratch &scratch() {
   throw std::bad_alloc();
 }
 
-/// The vertices that the draw uses: from the first to behind the last.
+/// The vertices that the draw uses: [begin, end).
 void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
   begin = draw.first;
   end = draw.first + draw.count;
   if (!draw.indices)
     return;
   // Without a branch, and of signed numbers, which all processors compare in vectors: an index that
-  // is too great is taken for the one behind the last.
-  const auto behind = std::int32_t(std::min(draw.vertices.count, std::uint32_t(INT32_MAX)));
-  std::int32_t first = behind, last = -1;
+  // is too great is taken for the end of the buffer.
+  const auto bufferEnd = std::int32_t(std::min(draw.vertices.count, std::uint32_t(INT32_MAX)));
+  std::int32_t first = bufferEnd, last = -1;
   for (std::uint32_t i = 0; i < draw.count; ++i) {
     const auto index = std::int32_t(draw.indices[i]);
-    const bool isGood = index >= 0 && index < behind;
-    first = std::min(first, isGood ? index : behind);
+    const bool isGood = index >= 0 && index < bufferEnd;
+    first = std::min(first, isGood ? index : bufferEnd);
     last = std::max(last, isGood ? index : -1);
   }
   begin = std::uint32_t(first);

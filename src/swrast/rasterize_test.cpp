@@ -118,7 +118,7 @@ TEST(Rasterize, InputsAreThePlanesValues) {
   }
 }
 
-/// The first vertex provokes, of quads only where the convention is theirs too
+/// The first vertex provokes, of quads only where the convention holds for quads too
 /// (QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION). All of the paths that a quad may take agree.
 TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
   struct Case {

@@ -11,6 +11,7 @@ struct Rect {
   bool operator==(const Rect &) const = default;
 };
 
+/// The pixels of both; all zeros where there are none.
 [[nodiscard]] inline Rect intersect(const Rect &a, const Rect &b) {
   const std::int64_t left = std::max(a.x, b.x), bottom = std::max(a.y, b.y);
   const std::int64_t right = std::min(std::int64_t(a.x) + a.width, std::int64_t(b.x) + b.width);

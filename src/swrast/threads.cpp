@@ -15,7 +15,8 @@ namespace arbiter::swrast {
 namespace {
 
 constexpr int kMaxThreads = 64;
-/// Room for what a job calls; an application's limit of the stack's size says nothing of ours.
+/// Room for what a job calls; an application's limit of the stack's size says nothing of the
+/// layer's needs.
 constexpr std::size_t kWorkerStack = std::size_t(1) << 20;
 /// How long a worker looks for the next job, and a caller for the last worker, before it sleeps:
 /// as long as it takes to wake up again.

@@ -82,7 +82,7 @@ struct CaptureIndex {
 [[nodiscard]] std::vector<std::string> editedTexts(const std::string &folder);
 
 /// Reads a folder. A record that is damaged is reported and left out; what it would have said of a
-/// program is worked out from the text as far as the text tells.
+/// program is worked out from the text as far as that is possible.
 [[nodiscard]] CaptureIndex readCapture(const std::string &folder);
 
 /// index.json (ARBITER_CAPTURE_SCHEMA).

@@ -55,7 +55,7 @@ std::string source(const CapturedProgram &program) {
   const fp::LineColumn place =
       marked ? fp::locate(program.text, std::uint32_t(program.errorPosition)) : fp::LineColumn{};
   std::vector<std::string_view> lines = linesOf(program.text);
-  if (marked) // an error of the whole program may be behind the last line's end
+  if (marked) // an error of the whole program may be after the last line's end
     lines.resize(std::max<std::size_t>(lines.size(), place.line));
   std::string html = "<pre class=source>";
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -46,25 +46,25 @@ def on_terminal(*words, cwd=None, stdin=None, **changes):
 
     stdin: (seconds, text), given after that time.
     """
-    ours, theirs = pty.openpty()
+    terminal, client = pty.openpty()
     with subprocess.Popen([ARBITER, 'check', *map(str, words)], stdin=subprocess.PIPE,
-                          stdout=theirs, stderr=theirs, cwd=cwd,
+                          stdout=client, stderr=client, cwd=cwd,
                           env=environment(**changes)) as process:
-        os.close(theirs)
+        os.close(client)
         if stdin:
             time.sleep(stdin[0])
             process.stdin.write(stdin[1].encode())
         process.stdin.close()
         seen = b''
-        while select.select([ours], [], [], 30)[0]:
+        while select.select([terminal], [], [], 30)[0]:
             try:
-                piece = os.read(ours, 65536)
+                piece = os.read(terminal, 65536)
             except OSError:  # Linux: the other side is closed
                 break
             if not piece:
                 break
             seen += piece
-        os.close(ours)
+        os.close(terminal)
     return seen.decode().replace('\r\n', '\n')
 
 

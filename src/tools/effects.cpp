@@ -3,7 +3,7 @@
 
 #include "tools/options.h"
 
-/// An option that has no effect is a mistake in the command line: told, not ignored.
+/// An option that has no effect is a mistake in the command line: reported, not ignored.
 namespace arbiter::tools {
 
 namespace {

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 struct Place {
   fs::path preload;
-  /// Folders that hold no libOSMesa.so.8 but ours: the library folder of an installation may hold
-  /// the host's own.
+  /// Folders that hold no libOSMesa.so.8 but the layer's: the library folder of an installation may
+  /// hold the host's own.
   std::vector<fs::path> osmesaFolders;
 };
 
@@ -59,10 +59,11 @@ std::string absolutePath(const std::string &path) {
   return error ? path : absolute.string();
 }
 
-/// ours:theirs; a trailing colon would add the working folder to the search.
-std::string prepended(const std::string &ours, const char *variable) {
-  const char *theirs = std::getenv(variable);
-  return theirs == nullptr || *theirs == '\0' ? ours : ours + ":" + theirs;
+/// first:rest, the rest from the environment; a trailing colon would add the working folder to the
+/// search.
+std::string prepended(const std::string &first, const char *variable) {
+  const char *rest = std::getenv(variable);
+  return rest == nullptr || *rest == '\0' ? first : first + ":" + rest;
 }
 
 /// The EGL vendor file that leads to the library: the one that has its path also serves children
@@ -78,11 +79,11 @@ std::string icdFile(const std::string &preload) {
 }
 
 /// Sets a selection of libglvnd's, and keeps what it was where the layer looks for its host.
-void select(std::vector<Assignment> &environment, const Assignment &ours, const char *saved) {
-  const char *theirs = std::getenv(ours.name.c_str());
-  if (theirs != nullptr && *theirs != '\0' && theirs != ours.value)
-    environment.push_back({saved, theirs});
-  environment.push_back(ours);
+void select(std::vector<Assignment> &environment, const Assignment &selection, const char *saved) {
+  const char *before = std::getenv(selection.name.c_str());
+  if (before != nullptr && *before != '\0' && before != selection.value)
+    environment.push_back({saved, before});
+  environment.push_back(selection);
 }
 
 /// LEVEL, FILE or LEVEL:FILE with FILE made absolute; see flags.def.

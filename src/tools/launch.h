@@ -28,10 +28,9 @@ struct Assignment {
 };
 
 /// The environment variables that start a command under the layer. What LD_PRELOAD and
-/// LD_LIBRARY_PATH already hold is kept behind ours. Paths become absolute, since the command may
-/// change its folder.
-/// Errors: a profile that does not load, a value out of its set, a path that LD_PRELOAD cannot
-/// hold.
+/// LD_LIBRARY_PATH already hold is kept behind the layer's. Paths become absolute, since the
+/// command may change its folder. Errors: a profile that does not load, a value out of its set, a
+/// path that LD_PRELOAD cannot hold.
 [[nodiscard]] Result<std::vector<Assignment>, LaunchError>
 layerEnvironment(const LayerFiles &files, const LayerArguments &arguments);
 

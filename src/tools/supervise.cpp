@@ -17,7 +17,7 @@ namespace arbiter::tools {
 
 namespace {
 
-/// What ends or tells a process and has no meaning for us of its own.
+/// Signals that end or notify a process, and mean nothing to the supervisor itself.
 constexpr int kPassedOn[] = {SIGTERM, SIGHUP,  SIGINT,    SIGQUIT, SIGUSR1,
                              SIGUSR2, SIGALRM, SIGVTALRM, SIGWINCH};
 
@@ -37,7 +37,7 @@ sigset_t passedOn() {
   return set;
 }
 
-/// Waits until no process holds the other end of `pipe`, which is when our parent is gone, and
+/// Waits until no process holds the other end of `pipe`, which is when the parent is gone, and
 /// then, if it did not say that all is done, for the child and for `afterwards`.
 [[noreturn]] void watch(int pipe, pid_t child, const std::function<void()> &afterwards) {
   ::setsid(); // what ends the group does not end this
@@ -54,14 +54,14 @@ sigset_t passedOn() {
 }
 
 /// The helper of supervise(). It holds nothing of what this process was given, which others may
-/// wait for the end of. \returns the end of a pipe to tell it that it is not needed, or -1
+/// wait for the end of. \returns the end of a pipe by which it learns that it is not needed, or -1
 int startHelper(pid_t child, const std::function<void()> &afterwards) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return -1;
   const pid_t helper = ::fork();
   if (helper == 0) {
-    if (::fork() != 0) // not a child that anybody waits for
+    if (::fork() != 0) // not a child that a process waits for
       ::_exit(0);
     const int own = ::fcntl(ends[0], F_DUPFD_CLOEXEC, 3);
     for (int i = 0; i < own; ++i)
@@ -94,7 +94,7 @@ int awaitEnd(pid_t child) {
 int supervise(const std::vector<Assignment> &environment, const std::vector<std::string> &command,
               const std::function<void()> &afterwards) {
   // Held back until there is a child to pass them on to: a signal that came between the fork and
-  // the handlers would end us and leave the command running.
+  // the handlers would end this process and leave the command running.
   const sigset_t passed = passedOn();
   sigset_t before;
   ::sigprocmask(SIG_BLOCK, &passed, &before);

@@ -19,7 +19,7 @@ namespace arbiter::tools {
                             const std::function<void()> &afterwards);
 
 /// Ends this process as the child of that status ended: by its code, or by the signal itself, so
-/// that a shell sees what it would have seen without us. No core is dumped a second time.
+/// that a shell sees what it would have seen without this process. No core is dumped a second time.
 [[noreturn]] void endAs(int status);
 
 } // namespace arbiter::tools

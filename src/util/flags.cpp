@@ -252,12 +252,13 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
 }
 
 const Settings &settings() noexcept {
-  // Never destroyed: calls may come from destructors of the application, after ours would have run.
+  // Never destroyed: calls may come from destructors of the application, after the layer's would
+  // have run.
   static const Settings *const instance = []() -> const Settings * {
     try {
       return readProcess();
     } catch (...) {
-      return nullptr; // out of memory before anything was asked of us
+      return nullptr; // out of memory before the layer was asked for anything
     }
   }();
   if (instance != nullptr)

@@ -9,7 +9,7 @@ namespace arbiter {
 /// The bytes are well-formed UTF-8 (Unicode table 3-7).
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// Writes JSON (RFC 8259) as it is told to, indented by two spaces. A streaming writer because it
+/// Writes JSON (RFC 8259), a call a token, indented by two spaces. A streaming writer because it
 /// also runs in the library that enters applications: no exception for bytes that are not UTF-8
 /// (each becomes U+FFFD), no tree, no heavy header. Keys come out in the order given.
 ///

@@ -30,8 +30,8 @@ int readLogLevel() noexcept {
 namespace {
 
 /// A descriptor and the file that it is of. An application may close what it does not know (those
-/// that become daemons do) and open something else, which then has the number: a line of ours must
-/// not get there.
+/// that become daemons do) and open something else, which then has the number: a line of the log
+/// must not get there.
 struct Sink {
   int descriptor = -1;
   dev_t device = 0;
@@ -43,9 +43,10 @@ struct Sink {
       return {};
     return {descriptor, status.st_dev, status.st_ino};
   }
-  /// It is still what it was, and there is room: a cap by the file's size, not by our own count, as
-  /// several processes may append to one file. Standard error that was open at first may have been
-  /// redirected since, but not to a connection: that is another's, opened when 2 was free.
+  /// It is still what it was, and there is room: a cap by the file's size, not by the log's own
+  /// count, as several processes may append to one file. Standard error that was open at first may
+  /// have been redirected since, but not to a connection: that is another's, opened when 2 was
+  /// free.
   [[nodiscard]] bool takes() const {
     struct stat status = {};
     if (descriptor < 0 || ::fstat(descriptor, &status) != 0)

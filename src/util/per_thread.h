@@ -6,7 +6,7 @@ namespace arbiter {
 
 /// A T that each thread has of its own, made when first wanted and freed when the thread ends. Made
 /// anew for who asks after that: an application's own destructors may draw after those of the
-/// thread that exit() was called on. `Tag` tells two of one type apart.
+/// thread that exit() was called on. `Tag` keeps two of one type distinct.
 template <typename T, typename Tag> class PerThread {
 public:
   /// Null where there is no memory.

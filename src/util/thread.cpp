@@ -19,7 +19,7 @@ struct Start {
 void *begin(void *argument) {
   const Start start = *static_cast<Start *>(argument);
   delete static_cast<Start *>(argument);
-  // Inherited from the thread that draws: traps would be ours to die of.
+  // Inherited from the thread that draws: the process would die of traps of this one.
   (void)std::fesetenv(FE_DFL_ENV);
   (void)pthread_setname_np(pthread_self(), start.name);
   start.run(start.argument);

@@ -3,11 +3,10 @@
 
 namespace arbiter {
 
-/// Starts a thread of ours in a process that is not: it takes no signal (the application's handlers
-/// run on the application's threads), its stack has `stackBytes` whatever limits the process was
-/// given, its floating-point environment is the default one (to nearest, no traps), and it is never
-/// joined: it ends with the process.
-/// \param name at most 15 characters
+/// Starts a thread of the layer's in an application's process: it takes no signal (the
+/// application's handlers run on the application's threads), its stack has `stackBytes` whatever
+/// limits the process was given, its floating-point environment is the default one (to nearest, no
+/// traps), and it is never joined: it ends with the process. \param name at most 15 characters
 /// \returns false if there are no more threads or no memory.
 [[nodiscard]] bool startThread(const char *name, std::size_t stackBytes, void (*run)(void *),
                                void *argument) noexcept;

@@ -129,10 +129,10 @@ TEST_F(Errors, EverythingIsAnErrorBetweenBeginAndEnd) {
 TEST_F(Errors, TheFirstErrorWins) {
   makeProgram(kRed);
   glEnable(GL_LINE_LOOP); // the host's INVALID_ENUM
-  load(kBad);             // then ours
+  load(kBad);             // then the layer's
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_ENUM));
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
-  load(kBad); // ours first
+  load(kBad); // the layer's first
   glEnable(GL_LINE_LOOP);
   EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));

@@ -5,7 +5,7 @@
 #include "programs.h"
 
 /// An application of the program API: surfaceless EGL, libepoxy, a 32x32 RGBA8 framebuffer. It
-/// knows nothing of the layer except whether it is told to expect its answers.
+/// knows nothing of the layer except whether its answers are to be expected.
 namespace api {
 
 /// A GL context of its own or in the share group of another, with a framebuffer object bound.

@@ -24,20 +24,20 @@ bool zeroWins() {
 class NumericsOfPrograms : public ApiTest {};
 
 TEST_F(NumericsOfPrograms, ZeroTimesInfinityInAFragmentProgram) {
-  BARE_HOST_DIFFERS("its own programs follow no variable of ours");
+  BARE_HOST_DIFFERS("its own programs follow no variable of the layer's");
   makeProgram(kFragmentText);
   glEnable(kFragment);
   EXPECT_EQ(drawn(), zeroWins() ? kGreenPixel : kRedPixel);
 }
 
 TEST_F(NumericsOfPrograms, ZeroTimesInfinityInAVertexProgram) {
-  BARE_HOST_DIFFERS("its own programs follow no variable of ours");
+  BARE_HOST_DIFFERS("its own programs follow no variable of the layer's");
   makeProgram(kVertexText, kVertex);
   glEnable(kVertex);
   EXPECT_EQ(drawn(), zeroWins() ? kGreenPixel : kRedPixel);
 }
 
-/// The mode belongs to programs of ours: an application's own GLSL is the host's.
+/// The mode belongs to assembly programs: an application's own GLSL is the host's.
 TEST_F(NumericsOfPrograms, AnApplicationsGlslIsLeftAlone) {
   const GLuint program = makeGlsl(nullptr, "uniform float zero;\nvoid main() {\n"
                                            "  float p = zero * (1.0 / zero);\n"

@@ -79,7 +79,7 @@ def check_agreement(answers):
     expect(answers['count'] == len(answers['names']), 'GL_NUM_EXTENSIONS is not the count')
     expect(not joined or joined == answers['names'], 'the string and glGetStringi differ')
     expect(not answers['behind'] and answers['last_error'] == 0x501,
-           'an index behind the last is not GL_INVALID_VALUE')
+           'an index after the last is not GL_INVALID_VALUE')
     expect(not answers['missing'],
            f'announced, and GetProcAddress has no function: {answers["missing"]}')
 

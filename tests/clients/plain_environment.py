@@ -1,4 +1,4 @@
-"""The environment that runners give to clients: nothing that whoever started the tests has set for
+"""The environment that runners give to clients: nothing that the tests were started with for
 the layer, for the loader of libraries or for Mesa reaches them."""
 
 import os

@@ -127,20 +127,20 @@ int main(int argc, char **argv) {
                   : !std::strcmp(kind, "egl") ? prepareEgl(gl)
                                               : prepareGlx(gl);
   std::set<void *> handles;
-  int stale = 0;
+  int leftovers = 0;
   for (int i = 0; i < cycles; ++i) {
     void *const context = way.create();
     if (!context || !way.makeCurrent(context))
       die("no context");
     handles.insert(context);
-    stale += !isFresh(gl);
+    leftovers += !isFresh(gl);
     leaveTraces(gl);
     // Every other one is destroyed while current, which OSMesa answers by un-binding it.
     if (i % 2 == 0)
       way.makeCurrent(nullptr);
     way.destroy(context);
     if (i % 2 == 1 && !osmesa && !gl.IsEnabled(GL_FRAGMENT_PROGRAM_ARB))
-      ++stale; // destroyed, but current: still in use
+      ++leftovers; // destroyed, but current: still in use
     if (i % 2 == 1)
       way.makeCurrent(nullptr);
   }
@@ -153,6 +153,6 @@ int main(int argc, char **argv) {
   way.makeCurrent(nullptr);
   if (osmesa)
     way.destroy(last);
-  std::fprintf(stderr, "%d cycles, %zu handles, %d stale\n", cycles, handles.size(), stale);
-  return right && stale == 0 && int(handles.size()) < cycles ? 0 : 1;
+  std::fprintf(stderr, "%d cycles, %zu handles, %d stale\n", cycles, handles.size(), leftovers);
+  return right && leftovers == 0 && int(handles.size()) < cycles ? 0 : 1;
 }

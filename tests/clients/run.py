@@ -23,6 +23,7 @@ import time
 from pathlib import Path
 
 import cases
+from setting import Failure, Setting, Skip
 from x_server import XServer
 
 
@@ -40,20 +41,19 @@ def pack(build, folder):
         shutil.copy(build / name, target)
         if not name.endswith(".json"):
             subprocess.run(["strip", target], check=True)
-    for script in ("run.py", "cases.py", "plain_environment.py", "x_server.py"):
+    for script in ("run.py", "cases.py", "extra_cases.py", "setting.py", "plain_environment.py", "x_server.py"):
         shutil.copy(Path(__file__).resolve().parent / script, folder)
 
 
 def run_case(name, case, build, display, vendor):
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="arbiter-client-") as scratch:
-        setting = cases.Setting(build, Path(__file__).resolve().parent, Path(scratch), display,
-                                vendor)
+        setting = Setting(build, Path(__file__).resolve().parent, Path(scratch), display, vendor)
         try:
             result, note = "pass", case(setting) or ""
-        except cases.Skip as skip:
+        except Skip as skip:
             result, note = "skip", str(skip)
-        except cases.Failure as failure:
+        except Failure as failure:
             result, note = "FAIL", str(failure)
         except Exception as error:  # a report that does not parse is a failure of the case
             result, note = "FAIL", f"{type(error).__name__}: {error}"

@@ -10,7 +10,7 @@ namespace arbiter::differential {
 namespace {
 class ArbBackend : public Backend {
 public:
-  /// \param printed give our own text instead of the application's
+  /// \param printed give the printed text instead of the application's
   explicit ArbBackend(bool printed) : m_printed(printed) {}
   std::string use(const Stage &fragment, const Stage *vertex) override {
     std::string problem = load(GL_FRAGMENT_PROGRAM_ARB, m_fragment, fragment);

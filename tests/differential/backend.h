@@ -23,9 +23,10 @@ public:
   [[nodiscard]] virtual bool hasProgramMatrices() const = 0;
 };
 
-/// The API of ARB_fragment_program and ARB_vertex_program, whoever implements it.
+/// The API of ARB_fragment_program and ARB_vertex_program, of the host or of the layer in front of
+/// it.
 [[nodiscard]] std::unique_ptr<Backend> arbBackend();
-/// ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, whoever implements them.
+/// ATI_text_fragment_shader, and ATI_fragment_shader for the same texts, of the host or the layer.
 [[nodiscard]] std::unique_ptr<Backend> atiTextBackend();
 [[nodiscard]] std::unique_ptr<Backend> atiApiBackend();
 /// The same with emitAssembly()'s text in the place of the application's.

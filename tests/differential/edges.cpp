@@ -58,7 +58,7 @@ std::string programText(Opcode op, bool saturate) {
   return text;
 }
 
-/// False where semantics.h leaves the result to the host, where it hangs on whether a host rounds
+/// False where semantics.h leaves the result to the host, where it depends on whether a host rounds
 /// between product and sum (1e30 * 1e30 - infinity), and where a function's tolerance means
 /// nothing.
 bool isDefined(Opcode op, bool saturate, const Vec4 &texel, fp::Numerics numerics) {

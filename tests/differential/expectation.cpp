@@ -108,7 +108,7 @@ float pixelTolerance(const Program &program, fp::Numerics numerics) {
   return program.options.fog == FogMode::None ? 0.0f : 0x1p-14f;
 }
 
-void settle(Expected &expected, float last) {
+void finishTolerance(Expected &expected, float last) {
   if (!std::isfinite(expected.value))
     return;
   const float scale = 1.0f + std::fabs(expected.value);
@@ -155,9 +155,9 @@ ExpectedPixel expect(const Program &program, const PixelInputs &inputs, std::uin
   const float last = pixelTolerance(program, inputs.numerics);
   for (auto &color : result.colors)
     for (Expected &expected : color)
-      settle(expected, last);
+      finishTolerance(expected, last);
   if (result.depth)
-    settle(*result.depth, last);
+    finishTolerance(*result.depth, last);
   return result;
 }
 

@@ -28,7 +28,7 @@ struct Subject {
 [[nodiscard]] Subject vertexSubject(std::uint64_t seed);
 
 /// The same with registers that nothing wrote, results written in part or not at all, and vertices
-/// without a whole position: undefined by the specifications, zero on every path of ours.
+/// without a whole position: undefined by the specifications, zero on every path of the layer.
 [[nodiscard]] Subject unwrittenSubject(std::uint64_t seed);
 [[nodiscard]] Subject unwrittenVertexSubject(std::uint64_t seed);
 

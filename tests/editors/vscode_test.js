@@ -112,7 +112,7 @@ async function main() {
   assert.strictEqual(error.severity, 0);
   assert.deepStrictEqual(error.range, new Range(new Position(2, 18), new Position(2, 19)));
 
-  // An edit, as VS Code tells of it.
+  // An edit, as VS Code reports it.
   early.text = early.text.replace('b;', 'a;');
   early.version = 2;
   events.change({ document: early, contentChanges: [{ range: error.range, text: 'a' }] });

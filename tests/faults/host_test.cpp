@@ -102,7 +102,7 @@ TEST(HostFaults, AHostWithoutProgramsOfItsOwn) {
   EXPECT_TRUE(draw(*context));
   const auto *extensions =
       reinterpret_cast<const char *>(handlers::GetString(*context, GL_EXTENSIONS));
-  EXPECT_NE(std::strstr(extensions, "GL_ARB_fragment_program"), nullptr) << "it is ours to offer";
+  EXPECT_NE(std::strstr(extensions, "GL_ARB_fragment_program"), nullptr) << "the layer offers it";
 }
 
 TEST(HostFaults, LanguagesThatWeRefuseAreNotOffered) {

@@ -67,9 +67,9 @@ class Watch:
 
     def watch(self):
         while not self.done.is_set():
-            self.look()
+            self.count_writable_code()
 
-    def look(self):
+    def count_writable_code(self):
         self.looks += 1
         seen = collections.Counter(m.end - m.begin for m in process.mappings()
                                    if m.writable and m.is_code)
@@ -147,7 +147,7 @@ def client(kind, planted):
     if kind != 'glx':
         surface(find)
     watch = Watch()
-    watch.look()
+    watch.count_writable_code()
     watch.thread.start()
     if planted:
         plant()
@@ -157,7 +157,7 @@ def client(kind, planted):
             glx_context.swap()
     watch.done.set()
     watch.thread.join()
-    watch.look()
+    watch.count_writable_code()
     maps = process.mappings()
     written, looked = process.writable_functions(is_layer)
     functions = real_osmesa() if kind == 'osmesa' and looked else []

@@ -14,7 +14,8 @@ usage: include_graph.py ROOT | include_graph.py --self-test
 import pathlib
 import re
 import sys
-import tempfile
+
+import tree
 
 # The rooms that a room includes directly or from further down.
 ALLOWED = {
@@ -45,9 +46,6 @@ FORBIDDEN_OUTSIDE = {
     "dispatch": re.compile(LOADERS),
     "interposer": re.compile(LOADERS),
 }
-
-INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.M)
-SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".c", ".def", ".inc", ".in"}
 
 
 def room_of(path, root):
@@ -86,9 +84,9 @@ def target_room(name, quoted, source, root):
 def check(root):
     """The list of complaints about the tree at root, and the number of includes read."""
     complaints, edges = [], 0
-    sources = [p for folder in ("src", "demos", "include") if (root / folder).is_dir()
-               for p in sorted((root / folder).rglob("*")) if p.suffix in SUFFIXES]
-    for source in sources:
+    sources = [each for folder in ("src", "demos", "include")
+               for each in tree.includes(root / folder)]
+    for source, includes in sources:
         room = room_of(source, root)
         if room is None:
             continue
@@ -96,9 +94,9 @@ def check(root):
         if room not in ALLOWED:
             complaints.append("%s: room '%s' has no row in the include graph" % (where, room))
             continue
-        for bracket, name in INCLUDE.findall(source.read_text(errors="replace")):
+        for quoted, name in includes:
             edges += 1
-            target, inside = target_room(name, bracket == '"', source, root)
+            target, inside = target_room(name, quoted, source, root)
             if target is None:
                 outside = FORBIDDEN_OUTSIDE.get(room)
                 if outside and outside.match(name) and not is_test(source):
@@ -110,51 +108,25 @@ def check(root):
     return complaints, edges
 
 
+# What lies in each planted tree beside its own files.
+PRESENT = {name: "" for name in ("src/state/core/context.h", "src/host/table.h", "src/util/hash.h",
+                                 "demos/common/window.h")}
 PLANTED = [
-    # (file, text, complaints expected)
-    ("src/util/hash.h", '#include "state/core/context.h"\n', 1),
-    ("src/fp_compiler/front/lexer.cpp", "#include <GL/gl.h>\n", 1),
-    ("src/swrast/cover/bins.cpp", '#include "fp_compiler/ir/ir.h"\n', 1),
-    ("src/swrast/cover/bins.cpp", '#include "fp_compiler/abi.h"\n', 0),
-    ("src/host/table.h", '#include "../state/context.h"\n', 1),
-    ("src/dispatch/generated.cpp", '#include "interposer/fronts.h"\n', 1),
-    ("src/state/context.cpp", '#include <epoxy/gl.h>\n', 1),
-    ("src/state/context.cpp", '#include "host/table.h"\n#include "util/hash.h"\n', 0),
-    ("src/kitchen/sink.h", "", 1),
-    ("demos/twirl.cpp", '#include "fp_compiler/compiler.h"\n', 1),
-    ("demos/twirl.cpp", '#include <epoxy/gl.h>\n#include "common/window.h"\n', 0),
+    # ({file: text}, complaints expected)
+    ({"src/util/hash.h": '#include "state/core/context.h"\n'}, 1),
+    ({"src/fp_compiler/front/lexer.cpp": "#include <GL/gl.h>\n"}, 1),
+    ({"src/swrast/cover/bins.cpp": '#include "fp_compiler/ir/ir.h"\n'}, 1),
+    ({"src/swrast/cover/bins.cpp": '#include "fp_compiler/abi.h"\n'}, 0),
+    ({"src/host/table.h": '#include "../state/context.h"\n'}, 1),
+    ({"src/dispatch/generated.cpp": '#include "interposer/fronts.h"\n'}, 1),
+    ({"src/state/context.cpp": '#include <epoxy/gl.h>\n'}, 1),
+    ({"src/state/context.cpp": '#include "host/table.h"\n#include "util/hash.h"\n'}, 0),
+    ({"src/kitchen/sink.h": ""}, 1),
+    ({"demos/twirl.cpp": '#include "fp_compiler/compiler.h"\n'}, 1),
+    ({"demos/twirl.cpp": '#include <epoxy/gl.h>\n#include "common/window.h"\n'}, 0),
 ]
 
 
-def self_test():
-    """A planted bad edge is found, a good one is not complained about."""
-    for name, text, expected in PLANTED:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for path in ("src/state/core/context.h", "src/host/table.h", "src/util/hash.h",
-                         "demos/common/window.h"):
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text("")
-            (root / name).parent.mkdir(parents=True, exist_ok=True)
-            (root / name).write_text(text)
-            complaints, _ = check(root)
-            assert len(complaints) == expected, (name, text, complaints)
-    print("%d passed, 0 failed, 0 skipped" % len(PLANTED))
-    return 0
-
-
-def main():
-    if sys.argv[1:] == ["--self-test"]:
-        return self_test()
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-        return 2
-    complaints, edges = check(pathlib.Path(sys.argv[1]))
-    for complaint in complaints:
-        print(complaint, file=sys.stderr)
-    print("%d includes read, %d against the graph" % (edges, len(complaints)))
-    return 1 if complaints or not edges else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tree.main(__doc__, check, [(PRESENT | files, expected) for files, expected in PLANTED],
+                       "{read} includes read, {wrong} against the graph"))

@@ -11,9 +11,9 @@ usage: sub_rooms.py ROOT | sub_rooms.py --self-test
 """
 
 import pathlib
-import re
 import sys
-import tempfile
+
+import tree
 
 IR = "fp_compiler/ir"
 LLVM = "fp_compiler/back/llvm"
@@ -70,7 +70,6 @@ ALLOWED = {
 MOST_UNITS = 8  # of a circle
 MOST_FILES = 37  # of one folder, tests and tables included
 
-INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)"', re.M)
 SUFFIXES = {".h", ".cpp", ".def"}
 
 
@@ -94,11 +93,10 @@ def lies_in(inner, outer):
 def read(source):
     """{file: [files of src/ that it includes]} of what is no test."""
     graph = {}
-    for path in sorted(source.rglob("*")):
+    for path, includes in tree.includes(source):
         name = path.relative_to(source).as_posix()
         if path.suffix in SUFFIXES and is_production(name):
-            graph[name] = [each for each in INCLUDE.findall(path.read_text(errors="replace"))
-                           if (source / each).exists()]
+            graph[name] = [each for quoted, each in includes if quoted and (source / each).exists()]
     return graph
 
 
@@ -197,31 +195,5 @@ PLANTED = [
 ]
 
 
-def self_test():
-    for files, expected in PLANTED:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for name, text in files.items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text)
-            complaints, _ = check(root)
-            assert len(complaints) == expected, (sorted(files), complaints, expected)
-    print(f"{len(PLANTED)} passed, 0 failed, 0 skipped")
-    return 0
-
-
-def main():
-    if sys.argv[1:] == ["--self-test"]:
-        return self_test()
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-        return 2
-    complaints, files = check(pathlib.Path(sys.argv[1]))
-    for complaint in complaints:
-        print(complaint, file=sys.stderr)
-    print(f"{files} files read, {len(complaints)} complaints")
-    return 1 if complaints or not files else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tree.main(__doc__, check, PLANTED, "{read} files read, {wrong} complaints"))

@@ -19,7 +19,7 @@ import sides  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 RATIO = 1.3
-LONG_RATIO = 1.5  # of memory: the host makes its own long programs of GLSL where they are ours
+LONG_RATIO = 1.5  # of memory: long programs go through the host's GLSL where the layer has them
 # KiB that the layer takes however many the vertices are: machine code, the first vertices of Begin and End.
 # They show where these are few and lie in no array.
 OWN, OWN_UP_TO = 24 << 10, 10_000_000
@@ -75,31 +75,31 @@ def main():
             count = (arguments.binds if kind == "binds" else
                      arguments.instructions if kind in CHAINS else arguments.vertices)
             bare = figures_of(build, kind, count, display, folder)
-            ours = figures_of(build, kind, count, display, folder, arguments.backend)
+            layered = figures_of(build, kind, count, display, folder, arguments.backend)
             host = figures_of(build, kind, count, display, folder, "host")
-            far, worst = sides.distances(host[0], ours[0])
-            drawn = ours[3].get("drawn", 0)
-            given = {k: v for k, v in ours[3].get("given_to_host", {}).items() if v}
+            far, worst = sides.distances(host[0], layered[0])
+            drawn = layered[3].get("drawn", 0)
+            given = {k: v for k, v in layered[3].get("given_to_host", {}).items() if v}
             wrong = []
             if far > PIXELS * len(bare[0]) / 4:
                 wrong.append(f"{far} pixels differ, by up to {worst}")
             own = OWN if kind.startswith("begin-") and count < OWN_UP_TO else 0
-            if ours[2] > (LONG_RATIO if kind in CHAINS else RATIO) * bare[2] + own:
-                wrong.append(f"{ours[2]} KiB against {bare[2]}")
+            if layered[2] > (LONG_RATIO if kind in CHAINS else RATIO) * bare[2] + own:
+                wrong.append(f"{layered[2]} KiB against {bare[2]}")
             longest = bare[1] + WAIT_US / 1000 if kind in CHAINS else RATIO * bare[1]
-            if arguments.time and ours[1] > longest:
-                wrong.append(f"{ours[1]} ms against {bare[1]}")
+            if arguments.time and layered[1] > longest:
+                wrong.append(f"{layered[1]} ms against {bare[1]}")
             if kind in CHAINS:
-                wrong += wrong_of_long(ours[3])
-                if (pixels := sides.distances(bare[0], ours[0])[0]) > PIXELS * len(bare[0]) / 4:
+                wrong += wrong_of_long(layered[3])
+                if (pixels := sides.distances(bare[0], layered[0])[0]) > PIXELS * len(bare[0]) / 4:
                     wrong.append(f"{pixels} pixels are not the bare host's")
             elif arguments.backend == "swrast" and (given or drawn < 2):
                 wrong.append(f"the rasterizer drew {drawn}, the host {given}")
             failed += bool(wrong)
-            rows.append({"kind": kind, "count": count, "milliseconds": [bare[1], ours[1]],
-                         "kib": [bare[2], ours[2]], "pixels": far, "wrong": wrong})
-            print(f"{'FAIL' if wrong else 'pass'} {kind}: {ours[1]} ms ({bare[1]} bare), "
-                  f"{ours[2]} KiB ({bare[2]}), {far} pixels differ {'; '.join(wrong)}", flush=True)
+            rows.append({"kind": kind, "count": count, "milliseconds": [bare[1], layered[1]],
+                         "kib": [bare[2], layered[2]], "pixels": far, "wrong": wrong})
+            print(f"{'FAIL' if wrong else 'pass'} {kind}: {layered[1]} ms ({bare[1]} bare), "
+                  f"{layered[2]} KiB ({bare[2]}), {far} pixels differ {'; '.join(wrong)}", flush=True)
     if arguments.json:
         arguments.json.parent.mkdir(parents=True, exist_ok=True)
         arguments.json.write_text(json.dumps(rows, indent=1))

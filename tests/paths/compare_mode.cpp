@@ -146,7 +146,7 @@ void restored(Recorder &r) {
   glEndList();
   glCallList(list);
   expectPlain(r, "by a list");
-  // Ours is bound while the stack is pushed: it must not come back with it.
+  // The layer's sampler is bound while the stack is pushed: it must not come back with it.
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   glDisable(kFragment);
   glPopAttrib();

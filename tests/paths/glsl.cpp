@@ -255,7 +255,7 @@ void geometryShader(Recorder &r) {
   r.picture("half the size");
 }
 
-/// Nothing the application asks of programs shows ours.
+/// Nothing the application asks of programs shows the linked program.
 void nothingShows(Recorder &r) {
   usePrograms();
   gradient(-1, -1, 0, 0);

@@ -25,7 +25,7 @@ public:
   void value(const std::string &what, double number);
   /// GetError until there is none; in order.
   void errors(const std::string &what);
-  /// What the specification asks for, whoever draws.
+  /// What the specification asks for, with and without the layer.
   void check(bool holds, const std::string &what);
   /// A pixel's colour, within 2 of 255.
   void pixel(const std::string &what, int x, int y, Pixel wanted);

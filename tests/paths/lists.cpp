@@ -216,7 +216,7 @@ void isListAndDelete(Recorder &r) {
   r.errors("negative GenLists");
 }
 
-/// Lists written over and over, while they hold ours or not.
+/// Lists written over and over, while they hold commands of the layer's or not.
 void redefined(Recorder &r) {
   usePrograms();
   const GLuint list = glGenLists(2);

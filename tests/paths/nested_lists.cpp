@@ -16,15 +16,16 @@ void setEnv(float value, GLuint index = 0) {
   glProgramEnvParameter4fARB(kFragment, index, value, 0, 0, 0);
 }
 
-/// A chain longer than MAX_LIST_NESTING: how deep it goes, with our commands and without.
+/// A chain longer than MAX_LIST_NESTING: how deep it goes, with commands of the layer's and
+/// without.
 void depth(Recorder &r) {
   usePrograms();
   const int length = integer(GL_MAX_LIST_NESTING) + 8;
   const GLuint first = glGenLists(length + 1);
-  for (const bool ours : {true, false}) {
+  for (const bool withEnv : {true, false}) {
     for (int i = 0; i < length; ++i) {
       glNewList(first + GLuint(i), GL_COMPILE);
-      if (ours)
+      if (withEnv)
         setEnv(float(i + 1));
       glTranslatef(1, 0, 0);
       glCallList(first + GLuint(i) + 1);
@@ -34,7 +35,7 @@ void depth(Recorder &r) {
     glCallList(first);
     GLfloat matrix[16] = {};
     glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
-    r.value(ours ? "deepest with ours" : "deepest of plain ones", matrix[12]);
+    r.value(withEnv ? "deepest with ours" : "deepest of plain ones", matrix[12]);
     r.value("env", env());
   }
 }
@@ -54,7 +55,7 @@ void recursion(Recorder &r) {
   r.value("itself", matrix[12]);
 }
 
-/// Plain lists around lists of ours around plain lists.
+/// Plain lists around lists with commands of the layer's around plain lists.
 void alternating(Recorder &r) {
   const Programs programs = usePrograms();
   const GLuint first = glGenLists(5);
@@ -124,7 +125,7 @@ template <typename T> void callCells(Recorder &r, const char *what, GLenum type,
   r.picture(what);
 }
 
-/// Lists 300..303 and 70000 draw a cell each, with a command of ours in it.
+/// Lists 300..303 and 70000 draw a cell each, with a command of the layer's in it.
 void makeCells(GLuint base, int count) {
   for (int i = 0; i < count; ++i) {
     glNewList(base + GLuint(i), GL_COMPILE);
@@ -220,7 +221,7 @@ void plane(float x0, float y0, float x1, float y1) {
   glEnd();
 }
 
-/// Begin in one list, vertices in the next, End in a third; commands of ours in other lists.
+/// Begin in one list, vertices in the next, End in a third; commands of the layer's in other lists.
 void openPrimitive(Recorder &r) {
   usePrograms();
   const GLuint first = glGenLists(4);

@@ -69,7 +69,7 @@ def compare(profile, bare, tests, args, run_bare):
     explained, unexpected = expectations.judge(expectations.differences(bare, layer), rows)
     unexpected, flakes = run_again(
         unexpected, tests, (run_bare, lambda some: run_layer(some, "-again")), args.attempts)
-    stale = [] if args.tests else expectations.stale(rows, set(bare) | set(layer))
+    unused = [] if args.tests else expectations.unused_rows(rows, set(bare) | set(layer))
     skipped = sum(1 for test, status in layer.items()
                   if status == "skip" and bare.get(test) == "skip")
     return {
@@ -79,9 +79,9 @@ def compare(profile, bare, tests, args, run_bare):
                           "reason": reason} for k, reason in explained.items()},
         "unexpected": {k: {"bare": b, "layer": l} for k, (b, l) in unexpected.items()},
         "flakes": {k: {"bare": b, "layer": l} for k, (b, l) in flakes.items()},
-        "stale": {row.where: row.pattern for row in stale},
+        "stale": {row.where: row.pattern for row in unused},
         "passed": len(set(bare) | set(layer)) - len(unexpected) - skipped,
-        "failed": len(unexpected) + len(stale), "skipped": skipped,
+        "failed": len(unexpected) + len(unused), "skipped": skipped,
     }
 
 

@@ -70,7 +70,7 @@ def judge(changes, rows):
     return explained, unexpected
 
 
-def stale(rows, ran):
+def unused_rows(rows, ran):
     """Rows whose tests ran without the difference they speak of."""
     return [row for row in rows
             if not row.used and any(row.matches(test) for test in ran)]

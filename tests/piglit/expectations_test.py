@@ -41,8 +41,8 @@ class Expectations(unittest.TestCase):
 
     def test_a_row_that_nothing_used_is_stale_if_its_test_ran(self):
         rows = expectations.parse(self.ROW, "f")
-        self.assertEqual(expectations.stale(rows, {"other"}), [])
-        self.assertEqual(expectations.stale(rows, {"spec@x@a1"}), rows)
+        self.assertEqual(expectations.unused_rows(rows, {"other"}), [])
+        self.assertEqual(expectations.unused_rows(rows, {"spec@x@a1"}), rows)
 
     def test_every_stored_file_parses(self):
         for profile in ("host", "r300", "r300:report"):

@@ -14,7 +14,7 @@ FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PR
 
 
 # Who draws (ARBITER_BACKEND), by configuration: with the profile `host`, the host alone and
-# Arbiter's own rasterizer wherever it can; with all others, whoever draws where nothing is said.
+# Arbiter's own rasterizer wherever it can; with all others, the default back end.
 BACKENDS = {"host": "host", "swrast": "swrast"}
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the layer's libraries ask of the process by name, read from their dynamic symbols: of C++
 nothing at all, so that an application's operator new, its C++ library or its LLVM is never met by
-memory or objects of ours; and what they offer.
+the layer's memory or objects; and what they offer.
 
 usage: boundary.py LAYER JIT
 """

@@ -30,8 +30,8 @@ def compare(end, bare_run, layer_run):
         return True, f"{end}, and never in {len(bare)} bare runs"
     layer = [layer_run() for _ in range(len(bare))]
     others = sorted({e for e in layer if e is not None and e not in bare})
-    ours = sum(e is not None for e in layer)
-    words = f"fails in {ours} of {len(layer)} runs, bare {failures} of {len(bare)} ({end})"
+    failed = sum(e is not None for e in layer)
+    words = f"fails in {failed} of {len(layer)} runs, bare {failures} of {len(bare)} ({end})"
     if others:
         return True, f"{words}; {', '.join(others)} never bare"
-    return chance(failures, len(bare), ours, len(layer)) < DOUBT, words
+    return chance(failures, len(bare), failed, len(layer)) < DOUBT, words

@@ -1,7 +1,8 @@
 #pragma once
 
 /// The rows of the matrix of foreign processes: each is something that processes do which the layer
-/// knows nothing of. Each draws, and prints or ends in a way that the bare host settles.
+/// knows nothing of. Each draws, and prints or ends in a way that the run on the bare host is the
+/// reference for.
 namespace foreign {
 
 struct Row {

@@ -104,7 +104,7 @@ def sent(number, to_command):
 
 
 def without_run(c):
-    """The layer alone: whoever wants the report of a process that was killed asks for it."""
+    """The layer alone: the report of a process that was killed is made by `arbiter stats`."""
     env = dict(c.env, LD_PRELOAD=str(c.build / "src/interposer/libGLX_arbiter.so.0"),
                ARBITER_STATS=str(c.stats), ARBITER_LOG=f"info:{c.log}", FOREIGN_SEED="5")
     code = subprocess.run(c.foreign("sigkill"), env=env, timeout=TIMEOUT).returncode
@@ -127,7 +127,7 @@ def several(c):
 
 
 def executed(c):
-    """A program that goes on as another: both are told of."""
+    """A program that goes on as another: both are reported."""
     c.run(c.foreign("exec-itself"), 0)
     need(len(c.reports()) == 2, "one of two programs is missing")
 

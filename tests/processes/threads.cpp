@@ -1,4 +1,4 @@
-// Threads of the application's: small, cancelled, ending with a context; and those of ours.
+// Threads of the application's: small, cancelled, ending with a context; and the layer's.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -106,7 +106,7 @@ template <bool fresh> void cancelled() {
 }
 
 /// Threads that the layer started take no signals: an application's handlers run on its own.
-void threadsOfOurs() {
+void threadsOfTheLayer() {
   openContext();
   for (int i = 0; i < 4; ++i)
     drawFrame(i == 1);
@@ -140,7 +140,7 @@ void threadRows(void (*add)(Row)) {
   add({"cancelled-in-frame", cancelledInFrame<false>});
   add({"cancelled-drawing", cancelled<false>});
   add({"cancelled-compiling", cancelled<true>});
-  add({"threads-of-ours", threadsOfOurs});
+  add({"threads-of-ours", threadsOfTheLayer});
 }
 
 } // namespace foreign

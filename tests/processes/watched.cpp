@@ -24,7 +24,7 @@ volatile sig_atomic_t g_alarms = 0;
 volatile sig_atomic_t g_stopped = 0;
 
 /// run.py wants this line of each process that has the layer.
-void tell(bool inLayer) {
+void reportPlace(bool inLayer) {
   static constexpr char kText[] = "foreign: interrupted the layer\n";
   if (inLayer && write(2, kText, sizeof kText - 1) < 0)
     _exit(3);
@@ -35,7 +35,7 @@ bool isPlaceWanted() {
   const bool inLayer = interruptedInLayer();
   const bool wanted = inLayer || (g_alarms > g_alarmsForLayer && interruptedOutsideHost());
   if (wanted)
-    tell(inLayer);
+    reportPlace(inLayer);
   return wanted;
 }
 

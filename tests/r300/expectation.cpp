@@ -99,8 +99,8 @@ private:
     value += share * (relative * std::fabs(value) + absolute);
   }
 
-  /// A base that is not above zero, to a power below: 0 by our page, an infinity through LG2 and
-  /// EX2, and nothing that the specification defines.
+  /// A base that is not above zero, to a power below: 0 by ir/semantics.h, an infinity through
+  /// LG2 and EX2, and nothing that the specification defines.
   static void leaveOpen(float &base, float exponent) {
     if (base <= 0 && exponent < 0)
       base = std::numeric_limits<float>::min();
@@ -120,7 +120,7 @@ void widen(Expected &expected, float seen) {
     expected.slack = std::max(expected.slack, std::fabs(seen - expected.value));
 }
 
-void settle(Expected &expected) {
+void finishTolerance(Expected &expected) {
   const float scale = 1.0f + std::fabs(expected.value);
   if (expected.slack > kIllConditioned * scale)
     expected.comparable = false;
@@ -174,9 +174,9 @@ Expectation expect(const Program &program, const Inputs &inputs, std::uint64_t s
   }
   for (auto &output : result.outputs)
     for (Expected &expected : output)
-      settle(expected);
+      finishTolerance(expected);
   if (result.depth)
-    settle(*result.depth);
+    finishTolerance(*result.depth);
   return result;
 }
 

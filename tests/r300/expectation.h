@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/evaluate.h"
 
 /// Whether what the chip makes of a fragment is what the program says, as far as the chip's
-/// arithmetic lets anyone say so.
+/// arithmetic lets that be said.
 namespace arbiter::r300 {
 
 /// A value of the reference, and how far the chip's may be from it. The program is run again with

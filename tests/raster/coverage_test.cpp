@@ -9,7 +9,8 @@ namespace {
 
 using swrast::Topology;
 
-/// The host's pixels and ours, by rows and by blocks of every size, of a window and of an object.
+/// The host's pixels and the rasterizer's, by rows and by blocks of every size, of a window and of
+/// an object.
 void expectSame(const Scene &scene, const std::string &what,
                 std::initializer_list<Target> targets = {Target::Window,
                                                          Target::FramebufferObject}) {

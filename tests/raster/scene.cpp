@@ -146,16 +146,16 @@ Counts drawByUs(const Scene &scene, Target target, int lanes) {
   return canvas.counts;
 }
 
-Difference compare(const Scene &scene, const Counts &host, const Counts &ours) {
+Difference compare(const Scene &scene, const Counts &host, const Counts &drawn) {
   Difference result;
   for (std::size_t i = 0; i < host.size(); ++i) {
     result.covered += host[i] != 0;
-    if (host[i] == ours[i])
+    if (host[i] == drawn[i])
       continue;
     if (++result.pixels <= 6)
       result.text += "(" + std::to_string(i % std::size_t(scene.width)) + ", " +
                      std::to_string(i / std::size_t(scene.width)) + "): host " +
-                     std::to_string(host[i]) + ", ours " + std::to_string(ours[i]) + "; ";
+                     std::to_string(host[i]) + ", rasterizer " + std::to_string(drawn[i]) + "; ";
   }
   return result;
 }

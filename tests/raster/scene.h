@@ -36,6 +36,6 @@ struct Difference {
   int covered = 0; ///< by the host
   std::string text;
 };
-[[nodiscard]] Difference compare(const Scene &scene, const Counts &host, const Counts &ours);
+[[nodiscard]] Difference compare(const Scene &scene, const Counts &host, const Counts &drawn);
 
 } // namespace arbiter::raster_test

@@ -52,7 +52,7 @@ def _strings(dump: str) -> list[str]:
 
 def summarise(stats: list[dict]) -> dict:
     """The figures of all processes of a run together: distinct fragment programs that compiled and
-    that did not, and draws by path with the reasons for those that were not ours."""
+    that did not, and draws by path with the reasons for those that the rasterizer did not do."""
     programs = [p for s in stats for p in s.get("programs", []) if "fragment" in str(
         p.get("target", "")).lower()]
 

@@ -123,7 +123,7 @@ class _Seen:
         self._count: collections.Counter[bytes] = collections.Counter()
         self._size = (0, 0)
 
-    def look(self, server: XServer) -> None:
+    def count_screen(self, server: XServer) -> None:
         shot = server.screen()
         if self._case.size[0]:
             shot = shot.crop(*self._case.size)
@@ -159,7 +159,7 @@ def _watch(process: subprocess.Popen, case: Case, server: XServer, seen: _Seen) 
             process.wait()
             break
         if not case.output and not asked:
-            seen.look(server)
+            seen.count_screen(server)
         time.sleep(0.05)
     return 0 if asked and process.returncode == -signal.SIGTERM else process.returncode
 

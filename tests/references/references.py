@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Fails when a comment or a page of docs/ names a file, a function, a variable or an option that is not there.
 
-Files are names with a suffix of ours (`residency.cpp`, `state/core/context.h`): any file of the tree
-whose path ends so, or that the build makes. Functions are names with empty brackets (`settle()`),
+Files are names with a suffix of the tree's languages (`residency.cpp`, `state/core/context.h`): any file of the tree
+whose path ends so, or that the build makes. Functions are names with empty brackets (`settled()`),
 which the code must have as a word; those of GL, GLX, EGL, POSIX and the C++ library are others'.
 Variables are ARBITER_NAMES, options what begins with two dashes and is some program's here.
 
@@ -13,7 +13,9 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "include_graph"))
+import tree
 
 CODE = {".h", ".cpp", ".def", ".py", ".sh", ".build"}
 FILE = re.compile(r"(?<![\w/.*{}<>-])((?:[\w.-]+/)*[\w-]+\.(?:cpp|h|def|py|sh|toml|md))(?![\w(*-])")
@@ -114,31 +116,7 @@ PLANTED = [
 ]
 
 
-def self_test():
-    for text, expected in PLANTED:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            (root / "src").mkdir()
-            (root / "src/a.h").write_text(text)
-            (root / "src/b.h").write_text("")
-            complaints, _ = complaints_of(root)
-            assert len(complaints) == expected, (text, complaints)
-    print(f"{len(PLANTED)} passed, 0 failed, 0 skipped")
-    return 0
-
-
-def main():
-    if sys.argv[1:] == ["--self-test"]:
-        return self_test()
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-        return 2
-    complaints, read = complaints_of(pathlib.Path(sys.argv[1]).resolve())
-    for complaint in complaints:
-        print(complaint, file=sys.stderr)
-    print(f"{read} comments and lines read, {len(complaints)} name what is not there")
-    return 1 if complaints or not read else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(tree.main(__doc__, complaints_of,
+                       [({"src/a.h": text, "src/b.h": ""}, expected) for text, expected in PLANTED],
+                       "{read} comments and lines read, {wrong} name what is not there"))

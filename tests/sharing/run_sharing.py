@@ -96,9 +96,9 @@ def difference(bare, layer):
     the bare host ends nothing is said."""
     if ended(bare):
         return None
-    for mine, theirs in zip(layer, bare):
-        if mine != theirs:
-            return f"'{mine}' is '{theirs}' on the bare host"
+    for got, expected in zip(layer, bare):
+        if got != expected:
+            return f"'{got}' is '{expected}' on the bare host"
     return None if len(bare) == len(layer) else f"{len(layer)} lines, bare host {len(bare)}"
 
 

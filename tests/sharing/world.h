@@ -115,7 +115,6 @@ public:
   /// nothing may be drawn or read there.
   [[nodiscard]] bool ready(int &width, int &height);
   void bindFramebuffer(int which);
-  /// \param stale to attach again what another context changed
   void attach(Framebuffer &framebuffer, bool depth, bool isTexture, int index);
   /// To sample it while drawing to what is bound would be undefined.
   [[nodiscard]] bool isAttached(int texture);

@@ -182,7 +182,7 @@ private:
   std::string m_name;
 };
 
-/// A context of its own for each change, so that none hangs on those before it.
+/// A context of its own for each change, so that none depends on those before it.
 void run(Screen &screen, GLXDrawable window, const Change &change, Form form) {
   Stage stage;
   stage.screen = &screen;

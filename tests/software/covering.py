@@ -6,18 +6,18 @@ import random
 
 class Array:
     """Greedy: each row starts from a pair that is not covered yet, and each further factor takes
-    the value that covers the most new pairs with those that are chosen. settle(row, names) makes a
+    the value that covers the most new pairs with those that are chosen. make_valid(row, names) makes a
     row one that can be, if it can without touching the two factors that the row is for."""
 
-    def __init__(self, factors, settle=lambda row, kept: row, seed=1):
+    def __init__(self, factors, make_valid=lambda row, kept: row, seed=1):
         self.names = list(factors)
         self.values = {name: list(factors[name]) for name in self.names}
-        self.settle, self.random = settle, random.Random(seed)
+        self.make_valid, self.random = make_valid, random.Random(seed)
         self.place = {name: i for i, name in enumerate(self.names)}
         self.open = {frame for a, b in itertools.combinations(self.names, 2)
                      for frame in ((a, x, b, y) for x in self.values[a] for y in self.values[b])}
         self.all = len(self.open)
-        self.tried = set()  # pairs that settle() does not let through
+        self.tried = set()  # pairs that make_valid() does not let through
 
     def pair(self, a, x, b, y):
         return (a, x, b, y) if self.place[a] < self.place[b] else (b, y, a, x)
@@ -29,7 +29,7 @@ class Array:
             if not candidates:
                 return None
             start = self.random.choice(candidates)
-            chosen = self.settle(self.fill(start), (start[0], start[2]))
+            chosen = self.make_valid(self.fill(start), (start[0], start[2]))
             before = len(self.open)
             self.cover(chosen)
             if len(self.open) < before:
@@ -59,9 +59,9 @@ class Array:
         return 1 - len(self.open) / self.all
 
 
-def rows(factors, settle, count, seed):
+def rows(factors, make_valid, count, seed):
     """(rows, the fraction of pairs that they hold); count 0: until no pair can be added."""
-    array, found = Array(factors, settle, seed), []
+    array, found = Array(factors, make_valid, seed), []
     while not count or len(found) < count:
         row = array.row()
         if row is None:

@@ -1,4 +1,4 @@
-"""The states whose pairs are drawn, by name and by what the client is told: GL's number, or a choice
+"""The states whose pairs are drawn, by name and by what the client is given: GL's number, or a choice
 of the client's own (state_*.cpp). The first value of a factor is GL's default or the plainest."""
 
 import zlib
@@ -121,7 +121,7 @@ MASKS = {"alpha_test": "off", "stencil": "off", "depth_test": "off", "cull": "of
 MOST_MASKS = 2
 
 
-def settle(row, kept=()):
+def make_valid(row, kept=()):
     """The same scene in plain words: what GL forbids is made what it comes to, and of the masks so
     many stay that something is seen; those of `kept` first. Values are names."""
     row = dict(row)

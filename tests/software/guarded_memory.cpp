@@ -53,7 +53,7 @@ std::uint8_t *arena() {
 std::atomic<std::size_t> g_used{0};
 const char *g_layer = "libGLX_arbiter.so";
 
-bool isOurs(const void *address) {
+bool isGuardedBlock(const void *address) {
   return std::size_t(static_cast<const std::uint8_t *>(address) - arena()) < kArena;
 }
 
@@ -151,12 +151,12 @@ __attribute__((visibility("default"))) void *malloc(std::size_t bytes) noexcept 
 }
 
 __attribute__((visibility("default"))) void *realloc(void *block, std::size_t bytes) noexcept {
-  const bool ours = block && isOurs(block);
-  if (!ours && !(bytes >= kSmallest && isLayer(__builtin_return_address(0))))
+  const bool isGuarded = block && isGuardedBlock(block);
+  if (!isGuarded && !(bytes >= kSmallest && isLayer(__builtin_return_address(0))))
     return __libc_realloc(block, bytes);
   void *const grown = bytes >= kSmallest ? guarded(bytes, false) : __libc_malloc(bytes);
   if (grown && block) {
-    const std::size_t had = ours ? headerOf(block).bytes : malloc_usable_size(block);
+    const std::size_t had = isGuarded ? headerOf(block).bytes : malloc_usable_size(block);
     std::memcpy(grown, block, had < bytes ? had : bytes);
     free(block);
   }
@@ -164,7 +164,7 @@ __attribute__((visibility("default"))) void *realloc(void *block, std::size_t by
 }
 
 __attribute__((visibility("default"))) void free(void *block) noexcept {
-  if (!block || !isOurs(block)) {
+  if (!block || !isGuardedBlock(block)) {
     __libc_free(block);
     return;
   }

@@ -226,7 +226,7 @@ END
     glRotatef(angle(), 0.3F, 0.9F, 0.1F);
     glRotatef(angle(), 0.8F, -0.2F, 0.5F);
     glEnable(GL_DEPTH_TEST);
-    glClear(GL_DEPTH_BUFFER_BIT); // where other draws' depths are met hangs on the last bit
+    glClear(GL_DEPTH_BUFFER_BIT); // where other draws' depths are met depends on the last bit
     for (int i = m_random.between(2, 3); i > 0; --i) {
       if (m_random.once(2))
         newProgram();

@@ -207,7 +207,7 @@ void resized() {
       scene.resize(window, width, height);
     if (i < 20)
       glViewport(0, 0, width, height);
-    // What no draw covers of a window that grew is nobody's.
+    // What no draw covers of a window that grew is undefined.
     glClear(GL_COLOR_BUFFER_BIT);
     scene.draw(i);
     scene.swap(window);

@@ -194,9 +194,9 @@ def main():
     parser.add_argument("--only", help="scenes whose name holds this")
     args = parser.parse_args()
     client = args.build.resolve() / "tests/software/software-states"
-    ours = [s for name, number in (TEXTURES | S3TC | DEPTHS).items()
-            for s in texture_scenes(name, number)]
-    ours += [s for name, number in TEXTURES.items() for s in target_scenes(name, number)]
+    supported = [s for name, number in (TEXTURES | S3TC | DEPTHS).items()
+                 for s in texture_scenes(name, number)]
+    supported += [s for name, number in TEXTURES.items() for s in target_scenes(name, number)]
     left = [("texture", f"{name} 2d", scene(texture="2d", format=number))
             for name, number in LEFT_TEXTURES.items()]
     left += [("target", f"to {name}", scene(target=number, program="color"))
@@ -206,7 +206,7 @@ def main():
     left += [("texture", "anisotropic", scene(texture="2d", format=TEXTURES["rgba8"],
                                               min_filter="linear_mip_linear", anisotropy=8))]
     if args.only:
-        ours = [s for s in ours if args.only in s[0]]
+        supported = [s for s in supported if args.only in s[0]]
         left = [s for s in left if args.only in s[1]]
     failed = passed = 0
     with sides.Displays() as displays, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
@@ -222,7 +222,7 @@ def main():
                         for env in (sides.environment(), layer)]
                 return (*both, *sides.software_totals(scratch))
 
-        batches = [ours[i:i + BATCH] for i in range(0, len(ours), BATCH)]
+        batches = [supported[i:i + BATCH] for i in range(0, len(supported), BATCH)]
         results = pool.map(lambda batch: run([numbers for _, numbers in batch]), batches)
         for batch, (bares, layers, drawn, given) in zip(batches, results):
             for (label, _), bare, layer in zip(batch, bares, layers):

@@ -25,7 +25,7 @@ POISON = ("85", "170", "157")  # what fresh memory holds: of two bare runs, and 
 
 
 def defined(first, second):
-    """Of two bare runs what they agree on: a host without MIT-SHM shows memory of nobody's where a
+    """Of two bare runs what they agree on: a host without MIT-SHM shows memory that nothing wrote where a
     window has grown since its buffers were made."""
     return [a if a == b else None for a, b in zip(first, second)]
 

@@ -58,7 +58,7 @@ def main():
             wrong, drawn = judge(client, name, options, layer, scratch)
             passed, failed = passed + (not wrong), failed + bool(wrong)
             print(f"{'FAIL' if wrong else 'pass'} {name}{', no MIT-SHM' if options else ''}: "
-                  f"{drawn} draws of ours", flush=True)
+                  f"{drawn} draws of the rasterizer", flush=True)
             for line in wrong[:8]:
                 print(f"     {line}")
     print(f"{passed} passed, {failed} failed, 0 skipped")

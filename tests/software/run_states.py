@@ -26,7 +26,7 @@ import tempfile
 
 import covering
 import sides
-from factors import FACTORS, line, settle
+from factors import FACTORS, line, make_valid
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "real"))
 from picture import Picture, write_png  # noqa: E402
@@ -148,8 +148,8 @@ def keep(folder, number, scene, bare, layer):
 
 def scene_of(words):
     """The scene in which all but what the words name is at its first value."""
-    return settle({**{name: next(iter(values)) for name, values in FACTORS.items()},
-                   **dict(word.split("=") for word in words.split())})
+    return make_valid({**{name: next(iter(values)) for name, values in FACTORS.items()},
+                       **dict(word.split("=") for word in words.split())})
 
 
 def wants_glsl(scene):
@@ -163,7 +163,7 @@ def reduce(scene, differs):
     for name in FACTORS:
         plain = next(iter(FACTORS[name]))
         if scene[name] != plain:
-            candidate = settle({**scene, name: plain})
+            candidate = make_valid({**scene, name: plain})
             if differs(candidate):
                 scene = candidate
     return scene
@@ -185,8 +185,8 @@ def self_test():
     assert judge(scene, same, changed("depth", 9)) and judge(scene, same, "status -11")
     assert judge(scene, same, {**same, "errors": ("0 errors 0x0502", b"")})
     wanted = {"blend": "on", "format": "l8"}
-    start = settle({name: list(values)[-1] for name, values in FACTORS.items()} | wanted
-                   | {"logic_op": "off"})
+    start = make_valid({name: list(values)[-1] for name, values in FACTORS.items()} | wanted
+                       | {"logic_op": "off"})
     found = reduce(start, lambda s: all(s[k] == v for k, v in wanted.items()))
     assert [k for k in FACTORS if found[k] != next(iter(FACTORS[k]))] == ["blend", "format"]
     print(f"{count + 7} passed, 0 failed, 0 skipped")
@@ -213,7 +213,7 @@ def main():
     if args.self_test:
         return self_test()
     client = args.build.resolve() / "tests/software/software-states"
-    rows, part = covering.rows(FACTORS, settle, args.count, args.seed)
+    rows, part = covering.rows(FACTORS, make_valid, args.count, args.seed)
     rows = rows + [scene_of(words) for words in AFTER_THE_ROWS]
     numbers = args.only or range(len(rows))
     chosen = [(n, rows[n]) for n in numbers]

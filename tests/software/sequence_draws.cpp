@@ -198,10 +198,10 @@ void triangle(World &world, Random &random, const std::string &) {
   int width = 0, height = 0;
   if (!world.size(width, height))
     return;
-  const bool ours = random.once(2);
+  const bool withProgram = random.once(2);
   glBindProgramARB(kFragment, world.group().programs[random.once(2) ? 5 : 8]);
   setLocal(random);
-  if (ours)
+  if (withProgram)
     glEnable(kFragment);
   else
     glDisable(kFragment);

@@ -12,7 +12,7 @@ accept or refuse; REASON is the specification's section or rule. A WORD is one o
     show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
     bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
     bare refuse: WHY
-    bare draws: WHY      what the bare host draws hangs on memory that it never wrote: not compared
+    bare draws: WHY      what the bare host draws depends on memory that it never wrote: not compared
 
 @{A;B;C} in a text or in the words stands for one case each with A, B and C, every combination of
 several; braces nest.

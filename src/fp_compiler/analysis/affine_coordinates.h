@@ -6,12 +6,12 @@
 
 namespace arbiter::fp::analysis {
 
-/// How a register's component hangs on the attributes: not at all, as an affine function of them
+/// How a register's component depends on the attributes: not at all, as an affine function of them
 /// (so that its derivatives in the window are the same everywhere on a plane), or in another way.
 enum class Dependence : std::uint8_t { Uniform, Affine, Other };
 
 /// For each instruction of the program: true where it samples a texture and the level of detail
-/// hangs on a coordinate that is not affine in the attributes. A cube map's always does.
+/// depends on a coordinate that is not affine in the attributes. A cube map's always does.
 [[nodiscard]] std::vector<bool> samplesCurved(const ir::Program &program);
 
 } // namespace arbiter::fp::analysis

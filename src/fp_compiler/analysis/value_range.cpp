@@ -85,8 +85,8 @@ public:
     return held(total);
   }
 
-  /// A sum of products, which a host may fuse or take in another order: where it cancels it is not
-  /// told from zero.
+  /// A sum of products, which a host may fuse or take in another order: where it cancels it may
+  /// be zero as well.
   ValueRange blurred(const ValueRange &a) const {
     const float slack = 1e-6f * std::max(std::fabs(a.lo), std::fabs(a.hi));
     ValueRange result = a;

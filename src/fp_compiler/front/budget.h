@@ -28,6 +28,8 @@ public:
   /// in 16 bits (address registers in eight).
   static constexpr std::uint32_t kCeiling = 65535;
 
+  /// The limits and the policy of \p options. \p reporter gets what is exceeded: an error, or a
+  /// warning where the policy lets the program load all the same.
   Budget(const CompileOptions &options, Reporter &reporter);
 
   /// Takes what the options' own code needs out of the limits. Call before the first statement.
@@ -35,6 +37,7 @@ public:
   /// Counts one unit. False if it is over the resource's ceiling, so that the caller cannot number
   /// it.
   bool spend(Resource resource, Span where);
+  /// What was spent, beyond the limits too; without the debits.
   [[nodiscard]] const ResourceCounts &counts() const { return m_counts; }
 
 private:

@@ -199,11 +199,11 @@ TEST(Limits, BeyondWhatCanBeNumberedNoPolicyHelps) {
   EXPECT_EQ(firstError(check(wrap(names + ";"), options)), "limit-temporaries");
   const CheckResult constants = check(wrap(numbered("KIL ", 70000, ";")), options);
   EXPECT_FALSE(constants.ok());
-  bool told = false;
+  bool found = false;
   for (const Diagnostic &diagnostic : constants.diagnostics)
-    told |= diagnostic.severity == Severity::Error &&
-            std::string_view(diagnostic.id) == "limit-parameters";
-  EXPECT_TRUE(told);
+    found |= diagnostic.severity == Severity::Error &&
+             std::string_view(diagnostic.id) == "limit-parameters";
+  EXPECT_TRUE(found);
 }
 
 TEST(Limits, ReportLoadsArraysOverTheParameterLimit) {

@@ -4,6 +4,7 @@
 
 namespace arbiter::fp {
 
+/// Which finding a diagnostic is: a row of diagnostic_ids.def.
 enum class DiagnosticId : std::uint8_t {
 #define FP_DIAGNOSTIC(Enumerator, id, meaning) Enumerator,
 #include "fp_compiler/front/diagnostic_ids.def"
@@ -16,6 +17,7 @@ struct DiagnosticInfo {
   const char *meaning; ///< one line
 };
 
+/// The row of \p id.
 [[nodiscard]] const DiagnosticInfo &info(DiagnosticId id);
 /// All rows, in the table's order.
 [[nodiscard]] std::span<const DiagnosticInfo> diagnosticTable();

@@ -40,10 +40,13 @@ private:
 /// A lexer with two tokens of look-ahead, which is all that the grammar needs.
 class TokenStream {
 public:
+  /// Begins at byte \p begin of \p text, which must outlive this.
   TokenStream(std::string_view text, std::uint32_t begin);
 
+  /// The next token, or the one after it (\p ahead 1), which stays.
   [[nodiscard]] const Token &peek(int ahead = 0) const { return m_ahead[std::size_t(ahead)]; }
   [[nodiscard]] bool at(TokenKind kind) const { return m_ahead[0].kind == kind; }
+  /// Consumes the next token; EndOfText for ever after the last.
   Token next();
   /// Consumes the next token if it is of this kind.
   bool accept(TokenKind kind);

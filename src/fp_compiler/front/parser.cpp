@@ -99,7 +99,8 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   return false;
 }
 
-/// ADDR, MULH_SAT, MOVC: an opcode of ours with the precision or condition letters of NV.
+/// ADDR, MULH_SAT, MOVC: an opcode of the ARB languages with the precision or condition letters of
+/// NV.
 bool Parser::isNvVariant(std::string_view word) const {
   const std::string_view base = word.substr(0, 3);
   const std::string_view letters = word.substr(base.size(), word.find('_') - base.size());

@@ -12,14 +12,17 @@ namespace arbiter::fp {
 /// full of errors, the parser may stop.
 class Reporter {
 public:
+  /// Adds a finding; dropped where its severity is full. \p message is one line, no full stop.
   void error(DiagnosticId id, Span span, std::string message, std::string hint = {});
   void warning(DiagnosticId id, Span span, std::string message, std::string hint = {});
 
   [[nodiscard]] bool hasErrors() const { return m_errors != 0; }
   [[nodiscard]] std::size_t errorCount() const { return m_errors; }
+  /// No further error would be kept.
   [[nodiscard]] bool full() const;
 
-  /// In text order; at most kMaxDiagnostics, of which errors have precedence.
+  /// The findings, which are gone from here then: in text order, at most kMaxDiagnostics, of which
+  /// errors have precedence.
   [[nodiscard]] std::vector<Diagnostic> take();
 
 private:

@@ -29,10 +29,11 @@ struct Symbol {
 /// The names of a program (3.11.3). Keys view the program text, which must outlive the table.
 class SymbolTable {
 public:
-  /// Declares a name, unless it stands for something known: then returns that.
+  /// Declares a name, and returns nullptr; unless it stands for something known: then returns that.
   const Symbol *declare(std::string_view name, const Symbol &symbol);
+  /// What the name stands for; nullptr if it is not declared.
   [[nodiscard]] const Symbol *find(std::string_view name) const;
-  /// A hint for a name that is not here.
+  /// A hint for a name that is not here: the declared one nearest to it, or how to declare it.
   [[nodiscard]] std::string suggest(std::string_view name) const;
 
 private:

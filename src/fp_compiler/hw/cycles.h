@@ -7,11 +7,13 @@
 /// sources of the numbers are with them, in cycles.cpp, and in docs/native_model.md.
 namespace arbiter::fp::hw {
 
+/// Clock cycles of the R300's nodes, ALU and texture units side by side.
 [[nodiscard]] CycleEstimate estimateR300(const r300::Code &code);
 
 /// \param model Nv30 or Nv35
 [[nodiscard]] CycleEstimate estimateNv30(const SlotProgram &code, NativeModel model);
 
+/// Clock cycles of the i915's slots, one after the other.
 [[nodiscard]] CycleEstimate estimateI915(const SlotProgram &code);
 
 } // namespace arbiter::fp::hw

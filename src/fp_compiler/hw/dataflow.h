@@ -10,16 +10,17 @@ namespace arbiter::fp::hw {
 
 inline constexpr std::uint32_t kNoInstruction = 0xFFFFFFFF;
 
+/// For each instruction: which ones it depends on, and whether anything depends on it.
 struct Dataflow {
-  /// Of operand o, by the component that the operand hands on (before the swizzle): the
-  /// instruction that last wrote what it reads, kNoInstruction where that is no temporary, was not
-  /// written, or does not matter.
+  /// [o][c]: the instruction that last wrote what component c of operand o, after its swizzle,
+  /// reads; kNoInstruction where that is no temporary, was not written, or is not used.
   using Writers = std::array<std::array<std::uint32_t, 4>, 3>;
   std::vector<Writers> writers; ///< by instruction
   /// By instruction: whether a result or a KIL depends on it.
   std::vector<bool> live;
 };
 
+/// Requires: validate(program) finds nothing.
 [[nodiscard]] Dataflow dataflowOf(const ir::Program &program);
 
 /// The longest chain of texture samples that depend on each other, with what stands between, in

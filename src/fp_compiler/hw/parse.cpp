@@ -54,7 +54,7 @@ bool readNamedTable(Reader &reader, Profile &profile, std::string_view name, con
 }
 
 /// What a file that inherits nothing may leave out: a card without [model] is known by its numbers
-/// alone, and a file that tells of fragment programs alone has the default profile's other rows.
+/// alone, and a file with rows of fragment programs alone has the default profile's other rows.
 bool fillAbsent(Reader &reader, Profile &profile, const toml::table &root,
                 const std::array<bool, kRowCount> &seen) {
   const Profile &standard = *findBuiltin(kDefaultProfile);

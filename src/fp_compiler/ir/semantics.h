@@ -12,7 +12,7 @@
 /// Numbers. IEEE single precision, round to nearest, each operation rounded by itself (MAD, LRP,
 /// dot products: products first, then their sums). A denormal, read or produced, counts as
 /// zero of its sign. NaN and infinities spread as IEEE says, unless a rule below stops them. NaNs
-/// are not told apart.
+/// are all the same.
 ///
 /// Registers. Temporaries, output colours and their components are zero until written. An output
 /// depth that was not written is the fragment's own; a vertex result of which nothing is written is

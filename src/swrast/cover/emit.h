@@ -25,7 +25,9 @@ public:
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.
   /// Planes are made only if a pixel is covered.
   void shadeSmall(const PlanePlan &plan, const Triangle &triangle, const Rect &rect);
+  /// Shades the items that wait.
   void flush();
+  /// Pixels that were given to shading.
   [[nodiscard]] std::uint64_t pixels() const { return m_pixels; }
 
 private:

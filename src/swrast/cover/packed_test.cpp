@@ -30,22 +30,23 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
   volatile const float row = z.c + alongY;
   volatile const float alongX = z.dx * float(x - primitive.originX);
   const float depth = std::min(std::max(row + alongX, data.depthMinimum), data.depthMaximum);
-  double mine = depth, theirs = 0;
+  double incoming = depth, stored = 0;
   std::uint32_t made = 0;
   if (test.layout == abi::Layout::Depth32F) {
     float value = 0;
     std::memcpy(&value, &pixel, 4);
-    theirs = value;
+    stored = value;
     std::memcpy(&made, &depth, 4);
   } else {
     const bool half = test.layout == abi::Layout::Depth16;
     volatile const float scaled = depth * (half ? 65535.0f : 16777215.0f);
-    mine = std::nearbyint(double(scaled));
-    theirs = half ? pixel : pixel >> 8;
-    made = half ? std::uint32_t(mine) : std::uint32_t(mine) << 8 | (pixel & 255);
+    incoming = std::nearbyint(double(scaled));
+    stored = half ? pixel : pixel >> 8;
+    made = half ? std::uint32_t(incoming) : std::uint32_t(incoming) << 8 | (pixel & 255);
   }
-  const bool results[] = {false, mine<theirs, mine == theirs, mine <= theirs, mine> theirs,
-                          mine != theirs, mine >= theirs, true};
+  const bool results[] = {false,
+                          incoming<stored, incoming == stored, incoming <= stored, incoming> stored,
+                          incoming != stored, incoming >= stored, true};
   const bool passes = results[int(test.compare)];
   if (passes && test.write)
     std::memcpy(place, &made, std::size_t(bytes));

@@ -86,22 +86,22 @@ void PackedTile::end() {
 
 namespace {
 
-template <typename Number> bool passes(abi::Compare compare, Number mine, Number theirs) {
+template <typename Number> bool passes(abi::Compare compare, Number incoming, Number stored) {
   switch (compare) {
   case abi::Compare::Never:
     return false;
   case abi::Compare::Less:
-    return mine < theirs;
+    return incoming < stored;
   case abi::Compare::Equal:
-    return mine == theirs;
+    return incoming == stored;
   case abi::Compare::LessEqual:
-    return mine <= theirs;
+    return incoming <= stored;
   case abi::Compare::Greater:
-    return mine > theirs;
+    return incoming > stored;
   case abi::Compare::NotEqual:
-    return mine != theirs;
+    return incoming != stored;
   case abi::Compare::GreaterEqual:
-    return mine >= theirs;
+    return incoming >= stored;
   case abi::Compare::Always:
     return true;
   }
@@ -117,17 +117,17 @@ bool testPixel(const PackedTile &tile, float depth, std::int32_t &pixel) {
   std::int32_t made = 0;
   bool pass = true;
   if (tile.test.layout == abi::Layout::Depth32F) {
-    float theirs = 0;
-    std::memcpy(&theirs, &pixel, sizeof theirs);
+    float stored = 0;
+    std::memcpy(&stored, &pixel, sizeof stored);
     std::memcpy(&made, &depth, sizeof made);
-    pass = passes(compare, depth, theirs);
+    pass = passes(compare, depth, stored);
   } else if (tile.test.layout == abi::Layout::Depth16) {
     made = std::int32_t(std::lrintf(depth * 65535.0f));
     pass = passes(compare, made, pixel);
   } else {
-    const auto mine = std::int32_t(std::lrintf(depth * 16777215.0f));
-    made = std::int32_t(std::uint32_t(mine) << 8 | (std::uint32_t(pixel) & 255));
-    pass = passes(compare, mine, std::int32_t(std::uint32_t(pixel) >> 8));
+    const auto incoming = std::int32_t(std::lrintf(depth * 16777215.0f));
+    made = std::int32_t(std::uint32_t(incoming) << 8 | (std::uint32_t(pixel) & 255));
+    pass = passes(compare, incoming, std::int32_t(std::uint32_t(pixel) >> 8));
   }
   if (pass && tile.test.write)
     pixel = made;

@@ -132,14 +132,14 @@ TEST(Image, MemoryThatOthersReadIsWaitedForBeforeAWrite) {
 
 TEST(Image, PingPongAllocatesNothing) {
   Image target = makeImage(kRgba8, 512, 512), texture = target;
-  std::size_t settled = 0;
+  std::size_t afterWarmUp = 0;
   for (int frame = 0; frame < 100; ++frame) {
     ASSERT_TRUE(makeWritable(target, false));
     texture = target;
     if (frame == 4)
-      settled = Storage::totalBytes();
+      afterWarmUp = Storage::totalBytes();
   }
-  EXPECT_EQ(Storage::totalBytes(), settled);
+  EXPECT_EQ(Storage::totalBytes(), afterWarmUp);
 }
 
 TEST(Image, ThePoolGivesBackMemoryThatIsTooMuch) {

@@ -12,14 +12,15 @@ class Storage {
 public:
   /// Null if there is no memory. The bytes are undefined.
   [[nodiscard]] static std::shared_ptr<Storage> make(std::size_t bytes);
-  /// Whose memory images use that is none of ours.
+  /// Whose memory images use that no Storage allocated.
   struct Owner {
     void (*release)(void *user); ///< the last image lets go
     /// Whether a reader other than the images has still to read what was written: until then it may
     /// not be written again. \param wait until he has
     bool (*isRead)(void *user, bool wait);
   };
-  /// On failure the owner is told at once. 64 bytes before and behind may be read of it too.
+  /// On failure the owner's release() is called at once. 64 bytes before and after may be read of
+  /// it too.
   [[nodiscard]] static std::shared_ptr<Storage> wrap(std::uint8_t *data, std::size_t bytes,
                                                      const Owner &owner, void *user);
   ~Storage();
@@ -27,7 +28,7 @@ public:
   Storage &operator=(const Storage &) = delete;
   [[nodiscard]] std::uint8_t *data() const { return m_data; } ///< aligned to 64 bytes
   [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-  /// Whether a reader other than the images still reads it. Ours is read by images alone.
+  /// Whether a reader other than the images still reads it; false without an owner.
   [[nodiscard]] bool isRead() const { return m_owner && m_owner->isRead(m_user, false); }
   /// Until it may be written again.
   void awaitReader() const {

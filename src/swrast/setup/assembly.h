@@ -11,22 +11,27 @@ struct TriangleCorners {
   std::uint32_t corner[3];
   std::uint32_t provoking;
   /// Bit k: the side from corner k to the next is a side of the primitive, not a diagonal; where it
-  /// is drawn hangs on the edge flag of corner k too.
+  /// is drawn depends on the edge flag of corner k too.
   std::uint32_t sides;
 };
+/// A line, in the same numbers.
 struct LineEnds {
   std::uint32_t end[2];
   std::uint32_t provoking;
-  bool restartsStipple;
+  bool restartsStipple; ///< the line stipple begins again here
 };
 
+/// Whether its primitives are triangles, quads or polygons: those with faces.
 [[nodiscard]] bool isPolygonal(Topology topology);
 /// Whether the first vertex of such a primitive is the provoking one.
 [[nodiscard]] bool provokesFirst(const RasterState &state, Topology topology);
+/// How many triangles `count` vertices make; vertices that complete none are ignored. 0 of points
+/// and lines.
 [[nodiscard]] std::uint32_t triangleCount(Topology topology, std::uint32_t count);
-/// Wound as the primitive is. Quads and polygons are cut as hosts cut them, so that what is not
-/// flat looks the same: a quad from its first corner to the third, and in draws that are clipped or
-/// not filled, or where the first vertex provokes (`otherDiagonal`), from the second to the fourth.
+/// Triangle `i` of triangleCount(), wound as the primitive is. Quads and polygons are cut as hosts
+/// cut them, so that what is not flat looks the same: a quad from its first corner to the third,
+/// and in draws that are clipped or not filled, or where the first vertex provokes
+/// (`otherDiagonal`), from the second to the fourth.
 [[nodiscard]] inline TriangleCorners triangleAt(Topology topology, std::uint32_t count,
                                                 std::uint32_t i, bool provokingIsFirst,
                                                 bool otherDiagonal) {
@@ -66,7 +71,9 @@ struct LineEnds {
     return {};
   }
 }
+/// How many lines `count` vertices make; 0 of anything but lines.
 [[nodiscard]] std::uint32_t lineCount(Topology topology, std::uint32_t count);
+/// Line `i` of lineCount().
 [[nodiscard]] inline LineEnds lineAt(Topology topology, std::uint32_t count, std::uint32_t i,
                                      bool provokingIsFirst) {
   if (topology == Topology::Lines)

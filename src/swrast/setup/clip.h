@@ -6,10 +6,11 @@
 /// Clipping against the view volume and user planes.
 namespace arbiter::swrast {
 
+/// A corner of what clipping leaves.
 struct ClipVertex {
-  double position[4];
-  double weight[3]; ///< of the primitive's vertices
-  double user[8];   ///< clip distances
+  double position[4]; ///< in clip space
+  double weight[3];   ///< of the primitive's vertices
+  double user[8];     ///< clip distances
   WindowVertex window;
   int side; ///< what it is the first end of: a side of the triangle, kOnPlane + a plane,
             ///< kOnUserPlane
@@ -24,13 +25,14 @@ struct ClippedPolygon {
   std::array<ClipVertex, 20> vertex;
   int count = 0;
 };
-/// `corner` is where the vertices are in the window.
+/// What is left of a triangle; `polygon.count` is less than 3 if nothing is.
+/// \param corner where its vertices are in the window
 void clipTriangle(const Viewport &viewport, const Vertices &vertices, const std::uint32_t index[3],
                   const WindowVertex corner[3], ClippedPolygon &polygon);
 /// Two vertices of the triangle have one place: nothing of its inside is left by any cut.
 [[nodiscard]] bool hasTwins(const Vertices &vertices, const std::uint32_t index[3]);
 
-/// False if nothing of the line is left.
+/// The ends of what is left of a line, in `end`; false if nothing is.
 [[nodiscard]] bool clipLine(const Viewport &viewport, const Vertices &vertices,
                             const std::uint32_t index[2], const WindowVertex corner[2],
                             ClipVertex end[2]);

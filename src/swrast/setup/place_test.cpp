@@ -50,7 +50,7 @@ void compare(PlaceVertices place, const Case &each, std::mt19937 &random) {
   state.upsideDownHeight = each.upsideDownHeight;
   state.depthClamp = each.depthClamp;
   const Viewport made = makeViewport(state, vertices);
-  // One behind the last that must stay as it is.
+  // One after the end, which must stay as it is.
   WindowVertex untouched{};
   untouched.x = 7;
   std::vector<WindowVertex> window(count + 1, untouched);

@@ -78,7 +78,7 @@ void makeInputs(const PlanePlan &plan, const Triangle &triangle, const Gradients
 
 float depthOffset(const RasterState &state, const std::array<WindowVertex, 3> &corner) {
   // In single precision and from the last corner, as hosts have it: a corner that two polygons
-  // share is drawn twice, and whether it passes the depth test again hangs on the last bit.
+  // share is drawn twice, and whether it passes the depth test again depends on the last bit.
   const WindowVertex &last = corner[2];
   const float ex = corner[0].x - last.x, ey = corner[0].y - last.y, ez = corner[0].z - last.z;
   const float fx = corner[1].x - last.x, fy = corner[1].y - last.y, fz = corner[1].z - last.z;

@@ -10,10 +10,12 @@
 /// Triangles of a draw, one by one: assembled, clipped, culled.
 namespace arbiter::swrast {
 
-/// Which way a triangle faces, and whether that is culled.
+/// Which way a triangle faces. \p area twice its area in snapped units, positive if
+/// counterclockwise
 [[nodiscard]] inline bool isBackFacing(const RasterState &state, std::int64_t area) {
   return (area > 0) == state.frontIsClockwise;
 }
+/// Whether polygons that face that way are culled.
 [[nodiscard]] inline bool isCulled(const RasterState &state, bool backFacing) {
   return backFacing ? state.cullBack : state.cullFront;
 }

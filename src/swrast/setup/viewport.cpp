@@ -55,7 +55,7 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex) {
   const float inverseW = 1.0f / clip[3];
   // One rounding of scale and translation together, as a fused multiply-add has it: hosts do the
-  // same, and the snapped position must not differ from theirs.
+  // same, and the snapped position must not differ from the host's.
   const auto place = [&](int i) {
     return float(double(clip[i] * inverseW) * double(viewport.scale[i]) +
                  double(viewport.translate[i]));

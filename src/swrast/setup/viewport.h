@@ -48,9 +48,13 @@ struct Viewport {
   bool depthClamp;
   unsigned userPlanes; ///< clip distances that are there
 };
+/// The viewport transform of a draw (OpenGL 1.4, 2.11.1), and which clip distances there are.
 [[nodiscard]] Viewport makeViewport(const RasterState &state, const Vertices &vertices);
-/// `clip` is x, y, z, w. The outcode is left alone.
+/// Sets the vertex's window coordinates from those in clip space: `clip` is x, y, z, w with w > 0.
+/// The outcode is left alone.
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex);
+/// Vertex \p index with its outcode; window coordinates are zeros where w or a value forbids them
+/// (kOutW, kOutNan).
 [[nodiscard]] WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices,
                                         std::uint32_t index);
 

@@ -22,7 +22,7 @@ int widthOf(float size, bool sprite) {
                 : std::max(1, (snap(size) + kSubpixels / 2 - 1) >> kSubpixelBits);
 }
 
-/// The first pixel and the one behind the last along one axis, in the host's coordinates. `down`:
+/// The pixels [first, end) along one axis, in the host's coordinates. `down`:
 /// in those that run down, ties go to the neighbour.
 inline void extent(float center, int width, bool sprite, bool down, int &first, int &end) {
   const std::int32_t tie = down ? 1 : 0;

@@ -128,7 +128,8 @@ TEST(Text, MoreIndirectionsThanFitAreDrawn) {
   EXPECT_NE(text.find("[#########>]  over the native limit\n       1  TEX reads b"),
             std::string::npos)
       << text;
-  EXPECT_EQ(text.find("  texture nodes:\n"), std::string::npos) << "the reasons are theirs";
+  EXPECT_EQ(text.find("  texture nodes:\n"), std::string::npos)
+      << "the reasons stand below the indirections";
   EXPECT_NE(text.find("  the longest chain"), std::string::npos);
 }
 

@@ -17,7 +17,8 @@ struct Analysis {
   fp::Limits limits;
   std::vector<fp::Token> tokens; ///< without EndOfText; there also where the parse failed
   fp::Inspection inspection;
-  /// Of a program that loads; empty for ATI's, which every card of theirs takes.
+  /// Of a program that loads; empty for ATI's languages, whose programs every card that has them
+  /// takes.
   fp::hw::NativeReport native;
 };
 

@@ -69,7 +69,7 @@ void Server::publish(Document &document) {
                     {"diagnostics", diagnostics(viewOf(document))}});
 }
 
-template <typename Ask> Server::Reply Server::atPosition(const Json &params, Ask ask) {
+template <typename Handler> Server::Reply Server::atPosition(const Json &params, Handler handler) {
   Document *document = find(params);
   if (!document)
     return noDocument();
@@ -77,7 +77,7 @@ template <typename Ask> Server::Reply Server::atPosition(const Json &params, Ask
   const auto offset = position ? document->map().offset(*position) : std::nullopt;
   if (!offset)
     return noPosition();
-  return ask(viewOf(*document), *offset);
+  return handler(viewOf(*document), *offset);
 }
 
 Server::Reply Server::hoverAt(const Json &params) { return atPosition(params, hover); }

@@ -59,8 +59,8 @@ private:
   [[nodiscard]] View viewOf(Document &document) {
     return {document, document.analysis(m_profile), m_profile};
   }
-  /// Calls `ask` with the view and the offset that the parameters name.
-  template <typename Ask> Reply atPosition(const Json &params, Ask ask);
+  /// The reply of `handler`, called with the view and the offset that the parameters name.
+  template <typename Handler> Reply atPosition(const Json &params, Handler handler);
   Reply hoverAt(const Json &params);
   Reply completionAt(const Json &params);
   Reply definitionAt(const Json &params);

@@ -11,7 +11,7 @@ namespace arbiter::tools {
 namespace {
 
 /// The profile that was named; else the one that was effective when the programs were captured, so
-/// that the report says what the application was told; else the user's.
+/// that the report says what the application could query; else the user's.
 std::string profileName(const ReportArguments &arguments) {
   if (!arguments.profile.empty())
     return arguments.profile;

@@ -75,7 +75,7 @@ std::string countCells(const CheckedFile &file) {
   return html + "<td class=n>" + decimal(file.native().cycles.cycles) + "</td>";
 }
 
-/// The name in the table; of a captured program as much of its hash as tells it from others.
+/// The name in the table; of a captured program as much of its hash as is unique.
 std::string shortName(const ProgramSet &set, std::size_t index) {
   const ReportedProgram &program = set.programs[index];
   if (program.captured < 0)

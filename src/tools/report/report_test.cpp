@@ -148,7 +148,7 @@ TEST(LineCosts, FollowTheStatements) {
   const CheckedFile &file = set.programs[0].file;
   const SourceText source(file.text);
   const std::vector<LineCost> lines = lineCosts(source, *file.result.program, file.native());
-  ASSERT_EQ(lines.size(), 9u); // the last is empty, behind the last line end
+  ASSERT_EQ(lines.size(), 9u); // the last is empty, after the last line end
   EXPECT_EQ(lines[2].textures, 1u);
   EXPECT_EQ(lines[3].slots, 1.5);
   EXPECT_EQ(lines[4].gone, 1u);

@@ -34,7 +34,7 @@ private:
     if constexpr (detail::kIsNumber<T>)
       m_bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
     else
-      fields(*this, const_cast<T &>(value)); // handed back to us as const
+      fields(*this, const_cast<T &>(value)); // fields() gives it back as const
   }
   void write(const std::string &text) { write(std::string_view(text)); }
   void write(std::string_view text) {

@@ -263,8 +263,8 @@ CacheUsage clearCache(const std::string &folder) {
   for (unsigned shard = 0; shard < kShards; ++shard) {
     const std::string path = shardPath(folder, shard);
     eachFile(path, [&](const std::string &name, const FileRow &row) {
-      const bool ours = name.find_first_not_of("0123456789abcdef") >= 32;
-      if (ours && name.size() >= 32)
+      const bool hash = name.find_first_not_of("0123456789abcdef") >= 32;
+      if (hash && name.size() >= 32)
         ::unlink(row.path.c_str());
     });
     ::rmdir(path.c_str());

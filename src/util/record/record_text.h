@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-/// A text with places for counters, which are filled in later by someone who has the counters and
-/// knows nothing of their meaning. Made with strings and vectors; filled in without an allocation
-/// or a lock, as that happens where a process ends, perhaps in a signal's handler that interrupted
-/// either.
+/// A text with places for counters, which are filled in later by a process that has the counters
+/// and knows nothing of their meaning. Made with strings and vectors; filled in without an
+/// allocation or a lock, as that happens where a process ends, perhaps in a signal's handler that
+/// interrupted either.
 namespace arbiter {
 
 /// The text that stands for counter `index` until fillIn() puts its value there, in decimal.

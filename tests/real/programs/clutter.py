@@ -1,4 +1,4 @@
-"""Clutter over Cogl's driver for fixed-function GL, through a client of ours: what an actor is drawn
+"""Clutter over Cogl's driver for fixed-function GL, through a client of the project: what an actor is drawn
 with becomes a fragment program that Cogl generates, and its effects are GLSL in the same context."""
 
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Coin, the Open Inventor of Debian, through a client of ours: its bump maps draw with programs of
+"""Coin, the Open Inventor of Debian, through a client of the project: its bump maps draw with programs of
 its own, and a scene's SoShaderProgram may hold texts in assembly.
 """
 

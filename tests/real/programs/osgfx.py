@@ -1,4 +1,4 @@
-"""OpenSceneGraph's osgFX, through a client of ours: bump mapping, anisotropic lighting and cartoon
+"""OpenSceneGraph's osgFX, through a client of the project: bump mapping, anisotropic lighting and cartoon
 shading, whose techniques are vertex and fragment programs in display lists.
 """
 

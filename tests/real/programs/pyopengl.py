@@ -1,4 +1,4 @@
-"""Clients of ours in Python: small scenes that use programs in the ways that larger ones do.
+"""Clients of the project in Python: small scenes that use programs in the ways that larger ones do.
 
 data/pyopengl has a file each. They draw a fixed number of frames and end.
 """
@@ -27,4 +27,4 @@ class PyOpenGl(Program):
 
 PROGRAM = PyOpenGl("pyopengl", ("python3-opengl", "libglut3.12", "apitrace", "xvfb",
                                 "libgl1-mesa-dri"),
-                   "nine clients of ours: feedback, lists, buffers, framebuffers, contexts, every opcode")
+                   "nine clients of the project: feedback, lists, buffers, framebuffers, contexts, every opcode")

@@ -1,6 +1,6 @@
 """Wine's Direct3D 8 and 9 over its ARB back end: pixel shaders 1.1, 1.4, 2.0 and the fixed function.
 
-data/tiles.cpp and data/stages.cpp are small Direct3D programs of ours; Wine translates what they ask
+data/tiles.cpp and data/stages.cpp are small Direct3D programs of the project; Wine translates what they ask
 for into vertex and fragment programs.
 """
 
@@ -52,4 +52,4 @@ class Wine(Program):
 
 
 PROGRAM = Wine("wine", ("wine", "wine64", "g++-mingw-w64-x86-64", "xvfb", "libgl1-mesa-dri"),
-               "Direct3D 8 and 9 programs of ours through Wine's ARB shader back end")
+               "Direct3D 8 and 9 programs of the project through Wine's ARB shader back end")

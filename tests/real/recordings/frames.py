@@ -125,7 +125,7 @@ class Comparison:
         """How many frames the run had, counted or not."""
         return self._next
 
-    def look(self, frame: Frame) -> None:
+    def compare(self, frame: Frame) -> None:
         index = self._next
         self._next += 1
         if index >= len(self._store) or (self._steady is not None and index not in self._steady):

@@ -60,7 +60,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
     try:
         bare = run(Way(session.Mode("bare"), cold=True), store.add)
         repeat = Comparison(store, recording.wrong_pixels)
-        again = run(Way(session.Mode("again")), repeat.look)
+        again = run(Way(session.Mode("again")), repeat.compare)
         steady = repeat.agreeing()
         head = Row(recording.name, recording.program, "bare", len(store), len(steady),
                    status=again.status, bare_status=bare.status)
@@ -70,7 +70,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
             return [head]
         for way in ways:
             seen = Comparison(store, recording.wrong_pixels, steady)
-            row = judge(recording, way, bare, run(way, seen.look), seen, head)
+            row = judge(recording, way, bare, run(way, seen.compare), seen, head)
             if row.wrong:
                 _draw_worst(seen, out / way.name)
             rows.append(row)

@@ -9,7 +9,7 @@ namespace arbiter::fp {
 /// list of temporaries, a PARAM a row, arrays as PARAM arrays, no aliases, no comments. Numbers are
 /// the shortest that give the same float. What this project defines and the specifications do not
 /// (registers that are read before they are written, results that are partly written) is written
-/// out, so that the host's reading of the text is ours; checkProgram() of it means the same
+/// out, so that the host reads the text as the IR says; checkProgram() of it means the same
 /// program.
 ///
 /// Requires: validate(program) finds nothing; the language is not AtiFragment, whose option of a

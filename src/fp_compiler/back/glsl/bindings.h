@@ -13,10 +13,11 @@ struct RegisterText {
   std::array<std::string, 4> components;
 };
 
-/// A vec4 variable.
+/// The spelling of a vec4 variable: it and its components x, y, z, w.
 [[nodiscard]] RegisterText variable(const std::string &name);
 
-/// What a fragment or vertex attribute is read from.
+/// The built-in that a fragment or vertex attribute is read from; what the built-in lacks of a vec4
+/// is 0, 0, 1 as the extensions say. Empty for an attribute that \p language does not have.
 [[nodiscard]] RegisterText attributeText(ir::Language language, const ir::Attribute &attribute);
 
 /// What a result is written to.
@@ -24,6 +25,7 @@ struct OutputText {
   std::string name;    ///< "gl_FragColor", "gl_TexCoord[3]"
   bool scalar = false; ///< a float: the one component of ir::resultMask() stands without a suffix
 };
+/// The built-in that \p output of \p program is written to.
 [[nodiscard]] OutputText outputText(const ir::Program &program, const ir::Output &output);
 
 /// "arb_attrib7": the vertex shader's attribute for vertex.attrib[n], n > 0.

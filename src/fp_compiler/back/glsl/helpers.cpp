@@ -53,9 +53,9 @@ std::string forVectors(const std::string &name, int arguments) {
   return text;
 }
 
-/// Whether the sign of a zero can be told: by a division. Elsewhere it makes no difference whether
-/// -0 times a finite number is -0 or 0, and the shorter form will do; hosts that multiply so
-/// themselves know it.
+/// Whether the sign of a zero shows in a result: by a division. Elsewhere it makes no difference
+/// whether -0 times a finite number is -0 or 0, and the shorter form will do; hosts that multiply
+/// so themselves know it.
 bool tellsZeros(const ir::Program &program) {
   return std::any_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
     return instruction.op == Opcode::Rcp || instruction.op == Opcode::Txp;

@@ -6,8 +6,8 @@
 
 namespace arbiter::fp::glsl {
 
-/// The functions that \p code calls: arb_address() for ARL, arb_log() for LOG, and those of the
-/// modes of arithmetic:
+/// GLSL text that defines those helper functions which \p code calls: arb_address() for ARL,
+/// arb_log() for LOG, and those of the modes of arithmetic:
 ///   arb_mul(a, b)   a product of which either factor may be a zero beside an infinity or NaN
 ///   arb_mulz(z, x)  one of which only z may
 ///   arb_sum(v)      the components' sum, and arb_sum(v, w) DPH's, in the order of ir/semantics.h

@@ -49,7 +49,7 @@ private:
   Numerics m_numerics;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;
-  Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share theirs
+  Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share its elements
   std::vector<RegisterText> m_temporaries, m_attributes, m_parameters;
   std::vector<OutputText> m_outputs;
   std::vector<GlslSampler> m_samplers;

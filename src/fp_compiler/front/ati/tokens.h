@@ -9,6 +9,7 @@ namespace arbiter::fp::ati {
 /// "2x", "1", "str_dr".
 class Tokens {
 public:
+  /// Begins at byte \p begin of \p text, which must outlive this.
   Tokens(std::string_view text, std::uint32_t begin);
 
   [[nodiscard]] const Token &peek() const { return m_ahead; }
@@ -16,16 +17,18 @@ public:
   [[nodiscard]] bool atWord(std::string_view word) const {
     return at(TokenKind::Identifier) && text(m_ahead) == word;
   }
+  /// Consumes the next token; EndOfText for ever after the last.
   Token next();
   /// Consumes the next token if it is of this kind.
   bool accept(TokenKind kind);
+  /// Consumes the next token if it is this word.
   bool acceptWord(std::string_view word);
   /// The next token as the grammar of numerals cuts it, which may be longer: "0.5". Consumed.
   Token nextNumeral();
   [[nodiscard]] std::string_view text(const Token &token) const {
     return m_text.substr(token.span.begin, token.span.end - token.span.begin);
   }
-  /// The end of the token that was consumed last.
+  /// The end of the token that was consumed last, in bytes of the text.
   [[nodiscard]] std::uint32_t lastEnd() const { return m_lastEnd; }
 
 private:

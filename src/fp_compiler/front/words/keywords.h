@@ -27,12 +27,14 @@ enum class Keyword : std::uint8_t {
   Texture,
 };
 
+/// A reserved word, as classify() finds it.
 struct Word {
   Keyword keyword = Keyword::None;
   ir::Opcode op = ir::Opcode::Mov; ///< Keyword::Opcode
   bool saturate = false;           ///< Keyword::Opcode: written with _SAT
 };
 
+/// Which reserved word of \p language an identifier is: Keyword::None if it is none.
 /// Case-sensitive, as the grammar is. The languages reserve different words.
 [[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language);
 

@@ -62,7 +62,7 @@ constexpr std::string_view kNvFragment[] = {
     "NRM", "REP", "RET",  "TXL",   "SHORT", "LONG",  "FLOAT",   "INT"};
 
 // NV_vertex_program2_option's and NV_vertex_program3's; SIN, COS and the samples are of fragment
-// programs too and are reported as theirs.
+// programs too and are reported as words of those.
 constexpr std::string_view kNvVertex[] = {"ARA", "ARR",   "BRA",  "CAL", "RCC", "RET",
                                           "SEQ", "SFL",   "SGT",  "SLE", "SNE", "SSG",
                                           "STR", "PUSHA", "POPA", "TXL"};

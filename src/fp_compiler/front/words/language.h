@@ -25,7 +25,7 @@ struct ArbLanguage {
   ir::Trait foreign;           ///< the trait of the opcodes that it lacks
   DiagnosticId foreignId;      ///< a feature of the other language
   const char *foreignName;     ///< "vertex programs"
-  const char *nvOptions;       ///< the options whose words are refused as theirs
+  const char *nvOptions;       ///< what an NV word belongs to, in the error that refuses it
   bool saturates;              ///< _SAT
   bool colorLetters;           ///< r, g, b and a name components
   bool addresses;              ///< ADDRESS, ARL and relative operands

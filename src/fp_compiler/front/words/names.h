@@ -8,6 +8,7 @@
 
 namespace arbiter::fp {
 
+/// What the text does with a name where it stands.
 enum class Access : std::uint8_t { Declare, Read, Write };
 
 /// One place where a name stands.
@@ -28,14 +29,16 @@ struct Name {
 /// The table views the text, which must outlive it.
 class NameTable {
 public:
-  /// A name stands here; `kind` is looked at where it is declared.
+  /// Notes a use of a name; `kind` counts where it is declared.
   void add(std::string_view text, Span span, Access access, SymbolKind kind = SymbolKind::Unknown);
 
   [[nodiscard]] const std::vector<Name> &names() const { return m_names; }
   /// In text order.
   [[nodiscard]] const std::vector<NameUse> &uses() const { return m_uses; }
+  /// The name of that text; nullptr if there is none.
   [[nodiscard]] const Name *find(std::string_view text) const;
-  /// The use that the byte is in, or directly behind; nullptr if there is none.
+  /// The use that byte \p offset is in, or directly after; nullptr if there is none. Requires
+  /// sort().
   [[nodiscard]] const NameUse *at(std::uint32_t offset) const;
   /// Puts uses() in text order: a declaration is noted when its statement ends.
   void sort();

@@ -7,6 +7,7 @@ namespace arbiter::fp {
 /// A decimal <integer>; UINT32_MAX for every value from there on, which exceeds each limit.
 [[nodiscard]] std::uint32_t parseInteger(std::string_view digits);
 
+/// What a numeral comes to as a float.
 struct FloatValue {
   float value = 0;
   bool overflow = false; ///< beyond the largest finite float, which `value` then is

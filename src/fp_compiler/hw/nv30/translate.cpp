@@ -104,12 +104,12 @@ private:
     m_zeroAndOne |= constants;
     if (instruction.op == Opcode::Cmp)
       return;
-    const auto further = [&](File file) {
+    const auto beyondFirst = [&](File file) {
       const std::uint32_t registers = different(instruction, file);
       return registers > 1 ? registers - 1 : 0;
     };
-    alu(at, SlotCause::Attribute, further(File::Attribute));
-    alu(at, SlotCause::Constant, further(File::Parameter));
+    alu(at, SlotCause::Attribute, beyondFirst(File::Attribute));
+    alu(at, SlotCause::Constant, beyondFirst(File::Parameter));
   }
 
   void colorSum() {

@@ -144,7 +144,7 @@ Code compile(const ir::Program &program, const CompileOptions &options) {
   const std::size_t guess = program.code.size() * 3 + 16;
   flow.items.reserve(guess);
   flow.parent.reserve(guess);
-  flow.homes.reserve(guess);
+  flow.variables.reserve(guess);
   flow.versions.reserve(guess);
   lower(program, options, flow);
   prune(flow);

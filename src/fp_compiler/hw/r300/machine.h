@@ -8,7 +8,7 @@
 
 /// The Radeon 9700's fragment unit as data: what its program memory can say, and nothing else.
 /// Facts: Mesa 22.3.6's r300 driver and its register header. Register numbers may go beyond the
-/// chip's: a program that does not fit is still compiled, so that it can be told by how much.
+/// chip's: a program that does not fit is still compiled, so that overflows() can say by how much.
 namespace arbiter::fp::hw::r300 {
 
 inline constexpr std::uint16_t kNone = 0xFFFF;

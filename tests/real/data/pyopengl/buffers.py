@@ -84,7 +84,7 @@ def draw(frame, prepared):
     glClearColor(0.05, 0.1, 0.1, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     glEnable(GL_DEPTH_TEST)
-    look(frame)
+    set_view(frame)
     use(stripes, skin)
     bones(frame)
     glBindBufferARB(GL_ARRAY_BUFFER_ARB, names[0])

@@ -69,7 +69,7 @@ def scene(frame, image, program_name):
     glClearColor(0.1, 0.05, 0.2, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     glEnable(GL_DEPTH_TEST)
-    look(frame)
+    set_view(frame)
     use(program_name)
     glBindTexture(GL_TEXTURE_2D, image)
     for i in range(4):

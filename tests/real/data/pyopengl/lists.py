@@ -78,7 +78,7 @@ def draw(frame, first):
     glClearColor(0.1, 0.1, 0.15, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     glEnable(GL_DEPTH_TEST)
-    look(frame)
+    set_view(frame)
     glCallList(first + 3)
     glTranslatef(0, 0.9, 0)
     glCallList(first + 2)

@@ -49,7 +49,7 @@ def draw(frame, prepared):
     glClearColor(0.4, 0.5, 0.6, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)
     glEnable(GL_DEPTH_TEST)
-    look(frame)
+    set_view(frame)
     glColor3f(1, 1, 1)
     use(fogged)
     ground(rough)  # anisotropic

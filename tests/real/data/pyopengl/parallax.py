@@ -1,5 +1,5 @@
 """Textures whose level is chosen whole, looked up where heights of another one say: the level of each
-quad hangs on which of its rows is asked. Drawn to the window, and to a framebuffer object.
+quad depends on which of its rows is asked. Drawn to the window, and to a framebuffer object.
 """
 
 from OpenGL.GL.EXT.framebuffer_object import *
@@ -43,7 +43,7 @@ def shifted(frame, heights, colours, name):
     glBindTexture(GL_TEXTURE_2D, colours)
     glClearColor(0.2, 0.2, 0.2, 1)
     glClear(GL_COLOR_BUFFER_BIT)
-    look(0)
+    set_view(0)
     glRotatef(3.0 * frame, 0, 0, 1)
     use(name)
     square(-1.6, -1.2, 1.6, 1.2, 1.0)

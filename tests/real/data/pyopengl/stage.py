@@ -131,7 +131,7 @@ def square(left=-1.0, bottom=-1.0, right=1.0, top=1.0, depth=0.0, unit: int = GL
     glEnd()
 
 
-def look(frame: int, distance: float = 4.0) -> None:
+def set_view(frame: int, distance: float = 4.0) -> None:
     """A perspective view that turns by a fixed step a frame."""
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()

@@ -43,8 +43,8 @@ llvm::StringMap<bool> hostFeatures() {
   return features;
 }
 
-/// What instructions cost hangs on the name. Virtual machines make one up, so that LLVM takes a
-/// Sapphire Rapids for a desktop's processor; but what it can do it says.
+/// What instructions cost depends on the name. Virtual machines make one up, so that LLVM takes a
+/// Sapphire Rapids for a desktop's processor; but the features are the true ones.
 std::string hostName(const llvm::StringMap<bool> &features) {
   return features.lookup("avx512fp16") ? "sapphirerapids" : llvm::sys::getHostCPUName().str();
 }

@@ -44,7 +44,8 @@ void onNoMemory(void *, const char *, bool) {
 } // namespace
 
 FailureScope::FailureScope() {
-  // For good: who installs handlers later, be it the application, replaces ours and keeps its own.
+  // For good: who installs handlers later, be it the application, replaces the layer's and keeps
+  // its own.
   static std::once_flag s_once;
   std::call_once(s_once, [] {
     llvm::install_fatal_error_handler(onFatalError);

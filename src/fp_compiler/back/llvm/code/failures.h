@@ -3,10 +3,10 @@
 #include <memory>
 #include <stdexcept>
 
-/// LLVM ends the process where it cannot go on: an error that it has no other way to tell, memory
-/// that is not there. The layer may not do that to an application, so on a thread of ours these are
-/// exceptions while a FailureScope lives. LLVM is shared with the host's driver: on any other
-/// thread, and outside such scopes, what happens is what LLVM does without this.
+/// LLVM ends the process where it cannot go on: an error that it has no other way to report, memory
+/// that is not there. The layer may not do that to an application, so on a thread of the layer's
+/// these are exceptions while a FailureScope lives. LLVM is shared with the host's driver: on any
+/// other thread, and outside such scopes, what happens is what LLVM does without this.
 namespace arbiter::fp::llvm_back {
 
 /// A fatal error of LLVM's; what() is its message. For memory it is std::bad_alloc.

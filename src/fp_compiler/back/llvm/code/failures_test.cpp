@@ -1,4 +1,5 @@
-// What LLVM cannot go on after: on a thread of ours an exception, on any other what LLVM does.
+// What LLVM cannot go on after: on a thread of the layer's an exception, on any other what LLVM
+// does.
 #include "fp_compiler/back/llvm/code/failures.h"
 
 #include <csignal>

@@ -2,8 +2,8 @@
 #include "fp_compiler/abi.h"
 #include "fp_compiler/ir/ir.h"
 
-/// What machine code of a program costs to make, told from the program alone, so that a program
-/// that would keep a draw waiting is the host's at once and LLVM is never asked.
+/// What machine code of a program costs to make, estimated from the program alone, so that a
+/// program that would keep a draw waiting is the host's at once and LLVM is never asked.
 namespace arbiter::fp::llvm_back {
 
 /// More than this is not begun: a compilation cannot be interrupted, and a draw, a thread or the

@@ -1,4 +1,4 @@
-// What a program's machine code would cost is told before it is made.
+// What a program's machine code would cost is estimated before it is made.
 #include "fp_compiler/back/llvm/engine/budget.h"
 
 #include <chrono>

@@ -29,7 +29,7 @@ template <typename Function> struct LinkedCode final : jit::Code<Function> {
   std::unique_ptr<Linked> linked;
 };
 
-/// Nothing leaves the library as an exception; the containers of ours and LLVM's may run out of
+/// Nothing leaves the library as an exception; the layer's containers and LLVM's may run out of
 /// memory, and LLVM has errors that would end the process.
 template <typename Result, typename F> Result guarded(std::string &reason, F function) {
   if (hasFailed()) {
@@ -52,7 +52,7 @@ template <typename Result, typename F> Result guarded(std::string &reason, F fun
 }
 
 /// Which code makes objects: this library, and the LLVM that is mapped, of which a distribution may
-/// install a mended build without ours being built again. Empty if either cannot be told.
+/// install a mended build while this library stays. Empty if either is unknown.
 std::string makerOfObjects() {
   const auto *const inLlvm = reinterpret_cast<const void *>(&llvm::MemoryBuffer::getMemBufferCopy);
   const std::string own = buildId(), llvms = buildIdAt(inLlvm);

@@ -7,7 +7,8 @@
 
 namespace arbiter::fp::llvm_back {
 
-/// Null if this processor is of none of the families, or cannot run the one that is asked for.
+/// The engine that compiles programs for this process (jit.h). Null if this processor is of none of
+/// the families, or cannot run the one that is asked for.
 [[nodiscard]] std::unique_ptr<jit::Engine> makeEngine(const jit::EngineOptions &options);
 
 } // namespace arbiter::fp::llvm_back

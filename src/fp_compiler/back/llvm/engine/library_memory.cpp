@@ -25,7 +25,7 @@ int __real_posix_memalign(void **out, std::size_t alignment, std::size_t bytes);
 }
 
 namespace {
-/// How many bytes of a block of the process's can be read; 0 where only its maker could tell:
+/// How many bytes of a block of the process's can be read; 0 where only its maker knows:
 /// malloc is not of the library that answers this question.
 std::size_t sizeInProcess(void *block) {
   Dl_info maker, teller;

@@ -11,8 +11,8 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// What code of ours may call: what LLVM makes of long copies. Nothing of the process is looked up
-/// by name.
+/// What a program's code may call: what LLVM makes of long copies. Nothing of the process is looked
+/// up by name.
 class Resolver final : public llvm::LegacyJITSymbolResolver {
 public:
   llvm::JITSymbol findSymbol(const std::string &name) override {

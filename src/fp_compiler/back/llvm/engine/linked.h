@@ -12,7 +12,7 @@ namespace arbiter::fp::llvm_back {
 class Linked {
 public:
   /// \return null, with a reason, for what is no whole object of this machine, asks for a symbol
-  ///         that code of ours does not use, or lacks \p symbol
+  ///         that programs' code does not use, or lacks \p symbol
   static std::unique_ptr<Linked> link(llvm::MemoryBufferRef object, const char *symbol,
                                       std::string &reason);
 

@@ -128,7 +128,7 @@ private:
     Value *const primitive = m_function->getArg(1);
     Value *const raw = m_ir.CreateAlignedLoad(m_code.i32, itemPointer(number, sizeof(abi::Pixel)),
                                               llvm::Align(sizeof(abi::Pixel)));
-    // Quads that follow each other, to where the lanes of a block have theirs.
+    // Quads that follow each other, to the lanes of a block that their pixels have.
     const int width = m_code.cpu.blockWidth();
     llvm::SmallVector<int, 16> from;
     for (int lane = 0; lane < m_code.lanes; ++lane) {

@@ -8,7 +8,7 @@
 namespace arbiter::fp::llvm_back {
 
 namespace {
-/// What a register's component hangs on: a texel's byte, or one of these.
+/// What a register's component depends on: a texel's byte, or one of these.
 constexpr int kUniform = -1, kOther = -2;
 
 int joined(int a, int b) { return a == kUniform ? b : b == kUniform || a == b ? a : kOther; }

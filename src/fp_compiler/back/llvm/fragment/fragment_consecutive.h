@@ -16,9 +16,10 @@ inline constexpr double kLinearReach = 1.0 / 2048;
 /// wrapping, or as loads on both sides of the texture's edge. Given: the one sample is at hand.
 enum class SamplePath : std::uint8_t { General, Consecutive, Edge, Given };
 
+/// The samples of a program that may read consecutive texels, and whether they do in a span.
 class ConsecutiveSamples {
 public:
-  /// Written to the group's block, and to the item's.
+  /// Writes the decision to the group's block, and to the item's.
   /// \param number the item's place in the group, i32
   ConsecutiveSamples(Code &code, const jit::FragmentProgram &program, const abi::FragmentKey &key,
                      const Places &places, const AffineFlow &flow, const SpanGroup &spans,
@@ -33,6 +34,7 @@ public:
   /// count where there are none.
   [[nodiscard]] Value *begin() const { return m_begin; }
   [[nodiscard]] Value *end() const { return m_end; }
+  /// Whether the texture instruction \p index is one of them.
   [[nodiscard]] bool has(std::size_t index) const { return m_samples.contains(index); }
   /// For the texture instruction \p index: the texel of pixel \p column of the span, where none
   /// wraps.

@@ -30,13 +30,13 @@ public:
 
   /// The input of an attribute that an option wants, or nulls.
   [[nodiscard]] Vec input(ir::Attribute attribute, unsigned needed);
-  /// A sample of a row wanted a level of detail that hangs on more than an affine coordinate.
+  /// A sample of a row wanted a level of detail that depends on more than an affine coordinate.
   [[nodiscard]] bool refused() const { return m_refused; }
   [[nodiscard]] Value *alive() const { return m_alive; }
   [[nodiscard]] std::vector<PackedTexel> takeTexels() { return std::move(m_texels); }
 
 private:
-  /// The walk hands over instructions that it has narrowed, in order: where this one stands.
+  /// The walk passes instructions that it has narrowed, in order: the index of this one.
   [[nodiscard]] std::size_t nextTexture();
   /// What a coordinate changes by from a pixel to the next, of a row.
   void addDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key);

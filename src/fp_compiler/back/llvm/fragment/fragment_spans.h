@@ -8,13 +8,14 @@ namespace arbiter::fp::llvm_back {
 /// Vectors of the group's block, one lane a span.
 class SpanGroup {
 public:
-  /// Written to the group's block, which ends.
+  /// Writes the loads of the group's spans, and ends the group's block.
   /// \param items abi::Span; \param first number of the group's first one; \param count of all
   SpanGroup(Code &code, const Places &places, Value *items, Value *first, Value *count);
 
   /// Spans of a group: doubles of the widest vector.
   [[nodiscard]] unsigned size() const { return unsigned(m_code.lanes) / 2; }
-  [[nodiscard]] Value *x() const { return m_x; } ///< i32
+  /// The first pixels' window coordinates and the spans' lengths in pixels: i32 a lane.
+  [[nodiscard]] Value *x() const { return m_x; }
   [[nodiscard]] Value *y() const { return m_y; }
   [[nodiscard]] Value *count() const { return m_count; }
   /// A scalar of the entry's block, or a vector of the group's, as a vector.

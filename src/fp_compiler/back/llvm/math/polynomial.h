@@ -10,7 +10,8 @@ namespace arbiter::fp::llvm_back {
   return llvm::ConstantFP::get(like->getType(), value);
 }
 
-/// By Horner's rule; the coefficient of the lowest power stands first.
+/// The polynomial at \p x, by Horner's rule; the coefficient of the lowest power stands first.
+/// Requires at least one.
 template <typename Number>
 [[nodiscard]] Value *polynomial(Code &code, Value *x, std::span<const Number> coefficients) {
   Value *sum = constantLike(x, double(coefficients.back()));
@@ -19,7 +20,8 @@ template <typename Number>
   return sum;
 }
 
-/// Where a power is 1 whatever the polynomials say: x^0, and in Legacy 1^x.
+/// An i1 a lane: where a power is 1 whatever the polynomials say: x^0 and, with \p oneStaysOne (in
+/// Numerics::Legacy), 1^x.
 [[nodiscard]] inline Value *isOne(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
   Value *const byExponent = code.ir.CreateFCmpOEQ(exponent, code.splat(0.0f));
   if (!oneStaysOne)

@@ -5,7 +5,7 @@
 #include "fp_compiler/ir/ir.h"
 
 /// The planes of a primitive as values of the lanes. Row and Quad do the same steps in the same
-/// order, each rounded, so that a pixel's value does not hang on which of them draws it:
+/// order, each rounded, so that a pixel's value does not depend on which of them draws it:
 /// (c + dy * (y - originY)) + dx * (x - originX).
 namespace arbiter::fp::llvm_back {
 

@@ -103,14 +103,14 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
   Value *depthPass = yes;
   Value *depthBits = nullptr; ///< of the buffer's whole pixel, its stencil left out
   if (testsDepth()) {
-    Value *const mine = quantised(depth);
-    Value *theirs = old;
+    Value *const incoming = quantised(depth);
+    Value *stored = old;
     if (m_key.layout == abi::Layout::Depth32F)
-      theirs = ir.CreateBitCast(old, m_code.f32);
+      stored = ir.CreateBitCast(old, m_code.f32);
     else if (hasStencil)
-      theirs = ir.CreateLShr(old, m_code.splat(8));
-    depthPass = compared(m_code, m_key.depthCompare, mine, theirs);
-    depthBits = ir.CreateBitCast(mine, m_code.i32);
+      stored = ir.CreateLShr(old, m_code.splat(8));
+    depthPass = compared(m_code, m_key.depthCompare, incoming, stored);
+    depthBits = ir.CreateBitCast(incoming, m_code.i32);
     if (hasStencil)
       depthBits = ir.CreateShl(depthBits, m_code.splat(8));
   }

@@ -58,7 +58,7 @@ struct Listener final : llvm::DiagnosticHandler {
   std::string &text;
 };
 
-/// Code of ours is called by address: where the processor checks that such calls arrive at a
+/// A program's code is called by address: where the processor checks that such calls arrive at a
 /// landing pad, and returns where they came from, it stands the check.
 void setControlFlow(llvm::Module &module) {
 #if defined(__x86_64__)

@@ -57,10 +57,10 @@ Value *permuted(Code &code, Value *values, Value *index) {
 }
 
 /// Whether a gather costs hardly more than its loads, so that nothing is worth avoiding it: on
-/// Sapphire Rapids and later, which the feature tells better than a name that a virtual machine
-/// made up. Intel's earlier ones are slow since they were mended against data sampling, AMD's
-/// always were, and for a processor that it does not know as quick LLVM makes single loads of a
-/// gather.
+/// Sapphire Rapids and later, which the feature identifies better than a name that a virtual
+/// machine made up. Intel's earlier ones are slow since they were mended against data sampling,
+/// AMD's always were, and for a processor that it does not know as quick LLVM makes single loads of
+/// a gather.
 bool gathersQuickly(const Cpu &cpu) {
   return cpu.features.find("+avx512fp16") != std::string::npos;
 }
@@ -69,7 +69,7 @@ bool gathersQuickly(const Cpu &cpu) {
 struct Window {
   Value *base = nullptr; ///< i32: index of the first texel
   Value *lane = nullptr; ///< which of the window's texels is the lane's
-  Value *fits = nullptr; ///< lanes that have theirs in the window
+  Value *fits = nullptr; ///< lanes whose texel is in the window
 };
 
 /// Coordinates of a row mostly rise or fall, so the window begins at the first or the last lane's.
@@ -84,7 +84,7 @@ Window windowOf(Code &code, Value *index) {
 }
 
 /// The window's texels, in the lanes' order. Reads `lanes` texels from the first one: at most 60
-/// bytes behind the last row.
+/// bytes after the last row.
 Value *loadWindow(Code &code, const ImageCode &image, Value *base, Value *lane) {
   Value *const pointer = texelPointer(code, image, base);
   Value *const texels = code.ir.CreateAlignedLoad(code.i32, pointer, llvm::Align(1));
@@ -215,11 +215,11 @@ std::array<TexelPair, 2> fetchFootprint(Code &code, abi::Lanes lanes, const Imag
   const auto near = [&] {
     Pairs pairs;
     for (std::size_t line = 0; line < 2 && footprint.row[line]; ++line) {
-      // The second texels' window is one further: it ends 64 bytes behind the last row at most.
+      // The second texels' window is one further: it ends 64 bytes after the last row at most.
       const Window &window = windows[line];
-      Value *const behind = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
+      Value *const secondBase = code.ir.CreateAdd(window.base, code.ir.getInt32(1));
       pairs[line] = pairOf(code, loadWindow(code, image, window.base, window.lane),
-                           loadWindow(code, image, behind, window.lane));
+                           loadWindow(code, image, secondBase, window.lane));
     }
     return valuesOf(pairs);
   };

@@ -105,10 +105,10 @@ Steps stepsOf(Code &code, const ImageCode &image, const std::array<AxisTexels, 3
     // A product of integers is slow; the second step follows from the first.
     Value *const last =
         ir.CreateICmpEQ(axis.index[0], code.splat(ir.CreateSub(image.size[at], ir.getInt32(1))));
-    Value *const further = ir.CreateAdd(first, stride);
-    steps[at][1] = axis.next == AxisTexels::Next::Edge ? code.select(last, first, further)
+    Value *const second = ir.CreateAdd(first, stride);
+    steps[at][1] = axis.next == AxisTexels::Next::Edge ? code.select(last, first, second)
                    : axis.next == AxisTexels::Next::Repeat
-                       ? code.select(last, code.splat(0), further)
+                       ? code.select(last, code.splat(0), second)
                        : ir.CreateMul(axis.index[1], stride);
   }
   return steps;

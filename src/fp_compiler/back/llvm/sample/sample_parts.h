@@ -12,8 +12,9 @@ namespace arbiter::fp::llvm_back {
 [[nodiscard]] Value *constantField(Code &code, llvm::Type *type, Value *pointer,
                                    std::size_t offset);
 
-/// i1: whether any lane, or every lane, of a mask is set.
+/// One i1 for all lanes: whether any of \p mask (an i1 a lane) is set.
 [[nodiscard]] Value *anyLane(Code &code, Value *mask);
+/// One i1 for all lanes: whether every one of \p mask is set.
 [[nodiscard]] Value *allLanes(Code &code, Value *mask);
 
 /// One image as code sees it: scalars, the same for all lanes. Strides are in texels: an image's
@@ -24,11 +25,14 @@ struct ImageCode {
   std::array<Value *, 2> stride = {}; ///< i32: of a row, of a slice
   abi::Format format;
 };
-/// \param image i32: which of TextureView::levels
+/// Loads the fields of one image of a texture.
+/// \param view pointer to the abi::TextureView
+/// \param image i32, a scalar: which of TextureView::levels
+/// \param dimensions 1 to 3; sizes and strides of the others stay null
 [[nodiscard]] ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *image,
                                   int dimensions);
 
-/// Of the weights of texels of bytes.
+/// Fraction bits of the integer weights by which texels of bytes are filtered.
 inline constexpr int kWeightBits = 14;
 
 /// A dimension's texels: the one of a nearest filter, or the two neighbours of a linear one.
@@ -40,23 +44,23 @@ struct AxisTexels {
   /// Which texel the second one is, where that is known.
   enum class Next {
     Any,
-    Edge,   ///< the one behind the first; at the last texel that itself, without weight
-    Repeat, ///< the one behind the first; at the last texel the first of all
+    Edge,   ///< the one after the first; at the last texel that itself, without weight
+    Repeat, ///< the one after the first; at the last texel the first of all
   } next = Next::Any;
 };
-/// 3.8.7 and 3.8.8 of OpenGL 1.4.
-/// \param normalized the coordinate spans the image in [0,1]; else it is in texels (rectangles)
+/// How a dimension's coordinate becomes texels (OpenGL 1.4, 3.8.7 and 3.8.8).
 struct AxisKey {
   abi::Wrap wrap = abi::Wrap::Repeat;
-  bool normalized = true;
-  bool powerOfTwo = false;
+  bool normalized = true;  ///< the coordinate spans the image in [0,1]; else texels (rectangles)
+  bool powerOfTwo = false; ///< the size is known to be one: indices wrap by a mask
 };
+/// The texel that a nearest filter takes. \param size i32, of the dimension, in texels
 [[nodiscard]] AxisTexels nearestTexel(Code &code, const AxisKey &key, Value *coordinate,
                                       Value *size);
-/// \param weights integer weights instead of fractions
+/// The two texels that a linear filter takes. \param weights AxisTexels::weight is wanted too
 [[nodiscard]] AxisTexels linearTexels(Code &code, const AxisKey &key, Value *coordinate,
                                       Value *size, bool weights);
-/// Whether the border can be among a filter's texels.
+/// Whether the border colour can be among a filter's texels with this wrap mode.
 [[nodiscard]] bool reachesBorder(abi::Wrap wrap, bool linear);
 
 /// The 32-bit words of a texel: words[i] holds its bytes 4*i to 4*i+3, in memory's order. Bytes
@@ -64,11 +68,13 @@ struct AxisKey {
 using Words = std::array<Value *, 4>;
 /// Bit i: word i is needed for `needed` components of the swizzle.
 [[nodiscard]] unsigned wordsNeeded(const abi::Format &format, unsigned needed);
-/// decode() of words.
+/// decode() of texels that are there as words: components outside `needed` are null.
 [[nodiscard]] Vec decodeWords(Code &code, const abi::Format &format, const Words &words,
                               unsigned needed);
 
-/// One texel a lane. \param index i32, of the texel in the image
+/// One texel a lane, loaded by one vector where the lanes' texels are near each other.
+/// \param index i32 a lane, of the texel in the image, in texels from its base
+/// \param words the bits of wordsNeeded(); the other words are null
 [[nodiscard]] Words fetchTexels(Code &code, abi::Lanes lanes, const ImageCode &image, Value *index,
                                 unsigned words);
 /// Two neighbours of a row, of a format of 32 bits or less, as pairs of 16-bit halves: the first
@@ -86,11 +92,12 @@ struct TexelPair {
 /// A face of a cube map and the way to it: table 3.21.
 class CubeFace {
 public:
+  /// \param direction s, t, r of the lookup, of any length
   CubeFace(Code &code, const Vec &direction);
   [[nodiscard]] Value *face() const { return m_face; } ///< i32: 0 to 5
-  /// s and t on the face.
+  /// s and t on the face, in [0,1].
   [[nodiscard]] Vec coordinate() const;
-  /// How they change with the direction.
+  /// By how much s and t change where the direction changes by \p change.
   [[nodiscard]] Vec derivative(const std::array<Value *, 3> &change) const;
 
 private:
@@ -103,16 +110,18 @@ private:
   Value *m_inverse; ///< of the major axis's magnitude
 };
 
-/// Lambda, with biases and clamps (3.8.8): per lane, in levels. \param cube of a cube map
+/// Lambda, with biases and clamps (3.8.8): per lane, in levels from the base level.
+/// \param view pointer to the abi::TextureView; \param cube of a cube map, else null
 [[nodiscard]] Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
                                    Value *view, const SampleAt &at, const CubeFace *cube);
 
-/// Which levels a minified lookup reads, as levels in [0, levelCount).
+/// Which levels a minified lookup reads: i32 a lane, in [0, levelCount).
 struct LevelChoice {
   Value *first = nullptr;
   Value *second = nullptr;   ///< of a linear filter between levels, else null
   Value *fraction = nullptr; ///< weight of the second
 };
+/// The levels that a filter between levels reads at \p lambda (3.8.8).
 [[nodiscard]] LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view,
                                        Value *lambda);
 
@@ -135,20 +144,24 @@ struct Lookup {
 using Steps = std::array<std::array<Value *, 2>, 3>;
 [[nodiscard]] Steps stepsOf(Code &code, const ImageCode &image,
                             const std::array<AxisTexels, 3> &axes, int dimensions);
-/// With a shadow comparison the first component is its result.
+/// The nearest texel. With a shadow comparison the first component is its result, 0 or 1.
 [[nodiscard]] Texel filterNearest(Code &code, const Lookup &lookup);
+/// The mean of 2, 4 or 8 texels by their weights, after a shadow comparison of each.
 [[nodiscard]] Texel filterLinear(Code &code, const Lookup &lookup);
 /// The linear filter of texels of bytes, in integers; no texel is the border's.
 [[nodiscard]] Texel filterBytes(Code &code, const Lookup &lookup,
                                 const std::array<AxisTexels, 3> &axes);
 
-/// Control flow: the values of the branch that was taken. What one has not is not there afterwards.
+/// Control flow by a scalar i1: the values of the branch that was taken. Both give as many; one
+/// that is null in either is null afterwards.
 using Values = llvm::SmallVector<Value *, 5>;
 [[nodiscard]] Values eitherOf(Code &code, Value *condition, const std::function<Values()> &yes,
                               const std::function<Values()> &no);
 using Sampled = std::function<Texel()>;
+/// eitherOf() of the components of texels.
 [[nodiscard]] Texel either(Code &code, Value *condition, const Sampled &yes, const Sampled &no);
-/// Takes each image that lanes ask for in turn: mostly there is but one.
+/// A loop over the images that lanes ask for, each with \p sampled of its number (a scalar i32):
+/// mostly there is but one.
 /// \param image i32 a lane, safe in every lane
 /// \param mask lanes that count, or null
 [[nodiscard]] Texel forEachImage(Code &code, Value *image, Value *mask,

@@ -5,7 +5,7 @@
 #include "fp_compiler/hw/r300/machine.h"
 
 /// Whether a Code is one that the chip could be given, judged from the Code alone: nothing here
-/// knows how it came about, so that it can tell on the compiler.
+/// knows how it came about, so that it finds the compiler's faults too.
 namespace arbiter::fp::hw::r300 {
 
 /// What the hardware cannot do, one enumerator a rule.
@@ -43,7 +43,7 @@ struct Fault {
 };
 
 /// Everything in \p code that the chip cannot do. Programs that are too long for it are no fault:
-/// overflows() tells those.
+/// overflows() lists those.
 [[nodiscard]] std::vector<Fault> faults(const Code &code);
 /// The same, and what does not fit the program that it was made of: origins, attributes,
 /// parameters, the number of interpolators.

@@ -164,10 +164,10 @@ TEST(Legality, EachRuleTells) {
     Code code = sampleCode();
     mutation.change(code);
     const std::vector<Fault> found = faults(code, program);
-    bool told = false;
+    bool listed = false;
     for (const Fault &fault : found)
-      told |= fault.rule == mutation.rule && fault.text.find(mutation.says) != std::string::npos;
-    EXPECT_TRUE(told) << mutation.says << " is not among:\n" << listing(found);
+      listed |= fault.rule == mutation.rule && fault.text.find(mutation.says) != std::string::npos;
+    EXPECT_TRUE(listed) << mutation.says << " is not among:\n" << listing(found);
     seen.insert(mutation.rule);
   }
   EXPECT_EQ(int(seen.size()), kRuleCount) << "a rule without a test";

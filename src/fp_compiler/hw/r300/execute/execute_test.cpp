@@ -217,7 +217,7 @@ TEST(Execute, APairReadsBeforeItWrites) {
   EXPECT_EQ(execute(bench.code, bench.program, {}).outputs[0], (Vec4{1, 1, 1, 1}));
 }
 
-/// A texel that tells what it was asked for.
+/// A texel whose components say what was asked for.
 Vec4 asked(const ir::Sample &s) {
   return {s.coordinate[0], s.coordinate[1], s.coordinate[2], float(s.unit) + 100 * s.bias};
 }

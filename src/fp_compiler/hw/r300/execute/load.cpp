@@ -38,7 +38,7 @@ Vec4 clipPosition(const Vec4 &window) {
   return clip;
 }
 
-Vec4 ask(const ir::Parameter &parameter, const ir::Inputs &inputs) {
+Vec4 valueOfParameter(const ir::Parameter &parameter, const ir::Inputs &inputs) {
   if (parameter.kind == ir::ParameterKind::Constant)
     return parameter.constant;
   return inputs.parameter ? inputs.parameter(parameter) : Vec4{};
@@ -47,7 +47,7 @@ Vec4 ask(const ir::Parameter &parameter, const ir::Inputs &inputs) {
 Vec4 valueOf(const Constant &constant, const Surroundings &surroundings) {
   switch (constant.kind) {
   case Constant::Kind::Parameter:
-    return ask(surroundings.program.parameters[constant.index], surroundings.inputs);
+    return valueOfParameter(surroundings.program.parameters[constant.index], surroundings.inputs);
   case Constant::Kind::Value:
     return constant.value;
   case Constant::Kind::RectangleScale:
@@ -57,9 +57,9 @@ Vec4 valueOf(const Constant &constant, const Surroundings &surroundings) {
   case Constant::Kind::ViewportOffset:
     return kViewportOffset;
   case Constant::Kind::FogColor:
-    return ask(stateRow(ir::StateItem::FogColor), surroundings.inputs);
+    return valueOfParameter(stateRow(ir::StateItem::FogColor), surroundings.inputs);
   case Constant::Kind::FogFactors:
-    return fogFactors(ask(stateRow(ir::StateItem::FogParams), surroundings.inputs));
+    return fogFactors(valueOfParameter(stateRow(ir::StateItem::FogParams), surroundings.inputs));
   }
   return {};
 }

@@ -23,15 +23,15 @@ Ref absoluteOf(Ref ref) {
 }
 } // namespace
 
-Value Arithmetic::copied(std::uint8_t mask, const Value &value, const How &how) {
-  Value result = m_emit.copy(mask, value, how);
-  if (!how.clamp)
+Value Arithmetic::copied(std::uint8_t mask, const Value &value, const EmitOptions &options) {
+  Value result = m_emit.copy(mask, value, options);
+  if (!options.clamp)
     result.through = value.through;
   return result;
 }
 
 Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Value, 3> &s,
-                           const How &how) {
+                           const EmitOptions &options) {
   const Value one = literals(1.0f), none = literals(-0.0f);
   const std::span<const Value> all(s);
   switch (op) {
@@ -41,71 +41,71 @@ Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Va
       value.direct[c] = absoluteOf(value.direct[c]);
       value.through[c] = absoluteOf(value.through[c]);
     }
-    return copied(mask, value, how);
+    return copied(mask, value, options);
   }
   case ir::Opcode::Mov:
   case ir::Opcode::Swz:
-    return copied(mask, s[0], how);
+    return copied(mask, s[0], options);
   case ir::Opcode::Add:
-    return m_emit.mad(mask, s[0], one, s[1], how);
+    return m_emit.mad(mask, s[0], one, s[1], options);
   case ir::Opcode::Sub:
-    return m_emit.mad(mask, s[0], one, negated(s[1]), how);
+    return m_emit.mad(mask, s[0], one, negated(s[1]), options);
   case ir::Opcode::Mul:
-    return m_emit.mad(mask, s[0], s[1], none, how);
+    return m_emit.mad(mask, s[0], s[1], none, options);
   case ir::Opcode::Mad:
-    return m_emit.mad(mask, s[0], s[1], s[2], how);
+    return m_emit.mad(mask, s[0], s[1], s[2], options);
   case ir::Opcode::Lrp:
-    return m_emit.lerp(mask, s[0], s[1], s[2], how);
+    return m_emit.lerp(mask, s[0], s[1], s[2], options);
   case ir::Opcode::Cmp: {
     const std::array<Value, 3> operands = {s[2], s[1], s[0]};
-    return m_emit.componentwise(RgbOp::Cmp, AlphaOp::Cmp, mask, operands, how);
+    return m_emit.componentwise(RgbOp::Cmp, AlphaOp::Cmp, mask, operands, options);
   }
   case ir::Opcode::Min:
-    return m_emit.componentwise(RgbOp::Min, AlphaOp::Min, mask, all.first(2), how);
+    return m_emit.componentwise(RgbOp::Min, AlphaOp::Min, mask, all.first(2), options);
   case ir::Opcode::Max:
-    return m_emit.componentwise(RgbOp::Max, AlphaOp::Max, mask, all.first(2), how);
+    return m_emit.componentwise(RgbOp::Max, AlphaOp::Max, mask, all.first(2), options);
   case ir::Opcode::Frc:
-    return m_emit.componentwise(RgbOp::Frc, AlphaOp::Frc, mask, all.first(1), how);
+    return m_emit.componentwise(RgbOp::Frc, AlphaOp::Frc, mask, all.first(1), options);
   case ir::Opcode::Flr: {
     const Value rest = m_emit.componentwise(RgbOp::Frc, AlphaOp::Frc, mask, all.first(1), {});
-    return m_emit.mad(mask, s[0], one, negated(rest), how);
+    return m_emit.mad(mask, s[0], one, negated(rest), options);
   }
   case ir::Opcode::Sge:
-    return m_emit.compare(mask, s[0], s[1], 0.0f, 1.0f, how);
+    return m_emit.compare(mask, s[0], s[1], 0.0f, 1.0f, options);
   case ir::Opcode::Slt:
-    return m_emit.compare(mask, s[0], s[1], 1.0f, 0.0f, how);
+    return m_emit.compare(mask, s[0], s[1], 1.0f, 0.0f, options);
   case ir::Opcode::Dp3:
-    return m_emit.dot(RgbOp::Dp3, mask, s[0], s[1], how);
+    return m_emit.dot(RgbOp::Dp3, mask, s[0], s[1], options);
   case ir::Opcode::Dp4:
-    return m_emit.dot(RgbOp::Dp4, mask, s[0], s[1], how);
+    return m_emit.dot(RgbOp::Dp4, mask, s[0], s[1], options);
   case ir::Opcode::Dph: {
     Value first = s[0];
     first.direct[3] = first.through[3] = literal(1.0f);
-    return m_emit.dot(RgbOp::Dp4, mask, first, s[1], how);
+    return m_emit.dot(RgbOp::Dp4, mask, first, s[1], options);
   }
   case ir::Opcode::Ex2:
-    return m_emit.scalar(AlphaOp::Ex2, mask, s[0], how);
+    return m_emit.scalar(AlphaOp::Ex2, mask, s[0], options);
   case ir::Opcode::Lg2:
-    return m_emit.scalar(AlphaOp::Lg2, mask, s[0], how);
+    return m_emit.scalar(AlphaOp::Lg2, mask, s[0], options);
   case ir::Opcode::Rcp:
-    return m_emit.scalar(AlphaOp::Rcp, mask, s[0], how);
+    return m_emit.scalar(AlphaOp::Rcp, mask, s[0], options);
   case ir::Opcode::Rsq:
-    return m_emit.scalar(AlphaOp::Rsq, mask, s[0], how);
+    return m_emit.scalar(AlphaOp::Rsq, mask, s[0], options);
   case ir::Opcode::Pow: {
     const Value logarithm = m_emit.scalar(AlphaOp::Lg2, 8, s[0], {});
-    return m_emit.scalar(AlphaOp::Ex2, mask, m_emit.mad(8, logarithm, s[1], none, {}), how);
+    return m_emit.scalar(AlphaOp::Ex2, mask, m_emit.mad(8, logarithm, s[1], none, {}), options);
   }
   case ir::Opcode::Sin:
-    return turned(8, mask, s[0], literals(0.5f), how);
+    return turned(8, mask, s[0], literals(0.5f), options);
   case ir::Opcode::Cos:
-    return turned(8, mask, s[0], literals(0.75f), how);
+    return turned(8, mask, s[0], literals(0.75f), options);
   case ir::Opcode::Scs: {
     Value phase = literals(0.5f);
     phase.direct[0] = phase.through[0] = literal(0.75f);
     Value result;
     if (mask & 3)
-      result = turned(mask & 3, mask & 3, s[0], phase, how);
-    return with(result, mask & 12, literals(0.0f), how);
+      result = turned(mask & 3, mask & 3, s[0], phase, options);
+    return with(result, mask & 12, literals(0.0f), options);
   }
   case ir::Opcode::Xpd: {
     const auto rotated = [](const Value &value, bool left) {
@@ -120,20 +120,20 @@ Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Va
     Value result;
     if (const auto rgb = std::uint8_t(mask & 7)) {
       const Value second = m_emit.mad(rgb, rotated(s[0], false), rotated(s[1], true), none, {});
-      result = m_emit.mad(rgb, rotated(s[0], true), rotated(s[1], false), negated(second), how);
+      result = m_emit.mad(rgb, rotated(s[0], true), rotated(s[1], false), negated(second), options);
     }
-    return with(result, mask & 8, literals(0.0f), how);
+    return with(result, mask & 8, literals(0.0f), options);
   }
   case ir::Opcode::Dst: {
     Value result;
     if (mask & 2)
-      result = m_emit.mad(2, s[0], s[1], none, how);
-    result = with(result, mask & 4, s[0], how);
-    result = with(result, mask & 8, s[1], how);
-    return with(result, mask & 1, one, how);
+      result = m_emit.mad(2, s[0], s[1], none, options);
+    result = with(result, mask & 4, s[0], options);
+    result = with(result, mask & 8, s[1], options);
+    return with(result, mask & 1, one, options);
   }
   case ir::Opcode::Lit:
-    return lit(mask, s[0], how);
+    return lit(mask, s[0], options);
   case ir::Opcode::Tex:
   case ir::Opcode::Txp:
   case ir::Opcode::Txb:
@@ -147,10 +147,10 @@ Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Va
 }
 
 /// \p result with a copy of \p value in \p mask.
-Value Arithmetic::with(Value result, int mask, const Value &value, const How &how) {
+Value Arithmetic::with(Value result, int mask, const Value &value, const EmitOptions &options) {
   if (mask == 0)
     return result;
-  const Value copy = copied(std::uint8_t(mask), value, how);
+  const Value copy = copied(std::uint8_t(mask), value, options);
   for (std::size_t c = 0; c < 4; ++c)
     if (mask >> c & 1) {
       result.direct[c] = copy.direct[c];
@@ -162,7 +162,7 @@ Value Arithmetic::with(Value result, int mask, const Value &value, const How &ho
 /// sin(2 pi (x / 2 pi + phase - 1/2)): FRC brings the angle into one turn, one parabola is within
 /// 0.06 of the sine, a second one mends it. \p work: components that it is computed in.
 Value Arithmetic::turned(std::uint8_t work, std::uint8_t mask, const Value &x, const Value &phase,
-                         const How &how) {
+                         const EmitOptions &options) {
   const Value turn = m_emit.mad(work, x, literals(kInverseTurn), phase, {});
   const Value f =
       m_emit.componentwise(RgbOp::Frc, AlphaOp::Frc, work, std::span<const Value>(&turn, 1), {});
@@ -175,10 +175,10 @@ Value Arithmetic::turned(std::uint8_t work, std::uint8_t mask, const Value &x, c
     s = broadcast(s, 3);
     bend = broadcast(bend, 3);
   }
-  return m_emit.mad(mask, bend, literals(kSharpness), s, how);
+  return m_emit.mad(mask, bend, literals(kSharpness), s, options);
 }
 
-Value Arithmetic::lit(std::uint8_t mask, const Value &s, const How &how) {
+Value Arithmetic::lit(std::uint8_t mask, const Value &s, const EmitOptions &options) {
   const Value zero = literals(0.0f), x = broadcast(s, 0);
   Value result;
   if (mask & 4) {
@@ -192,15 +192,15 @@ Value Arithmetic::lit(std::uint8_t mask, const Value &s, const How &how) {
     const Value product = m_emit.mad(8, logarithm, broadcast(exponent, 0), literals(-0.0f), {});
     const Value power = m_emit.scalar(AlphaOp::Ex2, 8, product, {});
     const std::array<Value, 3> choice = {zero, broadcast(power, 3), negated(x)};
-    const Value z = m_emit.componentwise(RgbOp::Cmp, AlphaOp::Cmp, 4, choice, how);
+    const Value z = m_emit.componentwise(RgbOp::Cmp, AlphaOp::Cmp, 4, choice, options);
     result.direct[2] = result.through[2] = z.direct[2];
   }
   if (mask & 2) {
     const std::array<Value, 2> diffuse = {x, zero};
-    const Value y = m_emit.componentwise(RgbOp::Max, AlphaOp::Max, 2, diffuse, how);
+    const Value y = m_emit.componentwise(RgbOp::Max, AlphaOp::Max, 2, diffuse, options);
     result.direct[1] = result.through[1] = y.direct[1];
   }
-  return with(result, mask & 9, literals(1.0f), how);
+  return with(result, mask & 9, literals(1.0f), options);
 }
 
 } // namespace arbiter::fp::hw::r300

@@ -9,15 +9,16 @@ public:
   explicit Arithmetic(Emitter &emit) : m_emit(emit) {}
 
   /// Requires: \p op is neither Texture nor Kills.
-  Value computed(ir::Opcode op, std::uint8_t mask, const std::array<Value, 3> &s, const How &how);
+  Value computed(ir::Opcode op, std::uint8_t mask, const std::array<Value, 3> &s,
+                 const EmitOptions &options);
   /// A copy: written, and readable behind.
-  Value copied(std::uint8_t mask, const Value &value, const How &how);
+  Value copied(std::uint8_t mask, const Value &value, const EmitOptions &options);
 
 private:
-  Value with(Value result, int mask, const Value &value, const How &how);
+  Value with(Value result, int mask, const Value &value, const EmitOptions &options);
   Value turned(std::uint8_t work, std::uint8_t mask, const Value &x, const Value &phase,
-               const How &how);
-  Value lit(std::uint8_t mask, const Value &s, const How &how);
+               const EmitOptions &options);
+  Value lit(std::uint8_t mask, const Value &s, const EmitOptions &options);
 
   Emitter &m_emit;
 };

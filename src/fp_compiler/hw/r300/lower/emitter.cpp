@@ -42,30 +42,30 @@ Value broadcast(const Value &value, std::size_t component) {
   return result;
 }
 
-void Emitter::begin(std::uint16_t origin, Home home) {
+void Emitter::begin(std::uint16_t origin, Variable destination) {
   m_origin = origin;
-  m_home = home;
-  m_ownHome = false;
+  m_destination = destination;
+  m_renamed = false;
   m_written = 0;
   m_pieces.clear();
 }
 
-void Emitter::set(Home home, std::uint8_t mask, const Value &value, bool once) {
-  m_current[home].once = once;
+void Emitter::set(Variable variable, std::uint8_t mask, const Value &value, bool once) {
+  m_current[variable].once = once;
   for (std::size_t c = 0; c < 4; ++c)
     if (mask >> c & 1) {
-      m_current[home].direct[c] = value.direct[c];
-      m_current[home].through[c] = value.through[c];
+      m_current[variable].direct[c] = value.direct[c];
+      m_current[variable].through[c] = value.through[c];
     }
 }
 
-Item Emitter::like(RgbOp rgb, AlphaOp alpha, const How &how) const {
+Item Emitter::like(RgbOp rgb, AlphaOp alpha, const EmitOptions &options) const {
   Item item;
   item.rgb = rgb;
   item.alpha = alpha;
-  item.clamp = how.clamp;
-  item.modifier = how.modifier;
-  item.cause = how.cause;
+  item.clamp = options.clamp;
+  item.modifier = options.modifier;
+  item.cause = options.cause;
   item.origin = m_origin;
   return item;
 }
@@ -237,7 +237,7 @@ std::uint32_t Emitter::phases(std::span<const Value> operands, std::uint8_t comp
 std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t components,
                              std::array<std::uint8_t, 3> &parts) {
   const std::uint32_t count = phases(operands, components, parts);
-  std::array<Value, 3> behind;
+  std::array<Value, 3> throughCopies;
   bool once = false, differ = false;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     once |= operands[i].once;
@@ -246,10 +246,10 @@ std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t compo
   if (!differ || count == 3 || std::popcount(components) < 2)
     return count;
   for (std::size_t i = 0; i < operands.size(); ++i)
-    behind[i] = valueOf(operands[i].through);
+    throughCopies[i] = valueOf(operands[i].through);
   std::array<std::uint8_t, 3> others;
   const std::uint32_t through =
-      phases(std::span<const Value>(behind).first(operands.size()), components, others);
+      phases(std::span<const Value>(throughCopies).first(operands.size()), components, others);
   if (through > count + (once ? 1u : 0u))
     return count;
   parts = others;
@@ -257,7 +257,7 @@ std::uint32_t Emitter::split(std::span<const Value> operands, std::uint8_t compo
 }
 
 void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
-                       bool home, Value &result) {
+                       bool toDestination, Value &result) {
   Item item = like;
   item.kind = Item::Kind::Rgb;
   item.alpha = AlphaOp::None;
@@ -268,47 +268,47 @@ void Emitter::rgbPhase(const Item &like, std::uint8_t components, std::span<cons
       assert(!std::has_single_bit(components));
       for (std::uint8_t bit = 1; bit < 8; bit = std::uint8_t(bit << 1))
         if (components & bit)
-          rgbPhase(like, bit, operands, home, result);
+          rgbPhase(like, bit, operands, toDestination, result);
       return;
     }
-  const ItemId id = add(item, components, home);
+  const ItemId id = add(item, components, toDestination);
   for (std::uint8_t c = 0; c < 3; ++c)
     if (components >> c & 1)
       result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
 }
 
-void Emitter::alphaPart(const Item &like, std::span<const Value> operands, bool home,
+void Emitter::alphaPart(const Item &like, std::span<const Value> operands, bool toDestination,
                         Value &result) {
   Item item = like;
   item.kind = Item::Kind::Alpha;
   item.rgb = RgbOp::None;
   for (std::size_t i = 0; i < operands.size(); ++i)
     takeAlpha(operands[i], 3, item.alphaArguments[i]);
-  result.direct[3] = {Ref::Kind::Item, 3, false, false, add(item, 8, home), 0.0f};
+  result.direct[3] = {Ref::Kind::Item, 3, false, false, add(item, 8, toDestination), 0.0f};
 }
 
 Value Emitter::componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask,
-                             std::span<const Value> operands, const How &how) {
+                             std::span<const Value> operands, const EmitOptions &options) {
   Value result;
-  const Item item = like(rgb, alpha, how);
+  const Item item = like(rgb, alpha, options);
   std::array<std::uint8_t, 3> parts;
   const std::uint32_t count = split(operands, mask & 7, parts);
   for (std::uint32_t i = 0; i < count; ++i) {
     Item part = item;
     if (i > 0 && part.cause == Cause::Instruction)
       part.cause = Cause::Swizzle;
-    rgbPhase(part, parts[i], operands, how.home, result);
+    rgbPhase(part, parts[i], operands, options.toDestination, result);
   }
   if (mask & 8)
-    alphaPart(item, operands, how.home, result);
+    alphaPart(item, operands, options.toDestination, result);
   result.through = result.direct;
   return result;
 }
 
-Value Emitter::replicated(Item item, std::uint8_t mask, bool home) {
+Value Emitter::replicated(Item item, std::uint8_t mask, bool toDestination) {
   item.replicated = true;
   item.kind = Item::Kind::Both;
-  const ItemId id = add(item, mask, home);
+  const ItemId id = add(item, mask, toDestination);
   Value result;
   for (std::uint8_t c = 0; c < 4; ++c)
     result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
@@ -316,10 +316,11 @@ Value Emitter::replicated(Item item, std::uint8_t mask, bool home) {
   return result;
 }
 
-Value Emitter::scalar(AlphaOp op, std::uint8_t mask, const Value &operand, const How &how) {
-  Item item = like(RgbOp::ReplAlpha, op, how);
+Value Emitter::scalar(AlphaOp op, std::uint8_t mask, const Value &operand,
+                      const EmitOptions &options) {
+  Item item = like(RgbOp::ReplAlpha, op, options);
   takeAlpha(operand, 3, item.alphaArguments[0]);
-  Value result = replicated(item, mask, how.home);
+  Value result = replicated(item, mask, options.toDestination);
   // In w alone it leaves the RGB half to others.
   result.through.fill(result.direct[3]);
   return result;

@@ -22,9 +22,9 @@ struct Value {
 /// Component \p component in all four.
 [[nodiscard]] Value broadcast(const Value &value, std::size_t component);
 
-/// Of a result, beside the operation.
-struct How {
-  bool home = false; ///< goes to the instruction's destination, not to something of its own
+/// What a result is emitted with, beside its operation.
+struct EmitOptions {
+  bool toDestination = false; ///< to the instruction's destination; else to a fresh variable
   bool clamp = false;
   Modifier modifier = Modifier::One;
   Cause cause = Cause::Instruction;
@@ -34,41 +34,44 @@ class Emitter {
 public:
   Emitter(const ir::Program &program, std::size_t registers, Flow &flow)
       : m_flow(flow), m_rows(program, flow.rows), m_current(registers),
-        m_nextHome(Home(registers)) {}
+        m_nextVariable(Variable(registers)) {}
 
   [[nodiscard]] Rows &rows() { return m_rows; }
 
-  /// What follows is of instruction \p origin, whose destination is \p home.
-  void begin(std::uint16_t origin, Home home);
+  /// What follows is of instruction \p origin, which writes \p destination.
+  void begin(std::uint16_t origin, Variable destination);
   [[nodiscard]] std::uint16_t origin() const { return m_origin; }
 
-  /// Register \p home as it is now.
-  [[nodiscard]] const Value &current(Home home) const { return m_current[home]; }
+  /// The current version of \p variable.
+  [[nodiscard]] const Value &current(Variable variable) const { return m_current[variable]; }
   /// \p once: see Value; of the components as a whole.
-  void set(Home home, std::uint8_t mask, const Value &value, bool once = false);
+  void set(Variable variable, std::uint8_t mask, const Value &value, bool once = false);
   /// False where the value's register has been written since and must be one with what is there
   /// now.
   [[nodiscard]] bool readable(const Ref &ref);
 
   /// An operation of both units, component by component. RGB and alpha are operations apart.
   Value componentwise(RgbOp rgb, AlphaOp alpha, std::uint8_t mask, std::span<const Value> operands,
-                      const How &how);
+                      const EmitOptions &options);
   /// a*b + c; the form of copies, sums and products too.
-  Value mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c, const How &how);
-  Value copy(std::uint8_t mask, const Value &value, const How &how);
+  Value mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+            const EmitOptions &options);
+  Value copy(std::uint8_t mask, const Value &value, const EmitOptions &options);
   /// Of Ex2, Lg2, Rcp, Rsq: reads component w of \p operand.
-  Value scalar(AlphaOp op, std::uint8_t mask, const Value &operand, const How &how);
-  Value dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, const How &how);
+  Value scalar(AlphaOp op, std::uint8_t mask, const Value &operand, const EmitOptions &options);
+  Value dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b,
+            const EmitOptions &options);
   /// x - y < 0 ? below : notBelow, of two numbers 0 or 1.
   Value compare(std::uint8_t mask, const Value &x, const Value &y, float below, float notBelow,
-                const How &how);
+                const EmitOptions &options);
   /// a*b + (1-a)*c
-  Value lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c, const How &how);
+  Value lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+             const EmitOptions &options);
   /// 4*(u - u|u|) of u = 2f - 1: a parabola that is near sin(pi*u).
-  Value arch(std::uint8_t mask, const Value &f, const How &how);
+  Value arch(std::uint8_t mask, const Value &f, const EmitOptions &options);
   /// All of the result's components; those outside of \p mask are not the program's.
   Refs texture(TexOp op, const ir::Instruction &instruction, std::uint8_t coordinates,
-               const Value &coordinate, std::uint8_t mask, bool home);
+               const Value &coordinate, std::uint8_t mask, bool toDestination);
   Refs interpolant(std::uint16_t attribute);
 
 private:
@@ -78,9 +81,9 @@ private:
   bool takeAlpha(const Ref &ref, FlowArgument &argument);
   void takeAlpha(const Value &value, std::size_t component, FlowArgument &argument);
   bool join(std::span<const Ref> refs, bool commit);
-  void merge(std::span<const Ref> refs, ItemId root, const std::array<Home, 4> &homes);
+  void merge(std::span<const Ref> refs, ItemId root, const std::array<Variable, 4> &variables);
   [[nodiscard]] bool isCurrent(const Ref &ref) const;
-  bool rehome(std::span<const Ref> refs, const Ref &ref, bool commit);
+  bool splitOff(std::span<const Ref> refs, const Ref &ref, bool commit);
 
   bool feasible(std::span<const Value> operands, std::uint8_t components);
   std::uint32_t phases(std::span<const Value> operands, std::uint8_t components,
@@ -88,8 +91,9 @@ private:
   std::uint32_t split(std::span<const Value> operands, std::uint8_t components,
                       std::array<std::uint8_t, 3> &parts);
   void rgbPhase(const Item &like, std::uint8_t components, std::span<const Value> operands,
-                bool home, Value &result);
-  void alphaPart(const Item &like, std::span<const Value> operands, bool home, Value &result);
+                bool toDestination, Value &result);
+  void alphaPart(const Item &like, std::span<const Value> operands, bool toDestination,
+                 Value &result);
   bool literalLike(const Refs &refs, std::uint8_t components, const FlowArgument &like,
                    FlowArgument &argument);
   bool difference(const Value &x, const Value &y, std::uint8_t components, Item &item,
@@ -97,27 +101,28 @@ private:
   bool differenceOf(const Refs &x, const Refs &y, std::uint8_t components, Item &item,
                     FlowArgument &argument);
   Value compareHalf(std::uint8_t mask, const Value &x, const Value &y, float below, float notBelow,
-                    const How &how);
-  Value lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const Value &c, const How &how);
+                    const EmitOptions &options);
+  Value lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
+                 const EmitOptions &options);
   bool dotArguments(Item &item, const Refs &a, const Refs &b, bool commit);
-  Value dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b, bool home);
-  Value dotResult(const Item &item, std::uint8_t mask, bool home);
-  Value replicated(Item item, std::uint8_t mask, bool home);
+  Value dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b, bool toDestination);
+  Value dotResult(const Item &item, std::uint8_t mask, bool toDestination);
+  Value replicated(Item item, std::uint8_t mask, bool toDestination);
 
   bool spread(const Ref &scalar, std::uint8_t components, Refs &result);
   Refs plainCoordinate(std::uint8_t components, const Value &value);
 
-  [[nodiscard]] Item like(RgbOp rgb, AlphaOp alpha, const How &how) const;
-  ItemId add(Item item, std::uint8_t mask, bool home);
+  [[nodiscard]] Item like(RgbOp rgb, AlphaOp alpha, const EmitOptions &options) const;
+  ItemId add(Item item, std::uint8_t mask, bool toDestination);
   void avoidHazard(const Item &item);
 
   Flow &m_flow;
   Rows m_rows;
   std::vector<Value> m_current;
-  Home m_nextHome;
+  Variable m_nextVariable;
   std::uint16_t m_origin = kNone;
-  Home m_home = kNoHome;
-  bool m_ownHome = false;       ///< the destination's old value is still to be read
+  Variable m_destination = kNoVariable;
+  bool m_renamed = false;       ///< into fresh variables: the destination's old value is still read
   std::uint8_t m_written = 0;   ///< components of the destination, by this instruction
   std::vector<ItemId> m_pieces; ///< that wrote them
 };

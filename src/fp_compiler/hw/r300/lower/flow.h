@@ -13,8 +13,10 @@ namespace arbiter::fp::hw::r300 {
 
 using ItemId = std::uint32_t;
 inline constexpr ItemId kNoItem = 0xFFFFFFFF;
-using Home = std::uint32_t;
-inline constexpr Home kNoHome = 0xFFFFFFFF;
+/// What items write versions of, a component each: a temporary or an output of the program, or a
+/// fresh one. Numbered: temporaries, outputs, fresh ones.
+using Variable = std::uint32_t;
+inline constexpr Variable kNoVariable = 0xFFFFFFFF;
 
 /// One component of a value that can be read.
 struct Ref {
@@ -68,10 +70,9 @@ struct Item {
   std::uint8_t unit = 0;
   ir::TexTarget target = ir::TexTarget::Tex2D;
   std::uint16_t attribute = 0; ///< Interpolant
-  /// What each component is a version of: a register of the program, or something of its own. In a
-  /// web the versions of a component are all of one home, so that the order of the list is right
-  /// for it.
-  std::array<Home, 4> home = {kNoHome, kNoHome, kNoHome, kNoHome};
+  /// What each component is a version of. In a web the versions of a component are all of one
+  /// variable, so that the order of the list is right for it.
+  std::array<Variable, 4> variables = {kNoVariable, kNoVariable, kNoVariable, kNoVariable};
 
   [[nodiscard]] bool isAlu() const { return kind >= Kind::Rgb; }
   /// Components that count once dead ones are gone.
@@ -89,8 +90,8 @@ struct Row {
 struct Flow {
   std::vector<Item> items;
   std::vector<Row> rows;
-  std::vector<ItemId> parent;             ///< of each item: the webs' forest
-  std::vector<std::array<Home, 4>> homes; ///< of each web's root
+  std::vector<ItemId> parent;                     ///< of each item: the webs' forest
+  std::vector<std::array<Variable, 4>> variables; ///< of each web's root
   /// How many items of a web write each component, by its root; many are 255.
   std::vector<std::array<std::uint8_t, 4>> versions;
 

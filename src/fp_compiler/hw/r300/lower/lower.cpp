@@ -28,8 +28,8 @@ public:
   }
 
 private:
-  [[nodiscard]] Home homeOf(const ir::Destination &dst) const {
-    return dst.file == ir::File::Output ? Home(m_program.temporaries.size()) + dst.index
+  [[nodiscard]] Variable variableOf(const ir::Destination &dst) const {
+    return dst.file == ir::File::Output ? Variable(m_program.temporaries.size()) + dst.index
                                         : dst.index;
   }
   [[nodiscard]] bool isDepth(const ir::Destination &dst) const {
@@ -47,21 +47,21 @@ private:
       ir::Instruction instruction = m_program.code[at];
       const ir::OpInfo &row = ir::info(instruction.op);
       if (!row.has(ir::Kills)) {
-        std::uint8_t &home = live[homeOf(instruction.dst)];
-        instruction.dst.mask &= home;
+        std::uint8_t &liveMask = live[variableOf(instruction.dst)];
+        instruction.dst.mask &= liveMask;
         m_masks[at] = instruction.dst.mask;
         if (instruction.dst.mask == 0)
           continue;
-        home &= std::uint8_t(~instruction.dst.mask);
-        std::uint8_t &count = readers[homeOf(instruction.dst)];
+        liveMask &= std::uint8_t(~instruction.dst.mask);
+        std::uint8_t &count = readers[variableOf(instruction.dst)];
         m_once[at] = count == 1;
-        count = home == 0 ? std::uint8_t(0) : count;
+        count = liveMask == 0 ? std::uint8_t(0) : count;
       }
       for (int i = 0; i < row.operandCount(); ++i)
         if (instruction.src[std::size_t(i)].file == ir::File::Temporary) {
-          const std::size_t home = instruction.src[std::size_t(i)].index;
-          live[home] |= ir::registerMask(instruction, i);
-          readers[home] = std::uint8_t(std::min(readers[home] + 1, 2));
+          const std::size_t variable = instruction.src[std::size_t(i)].index;
+          live[variable] |= ir::registerMask(instruction, i);
+          readers[variable] = std::uint8_t(std::min(readers[variable] + 1, 2));
         }
     }
   }
@@ -69,8 +69,8 @@ private:
     const ir::Instruction &instruction = m_program.code[at];
     const ir::OpInfo &row = ir::info(instruction.op);
     const bool kills = row.has(ir::Kills);
-    const Home home = kills ? kNoHome : homeOf(instruction.dst);
-    m_emit.begin(std::uint16_t(at), home);
+    const Variable destination = kills ? kNoVariable : variableOf(instruction.dst);
+    m_emit.begin(std::uint16_t(at), destination);
     std::array<Value, 3> operands;
     for (int i = 0; i < row.operandCount(); ++i)
       operands[std::size_t(i)] = m_operands.read(instruction.src[std::size_t(i)]);
@@ -78,47 +78,48 @@ private:
       (void)m_emit.texture(TexOp::Kill, instruction, 0xF, operands[0], 0, false);
       return;
     }
-    How how;
-    how.home = true;
-    how.clamp = instruction.dst.saturate;
+    EmitOptions options;
+    options.toDestination = true;
+    options.clamp = instruction.dst.saturate;
     std::uint8_t mask = m_masks[at];
     if (isDepth(instruction.dst)) {
-      depth(instruction, operands, how);
+      depth(instruction, operands, options);
       return;
     }
     const Value result = row.has(ir::Texture)
-                             ? sampled(instruction, mask, operands[0], how)
-                             : m_arithmetic.computed(instruction.op, mask, operands, how);
-    m_emit.set(home, mask, result, m_once[at]);
+                             ? sampled(instruction, mask, operands[0], options)
+                             : m_arithmetic.computed(instruction.op, mask, operands, options);
+    m_emit.set(destination, mask, result, m_once[at]);
   }
 
   /// The alpha half writes depth: what is computed for z is computed in w.
-  void depth(const ir::Instruction &instruction, std::array<Value, 3> &operands, const How &how) {
+  void depth(const ir::Instruction &instruction, std::array<Value, 3> &operands,
+             const EmitOptions &options) {
     const ir::OpInfo &row = ir::info(instruction.op);
     Value result;
     if (row.has(ir::PerComponent) || row.has(ir::Replicates)) {
       if (row.has(ir::PerComponent))
         for (Value &operand : operands)
           operand = broadcast(operand, 2);
-      result = m_arithmetic.computed(instruction.op, 8, operands, how);
+      result = m_arithmetic.computed(instruction.op, 8, operands, options);
     } else {
-      How own;
+      EmitOptions own;
       const Value whole = row.has(ir::Texture)
                               ? sampled(instruction, 4, operands[0], own)
                               : m_arithmetic.computed(instruction.op, 4, operands, own);
-      result = m_arithmetic.copied(8, broadcast(whole, 2), how);
+      result = m_arithmetic.copied(8, broadcast(whole, 2), options);
     }
-    m_emit.set(homeOf(instruction.dst), 8, result);
+    m_emit.set(variableOf(instruction.dst), 8, result);
   }
 
   Value sampled(const ir::Instruction &instruction, std::uint8_t mask, const Value &operand,
-                const How &how) {
+                const EmitOptions &options) {
     ir::Instruction trimmed = instruction;
     trimmed.dst.mask = mask;
     const std::uint8_t coordinates = ir::operandMask(trimmed, 0);
     const bool rectangle = instruction.target == ir::TexTarget::Rect ||
                            instruction.target == ir::TexTarget::ShadowRect;
-    How own;
+    EmitOptions own;
     Value coordinate = operand;
     if (rectangle && m_options.scaleRectangles) {
       own.cause = Cause::Rectangle;
@@ -130,13 +131,13 @@ private:
                      : instruction.op == ir::Opcode::Txb ? TexOp::Bias
                                                          : TexOp::Load;
     const bool shadow = ir::isShadow(instruction.target);
-    const bool plain =
-        !shadow && how.home && !how.clamp && instruction.dst.file == ir::File::Temporary;
+    const bool plain = !shadow && options.toDestination && !options.clamp &&
+                       instruction.dst.file == ir::File::Temporary;
     const Refs texel = m_emit.texture(op, instruction, coordinates, coordinate,
                                       std::uint8_t(plain ? mask : 0), plain);
     if (plain)
       return valueOf(texel);
-    How last = how;
+    EmitOptions last = options;
     last.cause = Cause::TextureResult;
     if (!shadow)
       return m_arithmetic.copied(mask, valueOf(texel), last);
@@ -146,7 +147,7 @@ private:
 
   /// Whether the reference is within the depth that was sampled: 1 or 0, in z.
   Value withinDepth(const Refs &texel, const Value &coordinate, TexOp op) {
-    How own;
+    EmitOptions own;
     own.cause = Cause::TextureResult;
     Value reference = coordinate;
     if (op == TexOp::Project)

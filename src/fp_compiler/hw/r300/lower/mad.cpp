@@ -37,15 +37,15 @@ bool scaleOf(const Value &value, std::uint8_t mask, float &factor) {
 } // namespace
 
 Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
-                   const How &how) {
+                   const EmitOptions &options) {
   Value result;
   for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
     if (half == 0)
       continue;
     std::array<Value, 3> operands = {a, b, c};
-    How mine = how;
+    EmitOptions mine = options;
     float factor = 1.0f;
-    if (how.modifier == Modifier::One && isLiteral(c.through, half, 0.0f))
+    if (options.modifier == Modifier::One && isLiteral(c.through, half, 0.0f))
       for (std::size_t i = 0; i < 2; ++i)
         if (mine.modifier == Modifier::One && scaleOf(operands[i], half, factor)) {
           (void)modifierOf(factor, mine.modifier);
@@ -60,9 +60,9 @@ Value Emitter::mad(std::uint8_t mask, const Value &a, const Value &b, const Valu
   return result;
 }
 
-Value Emitter::copy(std::uint8_t mask, const Value &value, const How &how) {
+Value Emitter::copy(std::uint8_t mask, const Value &value, const EmitOptions &options) {
   // The sum with -0 keeps a zero's sign.
-  return mad(mask, value, literals(1.0f), literals(-0.0f), how);
+  return mad(mask, value, literals(1.0f), literals(-0.0f), options);
 }
 
 } // namespace arbiter::fp::hw::r300

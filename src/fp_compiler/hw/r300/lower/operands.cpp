@@ -5,12 +5,12 @@ namespace arbiter::fp::hw::r300 {
 /// fragment.position of the clip position: (x/w, y/w, z/w) * scale + offset, and 1/w.
 Refs Operands::position(std::uint16_t attribute) {
   const Value clip = valueOf(m_emit.interpolant(attribute));
-  How how;
-  how.cause = Cause::Position;
-  const Value inverse = m_emit.scalar(AlphaOp::Rcp, 8, clip, how);
-  const Value device = m_emit.mad(7, clip, inverse, literals(-0.0f), how);
+  EmitOptions options;
+  options.cause = Cause::Position;
+  const Value inverse = m_emit.scalar(AlphaOp::Rcp, 8, clip, options);
+  const Value device = m_emit.mad(7, clip, inverse, literals(-0.0f), options);
   const Value window = m_emit.mad(7, device, row(Constant::Kind::ViewportScale, 0),
-                                  row(Constant::Kind::ViewportOffset, 0), how);
+                                  row(Constant::Kind::ViewportOffset, 0), options);
   Refs refs = window.direct;
   refs[3] = inverse.direct[3];
   return refs;
@@ -73,8 +73,8 @@ Value Operands::read(const ir::Operand &operand) {
       value.direct[c] = value.through[c] = literal(select == ir::Select::One ? 1.0f : 0.0f);
     } else {
       value.direct[c] = source.direct[std::size_t(select)];
-      const Ref &behind = source.through[std::size_t(select)];
-      value.through[c] = m_emit.readable(behind) ? behind : value.direct[c];
+      const Ref &through = source.through[std::size_t(select)];
+      value.through[c] = m_emit.readable(through) ? through : value.direct[c];
     }
     if (operand.negate >> c & 1) {
       value.direct[c] = negated(value.direct[c]);

@@ -114,17 +114,17 @@ bool Emitter::difference(const Value &x, const Value &y, std::uint8_t components
 
 /// As two of add() do it, with one argument made by difference().
 Value Emitter::compareHalf(std::uint8_t mask, const Value &x, const Value &y, float below,
-                           float notBelow, const How &how) {
+                           float notBelow, const EmitOptions &options) {
   const bool alpha = mask == 8;
-  Item item = like(alpha ? RgbOp::None : RgbOp::Cmp, alpha ? AlphaOp::Cmp : AlphaOp::None, how);
+  Item item = like(alpha ? RgbOp::None : RgbOp::Cmp, alpha ? AlphaOp::Cmp : AlphaOp::None, options);
   item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
   auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
   if (!difference(x, y, mask, item, arguments[2])) {
-    How own;
-    own.cause = how.cause;
+    EmitOptions own;
+    own.cause = options.cause;
     const Value rest = mad(mask, x, literals(1.0f), negated(y), own);
     const std::array<Value, 3> operands = {literals(notBelow), literals(below), rest};
-    return componentwise(RgbOp::Cmp, AlphaOp::Cmp, mask, operands, how);
+    return componentwise(RgbOp::Cmp, AlphaOp::Cmp, mask, operands, options);
   }
   for (const std::size_t i : {0, 1}) {
     const Value number = literals(i == 0 ? notBelow : below);
@@ -133,7 +133,7 @@ Value Emitter::compareHalf(std::uint8_t mask, const Value &x, const Value &y, fl
     else
       (void)take(number, mask, arguments[i], true);
   }
-  const ItemId id = add(item, mask, how.home);
+  const ItemId id = add(item, mask, options.toDestination);
   Value result;
   for (std::uint8_t c = 0; c < 4; ++c)
     result.direct[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
@@ -142,12 +142,12 @@ Value Emitter::compareHalf(std::uint8_t mask, const Value &x, const Value &y, fl
 }
 
 Value Emitter::compare(std::uint8_t mask, const Value &x, const Value &y, float below,
-                       float notBelow, const How &how) {
+                       float notBelow, const EmitOptions &options) {
   Value result;
   for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
     if (half == 0)
       continue;
-    const Value part = compareHalf(half, x, y, below, notBelow, how);
+    const Value part = compareHalf(half, x, y, below, notBelow, options);
     for (std::size_t c = 0; c < 4; ++c)
       if (half >> c & 1)
         result.direct[c] = part.direct[c];
@@ -157,9 +157,9 @@ Value Emitter::compare(std::uint8_t mask, const Value &x, const Value &y, float 
 }
 
 Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
-                        const How &how) {
+                        const EmitOptions &options) {
   const bool alpha = mask == 8;
-  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, how);
+  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, options);
   item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
   item.mask = mask;
   auto &arguments = alpha ? item.alphaArguments : item.rgbArguments;
@@ -171,12 +171,12 @@ Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const
     fits = take(a, mask, arguments[0], true) && take(c, mask, arguments[2], true);
   }
   if (!fits || !packsAlone(m_flow, item)) {
-    How own;
-    own.cause = how.cause;
+    EmitOptions own;
+    own.cause = options.cause;
     const Value rest = mad(mask, b, literals(1.0f), negated(c), own);
-    return mad(mask, a, rest, c, how);
+    return mad(mask, a, rest, c, options);
   }
-  const ItemId id = add(item, mask, how.home);
+  const ItemId id = add(item, mask, options.toDestination);
   Value result;
   for (std::uint8_t i = 0; i < 4; ++i)
     result.direct[i] = {Ref::Kind::Item, i, false, false, id, 0.0f};
@@ -185,12 +185,12 @@ Value Emitter::lerpHalf(std::uint8_t mask, const Value &a, const Value &b, const
 }
 
 Value Emitter::lerp(std::uint8_t mask, const Value &a, const Value &b, const Value &c,
-                    const How &how) {
+                    const EmitOptions &options) {
   Value result;
   for (const std::uint8_t half : {std::uint8_t(mask & 7), std::uint8_t(mask & 8)}) {
     if (half == 0)
       continue;
-    const Value part = lerpHalf(half, a, b, c, how);
+    const Value part = lerpHalf(half, a, b, c, options);
     for (std::size_t i = 0; i < 4; ++i)
       if (half >> i & 1)
         result.direct[i] = part.direct[i];
@@ -199,9 +199,9 @@ Value Emitter::lerp(std::uint8_t mask, const Value &a, const Value &b, const Val
   return result;
 }
 
-Value Emitter::arch(std::uint8_t mask, const Value &f, const How &how) {
+Value Emitter::arch(std::uint8_t mask, const Value &f, const EmitOptions &options) {
   const bool alpha = mask == 8;
-  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, how);
+  Item item = like(alpha ? RgbOp::None : RgbOp::Mad, alpha ? AlphaOp::Mad : AlphaOp::None, options);
   item.kind = alpha ? Item::Kind::Alpha : Item::Kind::Rgb;
   item.modifier = Modifier::X4;
   item.presubtract = Presubtract::OneMinusTwoS0;
@@ -217,7 +217,7 @@ Value Emitter::arch(std::uint8_t mask, const Value &f, const How &how) {
   arguments = {n, n, n};
   arguments[1].absolute = true;
   arguments[2].negate = true;
-  const ItemId id = add(item, mask, how.home);
+  const ItemId id = add(item, mask, options.toDestination);
   Refs refs;
   for (std::uint8_t c = 0; c < 4; ++c)
     refs[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
@@ -269,8 +269,9 @@ template <typename Try> bool eachReading(const Value &a, const Value &b, Try att
 }
 } // namespace
 
-Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, const How &how) {
-  Item item = like(op, AlphaOp::Dp, how);
+Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b,
+                   const EmitOptions &options) {
+  Item item = like(op, AlphaOp::Dp, options);
   item.kind = Item::Kind::Both;
   const std::size_t orders = op == RgbOp::Dp3 ? 6 : kPermutations.size();
   const auto attempt = [&](const Refs &x, const Refs &y, std::size_t order, int signs) {
@@ -293,11 +294,12 @@ Value Emitter::dot(RgbOp op, std::uint8_t mask, const Value &a, const Value &b, 
           return true;
     return false;
   });
-  return fits ? dotResult(item, mask, how.home) : dotByCopy(item, mask, a, b, how.home);
+  return fits ? dotResult(item, mask, options.toDestination)
+              : dotByCopy(item, mask, a, b, options.toDestination);
 }
 
-Value Emitter::dotResult(const Item &item, std::uint8_t mask, bool home) {
-  Value result = replicated(item, mask, home);
+Value Emitter::dotResult(const Item &item, std::uint8_t mask, bool toDestination) {
+  Value result = replicated(item, mask, toDestination);
   // A Dp3 that writes no w leaves the alpha half to others.
   if (item.rgb == RgbOp::Dp3)
     result.through[3] =
@@ -306,13 +308,14 @@ Value Emitter::dotResult(const Item &item, std::uint8_t mask, bool home) {
 }
 
 /// One side, or both, through a register of its own.
-Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b, bool home) {
+Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Value &b,
+                         bool toDestination) {
   FlowArgument ignored;
   std::array<std::uint8_t, 3> parts;
   const auto costOf = [&](const Value &value) {
     return take(value, 7, ignored, false) ? 0 : phases({&value, 1}, 7, parts);
   };
-  How own;
+  EmitOptions own;
   own.cause = Cause::Swizzle;
   const std::uint8_t all = item.rgb == RgbOp::Dp3 ? 7 : 15;
   const auto order = [&](const Value &value, std::size_t i) {
@@ -349,7 +352,7 @@ Value Emitter::dotByCopy(Item item, std::uint8_t mask, const Value &a, const Val
         takeAlpha(whole, 3, item.alphaArguments[side]);
       }
   }
-  return dotResult(item, mask, home);
+  return dotResult(item, mask, toDestination);
 }
 
 } // namespace arbiter::fp::hw::r300

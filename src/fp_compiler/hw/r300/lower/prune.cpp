@@ -3,7 +3,7 @@
 namespace arbiter::fp::hw::r300 {
 
 namespace {
-void settleHalves(Item &item) {
+void chooseHalves(Item &item) {
   const std::uint8_t written = item.written();
   if (item.rgb == RgbOp::Dp4)
     return;
@@ -27,7 +27,7 @@ void prune(Flow &flow) {
       item.mask &= needed[at];
       item.live = item.written() != 0;
       if (item.live && item.replicated)
-        settleHalves(item);
+        chooseHalves(item);
     }
     if (item.live)
       forEachRead(item, [&](ItemId read, std::uint8_t component) {

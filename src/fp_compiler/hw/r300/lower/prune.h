@@ -3,7 +3,7 @@
 
 namespace arbiter::fp::hw::r300 {
 
-/// Marks what nothing reads as not live, trims masks to the components that are read, settles
+/// Marks what nothing reads as not live, trims masks to the components that are read, chooses
 /// which halves a replicated operation needs, and makes every web's root its items' parent.
 void prune(Flow &flow);
 

@@ -4,8 +4,8 @@ namespace arbiter::fp::hw::r300 {
 
 /// A result as it is, clamped: nothing but the options reads it, so that the operations which make
 /// it can clamp.
-Value Results::clamped(Home home, std::uint8_t mask) {
-  Value value = m_emit.current(home);
+Value Results::clamped(Variable output, std::uint8_t mask) {
+  Value value = m_emit.current(output);
   bool inPlace = true;
   for (std::size_t c = 0; c < 4; ++c) {
     const Ref &ref = value.direct[c];
@@ -14,11 +14,11 @@ Value Results::clamped(Home home, std::uint8_t mask) {
   }
   value.through = value.direct;
   if (!inPlace) {
-    How how;
-    how.home = true;
-    how.clamp = true;
-    how.cause = Cause::Output;
-    return m_emit.copy(mask, value, how);
+    EmitOptions options;
+    options.toDestination = true;
+    options.clamp = true;
+    options.cause = Cause::Output;
+    return m_emit.copy(mask, value, options);
   }
   for (std::size_t c = 0; c < 4; ++c)
     if ((mask >> c & 1) && value.direct[c].kind == Ref::Kind::Item)
@@ -33,13 +33,13 @@ void Results::epilogue() {
         m_operands.optional(ir::AttributeKind::ColorSecondary, kSecondaryColour);
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
       if (isColour(i)) {
-        How how;
-        how.home = true;
-        how.cause = Cause::Output;
-        m_emit.begin(kNone, outputHome(i));
-        const Value colour = clamped(outputHome(i), 7);
-        m_emit.begin(kNone, outputHome(i));
-        m_emit.set(outputHome(i), 7, m_emit.mad(7, colour, literals(1.0f), secondary, how));
+        EmitOptions sum;
+        sum.toDestination = true;
+        sum.cause = Cause::Output;
+        m_emit.begin(kNone, outputVariable(i));
+        const Value colour = clamped(outputVariable(i), 7);
+        m_emit.begin(kNone, outputVariable(i));
+        m_emit.set(outputVariable(i), 7, m_emit.mad(7, colour, literals(1.0f), secondary, sum));
       }
   }
   if (options.fog != ir::FogMode::None)
@@ -50,8 +50,8 @@ Value Results::fogFactor() {
   const Value coordinate =
       broadcast(m_operands.optional(ir::AttributeKind::FogCoord, kFogCoordinate), 0);
   const Value factors = m_operands.row(Constant::Kind::FogFactors, 0);
-  How how, last;
-  how.cause = last.cause = Cause::Fog;
+  EmitOptions partial, last;
+  partial.cause = last.cause = Cause::Fog;
   last.clamp = true;
   const Value none = literals(-0.0f);
   switch (m_program.options.fog) {
@@ -61,35 +61,37 @@ Value Results::fogFactor() {
     return m_emit.mad(8, coordinate, broadcast(factors, 0), broadcast(factors, 1), last);
   case ir::FogMode::Exp:
     return m_emit.scalar(AlphaOp::Ex2, 8,
-                         m_emit.mad(8, coordinate, broadcast(factors, 2), none, how), last);
+                         m_emit.mad(8, coordinate, broadcast(factors, 2), none, partial), last);
   case ir::FogMode::Exp2: {
-    const Value scaled = m_emit.mad(8, coordinate, broadcast(factors, 3), none, how);
-    return m_emit.scalar(AlphaOp::Ex2, 8, m_emit.mad(8, scaled, negated(scaled), none, how), last);
+    const Value scaled = m_emit.mad(8, coordinate, broadcast(factors, 3), none, partial);
+    return m_emit.scalar(AlphaOp::Ex2, 8, m_emit.mad(8, scaled, negated(scaled), none, partial),
+                         last);
   }
   }
   return literals(1.0f);
 }
 
 void Results::fog() {
-  m_emit.begin(kNone, kNoHome);
+  m_emit.begin(kNone, kNoVariable);
   const Value factor = broadcast(fogFactor(), 3);
   for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
     if (isColour(i)) {
-      How how;
-      how.home = true;
-      how.cause = Cause::Fog;
-      m_emit.begin(kNone, outputHome(i));
-      const Value colour = clamped(outputHome(i), 15);
-      m_emit.set(outputHome(i), 15, colour);
-      m_emit.begin(kNone, outputHome(i));
-      m_emit.set(outputHome(i), 7,
-                 m_emit.lerp(7, factor, colour, m_operands.row(Constant::Kind::FogColor, 0), how));
+      EmitOptions options;
+      options.toDestination = true;
+      options.cause = Cause::Fog;
+      m_emit.begin(kNone, outputVariable(i));
+      const Value colour = clamped(outputVariable(i), 15);
+      m_emit.set(outputVariable(i), 15, colour);
+      m_emit.begin(kNone, outputVariable(i));
+      m_emit.set(
+          outputVariable(i), 7,
+          m_emit.lerp(7, factor, colour, m_operands.row(Constant::Kind::FogColor, 0), options));
     }
 }
 
 void Results::outputs() {
   for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
-    const Value &value = m_emit.current(outputHome(i));
+    const Value &value = m_emit.current(outputVariable(i));
     if (!isColour(i)) {
       depthOutput(value);
       continue;

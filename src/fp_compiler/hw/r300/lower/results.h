@@ -18,10 +18,10 @@ private:
   [[nodiscard]] bool isColour(std::size_t output) const {
     return m_program.outputs[output].kind == ir::OutputKind::Color;
   }
-  [[nodiscard]] Home outputHome(std::size_t output) const {
-    return Home(m_program.temporaries.size() + output);
+  [[nodiscard]] Variable outputVariable(std::size_t output) const {
+    return Variable(m_program.temporaries.size() + output);
   }
-  Value clamped(Home home, std::uint8_t mask);
+  Value clamped(Variable output, std::uint8_t mask);
   Value fogFactor();
   void fog();
   bool write(const Ref &ref, std::uint8_t target, std::uint8_t component);

@@ -66,14 +66,15 @@ bool Emitter::spread(const Ref &scalar, std::uint8_t components, Refs &result) {
     refs.fill(ref);
     operands[i] = valueOf(refs);
   }
-  How how;
-  how.clamp = item.clamp;
-  how.modifier = item.modifier;
-  how.cause = item.cause;
+  EmitOptions options;
+  options.clamp = item.clamp;
+  options.modifier = item.modifier;
+  options.cause = item.cause;
   const std::uint16_t origin = std::exchange(m_origin, item.origin);
-  result = componentwise(rgb, otherUnit(rgb), components,
-                         std::span<const Value>(operands).first(std::size_t(argumentsOf(rgb))), how)
-               .direct;
+  result =
+      componentwise(rgb, otherUnit(rgb), components,
+                    std::span<const Value>(operands).first(std::size_t(argumentsOf(rgb))), options)
+          .direct;
   m_origin = origin;
   return true;
 }
@@ -110,7 +111,7 @@ Refs Emitter::plainCoordinate(std::uint8_t components, const Value &value) {
     return join({all.data(), count}, true);
   };
   const auto copied = [&](std::uint8_t which) {
-    How own;
+    EmitOptions own;
     own.cause = Cause::TextureOperand;
     const Value fresh = copy(which, value, own);
     for (std::size_t c = 0; c < 4; ++c)
@@ -129,7 +130,7 @@ Refs Emitter::plainCoordinate(std::uint8_t components, const Value &value) {
 }
 
 Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t coordinates,
-                      const Value &coordinate, std::uint8_t mask, bool home) {
+                      const Value &coordinate, std::uint8_t mask, bool toDestination) {
   const Refs plain = plainCoordinate(coordinates, coordinate);
   Item item = like(RgbOp::None, AlphaOp::None, {});
   item.kind = Item::Kind::Texture;
@@ -146,13 +147,13 @@ Refs Emitter::texture(TexOp op, const ir::Instruction &instruction, std::uint8_t
     (void)add(item, 0, false);
     return result;
   }
-  const ItemId id = add(item, mask, home);
+  const ItemId id = add(item, mask, toDestination);
   // The whole register is written, wanted or not.
   for (std::uint8_t c = 0; c < 4; ++c) {
     result[c] = {Ref::Kind::Item, c, false, false, id, 0.0f};
     Item &sample = m_flow.items[id];
     if (!(mask >> c & 1)) {
-      sample.home[c] = m_flow.homes[id][c] = m_nextHome++;
+      sample.variables[c] = m_flow.variables[id][c] = m_nextVariable++;
       sample.mask |= std::uint8_t(1 << c);
       m_flow.versions[id][c] = 1;
     }

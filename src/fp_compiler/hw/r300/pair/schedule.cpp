@@ -105,8 +105,8 @@ private:
       const bool texture = isTexture(id);
       m_last = std::max(m_last, m_states[id].level);
       forEachEdge(id, [&](const Edge &edge) {
-        const std::uint32_t further = isTexture(edge.to) && (edge.reads || !texture) ? 1 : 0;
-        m_states[edge.to].level = std::max(m_states[edge.to].level, m_states[id].level + further);
+        const std::uint32_t step = isTexture(edge.to) && (edge.reads || !texture) ? 1 : 0;
+        m_states[edge.to].level = std::max(m_states[edge.to].level, m_states[id].level + step);
       });
     }
     for (ItemId id = ItemId(m_flow.items.size()); id-- > 0;) {

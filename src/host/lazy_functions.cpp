@@ -1,4 +1,4 @@
-#include "host/further.h"
+#include "host/lazy_functions.h"
 
 #include <cstring>
 #include <iterator>
@@ -13,17 +13,17 @@ namespace {
 /// constant one has no lookup and does not come here.
 void keep(const HostTable &host, std::size_t index, void *function) {
   if (!isSealed(&host))
-    return __atomic_store_n(&host.further[index], function, __ATOMIC_RELAXED);
+    return __atomic_store_n(&host.lazy[index], function, __ATOMIC_RELAXED);
   if (const UnsealedPages open(&host, sizeof host); open)
-    __atomic_store_n(&host.further[index], function, __ATOMIC_RELAXED);
+    __atomic_store_n(&host.lazy[index], function, __ATOMIC_RELAXED);
 }
 
 void *find(const HostTable &table, std::size_t index) {
   const HostTable &host = table.instead ? *table.instead() : table;
   if (!host.lookup)
     return nullptr;
-  void *function = further(host, index);
-  for (const char *name = furtherNames(index); *name && !function; name += std::strlen(name) + 1)
+  void *function = lazyFunction(host, index);
+  for (const char *name = lazyNames(index); *name && !function; name += std::strlen(name) + 1)
     function = host.lookup(name);
   if (!function)
     function = detail::missingFunction();
@@ -33,8 +33,8 @@ void *find(const HostTable &table, std::size_t index) {
 
 } // namespace
 
-FurtherCall::FurtherCall(const HostTable &table, std::size_t index)
+LazyCall::LazyCall(const HostTable &table, std::size_t index)
     : m_function(find(table, index)),
-      m_null(m_function ? nullptr : furtherNames(index), kFunctions + index) {}
+      m_null(m_function ? nullptr : lazyNames(index), kFunctions + index) {}
 
 } // namespace arbiter::host

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+"""Tests of `arbiter run` and `arbiter capture` from outside: what the command is started with.
+
+usage: command_run_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import subprocess
+
+import command_session
+from command_session import ARBITER, FAKE, Temporary, arbiter, plain
+
+
+class Run(Temporary):
+    def run_env(self, *options, **environment):
+        """The environment that a command sees under `arbiter run`."""
+        result = arbiter('run', '--library', FAKE, *options, '--', 'env', '-0', **environment)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return dict(entry.split('=', 1) for entry in result.stdout.split('\0') if entry)
+
+    def test_sets_what_the_options_say(self):
+        seen = self.run_env('--profile', 'nv30', '--limits', 'report', '--log', 'debug',
+                            '--debug', 'glsl', '--host-vendor', 'mesa', '--replace', '/tmp')
+        self.assertEqual(seen['LD_PRELOAD'], FAKE)
+        self.assertEqual({name: value for name, value in seen.items()
+                          if name.startswith('ARBITER_')},
+                         {'ARBITER_PROFILE': 'nv30', 'ARBITER_LIMITS': 'report',
+                          'ARBITER_LOG': 'debug', 'ARBITER_DEBUG': 'glsl', 'ARBITER_REPLACE': '/tmp',
+                          'ARBITER_HOST_VENDOR': 'mesa'})
+
+    def test_paths_become_absolute(self):
+        profile = self.path('mine.toml', 'inherits = "r300"\n')
+        relative = os.path.relpath(profile)
+        seen = self.run_env('--stats', 's-%p.json', '--log', 'warn:l.txt', '--profile', relative)
+        self.assertEqual(seen['ARBITER_STATS'], os.path.join(os.getcwd(), 's-%p.json'))
+        self.assertEqual(seen['ARBITER_LOG'], 'warn:' + os.path.join(os.getcwd(), 'l.txt'))
+        self.assertTrue(os.path.isabs(seen['ARBITER_PROFILE']))
+        self.assertTrue(os.path.samefile(seen['ARBITER_PROFILE'], profile))
+
+    def test_keeps_what_is_there(self):
+        other = self.path('libother.so')
+        other.write_bytes(pathlib.Path(FAKE).read_bytes())
+        seen = self.run_env(LD_PRELOAD=str(other), LD_LIBRARY_PATH='/opt/x', ARBITER_LIMITS='report')
+        self.assertEqual(seen['LD_PRELOAD'], f'{FAKE}:{other}')
+        self.assertTrue(seen['LD_LIBRARY_PATH'].endswith('/opt/x'))
+        self.assertEqual(seen['ARBITER_LIMITS'], 'report')
+
+    def test_the_front_of_osmesa_comes_first(self):
+        library = self.path('libGLX_arbiter.so.0')
+        library.write_bytes(pathlib.Path(FAKE).read_bytes())
+        front = self.path('osmesa')
+        front.mkdir()
+        (front / 'libOSMesa.so.8').write_bytes(b'')
+        result = arbiter('run', '--library', library, '--', 'env', LD_LIBRARY_PATH='/opt/x')
+        self.assertIn(f'\nLD_LIBRARY_PATH={front}:/opt/x\n', '\n' + result.stdout)
+
+    def test_egl_gets_the_vendor_file_that_fits(self):
+        library = self.path('libGLX_arbiter.so.0')
+        library.write_bytes(pathlib.Path(FAKE).read_bytes())
+        folder = self.path('arbiter')
+        folder.mkdir()
+        by_path, by_name = folder / '10_arbiter.json', folder / '11_arbiter.json'
+
+        def chosen(variable='__EGL_VENDOR_LIBRARY_FILENAMES', **environment):
+            shell = f'printf "%s" "${variable}"'
+            return arbiter('run', '--library', library, '--', 'sh', '-c', shell,
+                           **environment).stdout
+        self.assertEqual(chosen(), '')
+        by_name.write_text('{"library_path": "libGLX_arbiter.so.0"}')
+        self.assertEqual(chosen(), str(by_name))
+        by_path.write_text('{"library_path": "/elsewhere/libGLX_arbiter.so.0"}')  # it was moved
+        self.assertEqual(chosen(), str(by_name))
+        by_path.write_text(f'{{"library_path": "{library}"}}')
+        self.assertEqual(chosen(), str(by_path))
+        # What was selected before is the layer's host.
+        before = {'__EGL_VENDOR_LIBRARY_FILENAMES': '/theirs'}
+        self.assertEqual(chosen(**before), str(by_path))
+        self.assertEqual(chosen('ARBITER_SAVED_EGL_VENDORS', **before), '/theirs')
+
+    def test_the_command_is_passed_on_as_it_is(self):
+        def run(*words):
+            return arbiter('run', '--library', FAKE, *words)
+        shell = 'printf "%s|" "$@"; exit 7'
+        result = run('--', 'sh', '-c', shell, 'sh', '--profile', '-x', '--', 'a b')
+        self.assertEqual((result.returncode, result.stdout), (7, '--profile|-x|--|a b|'))
+        result = run('sh', '-c', shell, 'sh', '--json', 'c')  # without the mark
+        self.assertEqual((result.returncode, result.stdout), (7, '--json|c|'))
+        self.assertEqual(run('--', 'no-such-command').returncode, 127)
+        self.assertEqual(run('--', self.path('not-executable', 'x')).returncode, 126)
+
+    def test_usage_errors(self):
+        for words in ((), ('--bogus', '--', 'true'), ('--limits', 'maybe', '--', 'true'),
+                      ('--profile', 'r30', '--', 'true')):
+            result = arbiter('run', '--library', FAKE, *words)
+            self.assertEqual(result.returncode, 1, words)
+            self.assertNotEqual(result.stderr, '', words)
+        self.assertEqual(arbiter('run', '--library', '/none.so', '--', 'true').returncode, 1)
+        spaced = self.path('a b.so')
+        spaced.write_bytes(pathlib.Path(FAKE).read_bytes())
+        self.assertIn('cannot hold', arbiter('run', '--library', spaced, '--', 'true').stderr)
+
+    def test_print_environment_is_read_by_a_shell(self):
+        result = arbiter('run', '--library', FAKE, '--print-environment', '--stats', "it's.json")
+        shell = subprocess.run(['sh', '-c', result.stdout + 'printf %s "$ARBITER_STATS"'],
+                               capture_output=True, text=True, env=plain())
+        self.assertEqual(shell.stdout, os.path.join(os.getcwd(), "it's.json"))
+
+    def test_identity_options_become_variables(self):
+        result = arbiter('run', '--library', FAKE, '--print-environment', '--identity', 'profile',
+                         '--extensions-max-year', '2003', '--extensions-max-length', '4095')
+        for line in ("ARBITER_IDENTITY='profile'", "ARBITER_EXTENSIONS_MAX_YEAR='2003'",
+                     "ARBITER_EXTENSIONS_MAX_LENGTH='4095'"):
+            self.assertIn('export ' + line + '\n', result.stdout)
+        for bad in (('--identity', 'r300'), ('--extensions-max-year', '-1'),
+                    ('--extensions-max-year', '1991'), ('--extensions-max-length', '0'),
+                    ('--extensions-max-length', '4k')):
+            self.assertEqual(arbiter('run', '--library', FAKE, *bad, '--', 'true').returncode, 1)
+
+
+class Capture(Temporary):
+    def capture(self, *words):
+        library = () if '--index-only' in words else ('--library', FAKE)
+        return subprocess.run([os.path.abspath(ARBITER), 'capture', *library, *map(str, words)],
+                              capture_output=True, text=True, timeout=60, env=plain(),
+                              cwd=self.folder.name)
+
+    def test_the_command_sees_a_folder_that_is_private(self):
+        result = self.capture('-o', 'kept', '--', 'sh', '-c',
+                              'stat -c %a "$ARBITER_CAPTURE"; touch "$ARBITER_CAPTURE/x"; exit 5')
+        self.assertEqual((result.returncode, result.stdout), (5, '700\n'), result.stderr)
+        self.assertEqual(json.loads(self.path('kept/index.json').read_text())['programs'], [])
+
+    def test_the_folder_is_named_for_the_command(self):
+        seen = self.capture('--', 'sh', '-c', 'basename "$ARBITER_CAPTURE"')
+        self.assertEqual(seen.stdout, 'sh.capture\n')
+        self.assertFalse(self.path('sh.capture').exists(), 'nothing was captured')
+        self.path('sh.capture').mkdir()
+        seen = self.capture('--', 'sh', '-c', 'basename "$ARBITER_CAPTURE"')
+        self.assertEqual(seen.stdout, 'sh.capture-2\n')
+
+    def test_signals(self):
+        result = self.capture('--', 'sh', '-c', 'kill -SEGV $$')
+        self.assertEqual(result.returncode, 128 + 11)
+        for _ in range(20):  # the command's first act races with the parent's after the fork
+            result = self.capture('--', 'sh', '-c', 'kill -TERM $PPID; exec sleep 30')
+            self.assertEqual(result.returncode, 128 + 15, 'TERM was not passed on')
+
+    def test_errors(self):
+        self.path('file').write_text('')
+        self.path('kept').mkdir()
+        (self.path('kept') / ('0' * 32 + '.fp')).write_text('edited')
+        self.path('old').mkdir()
+        (self.path('old') / 'process-1-2.json').write_text('{}')
+        for words, text in ((('-o', 'file', '--', 'true'), 'file'),
+                            (('-o', 'no/such', '--', 'true'), 'no/such'),
+                            (('-o', 'kept', '--', 'true'), 'is edited'),
+                            (('-o', 'old', '--', 'true'), 'holds a capture'),
+                            ((), 'no command to run'),
+                            (('--index-only',), '--index-only takes a folder'),
+                            (('--index-only', '-o', 'none'), 'none: no such folder'),
+                            (('--index-only', '-o', 'kept', '--', 'true'), 'no command'),
+                            (('--replace', 'none', '--', 'true'), 'none: no such folder')):
+            result = self.capture(*words)
+            self.assertEqual(result.returncode, 1, words)
+            self.assertIn(text, result.stderr, words)
+        self.assertEqual(self.capture('--', './nothing').returncode, 127)
+        self.assertEqual((self.path('kept') / ('0' * 32 + '.fp')).read_text(), 'edited')
+
+
+if __name__ == '__main__':
+    command_session.main()

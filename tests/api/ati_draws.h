@@ -1,0 +1,64 @@
+#pragma once
+#include "ati_shader.h"
+
+/// What the tests of drawing with ATI_fragment_shader share.
+namespace api {
+
+inline constexpr GLuint kReg0 = GL_REG_0_ATI;
+inline constexpr GLuint kReg1 = GL_REG_1_ATI;
+inline constexpr Pixel kYellow = {255, 255, 0, 255};
+inline constexpr Pixel kOpaqueBlack = {0, 0, 0, 255};
+
+/// Colours are 8 bits and paths round on their own.
+inline void expectNear(const Pixel &got, const Pixel &want, int tolerance = 2) {
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(got[i], want[i], tolerance) << "component " << i;
+}
+
+class AtiDraws : public ApiTest {
+protected:
+  void SetUp() override {
+    ApiTest::SetUp();
+    glEnable(GL_FRAGMENT_SHADER_ATI);
+    ati::constant(GL_CON_0_ATI, 1, 0, 0, 1);
+    ati::constant(GL_CON_1_ATI, 0, 1, 0, 1);
+    ati::constant(GL_CON_2_ATI, 0.2f, 0.4f, 0.6f, 0.8f);
+  }
+};
+
+/// A texture of one colour for `target`, bound and complete, on the active unit.
+inline GLuint makeTexture(GLenum target, const Pixel &color) {
+  const GLubyte texel[] = {GLubyte(color[0]), GLubyte(color[1]), GLubyte(color[2]),
+                           GLubyte(color[3])};
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(target, name);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  switch (target) {
+  case GL_TEXTURE_1D:
+    glTexImage1D(target, 0, GL_RGBA, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+    break;
+  case GL_TEXTURE_3D:
+    glTexImage3D(target, 0, GL_RGBA, 1, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+    break;
+  case GL_TEXTURE_CUBE_MAP:
+    for (GLenum face = 0; face < 6; ++face)
+      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 1, 1, 0, GL_RGBA,
+                   GL_UNSIGNED_BYTE, texel);
+    break;
+  default:
+    glTexImage2D(target, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+  }
+  return name;
+}
+
+/// A shader that samples unit 0 at its coordinates and shows the sample.
+inline void makeSamplingShader() {
+  ati::makeShader([] {
+    ati::sample(kReg0, GL_TEXTURE0);
+    ati::moveAll(kReg0);
+  });
+}
+
+} // namespace api

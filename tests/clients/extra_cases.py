@@ -1,0 +1,262 @@
+"""The cases that are no kind of client of their own: a function each, of the Setting."""
+import json
+import os
+import re
+import shutil
+import stat
+import subprocess
+
+from setting import R300_INDIRECTIONS, Skip, execute, need, need_statistics, need_success, write_icd
+
+
+def run_early(setting):
+    """A library's constructor draws before the layer's: through the layer if it was selected from outside
+    (as arbiter run does), by the host if only preloaded; right pixels in both."""
+    client = setting.clients / "client_early"
+    outcome = execute([client], setting.environment(True))
+    need_success(outcome, "preloaded only")
+    need(len(outcome.reports()) == 1, "preloaded only: no report")
+    selected = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd), "__GLX_VENDOR_LIBRARY_NAME": "arbiter"}
+    outcome = execute([client], setting.environment(True, selected))
+    need_success(outcome, "selected")
+    need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, "selected: not through the layer")
+    need_statistics(setting.stats)
+
+
+def run_chosen(setting):
+    """A vendor that __GLX_VENDOR_LIBRARY_NAME names is the host under the preloaded layer; libGLX would
+    start it in its own constructor. A vendor that is not there is passed by."""
+    for vendor in ("mesa", "no_such_vendor"):
+        setting.stats.unlink(missing_ok=True)
+        chosen = {"__GLX_VENDOR_LIBRARY_NAME": vendor}
+        outcome = execute([setting.clients / "client_libgl"], setting.environment(True, chosen))
+        need_success(outcome, vendor)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{vendor}: not through the layer")
+        need_statistics(setting.stats)
+    shell = 'echo "$__GLX_VENDOR_LIBRARY_NAME $ARBITER_SAVED_GLX_VENDOR"'
+    outcome = execute(["sh", "-c", shell], setting.environment(True, {"__GLX_VENDOR_LIBRARY_NAME": "mesa"}))
+    need(outcome.out.split() == ["arbiter", "mesa"], "children find " + outcome.out)
+
+
+def run_close(setting):
+    """A display that is closed takes its contexts along."""
+    for way in ("glx", "egl"):
+        setting.stats.unlink(missing_ok=True)
+        command = [setting.clients / "client_close", way]
+        need_success(execute(command, setting.environment(False)), f"bare host, {way}")
+        need_success(execute(command, setting.environment(True)), way)
+        contexts = need_statistics(setting.stats, 2)["contexts"]
+        need(len(contexts) == 4, f"{way}: {len(contexts)} contexts, not 4")
+        alive = [c["id"] for c in contexts if not c["destroyed"]]
+        need(not alive, f"{way}: contexts {alive} outlived their display")
+
+
+def run_cycles(setting):
+    """1,000 contexts with programs of both targets: the layer's memory grows by no more than the
+    host's own, give or take a page a cycle over the whole, with a back end that is named: auto may change
+    its mind late and bring in the other one's compiler."""
+    cycles, slack = 1000, 2048  # kilobytes
+    grown = {}
+    for where in ("bare host", "host", "swrast"):
+        layer = where != "bare host"
+        outcome = execute([setting.clients / "client_cycles", cycles],
+                          setting.environment(layer, {"ARBITER_BACKEND": where} if layer else None))
+        need_success(outcome, where)
+        grown[where] = outcome.reports()[0]["kilobytes"]
+    for backend in ("host", "swrast"):
+        need(grown[backend] <= max(grown["bare host"], 0) + slack, f"grown by kilobytes: {grown}")
+    return f"grown by kilobytes: {grown}"
+
+
+def run_spawn(setting):
+    """Each of the two processes writes statistics of its own."""
+    outcome = execute([setting.clients / "client_spawn"],
+                      setting.environment(True, {"ARBITER_STATS": str(setting.scratch / "s.%p.json")}))
+    need_success(outcome, "layer")
+    need([r["indirections"] for r in outcome.reports()] == [R300_INDIRECTIONS] * 2, outcome.out)
+    files = list(setting.scratch.glob("s.*.json"))
+    need(len(files) == 2, f"{len(files)} statistics files, not 2")
+    for file in files:
+        need_statistics(file)
+
+
+def run_vendor_only(setting):
+    """Selected as a vendor without LD_PRELOAD: libglvnd finds it by itself."""
+    glx = setting.environment(False, {"__GLX_VENDOR_LIBRARY_NAME": "arbiter",
+                                      "LD_LIBRARY_PATH": str(setting.layer.parent),
+                                      "ARBITER_STATS": str(setting.stats)})
+    egl = setting.environment(False, {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd),
+                                      "ARBITER_STATS": str(setting.stats)})
+    for client, env in (("client_glx_dynamic", glx), ("client_egl_dynamic", egl)):
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute([setting.clients / client, "libGL"], env)
+        need_success(outcome, client)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{client}: by the host")
+        need_statistics(setting.stats)
+
+
+def run_arbiter(setting):
+    """`arbiter run` sets all of it."""
+    tool = setting.build / "src/tools/arbiter"
+    if not tool.exists():
+        raise Skip("arbiter is not built")
+    for command in (["client_libgl"], ["client_egl_direct"], ["client_osmesa_dynamic", "dlsym"],
+                    ["client_early"]):
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute([tool, "run", "--stats", setting.stats, "--", setting.clients / command[0],
+                           *command[1:]], setting.environment(False))
+        need_success(outcome, command[0])
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{command[0]}: by the host")
+        need_statistics(setting.stats)
+
+
+def run_selected_host(setting):
+    """What the environment selected before is the host, for a preload and for arbiter run."""
+    icd = write_icd(setting.scratch / "counting.json",
+                    setting.clients / "libclient_counting_vendor.so")
+    counts = setting.scratch / "counts.json"
+    client = [setting.clients / "client_count", "10", "surfaceless"]
+    selected = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd), "COUNTING_HOST": "libEGL_mesa.so.0",
+                "COUNTING_FILE": str(counts), "ARBITER_STATS": str(setting.stats)}
+    tool = [setting.build / "src/tools/arbiter", "run", "--"]
+    for command, layer in ((client, True), (tool + client, False), (tool + tool + client, False)):
+        counts.unlink(missing_ok=True)
+        setting.stats.unlink(missing_ok=True)
+        need_success(execute(command, setting.environment(layer, selected)), str(command[0]))
+        need(counts.exists() and json.loads(counts.read_text())["clears"] == 10,
+             f"{command[0]}: the selected vendor is not the host")
+        need(setting.stats.exists(), f"{command[0]}: the layer is not in front")
+
+
+def run_secure(setting):
+    """In a set-user-id program the layer stays out, however it is asked for."""
+    if os.geteuid() != 0:
+        raise Skip("needs root to make a set-user-id program")
+    mount = subprocess.run(["findmnt", "-nro", "OPTIONS", "-T", str(setting.scratch)], text=True,
+                           capture_output=True, check=False).stdout
+    if "nosuid" in mount:
+        raise Skip("the scratch folder is mounted nosuid")
+    program = setting.scratch / "secure"
+    shutil.copy(setting.clients / "client_egl_direct", program)
+    program.chmod(0o755 | stat.S_ISUID)
+    os.chmod(setting.scratch, 0o755)
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(setting.icd), "__GLX_VENDOR_LIBRARY_NAME": "arbiter"}
+    outcome = execute([program], setting.environment(True, extra), user=65534)
+    need_success(outcome, "set-user-id")
+    need(outcome.reports()[0]["indirections"] != R300_INDIRECTIONS, "the layer is in a secure process")
+    need(not setting.stats.exists(), "a secure process wrote statistics")
+
+
+def run_overlay(setting):
+    """Another preloaded library that wraps GLX, before and behind the layer."""
+    overlay = setting.clients / "libclient_overlay.so"
+    for order in ((setting.layer, overlay), (overlay, setting.layer)):
+        setting.stats.unlink(missing_ok=True)
+        env = setting.environment(True, {"LD_PRELOAD": ":".join(map(str, order))})
+        outcome = execute([setting.clients / "client_libgl"], env)
+        need_success(outcome, order[0].name + " first")
+        need("overlay: 1 swaps" in outcome.err, "the overlay saw " + outcome.err.strip()[-100:])
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, "by the host")
+        need_statistics(setting.stats)
+
+
+def run_apitrace(setting):
+    """apitrace records the application's calls, and its trace replays with the same picture."""
+    if not shutil.which("apitrace"):
+        raise Skip("apitrace is not installed")
+    trace = setting.scratch / "client.trace"
+    for program in ("client_libgl", "client_glx_dynamic"):
+        trace.unlink(missing_ok=True)
+        setting.stats.unlink(missing_ok=True)
+        outcome = execute(["apitrace", "trace", "--api", "gl", "-o", trace,
+                           setting.clients / program, "libGL"], setting.environment(True))
+        need_success(outcome, program)
+        need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{program}: by the host")
+        dump = execute(["apitrace", "dump", trace], setting.environment(False))
+        need(dump.out.count("glProgramStringARB(") == 1, f"{program}: the trace has "
+             f"{dump.out.count('glProgramStringARB(')} program strings")
+        need(dump.out.count("glBegin(") == 1, f"{program}: calls are missing from the trace")
+
+
+def run_count(setting):
+    """Each glClear and glDrawArrays of the application reaches the host once: a host that patches
+    libglvnd's stubs must not get past the layer."""
+    calls = 1000
+    counts = setting.scratch / "counts.json"
+    icd = write_icd(setting.scratch / "counting.json",
+                    setting.clients / "libclient_counting_vendor.so")
+    platform = "surfaceless" if setting.display else "device"
+    # The counting vendor was selected before the layer, which makes it the layer's host.
+    extra = {"__EGL_VENDOR_LIBRARY_FILENAMES": str(icd),
+             "COUNTING_HOST": setting.egl_vendor or "libEGL_mesa.so.0",
+             "COUNTING_FILE": str(counts)}
+    outcome = execute([setting.clients / "client_count", str(calls), platform],
+                      setting.environment(True, extra))
+    need_success(outcome, "layer")
+    counted = json.loads(counts.read_text()) if counts.exists() else None
+    need(counted == {"clears": calls, "draws": calls}, f"the host counted {counted}")
+    stats = json.loads(setting.stats.read_text())
+    need(stats["draws"]["host_untouched"] == calls, f"the layer counted {stats['draws']}")
+
+
+def run_vendor_gpa(setting):
+    """GetProcAddress answers compared with the host's own, function by function."""
+    for backend in ("auto", "host"):
+        environment = dict(setting.environment(False), ARBITER_BACKEND=backend)
+        outcome = execute([setting.clients / "client_vendor_gpa", setting.layer,
+                           "libEGL_mesa.so.0"], environment)
+        need_success(outcome, f"vendor_gpa, {backend}")
+
+
+def run_exports(setting):
+    """The library exports what was generated from the allow-list, and nothing else; of other
+    libraries it brings libc alone, and the one of its own that runs first, which exports one name."""
+    def exports(library):
+        listing = subprocess.run(["nm", "-D", "--defined-only", str(library)], text=True,
+                                 capture_output=True, check=True).stdout
+        return {line.split()[-1] for line in listing.splitlines()}
+
+    def dynamic(library):
+        return subprocess.run(["readelf", "-d", str(library)], text=True, capture_output=True,
+                              check=True).stdout
+
+    wanted = set((setting.build / "src/dispatch/exports.txt").read_text().split())
+    exported = exports(setting.layer)
+    need(exported == wanted, f"missing {sorted(wanted - exported)[:5]}, "
+         f"surplus {sorted(exported - wanted)[:5]}")
+    first = setting.layer.parent / "libarbiter_first.so"
+    need(exports(first) == {"arbiterReplacedVendor"}, f"{first.name} exports {exports(first)}")
+    need("INITFIRST" in dynamic(first), f"{first.name} does not run first")
+    calls = re.findall(r"^ +U (\S+)", subprocess.run(["nm", "-D", str(first)], text=True, check=True,
+                                                     capture_output=True).stdout, re.M)
+    need(not calls, f"{first.name} calls {calls} before any other library is ready")
+    libraries = set(re.findall(r"NEEDED.*\[(.*)\]", dynamic(setting.layer) + dynamic(first)))
+    allowed = {"libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "ld-linux-x86-64.so.2",
+               first.name}
+    need(libraries <= allowed, f"brings {sorted(libraries - allowed)} into applications")
+
+
+def run_disassembly(setting):
+    """A passed-on call: no thread-local by function call, no lock, no call on its straight way."""
+    code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(setting.layer)], text=True,
+                          capture_output=True, check=True).stdout
+    callers, function = set(), ""
+    for line in code.splitlines():
+        if line.endswith(">:"):
+            function = line.split("<")[1][:-2]
+        elif "call" in line and "__tls_get_addr" in line:
+            callers.add(function)
+    # The C++ runtime's own, for exceptions, is linked in; no GL call comes by it.
+    unexpected = callers - {"__cxa_get_globals", "__cxa_get_globals_fast"}
+    need(not unexpected, f"__tls_get_addr is called by {sorted(unexpected)}")
+    for name in ("glDrawArrays", "glDrawElements", "glUniform4fv", "glBegin", "glEnable"):
+        body = re.search(rf"<{name}>:\n(.*?)\n\n", code, re.S)
+        need(body, f"{name} is not in the disassembly")
+        text = body.group(1)
+        need("%fs:" in text, f"{name} does not read the thread's context by initial-exec")
+        need("lock " not in text and "pthread_mutex" not in text, f"{name} locks")
+        if name.startswith(("glDraw", "glUniform")):
+            straight = text.split("jmp ", 1)[0].splitlines()
+            need(not any("call" in line or "push" in line for line in straight),
+                 f"{name} does more than pass on: {straight}")
+            need(len(straight) <= 10, f"{name} takes {len(straight)} instructions")
