@@ -148,7 +148,7 @@ void destroy(Context &context, const LinkedProgram &linkedProgram) {
 const LinkedProgramCache::Shader *
 LinkedProgramCache::shaderOf(Context &context,
                              const std::shared_ptr<const CompiledProgram> &compiled) {
-  const auto [it, isNew] = m_maps->shaders.try_emplace(compiled.get());
+  const auto [it, isNew] = m_shaders.try_emplace(compiled.get());
   if (!isNew)
     return &it->second;
   GLuint name = 0;
@@ -159,7 +159,7 @@ LinkedProgramCache::shaderOf(Context &context,
   } catch (...) { // no memory: none was made
     if (name != 0)
       context.host->DeleteShader(name);
-    m_maps->shaders.erase(it);
+    m_shaders.erase(it);
     throw;
   }
   it->second = {compiled, name};
@@ -201,32 +201,28 @@ std::unique_ptr<LinkedProgram> LinkedProgramCache::build(Context &context,
 }
 
 LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
-  if (!m_maps)
-    m_maps = std::make_unique<Maps>();
   const Key key = {pair.vertex.get(), pair.fragment.get()};
-  const auto it = m_maps->linkedPrograms.find(key);
-  if (it != m_maps->linkedPrograms.end())
+  const auto it = m_linkedPrograms.find(key);
+  if (it != m_linkedPrograms.end())
     return it->second.get();
-  if (m_maps->shaders.size() >= m_sweepAt)
+  if (m_shaders.size() >= m_sweepAt)
     sweep(context);
   std::unique_ptr<LinkedProgram> &made =
-      m_maps->linkedPrograms[key]; // its place first: a program is costlier
+      m_linkedPrograms[key]; // its place first: a program is costlier
   try {
     made = build(context, pair);
   } catch (...) {
-    m_maps->linkedPrograms.erase(key);
+    m_linkedPrograms.erase(key);
     throw;
   }
   return made.get();
 }
 
 void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled) {
-  if (!m_maps)
+  const auto shader = m_shaders.find(compiled);
+  if (shader == m_shaders.end())
     return;
-  const auto shader = m_maps->shaders.find(compiled);
-  if (shader == m_maps->shaders.end())
-    return;
-  std::erase_if(m_maps->linkedPrograms, [&](const auto &entry) {
+  std::erase_if(m_linkedPrograms, [&](const auto &entry) {
     if (entry.first.vertex != compiled && entry.first.fragment != compiled)
       return false;
     if (context.linkedProgram == entry.second.get()) {
@@ -240,13 +236,13 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
     context.group->removeHostProgram(shader->second.name);
     context.host->DeleteShader(shader->second.name);
   }
-  m_maps->shaders.erase(shader);
+  m_shaders.erase(shader);
 }
 
 /// Programs that left their object through another context: nothing else holds them any more.
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
-  for (const auto &[compiled, shader] : m_maps->shaders) {
+  for (const auto &[compiled, shader] : m_shaders) {
     const bool effective =
         context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
                                   context.linkedProgram->fragment.compiled == compiled);
@@ -255,20 +251,19 @@ void LinkedProgramCache::sweep(Context &context) {
   }
   for (const CompiledProgram *const compiled : left)
     drop(context, compiled);
-  m_sweepAt = std::max<std::size_t>(64, 2 * m_maps->shaders.size());
+  m_sweepAt = std::max<std::size_t>(64, 2 * m_shaders.size());
 }
 
 LinkedProgramCache::Names LinkedProgramCache::abandon() {
   Names names;
-  if (!m_maps)
-    return names;
-  for (const auto &[key, linkedProgram] : m_maps->linkedPrograms)
+  for (const auto &[key, linkedProgram] : m_linkedPrograms)
     if (linkedProgram->hostProgram != 0)
       names.programs.push_back(linkedProgram->hostProgram);
-  for (const auto &[compiled, shader] : m_maps->shaders)
+  for (const auto &[compiled, shader] : m_shaders)
     if (shader.name != 0)
       names.shaders.push_back(shader.name);
-  m_maps.reset();
+  m_linkedPrograms.clear();
+  m_shaders.clear();
   return names;
 }
 

@@ -39,7 +39,6 @@ struct LinkedProgram {
 /// program is compiled once, however many it is paired with.
 class LinkedProgramCache {
 public:
-  constexpr LinkedProgramCache() = default;
   /// The linked program of `pair`, of which one program at least is not null; built at the first
   /// call, in which case the host links, and compiles what it has not compiled yet. Raises no
   /// error; a linked program that the host refused has hostProgram 0.
@@ -56,7 +55,7 @@ public:
   /// Empties the cache without touching the host.
   [[nodiscard]] Names abandon();
   /// The number of linked programs.
-  [[nodiscard]] std::size_t size() const { return m_maps ? m_maps->linkedPrograms.size() : 0; }
+  [[nodiscard]] std::size_t size() const { return m_linkedPrograms.size(); }
 
 private:
   struct Key {
@@ -74,16 +73,13 @@ private:
     std::shared_ptr<const CompiledProgram> compiled; ///< keeps the linked programs' pointers alive
     GLuint name = 0;                                 ///< 0: the host refused it
   };
-  struct Maps {
-    std::unordered_map<Key, std::unique_ptr<LinkedProgram>, KeyHash> linkedPrograms;
-    std::unordered_map<const CompiledProgram *, Shader> shaders;
-  };
   [[nodiscard]] const Shader *shaderOf(Context &context,
                                        const std::shared_ptr<const CompiledProgram> &compiled);
   [[nodiscard]] std::unique_ptr<LinkedProgram> build(Context &context, const ProgramPair &pair);
   void sweep(Context &context);
 
-  std::unique_ptr<Maps> m_maps; ///< null until the first: the null context is a constant
+  std::unordered_map<Key, std::unique_ptr<LinkedProgram>, KeyHash> m_linkedPrograms;
+  std::unordered_map<const CompiledProgram *, Shader> m_shaders;
   std::size_t m_sweepAt = 64;
 };
 
