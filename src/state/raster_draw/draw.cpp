@@ -186,6 +186,13 @@ bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std
                   }));
 }
 
+bool drawBits(Context &context, const PlacedBits &bits) {
+  return conclude(context, settled(context, [&] {
+                    const Outcome outcome = judge(context);
+                    return outcome.ok() ? pipelineOf(context).shadeBits(context, bits) : outcome;
+                  }));
+}
+
 namespace {
 
 /// Gives the host what there is of the primitive that was recorded, for the reason.

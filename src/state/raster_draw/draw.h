@@ -13,6 +13,8 @@ class Context;
 
 namespace arbiter::state::software {
 
+struct PlacedBits;
+
 /// `count` vertices from `first`, or by `indices` (of type GL_UNSIGNED_BYTE, _SHORT, _INT; an
 /// offset into the element buffer where one is bound) with `baseVertex` added.
 struct DrawCommand {
@@ -31,6 +33,8 @@ struct DrawCommand {
 /// The same of the first `count` vertices of `source`; null: they are none that we draw.
 [[nodiscard]] bool drawVertices(Context &context, GLenum mode, const VertexSource *source,
                                 std::uint32_t count);
+/// The same of fragments that no vertices give (bitmap.h).
+[[nodiscard]] bool drawBits(Context &context, const PlacedBits &bits);
 /// At Begin: true if the primitive is kept back from the host; then end() draws it, or has the host
 /// draw it after all. False: hostDraws() has been called.
 [[nodiscard]] bool begin(Context &context, GLenum mode);

@@ -559,6 +559,32 @@ INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
                          testing::Values(0, GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24,
                                          GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F));
 
+TEST_F(Residency, PixelStoreIsFollowed) {
+  EXPECT_EQ(residency().bitUnpacking().alignment, 4);
+  constexpr struct {
+    GLenum name;
+    GLint value;
+    bool followed;
+  } kSteps[] = {{GL_UNPACK_ALIGNMENT, 1, true},     {GL_UNPACK_ALIGNMENT, 3, false},
+                {GL_UNPACK_LSB_FIRST, 7, true},     {GL_UNPACK_ROW_LENGTH, 50, true},
+                {GL_UNPACK_SKIP_ROWS, 2, true},     {GL_UNPACK_SKIP_PIXELS, 9, true},
+                {GL_UNPACK_SKIP_PIXELS, -1, false}, {GL_PACK_ALIGNMENT, 1, false}};
+  for (const auto &step : kSteps) {
+    gl().PixelStorei(step.name, step.value);
+    EXPECT_EQ(residency().pixelStored(step.name, step.value), step.followed);
+  }
+  (void)gl().GetError();
+  for (const bool asked : {false, true}) {
+    const BitUnpacking unpack = residency().bitUnpacking();
+    EXPECT_EQ(unpack.alignment, 1) << asked;
+    EXPECT_TRUE(unpack.lowestFirst);
+    EXPECT_EQ(unpack.rowLength, 50);
+    EXPECT_EQ(unpack.skipRows, 2);
+    EXPECT_EQ(unpack.skipPixels, 9);
+    m_context->dirty |= dirty::kPixelStore;
+  }
+}
+
 TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
   const char *reason = nullptr;
   const auto zero = [&] {
