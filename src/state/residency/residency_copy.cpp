@@ -35,9 +35,9 @@ PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
     return nullptr;
   GLint name = 0;
   images.hot.host->GetIntegerv(binding, &name);
-  if (name == 0 || !isNamedAsBound(images, GLuint(name)))
+  if (!isNamedAsBound(images, GLuint(name)))
     return nullptr;
-  Texture &texture = textureOf(images.objects, GLuint(name));
+  Texture &texture = textureOf(images.objects, textureTargetOf(copy.target), GLuint(name));
   PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
   if (!image || image->base == 0)
     return nullptr;

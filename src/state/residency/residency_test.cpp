@@ -585,28 +585,65 @@ TEST_F(Residency, PixelStoreIsFollowed) {
   }
 }
 
-TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
+TEST_F(Residency, Texture0IsOneOfEachTarget) {
   const char *reason = nullptr;
-  const auto zero = [&] {
-    return residency().acquireTexture(0, abi::Dimension::Tex2D, {}, false, reason);
+  const auto zero = [&](abi::Dimension dimension) {
+    const TextureImages *const images = residency().acquireTexture(0, dimension, {}, false, reason);
+    EXPECT_NE(images, nullptr) << reason;
+    return images;
   };
-  for (int i = 0; i < 2; ++i) {
-    const TextureImages *const images = zero();
-    ASSERT_NE(images, nullptr) << reason;
-    EXPECT_FALSE(images->complete);
-  }
+  for (int i = 0; i < 2; ++i)
+    EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete) << "without an image";
   const GLuint other = texture(GL_RGBA8, 4, 4); // is bound: texture 0 is asked for all the same
-  EXPECT_NE(zero(), nullptr);
+  EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete);
   gl().BindTexture(GL_TEXTURE_2D, 0);
   residency().textureRedefined(GL_TEXTURE_2D);
-  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  EXPECT_EQ(zero(), nullptr);
+  const Bytes texels(4 * 4 * 4, 0x40), line(4 * 4, 0x80);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  residency().textureRedefined(GL_TEXTURE_1D);
+  gl().TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, line.data());
   gl().BindTexture(GL_TEXTURE_2D, other);
-  EXPECT_EQ(zero(), nullptr);
-  residency().textureRedefined(0);
+  const TextureImages *const flat = zero(abi::Dimension::Tex2D);
+  ASSERT_TRUE(flat->complete);
+  EXPECT_EQ(flat->view.levels[0].height, 4);
+  EXPECT_EQ(flat->view.levels[0].base[5], 0x40);
+  const TextureImages *const thin = zero(abi::Dimension::Tex1D);
+  ASSERT_TRUE(thin->complete);
+  EXPECT_EQ(thin->view.levels[0].height, 1);
+  EXPECT_EQ(thin->view.levels[0].base[5], 0x80);
+  EXPECT_EQ(flat->view.levels[0].base[5], 0x40) << "two textures";
+
+  // Texels given to the one that is bound.
   gl().BindTexture(GL_TEXTURE_2D, 0);
+  const Bytes white(4 * 4 * 4, 0xFF);
+  residency().texSubImage(GL_TEXTURE_2D, 0, 0, 0, 0, 4, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                          white.data());
+  EXPECT_EQ(zero(abi::Dimension::Tex2D)->view.levels[0].base[5], 0xFF);
+  EXPECT_EQ(zero(abi::Dimension::Tex1D)->view.levels[0].base[5], 0x80);
+  residency().textureRedefined(0);
   gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  EXPECT_NE(zero(), nullptr);
+  EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete);
+  EXPECT_TRUE(zero(abi::Dimension::Tex1D)->complete);
+}
+
+TEST_F(Residency, FeedbackReachesTexture0) {
+  gl().BindTexture(GL_TEXTURE_2D, 0);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kWidth, kHeight, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
+  const char *reason = nullptr;
+  const DrawTargets *const targets = residency().describeTargets(reason);
+  ASSERT_NE(targets, nullptr) << reason;
+  ASSERT_TRUE(residency().acquireTargets({}, false, false));
+  constexpr float kColor[4] = {0, 1, 0, 1};
+  swrast::fill(*targets->color[0], {0, 0, kWidth, kHeight}, kColor, 0xF);
+  const CopyToTexture copy = {.target = GL_TEXTURE_2D, .width = kWidth, .height = kHeight};
+  ASSERT_TRUE(residency().copyToTexture(copy));
+  EXPECT_EQ(residency().statistics().copiesShared, 1u);
+  residency().synchronise("the test");
+  Bytes read(std::size_t(kWidth) * kHeight * 4);
+  gl().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+  EXPECT_EQ(read[0], 0x00);
+  EXPECT_EQ(read[1], 0xFF) << "the host was given it";
 }
 
 } // namespace
