@@ -108,6 +108,18 @@ TEST_F(SoftwarePoints, AFunctionThatTheHostLacksDoesNothing) {
   EXPECT_TRUE(g_calls.empty());
 }
 
+TEST_F(SoftwarePoints, WhatMovesTheRasterPositionIsNoted) {
+  entry<void(GLfloat, GLfloat)>("glRasterPos2f")(1, 0);
+  EXPECT_EQ(m_context->dirty, dirty::kRasterPosition);
+  m_context->dirty = 0;
+  entry<void(GLfloat, GLfloat)>("glWindowPos2fMESA")(1, 0);
+  EXPECT_EQ(m_context->dirty, dirty::kRasterPosition);
+  m_context->dirty = 0;
+  entry<void(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte *)>("glBitmap")(
+      0, 0, 0, 0, 1, 0, nullptr);
+  EXPECT_EQ(m_context->dirty, dirty::kRasterPosition);
+}
+
 TEST_F(SoftwarePoints, AnUnknownCommandMakesEverythingOld) {
   entry<void(GLenum)>("glPixelTexGenSGIX")(0);
   EXPECT_EQ(m_context->dirty, dirty::kAll);

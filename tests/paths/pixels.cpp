@@ -99,6 +99,7 @@ void bitmaps(Recorder &r) {
     glRasterPos2f(-0.9f, float(i) * 0.5f - 0.9f);
     glBitmap(16, 16, 0, 0, 20, 0, bits.data());
     glBitmap(16, 16, 0, 0, 20, 0, bits.data());
+    glFlush(); // Mesa gathers bitmaps, and draws them by the parameters that it finds then
   }
   r.picture("eight bitmaps");
 }

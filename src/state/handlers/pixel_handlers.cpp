@@ -4,6 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/lists/list_compiler.h"
+#include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
@@ -70,6 +71,28 @@ void Viewport(Context &context, GLint x, GLint y, GLsizei width, GLsizei height)
   if (executes(context) && context.software)
     context.software->residency.drawableMayHaveChanged({x, y, width, height});
   context.host->Viewport(x, y, width, height);
+}
+
+// --- How the application's pixels lie in memory ---
+
+namespace {
+
+void pixelStored(Context &context, GLenum pname, GLint value) {
+  if (!executes(context) || !context.software ||
+      !context.software->residency.pixelStored(pname, value))
+    context.dirty |= software::dirty::kPixelStore;
+}
+
+} // namespace
+
+void PixelStorei(Context &context, GLenum pname, GLint param) {
+  context.host->PixelStorei(pname, param);
+  pixelStored(context, pname, param);
+}
+
+void PixelStoref(Context &context, GLenum pname, GLfloat param) {
+  context.host->PixelStoref(pname, param);
+  context.dirty |= software::dirty::kPixelStore; // how it rounds is the host's
 }
 
 // --- A level is (re)defined ---

@@ -130,6 +130,9 @@ void noteViewport(Context &context, const Effects &effects) {
 
 /// A segment that sets state and touches no pixel: draws of the rasterizer's may go on after it.
 void callStateList(Context &context, GLuint name, const Effects &effects) {
+  // RasterPos transforms a vertex, by the vertex program that the host has and its parameters.
+  if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
+    (void)validate(context);
   context.host->CallList(name);
   context.dirty |= effects.dirty;
   noteViewport(context, effects);

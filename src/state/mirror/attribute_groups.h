@@ -20,7 +20,8 @@ namespace arbiter::state::software {
   constexpr std::uint32_t kEnables = kTextureBindings | kTextureParameters | kViewport | kRaster |
                                      kPixelOps | kTransform | kLighting | kTexGen | kFog | kQueries;
   constexpr std::array<Row, 20> kRows = {{
-      {GL_CURRENT_BIT, kCurrent | kLighting}, // a material may follow the colour
+      // a material may follow the colour
+      {GL_CURRENT_BIT, kCurrent | kLighting | kRasterPosition},
       {GL_POINT_BIT, kRaster | kTexGen | kTextureParameters},
       {GL_LINE_BIT, kRaster},
       {GL_POLYGON_BIT, kRaster},

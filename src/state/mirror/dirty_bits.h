@@ -28,5 +28,7 @@ inline constexpr std::uint32_t kPixelStore = 1u << 13; ///< pack, unpack, transf
 inline constexpr std::uint32_t kProgramState =
     1u << 14;                                       ///< any state that a program's parameters name
 inline constexpr std::uint32_t kBuffers = 1u << 15; ///< what buffer objects hold
+inline constexpr std::uint32_t kRasterPosition = 1u << 16; ///< with the values that go with it
+inline constexpr int kGroups = 17;
 inline constexpr std::uint32_t kAll = ~0u;
 } // namespace arbiter::state::software::dirty

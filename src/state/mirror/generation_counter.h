@@ -44,11 +44,11 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kGroups = 0xFFFF;
+  static constexpr std::uint32_t kGroups = (1u << dirty::kGroups) - 1;
   std::uint64_t m_now = 1;
   std::uint32_t m_latest = kGroups; ///< what the last mark() named
-  std::array<std::uint64_t, 16> m_changed = [] {
-    std::array<std::uint64_t, 16> times;
+  std::array<std::uint64_t, dirty::kGroups> m_changed = [] {
+    std::array<std::uint64_t, dirty::kGroups> times;
     times.fill(1);
     return times;
   }();

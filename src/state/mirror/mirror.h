@@ -37,6 +37,12 @@ struct SamplerState {
   std::uint64_t seen = 0;         ///< GenerationCounter
 };
 
+/// Where pixel rectangles and bitmaps go (OpenGL 2.1, 2.13).
+struct RasterPosition {
+  bool valid = false;
+  float position[4] = {0, 0, 0, 1}; ///< window x, y and depth; clip w
+};
+
 /// An array as the application gave it: in `buffer` at offset `base`, or (0) in client memory.
 struct ArrayBinding {
   VertexSource::Array array; ///< `base` null and `buffer` 0: not enabled
@@ -100,6 +106,13 @@ public:
   void refreshCurrent(std::uint32_t &dirty, std::uint32_t slots);
   /// The layer set current values of the host itself, and knows them.
   void noteCurrent(const CurrentValues &values, std::uint32_t slots);
+  /// `rasterPosition`, and of `rasterValues` the slots of a mask. Takes the bits itself.
+  void refreshRasterPosition(std::uint32_t &dirty, std::uint32_t slots);
+  /// The host was made to move its raster position, which was up to date here.
+  void noteRasterMove(float x, float y) {
+    rasterPosition.position[0] += x;
+    rasterPosition.position[1] += y;
+  }
   /// `arrays`. After refresh().
   void refreshArrays();
   /// `vertex`: only where fixed function transforms. After refresh().
@@ -127,6 +140,9 @@ public:
   std::array<std::array<SamplerState, 5>, abi::kMaxUnits> samplers; ///< by unit and abi::Dimension
   CurrentValues current{};
   std::uint32_t currentKnown = 0; ///< slots of `current` that hold the host's values
+  RasterPosition rasterPosition;
+  CurrentValues rasterValues{};        ///< that go with it: colours, raster distance, coordinates
+  std::uint32_t rasterValuesKnown = 0; ///< slots of `rasterValues` that hold the host's values
   ArrayBindings arrays;
   VertexState vertex;
   /// What of the state keeps draws with the host: a key of reasons.def, and the state's name.
@@ -140,7 +156,7 @@ public:
   std::uint8_t spriteCoords = 0;     ///< units with COORD_REPLACE, where POINT_SPRITE is enabled
 
   GenerationCounter clock;
-  std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0;
+  std::uint64_t seen = 0, currentSeen = 0, arraysSeen = 0, vertexSeen = 0, rasterSeen = 0;
   std::uint8_t polygonStipple[128] = {};
 
 private:

@@ -3,6 +3,7 @@
 #define GL_GLEXT_PROTOTYPES // before any header of GL
 #include "state/mirror/mirror.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <string>
@@ -218,6 +219,52 @@ TEST(Mirror, CurrentValuesAreAskedForOnce) {
   context.dirty |= dirty::kCurrent;
   mirror.refreshCurrent(context.dirty, 1u << kColor);
   EXPECT_EQ(current[kColor][0], 0.125f);
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(Mirror, TheRasterPositionIsAskedForWhereACommandMayHaveMovedIt) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  const std::uint32_t all =
+      1u << kColor | 1u << kSecondary | 1u << kFogCoord | 1u << kTexCoord0 | 1u << (kTexCoord0 + 3);
+  GLint window[4] = {};
+  glGetIntegerv(GL_VIEWPORT, window);
+  glColor4f(0.25f, 0.5f, 0.75f, 1);
+  glMultiTexCoord4f(GL_TEXTURE3, 1, 2, 3, 2);
+  glActiveTexture(GL_TEXTURE5);
+  glRasterPos3f(0, 0, 0.5f);
+  mirror.refreshRasterPosition(context.dirty, 0);
+  const RasterPosition &at = mirror.rasterPosition;
+  EXPECT_TRUE(at.valid);
+  EXPECT_EQ(at.position[0], float(window[2]) / 2);
+  EXPECT_EQ(at.position[2], 0.75f);
+  EXPECT_EQ(mirror.rasterValuesKnown, 0u) << "nothing was wanted";
+  mirror.refreshRasterPosition(context.dirty, all);
+  using Vec = std::array<float, 4>;
+  EXPECT_EQ(mirror.rasterValues[kColor], (Vec{0.25f, 0.5f, 0.75f, 1}));
+  EXPECT_EQ(mirror.rasterValues[kTexCoord0 + 3], (Vec{1, 2, 3, 2}));
+  GLint unit = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+  EXPECT_EQ(unit, GL_TEXTURE5);
+
+  // A bitmap of the layer's moves both; nothing is asked.
+  glBitmap(0, 0, 0, 0, 5, 2.5f, nullptr);
+  mirror.noteRasterMove(5, 2.5f);
+  mirror.refreshRasterPosition(context.dirty, all);
+  float host4[4] = {};
+  glGetFloatv(GL_CURRENT_RASTER_POSITION, host4);
+  EXPECT_TRUE(std::equal(host4, host4 + 4, at.position));
+
+  glColor4f(1, 1, 1, 1);
+  glRasterPos2f(4, 0); // outside
+  mirror.refreshRasterPosition(context.dirty, all);
+  EXPECT_TRUE(at.valid) << "no command has said so";
+  context.dirty |= dirty::kRasterPosition;
+  mirror.refreshRasterPosition(context.dirty, all);
+  EXPECT_FALSE(at.valid);
+  EXPECT_EQ(context.dirty & dirty::kRasterPosition, 0u);
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 

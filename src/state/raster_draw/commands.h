@@ -1,6 +1,7 @@
 #pragma once
 #include "state/core/context.h"
 #include "state/mirror/convert.h"
+#include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/recorder.h"
 

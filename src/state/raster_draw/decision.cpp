@@ -13,24 +13,6 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// What keeps any draw of now with the host, as far as that is known without looking at state.
-Outcome decideByPath(Context &context) {
-  if (context.listMode != 0)
-    return Fallback::List;
-  // Fixed function alone is the rasterizer's too, once a program has been drawn.
-  if (context.path == Path::HostAssembly && !applicationShades(context))
-    return Fallback::NotCompiled; // too long
-  if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
-    return Fallback::NoFragmentProgram;
-  if (context.path == Path::NoProgram && applicationShades(context))
-    return Fallback::NoFragmentProgram;
-  if (!context.software->residency.syncWithNeighbours())
-    return Fallback::Shared;
-  if (!context.software->backOff.engaged())
-    return Fallback::BackedOff;
-  return {};
-}
-
 /// The current values that vertices read: unfilled polygons have edge flags too.
 std::uint32_t currentSlotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
@@ -54,6 +36,23 @@ bool isHosts(Context &context) {
 
 bool usesRasterizer(Context &context) {
   return validatePrograms(context) && context.softwarePossible;
+}
+
+Outcome decideByPath(Context &context) {
+  if (context.listMode != 0)
+    return Fallback::List;
+  // Fixed function alone is the rasterizer's too, once a program has been drawn.
+  if (context.path == Path::HostAssembly && !applicationShades(context))
+    return Fallback::NotCompiled; // too long
+  if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
+    return Fallback::NoFragmentProgram;
+  if (context.path == Path::NoProgram && applicationShades(context))
+    return Fallback::NoFragmentProgram;
+  if (!context.software->residency.syncWithNeighbours())
+    return Fallback::Shared;
+  if (!context.software->backOff.engaged())
+    return Fallback::BackedOff;
+  return {};
 }
 
 Outcome decide(Context &context, GLenum mode, std::uint32_t count) {

@@ -26,6 +26,9 @@ class Pipeline;
   return !isHosts(context) && usesRasterizer(context);
 }
 
+/// What keeps any draw of now with the host, as far as that is known without looking at state: the
+/// path, lists, neighbours, and how the rasterizer has fared. Requires: usesRasterizer().
+Outcome decideByPath(Context &context);
 /// Looks at all state that decides about a draw of `count` vertices (0: not known yet), and has its
 /// functions made: ok where the rasterizer draws it, with what pipelineOf() has chosen and with the
 /// current values that its vertices read, else the reason why the host does. Nothing is written.

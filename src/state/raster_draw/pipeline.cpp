@@ -126,7 +126,8 @@ Outcome Pipeline::choose(Context &context, const Kind &kind) {
 }
 
 Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind) {
-  m_topology = swrast::Topology(kind.mode);
+  const bool isBitmap = kind.mode == GL_BITMAP;
+  m_topology = isBitmap ? swrast::Topology::Points : swrast::Topology(kind.mode);
   m_many = kind.count >= kManyVertices;
   m_wait = context.software->forced ? Wait::UntilDone : Wait::Briefly;
   if (context.numerics == fp::Numerics::Fp24 || !engine())
@@ -143,13 +144,15 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind)
                                                                 : Fallback::NotCompiled;
   if (!m_program->values)
     m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  if (const char *const obstacle = mirror.obstacleOf(m_topology))
+  if (const char *const obstacle = isBitmap ? nullptr : mirror.obstacleOf(m_topology))
     return fallbackNamed(obstacle, Fallback::State);
   const char *reason = nullptr;
   m_targets = context.software->residency.describeTargets(reason);
   if (!m_targets)
     return fallbackNamed(reason, Fallback::Target);
   m_floatTarget = anyFloat(*m_targets);
+  if (isBitmap)
+    return makeKey(context, mirror);
   const CompiledProgram *const vertexProgram =
       context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
   if (const Outcome vertices =
@@ -278,7 +281,7 @@ Outcome Pipeline::acquire(Context &context, const IndexRange &indices, std::uint
   if (context.software->residency.targetsHeld(depth.depthTest != 0 || depth.stencilTest != 0))
     return {};
   swrast::Rect overwritten;
-  if (opaque)
+  if (opaque && count != 0)
     overwritten =
         swrast::surelyCovered(m_raster, topology, m_vertices.vertices(), indices.indices, 0, count);
   if (!context.software->residency.acquireTargets(overwritten, depth.depthTest != 0,
@@ -298,8 +301,9 @@ Outcome Pipeline::transform(Context &context, const VertexSource &source, const 
   return m_vertices.run(context, context.software->mirror, source, begin, fetched, unfilled, later);
 }
 
-Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
-                            std::uint32_t count, bool affine, swrast::Topology topology) {
+Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::uint32_t count,
+                              bool affine, swrast::Topology topology,
+                              const swrast::Shading *&shading) {
   const Mirror &mirror = context.software->mirror;
   const Prepared &prepared = m_prepared[affine ? 1 : 0];
   if (!prepared.ready)
@@ -325,9 +329,19 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
+  shading = &prepared.shading;
+  return {};
+}
+
+Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
+                            std::uint32_t count, bool affine, swrast::Topology topology) {
+  const swrast::Shading *shading = nullptr;
+  if (const Outcome outcome = readyPixels(context, indices, count, affine, topology, shading);
+      !outcome.ok())
+    return outcome;
   m_raster.secondDiagonal = source.fromList;
-  if (swrast::rasterize(m_raster, prepared.shading, topology, m_vertices.vertices(),
-                        indices.indices, 0, count)
+  if (swrast::rasterize(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0,
+                        count)
           .incomplete)
     throw std::bad_alloc();
   return {};

@@ -15,6 +15,7 @@
 namespace arbiter::state::software {
 
 struct DrawTargets;
+struct PlacedBits;
 class Mirror;
 
 /// A context's way from the effective programs to pixels. choose() looks at state and has functions
@@ -28,8 +29,8 @@ class Pipeline {
 public:
   /// What of a draw decides about functions.
   struct Kind {
-    GLenum mode = GL_TRIANGLES;
-    std::uint32_t count = 0; ///< vertices; many small primitives take quads
+    GLenum mode = GL_TRIANGLES; ///< or GL_BITMAP, whose fragments no vertices give
+    std::uint32_t count = 0;    ///< vertices; many small primitives take quads
   };
   /// Requires: the context's programs are validated.
   Outcome choose(Context &context, const Kind &kind);
@@ -40,6 +41,9 @@ public:
   /// taken for affine, so that all parts have the functions of the first.
   Outcome shadePart(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, swrast::Topology topology);
+  /// Chooses, and draws bits (bitmap.h) as fragments that have the current raster position's
+  /// values.
+  Outcome shadeBits(Context &context, const PlacedBits &bits);
   [[nodiscard]] swrast::Topology topology() const { return m_topology; }
   /// The chosen draw tests depth or stencil.
   [[nodiscard]] bool testsDepth() const {
@@ -68,6 +72,9 @@ private:
                     std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t count, bool affine, swrast::Topology topology);
+  /// The functions, the targets and what pixels are drawn with; nothing has been drawn before.
+  Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count, bool affine,
+                      swrast::Topology topology, const swrast::Shading *&shading);
   Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);
   void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   Outcome makeKey(Context &context, Mirror &mirror);

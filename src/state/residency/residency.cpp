@@ -34,7 +34,6 @@ void uploadAll(ResidentImages &images) {
 
 void dropObjects(ResidentImages &images) {
   ObjectImages &objects = images.objects;
-  objects.absent.fill(-1);
   for (const auto &[name, texture] : objects.textures)
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image)
@@ -88,7 +87,6 @@ void forgetObjects(ResidentImages &images) {
   objects.renderbuffers.clear();
   objects.pending.clear();
   objects.way = {};
-  objects.absent.fill(-1);
   images.framebuffers = {};
 }
 

@@ -32,6 +32,13 @@ struct DrawTargets {
   bool doubleBuffered = false, isWindow = false;
 };
 
+/// How the application's bitmaps lie in memory (OpenGL 2.1, 3.6.1 and 3.7).
+struct BitUnpacking {
+  GLint rowLength = 0, skipRows = 0, skipPixels = 0, alignment = 4;
+  bool lowestFirst = false;
+  GLuint buffer = 0; ///< PIXEL_UNPACK_BUFFER that they lie in; 0: client memory
+};
+
 /// BASE_LEVEL and MAX_LEVEL of a texture.
 struct TextureLevels {
   GLint base = 0, max = 1000;
@@ -142,6 +149,15 @@ public:
   void textureRedefined(GLenum target);
   /// Before the host deletes them.
   void texturesDeleted(GLsizei n, const GLuint *names);
+
+  // --- The application's pixels in memory ---
+
+  /// Asks the host only after a command that may have changed it, which those of PixelStore are not
+  /// that pixelStored() follows.
+  [[nodiscard]] BitUnpacking bitUnpacking();
+  /// PixelStore went to the host, outside lists and Begin/End: followed, or (false) to be asked
+  /// for.
+  [[nodiscard]] bool pixelStored(GLenum pname, GLint value);
 
   // --- Synchronisation. Why the host had to be brought up to date: an entry point's name, or a
   // --- reason of reasons.def ---

@@ -30,9 +30,9 @@ bool worthSharing(const Image &image, const Rect &rect) {
 /// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
 /// level that the copy would define anew.
 PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
-  if (copy.texture == 0 || !isNamedAsBound(images, copy.texture))
+  if (bindingOf(copy.target) == 0 || !isNamedAsBound(images, copy.texture))
     return nullptr;
-  Texture &texture = textureOf(images.objects, copy.texture);
+  Texture &texture = textureOf(images.objects, textureTargetOf(copy.target), copy.texture);
   PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
   if (!image || image->base == 0)
     return nullptr;

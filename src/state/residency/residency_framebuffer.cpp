@@ -53,7 +53,7 @@ PixelImage *attached(ResidentImages &images, GLenum framebuffer, GLenum attachme
   } else if (type == GL_TEXTURE && host.IsTexture(name)) {
     const GLint level = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
     const auto face = GLenum(ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE));
-    Texture &texture = textureOf(images.objects, name);
+    Texture &texture = textureOf(images.objects, 0, name);
     const GLenum target = face != 0 ? face : findTarget(images, texture);
     if (target == GL_TEXTURE_3D)
       slice = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER);

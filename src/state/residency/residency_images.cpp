@@ -75,13 +75,28 @@ bool isNamedAsBound(const ResidentImages &images, GLuint name) {
   return images.deletedNames.isUniqueWhereBound(DeletedNames::Kind::Texture, name, images.serial);
 }
 
-Texture &textureOf(ObjectImages &objects, GLuint name) {
-  const auto found = objects.textures.find(name);
+Texture &textureOf(ObjectImages &objects, GLenum target, GLuint name) {
+  const std::uint64_t key = textureKey(target, name);
+  const auto found = objects.textures.find(key);
   if (found != objects.textures.end())
     return *found->second;
   auto made = std::make_unique<Texture>();
   made->name = name;
-  return *objects.textures.emplace(name, std::move(made)).first->second;
+  made->target = name != 0 ? 0 : target;
+  return *objects.textures.emplace(key, std::move(made)).first->second;
+}
+
+Texture *boundTexture(ResidentImages &images, GLenum imageTarget) {
+  GLint name = 0;
+  images.hot.host->GetIntegerv(bindingOf(imageTarget), &name);
+  const auto &textures = images.objects.textures;
+  const auto found = textures.find(textureKey(textureTargetOf(imageTarget), GLuint(name)));
+  return found == textures.end() || !isNamedAsBound(images, GLuint(name)) ? nullptr
+                                                                          : found->second.get();
+}
+
+bool textureExists(const ResidentImages &images, GLuint name) {
+  return name == 0 || images.hot.host->IsTexture(name) != GL_FALSE;
 }
 
 GLenum textureTargetOf(GLenum imageTarget) {
@@ -101,7 +116,7 @@ GLenum textureTargetOf(GLenum imageTarget) {
 }
 
 GLenum findTarget(ResidentImages &images, Texture &texture) {
-  if (texture.target != 0 || texture.name == 0)
+  if (texture.target != 0)
     return texture.target;
   const host::HostTable &host = *images.hot.host;
   HostErrorScope errors = errorScope(images);
@@ -125,8 +140,8 @@ GLenum findTarget(ResidentImages &images, Texture &texture) {
 
 PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget, GLint level) {
   const GLenum target = textureTargetOf(imageTarget);
-  if (target == 0 || level < 0 || level >= abi::kMaxLevels || texture.name == 0)
-    return nullptr; // texture 0 is a texture per target: rare, and its name tells them not apart
+  if (target == 0 || level < 0 || level >= abi::kMaxLevels)
+    return nullptr;
   if (texture.target == 0)
     texture.target = target;
   if (texture.target != target)

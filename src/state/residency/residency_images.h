@@ -58,7 +58,7 @@ struct PixelImage {
 
 /// A texture object; faces and levels as far as they were asked for.
 struct Texture {
-  GLuint name = 0;
+  GLuint name = 0;   ///< 0: the default texture of `target`
   GLenum target = 0; ///< 0: not known yet
   bool immutable = false, immutableKnown = false;
   std::vector<std::unique_ptr<PixelImage>> images; ///< faces * level + face; null: never asked for
@@ -69,7 +69,7 @@ struct Texture {
 /// A context's images of what its group shares. Each context keeps its own, so that none touches
 /// what another thread draws with; neighbours.h says for how long they are good.
 struct ObjectImages {
-  std::unordered_map<GLuint, std::unique_ptr<Texture>> textures;
+  std::unordered_map<std::uint64_t, std::unique_ptr<Texture>> textures; ///< by textureKey()
   std::unordered_map<GLuint, std::unique_ptr<PixelImage>> renderbuffers;
   std::vector<PixelImage *> pending; ///< textures and renderbuffers
   /// Moves on when an image may be another than a framebuffer's description says.
@@ -88,9 +88,6 @@ struct ObjectImages {
   }
   bool drawn = false; ///< by us, ever
   ResidencyStatistics statistics;
-  /// By abi::Dimension: the base level that texture 0 does not have, as the host said, which makes
-  /// it incomplete; -1 where that is not known.
-  std::array<GLint, 5> absent{-1, -1, -1, -1, -1};
   /// What the texture of the layer's is that pixels go through on their way to other images; the
   /// group has one.
   struct Way {
@@ -166,7 +163,16 @@ void dropIfNeighbourWasCurrent(ResidentImages &images);
 void forgetSize(ResidentImages &images);
 
 // --- residency_images.cpp ---
-[[nodiscard]] Texture &textureOf(ObjectImages &objects, GLuint name);
+/// Names tell textures apart but for 0, which each target has a texture of (3.8.12).
+[[nodiscard]] constexpr std::uint64_t textureKey(GLenum target, GLuint name) {
+  return name != 0 ? name : std::uint64_t(target) << 32;
+}
+/// \param target the texture's own; 0: not known, of one that has a name
+[[nodiscard]] Texture &textureOf(ObjectImages &objects, GLenum target, GLuint name);
+/// The texture that is bound to the target of an image, if anything is known of it.
+[[nodiscard]] Texture *boundTexture(ResidentImages &images, GLenum imageTarget);
+/// There is a texture of that name still; default textures are always there.
+[[nodiscard]] bool textureExists(const ResidentImages &images, GLuint name);
 /// The level's image, its description asked for; null for a target or level that there is not.
 [[nodiscard]] PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget,
                                   GLint level);

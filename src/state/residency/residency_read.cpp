@@ -130,12 +130,10 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return false;
-  GLint name = 0;
-  images.hot.host->GetIntegerv(binding, &name);
-  const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
+  Texture *const texture = boundTexture(images, target);
+  if (!texture)
     return false;
-  const PixelImage *const image = levelOf(images, *found->second, target, level);
+  const PixelImage *const image = levelOf(images, *texture, target, level);
   // Of a texture luminance and intensity come back as red alone (6.1.4); the shadow's swizzle is
   // that of sampling.
   if (!image || image->valid == Valid::Host || image->depth != 1 ||

@@ -567,28 +567,91 @@ INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
                          testing::Values(0, GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24,
                                          GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F));
 
-TEST_F(Residency, UnitsWithoutATextureAreIncompleteUntilTexture0HasAnImage) {
-  const char *reason = nullptr;
-  const auto zero = [&] {
-    return residency().acquireTexture(0, abi::Dimension::Tex2D, {}, false, reason);
-  };
-  for (int i = 0; i < 2; ++i) {
-    const TextureImages *const images = zero();
-    ASSERT_NE(images, nullptr) << reason;
-    EXPECT_FALSE(images->complete);
+TEST_F(Residency, PixelStoreIsFollowed) {
+  EXPECT_EQ(residency().bitUnpacking().alignment, 4);
+  constexpr struct {
+    GLenum name;
+    GLint value;
+    bool followed;
+  } kSteps[] = {{GL_UNPACK_ALIGNMENT, 1, true},     {GL_UNPACK_ALIGNMENT, 3, false},
+                {GL_UNPACK_LSB_FIRST, 7, true},     {GL_UNPACK_ROW_LENGTH, 50, true},
+                {GL_UNPACK_SKIP_ROWS, 2, true},     {GL_UNPACK_SKIP_PIXELS, 9, true},
+                {GL_UNPACK_SKIP_PIXELS, -1, false}, {GL_PACK_ALIGNMENT, 1, false}};
+  for (const auto &step : kSteps) {
+    gl().PixelStorei(step.name, step.value);
+    EXPECT_EQ(residency().pixelStored(step.name, step.value), step.followed);
   }
+  (void)gl().GetError();
+  for (const bool asked : {false, true}) {
+    const BitUnpacking unpack = residency().bitUnpacking();
+    EXPECT_EQ(unpack.alignment, 1) << asked;
+    EXPECT_TRUE(unpack.lowestFirst);
+    EXPECT_EQ(unpack.rowLength, 50);
+    EXPECT_EQ(unpack.skipRows, 2);
+    EXPECT_EQ(unpack.skipPixels, 9);
+    m_context->dirty |= dirty::kPixelStore;
+  }
+}
+
+TEST_F(Residency, Texture0IsOneOfEachTarget) {
+  const char *reason = nullptr;
+  const auto zero = [&](abi::Dimension dimension) {
+    const TextureImages *const images = residency().acquireTexture(0, dimension, {}, false, reason);
+    EXPECT_NE(images, nullptr) << reason;
+    return images;
+  };
+  for (int i = 0; i < 2; ++i)
+    EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete) << "without an image";
   const GLuint other = texture(GL_RGBA8, 4, 4); // is bound: texture 0 is asked for all the same
-  EXPECT_NE(zero(), nullptr);
+  EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete);
   gl().BindTexture(GL_TEXTURE_2D, 0);
   residency().textureRedefined(GL_TEXTURE_2D);
-  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  EXPECT_EQ(zero(), nullptr);
+  const Bytes texels(4 * 4 * 4, 0x40), line(4 * 4, 0x80);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  residency().textureRedefined(GL_TEXTURE_1D);
+  gl().TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA8, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, line.data());
   gl().BindTexture(GL_TEXTURE_2D, other);
-  EXPECT_EQ(zero(), nullptr);
-  residency().textureRedefined(0);
+  const TextureImages *const flat = zero(abi::Dimension::Tex2D);
+  ASSERT_TRUE(flat->complete);
+  EXPECT_EQ(flat->view.levels[0].height, 4);
+  EXPECT_EQ(flat->view.levels[0].base[5], 0x40);
+  const TextureImages *const thin = zero(abi::Dimension::Tex1D);
+  ASSERT_TRUE(thin->complete);
+  EXPECT_EQ(thin->view.levels[0].height, 1);
+  EXPECT_EQ(thin->view.levels[0].base[5], 0x80);
+  EXPECT_EQ(flat->view.levels[0].base[5], 0x40) << "two textures";
+
+  // Texels given to the one that is bound.
   gl().BindTexture(GL_TEXTURE_2D, 0);
+  const Bytes white(4 * 4 * 4, 0xFF);
+  residency().texSubImage(GL_TEXTURE_2D, 0, 0, 0, 0, 4, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                          white.data());
+  EXPECT_EQ(zero(abi::Dimension::Tex2D)->view.levels[0].base[5], 0xFF);
+  EXPECT_EQ(zero(abi::Dimension::Tex1D)->view.levels[0].base[5], 0x80);
+  residency().textureRedefined(0);
   gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  EXPECT_NE(zero(), nullptr);
+  EXPECT_FALSE(zero(abi::Dimension::Tex2D)->complete);
+  EXPECT_TRUE(zero(abi::Dimension::Tex1D)->complete);
+}
+
+TEST_F(Residency, FeedbackReachesTexture0) {
+  gl().BindTexture(GL_TEXTURE_2D, 0);
+  gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kWidth, kHeight, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
+  const char *reason = nullptr;
+  const DrawTargets *const targets = residency().describeTargets(reason);
+  ASSERT_NE(targets, nullptr) << reason;
+  ASSERT_TRUE(residency().acquireTargets({}, false, false));
+  constexpr float kColor[4] = {0, 1, 0, 1};
+  swrast::fill(*targets->color[0], {0, 0, kWidth, kHeight}, kColor, 0xF);
+  const CopyToTexture copy = {.target = GL_TEXTURE_2D, .width = kWidth, .height = kHeight};
+  ASSERT_TRUE(residency().copyToTexture(copy));
+  EXPECT_EQ(residency().statistics().copiesShared, 1u);
+  residency().synchronise("the test");
+  Bytes read(std::size_t(kWidth) * kHeight * 4);
+  gl().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+  EXPECT_EQ(read[0], 0x00);
+  EXPECT_EQ(read[1], 0xFF) << "the host was given it";
 }
 
 } // namespace

@@ -129,29 +129,6 @@ private:
   Texture &m_texture;
 };
 
-const TextureImages kIncomplete;
-
-/// A unit that no texture was bound to has texture 0 of the target, which is as a rule without any
-/// image. Where it has one it gets no shadow: its name tells it not from those of other targets.
-bool zeroIsAbsent(ResidentImages &images, abi::Dimension dimension, TextureLevels range) {
-  GLint &absent = images.objects.absent[std::size_t(dimension)];
-  if (absent == range.base)
-    return true;
-  if (range.base < 0 || range.base >= abi::kMaxLevels)
-    return false;
-  const GLenum target = targetOf(dimension);
-  const GLenum image =
-      target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
-  HostErrorScope errors = errorScope(images);
-  const TextureBinding binding(*images.hot.host, target, 0);
-  GLint width = 0;
-  images.hot.host->GetTexLevelParameteriv(image, range.base, GL_TEXTURE_WIDTH, &width);
-  if (width != 0 || errors.failed())
-    return false;
-  absent = range.base;
-  return true;
-}
-
 } // namespace
 
 const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimension,
@@ -160,12 +137,10 @@ const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimen
   ResidentImages &images = *m_images;
   reason = "texture";
   const GLenum target = targetOf(dimension);
-  if (name == 0)
-    return zeroIsAbsent(images, dimension, range) ? &kIncomplete : nullptr;
   // One that a neighbour deleted is still sampled here; its name may be another one's.
   if (!isNamedAsBound(images, name))
     return nullptr;
-  Texture &texture = textureOf(images.objects, name);
+  Texture &texture = textureOf(images.objects, target, name);
   if (!Completeness(images, texture).gather(target, range, mipmapped, reason))
     return nullptr;
   texture.view.dimension = dimension;
@@ -190,10 +165,9 @@ void Residency::textureRedefined(GLenum target) {
   if (!isAlone(images))
     return;
   ObjectImages &objects = images.objects;
-  objects.absent.fill(-1);
   if (objects.textures.empty())
     return;
-  GLuint name = 0;
+  std::uint64_t wanted = 0;
   if (target != 0) {
     const GLenum binding =
         bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
@@ -201,10 +175,10 @@ void Residency::textureRedefined(GLenum target) {
       return; // a proxy, an array: none that has a shadow
     GLint bound = 0;
     images.hot.host->GetIntegerv(binding, &bound);
-    name = GLuint(bound);
+    wanted = textureKey(textureTargetOf(target), GLuint(bound));
   }
   for (const auto &[key, texture] : objects.textures) {
-    if (target != 0 && key != name)
+    if (target != 0 && key != wanted)
       continue;
     for (const std::unique_ptr<PixelImage> &image : texture->images)
       if (image && image->valid == Valid::Shadow) {

@@ -109,7 +109,7 @@ bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
 bool readTexture(ResidentImages &images, const PixelImage &image, const Image &to,
                  const GlFormat &gl) {
   const host::HostTable &host = *images.hot.host;
-  if (!host.IsTexture(image.place.name))
+  if (!textureExists(images, image.place.name))
     return false;
   const Rows rows = rowsOf(to);
   const TextureBinding binding(host, textureTargetOf(image.place.target), image.place.name);
@@ -280,7 +280,7 @@ void upload(ResidentImages &images, PixelImage &image) {
   HostErrorScope errors = errorScope(images);
   if (image.place.kind == Place::Kind::Texture) {
     // One that a neighbour deleted or gave another size is the neighbour's.
-    if (!images.hot.host->IsTexture(image.place.name))
+    if (!textureExists(images, image.place.name))
       return;
     GlFormat gl;
     const Image from = plain(image, false, gl);

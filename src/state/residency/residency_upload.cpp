@@ -190,12 +190,10 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return;
-  GLint name = 0;
-  images.hot.host->GetIntegerv(binding, &name);
-  const auto found = objects.textures.find(GLuint(name));
-  if (found == objects.textures.end() || !isNamedAsBound(images, GLuint(name)))
+  Texture *const texture = boundTexture(images, target);
+  if (!texture)
     return;
-  PixelImage *const image = levelOf(images, *found->second, target, level);
+  PixelImage *const image = levelOf(images, *texture, target, level);
   if (!image || image->valid == Valid::Host ||
       (z == 0 && write(images, *image, {x, y, width, height}, format, type, pixels)))
     return;

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions
+and errors are equal. What the specification says of their texture coordinates, fog and second colour,
+which hosts do not all do, is compared with colours worked out here.
+
+  run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import sides
+from x_server import XServer
+
+# Of the draws of the scenes, as many at least must be the rasterizer's.
+MOST_DRAWN = 0.8
+# RGBA of what OpenGL 2.1 (2.13, 3.7, 3.9, 3.10) makes of the values that software-bitmaps sets.
+RULES = {
+    "rule texture coordinates": (64, 191, 128, 255),
+    "rule texture coordinates of another unit": (128, 32, 255, 255),
+    "rule secondary colour": (96, 191, 207, 255),
+    "rule colour sum": (96, 191, 207, 255),
+    "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the colour
+    "rule a texture": (0, 0, 255, 255),
+}
+
+
+def judge_rules(client, env):
+    found = dict(sides.run([client, "rules"], env))
+    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}" for name, colour in RULES.items()
+            if sides.distances(found.get(name, b""), bytes(colour))[0]]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--count", type=int, default=60)
+    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
+    args = parser.parse_args()
+    build = args.build.resolve()
+    client = build / "tests/software/software-bitmaps"
+    command = [client, args.first, args.count]
+    results = {}
+    with tempfile.TemporaryDirectory(prefix="arbiter-bitmaps-") as scratch, XServer() as display:
+        extra = {"DISPLAY": display, "XDG_CACHE_HOME": scratch}
+        stats = pathlib.Path(scratch) / "stats.json"
+        layer = sides.environment(sides.layer_of(build), args.backend,
+                                  {**extra, "ARBITER_STATS": str(stats)})
+        try:
+            bare = sides.run(command, sides.environment(extra=extra))
+            results["scenes"] = sides.differences(bare, sides.run(command, layer))
+            part = sides.software_statistics(stats)
+            if args.backend != "host":
+                results["rules"] = judge_rules(client, layer)
+        except (sides.Died, subprocess.TimeoutExpired) as death:
+            results["clients"], part = [str(death)], {}
+    drawn, given = part.get("drawn", 0), sum(part.get("given_to_host", {}).values())
+    print(f"the rasterizer drew {drawn}, the host {part.get('given_to_host', {})}")
+    if args.backend == "swrast":
+        results["draws"] = [] if drawn and drawn >= MOST_DRAWN * (drawn + given) else \
+            ["too few are the rasterizer's"]
+    for name, lines in results.items():
+        print(f"{'FAIL' if lines else 'pass'} {name}")
+        for line in lines[:12]:
+            print(f"     {line}")
+    failed = sum(bool(lines) for lines in results.values())
+    print(f"{len(results) - failed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
