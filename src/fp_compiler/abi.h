@@ -36,17 +36,23 @@ enum class Layout : std::uint8_t {
   Depth16,         ///< 16-bit unsigned normalised depth
   Depth24Stencil8, ///< 32 bits: depth in bits 8 to 31, stencil in bits 0 to 7
   Depth32F,        ///< a float in [0,1]
+  Depth32,         ///< 32-bit unsigned normalised depth, as depth32Of() makes it
 };
 [[nodiscard]] constexpr int bytesOf(Layout layout) {
-  constexpr int kBytes[] = {0, 1, 2, 4, 2, 4, 8, 2, 4, 8, 4, 8, 16, 2, 2, 2, 4, 2, 4, 4};
+  constexpr int kBytes[] = {0, 1, 2, 4, 2, 4, 8, 2, 4, 8, 4, 8, 16, 2, 2, 2, 4, 2, 4, 4, 4};
   return kBytes[int(layout)];
 }
 /// Stored components of a colour layout; 0 of others.
 [[nodiscard]] constexpr int componentsOf(Layout layout) {
-  constexpr int kComponents[] = {0, 1, 2, 4, 1, 2, 4, 1, 2, 4, 1, 2, 4, 3, 4, 4, 4, 0, 0, 0};
+  constexpr int kComponents[] = {0, 1, 2, 4, 1, 2, 4, 1, 2, 4, 1, 2, 4, 3, 4, 4, 4, 0, 0, 0, 0};
   return kComponents[int(layout)];
 }
 [[nodiscard]] constexpr bool isDepth(Layout layout) { return layout >= Layout::Depth16; }
+/// Depth in [0,1] as Depth32 keeps it. A float has 24 bits of its own at most: hosts take 31 of its
+/// fraction, shift them up, and have all of them set for 1.
+[[nodiscard]] constexpr std::uint32_t depth32Of(float depth) {
+  return depth < 1.0f ? std::uint32_t(depth * 0x1p31f) << 1 : ~0u;
+}
 /// Components that are parts of one word, of the layout's size.
 [[nodiscard]] constexpr bool isPacked(Layout layout) {
   return layout >= Layout::Bits565 && layout <= Layout::Bits1010102;

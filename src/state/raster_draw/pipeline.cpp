@@ -252,7 +252,11 @@ void Pipeline::fillRaster(const Mirror &mirror) {
     m_raster.clip = swrast::intersect(m_raster.clip, mirror.scissor);
   m_raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
   // The software host's r is two steps of a depth buffer; passes of both must meet.
-  m_raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0 : 16777215.0);
+  const swrast::Image *const depth = m_targets->depthStencil;
+  const bool is32 = depth && depth->format.layout == abi::Layout::Depth32;
+  m_raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0
+                                    : is32                     ? 4294967295.0
+                                                               : 16777215.0);
   const auto &inputs = m_program->functions->prepared()->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&

@@ -157,6 +157,7 @@ Precision precisionOf(Layout layout) {
   case Layout::Depth16:
   case Layout::Depth24Stencil8:
   case Layout::Depth32F:
+  case Layout::Depth32:
     return Precision::Other;
   }
   return Precision::Other;
@@ -212,6 +213,8 @@ bool depthFormatOf(const HostFormat &host, abi::Format &format) {
     format.layout = host.depth == 32 && host.stencil == 0 ? Layout::Depth32F : Layout::None;
   else if (host.depth == 24)
     format.layout = Layout::Depth24Stencil8;
+  else if (host.depth == 32)
+    format.layout = host.stencil == 0 ? Layout::Depth32 : Layout::None;
   else
     format.layout = host.depth == 16 && host.stencil == 0 ? Layout::Depth16 : Layout::None;
   return format.layout != Layout::None;
@@ -257,6 +260,9 @@ bool glFormatOf(const abi::Format &format, GLenum base, GlFormat &gl) {
     return true;
   case Layout::Depth32F:
     gl = {GL_DEPTH_COMPONENT, GL_FLOAT};
+    return true;
+  case Layout::Depth32:
+    gl = {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
     return true;
   case Layout::Depth24Stencil8:
     // Depth alone comes as 32 bits, of which the upper 24 are what this layout has there.

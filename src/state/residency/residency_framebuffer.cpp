@@ -202,9 +202,9 @@ void describeDrawObject(ResidentImages &images, Framebuffers &f) {
   f.depthStencil = depth;
   limit(depth);
   if (depth) {
-    f.depthBits = depth->format.layout == abi::Layout::Depth16    ? 16
-                  : depth->format.layout == abi::Layout::Depth32F ? 32
-                                                                  : 24;
+    f.depthBits = depth->format.layout == abi::Layout::Depth16           ? 16
+                  : depth->format.layout == abi::Layout::Depth24Stencil8 ? 24
+                                                                         : 32;
     f.stencilBits = depth->base == GL_DEPTH_STENCIL ? 8 : 0;
   }
   const auto isDepth = [](const PixelImage *image) {

@@ -565,7 +565,8 @@ TEST_P(ResidencyOfDepth, GoesToTheHostAndBack) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, ResidencyOfDepth,
                          testing::Values(0, GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT24,
-                                         GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F));
+                                         GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32,
+                                         GL_DEPTH_COMPONENT32F));
 
 TEST_F(Residency, PixelStoreIsFollowed) {
   EXPECT_EQ(residency().bitUnpacking().alignment, 4);

@@ -199,6 +199,8 @@ GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
     }
   if (gl.format == GL_DEPTH_STENCIL)
     return GL_DEPTH24_STENCIL8;
+  if (image.format.layout == abi::Layout::Depth32)
+    return GL_DEPTH_COMPONENT32;
   return gl.type == GL_FLOAT            ? GL_DEPTH_COMPONENT32F
          : gl.type == GL_UNSIGNED_SHORT ? GL_DEPTH_COMPONENT16
                                         : GL_DEPTH_COMPONENT24;

@@ -50,6 +50,13 @@ __mmask16 passing(__mmask16 mask, __m512 depth, __m512i old, __m512i &made) {
     if constexpr (!kDecided)
       mask = _mm512_mask_cmp_ps_mask(mask, depth, _mm512_castsi512_ps(old),
                                      kFloatCompare[int(kCompare)]);
+  } else if constexpr (kLayout == abi::Layout::Depth32) { // abi::depth32Of()
+    const __m512i bits =
+        _mm512_slli_epi32(_mm512_cvttps_epi32(_mm512_mul_ps(depth, _mm512_set1_ps(0x1p31f))), 1);
+    const __mmask16 isOne = _mm512_cmp_ps_mask(depth, _mm512_set1_ps(1.0f), _CMP_NLT_UQ);
+    made = _mm512_mask_mov_epi32(bits, isOne, _mm512_set1_epi32(-1));
+    if constexpr (!kDecided)
+      mask = _mm512_mask_cmp_epu32_mask(mask, made, old, kIntegerCompare[int(kCompare)]);
   } else {
     constexpr bool kHalf = kLayout == abi::Layout::Depth16;
     const __m512i mine =
@@ -111,6 +118,8 @@ TestBlocks chooseTest(const DepthTest &test) {
     return testOf<abi::Layout::Depth24Stencil8>(test.compare);
   case abi::Layout::Depth32F:
     return testOf<abi::Layout::Depth32F>(test.compare);
+  case abi::Layout::Depth32:
+    return testOf<abi::Layout::Depth32>(test.compare);
   default:
     return testBlocksBy<abi::Layout::None, abi::Compare::Always>;
   }

@@ -14,7 +14,8 @@ using testing::Canvas;
 using testing::WindowVertices;
 
 constexpr abi::Layout kLayouts[] = {abi::Layout::None, abi::Layout::Depth16,
-                                    abi::Layout::Depth24Stencil8, abi::Layout::Depth32F};
+                                    abi::Layout::Depth24Stencil8, abi::Layout::Depth32F,
+                                    abi::Layout::Depth32};
 
 /// The depth test of machine code, a pixel at a time, from its description (4.1.6).
 bool testReference(const DepthTest &test, const abi::FragmentData &data,
@@ -37,6 +38,10 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
     std::memcpy(&value, &pixel, 4);
     stored = value;
     std::memcpy(&made, &depth, 4);
+  } else if (test.layout == abi::Layout::Depth32) {
+    made = depth == 1.0f ? 0xFFFFFFFFu : 2 * std::uint32_t(std::floor(std::ldexp(depth, 31)));
+    mine = made;
+    theirs = pixel;
   } else {
     const bool half = test.layout == abi::Layout::Depth16;
     volatile const float scaled = depth * (half ? 65535.0f : 16777215.0f);

@@ -124,6 +124,10 @@ bool testPixel(const PackedTile &tile, float depth, std::int32_t &pixel) {
   } else if (tile.test.layout == abi::Layout::Depth16) {
     made = std::int32_t(std::lrintf(depth * 65535.0f));
     pass = passes(compare, made, pixel);
+  } else if (tile.test.layout == abi::Layout::Depth32) {
+    const std::uint32_t mine = abi::depth32Of(depth);
+    made = std::int32_t(mine);
+    pass = passes(compare, mine, std::uint32_t(pixel));
   } else {
     const auto incoming = std::int32_t(std::lrintf(depth * 16777215.0f));
     made = std::int32_t(std::uint32_t(incoming) << 8 | (std::uint32_t(pixel) & 255));

@@ -185,6 +185,10 @@ void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthVal
       fillRows(value, mask);
     return;
   }
+  case Layout::Depth32:
+    if (depth)
+      fillRows(std::uint32_t(z * 4294967295.0 + 0.5), 0xFFFFFFFFu);
+    return;
   case Layout::Depth32F:
     if (depth) {
       std::uint32_t value = 0;

@@ -260,6 +260,11 @@ TEST(Image, DepthAndStencilFills) {
   Image depth16 = makeImage({Layout::Depth16, abi::kRgba}, 3, 3);
   fillDepthStencil(depth16, {0, 0, 3, 3}, true, 2.0f, 0, 0);
   EXPECT_EQ(bytesAt(depth16, 2, 2), (std::vector<int>{255, 255}));
+  Image depth32 = makeImage({Layout::Depth32, abi::kRgba}, 3, 3);
+  fillDepthStencil(depth32, {0, 0, 3, 3}, true, 1.0f, 0xFF, 0);
+  EXPECT_EQ(bytesAt(depth32, 1, 1), (std::vector<int>{255, 255, 255, 255}));
+  fillDepthStencil(depth32, {0, 0, 3, 3}, true, 0.25f, 0, 0);
+  EXPECT_EQ(bytesAt(depth32, 2, 2), (std::vector<int>{0, 0, 0, 0x40}));
 }
 
 } // namespace

@@ -21,10 +21,24 @@ Value *DepthStencil::quantised(Value *depth) {
                  limit(offsetof(abi::FragmentData, depthMaximum)));
   if (m_key.layout == abi::Layout::Depth32F)
     return clamped;
+  if (m_key.layout == abi::Layout::Depth32) { // abi::depth32Of()
+    Value *const bits =
+        ir.CreateShl(m_code.toInt(ir.CreateFMul(clamped, m_code.splat(0x1p31f))), m_code.splat(1));
+    return m_code.select(ir.CreateFCmpOLT(clamped, m_code.splat(1.0f)), bits, m_code.splat(-1));
+  }
   // Products of 24 bits are whole numbers from 2^23 on: rounding to even keeps those as they are.
   const float most = m_key.layout == abi::Layout::Depth16 ? 65535.0f : 16777215.0f;
   Value *const scaled = ir.CreateFMul(clamped, m_code.splat(most));
   return m_code.toInt(ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, scaled));
+}
+
+Value *DepthStencil::passes(Value *mine, Value *theirs) {
+  if (m_key.layout != abi::Layout::Depth32)
+    return compared(m_code, m_key.depthCompare, mine, theirs);
+  // Without a sign: the same order as signed ones with the highest bit turned over.
+  Value *const sign = m_code.splat(INT32_MIN);
+  return compared(m_code, m_key.depthCompare, m_code.ir.CreateXor(mine, sign),
+                  m_code.ir.CreateXor(theirs, sign));
 }
 
 Value *DepthStencil::ofSide(std::size_t offset) {
@@ -109,13 +123,13 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
       stored = ir.CreateBitCast(old, m_code.f32);
     else if (hasStencil)
       stored = ir.CreateLShr(old, m_code.splat(8));
-    depthPass = compared(m_code, m_key.depthCompare, incoming, stored);
+    depthPass = passes(incoming, stored);
     depthBits = ir.CreateBitCast(incoming, m_code.i32);
     if (hasStencil)
       depthBits = ir.CreateShl(depthBits, m_code.splat(8));
   }
 
-  Value *const passes = ir.CreateAnd(mask, ir.CreateAnd(stencilPass, depthPass));
+  Value *const lanes = ir.CreateAnd(mask, ir.CreateAnd(stencilPass, depthPass));
   const bool writesDepth = testsDepth() && m_key.depthWrite;
   if (!testsStencil()) {
     if (writesDepth) {
@@ -125,9 +139,9 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
       if (isHalf)
         pixels = ir.CreateTrunc(
             pixels, llvm::FixedVectorType::get(ir.getInt16Ty(), unsigned(m_code.lanes)));
-      m_memory->store(place, pixels, 1, passes);
+      m_memory->store(place, pixels, 1, lanes);
     }
-    return passes;
+    return lanes;
   }
   Value *made = chosen([&](const abi::StencilFaceKey &face) {
     Value *const afterDepth = m_code.select(depthPass, operated(face.depthPass, stencil),
@@ -141,7 +155,7 @@ Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {
       writesDepth ? m_code.select(ir.CreateAnd(stencilPass, depthPass), depthBits, oldDepth)
                   : oldDepth;
   m_memory->store(place, ir.CreateOr(newDepth, made), 1, mask);
-  return passes;
+  return lanes;
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -30,8 +30,10 @@ private:
   [[nodiscard]] bool testsStencil() const {
     return m_key.layout == abi::Layout::Depth24Stencil8 && m_key.stencilTest;
   }
-  /// Fragment depth as the buffer compares it: i32, or floats of Depth32F.
+  /// Fragment depth as the buffer keeps it: i32, or floats of Depth32F.
   [[nodiscard]] Value *quantised(Value *depth);
+  /// The lanes whose depth passes against the buffer's, both as quantised() has them.
+  [[nodiscard]] Value *passes(Value *mine, Value *theirs);
   /// Of the primitive's side: a byte of a pair in FragmentData, in all lanes.
   [[nodiscard]] Value *ofSide(std::size_t offset);
   /// What a face's operations make of a stencil value.

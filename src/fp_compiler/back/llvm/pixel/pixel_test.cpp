@@ -95,8 +95,8 @@ abi::FragmentKey randomKey(Random &random) {
     key.logicOpEnabled = 1;
     key.logicOp = random.any(abi::LogicOp::Set);
   }
-  const Layout depths[] = {Layout::None, Layout::Depth16, Layout::Depth24Stencil8,
-                           Layout::Depth24Stencil8, Layout::Depth32F};
+  const Layout depths[] = {Layout::None, Layout::Depth16, Layout::Depth24Stencil8, Layout::Depth32F,
+                           Layout::Depth32};
   abi::DepthStencilKey &depth = key.depthStencil;
   depth.layout = depths[random.below(5)];
   if (depth.layout != Layout::None) {

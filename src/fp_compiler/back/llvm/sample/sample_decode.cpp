@@ -76,6 +76,12 @@ abi::BitField fieldOf(Layout layout, int component) {
   return {component * bits, bits};
 }
 
+/// All 32 bits as a number in [0,1]; those that a float has no room for are rounded once.
+Value *normalized32(Code &code, Value *word) {
+  Value *const number = code.ir.CreateUIToFP(word, code.f32);
+  return code.ir.CreateFMul(number, code.splat(1.0f / 4294967295.0f));
+}
+
 Value *storedComponent(Code &code, Layout layout, const Words &words, int component) {
   const abi::BitField field = fieldOf(layout, component);
   Value *const word = words[std::size_t(field.shift / 32)];
@@ -103,6 +109,8 @@ Value *storedComponent(Code &code, Layout layout, const Words &words, int compon
   case Layout::F32x4:
   case Layout::Depth32F:
     return code.ir.CreateBitCast(word, code.f32);
+  case Layout::Depth32:
+    return normalized32(code, word);
   case Layout::None:
     break;
   }

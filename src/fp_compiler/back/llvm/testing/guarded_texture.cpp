@@ -43,7 +43,7 @@ void fillTexel(Layout layout, std::uint8_t *texel, std::mt19937 &random) {
   default:
     break;
   }
-  const bool depth = layout == Layout::Depth16 || layout == Layout::Depth24Stencil8;
+  const bool depth = abi::isDepth(layout);
   const unsigned end = random() % 3;
   for (int i = 0; i < bytes; ++i)
     texel[i] = depth && end < 2 ? (end ? 0xFF : 0x00) : std::uint8_t(random());

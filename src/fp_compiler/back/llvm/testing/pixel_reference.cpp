@@ -123,6 +123,10 @@ bool tested(const abi::DepthStencilKey &key, const abi::FragmentData &data, bool
   bool near = true;
   if (key.layout == abi::Layout::Depth32F) {
     near = compare(key.depthCompare, z, std::bit_cast<float>(pixel));
+  } else if (key.layout == abi::Layout::Depth32) {
+    // 31 bits of the fraction, as a number of 32 bits of which 1 has all.
+    bits = z == 1.0f ? 0xFFFFFFFFu : 2 * std::uint32_t(std::floor(std::ldexp(double(z), 31)));
+    near = compare(key.depthCompare, bits, old);
   } else {
     bits = std::uint32_t(std::nearbyint(z * (packed ? 16777215.0f : 65535.0f)));
     old = packed ? pixel >> 8 : pixel;

@@ -45,6 +45,9 @@ double component(Layout layout, const std::uint8_t *bytes, int index) {
   case Layout::Depth32F:
     std::memcpy(&real, bytes + 4 * index, 4);
     return double(real);
+  case Layout::Depth32:
+    std::memcpy(&word, bytes, 4);
+    return word / 4294967295.0;
   case Layout::Depth24Stencil8:
     std::memcpy(&word, bytes, 4);
     return (word >> 8) / 16777215.0;

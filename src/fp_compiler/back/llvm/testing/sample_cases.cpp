@@ -33,7 +33,7 @@ enum Property {
   Needed,
   kProperties
 };
-constexpr int kValues[kProperties] = {5, 20, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
+constexpr int kValues[kProperties] = {5, 21, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
 using Choice = std::array<int, kProperties>;
 
 constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
