@@ -32,13 +32,13 @@ Value *DepthStencil::quantised(Value *depth) {
   return m_code.toInt(ir.CreateUnaryIntrinsic(llvm::Intrinsic::rint, scaled));
 }
 
-Value *DepthStencil::passes(Value *mine, Value *theirs) {
+Value *DepthStencil::passes(Value *incoming, Value *stored) {
   if (m_key.layout != abi::Layout::Depth32)
-    return compared(m_code, m_key.depthCompare, mine, theirs);
+    return compared(m_code, m_key.depthCompare, incoming, stored);
   // Without a sign: the same order as signed ones with the highest bit turned over.
   Value *const sign = m_code.splat(INT32_MIN);
-  return compared(m_code, m_key.depthCompare, m_code.ir.CreateXor(mine, sign),
-                  m_code.ir.CreateXor(theirs, sign));
+  return compared(m_code, m_key.depthCompare, m_code.ir.CreateXor(incoming, sign),
+                  m_code.ir.CreateXor(stored, sign));
 }
 
 Value *DepthStencil::ofSide(std::size_t offset) {

@@ -33,7 +33,7 @@ private:
   /// Fragment depth as the buffer keeps it: i32, or floats of Depth32F.
   [[nodiscard]] Value *quantised(Value *depth);
   /// The lanes whose depth passes against the buffer's, both as quantised() has them.
-  [[nodiscard]] Value *passes(Value *mine, Value *theirs);
+  [[nodiscard]] Value *passes(Value *incoming, Value *stored);
   /// Of the primitive's side: a byte of a pair in FragmentData, in all lanes.
   [[nodiscard]] Value *ofSide(std::size_t offset);
   /// What a face's operations make of a stencil value.
