@@ -40,8 +40,8 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
     std::memcpy(&made, &depth, 4);
   } else if (test.layout == abi::Layout::Depth32) {
     made = depth == 1.0f ? 0xFFFFFFFFu : 2 * std::uint32_t(std::floor(std::ldexp(depth, 31)));
-    mine = made;
-    theirs = pixel;
+    incoming = made;
+    stored = pixel;
   } else {
     const bool half = test.layout == abi::Layout::Depth16;
     volatile const float scaled = depth * (half ? 65535.0f : 16777215.0f);
