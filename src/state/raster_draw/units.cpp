@@ -84,17 +84,32 @@ abi::Dimension dimensionOf(TexTarget target) {
   return abi::Dimension::Tex2D;
 }
 
-Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
-                    abi::FragmentKey &key) {
+void Units::refresh(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
   m_uses.clear();
-  m_bound = 0;
-  m_levelsMatter = 0;
   for (const auto &sampler : shape.samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
   if (mirror.samplersAreDirty(m_uses)) [[unlikely]] {
     releaseSamplers(context);
     mirror.refreshSamplers(m_uses);
   }
+}
+
+Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
+  refresh(context, mirror, shape);
+  for (const SamplerUse &use : m_uses) {
+    const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
+    if (state.obstacle || !context.software->residency.samplesTexture(
+                              state.texture, use.dimension, {state.baseLevel, state.maxLevel}))
+      return Fallback::Texture;
+  }
+  return {};
+}
+
+Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
+                    abi::FragmentKey &key) {
+  m_bound = 0;
+  m_levelsMatter = 0;
+  refresh(context, mirror, shape);
   for (const auto &sampler : shape.samplers) {
     const abi::Dimension dimension = dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];

@@ -126,6 +126,8 @@ public:
   [[nodiscard]] const TextureImages *acquireTexture(GLuint name, abi::Dimension dimension,
                                                     TextureLevels range, bool mipmapped,
                                                     const char *&reason);
+  /// False where acquireTexture() would refuse the texture's format; moves no pixel.
+  [[nodiscard]] bool samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range);
 
   // --- Commands on pixels; false: the host's, go on as with any other command ---
 
