@@ -33,6 +33,10 @@ abi::Swizzle depthSwizzle(GLenum mode) {
   }
 }
 
+TextureLevels levelsOf(const SamplerState &state) {
+  return {state.baseLevel, state.maxLevel, state.decodes};
+}
+
 /// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
 /// stored once comes from the first of RGBA that shows it; a depth from red.
 void convertBorder(const abi::Format &format, const float from[4], float to[4]) {
@@ -98,8 +102,8 @@ Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentSh
   refresh(context, mirror, shape);
   for (const SamplerUse &use : m_uses) {
     const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
-    if (state.obstacle || !context.software->residency.samplesTexture(
-                              state.texture, use.dimension, {state.baseLevel, state.maxLevel}))
+    if (state.obstacle ||
+        !context.software->residency.samplesTexture(state.texture, use.dimension, levelsOf(state)))
       return Fallback::Texture;
   }
   return {};
@@ -117,8 +121,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
       return Fallback::Texture;
     const char *reason = nullptr;
     const TextureImages *const images = context.software->residency.acquireTexture(
-        state.texture, dimension, {state.baseLevel, state.maxLevel},
-        state.key.mip != abi::MipFilter::None, reason);
+        state.texture, dimension, levelsOf(state), state.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     abi::SamplerKey &code = key.samplers[sampler.unit];

@@ -39,9 +39,10 @@ struct BitUnpacking {
   GLuint buffer = 0; ///< PIXEL_UNPACK_BUFFER that they lie in; 0: client memory
 };
 
-/// BASE_LEVEL and MAX_LEVEL of a texture.
+/// What of a texture is sampled: from BASE_LEVEL to MAX_LEVEL.
 struct TextureLevels {
   GLint base = 0, max = 1000;
+  bool decodes = true; ///< texels of sRGB formats, which we lack (OpenGL 2.1, 3.8.15)
 };
 /// A texture as sampled: levels from BASE_LEVEL on, all valid in shadow.
 struct TextureImages {

@@ -43,6 +43,10 @@ PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
   return range.base > range.max || !base || base->width <= 0 ? nullptr : base;
 }
 
+bool isSampled(const PixelImage &base, TextureLevels range) {
+  return base.base != 0 && !(base.srgb && range.decodes);
+}
+
 /// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
 /// `complete` tells whether GL would sample them at all (3.8.10).
 class Completeness {
@@ -57,7 +61,7 @@ public:
     PixelImage *const base = baseLevel(m_images, m_texture, target, range);
     if (!base)
       return true; // incomplete
-    if (base->base == 0) {
+    if (!isSampled(*base, range)) {
       reason = "texture";
       return false;
     }
@@ -163,7 +167,7 @@ bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLev
     return false;
   const PixelImage *const base =
       baseLevel(images, textureOf(images.objects, target, name), target, range);
-  return !base || base->base != 0;
+  return !base || isSampled(*base, range);
 }
 
 namespace {
