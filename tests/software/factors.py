@@ -112,7 +112,7 @@ FACTORS = {
     "depth_mode": enums("luminance intensity alpha"),
 }
 # What the client reads beside them; run_formats.py gives other values.
-FIXED = {"swizzle": 0, "anisotropy": 1, "attachment": 0}
+FIXED = {"swizzle": 0, "anisotropy": 1, "attachment": 0, "srgb_decode": 0x8A49, "encode": 0}
 
 
 # What may leave nothing to be seen, and the value that does not.

@@ -35,6 +35,7 @@ TEXTURES = {
     "rgba2": 0x8055, "rgba4": 0x8056, "rgb5_a1": 0x8057, "rgb10_a2": 0x8059,
 }
 S3TC = {"rgb_dxt1": 0x83F0, "rgba_dxt1": 0x83F1, "rgba_dxt3": 0x83F2, "rgba_dxt5": 0x83F3}
+SRGB = {"srgb8": 0x8C41, "srgb8_alpha8": 0x8C43, "sl8": 0x8C47, "sla8": 0x8C45}
 DEPTHS = {"depth16": 0x81A5, "depth24": 0x81A6, "depth32": 0x81A7, "depth32f": 0x8CAC}
 # Steps of the components with less than 8 bits.
 COARSE = {"rgb4": 15, "rgb5": 31, "rgb565": 31, "rgba2": 15, "rgba4": 15, "rgb5_a1": 31}
@@ -43,10 +44,11 @@ COARSE_ALPHA = {"rgb5_a1": 1, "rgb10_a2": 3}
 LEFT_TEXTURES = {"r3_g3_b2": 0x2A10, "srgb8_alpha8": 0x8C43, "rgba8_snorm": 0x8F97,
                  "r11f_g11f_b10f": 0x8C3A, "rgb9_e5": 0x8C3D}
 LEFT_TARGETS = {name: LEFT_TEXTURES[name]
-                for name in ("r3_g3_b2", "srgb8_alpha8", "rgba8_snorm", "r11f_g11f_b10f")}
+                for name in ("r3_g3_b2", "rgba8_snorm", "r11f_g11f_b10f")}
 # Alpha and intensity: the host blends them by rules of its own, and is left to.
 ONE_VALUE = ("a8", "i8", "a16", "i16", "a16f", "i16f", "a32f", "i32f")
-ATTACHED = ("rgba8", "rgb565", "rgba16f", "rgba32f")  # to the other kinds of attachments too
+SKIP_DECODE, ENCODES, CLEARS_ENCODED = 0x8A4A, 1, 2
+ATTACHED = ("rgba8", "srgb8_alpha8", "rgb565", "rgba16f", "rgba32f")  # to the other kinds of attachments too
 BATCH = 40  # scenes a process
 LEVEL = 1.01 / 255
 PLAIN = {"program": "texture", "primitive": "quads", "submit": "arrays", "depth_mask": "off",
@@ -61,12 +63,13 @@ def scene(**changed):
     return numbers
 
 
-def texture_scenes(name, number):
-    targets = ["2d", "cube"] if name in S3TC else ["2d", "1d", "3d", "cube", "rect"]
+def texture_scenes(name, number, **more):
+    """The scenes of one format; `more`: of all of them."""
+    targets = ["2d", "cube"] if number in S3TC.values() else ["2d", "1d", "3d", "cube", "rect"]
     if name in DEPTHS:
         targets = ["2d", "1d", "rect"]
     for target in targets:
-        base = {"texture": target, "format": number}
+        base = {"texture": target, "format": number} | more
         if target == "rect":
             base |= {"wrap_s": "clamp_to_edge", "wrap_t": "clamp_to_edge"}
         if target == "2d":
@@ -79,7 +82,17 @@ def texture_scenes(name, number):
             yield f"{name} {target} compared", scene(**base, compare="lequal")
     yield f"{name} swizzled", scene(texture="2d", format=number, swizzle=1,
                                            wrap_s="clamp_to_border", wrap_t="clamp_to_border",
-                                           border="coloured", coordinates="outside")
+                                           border="coloured", coordinates="outside", **more)
+
+
+def srgb_scenes():
+    """Textures that are not decoded; buffers that nothing is encoded for but a clear, which the host does."""
+    for name, number in SRGB.items():
+        yield from texture_scenes(name, number, srgb_decode=SKIP_DECODE)
+    for name in ("srgb8", "srgb8_alpha8"):
+        yield from target_scenes(name, SRGB[name])
+        yield f"to {name} cleared", scene(target=SRGB[name], program="modulate",
+                                          encode=CLEARS_ENCODED)
 
 
 def target_scenes(name, number):
@@ -198,12 +211,15 @@ def main():
     supported = [s for name, number in (TEXTURES | S3TC | DEPTHS).items()
                  for s in texture_scenes(name, number)]
     supported += [s for name, number in TEXTURES.items() for s in target_scenes(name, number)]
+    supported += srgb_scenes()
     left = [("texture", f"{name} 2d", scene(texture="2d", format=number))
             for name, number in LEFT_TEXTURES.items()]
     left += [("target", f"to {name}", scene(target=number, program="color"))
              for name, number in LEFT_TARGETS.items()]
     left += [("target", *each) for name in ONE_VALUE
              for each in blended_scenes(name, TEXTURES[name])]
+    left += [("state", "to srgb8_alpha8 encoded",
+              scene(target=SRGB["srgb8_alpha8"], program="color", encode=ENCODES))]
     left += [("texture", "anisotropic", scene(texture="2d", format=TEXTURES["rgba8"],
                                               min_filter="linear_mip_linear", anisotropy=8))]
     if args.only:

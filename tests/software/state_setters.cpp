@@ -96,6 +96,7 @@ void setPixelState(const Scene &scene) {
                       scene.token("blend_src_alpha"), scene.token("blend_dst_alpha"));
   glBlendEquationSeparate(scene.token("equation"), scene.token("equation_alpha"));
   glBlendColor(0.8f, 0.3f, 0.6f, 0.4f);
+  enable(GL_FRAMEBUFFER_SRGB, scene.choice("encode") == 1);
   enable(GL_COLOR_LOGIC_OP, scene.choice("logic_op") != 0);
   if (scene.choice("logic_op") != 0)
     glLogicOp(scene.token("logic_op"));

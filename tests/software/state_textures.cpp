@@ -77,6 +77,7 @@ void setParameters(GLenum target, const Scene &scene) {
     static constexpr float kBorder[4] = {0.9f, 0.2f, 0.7f, 0.6f};
     glTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, kBorder);
   }
+  set(GL_TEXTURE_SRGB_DECODE_EXT, scene.number("srgb_decode"));
   if (target == GL_TEXTURE_RECTANGLE_ARB)
     return;
   set(GL_TEXTURE_LOD_BIAS, scene.number("lod_bias"));

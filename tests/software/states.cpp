@@ -73,6 +73,15 @@ void makeTarget(const Scene &scene) {
                             depthStencil);
 }
 
+/// A part of what was drawn is cleared, and all is read, as sRGB is encoded.
+void clearEncoded() {
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, kEdge / 2, kEdge / 3);
+  glClearColor(0.2f, 0.4f, 0.6f, 0.3f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void draw(const Scene &scene) {
   glDisable(GL_DITHER);
   makeTarget(scene);
@@ -90,6 +99,8 @@ void draw(const Scene &scene) {
   }
   setPixelState(scene);
   drawPrimitives(scene, test == GL_EQUAL || test == GL_NOTEQUAL ? 0 : 1);
+  if (scene.choice("encode") == 2)
+    clearEncoded();
 }
 
 void writeAll(const std::string &name) {

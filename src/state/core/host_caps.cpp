@@ -75,6 +75,7 @@ void querySoftwareCaps(HostCaps &caps, int gl) {
   caps.indexedBuffers = since(30, {"GL_EXT_draw_buffers2"});
   caps.indexedBlend = since(40, {"GL_ARB_draw_buffers_blend"});
   caps.srgbFramebuffer = since(30, {"GL_ARB_framebuffer_sRGB", "GL_EXT_framebuffer_sRGB"});
+  caps.srgbDecode = since(kNever, {"GL_EXT_texture_sRGB_decode"});
   caps.clipControl = since(45, {"GL_ARB_clip_control"});
   caps.occlusionQuery = since(15, {"GL_ARB_occlusion_query"});
   caps.anySamples = since(33, {"GL_ARB_occlusion_query2"});

@@ -42,6 +42,7 @@ struct HostCaps {
   bool indexedBuffers = false; ///< BLEND and COLOR_WRITEMASK of each draw buffer
   bool indexedBlend = false;   ///< blend functions of each draw buffer
   bool srgbFramebuffer = false;
+  bool srgbDecode = false; ///< TEXTURE_SRGB_DECODE_EXT exists
   bool clipControl = false;
   bool occlusionQuery = false;
   bool anySamples = false;

@@ -33,6 +33,7 @@ struct SamplerState {
   /// The texture compares: the key's `shadow` is for the caller to set, where the program's target
   /// is a SHADOW one too (else the comparison is not made, ARB_fragment_program_shadow).
   bool compares = false;
+  bool decodes = true;            ///< texels of sRGB formats (TEXTURE_SRGB_DECODE_EXT)
   const char *obstacle = nullptr; ///< a mode that we lack; null: none
   std::uint64_t seen = 0;         ///< GenerationCounter
 };

@@ -110,6 +110,7 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
   key.compare = abi::Compare::LessEqual;
   if (state.compares)
     key.compare = abi::Compare(source.integer(GL_TEXTURE_COMPARE_FUNC) - GL_NEVER);
+  state.decodes = !caps.srgbDecode || source.integer(GL_TEXTURE_SRGB_DECODE_EXT) == GL_DECODE_EXT;
   if (caps.anisotropy && key.mip != abi::MipFilter::None &&
       source.number(GL_TEXTURE_MAX_ANISOTROPY_EXT) > 1.0f)
     state.obstacle = "TEXTURE_MAX_ANISOTROPY";

@@ -175,6 +175,11 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
   EXPECT_EQ(obstacle(), "");
   const auto &swizzle = mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)].swizzle;
   EXPECT_EQ(swizzle, (std::array<GLenum, 4>{GL_ZERO, GL_GREEN, GL_BLUE, GL_ALPHA}));
+  const SamplerState &sampler = mirror.samplers[0][std::size_t(abi::Dimension::Tex2D)];
+  EXPECT_TRUE(sampler.decodes);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  EXPECT_EQ(obstacle(), "");
+  EXPECT_FALSE(sampler.decodes);
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
   EXPECT_EQ(obstacle(), "TEXTURE_MAX_ANISOTROPY");
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

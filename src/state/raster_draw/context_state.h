@@ -6,6 +6,7 @@
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/back_off.h"
 #include "state/raster_draw/fallback.h"
+#include "state/raster_draw/frame_trials.h"
 #include "state/raster_draw/immediate/recorder.h"
 #include "state/residency/residency.h"
 
@@ -40,7 +41,8 @@ struct ContextState {
   /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
   /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
-  bool wholeFrames = false;  ///< the last frame had none
+  FrameTrials trials;
+  bool wholeFrames = false;  ///< the last frames had none, as many as `trials` asks for
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
   /// Before a draw of the host's that says that the frame is a mixed one.

@@ -22,11 +22,24 @@ struct OpenArrays {
   ArraySource &source;
 };
 
+/// Of a pipeline that has chosen: what it reads, and edge flags.
+std::uint32_t slotsOf(const Pipeline &pipeline) { return pipeline.slots() | 1u << kEdgeFlag; }
+
+/// In a frame that says nothing yet: whether arrays make the draw the host's turn, as they would
+/// where it was tried (Units::judge).
+bool isHostsTurn(Context &context, const Outcome &outcome, const DrawCommand &command) {
+  ContextState &state = *context.software;
+  if (outcome.ok() || outcome.reason() != Fallback::Mixed || state.hostTurns != 0)
+    return false;
+  state.mirror.refreshArrays();
+  return ArraySource::lacks(state.mirror, slotsOf(pipelineOf(context)), command);
+}
+
 Outcome drawFromArrays(Context &context, const DrawCommand &command) {
   Pipeline &pipeline = pipelineOf(context);
   Mirror &mirror = context.software->mirror;
   mirror.refreshArrays();
-  const std::uint32_t slots = pipeline.slots() | 1u << kEdgeFlag;
+  const std::uint32_t slots = slotsOf(pipeline);
   ArraySource &arrays = pipeline.arrays();
   const OpenArrays open(context, arrays);
   if (!arrays.open(context, mirror, slots, command))
@@ -61,6 +74,8 @@ bool drawArrays(Context &context, const DrawCommand &command) {
   return conclude(context, outcomeOf(context, [&] {
                     const Outcome outcome =
                         decide(context, command.mode, std::uint32_t(command.count));
+                    if (isHostsTurn(context, outcome, command))
+                      return Outcome(Fallback::Vertices);
                     return outcome.ok() ? drawFromArrays(context, command) : outcome;
                   }));
 }

@@ -22,13 +22,13 @@ std::uint64_t workOf(const ContextState &state) {
 
 void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
-  state.hostDrew = state.depthsTested = false;
   // A frame in which nothing was drawn says nothing about the next one.
   if (workOf(state) != state.workSeen) {
-    state.wholeFrames = state.hostTurns == 0;
+    state.wholeFrames = state.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
     state.hostTurns = 0;
     state.workSeen = workOf(state);
   }
+  state.hostDrew = state.depthsTested = false;
   state.backOff.frameEnded(moved, std::chrono::steady_clock::now());
 }
 

@@ -38,6 +38,10 @@ protected:
     gl().Clear(mask);
   }
   void drawn() { ++state().drawn; }
+  void drawnWithDepths() {
+    drawn();
+    state().depthsTested = true;
+  }
   void drawnByHost() { ++state().hostTurns; }
 
 private:
@@ -119,6 +123,56 @@ TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
   drawn();
   finishFrame(context());
   EXPECT_FALSE(state().wholeFrames);
+}
+
+// A draw that is found out to be the host's only where it is tried: frames must not go by turns.
+TEST_F(Frame, TrialsThatFailBecomeRare) {
+  int tried = 0, turns = 0;
+  bool before = false;
+  for (int i = 0; i < 400; ++i) {
+    const bool now = state().wholeFrames;
+    tried += now;
+    turns += now && before;
+    before = now;
+    if (now) {
+      drawnWithDepths();
+      drawnByHost();
+    } else {
+      state().fellBack(Fallback::Mixed);
+    }
+    finishFrame(context());
+  }
+  EXPECT_EQ(turns, 0);
+  EXPECT_GT(tried, 5) << "it is never tried again";
+  EXPECT_LT(tried, 14) << "one of two is tried";
+}
+
+TEST_F(Frame, TrialsThatHoldForgetThoseThatFailed) {
+  const auto frame = [&](bool fails) {
+    if (state().wholeFrames)
+      drawnWithDepths();
+    else
+      state().fellBack(Fallback::Mixed);
+    if (fails)
+      drawnByHost();
+    finishFrame(context());
+  };
+  // After each failure twice as many frames, the failed one and those before it not counted.
+  for (int needed = 1; needed <= 8; needed *= 2) {
+    for (int i = 0; i < needed; ++i) {
+      EXPECT_FALSE(state().wholeFrames) << needed;
+      frame(false);
+    }
+    EXPECT_TRUE(state().wholeFrames) << needed;
+    frame(true);
+  }
+  for (int i = 0; i < 16 + 4; ++i)
+    frame(false);
+  frame(true);
+  frame(false);
+  EXPECT_FALSE(state().wholeFrames);
+  frame(false);
+  EXPECT_TRUE(state().wholeFrames);
 }
 
 TEST_F(Frame, WithoutADrawItSaysNothing) {

@@ -75,8 +75,6 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     depth.stencilTest = 0;
   if (!depth.depthTest && !depth.stencilTest)
     depth = {};
-  else if (!context.software->mayTestDepth())
-    return Fallback::Mixed;
   for (int i = 0; i < abi::kMaxColorTargets; ++i) {
     abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
     if (!m_targets->color[i]) {
@@ -92,7 +90,12 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
-  return m_units.bind(context, mirror, shape, m_key);
+  if (!testsDepth() || context.software->mayTestDepth())
+    return m_units.bind(context, mirror, shape, m_key);
+  // Last: what the rasterizer lacks is the host's turn in mixed frames too, or else one without a
+  // turn would say that the next can be drawn as a whole, and frames would be drawn by turns.
+  const Outcome lacking = m_units.judge(context, mirror, shape);
+  return lacking.ok() ? Outcome(Fallback::Mixed) : lacking;
 }
 
 Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {

@@ -33,6 +33,10 @@ abi::Swizzle depthSwizzle(GLenum mode) {
   }
 }
 
+TextureLevels levelsOf(const SamplerState &state) {
+  return {state.baseLevel, state.maxLevel, state.decodes};
+}
+
 /// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
 /// stored once comes from the first of RGBA that shows it; a depth from red.
 void convertBorder(const abi::Format &format, const float from[4], float to[4]) {
@@ -84,17 +88,32 @@ abi::Dimension dimensionOf(TexTarget target) {
   return abi::Dimension::Tex2D;
 }
 
-Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
-                    abi::FragmentKey &key) {
+void Units::refresh(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
   m_uses.clear();
-  m_bound = 0;
-  m_levelsMatter = 0;
   for (const auto &sampler : shape.samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
   if (mirror.samplersAreDirty(m_uses)) [[unlikely]] {
     releaseSamplers(context);
     mirror.refreshSamplers(m_uses);
   }
+}
+
+Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
+  refresh(context, mirror, shape);
+  for (const SamplerUse &use : m_uses) {
+    const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
+    if (state.obstacle ||
+        !context.software->residency.samplesTexture(state.texture, use.dimension, levelsOf(state)))
+      return Fallback::Texture;
+  }
+  return {};
+}
+
+Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
+                    abi::FragmentKey &key) {
+  m_bound = 0;
+  m_levelsMatter = 0;
+  refresh(context, mirror, shape);
   for (const auto &sampler : shape.samplers) {
     const abi::Dimension dimension = dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
@@ -102,8 +121,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
       return Fallback::Texture;
     const char *reason = nullptr;
     const TextureImages *const images = context.software->residency.acquireTexture(
-        state.texture, dimension, {state.baseLevel, state.maxLevel},
-        state.key.mip != abi::MipFilter::None, reason);
+        state.texture, dimension, levelsOf(state), state.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
     abi::SamplerKey &code = key.samplers[sampler.unit];

@@ -19,6 +19,10 @@ namespace arbiter::state::software {
 /// called with.
 class Units {
 public:
+  /// Why the host draws whatever is in the images of `shape`'s units: their sampler state, or their
+  /// formats. No pixel is moved.
+  [[nodiscard]] Outcome judge(Context &context, Mirror &mirror,
+                              const fp::jit::FragmentShape &shape);
   /// Looks at the units of `shape`, and has their images ready. Fills the samplers of `key`, which
   /// are None before.
   Outcome bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
@@ -28,6 +32,9 @@ public:
   [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
 
 private:
+  /// The sampler state of `shape`'s units is up to date.
+  void refresh(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape);
+
   std::vector<SamplerUse> m_uses;
   std::array<abi::TextureView, abi::kMaxUnits> m_views;
   std::uint32_t m_bound = 0;

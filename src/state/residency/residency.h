@@ -39,9 +39,10 @@ struct BitUnpacking {
   GLuint buffer = 0; ///< PIXEL_UNPACK_BUFFER that they lie in; 0: client memory
 };
 
-/// BASE_LEVEL and MAX_LEVEL of a texture.
+/// What of a texture is sampled: from BASE_LEVEL to MAX_LEVEL.
 struct TextureLevels {
   GLint base = 0, max = 1000;
+  bool decodes = true; ///< texels of sRGB formats, which we lack (OpenGL 2.1, 3.8.15)
 };
 /// A texture as sampled: levels from BASE_LEVEL on, all valid in shadow.
 struct TextureImages {
@@ -126,6 +127,8 @@ public:
   [[nodiscard]] const TextureImages *acquireTexture(GLuint name, abi::Dimension dimension,
                                                     TextureLevels range, bool mipmapped,
                                                     const char *&reason);
+  /// False where acquireTexture() would refuse the texture's format; moves no pixel.
+  [[nodiscard]] bool samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range);
 
   // --- Commands on pixels; false: the host's, go on as with any other command ---
 

@@ -75,6 +75,13 @@ bool clearColor(ResidentImages &images, PixelImage &image, int slice, const Clea
   return true;
 }
 
+/// Colours are encoded where they are written: Clear's too, which is the host's then.
+bool encodes(const ResidentImages &images, const Framebuffers &f) {
+  return std::any_of(f.color.begin(), f.color.end(),
+                     [](const PixelImage *image) { return image && image->srgb; }) &&
+         images.caps.srgbFramebuffer && images.hot.host->IsEnabled(GL_FRAMEBUFFER_SRGB);
+}
+
 /// The parts of `mask` that were cleared in memory.
 GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
   const Framebuffers &f = framebuffersOf(images);
@@ -84,7 +91,7 @@ GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
   GLbitfield done = 0;
   if ((mask & GL_COLOR_BUFFER_BIT) != 0) {
     const bool all = state.colorMask == 0xF;
-    bool possible = true;
+    bool possible = !encodes(images, f);
     for (const PixelImage *image : f.color)
       possible = possible && (!image || clearsInMemory(*image, all && covers(state.area, *image)));
     bool failed = false;

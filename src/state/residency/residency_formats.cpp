@@ -72,33 +72,11 @@ GLenum baseOf(const HostFormat &h) {
   return h.alpha != 0 ? GLenum(GL_ALPHA) : GLenum(0);
 }
 
-bool isSrgb(GLint internalFormat) {
-  switch (internalFormat) {
-  case GL_SRGB:
-  case GL_SRGB8:
-  case GL_SRGB_ALPHA:
-  case GL_SRGB8_ALPHA8:
-  case GL_SLUMINANCE_ALPHA:
-  case GL_SLUMINANCE8_ALPHA8:
-  case GL_SLUMINANCE:
-  case GL_SLUMINANCE8:
-  case GL_COMPRESSED_SRGB:
-  case GL_COMPRESSED_SRGB_ALPHA:
-  case GL_COMPRESSED_SLUMINANCE:
-  case GL_COMPRESSED_SLUMINANCE_ALPHA:
-  case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT:
-  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT:
-  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT:
-  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT:
-    return true;
-  default:
-    return false;
-  }
-}
-
 bool isS3tc(GLint internalFormat) {
-  return internalFormat >= GL_COMPRESSED_RGB_S3TC_DXT1_EXT &&
-         internalFormat <= GL_COMPRESSED_RGBA_S3TC_DXT5_EXT;
+  return (internalFormat >= GL_COMPRESSED_RGB_S3TC_DXT1_EXT &&
+          internalFormat <= GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) ||
+         (internalFormat >= GL_COMPRESSED_SRGB_S3TC_DXT1_EXT &&
+          internalFormat <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT);
 }
 
 /// The layout of `components` values of `bits` and `type`; a layout of three does not exist, and is
@@ -222,12 +200,36 @@ bool depthFormatOf(const HostFormat &host, abi::Format &format) {
 
 } // namespace
 
+bool isSrgb(GLint internalFormat) {
+  switch (internalFormat) {
+  case GL_SRGB:
+  case GL_SRGB8:
+  case GL_SRGB_ALPHA:
+  case GL_SRGB8_ALPHA8:
+  case GL_SLUMINANCE_ALPHA:
+  case GL_SLUMINANCE8_ALPHA8:
+  case GL_SLUMINANCE:
+  case GL_SLUMINANCE8:
+  case GL_COMPRESSED_SRGB:
+  case GL_COMPRESSED_SRGB_ALPHA:
+  case GL_COMPRESSED_SLUMINANCE:
+  case GL_COMPRESSED_SLUMINANCE_ALPHA:
+  case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT:
+  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT:
+  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT:
+  case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT:
+    return true;
+  default:
+    return false;
+  }
+}
+
 bool formatOf(const HostFormat &host, GLenum &base, abi::Format &format) {
   base = baseOf(host);
   if (base == GL_DEPTH_COMPONENT || base == GL_DEPTH_STENCIL)
     return depthFormatOf(host, format);
   const Base *const row = find(base);
-  if (!row || isSrgb(host.internalFormat))
+  if (!row)
     return false;
   format.swizzle = row->stored;
   if (host.compressed) {

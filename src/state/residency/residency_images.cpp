@@ -47,6 +47,7 @@ void describeLevel(const host::HostTable &host, PixelImage &image) {
     image.base = 0;
     return;
   }
+  image.srgb = isSrgb(image.internalFormat);
   image.shadow.format = image.format;
   image.shadow.width = image.width;
   image.shadow.height = image.height;
@@ -217,6 +218,8 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   case GL_RGBA8:
   case GL_RGB:
   case GL_RGB8:
+  case GL_SRGB8:
+  case GL_SRGB8_ALPHA8:
   case GL_RG8:
   case GL_R8:
   case GL_RG:
@@ -253,6 +256,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
     image->base = 0;
     return *image;
   }
+  image->srgb = isSrgb(image->internalFormat);
   image->shadow.format = image->format;
   image->shadow.width = image->width;
   image->shadow.height = image->height;

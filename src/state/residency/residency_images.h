@@ -46,6 +46,7 @@ struct PixelImage {
   GLint internalFormat = 0;           ///< as the host tells it
   GLenum base = 0;    ///< GL_RGBA, GL_LUMINANCE .., GL_DEPTH_COMPONENT; 0: not one that we have
   abi::Format format; ///< that a shadow of it has at first
+  bool srgb = false;  ///< isSrgb(internalFormat), of an image that we have
   int width = 0, height = 0, depth = 1;
   /// Sizes and format are set even while there are no pixels. The format may differ from `format`
   /// after a copy: it then gives the same RGBA at the same precision.
@@ -194,6 +195,10 @@ void dropShadow(ResidentImages &images, PixelImage &image);
 [[nodiscard]] bool makeOwn(ResidentImages &images, PixelImage &image, bool keep);
 
 // --- residency_formats.cpp ---
+/// The host holds colours as sRGB encodes them (OpenGL 2.1, 3.8.15). They are moved, copied and
+/// read as they are held, and so shadows have them: what samples them may decode, what draws may
+/// encode.
+[[nodiscard]] bool isSrgb(GLint internalFormat);
 /// What `internalFormat` with these component sizes is to us. False: not one that we have.
 struct HostFormat {
   GLint internalFormat = 0;

@@ -3,6 +3,7 @@
 #include "state/residency/residency.h"
 
 #include <cstring>
+#include <functional>
 #include <vector>
 
 #include <GL/osmesa.h>
@@ -333,6 +334,51 @@ TEST_F(Residency, RenderbuffersGoToTheHostAndBack) {
   EXPECT_EQ(ourPixel(5, 7), 0x00070077u);
   EXPECT_EQ(hostPixel(0, 0), 0x0000FFFFu);
   EXPECT_TRUE(gl().IsEnabled(GL_SCISSOR_TEST));
+}
+
+/// Of a texture, else of a renderbuffer: what is held encoded is moved as it is, whether or not
+/// what is written is encoded meanwhile; only Clear encodes, and is the host's then.
+void checkSrgb(bool ofTexture, const std::function<void(std::uint32_t)> &drawAll,
+               const std::function<std::uint32_t()> &hostPixel, software::Residency &residency,
+               const host::HostTable &gl) {
+  SCOPED_TRACE(ofTexture ? "texture" : "renderbuffer");
+  gl.Enable(GL_FRAMEBUFFER_SRGB);
+  drawAll(0x20407F3C);
+  EXPECT_EQ(hostPixel(), 0x20407F3Cu) << "upload";
+  gl.ClearColor(1.0f, 0.5f, 0.0f, 0.25f);
+  EXPECT_FALSE(residency.clear(GL_COLOR_BUFFER_BIT));
+  EXPECT_TRUE(gl.IsEnabled(GL_FRAMEBUFFER_SRGB));
+  gl.Disable(GL_FRAMEBUFFER_SRGB);
+  EXPECT_TRUE(residency.clear(GL_COLOR_BUFFER_BIT));
+  EXPECT_EQ(hostPixel(), 0xFF800040u) << "cleared in memory";
+}
+
+TEST_F(Residency, SrgbIsMovedAsItIsHeld) {
+  const GLuint name = texture(GL_SRGB8_ALPHA8, kWidth, kHeight);
+  (void)framebufferOf(name);
+  const auto all = [&](std::uint32_t rgba) { drawAll(rgba); };
+  const auto pixel = [&] { return hostPixel(3, 3); };
+  checkSrgb(true, all, pixel, residency(), gl());
+  const char *reason = nullptr;
+  const auto acquired = [&](bool decodes) {
+    return residency().acquireTexture(name, abi::Dimension::Tex2D, {0, 1000, decodes}, false,
+                                      reason);
+  };
+  EXPECT_TRUE(acquired(false) && acquired(false)->complete);
+  EXPECT_EQ(acquired(true), nullptr) << "nobody decodes";
+  EXPECT_STREQ(reason, "texture");
+  EXPECT_TRUE(residency().samplesTexture(name, abi::Dimension::Tex2D, {0, 1000, false}));
+  EXPECT_FALSE(residency().samplesTexture(name, abi::Dimension::Tex2D, {}));
+
+  GLuint renderbuffer = 0;
+  reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(osMesa().address("glGenRenderbuffers"))(
+      1, &renderbuffer);
+  gl().BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+  reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(osMesa().address("glRenderbufferStorage"))(
+      GL_RENDERBUFFER, GL_SRGB8_ALPHA8, kWidth, kHeight);
+  gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffer);
+  changed();
+  checkSrgb(false, all, pixel, residency(), gl());
 }
 
 TEST_F(Residency, TheHostsStateIsAsItWas) {

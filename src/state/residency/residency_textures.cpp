@@ -34,6 +34,19 @@ abi::TextureLevel viewOf(const swrast::Image &image) {
           .depth = image.depth};
 }
 
+/// The first level that is sampled; null where the texture is incomplete.
+PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
+                      TextureLevels range) {
+  const GLenum first =
+      target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
+  PixelImage *const base = levelOf(images, texture, first, range.base);
+  return range.base > range.max || !base || base->width <= 0 ? nullptr : base;
+}
+
+bool isSampled(const PixelImage &base, TextureLevels range) {
+  return base.base != 0 && !(base.srgb && range.decodes);
+}
+
 /// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
 /// `complete` tells whether GL would sample them at all (3.8.10).
 class Completeness {
@@ -45,10 +58,10 @@ public:
     view = {};
     const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
     const GLenum first = faces == 6 ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target;
-    PixelImage *const base = levelOf(m_images, m_texture, first, range.base);
-    if (range.base > range.max || !base || base->width <= 0)
+    PixelImage *const base = baseLevel(m_images, m_texture, target, range);
+    if (!base)
       return true; // incomplete
-    if (base->base == 0) {
+    if (!isSampled(*base, range)) {
       reason = "texture";
       return false;
     }
@@ -145,6 +158,16 @@ const TextureImages *Residency::acquireTexture(GLuint name, abi::Dimension dimen
     return nullptr;
   texture.view.dimension = dimension;
   return &texture.view;
+}
+
+bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLevels range) {
+  ResidentImages &images = *m_images;
+  const GLenum target = targetOf(dimension);
+  if (!isNamedAsBound(images, name))
+    return false;
+  const PixelImage *const base =
+      baseLevel(images, textureOf(images.objects, target, name), target, range);
+  return !base || isSampled(*base, range);
 }
 
 namespace {

@@ -92,6 +92,27 @@ private:
   bool m_window = false;
 };
 
+/// What is written to sRGB buffers is not encoded within it.
+class EncodingOff {
+public:
+  explicit EncodingOff(const ResidentImages &images)
+      : m_host(*images.hot.host),
+        m_on(images.caps.srgbFramebuffer && m_host.IsEnabled(GL_FRAMEBUFFER_SRGB)) {
+    if (m_on)
+      m_host.Disable(GL_FRAMEBUFFER_SRGB);
+  }
+  ~EncodingOff() {
+    if (m_on)
+      m_host.Enable(GL_FRAMEBUFFER_SRGB);
+  }
+  EncodingOff(const EncodingOff &) = delete;
+  EncodingOff &operator=(const EncodingOff &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  bool m_on;
+};
+
 /// The bound texture's level is still of the size that the image was described with. What moves
 /// pixels relies on it, and asks: to bind a name that is free would make a texture of it, too.
 bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
@@ -176,6 +197,9 @@ void writeTexture(ResidentImages &images, GLenum target, GLint level, const Imag
 /// What a texture must be to be copied to the image without a conversion. Of a window the unsized
 /// format, with which the host keeps the components in the order that it is given.
 GLint uploadFormat(const PixelImage &image, const GlFormat &gl) {
+  // A blit would decode what is encoded.
+  if (image.srgb)
+    return GL_RGBA8;
   if (!isDepth(image) && image.place.kind != Place::Kind::Window)
     return image.internalFormat;
   if (!isDepth(image))
@@ -244,6 +268,7 @@ void writeBuffer(ResidentImages &images, PixelImage &image) {
                           : gl.format == GL_DEPTH_STENCIL
                               ? GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT
                               : GL_DEPTH_BUFFER_BIT;
+  const EncodingOff plainBlit(images);
   host.BlitFramebuffer(0, flipped ? image.height : 0, image.width, flipped ? 0 : image.height, 0, 0,
                        image.width, image.height, mask, GL_NEAREST);
 }

@@ -40,6 +40,10 @@ bool ArraySource::open(Context &context, const Mirror &mirror, std::uint32_t slo
   const std::uint32_t changed =
       mirror.clock.changedSince(m_seen) & (dirty::kArrays | dirty::kBuffers);
   m_seen = mirror.clock.now();
+  if (lacks(mirror, slots, command)) {
+    m_kept = false;
+    return false;
+  }
   if (changed != 0 || !m_kept || slots != m_keptSlots) {
     m_kept = false;
     if (!addArrays(context, mirror, slots))
@@ -98,14 +102,18 @@ BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
   return mapped.contents;
 }
 
+bool ArraySource::lacks(const Mirror &mirror, std::uint32_t slots, const DrawCommand &command) {
+  const ArrayBindings &arrays = mirror.arrays;
+  return (arrays.enabled & 1u << kPosition) == 0 || (arrays.foreign & slots) != 0 ||
+         (command.indexType != 0 && arrays.restart);
+}
+
 bool ArraySource::addArrays(Context &context, const Mirror &mirror, std::uint32_t slots) {
   for (std::uint32_t left = m_slots; left != 0; left &= left - 1)
     m_source.arrays[std::size_t(std::countr_zero(left))] = {};
   m_slots = 0;
   m_source.count = 0;
   const ArrayBindings &arrays = mirror.arrays;
-  if ((arrays.enabled & 1u << kPosition) == 0 || (arrays.foreign & slots) != 0)
-    return false;
   for (std::uint32_t left = slots & arrays.enabled; left != 0; left &= left - 1) {
     const auto slot = std::size_t(std::countr_zero(left));
     const ArrayBinding &binding = arrays.slots[slot];
@@ -139,7 +147,7 @@ bool ArraySource::addIndices(Context &context, const Mirror &mirror, const DrawC
                            : command.indexType == GL_UNSIGNED_SHORT ? 2
                            : command.indexType == GL_UNSIGNED_INT   ? 4
                                                                     : 0;
-  if (size == 0 || mirror.arrays.restart || command.count < 0)
+  if (size == 0 || command.count < 0)
     return false;
   m_indices = command.indices;
   if (mirror.arrays.elementBuffer != 0) {

@@ -22,6 +22,10 @@ struct Mirror;
 /// before, of arrays that have not changed, looks at none of them.
 class ArraySource {
 public:
+  /// Why open() refuses whatever is in the buffers: an array of a kind that we lack, or a primitive
+  /// that restarts. The mirror's arrays are fresh.
+  [[nodiscard]] static bool lacks(const Mirror &mirror, std::uint32_t slots,
+                                  const DrawCommand &command);
   /// The arrays of `slots` and the indices of `command`. The mirror's arrays are fresh. False: an
   /// array is of a kind that we lack, a buffer cannot be mapped, or indices lie outside of theirs;
   /// the host draws.
