@@ -87,8 +87,15 @@ inline constexpr Swizzle kRgba = {From::C0, From::C1, From::C2, From::C3};
 struct Format {
   Layout layout = Layout::None;
   Swizzle swizzle = kRgba;
+  /// Stored bytes, one bit each, that sRGB has encoded and a sampler decodes (OpenGL 2.1,
+  /// 3.8.15).  /// For layouts of bytes; 0 of a colour buffer.
+  std::uint8_t srgb = 0;
   bool operator==(const Format &) const = default;
 };
+/// A 32-bit word of four bytes that are the components as they are.
+[[nodiscard]] constexpr bool isPlainWord(const Format &format) {
+  return format.layout == Layout::U8x4 && format.srgb == 0;
+}
 
 inline constexpr int kMaxUnits = 16;       ///< texture image units that a program may sample
 inline constexpr int kMaxColorTargets = 4; ///< of draw buffers

@@ -33,8 +33,15 @@ abi::Swizzle depthSwizzle(GLenum mode) {
   }
 }
 
-TextureLevels levelsOf(const SamplerState &state) {
-  return {state.baseLevel, state.maxLevel, state.decodes};
+TextureLevels levelsOf(const SamplerState &state) { return {state.baseLevel, state.maxLevel}; }
+
+/// The stored bytes that sRGB encodes: all but alpha.
+std::uint8_t encodedBytes(const abi::Format &format) {
+  unsigned bytes = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (format.swizzle[i] <= abi::From::C3)
+      bytes |= 1u << int(format.swizzle[i]);
+  return std::uint8_t(bytes);
 }
 
 /// The border colour as the texture's base format has it (OpenGL 1.4, 3.8.4): a component that is
@@ -139,6 +146,8 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     code.shadow = isShadow(sampler.target) && state.compares && abi::isDepth(code.format.layout);
     if (abi::isDepth(code.format.layout))
       code.format.swizzle = depthSwizzle(state.depthMode);
+    if (images->srgb && state.decodes)
+      code.format.srgb = encodedBytes(code.format);
     view = images->view;
     view.lodBias = state.lodBias;
     view.minLod = state.minLod;

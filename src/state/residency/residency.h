@@ -39,10 +39,9 @@ struct BitUnpacking {
   GLuint buffer = 0; ///< PIXEL_UNPACK_BUFFER that they lie in; 0: client memory
 };
 
-/// What of a texture is sampled: from BASE_LEVEL to MAX_LEVEL.
+/// BASE_LEVEL and MAX_LEVEL of a texture.
 struct TextureLevels {
   GLint base = 0, max = 1000;
-  bool decodes = true; ///< texels of sRGB formats, which we lack (OpenGL 2.1, 3.8.15)
 };
 /// A texture as sampled: levels from BASE_LEVEL on, all valid in shadow.
 struct TextureImages {
@@ -50,6 +49,7 @@ struct TextureImages {
   abi::Dimension dimension = abi::Dimension::Tex2D;
   bool complete = false; ///< with mipmaps as `mipmapped` asked; else nothing below is set
   bool powerOfTwo = false;
+  bool srgb = false;     ///< colours are encoded, for the sampler to decode (OpenGL 2.1, 3.8.15)
   abi::TextureView view; ///< levels and levelCount only; valid until the texture changes
 };
 

@@ -43,10 +43,6 @@ PixelImage *baseLevel(ResidentImages &images, Texture &texture, GLenum target,
   return range.base > range.max || !base || base->width <= 0 ? nullptr : base;
 }
 
-bool isSampled(const PixelImage &base, TextureLevels range) {
-  return base.base != 0 && !(base.srgb && range.decodes);
-}
-
 /// The levels that are sampled, all of them in shadow. False: a format that we lack, or no memory.
 /// `complete` tells whether GL would sample them at all (3.8.10).
 class Completeness {
@@ -61,7 +57,7 @@ public:
     PixelImage *const base = baseLevel(m_images, m_texture, target, range);
     if (!base)
       return true; // incomplete
-    if (!isSampled(*base, range)) {
+    if (base->base == 0) {
       reason = "texture";
       return false;
     }
@@ -86,6 +82,7 @@ public:
             viewOf(levelOf(m_images, m_texture, first + GLenum(face), range.base + level)->shadow);
     view.format = base->shadow.format;
     view.complete = true;
+    view.srgb = base->srgb;
     view.powerOfTwo = std::has_single_bit(unsigned(base->width)) &&
                       std::has_single_bit(unsigned(base->height)) &&
                       std::has_single_bit(unsigned(base->depth));
@@ -167,7 +164,7 @@ bool Residency::samplesTexture(GLuint name, abi::Dimension dimension, TextureLev
     return false;
   const PixelImage *const base =
       baseLevel(images, textureOf(images.objects, target, name), target, range);
-  return !base || isSampled(*base, range);
+  return !base || base->base != 0;
 }
 
 namespace {

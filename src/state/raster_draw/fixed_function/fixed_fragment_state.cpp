@@ -143,7 +143,7 @@ Outcome FixedFragments::completeUnits(Context &context, Mirror &mirror, FixedFra
     const SamplerState &sampler = mirror.samplers[i][std::size_t(use.dimension)];
     const char *reason = nullptr;
     const TextureImages *const images = context.software->residency.acquireTexture(
-        sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel, sampler.decodes},
+        sampler.texture, use.dimension, {sampler.baseLevel, sampler.maxLevel},
         sampler.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);

@@ -8,7 +8,8 @@ namespace {
 
 /// Of one sample: much code of its own, which its neighbours do not make dearer.
 double sampleMilliseconds(const abi::SamplerKey &sampler) {
-  const double face = sampler.dimension == abi::Dimension::Cube ? 1.2 : 1;
+  const double face =
+      (sampler.dimension == abi::Dimension::Cube ? 1.2 : 1) * (sampler.format.srgb != 0 ? 1.4 : 1);
   if (sampler.mip != abi::MipFilter::None)
     return 12 * face;
   const bool filtered =

@@ -135,7 +135,7 @@ std::optional<ByteProgram> byteProgramOf(const Cpu &cpu, const jit::FragmentProg
   if (!permutes || !isPlain(program, key) || !flow.run() || flow.work() < kLeastWork)
     return std::nullopt;
   const abi::SamplerKey &sampler = key.samplers[program.program().code[flow.sample()].unit];
-  if (sampler.format.layout != abi::Layout::U8x4)
+  if (!abi::isPlainWord(sampler.format))
     return std::nullopt;
   ByteProgram result;
   result.sample = flow.sample();

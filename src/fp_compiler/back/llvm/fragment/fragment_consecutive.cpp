@@ -19,15 +19,14 @@ bool isWords(abi::Layout layout) {
          abi::bytesOf(layout) % 4 == 0;
 }
 
-/// A linear filter that gives the texel alone at its centre. One that reaches the border weighs in
-/// floats, which keep the least part of a neighbour.
+/// A linear filter that gives the texel alone at its centre. One that reaches the border, or whose
+/// texels are decoded, weighs in floats, which keep the least part of a neighbour.
 bool isPlainLinear(const abi::SamplerKey &sampler) {
   const auto reaches = [](abi::Wrap wrap) {
     return wrap == abi::Wrap::Clamp || wrap == abi::Wrap::ClampToBorder ||
            wrap == abi::Wrap::MirrorClamp || wrap == abi::Wrap::MirrorClampToBorder;
   };
-  return sampler.format.layout == abi::Layout::U8x4 && !reaches(sampler.wrap[0]) &&
-         !reaches(sampler.wrap[1]);
+  return abi::isPlainWord(sampler.format) && !reaches(sampler.wrap[0]) && !reaches(sampler.wrap[1]);
 }
 } // namespace
 

@@ -108,7 +108,7 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   const bool edge = m_path == SamplePath::Edge && m_samples->has(index);
   if (edge || m_path == SamplePath::Given) {
     Value *const raw = edge ? m_samples->wrappedTexels(index, m_place) : m_given;
-    Value *const packed = key.format.layout == abi::Layout::U8x4 ? raw : nullptr;
+    Value *const packed = abi::isPlainWord(key.format) ? raw : nullptr;
     m_texels.push_back({decode(m_code, key.format, raw, needed), packed, key.format.swizzle});
     return m_texels.back().rgba;
   }

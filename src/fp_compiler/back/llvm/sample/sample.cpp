@@ -38,7 +38,7 @@ Texel consecutive(Code &code, const abi::Format &format, Value *pointer, unsigne
       llvm::Align(1));
   Texel texel;
   texel.rgba = decode(code, format, raw, needed);
-  if (format.layout == abi::Layout::U8x4)
+  if (abi::isPlainWord(format))
     texel.packed = raw;
   return texel;
 }

@@ -1,6 +1,10 @@
 #include "fp_compiler/back/llvm/sample/sample_parts.h"
 
+#include <iterator>
+
 #include <llvm/IR/Intrinsics.h>
+
+#include "fp_compiler/back/llvm/math/math.h"
 
 namespace arbiter::fp::llvm_back {
 namespace {
@@ -76,6 +80,22 @@ abi::BitField fieldOf(Layout layout, int component) {
   return {component * bits, bits};
 }
 
+/// The linear value of an sRGB-encoded one that is a multiple of 1/255 (OpenGL 2.1, 3.8.15):
+/// of all those within 2e-6, and 0 and 1 exactly.
+Value *linearOf(Code &code, Value *encoded) {
+  // ((c + 0.055) / 1.055)^2.4 as 1 + (c - 1) * q(c): the polynomial whose largest distance is
+  // least.
+  constexpr float kQ[] = {0.0585065502f, -0.206142312f, 0.319880653f, -0.330177785f,
+                          0.46924716f,   0.964567677f,  0.999126239f};
+  Value *q = code.splat(kQ[0]);
+  for (std::size_t i = 1; i < std::size(kQ); ++i)
+    q = multiplyAdd(code, q, encoded, code.splat(kQ[i]));
+  Value *const power =
+      multiplyAdd(code, q, code.ir.CreateFSub(encoded, code.splat(1.0f)), code.splat(1.0f));
+  Value *const low = code.ir.CreateFMul(encoded, code.splat(1.0f / 12.92f));
+  return code.select(code.ir.CreateFCmpOLE(encoded, code.splat(0.04045f)), low, power);
+}
+
 /// All 32 bits as a number in [0,1]; those that a float has no room for are rounded once.
 Value *normalized32(Code &code, Value *word) {
   Value *const number = code.ir.CreateUIToFP(word, code.f32);
@@ -138,8 +158,11 @@ Vec decodeWords(Code &code, const abi::Format &format, const Words &words, unsig
       continue;
     }
     Value *&component = stored[std::size_t(from)];
-    if (!component)
+    const bool made = !component;
+    if (made)
       component = storedComponent(code, format.layout, words, int(from));
+    if (made && (format.srgb >> int(from) & 1) != 0)
+      component = linearOf(code, component);
     result[i] = component;
   }
   return result;

@@ -227,6 +227,43 @@ TEST_P(Sample, ReachesAllOfABigTexture) {
   EXPECT_EQ(pixels.packed, want);
 }
 
+// Each byte that sRGB encodes, as a texel that is looked up and as one of a row that is loaded;
+// alpha is linear. White and black stay what they are.
+TEST_P(Sample, SrgbIsDecoded) {
+  constexpr int kWidth = 256;
+  const GuardedMemory memory(kWidth * 4, true);
+  for (int i = 0; i < kWidth; ++i)
+    std::memset(memory.data() + std::ptrdiff_t(i) * 4, i, 4);
+  const abi::TextureLevel level = {memory.data(), kWidth * 4, 0, kWidth, 1, 1};
+  const abi::TextureView view = {&level, 1};
+  abi::SamplerKey key = plainKey(abi::Filter::Nearest);
+  key.format.srgb = 7;
+  SampleOptions loaded;
+  loaded.texels = true;
+  for (const SampleOptions &options : {SampleOptions{}, loaded}) {
+    std::string reason;
+    const auto function = SampleFunction::make(*m_cpu, key, options, reason);
+    ASSERT_TRUE(function) << reason;
+    EXPECT_FALSE(function->hasPacked()) << "the bytes are not the texel";
+    Pixels pixels(m_cpu->lanes());
+    for (int first = 0; first + m_cpu->lanes() <= kWidth; first += m_cpu->lanes()) {
+      SampleCall call = pixels.call(view);
+      call.texels = memory.data() + std::ptrdiff_t(first) * 4;
+      for (int i = 0; i < m_cpu->lanes(); ++i)
+        pixels.coordinate[0][std::size_t(i)] = (float(first + i) + 0.5f) / kWidth;
+      (*function)(call, 1);
+      for (int i = 0; i < m_cpu->lanes(); ++i) {
+        const double byte = (first + i) / 255.0;
+        const double want = byte <= 0.04045 ? byte / 12.92 : std::pow((byte + 0.055) / 1.055, 2.4);
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_NEAR(double(pixels.result[c][std::size_t(i)]), c == 3 ? byte : want, 2e-6)
+              << "byte " << first + i << " component " << c;
+      }
+    }
+    EXPECT_EQ(pixels.result[0][std::size_t(m_cpu->lanes()) - 1], 1.0f);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4"));
 
 } // namespace

@@ -12,10 +12,10 @@ AxisKey axisKey(const abi::SamplerKey &key, int axis) {
           key.dimension != abi::Dimension::Rect, key.powerOfTwo != 0};
 }
 
-/// Whether the integer filter takes it: bytes, none of them the border's.
+/// Whether the integer filter takes it: bytes as they are, none of them the border's.
 bool filtersBytes(const Lookup &lookup) {
-  const Layout layout = lookup.image.format.layout;
-  if (layout != Layout::U8x1 && layout != Layout::U8x2 && layout != Layout::U8x4)
+  const auto &[layout, swizzle, srgb] = lookup.image.format;
+  if ((layout != Layout::U8x1 && layout != Layout::U8x2 && layout != Layout::U8x4) || srgb != 0)
     return false;
   for (int i = 0; i < lookup.dimensions; ++i)
     if (reachesBorder(axisKey(lookup.key, i).wrap, true))
@@ -76,7 +76,7 @@ Texel texelAt(Code &code, const Lookup &lookup, const std::array<AxisTexels, 3> 
     for (std::size_t i = 0; i < 4; ++i)
       if (texel.rgba[i])
         texel.rgba[i] = code.select(outside, border[i], texel.rgba[i]);
-  } else if (lookup.image.format.layout == Layout::U8x4) {
+  } else if (abi::isPlainWord(lookup.image.format)) {
     texel.packed = words[0];
   }
   if (lookup.key.shadow)

@@ -66,6 +66,11 @@ double component(Layout layout, const std::uint8_t *bytes, int index) {
   return 0;
 }
 
+/// OpenGL 2.1, 3.8.15.
+double linearOf(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 Color swizzled(const abi::Swizzle &swizzle, const Color &stored) {
   Color color;
   for (std::size_t i = 0; i < 4; ++i)
@@ -284,8 +289,10 @@ Color sampleLevel(const abi::SamplerKey &key, const abi::TextureView &view, Plac
 
 Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes) {
   Color stored = {};
-  for (int i = 0; i < std::max(abi::componentsOf(format.layout), 1); ++i)
-    stored[std::size_t(i)] = component(format.layout, bytes, i);
+  for (int i = 0; i < std::max(abi::componentsOf(format.layout), 1); ++i) {
+    const double value = component(format.layout, bytes, i);
+    stored[std::size_t(i)] = (format.srgb >> i & 1) == 0 ? value : linearOf(value);
+  }
   return swizzled(format.swizzle, stored);
 }
 

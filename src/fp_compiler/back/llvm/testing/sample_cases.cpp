@@ -31,9 +31,10 @@ enum Property {
   Lane,
   Bias,
   Needed,
+  Srgb,
   kProperties
 };
-constexpr int kValues[kProperties] = {5, 21, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3};
+constexpr int kValues[kProperties] = {5, 21, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3, 2};
 using Choice = std::array<int, kProperties>;
 
 constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
@@ -56,6 +57,8 @@ bool possible(const Choice &c) {
   if (c[Shadow] &&
       (!abi::isDepth(layout) || dimension == Dimension::Tex3D || dimension == Dimension::Cube))
     return false;
+  if (c[Srgb] && (layout < Layout::U8x1 || layout > Layout::U8x4))
+    return false;
   if (dimension == Dimension::Rect &&
       (c[Mip] != 0 || (c[WrapS] != 2 && c[WrapS] != 3 && c[WrapS] != 4) ||
        (c[WrapT] != 2 && c[WrapT] != 3 && c[WrapT] != 4)))
@@ -68,6 +71,10 @@ Case caseOf(const Choice &c) {
   abi::SamplerKey &key = test.key;
   key.dimension = Dimension(c[Dim]);
   key.format = {Layout(c[Lay]), kSwizzles[c[Swi]]};
+  if (c[Srgb])
+    for (std::size_t i = 0; i < 3; ++i)
+      if (key.format.swizzle[i] <= From::C3)
+        key.format.srgb |= std::uint8_t(1u << int(key.format.swizzle[i]));
   key.wrap = {abi::Wrap(c[WrapS]), abi::Wrap(c[WrapT]), abi::Wrap(c[WrapR])};
   key.magnify = Filter(c[Mag]);
   key.minify = Filter(c[Min]);
@@ -111,6 +118,8 @@ Choice randomChoice(std::mt19937 &random) {
       c[i] = int(random() % unsigned(kValues[i]));
     if (random() % 3) // most comparisons would fall to `possible`
       c[Shadow] = 0;
+    if (random() % 3)
+      c[Srgb] = 0;
     if (possible(c))
       return c;
   }
@@ -151,12 +160,13 @@ std::string describe(const Case &test) {
   const abi::SamplerKey &key = test.key;
   return fmt::format(
       "dimension {} layout {} swizzle {}{}{}{} wrap {} {} {} magnify {} minify {} mip {} shadow {} "
-      "compare {} powerOfTwo {} hasBias {} size {}x{}x{} lanes {} bias {} needed {:x}",
+      "compare {} powerOfTwo {} hasBias {} size {}x{}x{} lanes {} bias {} needed {:x} srgb {:x}",
       int(key.dimension), int(key.format.layout), int(key.format.swizzle[0]),
       int(key.format.swizzle[1]), int(key.format.swizzle[2]), int(key.format.swizzle[3]),
       int(key.wrap[0]), int(key.wrap[1]), int(key.wrap[2]), int(key.magnify), int(key.minify),
       int(key.mip), key.shadow, int(key.compare), key.powerOfTwo, key.hasBias, test.size[0],
-      test.size[1], test.size[2], int(test.options.lanes), test.options.bias, test.options.needed);
+      test.size[1], test.size[2], int(test.options.lanes), test.options.bias, test.options.needed,
+      key.format.srgb);
 }
 
 } // namespace arbiter::fp::llvm_back::testing
