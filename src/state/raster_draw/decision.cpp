@@ -13,6 +13,24 @@ namespace arbiter::state::software {
 
 namespace {
 
+/// decideByPath(), as a part of the functions that each draw goes through.
+[[gnu::always_inline]] inline Outcome judgePath(Context &context) {
+  if (context.listMode != 0) [[unlikely]]
+    return Fallback::List;
+  if (context.path != Path::HostGlsl) {
+    // Fixed function alone is the rasterizer's too, once a program has been drawn.
+    if (context.path == Path::HostAssembly && !applicationShades(context))
+      return Fallback::NotCompiled; // too long
+    if (context.path != Path::NoProgram || applicationShades(context))
+      return Fallback::NoFragmentProgram;
+  }
+  if (!context.software->residency.syncWithNeighbours())
+    return Fallback::Shared;
+  if (!context.software->backOff.engaged())
+    return Fallback::BackedOff;
+  return {};
+}
+
 /// The current values that vertices read: unfilled polygons have edge flags too.
 std::uint32_t currentSlotsOf(const Pipeline &pipeline, const Mirror &mirror) {
   const bool unfilled = mirror.raster.front != swrast::PolygonMode::Fill ||
@@ -38,27 +56,12 @@ bool usesRasterizer(Context &context) {
   return validatePrograms(context) && context.softwarePossible;
 }
 
-Outcome decideByPath(Context &context) {
-  if (context.listMode != 0)
-    return Fallback::List;
-  // Fixed function alone is the rasterizer's too, once a program has been drawn.
-  if (context.path == Path::HostAssembly && !applicationShades(context))
-    return Fallback::NotCompiled; // too long
-  if (context.path != Path::HostGlsl && context.path != Path::NoProgram)
-    return Fallback::NoFragmentProgram;
-  if (context.path == Path::NoProgram && applicationShades(context))
-    return Fallback::NoFragmentProgram;
-  if (!context.software->residency.syncWithNeighbours())
-    return Fallback::Shared;
-  if (!context.software->backOff.engaged())
-    return Fallback::BackedOff;
-  return {};
-}
+Outcome decideByPath(Context &context) { return judgePath(context); }
 
 Outcome decide(Context &context, GLenum mode, std::uint32_t count) {
   if (mode > GL_POLYGON)
     return Fallback::Vertices;
-  if (const Outcome outcome = decideByPath(context); !outcome.ok())
+  if (const Outcome outcome = judgePath(context); !outcome.ok())
     return outcome;
   Pipeline &pipeline = pipelineOf(context);
   if (const Outcome outcome = pipeline.choose(context, {mode, count}); !outcome.ok())
