@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t kTexCoords = 0xFFu << kTexCoord0;
 
-void queryValue(const HostCaps &caps, const HostQuery &query, int slot, std::array<float, 4> &value) {
+void queryValue(const HostCaps &caps, const HostQuery &query, int slot,
+                std::array<float, 4> &value) {
   value = {0, 0, 0, 1};
   switch (slot) {
   case kColor:
