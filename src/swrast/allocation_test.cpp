@@ -19,6 +19,11 @@ std::atomic<std::uint64_t> g_allocations{0};
     return memory;
   throw std::bad_alloc();
 }
+// A sanitizer's own does not call the one above.
+[[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
+  g_allocations.fetch_add(1, std::memory_order_relaxed);
+  return std::malloc(size ? size : 1);
+}
 [[gnu::noinline]] void operator delete(void *memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
 
