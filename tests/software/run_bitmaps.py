@@ -8,7 +8,6 @@ which hosts do not all do, is compared with colours worked out here.
 Ends with "N passed, N failed, 0 skipped".
 """
 
-import argparse
 import pathlib
 import subprocess
 import sys
@@ -37,13 +36,7 @@ def judge_rules(client, env):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=60)
-    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
-    args = parser.parse_args()
+    args = sides.seeded_arguments(__doc__, 60)
     build = args.build.resolve()
     client = build / "tests/software/software-bitmaps"
     command = [client, args.first, args.count]

@@ -8,39 +8,16 @@ context deleted.
 Ends with "N passed, N failed, 0 skipped".
 """
 
-import argparse
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import sides
-from x_server import XServer
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
-    args = parser.parse_args()
-    build = args.build.resolve()
-    command = [build / "tests/software/software-default-textures", args.first, args.count]
-    with tempfile.TemporaryDirectory(prefix="arbiter-default-") as scratch, XServer() as display:
-        # Mesa 22.3.6 reads memory that it freed where a context ends that shared textures, and waits for
-        # ever where freed memory holds something else by then: Meson asks for that of its tests.
-        extra = {"DISPLAY": display, "XDG_CACHE_HOME": scratch, "MALLOC_PERTURB_": "0"}
-        stats = pathlib.Path(scratch) / "stats.json"
-        layer = sides.environment(sides.layer_of(build), args.backend,
-                                  {**extra, "ARBITER_STATS": str(stats)})
-        try:
-            bare = sides.run(command, sides.environment(extra=extra))
-            wrong = sides.differences(bare, sides.run(command, layer))
-        except (sides.Died, subprocess.TimeoutExpired) as death:
-            bare, wrong = [], [str(death)]
-        part = sides.software_statistics(stats)
+    args = sides.seeded_arguments(__doc__, 40)
+    # Mesa 22.3.6 reads memory that it freed where a context ends that shared textures, and waits for
+    # ever where freed memory holds something else by then: Meson asks for that of its tests.
+    bare, wrong, part = sides.compare(args, "software-default-textures", sides.differences, {"MALLOC_PERTURB_": "0"})
     drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
     if args.backend == "swrast" and drawn <= 50 * sum(given.values()):
         wrong.append("too many draws are the host's")

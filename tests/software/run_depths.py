@@ -7,15 +7,10 @@ under the layer, in windows and framebuffer objects. All draws must be the raste
 Ends with "N passed, N failed, 0 skipped".
 """
 
-import argparse
 import array
-import pathlib
-import subprocess
 import sys
-import tempfile
 
 import sides
-from x_server import XServer
 
 # Depths of the two rasterizers differ by the rounding of a plane's steps: of 2^32.
 NEAR = 1 << 11
@@ -44,26 +39,8 @@ def judge(bare, layer):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=12)
-    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
-    args = parser.parse_args()
-    build = args.build.resolve()
-    command = [build / "tests/software/software-depths", args.first, args.count]
-    with tempfile.TemporaryDirectory(prefix="arbiter-depths-") as scratch, XServer() as display:
-        extra = {"DISPLAY": display, "XDG_CACHE_HOME": scratch}
-        stats = pathlib.Path(scratch) / "stats.json"
-        layer = sides.environment(sides.layer_of(build), args.backend,
-                                  {**extra, "ARBITER_STATS": str(stats)})
-        try:
-            bare = sides.run(command, sides.environment(extra=extra))
-            wrong = judge(bare, sides.run(command, layer))
-        except (sides.Died, subprocess.TimeoutExpired) as death:
-            bare, wrong = [], [str(death)]
-        part = sides.software_statistics(stats)
+    args = sides.seeded_arguments(__doc__, 12)
+    bare, wrong, part = sides.compare(args, "software-depths", judge)
     drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
     if not any("has 32," in what for what, _ in bare):
         print("the host gives no window 32 bits")

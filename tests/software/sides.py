@@ -1,11 +1,13 @@
 """The two sides of a comparison: the bare host, and the layer in front with a back end named."""
 
+import argparse
 import collections
 import contextlib
 import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "clients"))
@@ -125,3 +127,31 @@ def layer_of(build):
     if not layer.exists():
         sys.exit(f"the layer is not built: {layer}")
     return layer
+
+
+def seeded_arguments(doc, count):
+    """The command line of a runner of random scenes: --build, --first SEED, --count N, --backend."""
+    parser = argparse.ArgumentParser(description=doc,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--count", type=int, default=count)
+    parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
+    return parser.parse_args()
+
+
+def compare(args, client, judge, extra=None):
+    """(the bare host's records, what judge(bare, layer) finds wrong, the rasterizer's statistics) of a
+    client of tests/software that draws args.count scenes from seed args.first on."""
+    build = args.build.resolve()
+    command = [build / "tests/software" / client, args.first, args.count]
+    with tempfile.TemporaryDirectory(prefix="arbiter-sides-") as scratch, XServer() as display:
+        both = {"DISPLAY": display, "XDG_CACHE_HOME": scratch, **(extra or {})}
+        stats = pathlib.Path(scratch) / "stats.json"
+        layer = environment(layer_of(build), args.backend, {**both, "ARBITER_STATS": str(stats)})
+        try:
+            bare = run(command, environment(extra=both))
+            wrong = judge(bare, run(command, layer))
+        except (Died, subprocess.TimeoutExpired) as death:
+            bare, wrong = [], [str(death)]
+        return bare, wrong, software_statistics(stats)
