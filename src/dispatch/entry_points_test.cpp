@@ -5,7 +5,7 @@
 
 #include "dispatch/entry_points.h"
 #include "host/host_table.h"
-#include "state/core/current.h"
+#include "state/core/context.h"
 
 namespace arbiter::dispatch {
 namespace {

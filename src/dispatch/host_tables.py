@@ -113,7 +113,7 @@ def recording_table(table):
     """The effective table while a primitive is deferred: each function of it has the host draw the
     primitive first, then calls the host's."""
     out = [HEADING, '#include "state/raster_draw/immediate/replay.h"\n\n#include "host/host_table.h"\n'
-           '#include "state/core/current.h"\n\n'
+           '#include "state/core/context_hot.h"\n\n'
            "namespace arbiter::state::software {\n\nnamespace {\n\n"]
     for name in table.members:
         command = table.commands[name]

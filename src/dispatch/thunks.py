@@ -72,6 +72,8 @@ def thunks(table, command, action, symbol):
     if action == "own":
         handled = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
         handled = dirty + guarded(command, f"  {handled}\n")
+        if name in table.config["own"]["everywhere"]:
+            return "", lead + handled
         if result == "void":
             return "", lead + ("  if (t->passThrough) [[unlikely]] {\n"
                                f"    {call}\n    return;\n  }}\n{handled}")

@@ -53,6 +53,13 @@ enum class Layout : std::uint8_t {
 [[nodiscard]] constexpr std::uint32_t depth32Of(float depth) {
   return depth < 1.0f ? std::uint32_t(depth * 0x1p31f) << 1 : ~0u;
 }
+/// The steps between the depths 0 and 1 that polygon offset counts in. Hosts take floats, and no
+/// buffer, for 24 bits.
+[[nodiscard]] constexpr double depthStepsOf(Layout layout) {
+  return layout == Layout::Depth16   ? 65535.0
+         : layout == Layout::Depth32 ? 4294967295.0
+                                     : 16777215.0;
+}
 /// Components that are parts of one word, of the layout's size.
 [[nodiscard]] constexpr bool isPacked(Layout layout) {
   return layout >= Layout::Bits565 && layout <= Layout::Bits1010102;
@@ -88,7 +95,7 @@ struct Format {
   Layout layout = Layout::None;
   Swizzle swizzle = kRgba;
   /// Stored bytes, one bit each, that sRGB has encoded and a sampler decodes (OpenGL 2.1,
-  /// 3.8.15).  /// For layouts of bytes; 0 of a colour buffer.
+  /// 3.8.15). For layouts of bytes; 0 of a colour buffer.
   std::uint8_t srgb = 0;
   bool operator==(const Format &) const = default;
 };

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include "fp_compiler/jit_client.h"
+#include "fp_compiler/jit_version.h"
 #include "util/flags.h"
 
 namespace arbiter::fp::jit {
@@ -37,8 +38,10 @@ Opened openFrom(const std::string &path) {
   }
   const auto get = reinterpret_cast<boundary::GetInterface>(dlsym(library, boundary::kSymbol));
   const boundary::Interface *const found = get ? get() : nullptr;
-  if (!found || found->version != boundary::kVersion)
-    return {nullptr, path + " is of another build than this"};
+  if (!found)
+    return {nullptr, path + " is no library of the layer's"};
+  if (found->version != boundary::kVersion)
+    return {nullptr, path + " was built with other headers than this"};
   return {found, {}};
 }
 

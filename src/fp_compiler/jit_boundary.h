@@ -13,10 +13,12 @@
 ///
 /// Every function may be called from any thread. None throws: where memory or anything else is
 /// missing the result is null, and a Reason is filled where one is taken.
+///
+/// Both sides know more of each other than that: how keys and draws lie in memory (abi.h), how
+/// programs are written as archives. So the version that they compare, kVersion of the generated
+/// fp_compiler/jit_version.h, is a hash of this header, of jit_fields.h and of all that they
+/// include.
 namespace arbiter::fp::jit::boundary {
-
-/// Raised with any change of what is below. A library of another version is not used.
-inline constexpr std::uint32_t kVersion = 1;
 
 /// Of the library, freed by it.
 struct EngineHandle;
@@ -37,10 +39,8 @@ struct Reason {
 };
 
 struct Options {
-  std::uint32_t version; ///< kVersion
-  std::uint32_t keySize; ///< of abi::FragmentKey
-  Bytes cpu;             ///< EngineOptions::cpu
-  Bytes cacheFolder;     ///< of object code; empty: none
+  Bytes cpu;         ///< EngineOptions::cpu
+  Bytes cacheFolder; ///< of object code; empty: none
   std::uint64_t cacheMaxBytes;
 };
 
@@ -61,7 +61,7 @@ struct Code {
 /// Programs cross as archives of ir::Program (ir/fields.h); what a prepared one needs of a draw and
 /// what it is after the passes come back as an archive of its shape and its program.
 struct Interface {
-  std::uint32_t version;
+  std::uint64_t version; ///< boundary::kVersion; compared before anything else is looked at
 
   EngineHandle *(*makeEngine)(const Options *options, Reason *reason);
   void (*freeEngine)(EngineHandle *engine);

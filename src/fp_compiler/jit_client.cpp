@@ -176,8 +176,7 @@ private:
 
 std::unique_ptr<Engine> connect(const Interface &library, const EngineOptions &options,
                                 std::string &reason) {
-  const boundary::Options plain = {boundary::kVersion, sizeof(abi::FragmentKey),
-                                   bytesOf(options.cpu), bytesOf(options.cacheFolder),
+  const boundary::Options plain = {bytesOf(options.cpu), bytesOf(options.cacheFolder),
                                    options.cacheMaxBytes};
   Reason why{};
   boundary::EngineHandle *const engine = library.makeEngine(&plain, &why);

@@ -15,7 +15,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
-#include "state/core/escape.h"
+#include "state/share/neighbours.h"
 #include "util/log.h"
 
 namespace arbiter::interposer {

@@ -48,6 +48,7 @@ struct LayerArguments {
   std::string identity;
   std::string numerics;
   std::string backend;
+  std::string fixedFunction;
   std::string extensionsMaxYear;
   std::string extensionsMaxLength;
   std::string stats;

@@ -117,6 +117,12 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
                   "who draws with programs: auto; the host; swrast, Arbiter's own rasterizer")
       ->check(CLI::IsMember({"auto", "host", "swrast"}));
   command
+      .add_option(
+          "--fixed-function", layer.fixedFunction,
+          "whose draws without a program are: the rasterizer's once a program has been drawn, "
+          "or always")
+      ->check(CLI::IsMember({"programs", "always"}));
+  command
       .add_option("--extensions-max-year", layer.extensionsMaxYear,
                   "announce no extension of a later year")
       ->check(CLI::Range(1992, 9999));

@@ -152,6 +152,14 @@ void readBackend(Reader &reader, Settings &result) {
     reader.warn(Env::Backend, "expected auto, host or swrast, not " + quoted(value));
 }
 
+void readFixedFunction(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::FixedFunction);
+  if (value == "always")
+    result.alwaysFixedFunction = true;
+  else if (!value.empty() && value != "programs")
+    reader.warn(Env::FixedFunction, "expected programs or always, not " + quoted(value));
+}
+
 void readNumerics(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Numerics);
   if (value == "host" || value == "legacy" || value == "fp24")
@@ -238,6 +246,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readIdentity(reader, result);
   readNumerics(reader, result);
   readBackend(reader, result);
+  readFixedFunction(reader, result);
   result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);

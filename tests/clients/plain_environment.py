@@ -4,14 +4,19 @@ the layer, for the loader of libraries or for Mesa reaches them."""
 import os
 from pathlib import Path
 
-SUPPRESSIONS = Path(__file__).resolve().parent.parent.parent / "scripts/tsan.supp"
+SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
 # For clients of a tree with a sanitizer (./dev asan, ./dev tsan); elsewhere they mean nothing.
 # Preloading puts the layer before the sanitizer's runtime, and the host and its threads are not
 # instrumented. The driver keeps memory for the life of the process.
 SANITIZERS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
               "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
               "TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1"
-                              f":suppressions={SUPPRESSIONS}"}
+                              f":suppressions={SCRIPTS}/tsan.supp"}
+# Without the layer what the sanitizer finds inside the host's driver is the driver's own: it reads past
+# its buffers, and takes the length of program strings, which need not end. Under the layer the same
+# report may be of memory that the layer gave it.
+HOST_ALONE = f":intercept_strlen=0:suppressions={SCRIPTS}/asan_host.supp"
+
 FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_")
 
 
@@ -21,6 +26,9 @@ def plain(**more):
     return {**kept, "LIBGL_ALWAYS_SOFTWARE": "1", **more}
 
 
-def sanitized(**more):
-    """The same for clients that may be instrumented."""
-    return plain(**SANITIZERS, **more)
+def sanitized(layered=True, **more):
+    """The same for clients that may be instrumented, under the layer or on the host alone."""
+    env = plain(**SANITIZERS, **more)
+    if not layered:
+        env["ASAN_OPTIONS"] += HOST_ALONE
+    return env

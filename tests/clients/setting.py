@@ -59,7 +59,7 @@ class Setting:
 
     def environment(self, layer, extra=None):
         """The bare host's environment, or the layer's by LD_PRELOAD alone."""
-        env = sanitized(XDG_RUNTIME_DIR=str(self.scratch))
+        env = sanitized(bool(layer), XDG_RUNTIME_DIR=str(self.scratch))
         if self.display is None:
             env.pop("DISPLAY", None)
             del env["LIBGL_ALWAYS_SOFTWARE"]  # a device of EGL's is asked for

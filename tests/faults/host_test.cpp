@@ -64,7 +64,7 @@ TEST(HostFaults, AHostWithoutAnyFunction) {
   destroyContext(context);
 }
 
-TEST(HostFaults, ContextsThatAreNotOurs) {
+TEST(HostFaults, ContextsThatTheLayerDoesNotKnow) {
   for (const char *version : {"OpenGL ES 3.2 Fake", "", "junk"}) {
     FakeHost host;
     host.version = version;

@@ -75,15 +75,15 @@ class Written:
     to: int
 
 
-def writable_functions(is_ours):
+def writable_functions(is_layers):
     """Pointers to code in what libraries have of writable memory, their data filled at run time too.
 
-    is_ours(path) chooses the libraries. Returns the pointers, and the libraries' paths.
+    is_layers(path) chooses the libraries. Returns the pointers, and the libraries' paths.
     """
     maps = mappings()
     code = Code(maps)
     found, looked = [], []
-    for path in sorted({m.path for m in maps if is_ours(m.path)}):
+    for path in sorted({m.path for m in maps if is_layers(m.path)}):
         try:
             elf = Elf(path)
         except (NotElf, OSError):

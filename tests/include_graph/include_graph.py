@@ -30,6 +30,7 @@ ALLOWED = {
     "builder": {"fp_compiler", "swrast", "util", "public"},
     "demos": {"public"},
     "public": set(),
+    "precompiled": {"precompiled"},  # given to libraries by the build, included by no source
 }
 
 # Single headers that may be seen across an edge that is otherwise closed.

@@ -62,7 +62,7 @@ class RunAgain(unittest.TestCase):
 class Table(unittest.TestCase):
     REPORT = {"profile": "r300", "bare": {"pass": 2}, "layer": {"pass": 1, "fail": 1},
               "unexpected": {"u": {"bare": "pass", "layer": "fail"}},
-              "explained": {"e|x": {"bare": "skip", "layer": "pass", "reason": "ours"}},
+              "explained": {"e|x": {"bare": "skip", "layer": "pass", "reason": "the layer has it"}},
               "flakes": {"f": {"bare": "pass", "layer": "crash"}}, "stale": {"r300.txt:3": "s*"}}
 
     def test_every_difference_has_its_row(self):
@@ -72,7 +72,7 @@ class Table(unittest.TestCase):
     def test_the_page_holds_counts_and_reasons(self):
         page = table.markdown({"set": "full", "reports": [self.REPORT]})
         self.assertIn("| layer | 1 | 1 |", page)
-        self.assertIn("| explained | e\\|x | skip | pass | ours |", page)
+        self.assertIn("| explained | e\\|x | skip | pass | the layer has it |", page)
 
 
 class Environment(unittest.TestCase):

@@ -15,20 +15,24 @@ FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PR
 
 # Who draws (ARBITER_BACKEND), by configuration: with the profile `host`, the host alone and
 # Arbiter's own rasterizer wherever it can; with all others, the default back end.
-BACKENDS = {"host": "host", "swrast": "swrast"}
+BACKENDS = {"host": "host", "swrast": "swrast", "swrast-fixed": "swrast"}
+# Back ends by name, with the profile `host`; -fixed: with ARBITER_FIXED_FUNCTION=always.
+BY_BACKEND = ("swrast", "auto", "swrast-fixed", "auto-fixed")
 
 
 def environment(layer=None, profile=None, extra=None):
     """profile: a name of ARBITER_PROFILE, with `:report` or `:enforce` for ARBITER_LIMITS, or
-    `swrast` or `auto`: the profile `host` with that ARBITER_BACKEND."""
+    one of BY_BACKEND: the profile `host` with that ARBITER_BACKEND."""
     env = {k: v for k, v in os.environ.items() if not k.startswith(FOREIGN)}
     env["LIBGL_ALWAYS_SOFTWARE"] = "1"
     env["PIGLIT_NO_FAST_SKIP"] = "1"  # a skip is the test's own answer, not the framework's guess
     if layer:
         env["LD_PRELOAD"] = str(layer)
         name, _, limits = profile.partition(":")
-        env["ARBITER_PROFILE"] = "host" if name in ("swrast", "auto") else name
+        env["ARBITER_PROFILE"] = "host" if name in BY_BACKEND else name
         env["ARBITER_BACKEND"] = BACKENDS.get(name, "auto")
+        if name.endswith("-fixed"):
+            env["ARBITER_FIXED_FUNCTION"] = "always"
         if limits:
             env["ARBITER_LIMITS"] = limits
     env.update(extra or {})

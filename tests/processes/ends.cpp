@@ -30,6 +30,14 @@ template <void (*end)(int)> void compileUntil() {
   drawForEver(true);
 }
 
+template <void (*end)(int)> void drawBitmapsUntil() {
+  openContext();
+  drawBitmaps();
+  alarmAfter(someMilliseconds(), end);
+  for (;;)
+    drawBitmaps();
+}
+
 void callExit(int) { std::exit(7); }
 void callUnderscoreExit(int) { _exit(7); }
 void callQuickExit(int) { std::quick_exit(7); }
@@ -139,6 +147,7 @@ void endRows(void (*add)(Row)) {
   add({"return-from-main", returnFromMain});
   add({"exit-in-handler-drawing", drawUntil<callExit>});
   add({"exit-in-handler-compiling", compileUntil<callExit>});
+  add({"exit-in-handler-drawing-bitmaps", drawBitmapsUntil<callExit>});
   add({"_exit-in-handler-drawing", drawUntil<callUnderscoreExit>});
   add({"quick_exit-in-handler-drawing", drawUntil<callQuickExit>});
   add({"abort-in-handler-compiling", compileUntil<callAbort>});

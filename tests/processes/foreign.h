@@ -14,6 +14,11 @@ void makeCurrent(bool current);
 void drawFrame(bool fresh = false);
 /// One frame, and of its picture each fourth pixel of each fourth row as "picture HEX".
 void drawAndPrint();
+/// Bitmaps of a new picture, and reads it; many, so that what comes at any time mostly finds one
+/// under way.
+void drawBitmaps();
+/// A bitmap of drawBitmaps() is under way; to be asked in handlers.
+bool isInBitmap();
 /// Draws frames for ever.
 [[noreturn]] void drawForEver(bool fresh);
 /// Runs the body on a thread of its own with that much stack, and joins it.

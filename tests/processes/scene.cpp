@@ -1,6 +1,7 @@
 // The scene of the process tests, through GLX or EGL as linked libraries.
 #include "foreign.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -26,6 +27,7 @@ EGLDisplay g_eglDisplay = EGL_NO_DISPLAY;
 EGLSurface g_eglSurface = EGL_NO_SURFACE;
 EGLContext g_egl = EGL_NO_CONTEXT;
 unsigned char g_pixels[kSide][kSide][4];
+volatile std::sig_atomic_t g_inBitmap = 0;
 
 void openEgl() {
   g_eglDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
@@ -210,6 +212,34 @@ void drawAndPrint() {
   std::fwrite(line, 1, std::size_t(at - line), stdout);
   std::fflush(stdout);
 }
+
+void drawBitmaps() {
+  static GLuint s_program = 0;
+  if (!s_program)
+    s_program = load(GL_FRAGMENT_PROGRAM_ARB,
+                     "!!ARBfp1.0\nMUL result.color, fragment.color, {1, 0.5, 0.75, 1};\nEND\n");
+  glViewport(0, 0, kSide, kSide);
+  glClearColor(0.25f, 0.125f, 0.5f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_VERTEX_PROGRAM_ARB);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, s_program);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  static unsigned char s_bits[kSide / 8 * kSide];
+  for (int i = 0; i < kSide / 8 * kSide; ++i)
+    s_bits[i] = static_cast<unsigned char>(37 * i);
+  for (int i = 0; i < 40; ++i) {
+    glColor4f(float(i % 4) / 4, float(i % 3) / 2, 1, 1);
+    glWindowPos2i(i % 7, i % 5);
+    g_inBitmap = 1;
+    glBitmap(kSide - 8, kSide - 8, 0, 0, 1, 1, s_bits);
+    g_inBitmap = 0;
+  }
+  glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, g_pixels);
+  need(glGetError() == GL_NO_ERROR, "a GL command");
+}
+
+bool isInBitmap() { return g_inBitmap != 0; }
 
 void drawForEver(bool fresh) {
   for (;;)

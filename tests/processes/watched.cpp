@@ -22,6 +22,8 @@ namespace {
 int g_alarmsForLayer = 0;
 volatile sig_atomic_t g_alarms = 0;
 volatile sig_atomic_t g_stopped = 0;
+/// Code of the layer's is of interest in a bitmap alone.
+bool g_ofBitmaps = false;
 
 /// run.py wants this line of each process that has the layer.
 void reportPlace(bool inLayer) {
@@ -32,7 +34,7 @@ void reportPlace(bool inLayer) {
 
 bool isPlaceWanted() {
   g_alarms = g_alarms + 1;
-  const bool inLayer = interruptedInLayer();
+  const bool inLayer = interruptedInLayer() && (!g_ofBitmaps || isInBitmap());
   const bool wanted = inLayer || (g_alarms > g_alarmsForLayer && interruptedOutsideHost());
   if (wanted)
     reportPlace(inLayer);
@@ -54,19 +56,26 @@ void stopThere(int) {
     pause();
 }
 
+void draw(bool fresh) { g_ofBitmaps ? drawBitmaps() : drawFrame(fresh); }
+
 void drawInterruptedBy(void (*handler)(int), bool fresh) {
   prepareWatch();
   openContext();
   g_alarmsForLayer = isLayerLoaded() ? 10000 : 0;
-  drawFrame();
+  draw(false);
   alarmAfter(someMilliseconds(), handler);
   itimerval timer = {{0, 1000}, {0, 1000 * someMilliseconds()}};
   setitimer(ITIMER_REAL, &timer, nullptr);
   for (;;) {
-    drawFrame(fresh);
+    draw(fresh);
     if (g_alarms > g_alarmsForLayer)
       usleep(1000);
   }
+}
+
+void exitInBitmap() {
+  g_ofBitmaps = true;
+  drawInterruptedBy(exitThere, false);
 }
 
 template <bool fresh> void exitInLayer() { drawInterruptedBy(exitThere, fresh); }
@@ -90,6 +99,7 @@ template <bool fresh> void exitBesideLayer() {
 
 void watchedRows(void (*add)(Row)) {
   add({"exit-in-layer-drawing", exitInLayer<false>});
+  add({"exit-in-layer-drawing-bitmaps", exitInBitmap});
   add({"exit-in-layer-compiling", exitInLayer<true>});
   add({"exit-beside-layer-drawing", exitBesideLayer<false>});
   add({"exit-beside-layer-compiling", exitBesideLayer<true>});

@@ -26,7 +26,7 @@ OTHERS = re.compile(r"(gl|glX|egl|X[A-Z]|wgl|std::|llvm::|pthread_|OSMesa|_mm|__
 
 # Files that others have (Mesa, libglvnd, LLVM), that the build makes, or a user under his own name.
 OTHER_FILES = re.compile(
-    r"(.*/)?(limits|glext|host_table|main/config|i915_context|r300_pci_ids|lib(glx|egl)abi)\.h|"
+    r"(.*/)?(limits|glext|host_table|jit_version|main/config|i915_context|r300_pci_ids|lib(glx|egl)abi)\.h|"
     r"gl\.xml|(entry|software)_points\.cpp|host_table\.cpp|ErrorHandling\.cpp|(FILE|small)\.toml|"
     r"(.*/)?NAME\w*\.\w+|compile_commands\.json|CHANGELOG\.md")
 PROGRAMS = {"dev", "bench/run", "tests/fuzz/run"}  # without a suffix

@@ -12,6 +12,8 @@ void World::define(Texture &texture, int width, int height, GLenum internal, Ran
   glBindTexture(GL_TEXTURE_2D, texture.name);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  // What sRGB decodes to is not the same to the bit: run_formats.py of ../software samples that.
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(internal), width, height, 0,
                random.once(2) ? GL_RGBA : GL_BGRA, GL_UNSIGNED_BYTE, texels.data());
   texture.width = width;
@@ -20,23 +22,22 @@ void World::define(Texture &texture, int width, int height, GLenum internal, Ran
   texture.version = ++m_version;
 }
 
-void World::defineRenderbuffer(Renderbuffer &renderbuffer, bool depth, int width, int height) {
+void World::defineRenderbuffer(Renderbuffer &renderbuffer, GLenum internal, int width, int height) {
+  const bool depth = internal != GL_RGBA8;
   glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer.name);
-  glRenderbufferStorage(GL_RENDERBUFFER, depth ? GL_DEPTH24_STENCIL8 : GL_RGBA8, width, height);
+  glRenderbufferStorage(GL_RENDERBUFFER, internal, width, height);
+  renderbuffer.internal = internal;
   renderbuffer.width = width;
   renderbuffer.height = height;
   renderbuffer.version = ++m_version;
   // What it holds is undefined.
   glBindFramebuffer(GL_FRAMEBUFFER, context().scratch);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER,
-                            depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
-                            GL_RENDERBUFFER, renderbuffer.name);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, renderbuffer.point(), GL_RENDERBUFFER,
+                            renderbuffer.name);
   glDrawBuffer(depth ? GL_NONE : GL_COLOR_ATTACHMENT0);
   glReadBuffer(depth ? GL_NONE : GL_COLOR_ATTACHMENT0);
   clearAll();
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER,
-                            depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
-                            GL_RENDERBUFFER, 0);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, renderbuffer.point(), GL_RENDERBUFFER, 0);
   bindFramebuffer(context().bound);
 }
 

@@ -8,7 +8,9 @@ namespace sharing {
 namespace {
 
 constexpr int kSizes[] = {8, 16, 32, 33, 64, 7, 1};
-constexpr GLenum kInternal[] = {GL_RGBA8, GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_ALPHA8};
+constexpr GLenum kInternal[] = {GL_RGBA8,      GL_RGBA8,  GL_RGB8,         GL_SRGB8_ALPHA8,
+                                GL_LUMINANCE8, GL_ALPHA8, GL_SRGB8_ALPHA8, GL_SRGB8};
+constexpr GLenum kDepths[] = {GL_DEPTH24_STENCIL8, GL_DEPTH_COMPONENT32};
 
 void redefine(World &world, Random &random, const std::string &) {
   Texture &texture = world.texture(random.below(kTextures));
@@ -131,6 +133,7 @@ void renderbuffer(World &world, Random &random, const std::string &) {
   static constexpr int kEdges[] = {64, 32, 16};
   const bool depth = random.once(2), deleted = random.once(4);
   const int width = random.pick(kEdges), height = random.pick(kEdges);
+  const GLenum internal = depth ? random.pick(kDepths) : GLenum(GL_RGBA8);
   Group &group = world.group();
   Renderbuffer &renderbuffer =
       (depth ? group.depths : group.colors)[std::size_t(random.below(kRenderbuffers))];
@@ -139,7 +142,7 @@ void renderbuffer(World &world, Random &random, const std::string &) {
     glDeleteRenderbuffers(1, &renderbuffer.name);
     glGenRenderbuffers(1, &renderbuffer.name);
   }
-  world.defineRenderbuffer(renderbuffer, depth, width, height);
+  world.defineRenderbuffer(renderbuffer, internal, width, height);
 }
 
 } // namespace

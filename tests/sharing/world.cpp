@@ -124,7 +124,7 @@ void World::makeContextObjects() {
       if (renderbuffer.name != 0)
         continue;
       glGenRenderbuffers(1, &renderbuffer.name);
-      defineRenderbuffer(renderbuffer, depth, 64, 32);
+      defineRenderbuffer(renderbuffer, depth ? GL_DEPTH24_STENCIL8 : GL_RGBA8, 64, 32);
     }
   for (int i = 0; i < kFramebuffers; ++i) {
     Framebuffer &framebuffer = now.framebuffers[std::size_t(i)];
@@ -156,16 +156,19 @@ Size World::sizeOf(const Attachment &attachment, bool depth) {
 void World::attach(Framebuffer &framebuffer, bool depth, bool isTexture, int index) {
   Attachment &attachment = depth ? framebuffer.depth : framebuffer.color;
   attachment = {isTexture, index};
-  const GLenum point = depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name);
-  if (index < 0) {
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, 0);
-  } else {
+  // A buffer of depths alone takes the place of depths; that of stencil values must be empty then.
+  if (index < 0 || depth)
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER,
+                              depth ? GL_DEPTH_STENCIL_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                              GL_RENDERBUFFER, 0);
+  if (index >= 0) {
     const Object &object = *objectOf(attachment, depth);
     if (isTexture)
-      glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, object.name, 0);
+      glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, object.name, 0);
     else
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, object.name);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, static_cast<const Renderbuffer &>(object).point(),
+                                GL_RENDERBUFFER, object.name);
     attachment.version = object.version;
     attachment.width = sizeOf(attachment, depth).width;
     attachment.height = sizeOf(attachment, depth).height;

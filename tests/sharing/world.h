@@ -35,6 +35,13 @@ struct Texture : Object {
 };
 struct Renderbuffer : Object {
   int width = 0, height = 0;
+  GLenum internal = GL_RGBA8;
+  /// Where it is attached.
+  [[nodiscard]] GLenum point() const {
+    return internal == GL_RGBA8              ? GL_COLOR_ATTACHMENT0
+           : internal == GL_DEPTH24_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT
+                                             : GL_DEPTH_ATTACHMENT;
+  }
 };
 /// Quads of four vertices, or indices of them.
 struct Buffer : Object {
@@ -119,7 +126,7 @@ public:
   /// To sample it while drawing to what is bound would be undefined.
   [[nodiscard]] bool isAttached(int texture);
   void define(Texture &texture, int width, int height, GLenum internal, Random &random);
-  void defineRenderbuffer(Renderbuffer &renderbuffer, bool depth, int width, int height);
+  void defineRenderbuffer(Renderbuffer &renderbuffer, GLenum internal, int width, int height);
   void defineBuffer(int index, int quads, Random &random);
   void load(Program &program, GLenum target, int text, Random &random);
   /// Binds it anew, as what another context changed must be.

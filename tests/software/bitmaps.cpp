@@ -1,15 +1,19 @@
-// Bitmaps under random state: software-bitmaps SEED COUNT [COMMANDS], or software-bitmaps rules.
+// Bitmaps under random state: software-bitmaps [shared] SEED COUNT [COMMANDS], or software-bitmaps
+// rules.
 //   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
-//   where the raster
-//               position is left, GL's errors
+//               where the raster position is left, GL's errors
+//   shared      each scene is drawn by two contexts of a share group, by turns: they have
+//               programs, lists and buffers of bits in common, and the window
 //   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
-//   colours
+//               colours
 // Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
 // that draws bitmaps as textured rectangles has its own of those.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
+#include <utility>
 
 #include "surface.h"
 
@@ -33,24 +37,50 @@ constexpr const char *kVertexText =
     "DP4 result.position.y, mvp[1], p;\nDP4 result.position.z, mvp[2], p;\n"
     "DP4 result.position.w, mvp[3], p;\nMUL result.color, vertex.color, {1, 0.5, 0.75, 1};\nEND\n";
 
-/// A random scene, drawn by one context.
+/// A random scene, drawn by one context, or by two.
 class Scene {
 public:
-  explicit Scene(std::uint64_t seed) : m_random(seed) { m_random.bits(); }
+  /// \param turn makes the other context current; none: there is no other. True the first time.
+  explicit Scene(std::uint64_t seed, std::function<bool()> turn = {})
+      : m_random(seed), m_turn(std::move(turn)) {
+    m_random.bits();
+  }
 
   void draw(int commands) {
-    glViewport(0, 0, kEdge, kEdge);
-    glDisable(GL_DITHER);
+    prepare();
     glClearColor(0.2f, 0.3f, 0.1f, 0.5f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     programs();
     triangle(); // the target is the rasterizer's, and has depths
-    for (int i = 0; i < commands; ++i)
+    for (int i = 0; i < commands; ++i) {
+      if (m_turn && m_random.once(3))
+        takeTurns();
       command();
+    }
     glDisable(GL_SCISSOR_TEST);
   }
 
 private:
+  static void prepare() {
+    glViewport(0, 0, kEdge, kEdge);
+    glDisable(GL_DITHER);
+  }
+
+  void takeTurns() {
+    if (m_turn()) {
+      prepare();
+      // RasterPos and Begin are errors where vertex programs are enabled and the current one has no
+      // text (ARB_vertex_program, 2.14.4): Mesa 22.3.6 looks only at Begin.
+      glBindProgramARB(GL_VERTEX_PROGRAM_ARB, m_vertices);
+    }
+    // Mesa 22.3.6 draws with parameters as they were until one is set in this context.
+    chooseProgram(true);
+    if (!m_lists.empty() && m_random.once(3)) {
+      glCallList(m_random.pick(m_lists));
+      drawGathered();
+    }
+  }
+
   float unit() { return float(m_random.below(17)) / 16.0f; }
   /// Eighths of a pixel, so that no host rounds to another pixel.
   float clip() { return float(m_random.between(-kEdge * 5, kEdge * 5)) / float(kEdge * 4); }
@@ -145,9 +175,9 @@ private:
     const int height = m_random.below(m_random.once(5) ? 40 : 16);
     const void *from = bits;
     if (fromBuffer) {
-      GLuint buffer = 0;
-      glGenBuffers(1, &buffer);
-      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+      if (!m_turn || m_buffer == 0 || m_random.once(3))
+        glGenBuffers(1, &m_buffer);
+      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, m_buffer);
       glBufferData(GL_PIXEL_UNPACK_BUFFER, m_random.once(4) ? 16 : 4096, bits, GL_STATIC_DRAW);
       from = reinterpret_cast<const void *>(std::size_t(m_random.below(9)));
     }
@@ -161,6 +191,7 @@ private:
 
   void listed() {
     const GLuint list = glGenLists(1);
+    m_lists.push_back(list);
     glNewList(list, m_random.once(3) ? GL_COMPILE_AND_EXECUTE : GL_COMPILE);
     m_listing = true;
     if (m_random.once(2))
@@ -218,8 +249,11 @@ private:
   }
 
   Random m_random;
+  const std::function<bool()> m_turn;
   bool m_listing = false;
   GLuint m_fragments[5] = {}, m_vertices = 0;
+  GLuint m_buffer = 0; ///< that bits came from last
+  std::vector<GLuint> m_lists;
 };
 
 std::string rasterText() {
@@ -294,29 +328,55 @@ void rules() {
   });
 }
 
+void drawScene(Screen &screen, GLXDrawable window, int seed, int commands) {
+  const GLXContext context = screen.makeContext();
+  screen.makeCurrent(window, context);
+  Scene(std::uint64_t(seed)).draw(commands);
+  writeAll("scene " + std::to_string(seed));
+  screen.destroy(context);
+}
+
+void drawShared(Screen &screen, GLXDrawable window, int seed, int commands) {
+  GLXContext contexts[2] = {screen.makeContext(), nullptr};
+  contexts[1] = screen.makeContext(contexts[0]);
+  screen.makeCurrent(window, contexts[0]);
+  int now = 0;
+  bool known = false; // the second one was current before
+  Scene(std::uint64_t(seed), [&] {
+    now = 1 - now;
+    screen.makeCurrent(window, contexts[now]);
+    return !std::exchange(known, true);
+  }).draw(commands);
+  for (const int which : {now, 1 - now}) {
+    screen.makeCurrent(window, contexts[which]);
+    writeAll("shared scene " + std::to_string(seed) + ", context " + std::to_string(which));
+  }
+  for (const GLXContext each : contexts)
+    screen.destroy(each);
+}
+
 } // namespace
 } // namespace software
 
 int main(int argc, char **argv) {
   using namespace software;
+  const bool shared = argc > 1 && std::strcmp(argv[1], "shared") == 0;
+  if (shared)
+    --argc, ++argv;
   software::Screen screen; // Xlib has one, too
   if (!screen.open())
     return 1;
   const GLXDrawable window = screen.makeWindow(kEdge, kEdge);
   const bool onlyRules = argc > 1 && std::strcmp(argv[1], "rules") == 0;
-  const int first = onlyRules || argc < 2 ? 1 : std::atoi(argv[1]);
-  const int count = onlyRules ? 1 : argc > 2 ? std::atoi(argv[2]) : 1;
+  const int first = argc < 2 ? 1 : std::atoi(argv[1]);
+  const int count = argc > 2 ? std::atoi(argv[2]) : 1;
   const int commands = argc > 3 ? std::atoi(argv[3]) : 24;
-  for (int seed = first; seed < first + count; ++seed) {
-    const GLXContext context = screen.makeContext();
-    screen.makeCurrent(window, context);
-    if (onlyRules) {
-      rules();
-    } else {
-      Scene(std::uint64_t(seed)).draw(commands);
-      writeAll("scene " + std::to_string(seed));
-    }
-    screen.destroy(context);
+  if (onlyRules) {
+    screen.makeCurrent(window, screen.makeContext());
+    rules();
+    return 0;
   }
+  for (int seed = first; seed < first + count; ++seed)
+    (shared ? drawShared : drawScene)(screen, window, seed, commands);
   return 0;
 }

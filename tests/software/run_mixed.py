@@ -21,7 +21,7 @@ SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
 # Machine code that is late: passes of one frame must meet all the same.
 WAYS = {"auto": ("auto", {}), "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {})}
-POISON = ("85", "170", "157")  # what fresh memory holds: of two bare runs, and of the layer's
+POISON = (85, 170, 157)  # what fresh memory holds: of two bare runs, and of the layer's
 
 
 def defined(first, second):
@@ -62,7 +62,7 @@ def main():
         for poison in POISON[:2]:
             with XServer(options=options) as display:
                 runs.append(sides.run(command, sides.environment(
-                    extra={"DISPLAY": display, "MALLOC_PERTURB_": poison})))
+                    extra={"DISPLAY": display}, fresh=poison)))
         bare = defined(*runs)
         for way, (backend, extra) in WAYS.items():
             with tempfile.TemporaryDirectory(prefix="arbiter-mixed-") as scratch, \
@@ -70,8 +70,7 @@ def main():
                 stats = pathlib.Path(scratch) / "stats.json"
                 env = sides.environment(sides.layer_of(build), backend,
                                         {"DISPLAY": display, "XDG_CACHE_HOME": scratch,
-                                         "ARBITER_STATS": str(stats), "MALLOC_PERTURB_": POISON[2],
-                                         **extra})
+                                         "ARBITER_STATS": str(stats), **extra}, POISON[2])
                 try:
                     layer = sides.run(command, env)
                 except (sides.Died, subprocess.TimeoutExpired) as death:

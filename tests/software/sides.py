@@ -17,10 +17,16 @@ from x_server import XServer  # noqa: E402
 TIMEOUT = 300
 
 
-def environment(layer=None, backend=None, extra=None):
-    env = sanitized()
+def environment(layer=None, backend=None, extra=None, fresh=None):
+    """`fresh`: 0 to 255 chooses the pattern that fresh memory holds. The C library's allocator reads one
+    variable, AddressSanitizer's, which takes its place in a tree of ./dev asan, the other (and fills no
+    more than 4 KiB unless it is told)."""
+    env = sanitized(bool(layer))
     if layer:
         env.update(LD_PRELOAD=str(layer), ARBITER_BACKEND=backend, ARBITER_PROFILE="host")
+    if fresh is not None:
+        env["MALLOC_PERTURB_"] = str(fresh)
+        env["ASAN_OPTIONS"] += f":malloc_fill_byte={fresh}:max_malloc_fill_size={1 << 28}"
     env.update(extra or {})
     return env
 
@@ -69,27 +75,28 @@ def records(data):
     return found
 
 
-def distances(a, b):
-    """(how many pixels of four bytes differ by more than 1, the furthest distance)."""
+def distances(a, b, rounding=1):
+    """(how many pixels of four bytes differ by more than `rounding`, the furthest distance)."""
     if a == b:
         return 0, 0
     if len(a) != len(b):
         return max(len(a), len(b)) // 4, 255
     apart = [abs(x - y) for x, y in zip(a, b)]
     worst = max(apart)
-    if worst <= 1:
+    if worst <= rounding:
         return 0, worst
-    return sum(max(apart[i:i + 4]) > 1 for i in range(0, len(apart), 4)), worst
+    return sum(max(apart[i:i + 4]) > rounding for i in range(0, len(apart), 4)), worst
 
 
-def differences(bare, layer):
-    """What two clients' records differ in, a line each; nothing where they agree."""
+def differences(bare, layer, rounding=1):
+    """What two clients' records differ in, a line each; nothing where they agree. `rounding`: of 255, how
+    far two may be apart that agree."""
     lines = []
     if [what for what, _ in bare] != [what for what, _ in layer]:
         pairs = [(x, y) for (x, _), (y, _) in zip(bare, layer) if x != y]
         lines += [f"bare '{x}', layer '{y}'" for x, y in pairs[:4]] or ["other records"]
     for (what, a), (_, b) in zip(bare, layer):
-        far, worst = distances(a, b)
+        far, worst = distances(a, b, rounding)
         if far:
             lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
     return lines

@@ -10,7 +10,7 @@
 
 #include "fp_compiler/numerics.h"
 #include "state/core/attrib_stack.h"
-#include "state/core/current.h"
+#include "state/core/context_hot.h"
 #include "state/core/host_caps.h"
 #include "state/core/identity.h"
 #include "state/core/provider.h"
@@ -180,5 +180,10 @@ public:
   ProgramTarget &row = context.row(Target::AtiApi);
   return row.offered ? &row : nullptr;
 }
+
+/// The calling thread's context: a static null context before the first make-current, never null.
+/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this
+/// is. constinit: without it each access would first call a TLS initialiser.
+extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
 
 } // namespace arbiter::state

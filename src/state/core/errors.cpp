@@ -3,10 +3,6 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/memory.h"
-#include "state/mirror/dirty_bits.h"
-#include "state/programs/program_bind.h"
-#include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 
 namespace arbiter::state {
@@ -60,17 +56,6 @@ bool outsideBeginEnd(Context &context, const char *command) {
     return true;
   raise(context, GL_INVALID_OPERATION, command);
   return false;
-}
-
-void outOfMemory(Context &context, const char *name) noexcept {
-  raise(context, GL_OUT_OF_MEMORY, name);
-  if (context.passThrough)
-    return;
-  context.dirty = software::dirty::kAll;
-  invalidateProgram(context);
-  // What was chosen before is not what a draw that failed half-way has left.
-  if (context.software)
-    context.software->forgetPipeline();
 }
 
 } // namespace arbiter::state

@@ -18,7 +18,7 @@ TEST(Errors, TheHostsPendingErrorCameFirst) {
   EXPECT_EQ(takeError(*context), GLenum(GL_NO_ERROR)) << "one error is recorded, not two";
 }
 
-TEST(Errors, OursCameFirst) {
+TEST(Errors, TheLayersCameFirst) {
   FakeHost host;
   const CurrentContext context(host);
   raise(*context, GL_INVALID_VALUE, "test");

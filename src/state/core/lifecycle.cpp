@@ -190,6 +190,8 @@ void initialise(Context &context) {
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
+  if (software::drawsFixedFunction(context))
+    context.attention |= attention::kProgram; // the first draw is looked at
 }
 
 /// A context that is half made is none: the next make-current tries again.

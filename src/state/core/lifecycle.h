@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "state/core/current.h"
+#include "state/core/context_hot.h"
 #include "state/core/provider.h"
 
 /// How the interposer drives contexts. It owns keys (provider, display, handle) and knows when the

@@ -76,25 +76,5 @@ void ReadBuffer(Context &context, GLenum src) {
   context.host->ReadBuffer(src);
 }
 
-void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
-  if (context.feedback.levels() != 0 && textures && n > 0)
-    for (GLsizei i = 0; i < n; ++i)
-      context.feedback.forget(textures[i]);
-  if (context.softwarePossible && !context.insideBeginEnd)
-    context.software->residency.texturesDeleted(n, textures);
-  if (!context.insideBeginEnd)
-    context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
-  context.host->DeleteTextures(n, textures);
-}
-
-void DeleteRenderbuffers(Context &context, GLsizei n, const GLuint *renderbuffers) {
-  if (context.softwareListens)
-    software::hostDoesUnknown(context, "glDeleteRenderbuffers");
-  if (!context.insideBeginEnd)
-    context.group->deletedNames.add(DeletedNames::Kind::Renderbuffer, n, renderbuffers,
-                                    context.serial);
-  context.host->DeleteRenderbuffers(n, renderbuffers);
-}
-
 } // namespace handlers
 } // namespace arbiter::state

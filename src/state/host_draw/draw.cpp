@@ -217,6 +217,9 @@ void install(Context &context) {
       context.samplerOverride->release(context);
     return releaseHostProgram(context);
   }
+  if (context.path == Path::NoProgram && software::drawsFixedFunction(context) &&
+      !applicationShades(context))
+    software::engage(context);
   if (context.path != Path::HostGlsl)
     return releaseHostState(context);
   if (context.linkedProgram->fragment.compiled)

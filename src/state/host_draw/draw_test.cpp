@@ -85,17 +85,17 @@ TEST(Draw, TheHostProgramIsHidden) {
   use(*context, kThree);
   ASSERT_TRUE(draw(*context));
   EXPECT_TRUE(context->hostProgramIsOurs);
-  const GLuint ours = host.currentProgram;
-  ASSERT_NE(ours, 0u);
+  const GLuint linked = host.currentProgram;
+  ASSERT_NE(linked, 0u);
   GLint current = -1;
   handlers::GetIntegerv(*context, GL_CURRENT_PROGRAM, &current);
   EXPECT_EQ(current, 0);
-  EXPECT_NE(handlers::guardName(*context, ours), ours);
-  EXPECT_EQ(handlers::guardName(*context, ours + 100), ours + 100);
+  EXPECT_NE(handlers::guardName(*context, linked), linked);
+  EXPECT_EQ(handlers::guardName(*context, linked + 100), linked + 100);
   handlers::restoreApplicationProgram(*context);
   EXPECT_EQ(host.currentProgram, 0u);
   ASSERT_TRUE(draw(*context));
-  EXPECT_EQ(host.currentProgram, ours);
+  EXPECT_EQ(host.currentProgram, linked);
   EXPECT_EQ(host.count("LinkProgram"), 1) << "it was built again";
 }
 

@@ -19,10 +19,10 @@ std::int64_t strideOf(const BitUnpacking &unpack, GLsizei width) {
   return (pixels + unit - 1) / unit * unpack.alignment;
 }
 
+/// All but where its rows are.
 swrast::BitImage imageOf(const BitUnpacking &unpack, const BitmapCommand &command) {
   swrast::BitImage image;
   image.stride = strideOf(unpack, command.width);
-  image.rows = command.bits + unpack.skipRows * image.stride;
   image.skip = unpack.skipPixels;
   image.lowestFirst = unpack.lowestFirst;
   image.width = command.width;
@@ -30,11 +30,12 @@ swrast::BitImage imageOf(const BitUnpacking &unpack, const BitmapCommand &comman
   return image;
 }
 
-/// The bits out of a buffer object; false where the host has to say what is wrong with it.
-bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, swrast::BitImage &image,
-                     std::vector<std::uint8_t> &memory) {
+/// The bits out of a buffer object, `at` bytes behind its start; false where the host has to say
+/// what is wrong with it.
+bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, std::intptr_t at,
+                     swrast::BitImage &image, std::vector<std::uint8_t> &memory) {
   const host::HostTable &host = *context.host;
-  const auto first = std::int64_t(reinterpret_cast<std::intptr_t>(image.rows));
+  const std::int64_t first = at + unpack.skipRows * image.stride;
   const std::int64_t rowBytes = (std::int64_t(image.skip) + image.width + 7) / 8;
   const std::int64_t bytes = (image.height - 1) * image.stride + rowBytes;
   const auto ask = [&](GLenum pname) {
@@ -43,8 +44,7 @@ bool fetchFromBuffer(Context &context, const BitUnpacking &unpack, swrast::BitIm
     return value;
   };
   // A host counts whole rows: it is to say whether those at the end are there.
-  if (unpack.buffer == 0 || first < 0 ||
-      first + image.height * image.stride > ask(GL_BUFFER_SIZE) ||
+  if (at < 0 || first < 0 || first + image.height * image.stride > ask(GL_BUFFER_SIZE) ||
       first + bytes > ask(GL_BUFFER_SIZE) || ask(GL_BUFFER_MAPPED) != 0)
     return false;
   memory.resize(std::size_t(bytes));
@@ -74,12 +74,15 @@ bool drawAtRasterPosition(Context &context, const BitmapCommand &command) {
   PlacedBits bits = {imageOf(unpack, command), command.xOrigin, command.yOrigin};
   std::vector<std::uint8_t> memory;
   if (unpack.buffer != 0) {
-    if (!fetchFromBuffer(context, unpack, bits.image, memory)) {
+    if (!fetchFromBuffer(context, unpack, reinterpret_cast<std::intptr_t>(command.bits), bits.image,
+                         memory)) {
       hostWrites(context, "glBitmap");
       return false;
     }
   } else if (!command.bits) {
     return true; // there is nothing to draw
+  } else {
+    bits.image.rows = command.bits + unpack.skipRows * bits.image.stride;
   }
   return drawBits(context, bits);
 }

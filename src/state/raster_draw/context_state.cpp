@@ -28,10 +28,16 @@ bool isPossible(const Context &context) {
 
 } // namespace
 
+bool drawsFixedFunction(const Context &context) {
+  return settings().alwaysFixedFunction && isPossible(context);
+}
+
 bool keepsLists(const Context &context) {
   if (context.software || context.softwareRefused)
     return context.software != nullptr;
-  return context.group->programApiUsed.load(std::memory_order_relaxed) && isPossible(context);
+  return (settings().alwaysFixedFunction ||
+          context.group->programApiUsed.load(std::memory_order_relaxed)) &&
+         isPossible(context);
 }
 
 void engage(Context &context) {
@@ -52,7 +58,8 @@ void engage(Context &context) {
 ContextState::ContextState(Context &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
       residency({context, context.caps, context.pendingError, context.neighbours,
-                 context.group->deletedNames, context.group->contexts, context.serial}) {}
+                 context.group->deletedNames, context.group->textureViews, context.group->contexts,
+                 context.serial}) {}
 ContextState::~ContextState() = default;
 
 } // namespace arbiter::state::software

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/back_off.h"
@@ -29,7 +30,8 @@ struct ContextState {
   Mirror mirror;
   Residency residency;
   ImmediateRecorder recorder;
-  bool openParts = false; ///< of the primitive that is recorded: some have been drawn
+  std::vector<float> listVertices; ///< of a primitive of a list, made whole: scratch memory
+  bool openParts = false;          ///< of the primitive that is recorded: some have been drawn
   /// Null before the first draw that is looked at. Who makes it (decision.cpp) knows how it is
   /// destroyed: all that uses it includes this header.
   std::unique_ptr<Pipeline, void (*)(Pipeline *)> pipeline{nullptr, nullptr};
@@ -72,6 +74,8 @@ struct ContextState {
 /// Makes Context::software where it is to be: when a fragment program first becomes
 /// effective. Until then the rasterizer costs nothing.
 void engage(Context &context);
+/// Draws without a program are the rasterizer's, in a context that has no program either.
+[[nodiscard]] bool drawsFixedFunction(const Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.
 [[nodiscard]] bool keepsLists(const Context &context);

@@ -136,14 +136,6 @@ bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, G
   return true;
 }
 
-bool drawVertices(Context &context, GLenum mode, const VertexSource *source, std::uint32_t count) {
-  return conclude(context, outcomeOf(context, [&] {
-                    const Outcome outcome =
-                        source ? decide(context, mode, count) : Outcome(Fallback::Vertices);
-                    return outcome.ok() ? drawSource(context, *source, count) : outcome;
-                  }));
-}
-
 Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count) {
   Pipeline &pipeline = pipelineOf(context);
   const VertexSequence sequence = {.count = count};

@@ -40,13 +40,8 @@ struct DrawCommand {
                                         GLenum type, const void *const *indices, GLsizei drawCount,
                                         const GLint *baseVertices);
 
-// --- Vertices, inside a command for which usesRasterizer() (decision.h) ---
-
-/// Draws the first `count` vertices of `source` (null: the rasterizer does not draw them). False:
-/// the host's, which has been brought up to date for it.
-[[nodiscard]] bool drawVertices(Context &context, GLenum mode, const VertexSource *source,
-                                std::uint32_t count);
-/// The same after decide(): with what has been chosen. Not ok: nothing has been drawn.
+/// Draws the first `count` vertices of `source` with what decide() (decision.h) has chosen. Not ok:
+/// nothing has been drawn.
 Outcome drawSource(Context &context, const VertexSource &source, std::uint32_t count);
 
 } // namespace arbiter::state::software

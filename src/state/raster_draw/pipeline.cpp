@@ -1,170 +1,19 @@
 #include "state/raster_draw/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/raster_draw/bitmap.h"
 #include "state/raster_draw/context_state.h"
 #include "swrast/setup/rectangle.h"
 
 namespace arbiter::state::software {
 
-namespace {
-
 using fp::ir::AttributeKind;
-
-/// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
-static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
-
-/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes.
-constexpr std::uint32_t kManyVertices = 256;
-
-/// The groups that decide about a choice, but for those that VertexState::version and
-/// Mirror::obstacle stand for.
-constexpr std::uint32_t kChoice = dirty::kTextureBindings | dirty::kTextureParameters |
-                                  dirty::kRaster | dirty::kPixelOps | dirty::kFog | dirty::kQueries;
-/// Those, and more, where fixed function shades fragments.
-constexpr std::uint32_t kFixedChoice = kChoice | dirty::kTexGen | dirty::kLighting;
-
-bool anyFloat(const DrawTargets &targets) {
-  return std::any_of(
-      std::begin(targets.color), std::end(targets.color),
-      [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
-}
-
-/// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
-/// and instructions do, and must not while colours are unclamped (ARB_color_buffer_float).
-bool clampsInside(const fp::ir::Program &fixed) {
-  return fixed.options.fog != fp::ir::FogMode::None || fixed.options.colorSum ||
-         std::any_of(fixed.code.begin(), fixed.code.end(),
-                     [](const fp::ir::Instruction &each) { return each.dst.saturate; });
-}
-
-/// The components that a format stores, as a write mask.
-unsigned storedMask(const abi::Format &format) {
-  unsigned mask = 0;
-  for (unsigned i = 0; i < 4; ++i)
-    if (format.swizzle[i] != abi::From::Zero && format.swizzle[i] != abi::From::One)
-      mask |= 1u << i;
-  return mask;
-}
-
-/// Alpha alone, or one intensity: hosts blend such buffers by rules of their own.
-bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::From::C0; }
-
-} // namespace
-
-void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source) {
-  m_program = &m_programs.find(source, m_program);
-  if (!m_program->functions)
-    m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
-}
-
-Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
-  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
-  m_key = mirror.pixelOps;
-  m_key.numerics = std::uint8_t(context.numerics);
-  abi::DepthStencilKey &depth = m_key.depthStencil;
-  depth.layout =
-      m_targets->depthStencil ? m_targets->depthStencil->format.layout : abi::Layout::None;
-  if (m_targets->depthBits == 0 || depth.layout == abi::Layout::None)
-    depth.depthTest = depth.depthWrite = 0;
-  if (m_targets->stencilBits == 0 || depth.layout == abi::Layout::None)
-    depth.stencilTest = 0;
-  if (!depth.depthTest && !depth.stencilTest)
-    depth = {};
-  for (int i = 0; i < abi::kMaxColorTargets; ++i) {
-    abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
-    if (!m_targets->color[i]) {
-      target = {};
-      continue;
-    }
-    target.format = m_targets->color[i]->format;
-    target.writeMask &= std::uint8_t(storedMask(target.format));
-    if (target.blend.enabled && isOneValue(target.format))
-      return Fallback::Target;
-  }
-  if (mirror.clampFixedOnly && m_floatTarget)
-    m_key.clampColors = 0;
-  if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
-    return Fallback::State;
-  if (!testsDepth() || context.software->mayTestDepth())
-    return m_units.bind(context, mirror, shape, m_key);
-  // Last: what the rasterizer lacks is the host's turn in mixed frames too, or else one without a
-  // turn would say that the next can be drawn as a whole, and frames would be drawn by turns.
-  const Outcome lacking = m_units.judge(context, mirror, shape);
-  return lacking.ok() ? Outcome(Fallback::Mixed) : lacking;
-}
-
-Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror, const Kind &kind) {
-  return {context.selections,          context.software->residency.version(),
-          mirror.vertex.version,       kind.mode,
-          kind.count >= kManyVertices, context.software->mayTestDepth()};
-}
-
-Outcome Pipeline::choose(Context &context, const Kind &kind) {
-  Mirror &mirror = context.software->mirror;
-  mirror.refresh(context.dirty);
-  if (mirror.obstacle)
-    return fallbackNamed(mirror.obstacle, Fallback::State);
-  if (m_chosen) {
-    mirror.refreshVertexState(m_floatTarget);
-    const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
-    if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
-        (context.dirty & dirty::kFramebuffer) == 0 && basisOf(context, mirror, kind) == m_basis) {
-      m_seen = mirror.clock.now();
-      return {};
-    }
-  }
-  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
-  const Outcome outcome = chooseAnew(context, mirror, kind);
-  if (outcome.ok()) {
-    m_chosen = true;
-    m_basis = basisOf(context, mirror, kind);
-    m_seen = mirror.clock.now();
-  }
-  return outcome;
-}
-
-Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind &kind) {
-  const bool isBitmap = kind.mode == GL_BITMAP;
-  m_topology = isBitmap ? swrast::Topology::Points : swrast::Topology(kind.mode);
-  m_many = kind.count >= kManyVertices;
-  m_wait = context.software->forced ? Wait::UntilDone : Wait::Briefly;
-  if (context.numerics == fp::Numerics::Fp24 || !engine())
-    return Fallback::NotCompiled;
-  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
-  Outcome outcome;
-  const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
-  if (!outcome.ok())
-    return outcome;
-  takeProgram(context, m_compiled ? m_compiled->program : fixed);
-  const fp::jit::FragmentProgram *const prepared = m_program->functions->prepared();
-  if (!prepared)
-    return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
-                                                                : Fallback::NotCompiled;
-  if (!m_program->values)
-    m_program->values = std::make_unique<ProgramValues>(prepared->program());
-  if (const char *const obstacle = isBitmap ? nullptr : mirror.obstacleOf(m_topology))
-    return fallbackNamed(obstacle, Fallback::State);
-  const char *reason = nullptr;
-  m_targets = context.software->residency.describeTargets(reason);
-  if (!m_targets)
-    return fallbackNamed(reason, Fallback::Target);
-  m_floatTarget = anyFloat(*m_targets);
-  if (isBitmap)
-    return makeKey(context, mirror);
-  const CompiledProgram *const vertexProgram =
-      context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
-  if (const Outcome vertices =
-          m_vertices.choose(context, mirror, vertexProgram, prepared->shape(),
-                            mirror.drawsPoints(m_topology), m_floatTarget, m_wait);
-      !vertices.ok())
-    return vertices;
-  return makeKey(context, mirror);
-}
 
 abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   m_key.lanes = lanes;
@@ -237,17 +86,6 @@ void Pipeline::choosePacked(bool levels, swrast::Shading &shading, Fallback &why
                                   [](const auto &target) { return target.blend.enabled != 0; });
 }
 
-bool Pipeline::isOpaque() const {
-  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
-  if (shape.kills || m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
-      m_key.depthStencil.layout != abi::Layout::None)
-    return false;
-  return std::all_of(m_key.targets.begin(), m_key.targets.end(), [](const auto &target) {
-    return target.format.layout == abi::Layout::None ||
-           (!target.blend.enabled && target.writeMask == storedMask(target.format));
-  });
-}
-
 void Pipeline::fillRaster(const Mirror &mirror) {
   m_raster = mirror.raster;
   m_raster.clip = {0, 0, m_targets->width, m_targets->height};
@@ -255,11 +93,9 @@ void Pipeline::fillRaster(const Mirror &mirror) {
     m_raster.clip = swrast::intersect(m_raster.clip, mirror.scissor);
   m_raster.upsideDownHeight = m_targets->isWindow ? m_targets->height : 0;
   // The software host's r is two steps of a depth buffer; passes of both must meet.
-  const swrast::Image *const depth = m_targets->depthStencil;
-  const bool is32 = depth && depth->format.layout == abi::Layout::Depth32;
-  m_raster.depthResolution = 2.0 / (m_targets->depthBits == 16 ? 65535.0
-                                    : is32                     ? 4294967295.0
-                                                               : 16777215.0);
+  m_raster.depthResolution =
+      2.0 / abi::depthStepsOf(m_targets->depthStencil ? m_targets->depthStencil->format.layout
+                                                      : abi::Layout::None);
   const auto &inputs = m_program->functions->prepared()->shape().inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].attribute.kind == AttributeKind::TexCoord && inputs[i].attribute.index < 8 &&
@@ -369,6 +205,52 @@ Outcome Pipeline::shadePart(Context &context, const VertexSource &source, const 
       !outcome.ok())
     return outcome;
   return rasterize(context, source, indices, count, false, topology);
+}
+
+// --- Fragments that no vertices give: those of bitmaps ---
+
+namespace {
+
+/// The values that the raster position has for fragment inputs, as slots.
+std::uint32_t rasterSlots(const fp::jit::FragmentShape &shape) {
+  std::uint32_t slots = 0;
+  for (const fp::jit::FragmentInput &input : shape.inputs)
+    slots |= 1u << slotOf(input.attribute);
+  return slots;
+}
+
+/// Hosts add a little, so that a position that is whole but for a rounding error is whole.
+std::int32_t pixelAt(float raster, float origin) {
+  constexpr float kLittle = 0.0001f, kFar = 1 << 20;
+  const float at = std::floor(raster + kLittle - origin);
+  return at > -kFar && at < kFar ? std::int32_t(at) : std::int32_t(kFar);
+}
+
+} // namespace
+
+Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
+  if (const Outcome outcome = chooseFor(context, nullptr); !outcome.ok())
+    return outcome;
+  Mirror &mirror = context.software->mirror;
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
+  mirror.refreshRasterPosition(context.dirty, rasterSlots(shape));
+  const swrast::Shading *shading = nullptr;
+  if (const Outcome outcome = readyPixels(context, {}, 0, true, swrast::Topology::Points, shading);
+      !outcome.ok())
+    return outcome;
+  swrast::BitFragments fragments;
+  const float *const position = mirror.rasterPosition.position;
+  // As a host has it, which draws a rectangle in clip space: there and back.
+  fragments.z = (position[2] * 2.0f - 1.0f) * 0.5f + 0.5f;
+  fragments.inverseW = position[3] != 0.0f ? 1.0f / position[3] : 1.0f;
+  for (std::size_t i = 0; i < shape.inputs.size(); ++i) {
+    const auto slot = std::size_t(slotOf(shape.inputs[i].attribute));
+    for (std::size_t c = 0; c < 4; ++c)
+      fragments.inputs[i][c] = mirror.rasterValues[slot][c];
+  }
+  (void)swrast::rasterizeBits(m_raster, *shading, bits.image, pixelAt(position[0], bits.xOrigin),
+                              pixelAt(position[1], bits.yOrigin), fragments);
+  return {};
 }
 
 } // namespace arbiter::state::software

@@ -29,11 +29,11 @@ class Pipeline {
 public:
   /// What of a draw decides about functions.
   struct Kind {
-    GLenum mode = GL_TRIANGLES; ///< or GL_BITMAP, whose fragments no vertices give
-    std::uint32_t count = 0;    ///< vertices; many small primitives take quads
+    GLenum mode = GL_TRIANGLES;
+    std::uint32_t count = 0; ///< vertices; many small primitives take quads
   };
-  /// Requires: the context's programs are validated.
-  Outcome choose(Context &context, const Kind &kind);
+  /// For a draw of vertices. Requires: the context's programs are validated.
+  Outcome choose(Context &context, const Kind &kind) { return chooseFor(context, &kind); }
   /// Draws vertices [first, first + count) of the source, or those that indices name.
   Outcome shade(Context &context, const VertexSource &source, const IndexRange &indices,
                 std::uint32_t first, std::uint32_t count);
@@ -58,16 +58,18 @@ public:
 private:
   /// What decides about a choice, beside groups of state.
   struct Basis {
-    std::uint64_t selections = 0;  ///< Context::selections
-    std::uint64_t images = 0;      ///< Residency::version()
+    std::uint64_t selections = 0; ///< Context::selections
+    std::uint64_t images = 0;     ///< Residency::version()
+    bool mayTestDepth = false;    ///< ContextState::mayTestDepth()
+    /// Where there are vertices; the rest is of them.
+    bool vertices = false;
     std::uint32_t vertexState = 0; ///< VertexState::version
     GLenum mode = 0;
     bool many = false;
-    bool mayTestDepth = false; ///< ContextState::mayTestDepth()
     bool operator==(const Basis &) const = default;
   };
   [[nodiscard]] static Basis basisOf(const Context &context, const Mirror &mirror,
-                                     const Kind &kind);
+                                     const Kind *vertices);
   Outcome transform(Context &context, const VertexSource &source, const IndexRange &indices,
                     std::uint32_t first, std::uint32_t count, bool later);
   Outcome rasterize(Context &context, const VertexSource &source, const IndexRange &indices,
@@ -75,8 +77,16 @@ private:
   /// The functions, the targets and what pixels are drawn with; nothing has been drawn before.
   Outcome readyPixels(Context &context, const IndexRange &indices, std::uint32_t count, bool affine,
                       swrast::Topology topology, const swrast::Shading *&shading);
-  Outcome chooseAnew(Context &context, Mirror &mirror, const Kind &kind);
+  /// \param vertices null: fragments that no vertices give
+  Outcome chooseFor(Context &context, const Kind *vertices);
+  Outcome chooseAnew(Context &context, Mirror &mirror, const Kind *vertices);
+  /// The fragment program and the targets.
+  Outcome choosePixels(Context &context, Mirror &mirror);
+  /// Assembly, and the vertex program. Requires: choosePixels().
+  Outcome chooseVertices(Context &context, Mirror &mirror, const Kind &kind);
   void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
+  /// What pixels' functions are compiled for. Requires: all else is chosen, as what the rasterizer
+  /// lacks is judged before the frame is.
   Outcome makeKey(Context &context, Mirror &mirror);
   Outcome chooseFunctions(const Mirror &mirror, bool affine);
   /// The function for small triangles whose depth the rasterizer tests.

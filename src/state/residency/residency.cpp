@@ -96,6 +96,7 @@ void dropIfNeighbourWasCurrent(ResidentImages &images) {
   const std::uint64_t epoch = images.neighbours.epoch();
   if (images.epoch == epoch) [[likely]]
     return;
+  images.objects.way = {}; // the texture that pixels go to the host by holds the neighbour's, too
   uploadAll(images);
   dropAll(images);
   forgetObjects(images);

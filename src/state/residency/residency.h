@@ -15,6 +15,7 @@ namespace arbiter::state {
 struct ContextHot;
 struct HostCaps;
 class DeletedNames;
+class TextureViews;
 } // namespace arbiter::state
 
 namespace arbiter::state::software {
@@ -90,6 +91,7 @@ public:
     GLenum &pendingError; ///< HostErrorScope
     const NeighbourEpoch &neighbours;
     DeletedNames &deletedNames;            ///< of the share group
+    TextureViews &textureViews;            ///< likewise
     const std::atomic<int> &groupContexts; ///< that the share group ever had
     std::uint32_t serial = 0;              ///< of the context, for deletedNames
   };

@@ -66,7 +66,8 @@ int faceOf(GLenum imageTarget) {
 ResidentImages::ResidentImages(const Residency::Surroundings &around)
     : hot(around.hot), caps(around.caps), pendingError(around.pendingError),
       neighbours(around.neighbours), deletedNames(around.deletedNames),
-      groupContexts(around.groupContexts), serial(around.serial) {}
+      textureViews(around.textureViews), groupContexts(around.groupContexts),
+      serial(around.serial) {}
 
 HostErrorScope errorScope(ResidentImages &images) {
   return HostErrorScope(*images.hot.host, images.pendingError);
@@ -161,6 +162,10 @@ PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget
     HostErrorScope errors = errorScope(images);
     const TextureBinding binding(*images.hot.host, target, texture.name);
     describeLevel(*images.hot.host, *image);
+    if (images.textureViews.contains(texture.name)) {
+      image->base = 0;
+      image->shadow = {};
+    }
   }
   return image.get();
 }

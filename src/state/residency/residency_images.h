@@ -9,12 +9,13 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/current.h"
+#include "state/core/context_hot.h"
 #include "state/core/host_caps.h"
 #include "state/core/host_errors.h"
 #include "state/residency/neighbour_epoch.h"
 #include "state/residency/residency.h"
 #include "state/share/deleted_names.h"
+#include "state/share/texture_views.h"
 #include "swrast/image/image.h"
 
 /// The images that residency keeps: what each is, which copy of it is valid, and the tables that
@@ -134,6 +135,7 @@ struct ResidentImages {
   GLenum &pendingError;
   const NeighbourEpoch &neighbours;
   DeletedNames &deletedNames;
+  TextureViews &textureViews;
   const std::atomic<int> &groupContexts;
   const std::uint32_t serial;
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "state/core/context.h"
-#include "state/core/escape.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 

@@ -1,7 +1,15 @@
 #pragma once
 namespace arbiter::state {
+
 class Context;
-}
+
+/// Before an EGLImage is made of an object of GL's, or of memory of other interfaces, and before
+/// such memory is imported: from then on pixels may change by commands of any context, API or
+/// process, none of which the layer sees (GL_OES_EGL_image, GL_EXT_memory_object). Draws of all
+/// contexts are the host's for the rest of the process.
+void imagesEscape();
+
+} // namespace arbiter::state
 
 /// Which other contexts may change what a context knows: those of its share group, which change its
 /// textures, renderbuffers and buffers, and those that are current with the same window or pbuffer.

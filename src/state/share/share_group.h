@@ -12,6 +12,7 @@
 #include "state/programs/fragment_shader_table.h"
 #include "state/programs/program_object.h"
 #include "state/share/deleted_names.h"
+#include "state/share/texture_views.h"
 
 namespace arbiter::state {
 
@@ -54,6 +55,7 @@ public:
   FragmentShaderTable fragmentShaders;
 
   DeletedNames deletedNames;
+  TextureViews textureViews;
 
   // --- Host objects to delete ---
 

@@ -316,7 +316,7 @@ TEST_F(Cache, ProcessesShareItWithoutATornRead) {
   EXPECT_LE(cacheUsage(m_folder).files, 40u);
 }
 
-TEST_F(Cache, ClearingLeavesWhatIsNotOurs) {
+TEST_F(Cache, ClearingLeavesForeignFiles) {
   const CacheStore store(m_folder, kMegabyte);
   ASSERT_TRUE(store.store("key", "value"));
   const fs::path mine = files().at(0).parent_path() / "notes.txt";

@@ -14,27 +14,22 @@ import json
 import sys
 import tempfile
 from dataclasses import asdict
-from functools import partial
 from pathlib import Path
-from typing import Callable, Iterator
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from cases import PrepareError, Program
-from programs import PROGRAMS
-from recordings import table, traces
+from cases import PrepareError
+from recordings import table
+from recordings.chosen import SHARED, Choice
 from recordings.judge import Row, compare
 from recordings.replay import Way, ways
-from recordings.traces import Recording
-
-SHARED = Path(__file__).resolve().parents[4] / "shared" / "cases"
 
 
 def main() -> int:
     options = _options()
-    unknown = [n for n in options.names if n not in PROGRAMS]
-    if unknown:
-        return _refuse(f"no program named {', '.join(unknown)}; run.py --list shows them")
+    choice = Choice(options.names, options.trace, options.case, options.work, options.frames)
+    if choice.unknown():
+        return _refuse(f"no program named {', '.join(choice.unknown())}; run.py --list shows them")
     library = options.library or options.build / "src/interposer/libGLX_arbiter.so.0"
     if not library.exists():
         return _refuse(f"{library} is not there; build it, or name it with --library")
@@ -45,7 +40,7 @@ def main() -> int:
         if missing:
             return _refuse(f"no way named {', '.join(missing)}; there are {', '.join(known)}")
         chosen = [known[name] for name in options.way]
-    rows = _compare_all(options, chosen)
+    rows = _compare_all(options, choice, chosen)
     table.write(rows, chosen)
     return _report(rows, options)
 
@@ -79,14 +74,13 @@ def _options() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def _compare_all(options: argparse.Namespace, chosen: list[Way]) -> list[Row]:
+def _compare_all(options: argparse.Namespace, choice: Choice, chosen: list[Way]) -> list[Row]:
     out = (options.out or options.work / "recordings").absolute()
-    everything = not options.names and not options.trace
-    if everything and not any(SHARED.glob("*.trace")):
+    if choice.everything and not choice.files():
         print(f"recordings: there are no traces in {SHARED}: they are left out (name them with --trace)",
               file=sys.stderr)
     rows: list[Row] = []
-    for make in _recordings(options, everything):
+    for make in choice.recordings():
         try:
             recording = make()
             rows += compare(recording, chosen, out / recording.name, options.timeout,
@@ -96,36 +90,6 @@ def _compare_all(options: argparse.Namespace, chosen: list[Way]) -> list[Row]:
             table.progress(row)
             rows.append(row)
     return rows
-
-
-def _recordings(options: argparse.Namespace,
-                everything: bool) -> Iterator[Callable[[], Recording]]:
-    """What makes each recording, one at a time: a program's server ends before the next begins."""
-    for path in options.trace + (sorted(SHARED.glob("*.trace")) if everything else []):
-        if not options.case or options.case in path.stem:
-            yield partial(traces.of_file, path.absolute(), options.work.absolute() / "files",
-                          options.frames)
-    for name in list(PROGRAMS) if everything else options.names:
-        yield from _of_program(PROGRAMS[name], options)
-
-
-def _of_program(program: Program,
-                options: argparse.Namespace) -> Iterator[Callable[[], Recording]]:
-    work = (options.work / program.name).absolute()
-    work.mkdir(parents=True, exist_ok=True)
-    try:
-        for case in program.cases(work):
-            if not options.case or options.case in case.name:
-                yield partial(traces.of_case, program.name, case, work,
-                              case.frames or options.frames)
-    except PrepareError as error:
-        yield partial(_raise, PrepareError(f"{program.name}: {error}"))
-    finally:
-        program.finish(work)
-
-
-def _raise(error: PrepareError) -> Recording:
-    raise error
 
 
 def _report(rows: list[Row], options: argparse.Namespace) -> int:

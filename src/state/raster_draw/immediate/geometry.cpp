@@ -39,6 +39,18 @@ void take(Geometry &to, const ImmediateRecorder &recorder) {
   }
 }
 
+VertexSource sourceOf(const Geometry &geometry, const float *data) {
+  VertexSource source;
+  source.count = geometry.count;
+  source.fromList = true;
+  for (unsigned i = 0; i < geometry.slotCount; ++i)
+    source.arrays[geometry.slots[i]] = {.base = data + 4 * i,
+                                        .stride = std::uint32_t(geometry.stride * sizeof(float)),
+                                        .type = GL_FLOAT,
+                                        .components = 4};
+  return source;
+}
+
 } // namespace
 
 std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder) {
@@ -79,16 +91,22 @@ bool append(Geometry &to, const ImmediateRecorder &recorder) {
   return true;
 }
 
-VertexSource Geometry::source() const {
-  VertexSource source;
-  source.count = count;
-  source.fromList = true;
-  for (unsigned i = 0; i < slotCount; ++i)
-    source.arrays[slots[i]] = {.base = data.data() + 4 * i,
-                               .stride = std::uint32_t(stride * sizeof(float)),
-                               .type = GL_FLOAT,
-                               .components = 4};
-  return source;
+VertexSource Geometry::source() const { return sourceOf(*this, data.data()); }
+
+VertexSource Geometry::source(const CurrentValues &current, std::vector<float> &store) const {
+  store = data;
+  for (unsigned i = 1; i < slotCount; ++i)
+    for (std::uint32_t vertex = 0; vertex < std::min(since[i], count); ++vertex)
+      std::copy_n(current[slots[i]].data(), 4, store.data() + std::size_t(vertex) * stride + 4 * i);
+  return sourceOf(*this, store.data());
+}
+
+std::uint32_t Geometry::unsetSlots() const {
+  std::uint32_t bits = 0;
+  for (unsigned i = 1; i < slotCount; ++i)
+    if (since[i] != 0)
+      bits |= 1u << slots[i];
+  return bits;
 }
 
 GLuint Geometry::madeHostList() const {

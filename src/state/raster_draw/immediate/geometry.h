@@ -56,8 +56,14 @@ public:
     for (std::uint32_t left = touched; left != 0; left &= left - 1)
       set(std::countr_zero(left), values[std::size_t(std::countr_zero(left))].data());
   }
-  /// The vertices, for as long as this lives.
+  /// The vertices, for as long as this lives. Where not `uniform`, attributes that were not set yet
+  /// are undefined in it.
   [[nodiscard]] VertexSource source() const;
+  /// The vertices with what is current for what was not set yet, for as long as `store` is not
+  /// changed. Requires: `current` is known of unsetSlots().
+  [[nodiscard]] VertexSource source(const CurrentValues &current, std::vector<float> &store) const;
+  /// The slots that were not set when the first vertex was made, one bit each.
+  [[nodiscard]] std::uint32_t unsetSlots() const;
 
 private:
   mutable std::mutex m_mutex; ///< contexts of a share group may call the list at the same time

@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
+#include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/draw.h"
 #include "state/raster_draw/immediate/geometry.h"
@@ -50,6 +51,27 @@ void beginPrimitive(Context &context, const Geometry &geometry) {
   context.dirty |= dirty::kCurrent;
 }
 
+/// Of a primitive of a list that begins before all of its attributes are set. Requires: the draw is
+/// the rasterizer's.
+VertexSource completed(Context &context, const Geometry &geometry) {
+  ContextState &state = *context.software;
+  state.mirror.refreshCurrent(context.dirty, geometry.unsetSlots());
+  return geometry.source(state.mirror.current, state.listVertices);
+}
+
+/// True: drawn. False: the host's, which has been brought up to date for it. Requires:
+/// usesRasterizer().
+bool drawGeometry(Context &context, const Geometry &geometry) {
+  return conclude(context, outcomeOf(context, [&] {
+                    const Outcome outcome = decide(context, geometry.mode, geometry.count);
+                    if (!outcome.ok())
+                      return outcome;
+                    const VertexSource source =
+                        geometry.uniform ? geometry.source() : completed(context, geometry);
+                    return drawSource(context, source, geometry.count);
+                  }));
+}
+
 } // namespace
 
 void callGeometry(Context &context, const Geometry &geometry) {
@@ -57,11 +79,9 @@ void callGeometry(Context &context, const Geometry &geometry) {
     return handlers::Begin(context, geometry.mode);
   if (geometry.open)
     return beginPrimitive(context, geometry);
-  if (mayDraw(context) && usesRasterizer(context) && geometry.count != 0) {
-    const VertexSource source = geometry.source();
-    if (drawVertices(context, geometry.mode, geometry.uniform ? &source : nullptr, geometry.count))
-      return setCurrentValues(context, geometry.values, geometry.touched);
-  }
+  if (mayDraw(context) && usesRasterizer(context) && geometry.count != 0 &&
+      drawGeometry(context, geometry))
+    return setCurrentValues(context, geometry.values, geometry.touched);
   drawOnHost(context, geometry);
 }
 

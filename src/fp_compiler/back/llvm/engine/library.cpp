@@ -7,6 +7,7 @@
 #include "fp_compiler/back/llvm/engine/engine.h"
 #include "fp_compiler/jit_boundary.h"
 #include "fp_compiler/jit_fields.h"
+#include "fp_compiler/jit_version.h"
 #include "util/unwinder.h"
 
 namespace arbiter::fp::jit::boundary {
@@ -56,10 +57,6 @@ template <typename F> auto guarded(Reason *reason, F make) noexcept -> decltype(
 
 EngineHandle *makeEngine(const Options *options, Reason *reason) {
   return guarded(reason, [&]() -> EngineHandle * {
-    if (options->version != kVersion || options->keySize != sizeof(abi::FragmentKey)) {
-      copyText(reason->text, "the library is of another build than its caller");
-      return nullptr;
-    }
     EngineOptions own;
     own.cpu = stringOf(options->cpu);
     own.cacheFolder = stringOf(options->cacheFolder);

@@ -50,10 +50,4 @@ struct ContextHot {
   std::uint64_t *drawCounter = nullptr;
 };
 
-/// The calling thread's context: a static null context before the first make-current, never null.
-/// Eight bytes of initial-exec TLS; nothing on the way of a call asks the host which context this
-/// is. constinit: without it each access would first call a TLS initialiser. (lifecycle.cpp has it,
-/// with the null context that it begins with.)
-extern constinit thread_local ContextHot *t_current __attribute__((tls_model("initial-exec")));
-
 } // namespace arbiter::state

@@ -1,0 +1,192 @@
+// What a draw is drawn with: the fragment program, the targets, the vertex function, and the key
+// that pixels' functions are compiled for.
+#include <algorithm>
+
+#include "state/core/context.h"
+#include "state/host_draw/linked_program.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/pipeline.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// GL's modes GL_POINTS to GL_POLYGON are 0 to 9, as Topology's.
+static_assert(GL_POLYGON == GLenum(swrast::Topology::Polygon));
+
+/// From so many vertices on primitives are taken to be small: 2x2 quads waste fewer lanes.
+constexpr std::uint32_t kManyVertices = 256;
+
+/// The groups that decide about a choice, but for those that VertexState::version and
+/// Mirror::obstacle stand for.
+constexpr std::uint32_t kChoice = dirty::kTextureBindings | dirty::kTextureParameters |
+                                  dirty::kRaster | dirty::kPixelOps | dirty::kFog | dirty::kQueries;
+/// Those, and more, where fixed function shades fragments.
+constexpr std::uint32_t kFixedChoice = kChoice | dirty::kTexGen | dirty::kLighting;
+
+bool anyFloat(const DrawTargets &targets) {
+  return std::any_of(
+      std::begin(targets.color), std::end(targets.color),
+      [](const swrast::Image *image) { return image && abi::isFloat(image->format.layout); });
+}
+
+/// Fixed function's fog, colour sum and some environments clamp where a fragment program's options
+/// and instructions do, and must not while colours are unclamped (ARB_color_buffer_float).
+bool clampsInside(const fp::ir::Program &fixed) {
+  return fixed.options.fog != fp::ir::FogMode::None || fixed.options.colorSum ||
+         std::any_of(fixed.code.begin(), fixed.code.end(),
+                     [](const fp::ir::Instruction &each) { return each.dst.saturate; });
+}
+
+/// The components that a format stores, as a write mask.
+unsigned storedMask(const abi::Format &format) {
+  unsigned mask = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    if (format.swizzle[i] != abi::From::Zero && format.swizzle[i] != abi::From::One)
+      mask |= 1u << i;
+  return mask;
+}
+
+/// Alpha alone, or one intensity: hosts blend such buffers by rules of their own.
+bool isOneValue(const abi::Format &format) { return format.swizzle[3] == abi::From::C0; }
+
+} // namespace
+
+void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source) {
+  m_program = &m_programs.find(source, m_program);
+  if (!m_program->functions)
+    m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
+}
+
+Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
+  m_key = mirror.pixelOps;
+  m_key.numerics = std::uint8_t(context.numerics);
+  abi::DepthStencilKey &depth = m_key.depthStencil;
+  depth.layout =
+      m_targets->depthStencil ? m_targets->depthStencil->format.layout : abi::Layout::None;
+  if (m_targets->depthBits == 0 || depth.layout == abi::Layout::None)
+    depth.depthTest = depth.depthWrite = 0;
+  if (m_targets->stencilBits == 0 || depth.layout == abi::Layout::None)
+    depth.stencilTest = 0;
+  if (!depth.depthTest && !depth.stencilTest)
+    depth = {};
+  for (int i = 0; i < abi::kMaxColorTargets; ++i) {
+    abi::ColorTargetKey &target = m_key.targets[std::size_t(i)];
+    if (!m_targets->color[i]) {
+      target = {};
+      continue;
+    }
+    target.format = m_targets->color[i]->format;
+    target.writeMask &= std::uint8_t(storedMask(target.format));
+    if (target.blend.enabled && isOneValue(target.format))
+      return Fallback::Target;
+  }
+  if (mirror.clampFixedOnly && m_floatTarget)
+    m_key.clampColors = 0;
+  if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
+    return Fallback::State;
+  if (!testsDepth() || context.software->mayTestDepth())
+    return m_units.bind(context, mirror, shape, m_key);
+  // Last: what the rasterizer lacks is the host's turn in mixed frames too, or else one without a
+  // turn would say that the next can be drawn as a whole, and frames would be drawn by turns.
+  const Outcome lacking = m_units.judge(context, mirror, shape);
+  return lacking.ok() ? Outcome(Fallback::Mixed) : lacking;
+}
+
+Pipeline::Basis Pipeline::basisOf(const Context &context, const Mirror &mirror,
+                                  const Kind *vertices) {
+  Basis basis = {context.selections, context.software->residency.version(),
+                 context.software->mayTestDepth()};
+  if (vertices) {
+    basis.vertices = true;
+    basis.vertexState = mirror.vertex.version;
+    basis.mode = vertices->mode;
+    basis.many = vertices->count >= kManyVertices;
+  }
+  return basis;
+}
+
+Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
+  Mirror &mirror = context.software->mirror;
+  mirror.refresh(context.dirty);
+  if (mirror.obstacle)
+    return fallbackNamed(mirror.obstacle, Fallback::State);
+  if (m_chosen) {
+    mirror.refreshVertexState(m_floatTarget);
+    const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
+    if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
+        (context.dirty & dirty::kFramebuffer) == 0 &&
+        basisOf(context, mirror, vertices) == m_basis) {
+      m_seen = mirror.clock.now();
+      return {};
+    }
+  }
+  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  const Outcome outcome = chooseAnew(context, mirror, vertices);
+  if (outcome.ok()) {
+    m_chosen = true;
+    m_basis = basisOf(context, mirror, vertices);
+    m_seen = mirror.clock.now();
+  }
+  return outcome;
+}
+
+Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *vertices) {
+  m_many = false;
+  if (const Outcome outcome = choosePixels(context, mirror); !outcome.ok())
+    return outcome;
+  if (vertices)
+    if (const Outcome outcome = chooseVertices(context, mirror, *vertices); !outcome.ok())
+      return outcome;
+  return makeKey(context, mirror);
+}
+
+Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
+  m_wait = context.software->forced ? Wait::UntilDone : Wait::Briefly;
+  if (context.numerics == fp::Numerics::Fp24 || !engine())
+    return Fallback::NotCompiled;
+  m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
+  Outcome outcome;
+  const auto fixed = m_compiled ? nullptr : m_fixed.get(context, mirror, outcome);
+  if (!outcome.ok())
+    return outcome;
+  takeProgram(context, m_compiled ? m_compiled->program : fixed);
+  const fp::jit::FragmentProgram *const prepared = m_program->functions->prepared();
+  if (!prepared)
+    return m_program->functions->progress() == Progress::Making ? Fallback::Compiling
+                                                                : Fallback::NotCompiled;
+  if (!m_program->values)
+    m_program->values = std::make_unique<ProgramValues>(prepared->program());
+  const char *reason = nullptr;
+  m_targets = context.software->residency.describeTargets(reason);
+  if (!m_targets)
+    return fallbackNamed(reason, Fallback::Target);
+  m_floatTarget = anyFloat(*m_targets);
+  return {};
+}
+
+Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &kind) {
+  m_topology = swrast::Topology(kind.mode);
+  m_many = kind.count >= kManyVertices;
+  if (const char *const obstacle = mirror.obstacleOf(m_topology))
+    return fallbackNamed(obstacle, Fallback::State);
+  const CompiledProgram *const vertexProgram =
+      context.linkedProgram ? context.linkedProgram->vertex.compiled : nullptr;
+  return m_vertices.choose(context, mirror, vertexProgram,
+                           m_program->functions->prepared()->shape(),
+                           mirror.drawsPoints(m_topology), m_floatTarget, m_wait);
+}
+
+bool Pipeline::isOpaque() const {
+  const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
+  if (shape.kills || m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
+      m_key.depthStencil.layout != abi::Layout::None)
+    return false;
+  return std::all_of(m_key.targets.begin(), m_key.targets.end(), [](const auto &target) {
+    return target.format.layout == abi::Layout::None ||
+           (!target.blend.enabled && target.writeMask == storedMask(target.format));
+  });
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,61 @@
+"""Which recordings a command is about: programs by name, traces that are given, or all there are."""
+
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Callable, Iterator
+
+from cases import PrepareError, Program
+from programs import PROGRAMS
+from recordings import traces
+from recordings.traces import Recording
+
+SHARED = Path(__file__).resolve().parents[4] / "shared" / "cases"
+Make = Callable[[], Recording]
+
+
+@dataclass(frozen=True)
+class Choice:
+    """`names` of programs and files `traces`; with neither, all programs and the traces of SHARED."""
+
+    names: list[str]
+    traces: list[Path]
+    case: str | None  # only cases whose name contains this
+    work: Path  # inputs and traces, kept between runs
+    frames: int  # of a longer trace only the first so many
+
+    @property
+    def everything(self) -> bool:
+        return not self.names and not self.traces
+
+    def unknown(self) -> list[str]:
+        return [name for name in self.names if name not in PROGRAMS]
+
+    def files(self) -> list[Path]:
+        return self.traces + (sorted(SHARED.glob("*.trace")) if self.everything else [])
+
+    def recordings(self) -> Iterator[Make]:
+        """What makes each recording, one at a time: a program's server ends before the next begins."""
+        for path in self.files():
+            if not self.case or self.case in path.stem:
+                yield partial(traces.of_file, path.absolute(), self.work.absolute() / "files",
+                              self.frames)
+        for name in PROGRAMS if self.everything else self.names:
+            yield from self._of_program(PROGRAMS[name])
+
+    def _of_program(self, program: Program) -> Iterator[Make]:
+        work = (self.work / program.name).absolute()
+        work.mkdir(parents=True, exist_ok=True)
+        try:
+            for case in program.cases(work):
+                if not self.case or self.case in case.name:
+                    yield partial(traces.of_case, program.name, case, work,
+                                  case.frames or self.frames)
+        except PrepareError as error:
+            yield partial(_raise, PrepareError(f"{program.name}: {error}"))
+        finally:
+            program.finish(work)
+
+
+def _raise(error: PrepareError) -> Recording:
+    raise error
