@@ -30,7 +30,7 @@ import tempfile
 import paced
 from feedback_rows import first_draw_rows, memory_rows, scene_rows, size_rows, small_rows, \
     thread_rows, window_rows, workload_rows
-from machine import describe, lanes
+from machine import describe, heading
 
 PARTS = {"workloads": workload_rows, "window": window_rows, "sizes": size_rows,
          "threads": thread_rows, "scene": scene_rows, "first-draw": first_draw_rows,
@@ -90,7 +90,7 @@ def judge(row):
 def main(argv=None):
     args = parse(sys.argv[1:] if argv is None else argv)
     machine = describe()
-    print(f"{machine['model']}, {machine['processors']} processors, {lanes(machine)}; "
+    print(f"{heading(machine)}; "
           f"{args.size}x{args.size}, ARBITER_BACKEND={args.backend}, "
           f"{args.threads or 'as many as processors'} threads", flush=True)
     rows = []

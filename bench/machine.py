@@ -23,6 +23,11 @@ def describe():
             "caches": caches, "load": os.getloadavg()[0]}
 
 
+def heading(machine):
+    """The line above a table."""
+    return f"{machine['model']}, {machine['processors']} processors, {lanes(machine)}"
+
+
 def lanes(machine):
     """In words: 32-bit lanes of the widest vectors."""
     for flag, text in (("avx512f", "16 lanes (AVX-512)"), ("avx2", "8 lanes (AVX2)"),

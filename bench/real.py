@@ -22,11 +22,12 @@ import sys
 import tempfile
 
 import replays
-from machine import describe, lanes
+from machine import describe, heading
 from replays import Side
 
 from cases import PrepareError
 from recordings.chosen import Choice
+from x_server import XServer
 
 
 def parse(argv):
@@ -60,8 +61,8 @@ def parse(argv):
 
 def measure(recording, args, scratch):
     """A row: all figures of one recording."""
-    bare = Side("bare", scratch / "bare-cache")
-    layered = Side("layered", scratch / "cache", args.layer, args.backend)
+    bare = Side("bare", args.display, scratch / "bare-cache")
+    layered = Side("layered", args.display, scratch / "cache", args.layer, args.backend)
     row = {"recording": recording.name, "programs": 0}
     traces = replays.cut(recording.trace, scratch / "traces")
     run = scratch / "run"
@@ -128,11 +129,12 @@ def summary(rows):
 def main(argv=None):
     args = parse(sys.argv[1:] if argv is None else argv)
     machine = describe()
-    print(f"{machine['model']}, {machine['processors']} processors, {lanes(machine)}; "
+    print(f"{heading(machine)}; "
           f"ARBITER_BACKEND={args.backend}\n\n{'recording':26} {'bare ms':>9} {'layered':>9} {'faster':>7} "
           f"{'cpu':>5} {'first':>7} {'cold':>7} {'warm':>7} {'hosts':>8}", flush=True)
     rows, failed = [], []
-    with tempfile.TemporaryDirectory(prefix="arbiter-bench-real-") as scratch:
+    with XServer("1280x1024x24") as args.display, \
+            tempfile.TemporaryDirectory(prefix="arbiter-bench-real-") as scratch:
         for make in args.choice.recordings():
             name = "-"
             try:

@@ -4,7 +4,6 @@ glretrace loops a trace only where its last call is a swap, and calls a frame wh
 """
 
 import json
-import os
 import pathlib
 import re
 import resource
@@ -25,9 +24,11 @@ LEAST, MOST = 5, 2000  # times that it is timed
 
 @dataclass(frozen=True)
 class Side:
-    """One way to replay: `layer` in front with `backend`, or the bare host; its caches on disk."""
+    """One way to replay, on the X server `display`: `layer` in front with `backend`, or the bare host; its
+    caches on disk."""
 
     name: str
+    display: str
     cache: pathlib.Path
     layer: pathlib.Path | None = None
     backend: str = "auto"
@@ -39,7 +40,7 @@ class Side:
                          ARBITER_STATS=str(folder / "stats.%p.json"))
             if recording.over_limits:
                 extra["ARBITER_LIMITS"] = "report"
-        env = {**paced.environment(self.layer, extra), "DISPLAY": os.environ["DISPLAY"]}
+        env = {**paced.environment(self.layer, extra), "DISPLAY": self.display}
         del env["MESA_SHADER_CACHE_DISABLE"]  # the cold and the warm start are told apart
         return env
 
@@ -69,7 +70,7 @@ def cut(trace, folder):
 
 
 def replay(recording, trace, side, folder, loops=0, timeout=600):
-    """One replay; PrepareError if glretrace fails or shows no frame."""
+    """One replay; PrepareError if glretrace fails, shows no frame, or ran without the layer that `side` has."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     side.cache.mkdir(parents=True, exist_ok=True)
@@ -88,6 +89,8 @@ def replay(recording, trace, side, folder, loops=0, timeout=600):
     stats = {}
     for path in folder.glob("stats.*.json"):
         stats = json.loads(path.read_text())
+    if side.layer and not stats.get("contexts"):
+        raise PrepareError(f"{side.name}: the layer was not in the process, or saw no context")
     return Timed(float(rendered.group(2)),
                  after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, stats)
 

@@ -70,7 +70,7 @@ private:
     m_list = glGenLists(1);
     glNewList(m_list, GL_COMPILE);
     glBegin(GL_QUAD_STRIP);
-    glVertex2i(8, 8); // with the normal and colour of whoever calls
+    glVertex2i(8, 8); // with the normal and colour that are current at the call
     glVertex2i(8, 56);
     glNormal3f(0.6f, 0, 0.8f);
     glVertex2i(40, 8);

@@ -190,7 +190,7 @@ void initialise(Context &context) {
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;
   context.drawCounter = &context.draws[std::size_t(Path::NoProgram)];
-  if (software::drawsFixedFunction(context))
+  if (settings().alwaysFixedFunction)
     context.attention |= attention::kProgram; // the first draw is looked at
 }
 

@@ -22,7 +22,7 @@ void TextureView(Context &context, GLuint texture, GLenum target, GLuint origtex
                             minlayer, numlayers);
 }
 
-/// Textures and buffers of such memory change with each other, and by whoever exported it.
+/// Textures and buffers of such memory change with each other, and by the process that exported it.
 void ImportMemoryFdEXT(Context &context, GLuint memory, GLuint64 size, GLenum handleType,
                        GLint fd) {
   if (context.softwareListens)

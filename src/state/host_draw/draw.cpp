@@ -20,6 +20,7 @@
 #include "state/report/capture.h"
 #include "state/share/garbage.h"
 #include "state/share/share_group.h"
+#include "util/flags.h"
 
 namespace arbiter::state {
 
@@ -217,7 +218,7 @@ void install(Context &context) {
       context.samplerOverride->release(context);
     return releaseHostProgram(context);
   }
-  if (context.path == Path::NoProgram && software::drawsFixedFunction(context) &&
+  if (context.path == Path::NoProgram && settings().alwaysFixedFunction &&
       !applicationShades(context))
     software::engage(context);
   if (context.path != Path::HostGlsl)

@@ -28,10 +28,6 @@ bool isPossible(const Context &context) {
 
 } // namespace
 
-bool drawsFixedFunction(const Context &context) {
-  return settings().alwaysFixedFunction && isPossible(context);
-}
-
 bool keepsLists(const Context &context) {
   if (context.software || context.softwareRefused)
     return context.software != nullptr;

@@ -71,11 +71,10 @@ struct ContextState {
   void fellBack(Fallback reason) { ++fallbacks[std::size_t(reason)]; }
 };
 
-/// Makes Context::software where it is to be: when a fragment program first becomes
-/// effective. Until then the rasterizer costs nothing.
+/// Makes Context::software where it is to be, once: when a fragment program first becomes effective, or
+/// under ARBITER_FIXED_FUNCTION=always at the first draw of fixed function. Until then the rasterizer
+/// costs nothing.
 void engage(Context &context);
-/// Draws without a program are the rasterizer's, in a context that has no program either.
-[[nodiscard]] bool drawsFixedFunction(const Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.
 [[nodiscard]] bool keepsLists(const Context &context);
