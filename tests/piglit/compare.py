@@ -104,7 +104,8 @@ def arguments():
     parser.add_argument("--set", choices=("quick", "named", "full"), default="named")
     parser.add_argument("--profiles", default="host,r300,r300:report,swrast",
                         help="names, each with :report for ARBITER_LIMITS=report; swrast and auto "
-                             "are the profile host with that ARBITER_BACKEND")
+                             "are the profile host with that ARBITER_BACKEND, swrast-fixed and "
+                             "auto-fixed also with ARBITER_FIXED_FUNCTION=always")
     parser.add_argument("--platform", default="glx",
                         choices=("glx", "x11_egl", "surfaceless_egl", "mixed_glx_egl"))
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))
