@@ -38,6 +38,8 @@ using state::Provider;
 /// The host's functions of GLX.
 struct GlxHost {
   __GLXapiImports imports;
+  __PFNGLXMAINPROC main;                           ///< of its vendor library
+  decltype(__GLXapiExports::getDynDispatch) front; ///< of the libGLX that asked
   HostFunction<decltype(glXCreateContext)> createContext;
   HostFunction<decltype(glXCreateNewContext)> createNewContext;
   HostFunction<GLXContext(Display *, GLXFBConfig, GLXContext, Bool, const int *)>
@@ -389,21 +391,34 @@ void *getProcAddress(const GLubyte *name) {
   return *hook->host ? hook->function : nullptr;
 }
 
-/// False for a second vendor of this name in the process: there is one host to stand in front of.
+/// libGLX forgets its vendors in its destructor, and asks for them anew where a thread still calls
+/// while another is in exit(): the host answers, as it does without the layer. A second libGLX of
+/// the process is refused: there is one host to stand in front of.
+bool askHostAgain(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) {
+  if (exports->getDynDispatch != g_host->front)
+    return false;
+  __GLXapiImports imports = g_host->imports; // Mesa writes them the first time only
+  return g_host->main(version, exports, vendor, &imports) &&
+         imports.getProcAddress == g_host->imports.getProcAddress;
+}
+
+/// \return there is a host, with its functions in g_host
 bool loadHost(std::uint32_t version, const __GLXapiExports *exports, __GLXvendorInfo *vendor) try {
   if (g_host->imports.getProcAddress)
-    return false;
+    return askHostAgain(version, exports, vendor);
   for (const std::string &library : glxCandidates()) {
-    void *const main = openHostLibrary(library, __GLX_MAIN_PROTO_NAME);
+    const auto main =
+        reinterpret_cast<__PFNGLXMAINPROC>(openHostLibrary(library, __GLX_MAIN_PROTO_NAME));
     if (!main)
       continue;
     __GLXapiImports imports = {};
-    if (reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, &imports) &&
-        imports.getProcAddress) {
+    if (main(version, exports, vendor, &imports) && imports.getProcAddress) {
       logInfo("layer", "GLX: in front of %s", library.c_str());
       keepLibraryOf(reinterpret_cast<void *>(exports->getDynDispatch));
       g_host.fill([&](GlxHost &host) {
         host.imports = imports; // hostLookup asks it
+        host.main = main;
+        host.front = exports->getDynDispatch;
         loadHooks(std::begin(kHooks), std::end(kHooks), hostLookup);
         host.queryDrawable.function = hostLookup("glXQueryDrawable");
       });

@@ -3,8 +3,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <thread>
 
+#include <dlfcn.h>
 #include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -54,6 +57,14 @@ template <void (*end)(int), bool fresh> void endFromThread() {
     end(0);
   }).detach();
   drawForEver(fresh);
+}
+
+/// exit() that is under way for long after libGLX's own destructor, while this thread draws on.
+void endSlowlyFromThread() {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe");
+  const std::string library = self.substr(0, self.rfind('/')) + "/foreign_slow_end.so";
+  need(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL) != nullptr, "foreign_slow_end.so");
+  endFromThread<callExit, false>();
 }
 
 sigjmp_buf g_back;
@@ -152,6 +163,7 @@ void endRows(void (*add)(Row)) {
   add({"quick_exit-in-handler-drawing", drawUntil<callQuickExit>});
   add({"abort-in-handler-compiling", compileUntil<callAbort>});
   add({"exit-in-thread-drawing", endFromThread<callExit, false>});
+  add({"exit-slowly-in-thread-drawing", endSlowlyFromThread});
   add({"exit-in-thread-compiling", endFromThread<callExit, true>});
   add({"abort-in-thread-drawing", endFromThread<callAbort, false>});
   add({"exit-while-other-draws", exitWhileOtherDraws});

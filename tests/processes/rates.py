@@ -29,7 +29,10 @@ def compare(end, bare_run, layer_run):
     if end not in bare:
         return True, f"{end}, and never in {len(bare)} bare runs"
     layer = [layer_run() for _ in range(len(bare))]
+    while len(bare) < AT_MOST and any(e is not None and e not in bare for e in layer):
+        bare.append(bare_run())
     others = sorted({e for e in layer if e is not None and e not in bare})
+    failures = sum(e is not None for e in bare)
     failed = sum(e is not None for e in layer)
     words = f"fails in {failed} of {len(layer)} runs, bare {failures} of {len(bare)} ({end})"
     if others:
