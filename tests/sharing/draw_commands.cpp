@@ -97,7 +97,21 @@ void drawImmediate(World &world, Random &random, const std::string &) {
   glEnd();
 }
 
-/// A quad over all of the target that shows the whole texture, texel by pixel.
+/// A quad over all of the target that shows the whole texture of that unit, texel by pixel.
+void drawTexels(GLenum unit, int textureWidth, int textureHeight, int width, int height, float z) {
+  // A quarter of a texel from its border.
+  const float u0 = -0.25f / float(textureWidth), v0 = -0.25f / float(textureHeight);
+  const float u1 = u0 + float(width) / float(textureWidth);
+  const float v1 = v0 + float(height) / float(textureHeight);
+  glColor4f(1, 0, 1, 1);
+  glBegin(GL_QUADS);
+  glMultiTexCoord2f(unit, u0, v0), glVertex3f(-1, -1, z);
+  glMultiTexCoord2f(unit, u1, v0), glVertex3f(1, -1, z);
+  glMultiTexCoord2f(unit, u1, v1), glVertex3f(1, 1, z);
+  glMultiTexCoord2f(unit, u0, v1), glVertex3f(-1, 1, z);
+  glEnd();
+}
+
 void drawTexture(World &world, Random &random, const std::string &) {
   const int index = random.below(kTextures);
   const Texture &texture = world.texture(index);
@@ -109,19 +123,37 @@ void drawTexture(World &world, Random &random, const std::string &) {
   glBindTexture(GL_TEXTURE_2D, texture.name);
   world.bind(GL_FRAGMENT_PROGRAM_ARB, program);
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
-  // A quarter of a texel from its border.
-  const float u0 = -0.25f / float(texture.width), v0 = -0.25f / float(texture.height);
-  const float u1 = u0 + float(width) / float(texture.width);
-  const float v1 = v0 + float(height) / float(texture.height);
-  const float z = float(random.between(-50, 50)) / 64.0f;
-  glColor4f(1, 0, 1, 1);
-  glBegin(GL_QUADS);
-  glTexCoord2f(u0, v0), glVertex3f(-1, -1, z);
-  glTexCoord2f(u1, v0), glVertex3f(1, -1, z);
-  glTexCoord2f(u1, v1), glVertex3f(1, 1, z);
-  glTexCoord2f(u0, v1), glVertex3f(-1, 1, z);
-  glEnd();
+  drawTexels(GL_TEXTURE0, texture.width, texture.height, width, height,
+             float(random.between(-50, 50)) / 64.0f);
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
+}
+
+/// Of the texture that unit 1 keeps, without a program. What another context deleted is drawn too.
+void drawKept(World &world, Random &random, const std::string &) {
+  Context &context = world.context();
+  Kept &kept = context.kept;
+  const int index = random.below(kTextures);
+  const bool renews = random.once(3);
+  int width = 0, height = 0;
+  if (!world.readyToDraw(width, height))
+    return;
+  glActiveTexture(GL_TEXTURE1);
+  if (renews || !kept.orphan) {
+    const Texture &texture = world.texture(index);
+    kept = {index, false, texture.width, texture.height};
+    glBindTexture(GL_TEXTURE_2D, texture.name);
+  }
+  const bool mayBeDrawnTo =
+      kept.orphan
+          ? context.bound >= 0 && context.framebuffers[std::size_t(context.bound)].color.orphan
+          : world.isAttached(index);
+  if (!mayBeDrawnTo) {
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    drawTexels(GL_TEXTURE1, kept.width, kept.height, width, height, 0);
+    glDisable(GL_TEXTURE_2D);
+  }
+  glActiveTexture(GL_TEXTURE0);
 }
 
 void pointTo(const Vertex *base) {
@@ -202,6 +234,7 @@ const std::vector<Command> kDrawCommands = {
     {"Clear", 7, clear},
     {"Begin and End", 10, drawImmediate},
     {"texture quad", 14, drawTexture},
+    {"kept texture quad", 5, drawKept},
     {"draw from a buffer", 10, drawBuffer},
     {"draw from arrays", 3, drawArrays},
     {"NewList", 2, makeList},

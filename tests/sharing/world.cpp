@@ -227,6 +227,14 @@ void World::orphan(bool isTexture, const Object *object) {
     Context &other = m_contexts[std::size_t(i)];
     if (other.group != context().group)
       continue;
+    if (isTexture && other.kept.index >= 0 && !other.kept.orphan &&
+        &group().textures[std::size_t(other.kept.index)] == object) {
+      if (&other == &context()) // its own deletions unbind
+        other.kept = {};
+      else
+        other.kept = {other.kept.index, true, group().textures[std::size_t(other.kept.index)].width,
+                      group().textures[std::size_t(other.kept.index)].height};
+    }
     for (int f = 0; f < kFramebuffers; ++f)
       for (const bool depth : {false, true}) {
         Framebuffer &framebuffer = other.framebuffers[std::size_t(f)];

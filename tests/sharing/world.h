@@ -74,6 +74,12 @@ struct Framebuffer {
   GLuint name = 0;
   Attachment color, depth;
 };
+/// A texture that stays bound to unit 1, whatever becomes of its name.
+struct Kept {
+  int index = -1;      ///< of the group's textures; -1: none
+  bool orphan = false; ///< another context deleted it
+  int width = 0, height = 0;
+};
 struct Context {
   void *handle = nullptr;
   int group = 0, drawable = 0;
@@ -83,6 +89,7 @@ struct Context {
   std::array<Framebuffer, kFramebuffers> framebuffers;
   GLuint scratch = 0; ///< a framebuffer for clearing what is new
   int bound = -1;     ///< of `framebuffers`; -1: the drawable
+  Kept kept;
 };
 struct Drawable {
   void *handle = nullptr;

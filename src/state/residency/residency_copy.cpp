@@ -39,7 +39,7 @@ PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
   const Rect to = {copy.destX, copy.destY, copy.width, copy.height};
   if (copy.defines) {
     if (!texture.immutableKnown) {
-      const TextureBinding bound(*images.hot.host, texture.target, texture.name);
+      const TextureBinding bound(images, texture.target, texture.name);
       GLint immutable = 0;
       HostErrorScope errors = errorScope(images);
       images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);

@@ -11,10 +11,12 @@
 /// For the files of residency*.cpp only.
 namespace arbiter::state::software {
 
-/// A texture bound to its target on whichever unit is active.
+/// A texture bound to its target: on the unit that is active, or on another where what is bound
+/// there had its name taken away by another context. Bound by that name again it would be another
+/// object.
 class TextureBinding {
 public:
-  TextureBinding(const host::HostTable &host, GLenum target, GLuint name);
+  TextureBinding(const ResidentImages &images, GLenum target, GLuint name);
   ~TextureBinding();
   TextureBinding(const TextureBinding &) = delete;
   TextureBinding &operator=(const TextureBinding &) = delete;
@@ -23,6 +25,7 @@ private:
   const host::HostTable &m_host;
   GLenum m_target;
   GLint m_previous = 0;
+  GLint m_unit = 0; ///< that was active; 0: still is
   bool m_changed = false;
 };
 

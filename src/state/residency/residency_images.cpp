@@ -88,13 +88,17 @@ Texture &textureOf(ObjectImages &objects, GLenum target, GLuint name) {
   return *objects.textures.emplace(key, std::move(made)).first->second;
 }
 
-Texture *boundTexture(ResidentImages &images, GLenum imageTarget) {
+Texture *textureOfBoundName(ResidentImages &images, GLenum imageTarget) {
   GLint name = 0;
   images.hot.host->GetIntegerv(bindingOf(imageTarget), &name);
   const auto &textures = images.objects.textures;
   const auto found = textures.find(textureKey(textureTargetOf(imageTarget), GLuint(name)));
-  return found == textures.end() || !isNamedAsBound(images, GLuint(name)) ? nullptr
-                                                                          : found->second.get();
+  return found == textures.end() ? nullptr : found->second.get();
+}
+
+Texture *boundTexture(ResidentImages &images, GLenum imageTarget) {
+  Texture *const texture = textureOfBoundName(images, imageTarget);
+  return texture && isNamedAsBound(images, texture->name) ? texture : nullptr;
 }
 
 bool textureExists(const ResidentImages &images, GLuint name) {
@@ -126,7 +130,7 @@ GLenum findTarget(ResidentImages &images, Texture &texture) {
   // that changes nothing.
   for (const GLenum target :
        {GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_3D, GL_TEXTURE_1D}) {
-    const TextureBinding binding(host, target, texture.name);
+    const TextureBinding binding(images, target, texture.name);
     GLint bound = 0;
     host.GetIntegerv(bindingOf(target == GL_TEXTURE_CUBE_MAP
                                    ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X)
@@ -160,7 +164,7 @@ PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget
   }
   if (!image->described) {
     HostErrorScope errors = errorScope(images);
-    const TextureBinding binding(*images.hot.host, target, texture.name);
+    const TextureBinding binding(images, target, texture.name);
     describeLevel(*images.hot.host, *image);
     if (images.textureViews.contains(texture.name)) {
       image->base = 0;
@@ -185,6 +189,10 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
   HostErrorScope errors = errorScope(images);
   GLint previous = 0;
   host.GetIntegerv(GL_RENDERBUFFER_BINDING, &previous);
+  // By a name that another context took away it could not be bound again. The host draws.
+  if (!images.deletedNames.isUniqueWhereBound(DeletedNames::Kind::Renderbuffer, GLuint(previous),
+                                              images.serial))
+    return *image;
   host.BindRenderbuffer(GL_RENDERBUFFER, name);
   const auto get = [&](GLenum pname) {
     GLint value = 0;

@@ -172,6 +172,9 @@ void forgetSize(ResidentImages &images);
 }
 /// \param target the texture's own; 0: not known, of one that has a name
 [[nodiscard]] Texture &textureOf(ObjectImages &objects, GLenum target, GLuint name);
+/// The texture that has the name of what is bound to the target of an image, if anything is known
+/// of it. What is bound may be another one, that had the name before: isNamedAsBound().
+[[nodiscard]] Texture *textureOfBoundName(ResidentImages &images, GLenum imageTarget);
 /// The texture that is bound to the target of an image, if anything is known of it.
 [[nodiscard]] Texture *boundTexture(ResidentImages &images, GLenum imageTarget);
 /// There is a texture of that name still; default textures are always there.

@@ -190,12 +190,13 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   ObjectImages &objects = images.objects;
   if (objects.valid == 0)
     return;
-  Texture *const texture = boundTexture(images, target);
+  Texture *const texture = textureOfBoundName(images, target);
   if (!texture)
     return;
   PixelImage *const image = levelOf(images, *texture, target, level);
   if (!image || image->valid == Valid::Host ||
-      (z == 0 && write(images, *image, {x, y, width, height}, format, type, pixels)))
+      (z == 0 && isNamedAsBound(images, texture->name) &&
+       write(images, *image, {x, y, width, height}, format, type, pixels)))
     return;
   if (image->valid == Valid::Shadow)
     upload(images, *image);
