@@ -38,7 +38,7 @@ public:
     m_possible = !world.isAttached(texture);
     if (!m_possible)
       return;
-    glBindTexture(GL_TEXTURE_2D, world.texture(texture).name);
+    bindTexture(world.texture(texture).name);
     if (fragment) {
       world.bind(GL_FRAGMENT_PROGRAM_ARB, shades);
       glProgramEnvParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, 1, env);
@@ -120,7 +120,7 @@ void drawTexture(World &world, Random &random, const std::string &) {
   if (!world.readyToDraw(width, height) || world.isAttached(index))
     return;
   Program &program = world.group().fragments[std::size_t(sampling)];
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   world.bind(GL_FRAGMENT_PROGRAM_ARB, program);
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
   drawTexels(GL_TEXTURE0, texture.width, texture.height, width, height,
@@ -128,32 +128,31 @@ void drawTexture(World &world, Random &random, const std::string &) {
   glDisable(GL_FRAGMENT_PROGRAM_ARB);
 }
 
-/// Of the texture that unit 1 keeps, without a program. What another context deleted is drawn too.
+/// Of the texture that unit 1 keeps, without a program; what another context deleted is drawn too.
+/// The unit stays active until a texture is bound.
 void drawKept(World &world, Random &random, const std::string &) {
   Context &context = world.context();
   Kept &kept = context.kept;
-  const int index = random.below(kTextures);
-  const bool renews = random.once(3);
+  const bool renews = random.once(4);
   int width = 0, height = 0;
   if (!world.readyToDraw(width, height))
     return;
   glActiveTexture(GL_TEXTURE1);
   if (renews || !kept.orphan) {
-    const Texture &texture = world.texture(index);
-    kept = {index, false, texture.width, texture.height};
+    const Texture &texture = world.texture(kKept);
+    kept = {true, false, texture.width, texture.height};
     glBindTexture(GL_TEXTURE_2D, texture.name);
   }
   const bool mayBeDrawnTo =
       kept.orphan
           ? context.bound >= 0 && context.framebuffers[std::size_t(context.bound)].color.orphan
-          : world.isAttached(index);
+          : world.isAttached(kKept);
   if (!mayBeDrawnTo) {
     glEnable(GL_TEXTURE_2D);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     drawTexels(GL_TEXTURE1, kept.width, kept.height, width, height, 0);
     glDisable(GL_TEXTURE_2D);
   }
-  glActiveTexture(GL_TEXTURE0);
 }
 
 void pointTo(const Vertex *base) {
@@ -234,7 +233,7 @@ const std::vector<Command> kDrawCommands = {
     {"Clear", 7, clear},
     {"Begin and End", 10, drawImmediate},
     {"texture quad", 14, drawTexture},
-    {"kept texture quad", 5, drawKept},
+    {"kept texture quad", 12, drawKept},
     {"draw from a buffer", 10, drawBuffer},
     {"draw from arrays", 3, drawArrays},
     {"NewList", 2, makeList},

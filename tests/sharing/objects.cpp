@@ -9,7 +9,7 @@ void World::define(Texture &texture, int width, int height, GLenum internal, Ran
   std::vector<unsigned char> texels(std::size_t(width * height) * 4);
   for (unsigned char &texel : texels)
     texel = static_cast<unsigned char>(random.bits());
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   // What sRGB decodes to is not the same to the bit: run_formats.py of ../software samples that.

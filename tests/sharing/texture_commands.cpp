@@ -26,7 +26,7 @@ void subImage(World &world, Random &random, const std::string &) {
   const int width = random.between(1, texture.width), height = random.between(1, texture.height);
   const int x = random.between(0, texture.width - width);
   const int y = random.between(0, texture.height - height);
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   if (random.once(4)) {
     const float texel[] = {1, 0.6f, 0.2f, 0};
     return glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, 1, 1, GL_RGBA, GL_FLOAT, texel);
@@ -39,7 +39,7 @@ void subImage(World &world, Random &random, const std::string &) {
 }
 
 void deleteTexture(World &world, Random &random, const std::string &) {
-  Texture &texture = world.texture(random.below(kTextures));
+  Texture &texture = world.texture(random.once(2) ? kKept : random.below(kTextures));
   const int width = random.pick(kSizes), height = random.pick(kSizes);
   const GLenum internal = random.pick(kInternal);
   world.orphan(true, &texture);
@@ -61,7 +61,7 @@ void feedback(World &world, Random &random, const std::string &) {
     width = random.between(1, width);
     height = random.between(1, height);
   }
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   glCopyTexSubImage2D(GL_TEXTURE_2D, 0, texture.width - width, texture.height - height, 0, 0, width,
                       height);
 }
@@ -69,7 +69,7 @@ void feedback(World &world, Random &random, const std::string &) {
 /// TexParameter and back again: NEAREST_MIPMAP_NEAREST has no levels, and samples (0, 0, 0, 1).
 void parameters(World &world, Random &random, const std::string &) {
   const Texture &texture = world.texture(random.below(kTextures));
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S,
                   random.once(2) ? GL_REPEAT : GL_MIRRORED_REPEAT);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
@@ -79,7 +79,7 @@ void parameters(World &world, Random &random, const std::string &) {
 void getTexImage(World &world, Random &random, const std::string &what) {
   const Texture &texture = world.texture(random.below(kTextures));
   std::vector<unsigned char> bytes(std::size_t(texture.width * texture.height) * 4);
-  glBindTexture(GL_TEXTURE_2D, texture.name);
+  bindTexture(texture.name);
   glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   record(what, bytes);
 }
@@ -150,7 +150,7 @@ void renderbuffer(World &world, Random &random, const std::string &) {
 const std::vector<Command> kTextureCommands = {
     {"TexImage", 9, redefine},
     {"TexSubImage", 8, subImage},
-    {"DeleteTextures", 3, deleteTexture},
+    {"DeleteTextures", 5, deleteTexture},
     {"CopyTexSubImage", 8, feedback},
     {"TexParameter", 3, parameters},
     {"GetTexImage", 4, getTexImage},

@@ -227,13 +227,11 @@ void World::orphan(bool isTexture, const Object *object) {
     Context &other = m_contexts[std::size_t(i)];
     if (other.group != context().group)
       continue;
-    if (isTexture && other.kept.index >= 0 && !other.kept.orphan &&
-        &group().textures[std::size_t(other.kept.index)] == object) {
+    if (const Texture &kept = texture(kKept); object == &kept) {
       if (&other == &context()) // its own deletions unbind
         other.kept = {};
-      else
-        other.kept = {other.kept.index, true, group().textures[std::size_t(other.kept.index)].width,
-                      group().textures[std::size_t(other.kept.index)].height};
+      else if (other.kept.bound && !other.kept.orphan)
+        other.kept = {true, true, kept.width, kept.height};
     }
     for (int f = 0; f < kFramebuffers; ++f)
       for (const bool depth : {false, true}) {
@@ -271,7 +269,7 @@ void World::recordAll(const std::string &what) {
   for (int i = 0; i < kTextures; ++i) {
     const Texture &image = texture(i);
     std::vector<unsigned char> bytes(std::size_t(image.width * image.height) * 4);
-    glBindTexture(GL_TEXTURE_2D, image.name);
+    bindTexture(image.name);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     record(what + " texture " + std::to_string(i), bytes);
   }

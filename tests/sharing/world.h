@@ -74,10 +74,10 @@ struct Framebuffer {
   GLuint name = 0;
   Attachment color, depth;
 };
-/// A texture that stays bound to unit 1, whatever becomes of its name.
+/// The group's last texture stays bound to unit 1, whatever becomes of its name.
+inline constexpr int kKept = kTextures - 1;
 struct Kept {
-  int index = -1;      ///< of the group's textures; -1: none
-  bool orphan = false; ///< another context deleted it
+  bool bound = false, orphan = false; ///< another context deleted it
   int width = 0, height = 0;
 };
 struct Context {
@@ -161,6 +161,12 @@ private:
   std::array<Group, kGroups> m_groups;
   std::array<Drawable, kContexts> m_drawables;
 };
+
+/// To unit 0, which is active then.
+inline void bindTexture(GLuint name) {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, name);
+}
 
 /// A vertex of the buffers.
 struct Vertex {
