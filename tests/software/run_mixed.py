@@ -47,6 +47,19 @@ def judge(bare, layer, backend, part):
     return wrong
 
 
+def bare_run(command, options, poison):
+    """The bare host's records. Where it uses memory that nothing wrote it may die of it: seen once in
+    some twenty runs under AddressSanitizer, inside its driver."""
+    for last in (False, False, True):
+        try:
+            with XServer(options=options) as display:
+                return sides.run(command, sides.environment(extra={"DISPLAY": display}, fresh=poison))
+        except sides.Died:
+            if last:
+                raise
+    return None
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -58,12 +71,7 @@ def main():
     command = [build / "tests/software/software-mixed", args.first, args.count]
     passed = failed = 0
     for server, options in SERVERS.items():
-        runs = []
-        for poison in POISON[:2]:
-            with XServer(options=options) as display:
-                runs.append(sides.run(command, sides.environment(
-                    extra={"DISPLAY": display}, fresh=poison)))
-        bare = defined(*runs)
+        bare = defined(*(bare_run(command, options, poison) for poison in POISON[:2]))
         for way, (backend, extra) in WAYS.items():
             with tempfile.TemporaryDirectory(prefix="arbiter-mixed-") as scratch, \
                     XServer(options=options) as display:
