@@ -107,6 +107,7 @@ struct Format {
 inline constexpr int kMaxUnits = 16;       ///< texture image units that a program may sample
 inline constexpr int kMaxColorTargets = 4; ///< of draw buffers
 inline constexpr int kMaxLevels = 15;      ///< 16384 texels
+inline constexpr int kMaxAnisotropy = 16;  ///< samples that a lookup takes at most
 inline constexpr int kMaxInputs = 12;      ///< fragment attributes, of four components each
 
 // --- Textures
@@ -148,8 +149,9 @@ struct SamplerKey {
   MipFilter mip = MipFilter::None;
   std::uint8_t shadow = 0; ///< 1: compare the third coordinate (2nd of 1D too: z) with `compare`
   Compare compare = Compare::LessEqual;
-  std::uint8_t powerOfTwo = 0; ///< 1: every size is a power of two (Repeat is a mask)
-  std::uint8_t hasBias = 0;    ///< 1: lodBias, minLod or maxLod differ from GL's initial values
+  std::uint8_t powerOfTwo = 0;  ///< 1: every size is a power of two (Repeat is a mask)
+  std::uint8_t hasBias = 0;     ///< 1: lodBias, minLod or maxLod differ from GL's initial values
+  std::uint8_t anisotropic = 0; ///< 1: several samples along a long footprint; only with mipmaps
   bool operator==(const SamplerKey &) const = default;
 };
 
@@ -170,6 +172,7 @@ struct TextureView {
   std::int32_t levelCount = 0; ///< 1 without mipmaps
   float lodBias = 0;           ///< texture's and unit's, summed
   float minLod = -1000, maxLod = 1000;
+  float maxAnisotropy = 1;   ///< how often longer than wide: 1 to kMaxAnisotropy
   float borderColor[4] = {}; ///< as RGBA after the format (a LUMINANCE border is L, L, L, 1)
 };
 

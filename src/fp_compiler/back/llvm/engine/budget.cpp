@@ -11,7 +11,7 @@ double sampleMilliseconds(const abi::SamplerKey &sampler) {
   const double face =
       (sampler.dimension == abi::Dimension::Cube ? 1.2 : 1) * (sampler.format.srgb != 0 ? 1.4 : 1);
   if (sampler.mip != abi::MipFilter::None)
-    return 12 * face;
+    return (sampler.anisotropic ? 15 : 12) * face;
   const bool filtered =
       sampler.magnify == abi::Filter::Linear || sampler.minify == abi::Filter::Linear;
   return (filtered ? 8 : 5) * face;

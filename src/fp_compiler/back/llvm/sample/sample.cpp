@@ -1,3 +1,4 @@
+#include "fp_compiler/back/llvm/math/math.h"
 #include "fp_compiler/back/llvm/sample/sample_parts.h"
 
 #include <optional>
@@ -69,17 +70,40 @@ public:
     const bool mipmaps = m_key.mip != abi::MipFilter::None;
     if (!mipmaps && m_key.magnify == m_key.minify)
       return atLevel(nullptr, m_key.magnify);
-    Value *const lambda = levelOfDetail(m_code, m_key, m_lookup.lanes, m_lookup.view, m_at,
-                                        m_cube ? &*m_cube : nullptr);
+    if (m_key.anisotropic) {
+      const Derivatives d = derivativesOf(m_code, m_key, m_lookup.lanes, m_at);
+      if (d.dx[0])
+        return alongFootprint(d);
+    }
+    return byLevel(levelOfDetail(m_code, m_key, m_lookup.lanes, m_lookup.view, m_at, cube()));
+  }
+
+private:
+  [[nodiscard]] const CubeFace *cube() const { return m_cube ? &*m_cube : nullptr; }
+
+  Texel alongFootprint(const Derivatives &d) {
+    const PixelFootprint footprint = footprintOf(m_code, m_key, m_lookup.view, m_at, d, cube());
+    return meanOf(m_code, footprint.count, m_at.mask, [&](Value *place) {
+      Vec moved = m_at.coordinate;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (footprint.axis[i])
+          moved[i] = multiplyAdd(m_code, place, footprint.axis[i], moved[i]);
+      m_lookup.coordinate = moved;
+      if (m_cube) // a sample of its own may lie on another face
+        m_lookup.coordinate = m_cube.emplace(m_code, moved).coordinate();
+      return byLevel(footprint.lambda);
+    });
+  }
+
+  Texel byLevel(Value *lambda) {
     if (m_key.magnify == m_key.minify)
       return minified(lambda); // the base level's share is the same either way
     // 3.8.9: where magnification ends.
-    const bool late = mipmaps && m_key.magnify == abi::Filter::Linear;
+    const bool late = m_key.mip != abi::MipFilter::None && m_key.magnify == abi::Filter::Linear;
     Value *const magnified = m_code.ir.CreateFCmpOLE(lambda, m_code.splat(late ? 0.5f : 0.0f));
     return magnifiedOrMinified(magnified, lambda);
   }
 
-private:
   Texel magnifiedOrMinified(Value *magnified, Value *lambda) {
     const Texel big = where(magnified, [&] { return atLevel(nullptr, m_key.magnify); });
     const Texel small = where(m_code.ir.CreateNot(magnified), [&] { return minified(lambda); });

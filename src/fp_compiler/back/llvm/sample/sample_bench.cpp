@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -30,6 +31,7 @@ struct Bench {
   abi::Dimension dimension = abi::Dimension::Tex2D;
   abi::Lanes lanes = abi::Lanes::Row;
   abi::Wrap wrap = abi::Wrap::Repeat;
+  float longer = 0; ///< than wide, what a pixel covers, through an anisotropic filter; 0: none
 };
 
 using abi::Filter;
@@ -57,6 +59,12 @@ const Bench kBenches[] = {
     {"trilinear-rotated", Filter::Linear, MipFilter::Linear, Path::Minified},
     {"trilinear-rotated-quad", Filter::Linear, MipFilter::Linear, Path::Minified, Layout::U8x4,
      false, false, abi::Dimension::Tex2D, abi::Lanes::Quad},
+    {"anisotropic-1-rotated", Filter::Linear, MipFilter::Linear, Path::Minified, Layout::U8x4,
+     false, false, abi::Dimension::Tex2D, abi::Lanes::Row, abi::Wrap::Repeat, 1},
+    {"anisotropic-4-rotated", Filter::Linear, MipFilter::Linear, Path::Minified, Layout::U8x4,
+     false, false, abi::Dimension::Tex2D, abi::Lanes::Row, abi::Wrap::Repeat, 4},
+    {"anisotropic-16-rotated", Filter::Linear, MipFilter::Linear, Path::Minified, Layout::U8x4,
+     false, false, abi::Dimension::Tex2D, abi::Lanes::Row, abi::Wrap::Repeat, 16},
     {"cube-nearest", Filter::Nearest, MipFilter::None, Path::Rotated, Layout::U8x4, false, false,
      abi::Dimension::Cube},
     {"cube-bilinear", Filter::Linear, MipFilter::None, Path::Rotated, Layout::U8x4, false, false,
@@ -71,6 +79,7 @@ abi::SamplerKey keyOf(const Bench &bench) {
   key.mip = bench.mip;
   key.wrap = {bench.wrap, bench.wrap, bench.wrap};
   key.powerOfTwo = 1;
+  key.anisotropic = bench.longer > 0;
   return key;
 }
 
@@ -97,6 +106,7 @@ void run(benchmark::State &state, const Bench &bench, const char *cpuName) {
   std::vector<std::uint32_t> packed(kPixels);
   SampleCall call;
   call.view = &texture.view;
+  texture.view.maxAnisotropy = std::max(bench.longer, 1.0f);
   const float scale = bench.path == Path::Magnified  ? 0.3f
                       : bench.path == Path::Minified ? 2.5f
                                                      : 1;
@@ -112,6 +122,8 @@ void run(benchmark::State &state, const Bench &bench, const char *cpuName) {
     call.coordinate[axis] = coordinate[axis].data();
     call.dx[axis] = dx[axis];
     call.dy[axis] = dx[1 - axis % 2];
+    if (bench.longer > 0) // at right angles
+      call.dy[axis] = (axis == 0 ? -dx[1] : axis == 1 ? dx[0] : 0) * bench.longer;
   }
   for (std::size_t i = 0; i < 4; ++i) {
     result[i].resize(kPixels);

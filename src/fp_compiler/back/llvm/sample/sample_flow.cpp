@@ -99,4 +99,49 @@ Texel forEachImage(Code &code, Value *image, Value *mask,
   return texelOf(merged);
 }
 
+Texel meanOf(Code &code, Value *count, Value *mask, const std::function<Texel(Value *)> &sampled) {
+  llvm::IRBuilder<> &ir = code.ir;
+  llvm::BasicBlock *const before = ir.GetInsertBlock(), *const loop = block(code, "sample"),
+                          *const done = block(code, "sample.done");
+  Value *const one = code.splat(1.0f);
+  Value *const share = ir.CreateFDiv(one, count);
+  Value *const counted = code.toInt(mask ? code.select(mask, count, one) : count);
+  Value *const most = ir.CreateIntMaxReduce(counted, true);
+  ir.CreateBr(loop);
+
+  ir.SetInsertPoint(loop);
+  llvm::PHINode *const number = ir.CreatePHI(ir.getInt32Ty(), 2);
+  std::array<llvm::PHINode *, 4> soFar = {};
+  for (llvm::PHINode *&phi : soFar)
+    phi = ir.CreatePHI(code.f32, 2);
+  Value *const lane = code.splat(ir.CreateSIToFP(number, ir.getFloatTy()));
+  Value *const half = code.splat(0.5f);
+  // Of one sample exactly 0.
+  Value *const place = ir.CreateFSub(ir.CreateFMul(ir.CreateFAdd(lane, half), share), half);
+  const Texel texel = sampled(place);
+  Value *const wanted = ir.CreateFCmpOLT(lane, count);
+  Value *const next = ir.CreateAdd(number, ir.getInt32(1));
+  llvm::BasicBlock *const end = ir.GetInsertBlock();
+  Texel mean;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!texel.rgba[i]) {
+      soFar[i]->eraseFromParent();
+      continue;
+    }
+    Value *const sum =
+        ir.CreateFAdd(soFar[i], code.select(wanted, texel.rgba[i], code.splat(0.0f)));
+    soFar[i]->addIncoming(code.splat(0.0f), before);
+    soFar[i]->addIncoming(sum, end);
+    mean.rgba[i] = sum;
+  }
+  number->addIncoming(ir.getInt32(0), before);
+  number->addIncoming(next, end);
+  ir.CreateCondBr(ir.CreateICmpSLT(next, most), loop, done);
+  ir.SetInsertPoint(done);
+  for (Value *&component : mean.rgba)
+    if (component)
+      component = ir.CreateFMul(component, share);
+  return mean;
+}
+
 } // namespace arbiter::fp::llvm_back

@@ -35,18 +35,6 @@ namespace {
 /// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
 constexpr float kMaxBias = 16;
 
-struct Derivatives {
-  std::array<Value *, 3> dx = {}, dy = {};
-};
-/// Null where there are none.
-Derivatives derivativesOf(Code &code, abi::Lanes lanes, const SampleAt &at, int count) {
-  if (lanes == abi::Lanes::Row || at.dx[0])
-    return {at.dx, at.dy};
-  SampleAt quads = at;
-  addQuadDerivatives(code, quads, count, nullptr);
-  return {quads.dx, quads.dy};
-}
-
 int dimensionsOf(abi::Dimension dimension) {
   return dimension == abi::Dimension::Tex1D ? 1 : dimension == abi::Dimension::Tex3D ? 3 : 2;
 }
@@ -55,42 +43,8 @@ int dimensionsOf(abi::Dimension dimension) {
 /// or in y makes.
 Value *scaleSquared(Code &code, const abi::SamplerKey &key, Value *view, const Derivatives &d,
                     const CubeFace *cube) {
-  const int dimensions = dimensionsOf(key.dimension);
-  const ImageCode base = loadImage(code, key.format, view, code.ir.getInt32(0), dimensions);
-  const auto squared = [&](const std::array<Value *, 3> &change) {
-    const Vec moved = cube ? cube->derivative(change) : Vec{change[0], change[1], change[2]};
-    Value *sum = nullptr;
-    for (std::size_t i = 0; i < std::size_t(dimensions); ++i) {
-      Value *texels = moved[i];
-      if (key.dimension != abi::Dimension::Rect) {
-        Value *const size = code.ir.CreateSIToFP(base.size[i], code.ir.getFloatTy());
-        texels = code.ir.CreateFMul(texels, code.splat(size));
-      }
-      sum = sum ? multiplyAdd(code, texels, texels, sum) : code.ir.CreateFMul(texels, texels);
-    }
-    return sum;
-  };
-  return code.max(squared(d.dx), squared(d.dy));
-}
-
-/// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
-/// two are exact, so that a level that fits has all the weight. Zero is -127, an infinity or NaN
-/// 128.
-Value *quickLog2(Code &code, Value *x) {
-  llvm::IRBuilder<> &ir = code.ir;
-  Value *const bits = ir.CreateBitCast(x, code.i32);
-  Value *const exponent =
-      code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127)));
-  Value *const mantissa =
-      ir.CreateOr(ir.CreateAnd(bits, code.splat(0x7FFFFF)), code.splat(0x3F800000));
-  Value *const t = ir.CreateFSub(ir.CreateBitCast(mantissa, code.f32), code.splat(1.0f));
-  // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
-  constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
-                                     1.44241858f};
-  Value *sum = code.splat(kCoefficients[0]);
-  for (std::size_t i = 1; i < std::size(kCoefficients); ++i)
-    sum = multiplyAdd(code, sum, t, code.splat(kCoefficients[i]));
-  return multiplyAdd(code, sum, t, exponent);
+  const auto [x, y] = inTexels(code, key, view, d, cube);
+  return code.max(dot(code, x, x), dot(code, y, y));
 }
 
 Value *viewField(Code &code, Value *view, std::size_t offset) {
@@ -108,13 +62,62 @@ Value *clampedLevel(Code &code, Value *view, Value *level) {
 
 } // namespace
 
-Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
-                     const SampleAt &at, const CubeFace *cube) {
-  const Derivatives d = derivativesOf(code, lanes, at, cube ? 3 : dimensionsOf(key.dimension));
-  Value *lambda = code.splat(0.0f);
-  if (d.dx[0])
-    lambda = code.ir.CreateFMul(quickLog2(code, scaleSquared(code, key, view, d, cube)),
-                                code.splat(0.5f));
+Derivatives derivativesOf(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
+                          const SampleAt &at) {
+  if (lanes == abi::Lanes::Row || at.dx[0])
+    return {at.dx, at.dy};
+  SampleAt quads = at;
+  const int count = key.dimension == abi::Dimension::Cube ? 3 : dimensionsOf(key.dimension);
+  addQuadDerivatives(code, quads, count, nullptr);
+  return {quads.dx, quads.dy};
+}
+
+std::array<Vec, 2> inTexels(Code &code, const abi::SamplerKey &key, Value *view,
+                            const Derivatives &d, const CubeFace *cube) {
+  const int dimensions = dimensionsOf(key.dimension);
+  const ImageCode base = loadImage(code, key.format, view, code.ir.getInt32(0), dimensions);
+  const auto texels = [&](const std::array<Value *, 3> &change) {
+    Vec moved = cube ? cube->derivative(change) : Vec{change[0], change[1], change[2]};
+    moved.back() = nullptr;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (int(i) >= dimensions) {
+        moved[i] = nullptr;
+      } else if (key.dimension != abi::Dimension::Rect) {
+        Value *const size = code.ir.CreateSIToFP(base.size[i], code.ir.getFloatTy());
+        moved[i] = code.ir.CreateFMul(moved[i], code.splat(size));
+      }
+    }
+    return moved;
+  };
+  return {texels(d.dx), texels(d.dy)};
+}
+
+Value *dot(Code &code, const Vec &a, const Vec &b) {
+  Value *sum = code.ir.CreateFMul(a[0], b[0]);
+  for (std::size_t i = 1; i < 3 && a[i]; ++i)
+    sum = multiplyAdd(code, a[i], b[i], sum);
+  return sum;
+}
+
+Value *quickLog2(Code &code, Value *x) {
+  llvm::IRBuilder<> &ir = code.ir;
+  Value *const bits = ir.CreateBitCast(x, code.i32);
+  Value *const exponent =
+      code.toFloat(ir.CreateSub(ir.CreateLShr(bits, code.splat(23)), code.splat(127)));
+  Value *const mantissa =
+      ir.CreateOr(ir.CreateAnd(bits, code.splat(0x7FFFFF)), code.splat(0x3F800000));
+  Value *const t = ir.CreateFSub(ir.CreateBitCast(mantissa, code.f32), code.splat(1.0f));
+  // log2(1 + t) / t, interpolated at Chebyshev nodes and 1 at t = 1.
+  constexpr float kCoefficients[] = {0.0448739553f, -0.195407152f, 0.420111212f, -0.711996593f,
+                                     1.44241858f};
+  Value *sum = code.splat(kCoefficients[0]);
+  for (std::size_t i = 1; i < std::size(kCoefficients); ++i)
+    sum = multiplyAdd(code, sum, t, code.splat(kCoefficients[i]));
+  return multiplyAdd(code, sum, t, exponent);
+}
+
+Value *biasedLevel(Code &code, const abi::SamplerKey &key, Value *view, const SampleAt &at,
+                   Value *lambda) {
   Value *bias = key.dimension == abi::Dimension::Rect ? nullptr : at.bias;
   if (key.hasBias) {
     Value *const fixed = viewField(code, view, offsetof(abi::TextureView, lodBias));
@@ -127,6 +130,16 @@ Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, V
     lambda = code.min(code.max(lambda, viewField(code, view, offsetof(abi::TextureView, minLod))),
                       viewField(code, view, offsetof(abi::TextureView, maxLod)));
   return lambda;
+}
+
+Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
+                     const SampleAt &at, const CubeFace *cube) {
+  const Derivatives d = derivativesOf(code, key, lanes, at);
+  Value *lambda = code.splat(0.0f);
+  if (d.dx[0])
+    lambda = code.ir.CreateFMul(quickLog2(code, scaleSquared(code, key, view, d, cube)),
+                                code.splat(0.5f));
+  return biasedLevel(code, key, view, at, lambda);
 }
 
 LevelChoice chooseLevels(Code &code, const abi::SamplerKey &key, Value *view, Value *lambda) {

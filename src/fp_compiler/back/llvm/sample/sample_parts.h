@@ -110,10 +110,42 @@ private:
   Value *m_inverse; ///< of the major axis's magnitude
 };
 
+/// By how much coordinates change, a pixel in x and in y; all null where that is not known, and the
+/// level of detail is then the base level's.
+struct Derivatives {
+  std::array<Value *, 3> dx = {}, dy = {};
+};
+[[nodiscard]] Derivatives derivativesOf(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
+                                        const SampleAt &at);
+/// The ways that a pixel in x and one in y make in the texture, in texels of the base level. Both
+/// have as many components as an image has dimensions; the rest is null.
+[[nodiscard]] std::array<Vec, 2> inTexels(Code &code, const abi::SamplerKey &key, Value *view,
+                                          const Derivatives &d, const CubeFace *cube);
+/// Of what inTexels() gives.
+[[nodiscard]] Value *dot(Code &code, const Vec &a, const Vec &b);
+/// log2 of what is not negative, within 2^-14: a weight of 8-bit texels needs no more. Powers of
+/// two are exact, so that a level that fits has all the weight. Zero is -127, an infinity or NaN
+/// 128.
+[[nodiscard]] Value *quickLog2(Code &code, Value *x);
+/// \p lambda with all biases, clamped (3.8.8).
+[[nodiscard]] Value *biasedLevel(Code &code, const abi::SamplerKey &key, Value *view,
+                                 const SampleAt &at, Value *lambda);
 /// Lambda, with biases and clamps (3.8.8): per lane, in levels from the base level.
 /// \param view pointer to the abi::TextureView; \param cube of a cube map, else null
 [[nodiscard]] Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes,
                                    Value *view, const SampleAt &at, const CubeFace *cube);
+
+/// What a pixel covers of a texture, where that may be longer than wide: several samples stand for
+/// it, side by side along its longer axis.
+struct PixelFootprint {
+  Value *lambda = nullptr; ///< of one sample, biased and clamped
+  Value *count = nullptr;  ///< samples, as floats: whole numbers from 1 to kMaxAnisotropy
+  Vec axis = {};           ///< the longer axis, as a change of the coordinates
+};
+/// \param d not null
+[[nodiscard]] PixelFootprint footprintOf(Code &code, const abi::SamplerKey &key, Value *view,
+                                         const SampleAt &at, const Derivatives &d,
+                                         const CubeFace *cube);
 
 /// Which levels a minified lookup reads: i32 a lane, in [0, levelCount).
 struct LevelChoice {
@@ -166,5 +198,10 @@ using Sampled = std::function<Texel()>;
 /// \param mask lanes that count, or null
 [[nodiscard]] Texel forEachImage(Code &code, Value *image, Value *mask,
                                  const std::function<Texel(Value *)> &sampled);
+/// The mean of as many samples as each lane asks for: a loop, as long as the lane with the most.
+/// \param count floats, whole numbers from 1 on; \param mask lanes that count, or null
+/// \param sampled of a place in (-1/2, 1/2), a lane each: 0 where there is but one
+[[nodiscard]] Texel meanOf(Code &code, Value *count, Value *mask,
+                           const std::function<Texel(Value *)> &sampled);
 
 } // namespace arbiter::fp::llvm_back

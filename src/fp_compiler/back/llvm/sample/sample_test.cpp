@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -46,8 +47,16 @@ ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
 struct Range {
   Color low, high;
 };
-/// What results can be had by roundings of the coordinates and of the level of detail.
-Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
+/// By how much machine code's coordinate may be off; of several samples each one's place is
+/// computed.
+double rounding(const ReferenceQuery &query, std::size_t i) {
+  const double moved = query.scale ? std::fabs(query.dx[i]) + std::fabs(query.dy[i]) : 0;
+  return (std::fabs(query.coordinate[i]) + 1 + moved) * 0x1p-21;
+}
+
+/// What results of one lookup can be had by roundings of the coordinates and of the level of
+/// detail.
+Range rangeOfLookup(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
   Range range;
   range.low.fill(std::numeric_limits<double>::infinity());
   range.high.fill(-std::numeric_limits<double>::infinity());
@@ -67,7 +76,7 @@ Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQue
       rest /= 3;
     }
     for (std::size_t i = 0; i < std::size_t(axes); ++i, rest /= 3)
-      moved.coordinate[i] += (rest % 3 - 1) * (std::fabs(query.coordinate[i]) + 1) * 0x1p-21;
+      moved.coordinate[i] += (rest % 3 - 1) * rounding(query, i);
     const Color color = referenceSample(test.key, view, moved);
     for (std::size_t i = 0; i < 4; ++i) {
       range.low[i] = std::min(range.low[i], color[i]);
@@ -75,6 +84,33 @@ Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQue
     }
   }
   return range;
+}
+
+/// The same of a whole sample. An anisotropic filter's lookups are rounded each on its own, and
+/// their number may be another one too.
+Range rangeOf(const Case &test, const abi::TextureView &view, const ReferenceQuery &query) {
+  Range whole;
+  whole.low.fill(std::numeric_limits<double>::infinity());
+  whole.high.fill(-std::numeric_limits<double>::infinity());
+  std::size_t last = 0;
+  for (const double offset : {-1e-4, 0.0, 1e-4}) {
+    const auto lookups = referenceSamples(test.key, view, query, offset);
+    if (lookups.size() == std::exchange(last, lookups.size()))
+      continue;
+    Range mean = {};
+    for (const ReferenceQuery &lookup : lookups) {
+      const Range range = rangeOfLookup(test, view, lookup);
+      for (std::size_t i = 0; i < 4; ++i) {
+        mean.low[i] += range.low[i] / double(lookups.size());
+        mean.high[i] += range.high[i] / double(lookups.size());
+      }
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      whole.low[i] = std::min(whole.low[i], mean.low[i]);
+      whole.high[i] = std::max(whole.high[i], mean.high[i]);
+    }
+  }
+  return whole;
 }
 
 class SamplePairs : public ::testing::TestWithParam<const char *> {
@@ -96,6 +132,8 @@ protected:
       texture.view.minLod = uniform(random, -2, 2);
       texture.view.maxLod = uniform(random, 2, 5);
     }
+    const float most[] = {1, 2, 2.5f, 16};
+    texture.view.maxAnisotropy = most[random() % std::size(most)];
     Pixels pixels(m_cpu->lanes());
     SampleCall call = pixels.call(texture.view);
     fillCoordinates(test, m_cpu->lanes(), pixels, random, call);

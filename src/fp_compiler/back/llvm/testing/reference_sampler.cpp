@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace arbiter::fp::llvm_back::testing {
 namespace {
@@ -10,75 +9,6 @@ namespace {
 using abi::Dimension;
 using abi::Layout;
 using abi::Wrap;
-
-double halfToDouble(std::uint16_t half) {
-  const double sign = half & 0x8000 ? -1 : 1;
-  const int exponent = half >> 10 & 31, mantissa = half & 1023;
-  if (exponent == 31)
-    return mantissa ? std::nan("") : sign * HUGE_VAL;
-  return sign * (exponent ? std::ldexp(1024 + mantissa, exponent - 25) : std::ldexp(mantissa, -24));
-}
-
-double component(Layout layout, const std::uint8_t *bytes, int index) {
-  std::uint16_t half = 0;
-  std::uint32_t word = 0;
-  float real = 0;
-  switch (layout) {
-  case Layout::U8x1:
-  case Layout::U8x2:
-  case Layout::U8x4:
-    return bytes[index] / 255.0;
-  case Layout::U16x1:
-  case Layout::U16x2:
-  case Layout::U16x4:
-  case Layout::Depth16:
-    std::memcpy(&half, bytes + 2 * index, 2);
-    return half / 65535.0;
-  case Layout::F16x1:
-  case Layout::F16x2:
-  case Layout::F16x4:
-    std::memcpy(&half, bytes + 2 * index, 2);
-    return halfToDouble(half);
-  case Layout::F32x1:
-  case Layout::F32x2:
-  case Layout::F32x4:
-  case Layout::Depth32F:
-    std::memcpy(&real, bytes + 4 * index, 4);
-    return double(real);
-  case Layout::Depth32:
-    std::memcpy(&word, bytes, 4);
-    return word / 4294967295.0;
-  case Layout::Depth24Stencil8:
-    std::memcpy(&word, bytes, 4);
-    return (word >> 8) / 16777215.0;
-  case Layout::Bits565:
-  case Layout::Bits4444:
-  case Layout::Bits5551:
-  case Layout::Bits1010102: {
-    std::memcpy(&word, bytes, std::size_t(abi::bytesOf(layout)));
-    const abi::BitField field = abi::bitsOf(layout, index);
-    const double most = std::ldexp(1, field.bits) - 1;
-    return double(word >> field.shift & unsigned(most)) / most;
-  }
-  case Layout::None:
-    break;
-  }
-  return 0;
-}
-
-/// OpenGL 2.1, 3.8.15.
-double linearOf(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-Color swizzled(const abi::Swizzle &swizzle, const Color &stored) {
-  Color color;
-  for (std::size_t i = 0; i < 4; ++i)
-    color[i] = swizzle[i] == abi::From::One    ? 1
-               : swizzle[i] == abi::From::Zero ? 0
-                                               : stored[std::size_t(swizzle[i])];
-  return color;
-}
 
 double clampTo(double value, double low, double high) {
   return std::min(std::max(value, low), high);
@@ -247,31 +177,40 @@ OnFace projected(int face, const std::array<double, 3> &r) {
           (f.signT * r[std::size_t(f.t)] / major + 1) / 2};
 }
 
+using Way = std::array<double, 3>;
+
+/// A change of the coordinates in texels of the base level.
+Way inTexels(const abi::SamplerKey &key, const abi::TextureLevel &base, const ReferenceQuery &query,
+             const Way &derivative) {
+  const double size[3] = {double(base.width), double(base.height), double(base.depth)};
+  Way d = derivative;
+  if (key.dimension == Dimension::Cube) {
+    // The face's projection, differentiated numerically.
+    const int face = faceOf(query.coordinate);
+    const double step = 1e-6;
+    Way next = query.coordinate, last = query.coordinate;
+    for (std::size_t i = 0; i < 3; ++i) {
+      next[i] += step * derivative[i];
+      last[i] -= step * derivative[i];
+    }
+    const OnFace a = projected(face, next), b = projected(face, last);
+    d = {(a.s - b.s) / (2 * step), (a.t - b.t) / (2 * step), 0};
+  }
+  Way way = {};
+  for (int i = 0; i < dimensions(key.dimension); ++i)
+    way[std::size_t(i)] = d[std::size_t(i)] * (key.dimension == Dimension::Rect ? 1 : size[i]);
+  return way;
+}
+
+double dot(const Way &a, const Way &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 /// How many texels of the base level a pixel in x or in y is, whichever is more.
 double scaleFactor(const abi::SamplerKey &key, const abi::TextureLevel &base,
                    const ReferenceQuery &query) {
-  const double size[3] = {double(base.width), double(base.height), double(base.depth)};
   double rho = 0;
   for (const auto &derivative : {query.dx, query.dy}) {
-    std::array<double, 3> d = derivative;
-    if (key.dimension == Dimension::Cube) {
-      // The face's projection, differentiated numerically.
-      const int face = faceOf(query.coordinate);
-      const double step = 1e-6;
-      std::array<double, 3> next = query.coordinate, last = query.coordinate;
-      for (std::size_t i = 0; i < 3; ++i) {
-        next[i] += step * derivative[i];
-        last[i] -= step * derivative[i];
-      }
-      const OnFace a = projected(face, next), b = projected(face, last);
-      d = {(a.s - b.s) / (2 * step), (a.t - b.t) / (2 * step), 0};
-    }
-    double square = 0;
-    for (int i = 0; i < dimensions(key.dimension); ++i) {
-      const double texels = d[std::size_t(i)] * (key.dimension == Dimension::Rect ? 1 : size[i]);
-      square += texels * texels;
-    }
-    rho = std::max(rho, std::sqrt(square));
+    const Way way = inTexels(key, base, query, derivative);
+    rho = std::max(rho, std::sqrt(dot(way, way)));
   }
   return rho;
 }
@@ -287,13 +226,38 @@ Color sampleLevel(const abi::SamplerKey &key, const abi::TextureView &view, Plac
 
 } // namespace
 
-Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes) {
-  Color stored = {};
-  for (int i = 0; i < std::max(abi::componentsOf(format.layout), 1); ++i) {
-    const double value = component(format.layout, bytes, i);
-    stored[std::size_t(i)] = (format.srgb >> i & 1) == 0 ? value : linearOf(value);
+std::vector<ReferenceQuery> referenceSamples(const abi::SamplerKey &key,
+                                             const abi::TextureView &view,
+                                             const ReferenceQuery &query, double ratioOffset) {
+  if (!key.anisotropic || !query.hasDerivatives || key.format.layout == Layout::None)
+    return {query};
+  const Way x = inTexels(key, view.levels[0], query, query.dx);
+  const Way y = inTexels(key, view.levels[0], query, query.dy);
+  // Directions in the picture, turned until the way in the texture is the longest.
+  const double angle = 0.5 * std::atan2(2 * dot(x, y), dot(x, x) - dot(y, y));
+  const auto along = [](const Way &a, const Way &b, double turn) {
+    Way way;
+    for (std::size_t i = 0; i < 3; ++i)
+      way[i] = std::cos(turn) * a[i] + std::sin(turn) * b[i];
+    return way;
+  };
+  const Way longest = along(x, y, angle), shortest = along(x, y, angle + std::acos(-1.0) / 2);
+  const double length = std::sqrt(dot(longest, longest));
+  const double width =
+      std::max(std::sqrt(dot(shortest, shortest)), length / double(view.maxAnisotropy));
+  const double ratio = length / std::max(width, 1.0) - 0.125 + ratioOffset;
+  const int count = int(clampTo(std::ceil(ratio), 1, abi::kMaxAnisotropy));
+  const Way axis = along(query.dx, query.dy, angle);
+  std::vector<ReferenceQuery> samples(std::size_t(count), query);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].scale = width;
+    for (std::size_t c = 0; c < 3; ++c)
+      samples[i].coordinate[c] += ((double(i) + 0.5) / count - 0.5) * axis[c];
   }
-  return swizzled(format.swizzle, stored);
+  if (key.shadow)
+    for (ReferenceQuery &sample : samples)
+      sample.coordinate[2] = query.coordinate[2];
+  return samples;
 }
 
 Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
@@ -308,7 +272,11 @@ Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
     const OnFace on = projected(place.image, query.coordinate);
     place.coordinate = {on.s, on.t, 0};
   }
-  double lambda = query.hasDerivatives ? std::log2(scaleFactor(key, view.levels[0], query)) : 0;
+  double lambda = 0;
+  if (query.scale)
+    lambda = std::log2(*query.scale);
+  else if (query.hasDerivatives)
+    lambda = std::log2(scaleFactor(key, view.levels[0], query));
   // TXB of a rectangle ignores its bias (ir/semantics.h).
   const double ofProgram = key.dimension == Dimension::Rect ? 0 : query.bias;
   const double bias = ofProgram + (key.hasBias ? double(view.lodBias) : 0);

@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "fp_compiler/abi.h"
 
@@ -16,11 +18,22 @@ struct ReferenceQuery {
   std::array<double, 3> dx = {}, dy = {};
   bool hasDerivatives = false;
   double bias = 0;
-  double lambdaOffset = 0; ///< added last: to learn how much a rounding of lambda matters
+  double lambdaOffset = 0;     ///< added last: to learn how much a rounding of lambda matters
+  std::optional<double> scale; ///< the scale factor; none: of the derivatives
 };
 
+/// RGBA of what is stored.
+[[nodiscard]] Color swizzled(const abi::Swizzle &swizzle, const Color &stored);
 [[nodiscard]] Color referenceTexel(const abi::Format &format, const std::uint8_t *bytes);
-/// The scale factor is the exact one, not one of those that 3.8.8 allows in its place.
+/// The lookups whose mean an anisotropic filter gives: `query` itself where there is but one, or
+/// where the key asks for none. \param ratioOffset to learn how much a rounding of their number
+/// matters
+[[nodiscard]] std::vector<ReferenceQuery> referenceSamples(const abi::SamplerKey &key,
+                                                           const abi::TextureView &view,
+                                                           const ReferenceQuery &query,
+                                                           double ratioOffset = 0);
+/// One lookup, whatever the key says of anisotropy. The scale factor is the exact one, not one of
+/// those that 3.8.8 allows in its place.
 [[nodiscard]] Color referenceSample(const abi::SamplerKey &key, const abi::TextureView &view,
                                     const ReferenceQuery &query);
 

@@ -32,9 +32,10 @@ enum Property {
   Bias,
   Needed,
   Srgb,
+  Aniso,
   kProperties
 };
-constexpr int kValues[kProperties] = {5, 21, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3, 2};
+constexpr int kValues[kProperties] = {5, 21, 6, 8, 8, 8, 2, 2, 3, 9, 6, 2, 4, 3, 2, 2};
 using Choice = std::array<int, kProperties>;
 
 constexpr abi::Swizzle kSwizzles[] = {abi::kRgba,
@@ -56,6 +57,8 @@ bool possible(const Choice &c) {
       return false;
   if (c[Shadow] &&
       (!abi::isDepth(layout) || dimension == Dimension::Tex3D || dimension == Dimension::Cube))
+    return false;
+  if (c[Aniso] && c[Mip] == 0)
     return false;
   if (c[Srgb] && (layout < Layout::U8x1 || layout > Layout::U8x4))
     return false;
@@ -79,6 +82,7 @@ Case caseOf(const Choice &c) {
   key.magnify = Filter(c[Mag]);
   key.minify = Filter(c[Min]);
   key.mip = MipFilter(c[Mip]);
+  key.anisotropic = std::uint8_t(c[Aniso]);
   key.shadow = c[Shadow] > 0;
   key.compare = c[Shadow] ? Compare(c[Shadow] - 1) : Compare::LessEqual;
   key.hasBias = c[Bias] & 1;
@@ -160,13 +164,14 @@ std::string describe(const Case &test) {
   const abi::SamplerKey &key = test.key;
   return fmt::format(
       "dimension {} layout {} swizzle {}{}{}{} wrap {} {} {} magnify {} minify {} mip {} shadow {} "
-      "compare {} powerOfTwo {} hasBias {} size {}x{}x{} lanes {} bias {} needed {:x} srgb {:x}",
+      "compare {} powerOfTwo {} hasBias {} size {}x{}x{} lanes {} bias {} needed {:x} srgb {:x} "
+      "anisotropic {}",
       int(key.dimension), int(key.format.layout), int(key.format.swizzle[0]),
       int(key.format.swizzle[1]), int(key.format.swizzle[2]), int(key.format.swizzle[3]),
       int(key.wrap[0]), int(key.wrap[1]), int(key.wrap[2]), int(key.magnify), int(key.minify),
       int(key.mip), key.shadow, int(key.compare), key.powerOfTwo, key.hasBias, test.size[0],
       test.size[1], test.size[2], int(test.options.lanes), test.options.bias, test.options.needed,
-      key.format.srgb);
+      key.format.srgb, key.anisotropic);
 }
 
 } // namespace arbiter::fp::llvm_back::testing
