@@ -81,12 +81,10 @@ private:
       glBindTexture(GL_TEXTURE_2D, texture);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+      // The rasterizer leaves signed formats to the host.
+      glTexImage2D(GL_TEXTURE_2D, 0, texture == m_textures[0] ? GL_RGBA8 : GL_RGBA8_SNORM, 2, 2, 0,
+                   GL_RGBA, GL_UNSIGNED_BYTE, texels);
     }
-    // The rasterizer leaves anisotropic filters to the host.
-    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 4);
     glGenTextures(1, &m_copy);
     glDisable(GL_DITHER);
     glDepthFunc(GL_LEQUAL);
@@ -157,9 +155,9 @@ END
     glTexCoord2f(0.25F, 0.25F), glVertex3f(left, top, m_depth);
     glEnd();
   }
-  /// \param anisotropic the host draws it
-  void draw(bool anisotropic, bool whole) {
-    glBindTexture(GL_TEXTURE_2D, m_textures[anisotropic]);
+  /// \param foreign the host draws it
+  void draw(bool foreign, bool whole) {
+    glBindTexture(GL_TEXTURE_2D, m_textures[foreign]);
     glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
     glEnable(GL_FRAGMENT_PROGRAM_ARB);
     const auto at = [&] { return float(m_random.below(16)) / 8 - 1; };
@@ -186,11 +184,11 @@ END
   }
   /// How a pass over a shape is drawn, with the fragment program.
   struct Pass {
-    int vertex;       ///< of m_vertexPrograms; -1: fixed function
-    bool anisotropic; ///< which the host draws
+    int vertex;   ///< of m_vertexPrograms; -1: fixed function
+    bool foreign; ///< which the host draws
   };
   void draw(const Pass &pass, const std::array<float, 9> &corners) {
-    glBindTexture(GL_TEXTURE_2D, m_textures[pass.anisotropic]);
+    glBindTexture(GL_TEXTURE_2D, m_textures[pass.foreign]);
     if (pass.vertex >= 0) {
       glBindProgramARB(GL_VERTEX_PROGRAM_ARB, m_vertexPrograms[pass.vertex]);
       glEnable(GL_VERTEX_PROGRAM_ARB);
@@ -213,7 +211,7 @@ END
     std::array<float, 9> corners{};
     for (float &corner : corners)
       corner = float(m_random.between(-99, 99)) / 50;
-    const bool anisotropic = m_random.once(4), explicitly = m_random.once(2);
+    const bool foreign = m_random.once(4), explicitly = m_random.once(2);
     const auto angle = [&] { return float(m_random.below(3600)) / 10; };
     glPushAttrib(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT | GL_TRANSFORM_BIT);
     // Not a power of two anywhere, so that each sum is rounded.
@@ -230,7 +228,7 @@ END
     for (int i = m_random.between(2, 3); i > 0; --i) {
       if (m_random.once(2))
         newProgram();
-      draw({explicitly ? 0 : m_random.once(2) ? 1 : -1, anisotropic}, corners);
+      draw({explicitly ? 0 : m_random.once(2) ? 1 : -1, foreign}, corners);
       glDepthFunc(GL_EQUAL);
       glEnable(GL_BLEND);
       glBlendFunc(GL_ONE, GL_ONE);

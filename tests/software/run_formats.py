@@ -97,6 +97,15 @@ def srgb_scenes():
                                           encode=CLEARS_ENCODED)
 
 
+def anisotropic_scenes():
+    """A host's own filter looks otherwise (run_anisotropy.py): who draws is the matter here. Mesa 22.3.6
+    crashes where a 1D texture has such a filter."""
+    for target in ("2d", "3d", "cube"):
+        for number in (TEXTURES["rgba8"], TEXTURES["rgba16f"]):
+            yield f"anisotropic {target}", scene(texture=target, format=number, anisotropy=8,
+                                                 min_filter="linear_mip_linear")
+
+
 def target_scenes(name, number):
     base = {"target": number, "program": "modulate"}
     yield f"to {name}", scene(**base)
@@ -134,6 +143,8 @@ def tolerance(label):
     reference are about the same a comparison may fall either way, the more so of 32 bits, of which the
     host samples the upper 23. Its sampler and its GetTexImage make bytes of S3TC blocks that differ by one
     here and there, which sRGB decodes to two levels and more."""
+    if label.startswith("anisotropic"):
+        return 1, 1, 1
     to = label.split()[1] if label.startswith("to ") else ""
     steps = COARSE.get(to, 0)
     most = 1.01 / steps if steps else LEVEL
@@ -219,6 +230,7 @@ def main():
                  for s in texture_scenes(name, number)]
     supported += [s for name, number in TEXTURES.items() for s in target_scenes(name, number)]
     supported += srgb_scenes()
+    supported += anisotropic_scenes()
     left = [("texture", f"{name} 2d", scene(texture="2d", format=number))
             for name, number in LEFT_TEXTURES.items()]
     left += [("target", f"to {name}", scene(target=number, program="color"))
@@ -227,8 +239,6 @@ def main():
              for each in blended_scenes(name, TEXTURES[name])]
     left += [("state", "to srgb8_alpha8 encoded",
               scene(target=SRGB["srgb8_alpha8"], program="color", encode=ENCODES))]
-    left += [("texture", "anisotropic", scene(texture="2d", format=TEXTURES["rgba8"],
-                                              min_filter="linear_mip_linear", anisotropy=8))]
     if args.only:
         supported = [s for s in supported if args.only in s[0]]
         left = [s for s in left if args.only in s[1]]

@@ -19,7 +19,7 @@ FIRST = 8  # frames until machine code is there
 # How many draws of all frames may be the rasterizer's: (least, most).
 BOUNDS = {
     "whole": lambda frames: ((frames - FIRST) * DRAWS, frames * DRAWS),
-    "filters": lambda frames: (0, FIRST * DRAWS),
+    "formats": lambda frames: (0, FIRST * DRAWS),
     "indices": lambda frames: (0, FIRST * DRAWS),
 }
 

@@ -1,7 +1,7 @@
 // Frames whose depths must meet, with a draw in the middle that the rasterizer may lack:
-// software-steady KIND FRAMES. `whole` has none that it lacks; `filters` samples by an anisotropic
-// filter, which state says; `indices` restarts a primitive, which only the draw's arrays say.
-// Records the last pictures.
+// software-steady KIND FRAMES. `whole` has none that it lacks; `formats` samples a texture of a
+// signed format, which state says; `indices` restarts a primitive, which only the draw's arrays
+// say. Records the last pictures.
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -17,13 +17,13 @@ namespace {
 
 constexpr int kEdge = 128, kShapes = 6, kFirst = 5, kPictures = 3;
 
-enum class Kind { Whole, Filters, Indices };
+enum class Kind { Whole, Formats, Indices };
 struct Name {
   const char *name;
   Kind kind;
 };
 constexpr Name kNames[] = {
-    {"whole", Kind::Whole}, {"filters", Kind::Filters}, {"indices", Kind::Indices}};
+    {"whole", Kind::Whole}, {"formats", Kind::Formats}, {"indices", Kind::Indices}};
 
 /// Two triangles, so that a restart has something to begin again.
 struct Shape {
@@ -40,10 +40,10 @@ public:
       glBindTexture(GL_TEXTURE_2D, texture);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-      glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+      const GLint format = texture == m_textures[0] ? GL_RGBA8 : GL_RGBA8_SNORM;
+      glTexImage2D(GL_TEXTURE_2D, 0, format, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+      glTexImage2D(GL_TEXTURE_2D, 1, format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     }
-    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 4);
     (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB, "!!ARBfp1.0\nTEMP t;\n"
                                                "TEX t, {0.25}, texture[0], 2D;\n"
                                                "MUL result.color, t, fragment.color;\nEND\n");
@@ -75,7 +75,7 @@ private:
   void pass() {
     for (int i = 0; i < kShapes; ++i) {
       const bool odd = i == kShapes / 2;
-      glBindTexture(GL_TEXTURE_2D, m_textures[odd && m_kind == Kind::Filters]);
+      glBindTexture(GL_TEXTURE_2D, m_textures[odd && m_kind == Kind::Formats]);
       glColor4f(float(i + 1) / kShapes, 0.5F, 1 - float(i) / kShapes, 1);
       glVertexPointer(3, GL_FLOAT, 0, m_shapes[i].corners.data());
       constexpr GLushort kIndices[] = {0, 1, 2, 0xFFFF, 3, 4, 5}, kPlain[] = {0, 1, 2, 3, 4, 5};

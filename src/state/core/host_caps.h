@@ -63,6 +63,8 @@ struct HostCaps {
   bool bufferStorage = false;
   bool symmetricSigned = false; ///< signed normalised numbers as from 4.2 on
   bool copyBuffer = false;      ///< COPY_READ_BUFFER, which may be bound without a trace
+  GLfloat maxAnisotropy = 1;    ///< MAX_TEXTURE_MAX_ANISOTROPY
+  bool limitsAnisotropy = true; ///< by a texture's own limit; else any above 1 is the greatest
   GLint maxAttribStackDepth = 16;
   GLint maxTextureCoords = 0;
   GLint maxTextureImageUnits = 0;

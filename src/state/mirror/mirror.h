@@ -26,6 +26,7 @@ struct SamplerState {
   GLuint texture = 0;  ///< bound to the target that the program samples
   abi::SamplerKey key; ///< without format, completeness and size
   float lodBias = 0, minLod = -1000, maxLod = 1000; ///< lodBias: texture's and unit's, summed
+  float maxAnisotropy = 1; ///< as the host limits it; the key says whether it matters
   GLint baseLevel = 0, maxLevel = 1000;
   float borderColor[4] = {};       ///< as the application gave it
   GLenum depthMode = GL_LUMINANCE; ///< DEPTH_TEXTURE_MODE

@@ -87,6 +87,14 @@ struct Source {
   }
 };
 
+/// The limit that the host draws by, so that its draws and the rasterizer's look alike.
+float anisotropyOf(const HostCaps &caps, float ofTexture) {
+  const float most = std::min(caps.maxAnisotropy, float(abi::kMaxAnisotropy));
+  if (ofTexture <= 1.0f)
+    return 1.0f;
+  return caps.limitsAnisotropy ? std::min(ofTexture, most) : most;
+}
+
 /// What a sampler object replaces.
 void querySampling(const HostCaps &caps, const Source &source, SamplerState &state) {
   abi::SamplerKey &key = state.key;
@@ -111,9 +119,11 @@ void querySampling(const HostCaps &caps, const Source &source, SamplerState &sta
   if (state.compares)
     key.compare = abi::Compare(source.integer(GL_TEXTURE_COMPARE_FUNC) - GL_NEVER);
   state.decodes = !caps.srgbDecode || source.integer(GL_TEXTURE_SRGB_DECODE_EXT) == GL_DECODE_EXT;
-  if (caps.anisotropy && key.mip != abi::MipFilter::None &&
-      source.number(GL_TEXTURE_MAX_ANISOTROPY_EXT) > 1.0f)
-    state.obstacle = "TEXTURE_MAX_ANISOTROPY";
+  if (caps.anisotropy)
+    state.maxAnisotropy = anisotropyOf(caps, source.number(GL_TEXTURE_MAX_ANISOTROPY_EXT));
+  // Along one dimension there is nothing to be wide.
+  key.anisotropic = state.maxAnisotropy > 1.0f && key.mip != abi::MipFilter::None &&
+                    key.dimension != abi::Dimension::Tex1D;
   if (caps.filterMinmax && source.integer(GL_TEXTURE_REDUCTION_MODE_ARB) != GL_WEIGHTED_AVERAGE_ARB)
     state.obstacle = "TEXTURE_REDUCTION_MODE";
 }

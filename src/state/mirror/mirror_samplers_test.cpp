@@ -180,10 +180,33 @@ TEST(MirrorSamplers, WhatWeLackIsNamed) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   EXPECT_EQ(obstacle(), "");
   EXPECT_FALSE(sampler.decodes);
-  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
-  EXPECT_EQ(obstacle(), "TEXTURE_MAX_ANISOTROPY");
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  EXPECT_EQ(obstacle(), "") << "without mipmaps it changes nothing";
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(MirrorSamplers, AnisotropyIsAFilterOfMipmaps) {
+  const RealHost host;
+  ASSERT_TRUE(host.valid()) << "no context of OSMesa";
+  Context &context = host.context();
+  Mirror mirror(*context.host, context.caps);
+  const auto most = [&](GLenum target, abi::Dimension dimension, float limit, GLint filter) {
+    glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, limit);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+    const SamplerUse use{0, dimension};
+    context.dirty |= dirty::kTextureParameters;
+    mirror.refresh(context.dirty);
+    mirror.refreshSamplers({&use, 1});
+    const SamplerState &state = mirror.samplers[0][std::size_t(dimension)];
+    return state.key.anisotropic != 0 ? state.maxAnisotropy : 0;
+  };
+  constexpr auto k2D = abi::Dimension::Tex2D;
+  constexpr GLint kMipmaps = GL_LINEAR_MIPMAP_NEAREST;
+  EXPECT_EQ(most(GL_TEXTURE_2D, k2D, 1.5f, kMipmaps), 16) << "llvmpipe knows no other";
+  context.caps.limitsAnisotropy = true;
+  EXPECT_EQ(most(GL_TEXTURE_2D, k2D, 1.5f, kMipmaps), 1.5f);
+  EXPECT_EQ(most(GL_TEXTURE_2D, k2D, 100, kMipmaps), 16);
+  EXPECT_EQ(most(GL_TEXTURE_2D, k2D, 1, kMipmaps), 0);
+  EXPECT_EQ(most(GL_TEXTURE_2D, k2D, 8, GL_LINEAR), 0);
+  EXPECT_EQ(most(GL_TEXTURE_1D, abi::Dimension::Tex1D, 8, kMipmaps), 0) << "a line is not wide";
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 

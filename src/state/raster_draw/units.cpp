@@ -152,6 +152,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     view.lodBias = state.lodBias;
     view.minLod = state.minLod;
     view.maxLod = state.maxLod;
+    view.maxAnisotropy = state.maxAnisotropy;
     convertBorder(code.format, state.borderColor, view.borderColor);
     swizzle(state.swizzle, code.format.swizzle, view.borderColor);
     if (code.mip != abi::MipFilter::None || code.minify != code.magnify)
