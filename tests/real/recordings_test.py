@@ -104,6 +104,11 @@ class Compared(unittest.TestCase):
             row = self._compare([_shot()], [_shot()], [_shot(100, 40)], wrong_pixels=allowed)
             self.assertEqual(row.passed, passed)
 
+    def test_a_case_may_state_that_pixels_are_further_off(self):
+        for step, passed in ((40, False), (41, True)):
+            row = self._compare([_shot()], [_shot()], [_shot(100, 40)], step=step)
+            self.assertEqual(row.passed, passed)
+
     def test_a_frame_that_two_bare_runs_do_not_agree_on_does_not_count(self):
         row = self._compare([_shot()] * 3, [_shot(100, 40), _shot(), _shot()],
                             [_shot(100, 50), _shot(), _shot()])

@@ -11,7 +11,7 @@ from picture import Picture, PictureError
 # otherwise: seams of a pixel and the last bit of a filter stay below, a lost draw or a moved edge
 # does not.
 WRONG_PIXELS = 60
-STEP = 8  # of 255: the smallest difference over 3 %
+STEP = 8  # of 255: the smallest difference over 3 %, unless its case says otherwise
 
 # What Mesa says on standard output about MESA_EXTENSION_OVERRIDE.
 _HOSTS_WORDS = b"Warning: extension "
@@ -30,7 +30,7 @@ class Distance:
     """How far a frame is from the same frame of the first bare run."""
 
     call: int
-    pixels: int  # that are off by 3 % or more; all of them if the sizes differ
+    pixels: int  # that are off by the step or more; all of them if the sizes differ
     maximum: int  # of 255
     same_size: bool = True
 
@@ -60,7 +60,7 @@ def read_frames(stream: BinaryIO) -> Iterator[Frame]:
         yield Frame(call, Picture(width, height, data))
 
 
-def distance(call: int, a: Picture, b: Picture) -> Distance:
+def distance(call: int, a: Picture, b: Picture, step: int = STEP) -> Distance:
     """Counts pixels in the rows that are not the same bytes; most frames have none."""
     if (a.width, a.height) != (b.width, b.height):
         return Distance(call, max(a.width * a.height, b.width * b.height), 255, False)
@@ -74,8 +74,8 @@ def distance(call: int, a: Picture, b: Picture) -> Distance:
         apart = [abs(x - y) for x, y in zip(left, right)]
         largest = max(apart)
         maximum = max(maximum, largest)
-        if largest >= STEP:
-            pixels += sum(1 for t in zip(apart[0::3], apart[1::3], apart[2::3]) if max(t) >= STEP)
+        if largest >= step:
+            pixels += sum(1 for t in zip(apart[0::3], apart[1::3], apart[2::3]) if max(t) >= step)
     return Distance(call, pixels, maximum)
 
 
@@ -111,10 +111,12 @@ class Comparison:
     """Takes the frames of a later run in order and compares each with the stored one.
 
     Only the frames whose index is in `steady` count; None: all do. The frame that is furthest off
-    is kept, to be shown. `allowed` is the number of pixels that may be off.
+    is kept, to be shown. `allowed` is the number of pixels that may be off by `step` or more.
     """
 
-    def __init__(self, store: FrameStore, allowed: int, steady: set[int] | None = None):
+    def __init__(self, store: FrameStore, allowed: int, steady: set[int] | None = None,
+                 step: int = STEP):
+        self._step = step
         self._store, self._steady, self._allowed, self._next = store, steady, allowed, 0
         self.distances: dict[int, Distance] = {}  # by the frame's index
         self.worst: tuple[Frame, Frame] | None = None  # before, after
@@ -131,7 +133,7 @@ class Comparison:
         if index >= len(self._store) or (self._steady is not None and index not in self._steady):
             return
         before = self._store.get(index)
-        apart = distance(before.call, before.picture, frame.picture)
+        apart = distance(before.call, before.picture, frame.picture, self._step)
         if before.call != frame.call:
             apart = Distance(before.call, apart.pixels, apart.maximum, False)
         self.distances[index] = apart

@@ -59,7 +59,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
 
     try:
         bare = run(Way(session.Mode("bare"), cold=True), store.add)
-        repeat = Comparison(store, recording.wrong_pixels)
+        repeat = Comparison(store, recording.wrong_pixels, step=recording.step)
         again = run(Way(session.Mode("again")), repeat.compare)
         steady = repeat.agreeing()
         head = Row(recording.name, recording.program, "bare", len(store), len(steady),
@@ -69,7 +69,7 @@ def compare(recording: Recording, ways: list[Way], out: Path, timeout: float,
             show(head)
             return [head]
         for way in ways:
-            seen = Comparison(store, recording.wrong_pixels, steady)
+            seen = Comparison(store, recording.wrong_pixels, steady, recording.step)
             row = judge(recording, way, bare, run(way, seen.compare), seen, head)
             if row.wrong:
                 _draw_worst(seen, out / way.name)

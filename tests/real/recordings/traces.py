@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import session
-from cases import Case, PrepareError, shell
-from recordings.frames import WRONG_PIXELS
+from cases import ANISOTROPIC_STEP, Case, PrepareError, shell
+from recordings.frames import STEP, WRONG_PIXELS
 
 # What may change a picture without showing it; after the last swap the last of these is looked at.
 _DRAWS = (r"^(gl(Draw|MultiDraw|End(ARB)?$|CallLists?$|Clear$|Rect[dfis]|Bitmap|CopyPixels|"
@@ -25,20 +25,21 @@ class Recording:
     environment: dict[str, str] = field(default_factory=dict)
     over_limits: bool = False
     wrong_pixels: int = WRONG_PIXELS  # that a frame may have
+    step: int = STEP  # the smallest difference that makes a pixel wrong
     least_programs: int = 0  # fragment programs that must have been compiled by the layer
     refused: int | None = None  # programs that the bare host refuses too; None: not known
 
 
-# Traces that others brought, by file name: the fragment programs that each draws with.
-KNOWN_FILES = {"0ad-terrain.trace": 5, "irrlicht-ex10.trace": 8}
+# Traces that others brought, by file name: the fragment programs that each draws with, and its step.
+KNOWN_FILES = {"0ad-terrain.trace": (5, ANISOTROPIC_STEP), "irrlicht-ex10.trace": (8, STEP)}
 
 
 def of_file(path: Path, work: Path, frames: int) -> Recording:
     """A trace that is there already; its first `frames` frames."""
     if not path.is_file():
         raise PrepareError(f"{path}: no such trace")
-    return Recording(path.stem, _shortened(path, work, frames),
-                     least_programs=KNOWN_FILES.get(path.name, 0),
+    programs, step = KNOWN_FILES.get(path.name, (0, STEP))
+    return Recording(path.stem, _shortened(path, work, frames), step=step, least_programs=programs,
                      refused=0 if path.name in KNOWN_FILES else None)
 
 
@@ -48,7 +49,7 @@ def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
     if not trace.exists():
         _record(case, work, frames, trace)
     return Recording(case.name, trace, program, case.environment, case.over_limits,
-                     case.wrong_pixels, case.least_programs, case.refused)
+                     case.wrong_pixels, case.step, case.least_programs, case.refused)
 
 
 def _record(case: Case, work: Path, frames: int, trace: Path) -> None:
