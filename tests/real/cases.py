@@ -30,6 +30,7 @@ class Case:
     recorded: bool = False
     # Of its recorded frames, how many pixels may be off by more than 3 %. More than 60 needs a reason.
     wrong_pixels: int = 60
+    ways_left_out: tuple[str, ...] = ()  # in which its recording is not compared. Any needs a reason.
     step: int = 8  # of 255, in place of those 3 %. More needs a reason too.
     frames: int = 0  # that its recording keeps, from the first; 0: as many as the runner's option says
     maximum: int = 0  # tolerance: largest difference of a channel, of 255

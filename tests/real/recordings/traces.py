@@ -28,6 +28,7 @@ class Recording:
     step: int = STEP  # the smallest difference that makes a pixel wrong
     least_programs: int = 0  # fragment programs that must have been compiled by the layer
     refused: int | None = None  # programs that the bare host refuses too; None: not known
+    ways_left_out: tuple[str, ...] = ()
 
 
 # Traces that others brought, by file name: the fragment programs that each draws with, and its step.
@@ -49,7 +50,8 @@ def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:
     if not trace.exists():
         _record(case, work, frames, trace)
     return Recording(case.name, trace, program, case.environment, case.over_limits,
-                     case.wrong_pixels, case.step, case.least_programs, case.refused)
+                     case.wrong_pixels, case.step, case.least_programs, case.refused,
+                     case.ways_left_out)
 
 
 def _record(case: Case, work: Path, frames: int, trace: Path) -> None:
