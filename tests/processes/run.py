@@ -263,6 +263,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
+    # Ignored where a shell runs this in the background, and inherited: no row would end by it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     build = arguments.build.resolve()
     first = arguments.seed if arguments.seed is not None else random.SystemRandom().randrange(1, 1_000_000)
     seeds = list(range(first, first + arguments.repeat))
