@@ -69,6 +69,8 @@ HOST_FILTERS_IN_FLOATS = {"GALLIVM_PERF": "no_aos_sampling"}
 # in 0ad's terrain single pixels are 33 apart, at the edges of magnified texels 47. What is lost or moved is
 # further off.
 ANISOTROPIC_STEP = 48
+# So the same are compared with the usual step, too: a host that lacks the filter.
+WITHOUT_ANISOTROPY = {"MESA_EXTENSION_OVERRIDE": "-GL_EXT_texture_filter_anisotropic"}
 
 DATA = Path(__file__).resolve().parent / "data"
 

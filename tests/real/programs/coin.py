@@ -4,13 +4,13 @@ its own, and a scene's SoShaderProgram may hold texts in assembly.
 
 from pathlib import Path
 
-from cases import Case, Program, build_client
+from cases import WITHOUT_ANISOTROPY, Case, Program, build_client
 
 # Coin adds highlights in passes with a vertex program to passes without, and compares depths by LEQUAL: no two
 # implementations meet in the same pixels unless they compute depths alike. llvmpipe's do not meet mostly; those of
 # softpipe and of the rasterizer all do, bit by bit, but for softpipe's with a program in GLSL (the way `host`).
 # The anisotropy that Coin asks for is each filter's own: it is off in that comparison.
-SOFTPIPE = {"GALLIUM_DRIVER": "softpipe", "MESA_EXTENSION_OVERRIDE": "-GL_EXT_texture_filter_anisotropic"}
+SOFTPIPE = {"GALLIUM_DRIVER": "softpipe", **WITHOUT_ANISOTROPY}
 
 
 class Coin(Program):

@@ -5,14 +5,13 @@ data/pyopengl has a file each. They draw a fixed number of frames and end.
 
 from pathlib import Path
 
-from cases import ANISOTROPIC_STEP, DATA, HOST_FILTERS_IN_FLOATS, Case, Program
+from cases import DATA, HOST_FILTERS_IN_FLOATS, Case, Program
 
 # Name, the fragment programs that it draws with, and those that are mistakes.
 CLIENTS = (("feedback", 2, 0), ("lists", 1, 0), ("buffers", 1, 0), ("framebuffers", 3, 0),
            ("targets", 4, 0), ("mixed", 2, 0), ("windows", 1, 0), ("texts", 47, 13),
            ("parallax", 1, 0))
 DEPENDENT = ("texts", "parallax")
-ANISOTROPIC = ("mixed",)
 
 
 class PyOpenGl(Program):
@@ -21,8 +20,7 @@ class PyOpenGl(Program):
         return [Case(f"pyopengl-{name}", ["/usr/bin/python3", str(DATA / "pyopengl" / f"{name}.py")],
                      environment={"PYTHONDONTWRITEBYTECODE": "1",
                                   **(HOST_FILTERS_IN_FLOATS if name in DEPENDENT else {})},
-                     recorded=True, **({"step": ANISOTROPIC_STEP} if name in ANISOTROPIC else {}),
-                     least_programs=programs, refused=refused)
+                     recorded=True, least_programs=programs, refused=refused)
                 for name, programs, refused in CLIENTS]
 
 

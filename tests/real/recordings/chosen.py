@@ -37,9 +37,10 @@ class Choice:
     def recordings(self) -> Iterator[Make]:
         """What makes each recording, one at a time: a program's server ends before the next begins."""
         for path in self.files():
-            if not self.case or self.case in path.stem:
-                yield partial(traces.of_file, path.absolute(), self.work.absolute() / "files",
-                              self.frames)
+            for variant in traces.variants(path):
+                if not self.case or self.case in path.stem + variant.suffix:
+                    yield partial(traces.of_file, path.absolute(), self.work.absolute() / "files",
+                                  self.frames, variant)
         for name in PROGRAMS if self.everything else self.names:
             yield from self._of_program(PROGRAMS[name])
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import session
-from cases import ANISOTROPIC_STEP, Case, PrepareError, shell
+from cases import ANISOTROPIC_STEP, WITHOUT_ANISOTROPY, Case, PrepareError, shell
 from recordings.frames import STEP, WRONG_PIXELS
 
 # What may change a picture without showing it; after the last swap the last of these is looked at.
@@ -31,17 +31,35 @@ class Recording:
     ways_left_out: tuple[str, ...] = ()
 
 
-# Traces that others brought, by file name: the fragment programs that each draws with, and its step.
-KNOWN_FILES = {"0ad-terrain.trace": (5, ANISOTROPIC_STEP), "irrlicht-ex10.trace": (8, STEP)}
+@dataclass(frozen=True)
+class FileVariant:
+    """How a trace that was given is compared; `suffix` of its name."""
+
+    suffix: str = ""
+    least_programs: int = 0
+    refused: int | None = None
+    step: int = STEP
+    environment: dict[str, str] = field(default_factory=dict)
 
 
-def of_file(path: Path, work: Path, frames: int) -> Recording:
+# Traces that others brought, by file name.
+KNOWN_FILES = {
+    "0ad-terrain.trace": (FileVariant(least_programs=5, refused=0, step=ANISOTROPIC_STEP),
+                          FileVariant("-trilinear", least_programs=5, refused=0, environment=WITHOUT_ANISOTROPY)),
+    "irrlicht-ex10.trace": (FileVariant(least_programs=8, refused=0),),
+}
+
+
+def variants(path: Path) -> tuple[FileVariant, ...]:
+    return KNOWN_FILES.get(path.name, (FileVariant(),))
+
+
+def of_file(path: Path, work: Path, frames: int, variant: FileVariant) -> Recording:
     """A trace that is there already; its first `frames` frames."""
     if not path.is_file():
         raise PrepareError(f"{path}: no such trace")
-    programs, step = KNOWN_FILES.get(path.name, (0, STEP))
-    return Recording(path.stem, _shortened(path, work, frames), step=step, least_programs=programs,
-                     refused=0 if path.name in KNOWN_FILES else None)
+    return Recording(path.stem + variant.suffix, _shortened(path, work, frames), environment=variant.environment,
+                     step=variant.step, least_programs=variant.least_programs, refused=variant.refused)
 
 
 def of_case(program: str, case: Case, work: Path, frames: int) -> Recording:

@@ -1,6 +1,5 @@
-"""Fixed function, programs, anisotropic textures and GLSL in one frame with one depth buffer."""
+"""Fixed function, programs, signed textures and GLSL in one frame with one depth buffer."""
 
-from OpenGL.GL.EXT.texture_filter_anisotropic import GL_TEXTURE_MAX_ANISOTROPY_EXT
 from OpenGL.GL.shaders import compileProgram, compileShader
 from stage import *
 
@@ -24,8 +23,7 @@ void main() { gl_FragColor = texture2D(image, gl_TexCoord[0].st).bgra; }
 
 
 def prepare():
-    rough = mipmapped(64, checks)
-    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8.0)
+    rough = mipmapped(64, checks, internal=GL_RGBA8_SNORM)
     smooth = mipmapped(64, rings)
     shader = compileProgram(compileShader(GLSL, GL_FRAGMENT_SHADER))
     glFogi(GL_FOG_MODE, GL_LINEAR)
@@ -52,7 +50,7 @@ def draw(frame, prepared):
     set_view(frame)
     glColor3f(1, 1, 1)
     use(fogged)
-    ground(rough)  # anisotropic
+    ground(rough)  # signed: none of the rasterizer's formats
     ground(smooth, 1.6)
     use()
     glEnable(GL_LIGHTING)

@@ -87,19 +87,19 @@ def texels(width: int, height: int, colour) -> bytes:
 
 
 def texture(width: int, height: int, colour, filtering: int = GL_LINEAR,
-            target: int = GL_TEXTURE_2D) -> int:
+            target: int = GL_TEXTURE_2D, internal: int = GL_RGBA8) -> int:
     name = glGenTextures(1)
     glBindTexture(target, name)
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filtering)
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR)
     data = texels(width, height, colour) if colour else None
-    glTexImage2D(target, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, data)
+    glTexImage2D(target, 0, internal, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, data)
     return name
 
 
-def mipmapped(size: int, colour, filtering: int = GL_LINEAR_MIPMAP_LINEAR) -> int:
+def mipmapped(size: int, colour, filtering: int = GL_LINEAR_MIPMAP_LINEAR, internal: int = GL_RGBA8) -> int:
     """A 2D texture with all levels, each the mean of the one before."""
-    name = texture(size, size, colour, filtering)
+    name = texture(size, size, colour, filtering, internal=internal)
     above, side, level = texels(size, size, colour), size // 2, 1
     while side:
         row = side * 8
@@ -107,7 +107,7 @@ def mipmapped(size: int, colour, filtering: int = GL_LINEAR_MIPMAP_LINEAR) -> in
             (above[y + x] + above[y + x + 4] + above[y + row + x] + above[y + row + x + 4] + 2) // 4
             for y in range(0, 2 * side * row, 2 * row)
             for s in range(0, row, 8) for x in range(s, s + 4))
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, above)
+        glTexImage2D(GL_TEXTURE_2D, level, internal, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, above)
         level, side = level + 1, side // 2
     return name
 
