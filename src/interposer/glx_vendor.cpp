@@ -26,6 +26,7 @@
 #include "interposer/process.h"
 #include "interposer/provider.h"
 #include "interposer/registry.h"
+#include "interposer/x_display.h"
 #include "interposer/x_present.h"
 #include "util/log.h"
 
@@ -80,50 +81,10 @@ registry::Key key(Display *display, GLXContext context) {
   return {Provider::Glx, display, context};
 }
 
-int displayCloses(Display *display, XExtCodes *) {
-  registry::displayClosed(Provider::Glx, display);
-  presentingDisplayCloses(display);
-  return 0;
-}
-
-/// Of Xlib, which is the application's and not linked.
-struct Xlib {
-  decltype(&XAddExtension) addExtension;
-  decltype(&XESetCloseDisplay) setCloseDisplay;
-};
-constinit Sealed<Xlib> g_xlib;
-
-const Xlib &xlib() {
-  static const Xlib &s_xlib = g_xlib.fill([](Xlib &x) {
-    const auto find = [](auto &function, const char *name) {
-      function =
-          reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(RTLD_DEFAULT, name));
-    };
-    find(x.addExtension, "XAddExtension");
-    find(x.setCloseDisplay, "XESetCloseDisplay");
-  });
-  return s_xlib;
-}
-
-/// Asks Xlib to say when the display is closed.
-void watch(Display *display) {
-  static std::mutex *const s_mutex = new std::mutex;
-  const Xlib &x = xlib();
-  if (!display || !x.addExtension || !x.setCloseDisplay)
-    return;
-  const std::lock_guard lock(*s_mutex);
-  // Found again in the display's own list of extensions, which dies with it.
-  for (const _XExtension *e = display->ext_procs; e; e = e->next)
-    if (e->close_display == displayCloses)
-      return;
-  if (const XExtCodes *codes = x.addExtension(display))
-    x.setCloseDisplay(display, codes->extension, displayCloses);
-}
-
 GLXContext remember(Display *display, GLXContext context, GLXContext share) {
   if (!context)
     return nullptr;
-  watch(display);
+  watchDisplay(display);
   if (registry::created(key(display, context), table(), share))
     return context;
   g_host->destroyContext(display, context);

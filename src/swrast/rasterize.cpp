@@ -176,14 +176,14 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
 DrawStatistics rasterize(const RasterState &state, const Shading &shading, Topology topology,
                          const Vertices &vertices, const std::uint32_t *indices,
                          std::uint32_t first, std::uint32_t count) {
-  OwnScratch::lend(true); // the other threads read it
+  OwnScratch::lend(); // the other threads read it
   DrawStatistics statistics;
   try {
     statistics = drawChecked(state, shading, topology, vertices, indices, first, count);
   } catch (const std::bad_alloc &) {
     statistics = {.incomplete = true};
   }
-  OwnScratch::lend(false);
+  OwnScratch::takeBack();
   return statistics;
 }
 

@@ -3,13 +3,22 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <iterator>
 #include <new>
 #include <pthread.h>
 #include <sched.h>
 #include <thread>
+#include <utility>
 
 #include "util/flags.h"
 #include "util/thread.h"
+
+// glibc's, of its public ABI, whose header declares the buffer alone. What is pushed is called when
+// longjmp() leaves the frame that holds the buffer (POSIX leaves open what destructors do then:
+// glibc calls none).
+extern "C" void _pthread_cleanup_push(_pthread_cleanup_buffer *buffer, void (*routine)(void *),
+                                      void *argument);
+extern "C" void _pthread_cleanup_pop(_pthread_cleanup_buffer *buffer, int execute);
 
 namespace arbiter::swrast {
 namespace {
@@ -21,6 +30,9 @@ constexpr std::size_t kWorkerStack = std::size_t(1) << 20;
 /// How long a worker looks for the next job, and a caller for the last worker, before it sleeps:
 /// as long as it takes to wake up again.
 constexpr std::chrono::microseconds kSpin{40};
+/// How long a caller that leaves a job waits for what the workers are at. A worker may need what
+/// the caller holds, malloc's lock for one.
+constexpr std::chrono::seconds kLeave{1};
 
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -71,6 +83,7 @@ public:
   bool run(std::uint32_t count, Work work, void *argument, int threads) {
     if (m_busy.exchange(true, std::memory_order_acquire))
       return false;
+    CallOffIfLeft guard(*this);
     start(threads - 1);
     const std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
     for (int share = m_threads.load(std::memory_order_relaxed); share-- > 0;)
@@ -92,11 +105,56 @@ public:
       if (now != count)
         m_done.wait(now, std::memory_order_acquire);
     }
+    guard.done();
     m_busy.store(false, std::memory_order_release);
     return true;
   }
 
 private:
+  /// While it lives, a jump over it calls the job off; so does an exception.
+  class CallOffIfLeft {
+  public:
+    explicit CallOffIfLeft(Pool &pool) : m_pool(pool) {
+      _pthread_cleanup_push(
+          &m_buffer, [](void *self) { static_cast<CallOffIfLeft *>(self)->left(); }, this);
+    }
+    ~CallOffIfLeft() {
+      _pthread_cleanup_pop(&m_buffer, 0);
+      left();
+    }
+    CallOffIfLeft(const CallOffIfLeft &) = delete;
+    CallOffIfLeft &operator=(const CallOffIfLeft &) = delete;
+    void done() { m_done = true; }
+
+  private:
+    void left() {
+      if (!std::exchange(m_done, true))
+        m_pool.callOff();
+    }
+    Pool &m_pool;
+    bool m_done = false;
+    _pthread_cleanup_buffer m_buffer;
+  };
+
+  /// No index is taken any more; returns when no worker is at one, or after kLeave: then the pool
+  /// takes no job again. Also called in handlers.
+  void callOff() {
+    const std::uint32_t job = m_job.load(std::memory_order_relaxed);
+    for (Share &share : m_shares)
+      share.ticket.store(std::uint64_t(job) << 32 | kNoIndex); // orders the loads below after it
+    const auto idle = [this] {
+      return std::none_of(std::begin(m_shares), std::end(m_shares),
+                          [](const Share &share) { return share.isAtWork.load(); });
+    };
+    const auto end = std::chrono::steady_clock::now() + kLeave;
+    while (!idle()) {
+      if (std::chrono::steady_clock::now() > end)
+        return;
+      sched_yield();
+    }
+    m_busy.store(false, std::memory_order_release);
+  }
+
   void start(int workers) {
     for (; m_workers < workers && !m_refused; ++m_workers) {
       auto *const worker =
@@ -125,8 +183,13 @@ private:
       if (!spinFor(changed))
         m_job.wait(seen, std::memory_order_acquire);
       seen = m_job.load(std::memory_order_acquire);
-      if (index + 1 < m_threads.load(std::memory_order_relaxed))
-        take(seen, index + 1);
+      const int share = index + 1;
+      if (share >= m_threads.load(std::memory_order_relaxed))
+        continue;
+      // Before it takes an index: callOff() takes the indices back, then asks.
+      m_shares[share].isAtWork.store(true);
+      take(seen, share);
+      m_shares[share].isAtWork.store(false, std::memory_order_release);
     }
   }
 
@@ -178,10 +241,12 @@ private:
   static constexpr std::uint32_t kNoIndex = ~0u;
   struct alignas(64) Share {
     std::atomic<std::uint64_t> ticket{0};
+    std::atomic<bool> isAtWork{false}; ///< the worker whose share it is, or it looks for work
   };
   Share m_shares[kMaxThreads];
+  // Of who holds m_busy.
   bool m_refused = false;
-  int m_workers = 0; ///< that were started; of who holds m_busy
+  int m_workers = 0; ///< that were started
 };
 
 std::atomic<int> g_threads{0};

@@ -1,6 +1,8 @@
 #include "swrast/threads.h"
 
 #include <atomic>
+#include <chrono>
+#include <csetjmp>
 #include <csignal>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -57,6 +59,42 @@ TEST_P(Threads, JobsOfManyCallersAndNestedOnesEnd) {
   for (std::thread &caller : callers)
     caller.join();
   EXPECT_EQ(total.load(), 3 * 200 * 5 * 4);
+}
+
+// As a handler does by siglongjmp(): nobody may use the caller's stack afterwards.
+TEST_P(Threads, AJumpOutOfAJobEndsIt) {
+  static std::jmp_buf s_back;
+  static std::atomic<int> s_inside, s_calls;
+  static std::thread::id s_caller;
+  s_inside = s_calls = 0;
+  s_caller = std::this_thread::get_id();
+  auto work = [](std::uint32_t) {
+    s_calls.fetch_add(1);
+    if (std::this_thread::get_id() == s_caller) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5)); // the others begin
+      std::longjmp(s_back, 1);
+    }
+    s_inside.fetch_add(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    s_inside.fetch_sub(1);
+  };
+  if (setjmp(s_back) == 0) {
+    parallel(1000, work);
+    FAIL() << "no jump";
+  }
+  EXPECT_EQ(s_inside.load(), 0);
+  const int calls = s_calls.load();
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  EXPECT_EQ(s_calls.load(), calls) << "indices are taken of a job that is over";
+  // And the next job is all threads' again.
+  std::atomic<int> others{0};
+  auto next = [&](std::uint32_t) {
+    others.fetch_add(std::this_thread::get_id() != s_caller);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  parallel(64, next);
+  EXPECT_EQ(others.load() > 0, GetParam() > 1);
+  expectAllOnce(1000);
 }
 
 TEST_P(Threads, WorkAfterFork) {

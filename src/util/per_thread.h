@@ -18,9 +18,15 @@ public:
       make();
     return t_value ? &t_value->value : nullptr;
   }
-  /// What the thread has stays allocated when it ends while this is so: other threads still read
-  /// it. That happens where a signal's handler calls exit() in the midst of a draw.
-  static void lend(bool lent) noexcept { t_lent = lent; }
+  /// What the thread has stays allocated when it ends between this and takeBack(): other threads
+  /// still read it. That happens where a signal's handler calls exit() in the midst of a draw. Who
+  /// lends what is lent gets another one: a handler draws in the midst of a draw, or has left one
+  /// by siglongjmp(), and what it was at is half done.
+  static void lend() noexcept {
+    if (std::exchange(t_lent, true)) [[unlikely]]
+      t_value = nullptr;
+  }
+  static void takeBack() noexcept { t_lent = false; }
 
 private:
   /// Of a thread that ended.

@@ -23,7 +23,8 @@ template <int tag> Value *valueOfNewThread(bool lent = false) {
   std::thread([&] {
     value = PerThread<Value, Tag<tag>>::get();
     EXPECT_EQ((PerThread<Value, Tag<tag>>::get()), value);
-    PerThread<Value, Tag<tag>>::lend(lent);
+    if (lent)
+      PerThread<Value, Tag<tag>>::lend();
   }).join();
   return value;
 }
@@ -49,6 +50,24 @@ TEST_F(PerThreadTest, TheNextThreadTakesWhatIsLeft) {
 TEST_F(PerThreadTest, WhatIsLentIsNobodyElses) {
   Value *const first = valueOfNewThread<2>(true);
   EXPECT_NE(valueOfNewThread<2>(), first);
+  EXPECT_EQ(g_freed, 0);
+}
+
+// A handler's draw in the midst of a draw, and the first draw after a jump out of one.
+TEST_F(PerThreadTest, WhoLendsWhatIsLentGetsAnotherOne) {
+  using Own = PerThread<Value, Tag<4>>;
+  std::thread([] {
+    Value *const first = Own::get();
+    Own::lend();
+    EXPECT_EQ(Own::get(), first);
+    Own::lend();
+    Value *const second = Own::get();
+    EXPECT_NE(second, first);
+    Own::takeBack();
+    Own::lend();
+    EXPECT_EQ(Own::get(), second);
+    Own::takeBack();
+  }).join();
   EXPECT_EQ(g_freed, 0);
 }
 

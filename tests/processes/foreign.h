@@ -17,8 +17,11 @@ void drawAndPrint();
 /// Bitmaps of a new picture, and reads it; many, so that what comes at any time mostly finds one
 /// under way.
 void drawBitmaps();
-/// A bitmap of drawBitmaps() is under way; to be asked in handlers.
-bool isInBitmap();
+/// A draw of 512x512 pixels that take long, into a texture of its own from now on, which takes some
+/// milliseconds of every thread.
+void drawManyPixels();
+/// A bitmap of drawBitmaps(), or the draw of drawManyPixels(), is under way; to be asked in handlers.
+bool isInMidst();
 /// Draws frames for ever.
 [[noreturn]] void drawForEver(bool fresh);
 /// Runs the body on a thread of its own with that much stack, and joins it.

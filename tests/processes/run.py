@@ -248,8 +248,8 @@ def run_row(row, build, display, scratch, seeds):
             if worse:
                 problems.append({"way": way, "seed": seed, "worse": worse})
     result = "FAIL" if problems else "pass" if stood else "bare"
-    return {"row": row.name, "result": result, "bare": sorted(bare_ends), "rates": rates_seen,
-            "problems": problems, "seconds": round(time.monotonic() - begin, 2)}
+    return {"row": row.name, "result": result, "asked": row.mode in ASKED, "bare": sorted(bare_ends),
+            "rates": rates_seen, "problems": problems, "seconds": round(time.monotonic() - begin, 2)}
 
 
 def main():
@@ -282,8 +282,8 @@ def main():
         for future in [pool.submit(run_row, r, build, display, scratch, seeds) for r in rows]:
             result = future.result()
             results.append(result)
-            print(f"{result['result']:5} {result['row']:34} {result['seconds']:6.2f} s  bare: "
-                  f"{', '.join(result['bare'])}", flush=True)
+            print(f"{result['result']:5} {result['row']:34} {result['seconds']:6.2f} s  "
+                  f"{'asked' if result['asked'] else 'bare'}: {', '.join(result['bare'])}", flush=True)
             for words in result["rates"]:
                 print(f"        {words}", flush=True)
             for problem in result["problems"]:

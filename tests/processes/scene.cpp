@@ -27,7 +27,7 @@ EGLDisplay g_eglDisplay = EGL_NO_DISPLAY;
 EGLSurface g_eglSurface = EGL_NO_SURFACE;
 EGLContext g_egl = EGL_NO_CONTEXT;
 unsigned char g_pixels[kSide][kSide][4];
-volatile std::sig_atomic_t g_inBitmap = 0;
+volatile std::sig_atomic_t g_inMidst = 0;
 
 void openEgl() {
   g_eglDisplay = eglGetDisplay(EGL_DEFAULT_DISPLAY);
@@ -231,15 +231,43 @@ void drawBitmaps() {
   for (int i = 0; i < 40; ++i) {
     glColor4f(float(i % 4) / 4, float(i % 3) / 2, 1, 1);
     glWindowPos2i(i % 7, i % 5);
-    g_inBitmap = 1;
+    g_inMidst = 1;
     glBitmap(kSide - 8, kSide - 8, 0, 0, 1, 1, s_bits);
-    g_inBitmap = 0;
+    g_inMidst = 0;
   }
   glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, g_pixels);
   need(glGetError() == GL_NO_ERROR, "a GL command");
 }
 
-bool isInBitmap() { return g_inBitmap != 0; }
+void drawManyPixels() {
+  constexpr int kLarge = 512;
+  static GLuint s_program = 0;
+  if (!s_program) {
+    std::string text = "!!ARBfp1.0\nTEMP c;\nMOV c, fragment.color;\n";
+    for (int i = 0; i < 10; ++i)
+      text += "POW c.x, c.x, c.y;\nEX2 c.y, c.x;\nLG2 c.z, c.y;\n";
+    s_program = load(GL_FRAGMENT_PROGRAM_ARB, text + "MOV result.color, c;\nEND\n");
+    GLuint texture = 0, framebuffer = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kLarge, kLarge, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glGenFramebuffersEXT(1, &framebuffer);
+    glBindFramebufferEXT(GL_FRAMEBUFFER_EXT, framebuffer);
+    glFramebufferTexture2DEXT(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_TEXTURE_2D, texture,
+                              0);
+  }
+  glViewport(0, 0, kLarge, kLarge);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, s_program);
+  glColor4f(0.5f, 0.75f, 0.25f, 1.0f);
+  g_inMidst = 1;
+  glRectf(-1, -1, 1, 1);
+  g_inMidst = 0;
+  need(glGetError() == GL_NO_ERROR, "a GL command");
+}
+
+bool isInMidst() { return g_inMidst != 0; }
 
 void drawForEver(bool fresh) {
   for (;;)

@@ -1,9 +1,11 @@
-// exit() where a handler interrupted the layer's own code, at any place of it: it may hold any lock
-// of the layer's, and none of the host's or malloc's (watch.h). A program of its own, as its malloc
-// is.
+// exit(), or a jump away, where a handler interrupted the layer's own code, at any place of it: it
+// may hold any lock of the layer's, and none of the host's or malloc's (watch.h). A program of its
+// own, as its malloc is.
+#include <csetjmp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include <sys/time.h>
@@ -22,8 +24,9 @@ namespace {
 int g_alarmsForLayer = 0;
 volatile sig_atomic_t g_alarms = 0;
 volatile sig_atomic_t g_stopped = 0;
-/// Code of the layer's is of interest in a bitmap alone.
-bool g_ofBitmaps = false;
+/// What is drawn: code of the layer's is of interest in it alone.
+enum class What { Frame, Bitmaps, ManyPixels };
+What g_what = What::Frame;
 
 /// run.py wants this line of each process that has the layer.
 void reportPlace(bool inLayer) {
@@ -34,7 +37,7 @@ void reportPlace(bool inLayer) {
 
 bool isPlaceWanted() {
   g_alarms = g_alarms + 1;
-  const bool inLayer = interruptedInLayer() && (!g_ofBitmaps || isInBitmap());
+  const bool inLayer = interruptedInLayer() && (g_what == What::Frame || isInMidst());
   const bool wanted = inLayer || (g_alarms > g_alarmsForLayer && interruptedOutsideHost());
   if (wanted)
     reportPlace(inLayer);
@@ -56,7 +59,16 @@ void stopThere(int) {
     pause();
 }
 
-void draw(bool fresh) { g_ofBitmaps ? drawBitmaps() : drawFrame(fresh); }
+void draw(bool fresh) {
+  switch (g_what) {
+  case What::Frame:
+    return drawFrame(fresh);
+  case What::Bitmaps:
+    return drawBitmaps();
+  case What::ManyPixels:
+    return drawManyPixels();
+  }
+}
 
 void drawInterruptedBy(void (*handler)(int), bool fresh) {
   prepareWatch();
@@ -74,7 +86,7 @@ void drawInterruptedBy(void (*handler)(int), bool fresh) {
 }
 
 void exitInBitmap() {
-  g_ofBitmaps = true;
+  g_what = What::Bitmaps;
   drawInterruptedBy(exitThere, false);
 }
 
@@ -95,12 +107,41 @@ template <bool fresh> void exitBesideLayer() {
   drawInterruptedBy(stopThere, fresh);
 }
 
+sigjmp_buf g_back;
+void jumpThere(int) {
+  if (g_stopped || !isPlaceWanted()) // the jump lets the next alarm in
+    return;
+  g_stopped = 1;
+  siglongjmp(g_back, 1);
+}
+
+/// Uses the stack below the caller's frame.
+[[gnu::noinline]] void overwriteStack() {
+  unsigned char bytes[256 * 1024];
+  std::memset(bytes, 0xA5, sizeof bytes);
+  asm volatile("" : : "r"(bytes) : "memory");
+}
+
+/// Out of a draw that other threads work on: it is never taken up again, and its frames on the
+/// stack are other functions' from then on.
+void jumpOutOfDraw() {
+  g_what = What::ManyPixels;
+  if (sigsetjmp(g_back, 1) == 0)
+    drawInterruptedBy(jumpThere, false);
+  const itimerval none = {};
+  setitimer(ITIMER_REAL, &none, nullptr);
+  for (int i = 0; i < 5000; ++i)
+    overwriteStack();
+  std::puts("jumped");
+}
+
 } // namespace
 
 void watchedRows(void (*add)(Row)) {
   add({"exit-in-layer-drawing", exitInLayer<false>});
   add({"exit-in-layer-drawing-bitmaps", exitInBitmap});
   add({"exit-in-layer-compiling", exitInLayer<true>});
+  add({"longjmp-out-of-layer-drawing", jumpOutOfDraw});
   add({"exit-beside-layer-drawing", exitBesideLayer<false>});
   add({"exit-beside-layer-compiling", exitBesideLayer<true>});
 }

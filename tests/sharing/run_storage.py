@@ -28,7 +28,7 @@ def main():
     build = args.build.resolve()
     client = build / "tests/sharing/sharing-storage"
     listing = subprocess.run([client, "list"], capture_output=True, text=True, check=True).stdout
-    passed = failed = skipped = 0
+    tally = sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-storage-") as scratch, sides.XServer() as display:
         both = {"DISPLAY": display, "XDG_CACHE_HOME": scratch}
         stats = pathlib.Path(scratch) / "stats.json"
@@ -36,9 +36,10 @@ def main():
             try:
                 bare = sides.run([client, scene], sides.environment(extra=both))
             except sides.Died as death:
-                skipped += SKIPPED in str(death)
-                failed += SKIPPED not in str(death)
-                print(f"{scene}: {death}")
+                if SKIPPED in str(death):
+                    tally.skip(scene, death)
+                else:
+                    tally.row(f"{scene}, bare", [str(death)])
                 continue
             for backend in ("host", "auto", "swrast"):
                 env = sides.environment(sides.layer_of(build), backend,
@@ -51,13 +52,9 @@ def main():
                 part = sides.software_statistics(stats)
                 if backend == "swrast" and not part.get("drawn"):
                     wrong.append("the rasterizer drew nothing")
-                passed, failed = passed + (not wrong), failed + bool(wrong)
-                print(f"{scene}, {backend}: {'FAIL' if wrong else 'ok'}; the rasterizer drew "
-                      f"{part.get('drawn', 0)}, the host {part.get('given_to_host', {})}", flush=True)
-                for line in wrong[:6]:
-                    print(f"    {line}")
-    print(f"{passed} passed, {failed} failed, {skipped} skipped")
-    return 1 if failed else 0
+                tally.row(f"{scene}, {backend}: the rasterizer drew {part.get('drawn', 0)}, the host "
+                          f"{part.get('given_to_host', {})}", wrong)
+    return tally.end()
 
 
 if __name__ == "__main__":

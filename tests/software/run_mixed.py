@@ -47,17 +47,16 @@ def judge(bare, layer, backend, part):
     return wrong
 
 
-def bare_run(command, options, poison):
+def bare_run(command, options, poison, attempts=3):
     """The bare host's records. Where it uses memory that nothing wrote it may die of it: seen once in
     some twenty runs under AddressSanitizer, inside its driver."""
-    for last in (False, False, True):
-        try:
-            with XServer(options=options) as display:
-                return sides.run(command, sides.environment(extra={"DISPLAY": display}, fresh=poison))
-        except sides.Died:
-            if last:
-                raise
-    return None
+    try:
+        with XServer(options=options) as display:
+            return sides.run(command, sides.environment(extra={"DISPLAY": display}, fresh=poison))
+    except sides.Died:
+        if attempts == 1:
+            raise
+    return bare_run(command, options, poison, attempts - 1)
 
 
 def main():
@@ -69,7 +68,7 @@ def main():
     args = parser.parse_args()
     build = args.build.resolve()
     command = [build / "tests/software/software-mixed", args.first, args.count]
-    passed = failed = 0
+    tally = sides.Tally()
     for server, options in SERVERS.items():
         bare = defined(*(bare_run(command, options, poison) for poison in POISON[:2]))
         for way, (backend, extra) in WAYS.items():
@@ -85,13 +84,9 @@ def main():
                     wrong = [str(death)]
                 else:
                     wrong = judge(bare, layer, backend, sides.software_statistics(stats))
-            passed, failed = passed + (not wrong), failed + bool(wrong)
-            print(f"{'FAIL' if wrong else 'pass'} {way}, {server}: {args.count} sequences from seed "
-                  f"{args.first}, {len(bare)} pictures", flush=True)
-            for line in wrong[:12]:
-                print(f"     {line}")
-    print(f"{passed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+            tally.row(f"{way}, {server}: {args.count} sequences from seed {args.first}, {len(bare)} pictures",
+                      wrong, 12)
+    return tally.end()
 
 
 if __name__ == "__main__":

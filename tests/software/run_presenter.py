@@ -50,19 +50,14 @@ def main():
     known = listing.split()
     scenes = [(name, ()) for name in known] + \
         [(name, ("-extension", "MIT-SHM")) for name in ("frames", "resized", "two-windows")]
-    passed = failed = 0
+    tally = sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-presenter-") as scratch:
         for name, options in scenes:
             if args.names and name not in args.names:
                 continue
             wrong, drawn = judge(client, name, options, layer, scratch)
-            passed, failed = passed + (not wrong), failed + bool(wrong)
-            print(f"{'FAIL' if wrong else 'pass'} {name}{', no MIT-SHM' if options else ''}: "
-                  f"{drawn} draws of the rasterizer", flush=True)
-            for line in wrong[:8]:
-                print(f"     {line}")
-    print(f"{passed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+            tally.row(f"{name}{', no MIT-SHM' if options else ''}: {drawn} draws of the rasterizer", wrong)
+    return tally.end()
 
 
 if __name__ == "__main__":

@@ -162,3 +162,26 @@ def compare(args, client, judge, extra=None):
         except (Died, subprocess.TimeoutExpired) as death:
             bare, wrong = [], [str(death)]
         return bare, wrong, software_statistics(stats)
+
+
+class Tally:
+    """The rows of a comparison, a line each as they are known, and what is said at the end."""
+
+    def __init__(self):
+        self.passed = self.failed = self.skipped = 0
+
+    def row(self, what, wrong, most=8):
+        """`wrong`: lines; none if the row passes."""
+        self.passed, self.failed = self.passed + (not wrong), self.failed + bool(wrong)
+        print(f"{'FAIL' if wrong else 'pass'} {what}", flush=True)
+        for line in wrong[:most]:
+            print(f"     {line}")
+
+    def skip(self, what, why):
+        self.skipped += 1
+        print(f"skip {what}: {why}", flush=True)
+
+    def end(self):
+        """The status for the process."""
+        print(f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped")
+        return 1 if self.failed else 0

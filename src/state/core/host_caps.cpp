@@ -6,6 +6,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <iterator>
+#include <string_view>
 
 #include "host/host_table.h"
 
@@ -59,11 +60,15 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
   }
 }
 
+/// What no query tells but the name of the host's renderer.
 /// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
 /// draws by it; tests/software/run_anisotropy.py shows both.
-void queryAnisotropy(const host::HostTable &host, HostCaps &caps) {
-  host.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.maxAnisotropy);
-  caps.limitsAnisotropy = std::strstr(getString(host, GL_RENDERER), "llvmpipe") == nullptr;
+void queryRenderer(const host::HostTable &host, HostCaps &caps) {
+  const std::string_view name = getString(host, GL_RENDERER);
+  const auto names = [&](const char *part) { return name.find(part) != name.npos; };
+  const bool llvmpipe = names("llvmpipe");
+  caps.limitsAnisotropy = !llvmpipe;
+  caps.onProcessor = llvmpipe || names("softpipe") || names("Software Rasterizer");
 }
 
 /// What the rasterizer's mirror asks for.
@@ -148,7 +153,8 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   caps.anisotropy = gl >= 46 || caps.has("GL_EXT_texture_filter_anisotropic") ||
                     caps.has("GL_ARB_texture_filter_anisotropic");
   if (caps.anisotropy)
-    queryAnisotropy(host, caps);
+    host.GetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &caps.maxAnisotropy);
+  queryRenderer(host, caps);
   caps.shadow = gl >= 14 || caps.has("GL_ARB_shadow");
   querySoftwareCaps(caps, gl);
   if (!caps.compatibility)

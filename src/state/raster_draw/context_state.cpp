@@ -1,7 +1,5 @@
 #include "state/raster_draw/context_state.h"
 
-#include <string_view>
-
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
@@ -12,18 +10,10 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// A host that draws on the processor: there the rasterizer is the faster one.
-bool isSoftwareRenderer(const Context &context) {
-  const GLubyte *const renderer = context.host->GetString(GL_RENDERER);
-  const std::string_view name = renderer ? reinterpret_cast<const char *>(renderer) : "";
-  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos ||
-         name.find("Software Rasterizer") != name.npos;
-}
-
 bool isPossible(const Context &context) {
   const Backend backend = settings().backend;
   return backend != Backend::Host && context.offered && context.numerics != fp::Numerics::Fp24 &&
-         (backend != Backend::Auto || isSoftwareRenderer(context));
+         (backend != Backend::Auto || context.caps.onProcessor);
 }
 
 } // namespace

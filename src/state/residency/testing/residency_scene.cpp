@@ -98,6 +98,16 @@ GLuint Residency::framebufferOf(GLuint name) {
   return framebuffer;
 }
 
+void Residency::inNeighbour(const std::function<void()> &calls) {
+  const OSMesaContext neighbour = osMesa().create(OSMESA_RGBA, 24, 8, 0, m_osmesa);
+  std::uint32_t pixel = 0;
+  ASSERT_TRUE(osMesa().makeCurrent(neighbour, &pixel, GL_UNSIGNED_BYTE, 1, 1));
+  calls();
+  gl().Finish();
+  ASSERT_TRUE(osMesa().makeCurrent(m_osmesa, m_memory.data(), GL_UNSIGNED_BYTE, kWidth, kHeight));
+  osMesa().destroy(neighbour);
+}
+
 void Residency::bindFramebuffer(GLuint name) {
   gl().BindFramebufferEXT(GL_FRAMEBUFFER, name);
   changed(dirty::kFramebuffer);

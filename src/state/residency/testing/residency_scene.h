@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <GL/gl.h>
@@ -38,6 +39,8 @@ protected:
 
   GLuint texture(GLenum internalFormat, int width, int height, const void *rgba = nullptr);
   GLuint framebufferOf(GLuint name);
+  /// Calls the host from another context of its share group.
+  void inNeighbour(const std::function<void()> &calls);
   void bindFramebuffer(GLuint name);
 
   /// A draw of the rasterizer's over `rect`.
