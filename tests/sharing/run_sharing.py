@@ -234,8 +234,8 @@ def main():
             bad += seen < tried / 2
         for windows in (False, True):
             total = drawn(model, windows, scratch)
-            print(f"of four sequences {'in windows of GLX' if windows else 'in pbuffers of EGL'} the rasterizer "
-                  f"drew {total}")
+            print(f"of four sequences in {'windows of GLX' if windows else 'pbuffers of EGL'} the "
+                  f"rasterizer drew {total}")
             bad += total == 0
     for failure in count.failures:
         print(f"seed {failure['seed']}, {failure['backend']}{', windows' if failure['windows'] else ''}: "
