@@ -307,10 +307,8 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   } else if (context) {
     software::ceasesToBeCurrent(*context); // it may have another drawable
   }
-  if (context) {
-    context->drawable = drawable ? *drawable : software::Drawable{};
-    software::becomesCurrent(*context);
-  }
+  if (context)
+    software::becomesCurrent(*context, drawable ? *drawable : software::Drawable{});
   if (context && !context->initialised) {
     initialiseWhole(*context);
     noteProgress(*context);

@@ -6,6 +6,7 @@
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
 
@@ -61,6 +62,11 @@ void End(Context &context) {
     context.list->notePrimitive(Primitive::Closed);
   if (context.listMode != GL_COMPILE)
     context.insideBeginEnd = false;
+}
+
+void ArrayElement(Context &context, GLint index) {
+  if (context.listMode == 0 || !software::recordElement(context, index))
+    context.host->ArrayElement(index);
 }
 
 } // namespace handlers

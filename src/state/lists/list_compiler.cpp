@@ -10,6 +10,7 @@
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/share/share_group.h"
 
@@ -45,6 +46,9 @@ void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
 
 } // namespace
 
+ListCompiler::ListCompiler() = default;
+ListCompiler::~ListCompiler() = default;
+
 void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   // What executes with the list must find its program bound: nothing of the layer's may be called
   // once the host records. And what is only recorded must not find the layer's bound.
@@ -62,6 +66,7 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   m_open = m_begun = m_endsFirst = m_recording = m_pixels = false;
   m_geometry.reset();
   m_dirty = 0;
+  m_arraysDirty = true;
   m_mode = std::uint16_t(mode);
   // A list that is executed too is the host's: its primitives are drawn once as they are compiled,
   // and what it executes between them must see the host's own list.
@@ -201,12 +206,12 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
   return true;
 }
 
-void ListCompiler::endPrimitive(Context &context) {
+void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
   stopPrimitive(context);
-  if (m_geometry && append(*m_geometry, m_recorder))
+  if (m_geometry && append(*m_geometry, m_recorder, fromArrays))
     return;
   finishGeometry();
-  m_geometry = geometryOf(m_recorder);
+  m_geometry = geometryOf(m_recorder, fromArrays);
 }
 
 void ListCompiler::stopPrimitive(Context &context) {
@@ -225,6 +230,20 @@ void ListCompiler::interruptPrimitive(Context &context) {
     m_geometry->open = true;
     finishGeometry();
   });
+}
+
+software::ListArrays &ListCompiler::arrays(Context &context) {
+  if (!m_arrays)
+    m_arrays = std::make_unique<software::ListArrays>(*context.trueHost, context.caps);
+  return *m_arrays;
+}
+
+bool ListCompiler::takeArraysDirty(Context &context) {
+  // Arrays are set at once: their bit is for what follows the list, and no effect of a segment.
+  const std::uint32_t bit = context.dirty & software::dirty::kArrays;
+  context.dirty &= ~bit;
+  m_dirty |= bit;
+  return std::exchange(m_arraysDirty, false) || bit != 0;
 }
 
 void ListCompiler::end(Context &context) {

@@ -11,6 +11,10 @@ namespace arbiter::state {
 
 class Context;
 
+namespace software {
+class ListArrays;
+}
+
 /// The list between NewList and EndList. The host compiles into one host list after another; each
 /// command of the layer's closes one, and the next is opened when the host is called again: until
 /// then ContextHot::host is the table that stands in for it (raster_draw/immediate/replay.h).
@@ -21,6 +25,11 @@ class ListCompiler {
 public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
   static constexpr int kMaxDepth = 64;
+
+  ListCompiler();
+  ~ListCompiler();
+  ListCompiler(const ListCompiler &) = delete;
+  ListCompiler &operator=(const ListCompiler &) = delete;
 
   void begin(Context &context, GLuint name, GLenum mode);
   void end(Context &context);
@@ -43,7 +52,9 @@ public:
   /// At Begin: true if the primitive is recorded; endPrimitive() then ends it, unless it was
   /// interrupted before (recordsPrimitive()).
   [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
-  void endPrimitive(Context &context);
+  /// \param fromArrays what follows does not find its attributes set: hosts leave current values as
+  ///                   they are, which are undefined after a draw of arrays (OpenGL 2.1, 2.8)
+  void endPrimitive(Context &context, bool fromArrays = false);
   [[nodiscard]] bool recordsPrimitive() const { return m_recording; }
   [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
   /// The host is called: it compiles what comes. An open segment is the host's already.
@@ -61,6 +72,10 @@ public:
   void notePixels() { m_pixels = true; }
   /// Primitives are kept.
   [[nodiscard]] bool keeps() const { return m_keeps; }
+  /// What reads vertex arrays for them.
+  [[nodiscard]] software::ListArrays &arrays(Context &context);
+  /// Vertex arrays may be others since the last call, or since the list began.
+  [[nodiscard]] bool takeArraysDirty(Context &context);
 
   [[nodiscard]] GLuint name() const { return m_name; } ///< LIST_INDEX
   /// The list's Begin or End, of the host's.
@@ -103,9 +118,11 @@ private:
   bool m_endsFirst = false;                    ///< its first End has no Begin in it
   bool m_pixels = false;                       ///< Effects of the segment
   std::uint32_t m_dirty = 0;                   ///< ContextHot::dirty without the segment's part
+  bool m_arraysDirty = true;                   ///< takeArraysDirty() of the list's first draw
   std::vector<DisplayList::Item> m_items;
   std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
   software::ImmediateRecorder m_recorder;
+  std::unique_ptr<software::ListArrays> m_arrays; ///< null before the first that are read
   std::vector<Push> m_pushes;
   std::uint16_t m_mode = 0;
 };

@@ -2,8 +2,10 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/large_draw.h"
 #include "state/raster_draw/pipeline.h"
 #include "state/raster_draw/vertices/array_source.h"
@@ -80,15 +82,37 @@ bool drawArrays(Context &context, const DrawCommand &command) {
                   }));
 }
 
+/// Of several draws that are one command. False, and noted where a list is compiled: the host's.
+bool leavesToHost(Context &context) {
+  (void)isHosts(context);
+  return false;
+}
+
+/// Its draws are to be judged one by one.
+bool isEach(Context &context) {
+  if (context.listMode != 0 && context.list->keeps())
+    return true;
+  return !isHosts(context) && usesRasterizer(context);
+}
+
+/// One of them. Requires: isEach().
+bool takes(Context &context, const DrawCommand &command) {
+  if (context.listMode == 0)
+    return drawArrays(context, command);
+  if (recordArrays(context, command))
+    return true;
+  context.list->notePixels();
+  return false;
+}
+
 } // namespace
 
 bool tryDraw(Context &context, const DrawCommand &command) {
-  if (isHosts(context))
-    return false;
-  if (command.mode > GL_POLYGON || command.count <= 0 || command.first < 0 ||
-      (command.indexType != 0 && !isIndexType(command.indexType)))
-    return false;
-  return usesRasterizer(context) && drawArrays(context, command);
+  const bool draws = command.mode <= GL_POLYGON && command.count > 0 && command.first >= 0 &&
+                     (command.indexType == 0 || isIndexType(command.indexType));
+  if (context.listMode != 0 && draws && recordArrays(context, command))
+    return true;
+  return !isHosts(context) && draws && usesRasterizer(context) && drawArrays(context, command);
 }
 
 bool tryDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand &command) {
@@ -97,17 +121,15 @@ bool tryDrawRange(Context &context, GLuint start, GLuint end, const DrawCommand 
 
 bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const GLsizei *count,
                         GLsizei drawCount) {
-  if (isHosts(context))
-    return false;
   if (mode > GL_POLYGON || drawCount <= 0 || !first || !count)
-    return false;
+    return leavesToHost(context);
   for (GLsizei i = 0; i < drawCount; ++i)
     if (first[i] < 0 || count[i] < 0)
-      return false;
-  if (!usesRasterizer(context))
+      return leavesToHost(context);
+  if (!isEach(context))
     return false;
   for (GLsizei i = 0; i < drawCount; ++i)
-    if (count[i] > 0 && !drawArrays(context, {mode, first[i], count[i]}))
+    if (count[i] > 0 && !takes(context, {mode, first[i], count[i]}))
       context.host->DrawArrays(mode, first[i], count[i]);
   return true;
 }
@@ -115,18 +137,16 @@ bool tryMultiDrawArrays(Context &context, GLenum mode, const GLint *first, const
 bool tryMultiDrawElements(Context &context, GLenum mode, const GLsizei *count, GLenum type,
                           const void *const *indices, GLsizei drawCount,
                           const GLint *baseVertices) {
-  if (isHosts(context))
-    return false;
   if (mode > GL_POLYGON || drawCount <= 0 || !count || !indices || !isIndexType(type))
-    return false;
+    return leavesToHost(context);
   for (GLsizei i = 0; i < drawCount; ++i)
     if (count[i] < 0)
-      return false;
-  if (!usesRasterizer(context))
+      return leavesToHost(context);
+  if (!isEach(context))
     return false;
   for (GLsizei i = 0; i < drawCount; ++i) {
     const GLint base = baseVertices ? baseVertices[i] : 0;
-    if (count[i] == 0 || drawArrays(context, {mode, 0, count[i], type, indices[i], base}))
+    if (count[i] == 0 || takes(context, {mode, 0, count[i], type, indices[i], base}))
       continue;
     if (baseVertices)
       context.host->DrawElementsBaseVertex(mode, count[i], type, indices[i], base);

@@ -40,4 +40,12 @@ struct Drawable {
   void (*memoryLayout)(const Drawable &drawable, int &rowLength, bool &topRowFirst) = nullptr;
 };
 
+/// What is drawn to the one is in the other. No drawable is the same as none.
+[[nodiscard]] inline bool isSameDrawable(const Drawable &a, const Drawable &b) {
+  if (a.kind == Drawable::Kind::None || a.kind != b.kind)
+    return false;
+  return a.kind == Drawable::Kind::Memory ? a.memory == b.memory
+                                          : a.draw == b.draw && a.display == b.display;
+}
+
 } // namespace arbiter::state::software

@@ -195,8 +195,13 @@ public:
   [[nodiscard]] bool present();
   /// The host is about to swap the drawable's buffers by itself, and all pixels went to it.
   void hostSwaps();
-  /// Before the context leaves the thread, or is destroyed while current.
+  /// Before the context leaves the thread, or is destroyed while current. The host has all pixels
+  /// then. What shadows of a window outlive it: those that only contexts can change which become
+  /// current with the window, for when this one does so again (forgetWindow()).
   void leave();
+  /// Another context becomes current with the drawable that this one was last current with. It is
+  /// current to no thread, and does not become so meanwhile.
+  void forgetWindow();
   /// After it became current with the drawable: window sizes and contents may have changed.
   void enter(const Drawable &drawable);
 

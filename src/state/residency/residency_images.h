@@ -140,6 +140,7 @@ struct ResidentImages {
   const std::uint32_t serial;
 
   Drawable drawable;
+  bool released = false; ///< left with what outlives that in the window's images
   bool sizeKnown = false, sizeSure = true;
   std::array<swrast::Rect, 4> viewports; ///< that the application used last, the newest first
   std::uint64_t epoch = 0;               ///< of `neighbours`, that all images are good for; 0: none

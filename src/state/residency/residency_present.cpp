@@ -1,5 +1,6 @@
 // Frames, and contexts that come and go.
 #include <cstring>
+#include <utility>
 
 #include "state/residency/residency_host.h"
 
@@ -43,6 +44,24 @@ void copyToMemory(ResidentImages &images) {
   image.shown = true;
 }
 
+/// A window whose back buffer and depths nothing changes but contexts that are current with it: one
+/// of X, as what else is a drawable of GLX, or a surface of EGL, may have pixels that others write.
+bool outlivesRelease(const ResidentImages &images) {
+  return images.color.described && images.doubleBuffered && images.drawable.show &&
+         images.drawable.kind == Drawable::Kind::Window &&
+         !NeighbourEpoch::isCrowded(images.neighbours.epoch());
+}
+
+bool isSameWindow(const Drawable &a, const Drawable &b) {
+  return isSameDrawable(a, b) && a.sameRead && b.sameRead && a.show == b.show &&
+         a.presenter == b.presenter;
+}
+
+void dropWindow(ResidentImages &images) {
+  dropShadow(images, images.color);
+  dropShadow(images, images.depthStencil);
+}
+
 } // namespace
 
 bool Residency::present() {
@@ -67,22 +86,37 @@ bool Residency::present() {
 
 void Residency::leave() {
   ResidentImages &images = *m_images;
+  images.released = false;
   if (images.hot.insideBeginEnd || images.hot.listMode != 0)
     return;
+  // Between two frames the host's buffers have the size of the last one. It looks for another when
+  // the next one begins, which this does not.
+  if (images.color.described && hostMissedFrames(images))
+    images.sizeKnown = true;
   synchronise("the context leaves its thread");
   // The host wrote to its own copy of the application's memory.
   if (images.drawable.kind == Drawable::Kind::Memory && images.color.valid != Valid::Host)
     images.hot.host->Flush();
-  dropShadow(images, images.color);
-  dropShadow(images, images.depthStencil);
+  images.released = outlivesRelease(images);
+  if (!images.released)
+    dropWindow(images);
+}
+
+void Residency::forgetWindow() {
+  if (m_images->released)
+    dropWindow(*m_images);
+  m_images->released = false;
 }
 
 void Residency::enter(const Drawable &drawable) {
   ResidentImages &images = *m_images;
-  // Another context may have drawn to this window.
-  dropShadow(images, images.color);
-  dropShadow(images, images.depthStencil);
-  images.color.described = images.depthStencil.described = false;
+  // Whether it has the same size still is asked for before the next use, as after each frame.
+  const bool kept =
+      std::exchange(images.released, false) && isSameWindow(images.drawable, drawable);
+  if (!kept) { // another context may have drawn to this window
+    dropWindow(images);
+    images.color.described = images.depthStencil.described = false;
+  }
   forgetSize(images);
   images.sizeSure = true;
   images.drawable = drawable;

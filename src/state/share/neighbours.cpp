@@ -12,13 +12,6 @@ namespace arbiter::state::software {
 
 namespace {
 
-bool sameDrawable(const Drawable &a, const Drawable &b) {
-  if (a.kind == Drawable::Kind::None || a.kind != b.kind)
-    return false;
-  return a.kind == Drawable::Kind::Memory ? a.memory == b.memory
-                                          : a.draw == b.draw && a.display == b.display;
-}
-
 void forgetImagesOf(Context &context) {
   if (context.software)
     context.software->residency.forget();
@@ -43,10 +36,14 @@ public:
       count(*other);
   }
 
-  void become(Context &context) {
+  void become(Context &context, const Drawable &drawable) {
     const std::lock_guard lock(m_mutex);
+    context.drawable = drawable; // which others look at under the lock
     context.neighbours.m_current = true;
     for (Context *other : m_all) {
+      if (other != &context && !other->neighbours.m_current && other->software &&
+          isSameDrawable(other->drawable, drawable))
+        other->software->residency.forgetWindow();
       if (other == &context || !areNeighbours(*other, context))
         continue;
       advance(*other);
@@ -78,7 +75,7 @@ public:
 private:
   static bool areNeighbours(const Context &a, const Context &b) {
     return a.group == b.group || (a.neighbours.m_current && b.neighbours.m_current &&
-                                  sameDrawable(a.drawable, b.drawable));
+                                  isSameDrawable(a.drawable, b.drawable));
   }
 
   static void advance(Context &context) { set(context, context.neighbours.epoch() + 2); }
@@ -115,7 +112,9 @@ NeighbourTable &table() {
 
 void addNeighbour(Context &context) { table().add(context); }
 void removeNeighbour(Context &context) { table().remove(context); }
-void becomesCurrent(Context &context) { table().become(context); }
+void becomesCurrent(Context &context, const Drawable &drawable) {
+  table().become(context, drawable);
+}
 void ceasesToBeCurrent(Context &context) { table().cease(context); }
 
 } // namespace arbiter::state::software

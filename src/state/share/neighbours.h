@@ -19,16 +19,22 @@ void imagesEscape();
 /// for as long as no neighbour was current: a draw looks at one number, NeighbourEpoch. While a
 /// neighbour is current nothing is kept from one command to the next, and draws are the host's.
 ///
+/// What a context keeps of a window while it is current nowhere is good until another context
+/// becomes current with that window, which takes it away.
+///
 /// A context that stays current need not be told of anything: the application must order its
 /// contexts' commands anyway (OpenGL 4.6, 5.3), by whatever it uses to do so, and a neighbour's
 /// epoch moves before that neighbour's first command and after its last one.
 namespace arbiter::state::software {
 
+struct Drawable;
+
 /// A context is made, or freed.
 void addNeighbour(Context &context);
 void removeNeighbour(Context &context);
-/// The host made the context current, with Context::drawable; before the application goes on.
-void becomesCurrent(Context &context);
+/// The host made the context current, with what becomes Context::drawable; before the application
+/// goes on.
+void becomesCurrent(Context &context, const Drawable &drawable);
 /// The host took it away from its thread, or gives it another drawable.
 void ceasesToBeCurrent(Context &context);
 

@@ -26,10 +26,7 @@ public:
   Made(const Made &) = delete;
   Made &operator=(const Made &) = delete;
 
-  void become(const Drawable &drawable = {}) {
-    m_context->drawable = drawable;
-    becomesCurrent(*m_context);
-  }
+  void become(const Drawable &drawable = {}) { becomesCurrent(*m_context, drawable); }
   void cease() { ceasesToBeCurrent(*m_context); }
   [[nodiscard]] std::uint64_t epoch() const { return m_context->neighbours.epoch(); }
   [[nodiscard]] bool isCrowded() const { return NeighbourEpoch::isCrowded(epoch()); }

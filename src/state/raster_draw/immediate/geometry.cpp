@@ -32,6 +32,8 @@ bool isUniform(const ImmediateRecorder &recorder) {
 }
 
 void take(Geometry &to, const ImmediateRecorder &recorder) {
+  if (to.fromArrays)
+    return;
   to.touched |= recorder.touched();
   for (std::uint32_t left = recorder.touched(); left != 0; left &= left - 1) {
     const auto slot = std::size_t(std::countr_zero(left));
@@ -53,8 +55,9 @@ VertexSource sourceOf(const Geometry &geometry, const float *data) {
 
 } // namespace
 
-std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder) {
+std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fromArrays) {
   auto geometry = std::make_unique<Geometry>();
+  geometry->fromArrays = fromArrays;
   geometry->mode = recorder.mode();
   geometry->count = recorder.count();
   geometry->slotCount = recorder.slotCount();
@@ -70,11 +73,12 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder) {
   return geometry;
 }
 
-bool append(Geometry &to, const ImmediateRecorder &recorder) {
+bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
   const std::uint32_t size = independent(to.mode);
   constexpr std::uint32_t kMost = 1u << 24;
-  if (size == 0 || recorder.mode() != to.mode || !to.uniform || !isUniform(recorder) ||
-      recorder.slotCount() != to.slotCount || to.count + recorder.count() > kMost)
+  if (size == 0 || recorder.mode() != to.mode || fromArrays != to.fromArrays || !to.uniform ||
+      !isUniform(recorder) || recorder.slotCount() != to.slotCount ||
+      to.count + recorder.count() > kMost)
     return false;
   // The order of the slots is that of their first use.
   if (!std::equal(to.slots.begin(), to.slots.begin() + to.slotCount, recorder.slots()))

@@ -29,6 +29,7 @@ public:
   /// From which vertex on each of them is set.
   std::array<std::uint32_t, kSlots> since{};
   bool open = false;         ///< Begin without End
+  bool fromArrays = false;   ///< draws of arrays: current values stay what they are
   bool uniform = true;       ///< all of them from the first vertex on
   std::uint32_t touched = 0; ///< slots that were set, one bit each
   CurrentValues values{};    ///< of these, as the primitives leave them behind
@@ -70,9 +71,10 @@ private:
   mutable GLuint m_hostList = 0;
 };
 
-/// What the recorder has of a primitive.
-[[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder);
+/// What the recorder has of a primitive. \param fromArrays Geometry::fromArrays
+[[nodiscard]] std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder,
+                                                   bool fromArrays = false);
 /// Adds the recorder's primitive to `to`, if the two are drawn alike as one.
-[[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder);
+[[nodiscard]] bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays = false);
 
 } // namespace arbiter::state::software

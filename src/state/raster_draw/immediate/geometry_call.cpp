@@ -1,5 +1,7 @@
 #include "state/raster_draw/immediate/geometry_call.h"
 
+#include <algorithm>
+
 #include "host/handlers.h"
 #include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
@@ -32,7 +34,16 @@ GLuint hostListOf(Context &context, const Geometry &geometry) {
 void drawOnHost(Context &context, const Geometry &geometry) {
   if (context.attention && !handlers::beginDraw(context))
     return setCurrentValues(context, geometry.values, geometry.touched);
-  context.host->CallList(hostListOf(context, geometry));
+  const GLuint list = hostListOf(context, geometry);
+  // Where the stack is full the last vertex's values stay.
+  const bool restores =
+      geometry.fromArrays &&
+      context.attribStack.depth() < std::size_t(std::max(context.caps.maxAttribStackDepth, 0));
+  if (restores)
+    context.host->PushAttrib(GL_CURRENT_BIT);
+  context.host->CallList(list);
+  if (restores)
+    context.host->PopAttrib();
   context.dirty |= dirty::kCurrent;
 }
 

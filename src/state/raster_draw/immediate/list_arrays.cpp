@@ -1,0 +1,184 @@
+#include "state/raster_draw/immediate/list_arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "state/core/context.h"
+#include "state/lists/list_compiler.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/immediate/recorder.h"
+#include "state/raster_draw/immediate/replay.h"
+#include "state/raster_draw/vertices/vertex_convert.h"
+#include "state/raster_draw/vertices/vertex_fetch.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// Of one draw. A list of more is the host's, which keeps a vertex that is drawn again once.
+constexpr GLsizei kMostVertices = 1 << 20;
+
+/// The host itself is called within it, which neither compiles nor is in Begin and End.
+class OwnHost {
+public:
+  explicit OwnHost(Context &context) : m_context(context), m_before(context.host) {
+    if (m_before == &kRecordingHost)
+      context.host = context.trueHost;
+  }
+  ~OwnHost() { m_context.host = m_before; }
+  OwnHost(const OwnHost &) = delete;
+  OwnHost &operator=(const OwnHost &) = delete;
+
+private:
+  Context &m_context;
+  const host::HostTable *const m_before;
+};
+
+class OpenArrays {
+public:
+  OpenArrays(Context &context, const DrawCommand &command)
+      : m_context(context), m_arrays(context.list->arrays(context)) {
+    const OwnHost host(context);
+    isOpen = m_arrays.open(context, command, context.list->takeArraysDirty(context));
+  }
+  ~OpenArrays() {
+    const OwnHost host(m_context);
+    m_arrays.close(m_context);
+  }
+  OpenArrays(const OpenArrays &) = delete;
+  OpenArrays &operator=(const OpenArrays &) = delete;
+
+  bool isOpen = false;
+  void addTo(ImmediateRecorder &recorder, const DrawCommand &command) const {
+    m_arrays.addTo(recorder, command);
+  }
+
+private:
+  Context &m_context;
+  ListArrays &m_arrays;
+};
+
+/// The types of the commands that set one attribute; of others hosts convert by rules of their own.
+bool isPlain(const VertexSource::Array &array) {
+  switch (array.type) {
+  case GL_BYTE:
+  case GL_UNSIGNED_BYTE:
+  case GL_SHORT:
+  case GL_UNSIGNED_SHORT:
+  case GL_INT:
+  case GL_UNSIGNED_INT:
+  case GL_FLOAT:
+  case GL_DOUBLE:
+    return !array.bgra && conversionOf(array, false) != nullptr;
+  default:
+    return false;
+  }
+}
+
+/// An array as the command is that sets the attribute: table 2.9 of OpenGL 2.1, whatever rule the
+/// host's arrays have.
+struct Column {
+  int slot = 0;
+  Convert convert = nullptr;
+  const std::uint8_t *base = nullptr;
+  std::size_t stride = 0;
+
+  [[nodiscard]] std::array<float, 4> at(std::int64_t index) const {
+    std::array<float, 4> value = {0, 0, 0, 1};
+    convert({base + index * std::int64_t(stride),
+             stride,
+             1,
+             {&value[0], &value[1], &value[2], &value[3]}});
+    if (slot == kEdgeFlag)
+      value[0] = value[0] != 0.0f ? 1.0f : 0.0f;
+    return value;
+  }
+};
+
+std::int64_t indexOf(GLenum type, const void *indices, std::size_t i) {
+  const auto load = [&](auto value) {
+    std::memcpy(&value, static_cast<const std::uint8_t *>(indices) + i * sizeof value,
+                sizeof value);
+    return std::int64_t(value);
+  };
+  return type == GL_UNSIGNED_BYTE    ? load(std::uint8_t())
+         : type == GL_UNSIGNED_SHORT ? load(std::uint16_t())
+                                     : load(std::uint32_t());
+}
+
+} // namespace
+
+bool ListArrays::open(Context &context, const DrawCommand &command, bool changed) {
+  // Buffers are written by commands that leave no trace here, and restarts have no bit of their
+  // own.
+  m_mirror.clock.mark(dirty::kBuffers | dirty::kRaster | (changed ? dirty::kArrays : 0u));
+  m_mirror.refreshArrays();
+  const ArrayBindings &arrays = m_mirror.arrays;
+  if (arrays.restart)
+    return false;
+  for (std::uint32_t left = arrays.enabled; left != 0; left &= left - 1)
+    if (!isPlain(arrays.slots[std::size_t(std::countr_zero(left))].array))
+      return false;
+  return m_source.open(context, m_mirror, arrays.enabled, command) && isWithin(command);
+}
+
+/// All vertices are in the buffers. In client memory they are where the application says.
+bool ListArrays::isWithin(const DrawCommand &command) const {
+  IndexBounds bounds = {command.first, std::int64_t(command.first) + command.count - 1};
+  if (command.indexType != 0 &&
+      !boundsOf(command.indexType, m_source.indices(), std::uint32_t(command.count), bounds))
+    return false;
+  const std::uint32_t count = m_source.source().count;
+  return bounds.minimum + command.baseVertex >= 0 &&
+         (count == 0 || bounds.maximum + command.baseVertex < std::int64_t(count));
+}
+
+void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) const {
+  std::array<Column, kSlots> columns;
+  std::size_t count = 0;
+  for (std::uint32_t left = m_mirror.arrays.enabled; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    const VertexSource::Array &array = m_source.source().arrays[std::size_t(slot)];
+    columns[count++] = {slot, conversionOf(array, false),
+                        static_cast<const std::uint8_t *>(array.base), array.stride};
+  }
+  // The lowest slot, the position, makes the vertex.
+  for (GLsizei i = 0; i < command.count; ++i) {
+    const std::int64_t index =
+        command.baseVertex + (command.indexType == 0
+                                  ? command.first + std::int64_t(i)
+                                  : indexOf(command.indexType, m_source.indices(), std::size_t(i)));
+    for (std::size_t c = count; c-- > 1;) {
+      const std::array<float, 4> v = columns[c].at(index);
+      recorder.set(columns[c].slot, v[0], v[1], v[2], v[3]);
+    }
+    const std::array<float, 4> v = columns[0].at(index);
+    recorder.vertex(v[0], v[1], v[2], v[3]);
+  }
+}
+
+bool recordArrays(Context &context, const DrawCommand &command) {
+  if (!context.list->keeps() || context.insideBeginEnd || context.list->recordsPrimitive() ||
+      command.count > kMostVertices)
+    return false;
+  const OpenArrays arrays(context, command);
+  if (!arrays.isOpen || !context.list->beginPrimitive(context, command.mode))
+    return false;
+  arrays.addTo(context.list->recorder(), command);
+  context.list->endPrimitive(context, true);
+  return true;
+}
+
+bool recordElement(Context &context, GLint index) {
+  const DrawCommand command = {.first = index, .count = 1};
+  if (!context.list->recordsPrimitive() || index < 0)
+    return false;
+  const OpenArrays arrays(context, command);
+  if (arrays.isOpen)
+    arrays.addTo(context.list->recorder(), command);
+  return arrays.isOpen;
+}
+
+} // namespace arbiter::state::software

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Vertex arrays in display lists, on the bare host and under the layer: pictures and errors are equal, and
+the rasterizer draws what it can.
+
+  run_list_arrays.py --build build
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import sides
+from x_server import XServer
+
+# What the rasterizer draws at least: lists, and a triangle after each. Left to the host are lists that
+# restart primitives, hold mistakes or have no positions.
+ORDERS = {"programs-first": 158}
+
+
+def judge(client, order, layer, scratch):
+    """(lines of what is wrong, how many draws were the rasterizer's)."""
+    stats = pathlib.Path(scratch) / "stats.json"
+    stats.unlink(missing_ok=True)
+    answers = []
+    with XServer() as display:
+        both = {"XDG_CACHE_HOME": scratch, "DISPLAY": display}
+        for env in (sides.environment(extra=both),
+                    sides.environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)})):
+            try:
+                answers.append(sides.run([client, order], env))
+            except (sides.Died, subprocess.TimeoutExpired) as death:
+                return [str(death)], 0
+    drawn = sides.software_statistics(stats).get("drawn", 0)
+    few = [] if drawn >= ORDERS[order] else [f"{drawn} draws of the rasterizer, of at least {ORDERS[order]}"]
+    return sides.differences(*answers) + few, drawn
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    args = parser.parse_args()
+    build = args.build.resolve()
+    client = build / "tests/software/software-list-arrays"
+    layer = sides.layer_of(build)
+    passed = failed = 0
+    with tempfile.TemporaryDirectory(prefix="arbiter-list-arrays-") as scratch:
+        for order in ORDERS:
+            wrong, drawn = judge(client, order, layer, scratch)
+            passed, failed = passed + (not wrong), failed + bool(wrong)
+            print(f"{'FAIL' if wrong else 'pass'} {order}: {drawn} draws of the rasterizer", flush=True)
+            for line in wrong[:24]:
+                print(f"     {line}")
+    print(f"{passed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
