@@ -1,9 +1,11 @@
-// Vertex arrays in display lists: software-list-arrays programs-first | lists-first. Each list is
-// compiled, its arrays are overwritten, and it is called under a fragment program; pixels and
-// errors are written out, to be compared between two sides.
+// Vertex arrays and primitives in display lists: software-list-arrays programs-first | lists-first
+// | no-programs. Each list is compiled, its arrays are overwritten, and it is called under a
+// fragment program that was made before the lists, after them, or under none; pixels and errors are
+// written out, to be compared between two sides.
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <utility>
 
 #include "surface.h"
 
@@ -53,7 +55,7 @@ struct Scene {
   std::vector<Vertex> vertices = makeVertices(random);
   std::vector<GLushort> indices;
   GLuint buffers[2] = {};
-  int number = 0;
+  GLuint part = 0; ///< of callParts()
 
   Scene() {
     for (int i = 0; i < kVertices; ++i)
@@ -282,6 +284,149 @@ void compileCommands(Scene &scene) {
   });
 }
 
+/// Begin and End, and attributes outside of them.
+void compilePrimitives(Scene &scene) {
+  const auto triangle = [](float x, float y) {
+    glTexCoord2f(0.2f, 0.9f), glVertex2f(x, y);
+    glTexCoord3f(0.9f, 0.1f, 0.5f), glVertex3f(x + 0.6f, y, 0.2f);
+    glVertex4f(x, y + 0.6f, 0, 0.9f);
+  };
+  scene.compile("primitives", [&] {
+    glBegin(GL_TRIANGLES);
+    triangle(-0.9f, -0.9f);
+    triangle(0, 0);
+    glEnd();
+    glBegin(GL_TRIANGLES);
+    triangle(-0.9f, 0.1f);
+    glEnd();
+    glRectf(0.1f, -0.8f, 0.5f, -0.4f);
+  });
+  scene.compile("attributes outside", [&] {
+    glColor3ub(250, 20, 90);
+    glBegin(GL_TRIANGLES);
+    triangle(-0.9f, -0.9f);
+    glEnd();
+    glSecondaryColor3f(0.3f, 0, 0.2f);
+    glColor4f(0, 1, 0, 0.5f);
+    glTexCoord1f(0.8f);
+    glBegin(GL_QUADS);
+    glVertex2f(0, 0), glVertex2f(0.9f, 0), glVertex2f(0.9f, 0.9f), glVertex2f(0, 0.9f);
+    glEnd();
+    glColor3f(0.1f, 0.2f, 0.9f);
+  });
+  scene.compile("attributes alone",
+                [] { glColor3f(0.9f, 0.2f, 0.1f), glTexCoord4f(0.5f, 0, 0, 1); });
+  scene.compile("nothing", [] {});
+  scene.place(true);
+  scene.positions();
+  scene.compile("attributes and arrays", [] {
+    glColor3f(1, 0.5f, 0);
+    glDrawArrays(GL_TRIANGLES, 0, 6);
+    glColor3f(0, 0.5f, 1);
+    glDrawArrays(GL_TRIANGLES, 6, 6);
+  });
+  scene.compile("state after a primitive", [&] {
+    glBegin(GL_TRIANGLES);
+    triangle(-0.9f, -0.9f);
+    glEnd();
+    glColor3f(0, 1, 1);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBegin(GL_TRIANGLES);
+    triangle(-0.7f, -0.7f);
+    glEnd();
+    glDisable(GL_BLEND);
+  });
+  scene.compile("a command within a primitive", [&] {
+    glBegin(GL_TRIANGLES);
+    glColor3f(1, 0, 1);
+    triangle(-0.9f, -0.9f);
+    glMaterialf(GL_FRONT, GL_SHININESS, 3);
+    triangle(0, 0);
+    glEnd();
+    glBegin(GL_LINES);
+    triangle(-0.5f, -0.8f);
+    glVertex2f(0.9f, 0.9f);
+    glEnd();
+  });
+  scene.compile("End alone", [] { glEnd(); });
+  const GLuint inner = scene.lists[scene.lists.size() - 8].list;
+  scene.compile("a list of primitives within", [&, inner] {
+    glCallList(inner);
+    glBegin(GL_TRIANGLES);
+    triangle(0.2f, 0.2f);
+    glEnd();
+  });
+}
+
+/// The name of a list is another's: of a few commands, none of which may be left of the first.
+void compileAgain(Scene &scene) {
+  const auto quad = [](float x, float size) { glRectf(x, x, x + size, x + size); };
+  scene.compile("replaced by primitives", [&] { quad(-0.9f, 1.2f); });
+  const GLuint first = scene.lists.back().list;
+  glNewList(first, GL_COMPILE);
+  quad(0.1f, 0.3f);
+  glEndList();
+  scene.compile("replaced by state", [&] { quad(-0.9f, 1.2f); });
+  const GLuint second = scene.lists.back().list;
+  glNewList(second, GL_COMPILE);
+  glTranslatef(0.2f, 0, 0);
+  quad(0.1f, 0.3f);
+  glLoadIdentity();
+  glEndList();
+  scene.compile("replaced and executed", [&] { quad(-0.9f, 1.2f); });
+  const GLuint third = scene.lists.back().list;
+  glNewList(third, GL_COMPILE_AND_EXECUTE);
+  quad(-0.4f, 0.3f);
+  glEndList();
+  scene.compile("deleted", [&] { quad(-0.9f, 1.2f); });
+  glDeleteLists(scene.lists.back().list, 1);
+}
+
+/// Parts of primitives that several lists make, or lists and the application.
+void callParts(Scene &scene) {
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glBegin(GL_TRIANGLES);
+  glCallList(scene.part);
+  glVertex2f(-0.9f, 0.3f);
+  glCallList(scene.part);
+  glVertex2f(0.1f, 0.9f);
+  glEnd();
+  glCallList(scene.part + 1);
+  glVertex2f(0.9f, -0.9f);
+  glEnd();
+  record("parts" + takeErrors(), readRgba(0, 0, kSize, kSize));
+}
+
+void compileParts(Scene &scene) {
+  scene.part = glGenLists(2);
+  glNewList(scene.part, GL_COMPILE);
+  glColor3f(0.9f, 0.4f, 0);
+  glVertex2f(-0.5f, -0.8f);
+  glColor3f(0.1f, 0.4f, 0.9f);
+  glVertex2f(0.7f, 0.1f);
+  glEndList();
+  glNewList(scene.part + 1, GL_COMPILE);
+  glColor3f(0, 0.4f, 0);
+  glBegin(GL_TRIANGLES);
+  glVertex2f(0.5f, -0.8f);
+  glColor3f(0.6f, 0, 0.9f);
+  glVertex2f(0.7f, 0.7f);
+  glEndList();
+}
+
+/// Called together, with a base.
+void callTogether(const Scene &scene) {
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  std::vector<GLushort> names;
+  for (std::size_t i = 0; i < scene.lists.size(); i += 7)
+    names.push_back(GLushort(scene.lists[i].list - 1));
+  glListBase(1);
+  glCallLists(GLsizei(names.size()), GL_UNSIGNED_SHORT, names.data());
+  glListBase(0);
+  record("together" + takeErrors(), readRgba(0, 0, kSize, kSize));
+}
+
 void makeTheProgram() {
   (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB,
                     "!!ARBfp1.0\nTEMP t;\nMUL t, fragment.texcoord[0], 0.5;\n"
@@ -289,26 +434,37 @@ void makeTheProgram() {
                     "MAD result.color, fragment.color, 0.7, t;\nEND\n");
 }
 
-int run(bool programsFirst) {
+enum class Order { ProgramsFirst, ListsFirst, NoPrograms };
+
+int run(Order order) {
   Screen screen;
   if (!screen.open())
     return 2;
   const GLXDrawable window = screen.makeWindow(kSize, kSize);
   screen.makeCurrent(window, screen.makeContext());
-  if (programsFirst)
+  if (order == Order::ProgramsFirst)
     makeTheProgram();
   Scene scene;
   compileModes(scene);
   compileTypes(scene);
   compileCommands(scene);
-  if (!programsFirst)
+  compilePrimitives(scene);
+  compileAgain(scene);
+  compileParts(scene);
+  if (order == Order::ListsFirst)
     makeTheProgram();
-  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  if (order != Order::NoPrograms)
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_DITHER);
   glClearColor(0.1f, 0.2f, 0.3f, 1);
-  for (const Scene::List &list : scene.lists)
-    scene.call(list);
+  for (std::size_t i = 0; i < scene.lists.size(); ++i) {
+    scene.call(scene.lists[i]);
+    if (i % 4 == 3)
+      screen.swap(window);
+  }
+  callTogether(scene);
+  callParts(scene);
   return 0;
 }
 
@@ -316,8 +472,12 @@ int run(bool programsFirst) {
 } // namespace software
 
 int main(int argc, char **argv) {
-  const bool programsFirst = argc == 2 && !std::strcmp(argv[1], "programs-first");
-  if (argc != 2 || (!programsFirst && std::strcmp(argv[1], "lists-first") != 0))
-    return 1;
-  return software::run(programsFirst);
+  using software::Order;
+  const std::pair<const char *, Order> orders[] = {{"programs-first", Order::ProgramsFirst},
+                                                   {"lists-first", Order::ListsFirst},
+                                                   {"no-programs", Order::NoPrograms}};
+  for (const auto &[name, order] : orders)
+    if (argc == 2 && !std::strcmp(argv[1], name))
+      return software::run(order);
+  return 1;
 }

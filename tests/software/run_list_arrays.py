@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Vertex arrays in display lists, on the bare host and under the layer: pictures and errors are equal, and
-the rasterizer draws what it can.
+"""Vertex arrays and primitives in display lists, on the bare host and under the layer: pictures and errors
+are equal, and the rasterizer draws what it can.
 
   run_list_arrays.py --build build
 
@@ -17,8 +17,9 @@ import sides
 from x_server import XServer
 
 # What the rasterizer draws at least: lists, and a triangle after each. Left to the host are lists that
-# restart primitives, hold mistakes or have no positions.
-ORDERS = {"programs-first": 158}
+# restart primitives, hold mistakes or have no positions; of those from before the first program also what
+# holds any state.
+ORDERS = {"programs-first": 197, "lists-first": 164, "no-programs": 0}
 
 
 def judge(client, order, layer, scratch):

@@ -18,7 +18,8 @@ from x_server import XServer
 
 # How many images may be moved from the host and to it, of those scenes where that is the point. A scene's
 # first frame takes up what the host cleared; a context that leaves gives the host a frame's two images.
-MOST = {"cleared": (2, 48), "kept": (2, 48), "within-frames": (2, 96), "again": (2, 2), "shown-outside": (2, 48)}
+MOST = {"cleared": (2, 48), "kept": (2, 48), "within-frames": (2, 96), "again": (2, 2),
+        "shown-outside": (2, 48)}
 
 
 def moved_too_much(name, statistics):
@@ -65,8 +66,8 @@ def main():
                 continue
             wrong, statistics = judge(client, name, layer, scratch)
             passed, failed = passed + (not wrong), failed + bool(wrong)
-            print(f"{'FAIL' if wrong else 'pass'} {name}: {statistics.get('drawn', 0)} draws of the rasterizer, "
-                  f"{statistics.get('downloads', 0)} downloads, {statistics.get('uploads', 0)} uploads", flush=True)
+            counts = [f"{statistics.get(what, 0)} {what}" for what in ("drawn", "downloads", "uploads")]
+            print(f"{'FAIL' if wrong else 'pass'} {name}: {', '.join(counts)}", flush=True)
             for line in wrong[:8]:
                 print(f"     {line}")
     print(f"{passed} passed, {failed} failed, 0 skipped")

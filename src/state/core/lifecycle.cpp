@@ -343,12 +343,25 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
     setEnabled(to, row, from.row(row.target).enabled);
 }
 
+namespace {
+
+/// An application that has shown some frames without a program is taken to use none.
+void forgetEarlyLists(Context &context) {
+  const bool used = context.group->programApiUsed.load(std::memory_order_relaxed);
+  if (!used && context.listMode == 0 && !context.insideBeginEnd)
+    context.group->lists.forgetEarly(*context.host, 0, UINT32_MAX);
+}
+
+} // namespace
+
 void frameEnd(Context *context) {
   if (!context)
     return;
   withinMemory(*context, "SwapBuffers", [&] {
     captureFrame(*context);
     ++context->frames;
+    if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())
+      forgetEarlyLists(*context);
     noteProgress(*context);
     refreshReplacements(*context);
   });

@@ -50,7 +50,7 @@ void Begin(Context &context, GLenum mode) {
 void End(Context &context) {
   if (context.listMode != 0 && context.list->recordsPrimitive())
     return context.list->endPrimitive(context);
-  if (context.recorder) {
+  if (context.recorder && context.listMode == 0) {
     software::stopRecording(context);
     context.insideBeginEnd = false;
     return software::endPrimitive(context);

@@ -89,6 +89,8 @@ GLuint GenLists(Context &context, GLsizei range) {
 
 void DeleteLists(Context &context, GLuint list, GLsizei range) {
   DisplayListTable &lists = context.group->lists;
+  if (!context.insideBeginEnd && range > 0 && lists.hasEarly())
+    lists.forgetEarly(*context.host, list, GLuint(range));
   if (context.insideBeginEnd || range < 0 || lists.empty())
     return context.host->DeleteLists(list, range);
   for (const GLuint name : lists.namesIn(list, range))

@@ -1,5 +1,6 @@
 #include "state/lists/display_list.h"
 
+#include <algorithm>
 #include <new>
 
 #include "host/host_table.h"
@@ -29,13 +30,64 @@ void DisplayListTable::replace(const host::HostTable &host, GLuint name,
       m_lists.erase(it);
     m_count.store(m_lists.size(), std::memory_order_release);
   }
-  if (!old)
-    return;
-  for (const DisplayList::Item &item : old->items) {
+  if (old)
+    giveBackSegments(host, *old, name);
+}
+
+void DisplayListTable::giveBackSegments(const host::HostTable &host, const DisplayList &list,
+                                        GLuint name) {
+  for (const DisplayList::Item &item : list.items) {
     if (item.hostList != 0 && item.hostList != name)
       giveBack(host, item.hostList);
     if (const GLuint made = item.geometry ? item.geometry->madeHostList() : 0)
       giveBack(host, made);
+  }
+}
+
+std::shared_ptr<const DisplayList> DisplayListTable::findEarly(GLuint name) {
+  if (!hasEarly())
+    return nullptr;
+  const std::lock_guard lock(m_mutex);
+  const auto it = m_early.find(name);
+  return it == m_early.end() ? nullptr : it->second.list;
+}
+
+void DisplayListTable::replaceEarly(const host::HostTable &host, GLuint name,
+                                    std::shared_ptr<const DisplayList> list) {
+  if (hasEarly())
+    forgetEarly(host, name, 1);
+  if (!list)
+    return;
+  constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+  std::size_t bytes = 0;
+  for (const DisplayList::Item &item : list->items)
+    bytes += item.geometry ? item.geometry->data.size() * sizeof(float) : 0;
+  const std::lock_guard lock(m_mutex);
+  if (m_earlyBytes + bytes > kMostBytes)
+    return;
+  m_early[name] = {std::move(list), bytes};
+  m_earlyBytes += bytes;
+  m_earlyCount.store(m_early.size(), std::memory_order_release);
+}
+
+void DisplayListTable::forgetEarly(const host::HostTable &host, GLuint first, GLuint count) {
+  while (true) {
+    std::shared_ptr<const DisplayList> old;
+    GLuint name = 0;
+    {
+      const std::lock_guard lock(m_mutex);
+      const auto isIn = [&](const auto &entry) { return entry.first - first < count; };
+      const auto it =
+          count == 1 ? m_early.find(first) : std::find_if(m_early.begin(), m_early.end(), isIn);
+      if (it == m_early.end())
+        return;
+      name = it->first;
+      old = std::move(it->second.list);
+      m_earlyBytes -= it->second.bytes;
+      m_early.erase(it);
+      m_earlyCount.store(m_early.size(), std::memory_order_release);
+    }
+    giveBackSegments(host, *old, name);
   }
 }
 

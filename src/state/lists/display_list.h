@@ -88,6 +88,15 @@ public:
   /// Replaces the list of that name; null removes it. The old one's host segments are deleted, save
   /// `name` itself.
   void replace(const host::HostTable &host, GLuint name, std::shared_ptr<const DisplayList> list);
+  /// What a list of the host's holds that has primitives alone, and was compiled before the group
+  /// made its first program: for the rasterizer to draw, should there be one. Null: nothing. All of
+  /// them together are kept up to a limit.
+  void replaceEarly(const host::HostTable &host, GLuint name,
+                    std::shared_ptr<const DisplayList> list);
+  [[nodiscard]] std::shared_ptr<const DisplayList> findEarly(GLuint name);
+  [[nodiscard]] bool hasEarly() const { return m_earlyCount.load(std::memory_order_acquire) != 0; }
+  /// Of `count` names from `first` on, which are deleted or not worth their memory.
+  void forgetEarly(const host::HostTable &host, GLuint first, GLuint count);
   /// A free name for a segment.
   [[nodiscard]] GLuint takeSegmentName(const host::HostTable &host);
   [[nodiscard]] bool isSegment(GLuint name);
@@ -103,15 +112,22 @@ public:
 
 private:
   void giveBack(const host::HostTable &host, GLuint segment);
+  void giveBackSegments(const host::HostTable &host, const DisplayList &list, GLuint name);
 
   std::mutex m_mutex;
   std::unordered_map<GLuint, std::shared_ptr<const DisplayList>> m_lists;
+  struct Early {
+    std::shared_ptr<const DisplayList> list;
+    std::size_t bytes = 0;
+  };
+  std::unordered_map<GLuint, Early> m_early;
+  std::size_t m_earlyBytes = 0;
   std::unordered_set<GLuint> m_segments;
   std::vector<GLuint> m_free;
   GLuint m_next = kTop;
   GLuint m_nextGenerated = 1;
   std::atomic<bool> m_used{false};
-  std::atomic<std::size_t> m_count{0};
+  std::atomic<std::size_t> m_count{0}, m_earlyCount{0};
 };
 
 } // namespace arbiter::state

@@ -14,8 +14,10 @@
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
+#include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/copy_texture.h"
+#include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/geometry_call.h"
 #include "state/share/share_group.h"
@@ -230,6 +232,15 @@ GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
   }
 }
 
+/// What of the list the rasterizer may draw now, though it is the host's; null: the host calls it.
+std::shared_ptr<const DisplayList> earlyList(Context &context, GLuint name) {
+  if (!context.software || context.insideBeginEnd || !context.group->lists.hasEarly() ||
+      !software::mayDraw(context) || !software::usesRasterizer(context) ||
+      !software::decideByPath(context).ok())
+    return nullptr;
+  return context.group->lists.findEarly(name);
+}
+
 } // namespace
 
 std::size_t callListsBytes(GLsizei count, GLenum type) {
@@ -239,6 +250,11 @@ std::size_t callListsBytes(GLsizei count, GLenum type) {
 void callList(Context &context, GLuint name) {
   const std::shared_ptr<const DisplayList> list = context.group->lists.find(name);
   if (!list) {
+    if (const std::shared_ptr<const DisplayList> early = earlyList(context, name)) {
+      for (const DisplayList::Item &item : early->items)
+        software::callGeometry(context, *item.geometry);
+      return;
+    }
     callHostList(context, name);
     return followAttribStack(context);
   }
@@ -276,7 +292,9 @@ void callListIntoHost(Context &context, GLuint name) {
 }
 
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
-  if (context.group->lists.empty() || count < 0 || elementSize(type) == 0 || !lists) {
+  const DisplayListTable &known = context.group->lists;
+  const bool allHosts = known.empty() && !(context.software && known.hasEarly());
+  if (allHosts || count < 0 || elementSize(type) == 0 || !lists) {
     if (!context.insideBeginEnd) {
       noteClipPlanesOfLists(context);
       beforeHostLists(context);

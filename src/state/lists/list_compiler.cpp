@@ -78,6 +78,8 @@ void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   setMode(context, m_mode);
   m_segment = name;
   context.host->NewList(name, mode);
+  if (mode == GL_COMPILE && software::keepsEarlyLists(context))
+    beginEarly(context);
 }
 
 /// 0: while our commands run nothing is compiled.
@@ -122,6 +124,8 @@ void ListCompiler::finishGeometry() {
 
 /// Our own commands may run: the host compiles nothing, and is called as ever.
 void ListCompiler::closeSegment(Context &context) {
+  if (m_early)
+    leaveEarly(context);
   leavePrimitive(context);
   if (m_segment != 0) {
     context.host->EndList();
@@ -175,6 +179,8 @@ void ListCompiler::openSegment(Context &context) {
 
 void ListCompiler::record(Context &context, Command command) {
   noteProgramApiUse(context);
+  if (m_early)
+    leaveEarly(context);
   const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
   if (follows && joinBinds(m_items.back(), command, recordable(context.dirty)))
     return;
@@ -193,14 +199,18 @@ void ListCompiler::record(Context &context, Command command) {
 }
 
 bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
-  if (!m_keeps || m_recording || m_open || mode > GL_POLYGON)
+  if (!keeps() || m_recording || m_open || mode > GL_POLYGON)
     return false;
-  if (m_segment != 0) {
+  if (m_early) {
+    takeValues(context);
+  } else if (m_segment != 0) {
     closeSegment(context);
     resume(context);
   }
   m_recording = true;
   m_recorder.begin(mode, {});
+  if (m_early)
+    limitPrimitive(context);
   context.recorder = &m_recorder;
   ++*context.drawCounter;
   return true;
@@ -208,6 +218,12 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
 
 void ListCompiler::endPrimitive(Context &context, bool fromArrays) {
   stopPrimitive(context);
+  if (!m_early)
+    return keepPrimitive(fromArrays);
+  endEarlyPrimitive(context, fromArrays);
+}
+
+void ListCompiler::keepPrimitive(bool fromArrays) {
   if (m_geometry && append(*m_geometry, m_recorder, fromArrays))
     return;
   finishGeometry();
@@ -222,6 +238,8 @@ void ListCompiler::stopPrimitive(Context &context) {
 }
 
 void ListCompiler::interruptPrimitive(Context &context) {
+  if (m_early)
+    return leaveEarly(context);
   stopPrimitive(context);
   m_open = m_begun = true;
   withinMemory(context, "NewList", [&] {
@@ -247,11 +265,15 @@ bool ListCompiler::takeArraysDirty(Context &context) {
 }
 
 void ListCompiler::end(Context &context) {
-  std::shared_ptr<DisplayList> made, list;
+  std::shared_ptr<DisplayList> made, list, early;
   withinMemory(context, "EndList", [&] {
     made = std::make_shared<DisplayList>();
     makeRoom(m_items, 3 + m_pushes.size());
+    if (m_early)
+      early = endEarly(context);
   });
+  if (m_early) // without memory
+    leaveEarly(context);
   if (m_keeps) {
     closeSegment(context);
     list = made;
@@ -270,10 +292,14 @@ void ListCompiler::end(Context &context) {
   }
   if (list)
     list->items = std::exchange(m_items, {});
-  withinMemory(context, "EndList", [&] { define(context, std::move(list)); });
+  withinMemory(context, "EndList", [&] {
+    define(context, std::move(list));
+    context.group->lists.replaceEarly(*context.host, m_name, std::move(early));
+  });
   m_name = 0;
   m_segment = 0;
   m_recorder = {};
+  m_outside = {};
   m_keeps = false;
   context.softwareListens = context.softwarePossible;
   invalidateProgram(context);

@@ -21,6 +21,10 @@ class ListArrays;
 ///
 /// Where the rasterizer may draw (raster_draw/context_state.h, keepsLists) primitives are kept from
 /// the host: its lists hold the state between them, and what each changes is noted.
+///
+/// Before a share group makes its first program lists are the host's, whole. One that holds nothing
+/// but primitives and attributes is kept as well (`early`): the first other command makes it the
+/// host's alone.
 class ListCompiler {
 public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
@@ -59,6 +63,8 @@ public:
   [[nodiscard]] software::ImmediateRecorder &recorder() { return m_recorder; }
   /// The host is called: it compiles what comes. An open segment is the host's already.
   void giveHost(Context &context) {
+    if (m_early)
+      return leaveEarly(context);
     leavePrimitive(context);
     openSegment(context);
   }
@@ -71,7 +77,13 @@ public:
   /// The command that goes to the host now draws, or reads or writes images.
   void notePixels() { m_pixels = true; }
   /// Primitives are kept.
-  [[nodiscard]] bool keeps() const { return m_keeps; }
+  [[nodiscard]] bool keeps() const { return m_keeps || m_early; }
+  /// They are the host's too: it has been told of all that came, save what is recorded now.
+  [[nodiscard]] bool isEarly() const { return m_early; }
+  /// A draw of so many vertices may be kept.
+  [[nodiscard]] bool hasRoom(GLsizei count) const;
+  /// The list is the host's alone from here on.
+  void leaveEarly(Context &context);
   /// What reads vertex arrays for them.
   [[nodiscard]] software::ListArrays &arrays(Context &context);
   /// Vertex arrays may be others since the last call, or since the list began.
@@ -98,6 +110,13 @@ private:
     GLbitfield mask;
     bool noted; ///< as a command of the layer's
   };
+  void beginEarly(Context &context);
+  void takeValues(Context &context);
+  void endEarlyPrimitive(Context &context, bool fromArrays);
+  void recordOutside(Context &context);
+  void limitPrimitive(Context &context);
+  static bool leaveFull(void *owner, const float position[4]);
+  [[nodiscard]] std::shared_ptr<DisplayList> endEarly(Context &context);
   void closeSegment(Context &context);
   void resume(Context &context);
   void openSegment(Context &context);
@@ -105,12 +124,15 @@ private:
   void finishGeometry();
   void stopPrimitive(Context &context);
   void interruptPrimitive(Context &context);
+  void keepPrimitive(bool fromArrays);
   void setMode(Context &context, std::uint16_t mode);
   void define(Context &context, std::shared_ptr<const DisplayList> list);
 
   GLuint m_name = 0;
   GLuint m_segment = 0; ///< the host list being compiled; 0: none
   bool m_keeps = false;
+  bool m_early = false;
+  std::uint32_t m_earlyVertices = 0;
   bool m_recording = false;                    ///< a primitive, since its Begin
   Primitive m_primitive = Primitive::AsBefore; ///< of the segment
   bool m_open = false;                         ///< a primitive is, and not recorded
@@ -122,6 +144,7 @@ private:
   std::vector<DisplayList::Item> m_items;
   std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
   software::ImmediateRecorder m_recorder;
+  software::ImmediateRecorder m_outside; ///< attributes outside of primitives, of an early list
   std::unique_ptr<software::ListArrays> m_arrays; ///< null before the first that are read
   std::vector<Push> m_pushes;
   std::uint16_t m_mode = 0;

@@ -26,6 +26,11 @@ bool keepsLists(const Context &context) {
          isPossible(context);
 }
 
+bool keepsEarlyLists(const Context &context) {
+  return !context.software && !context.softwareRefused && context.frames < kEarlyFrames &&
+         isPossible(context);
+}
+
 void engage(Context &context) {
   if (context.software || context.softwareRefused)
     return;

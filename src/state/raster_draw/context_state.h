@@ -78,5 +78,10 @@ void engage(Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.
 [[nodiscard]] bool keepsLists(const Context &context);
+/// An application that loads its programs after its lists has done so after so many frames.
+inline constexpr std::uint64_t kEarlyFrames = 8;
+/// Where keepsLists() is false: lists of primitives alone are kept beside the host's, as programs
+/// may be made yet.
+[[nodiscard]] bool keepsEarlyLists(const Context &context);
 
 } // namespace arbiter::state::software

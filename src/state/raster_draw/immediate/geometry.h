@@ -29,6 +29,7 @@ public:
   /// From which vertex on each of them is set.
   std::array<std::uint32_t, kSlots> since{};
   bool open = false;         ///< Begin without End
+  bool onlyValues = false;   ///< no primitive: attributes that were set outside of them
   bool fromArrays = false;   ///< draws of arrays: current values stay what they are
   bool uniform = true;       ///< all of them from the first vertex on
   std::uint32_t touched = 0; ///< slots that were set, one bit each

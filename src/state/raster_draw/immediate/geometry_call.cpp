@@ -88,6 +88,8 @@ bool drawGeometry(Context &context, const Geometry &geometry) {
 void callGeometry(Context &context, const Geometry &geometry) {
   if (context.insideBeginEnd) // an error, which costs the primitive's vertices too
     return handlers::Begin(context, geometry.mode);
+  if (geometry.onlyValues)
+    return setCurrentValues(context, geometry.values, geometry.touched);
   if (geometry.open)
     return beginPrimitive(context, geometry);
   if (mayDraw(context) && usesRasterizer(context) && geometry.count != 0 &&

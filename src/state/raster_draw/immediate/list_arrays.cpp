@@ -108,6 +108,16 @@ std::int64_t indexOf(GLenum type, const void *indices, std::size_t i) {
                                      : load(std::uint32_t());
 }
 
+/// As the command that it is. The host compiles it.
+void drawOnHost(const host::HostTable &host, const DrawCommand &c) {
+  if (c.indexType == 0)
+    host.DrawArrays(c.mode, c.first, c.count);
+  else if (c.baseVertex == 0)
+    host.DrawElements(c.mode, c.count, c.indexType, c.indices);
+  else
+    host.DrawElementsBaseVertex(c.mode, c.count, c.indexType, c.indices, c.baseVertex);
+}
+
 } // namespace
 
 bool ListArrays::open(Context &context, const DrawCommand &command, bool changed) {
@@ -161,11 +171,13 @@ void ListArrays::addTo(ImmediateRecorder &recorder, const DrawCommand &command) 
 
 bool recordArrays(Context &context, const DrawCommand &command) {
   if (!context.list->keeps() || context.insideBeginEnd || context.list->recordsPrimitive() ||
-      command.count > kMostVertices)
+      command.count > kMostVertices || !context.list->hasRoom(command.count))
     return false;
   const OpenArrays arrays(context, command);
   if (!arrays.isOpen || !context.list->beginPrimitive(context, command.mode))
     return false;
+  if (context.list->isEarly())
+    drawOnHost(*context.trueHost, command);
   arrays.addTo(context.list->recorder(), command);
   context.list->endPrimitive(context, true);
   return true;

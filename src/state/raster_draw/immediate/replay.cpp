@@ -1,6 +1,7 @@
 #include "state/raster_draw/immediate/replay.h"
 
 #include <bit>
+#include <cmath>
 
 #include "state/core/context.h"
 #include "state/core/memory.h"
@@ -76,6 +77,22 @@ void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder) {
   for (std::uint32_t i = 0; i < recorder.count(); ++i)
     recorder.read(i, [&](int slot, const float *value) { setAttribute(host, slot, value); });
   setAttributes(host, recorder.values(), recorder.touched());
+}
+
+void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder) {
+  const auto set = [&](int slot, const float *v) {
+    const bool isTexCoord = slot >= kTexCoord0 && slot < kGeneric0;
+    if (slot == kPosition && v[3] == 1.0f)
+      return host.Vertex3fv(v);
+    if (isTexCoord && v[3] == 1.0f && v[2] == 0.0f && !std::signbit(v[2]))
+      return host.MultiTexCoord2fv(GLenum(GL_TEXTURE0 + slot - kTexCoord0), v);
+    setAttribute(host, slot, v);
+  };
+  host.Begin(recorder.mode());
+  for (std::uint32_t i = 0; i < recorder.count(); ++i)
+    recorder.read(i, set);
+  setAttributes(host, recorder.values(), recorder.touched());
+  host.End();
 }
 
 void replayToHost(Context &context) {

@@ -28,6 +28,9 @@ const host::HostTable *flushToHost();
 
 /// Begin, the vertices so far and what the attributes are now: each is sent from where it was set.
 void sendOpen(const host::HostTable &host, const ImmediateRecorder &recorder);
+/// The whole primitive, as a list of the host's is to keep it: without components that are the
+/// defaults, which applications seldom give.
+void sendWhole(const host::HostTable &host, const ImmediateRecorder &recorder);
 /// After stopRecording() and hostDraws(): opens the recorder's primitive on the host and sends all
 /// its vertices so far, each attribute from where it was set. What follows in the primitive is the
 /// host's. It is counted as a draw of the host's.
