@@ -25,7 +25,9 @@ import tempfile
 import threading
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "software"))
+for folder in ("processes", "software"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / folder))
+import rates  # noqa: E402
 import sides  # noqa: E402
 from run_sequences import minimise  # noqa: E402
 
@@ -135,11 +137,23 @@ def batch(model, count, windows, first, size):
             if not what:
                 continue
             again = again or model.run("bare", windows, first, size)
-            if again[seed] != bare[seed]:
+            if again[seed] != bare[seed] or bare_ends_so(model, side, windows, seed, layer[seed]):
                 skipped.append(seed)  # the bare host's own affair
             else:
                 failures.append({"seed": seed, "backend": side, "windows": windows, "what": what})
     count.add(size, failures, skipped)
+
+
+def bare_ends_so(model, side, windows, seed, lines):
+    """A sequence of the layer's ended: whether the bare host ends in that sequence too, in other runs, and
+    as often. Its renderbuffers of deleted contexts do that to Mesa 22.3.6."""
+    def end(one):
+        last = model.run(one, windows, seed, 1)[seed]
+        return last[-1].split(": ")[1] if ended(last) else None
+    if not ended(lines):
+        return False
+    worse, _ = rates.compare(lines[-1].split(": ")[1], lambda: end("bare"), lambda: end(side))
+    return not worse
 
 
 def reduce(model, failure):
@@ -167,11 +181,11 @@ def planted(model, seeds):
     return seen, tried
 
 
-def drawn(model, windows, scratch):
+def drawn(model, side, windows, scratch):
     """How many draws the rasterizer did in one batch. None: then the layer is not there, and the bare host
     was compared with itself."""
     path = scratch / f"stats-{windows}.json"
-    model.run("swrast", windows, 1, 4, extra={"ARBITER_STATS": str(path)})
+    model.run(side, windows, 1, 4, extra={"ARBITER_STATS": str(path)})
     return sides.software_statistics(path).get("drawn", 0)
 
 
@@ -232,8 +246,9 @@ def main():
             seen, tried = planted(model, range(args.first, args.first + 8))
             print(f"{seen} of {tried} commands that one side leaves out are seen")
             bad += seen < tried / 2
-        for windows in (False, True):
-            total = drawn(model, windows, scratch)
+        rasterizing = [side for side in backends if side != "host"]
+        for side, windows in [(side, windows) for side in rasterizing[-1:] for windows in (False, True)]:
+            total = drawn(model, side, windows, scratch)
             print(f"of four sequences in {'windows of GLX' if windows else 'pbuffers of EGL'} the "
                   f"rasterizer drew {total}")
             bad += total == 0
