@@ -1,7 +1,7 @@
 #pragma once
 
-/// The end of an application's Display. Contexts that it leaves behind are gone then, and no request
-/// may follow.
+/// The end of an application's Display. Contexts that it leaves behind are gone then, and no
+/// request may follow.
 namespace arbiter::interposer {
 
 /// Asks Xlib to say when the display is closed; once asked, does nothing.

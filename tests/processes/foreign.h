@@ -20,7 +20,8 @@ void drawBitmaps();
 /// A draw of 512x512 pixels that take long, into a texture of its own from now on, which takes some
 /// milliseconds of every thread.
 void drawManyPixels();
-/// A bitmap of drawBitmaps(), or the draw of drawManyPixels(), is under way; to be asked in handlers.
+/// A bitmap of drawBitmaps(), or the draw of drawManyPixels(), is under way; to be asked in
+/// handlers.
 bool isInMidst();
 /// Draws frames for ever.
 [[noreturn]] void drawForEver(bool fresh);
