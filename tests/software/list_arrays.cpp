@@ -61,6 +61,7 @@ struct Scene {
     for (int i = 0; i < kVertices; ++i)
       indices.push_back(GLushort(random.below(kVertices)));
     glGenBuffers(2, buffers);
+    part = glGenLists(2);
   }
   /// What arrays are pointed at: client memory, or the buffer.
   const Vertex *source = nullptr;
@@ -349,14 +350,6 @@ void compilePrimitives(Scene &scene) {
     glVertex2f(0.9f, 0.9f);
     glEnd();
   });
-  scene.compile("End alone", [] { glEnd(); });
-  const GLuint inner = scene.lists[scene.lists.size() - 8].list;
-  scene.compile("a list of primitives within", [&, inner] {
-    glCallList(inner);
-    glBegin(GL_TRIANGLES);
-    triangle(0.2f, 0.2f);
-    glEnd();
-  });
 }
 
 /// The name of a list is another's: of a few commands, none of which may be left of the first.
@@ -398,14 +391,18 @@ void callParts(Scene &scene) {
   record("parts" + takeErrors(), readRgba(0, 0, kSize, kSize));
 }
 
+/// Vertices without Begin and End.
 void compileParts(Scene &scene) {
-  scene.part = glGenLists(2);
   glNewList(scene.part, GL_COMPILE);
   glColor3f(0.9f, 0.4f, 0);
   glVertex2f(-0.5f, -0.8f);
   glColor3f(0.1f, 0.4f, 0.9f);
   glVertex2f(0.7f, 0.1f);
   glEndList();
+}
+
+/// The last one that is compiled: Mesa 22.3.6 loses vertices of lists after it.
+void compileOpen(Scene &scene) {
   glNewList(scene.part + 1, GL_COMPILE);
   glColor3f(0, 0.4f, 0);
   glBegin(GL_TRIANGLES);
@@ -434,6 +431,25 @@ void makeTheProgram() {
                     "MAD result.color, fragment.color, 0.7, t;\nEND\n");
 }
 
+/// What has a list watched by the layer, and all that call others from then on.
+void compileWatched(Scene &scene) {
+  scene.compile("End alone", [] { glEnd(); });
+  const GLuint inner = scene.lists.front().list;
+  scene.compile("a list of primitives within", [inner] {
+    glCallList(inner);
+    glBegin(GL_TRIANGLES);
+    glVertex2f(0.2f, 0.2f), glVertex2f(0.8f, 0.2f), glVertex2f(0.2f, 0.8f);
+    glEnd();
+  });
+}
+
+void compileAll(Scene &scene) {
+  compileModes(scene);
+  compileTypes(scene);
+  compileCommands(scene);
+  compilePrimitives(scene);
+}
+
 enum class Order { ProgramsFirst, ListsFirst, NoPrograms };
 
 int run(Order order) {
@@ -444,13 +460,13 @@ int run(Order order) {
   screen.makeCurrent(window, screen.makeContext());
   if (order == Order::ProgramsFirst)
     makeTheProgram();
-  Scene scene;
-  compileModes(scene);
-  compileTypes(scene);
-  compileCommands(scene);
-  compilePrimitives(scene);
+  Scene first, scene;
+  compileAll(first); // libepoxy asks about the host where a function is first called, in a list too
+  compileAll(scene);
   compileAgain(scene);
   compileParts(scene);
+  compileWatched(scene);
+  compileOpen(scene);
   if (order == Order::ListsFirst)
     makeTheProgram();
   if (order != Order::NoPrograms)

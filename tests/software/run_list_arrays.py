@@ -19,7 +19,7 @@ from x_server import XServer
 # What the rasterizer draws at least: lists, and a triangle after each. Left to the host are lists that
 # restart primitives, hold mistakes or have no positions; of those from before the first program also what
 # holds any state.
-ORDERS = {"programs-first": 197, "lists-first": 164, "no-programs": 0}
+ORDERS = {"programs-first": 195, "lists-first": 173, "no-programs": 0}
 
 
 def judge(client, order, layer, scratch):

@@ -10,7 +10,6 @@
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/program_bind.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/immediate/replay.h"
 #include "state/share/share_group.h"
 
@@ -45,9 +44,6 @@ void makeRoom(std::vector<DisplayList::Item> &items, std::size_t more) {
 }
 
 } // namespace
-
-ListCompiler::ListCompiler() = default;
-ListCompiler::~ListCompiler() = default;
 
 void ListCompiler::begin(Context &context, GLuint name, GLenum mode) {
   // What executes with the list must find its program bound: nothing of the layer's may be called
@@ -248,12 +244,6 @@ void ListCompiler::interruptPrimitive(Context &context) {
     m_geometry->open = true;
     finishGeometry();
   });
-}
-
-software::ListArrays &ListCompiler::arrays(Context &context) {
-  if (!m_arrays)
-    m_arrays = std::make_unique<software::ListArrays>(*context.trueHost, context.caps);
-  return *m_arrays;
 }
 
 bool ListCompiler::takeArraysDirty(Context &context) {

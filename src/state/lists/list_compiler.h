@@ -30,11 +30,6 @@ public:
   /// Deeper calls are ignored, as GL_MAX_LIST_NESTING allows.
   static constexpr int kMaxDepth = 64;
 
-  ListCompiler();
-  ~ListCompiler();
-  ListCompiler(const ListCompiler &) = delete;
-  ListCompiler &operator=(const ListCompiler &) = delete;
-
   void begin(Context &context, GLuint name, GLenum mode);
   void end(Context &context);
   /// While a list is compiled: records `command`, and executes it too in COMPILE_AND_EXECUTE.
@@ -84,8 +79,10 @@ public:
   [[nodiscard]] bool hasRoom(GLsizei count) const;
   /// The list is the host's alone from here on.
   void leaveEarly(Context &context);
-  /// What reads vertex arrays for them.
-  [[nodiscard]] software::ListArrays &arrays(Context &context);
+  using Arrays = std::unique_ptr<software::ListArrays, void (*)(software::ListArrays *)>;
+  /// What reads vertex arrays for them; null before the first that are read. Who makes it
+  /// (raster_draw/immediate/list_arrays.cpp) knows how it is destroyed.
+  [[nodiscard]] Arrays &arrays() { return m_arrays; }
   /// Vertex arrays may be others since the last call, or since the list began.
   [[nodiscard]] bool takeArraysDirty(Context &context);
 
@@ -145,7 +142,7 @@ private:
   std::unique_ptr<software::Geometry> m_geometry; ///< whole primitives, after the last item
   software::ImmediateRecorder m_recorder;
   software::ImmediateRecorder m_outside; ///< attributes outside of primitives, of an early list
-  std::unique_ptr<software::ListArrays> m_arrays; ///< null before the first that are read
+  Arrays m_arrays{nullptr, nullptr};
   std::vector<Push> m_pushes;
   std::uint16_t m_mode = 0;
 };

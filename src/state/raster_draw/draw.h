@@ -5,6 +5,7 @@
 
 #include "state/mirror/attributes.h"
 #include "state/raster_draw/outcome.h"
+#include "state/raster_draw/vertices/draw_command.h"
 
 /// Draws of arrays and of vertices that a list has kept.
 namespace arbiter::state {
@@ -12,17 +13,6 @@ class Context;
 }
 
 namespace arbiter::state::software {
-
-/// `count` vertices from `first`, or by `indices` (of type GL_UNSIGNED_BYTE, _SHORT, _INT; an
-/// offset into the element buffer where one is bound) with `baseVertex` added.
-struct DrawCommand {
-  GLenum mode = GL_TRIANGLES;
-  GLint first = 0;
-  GLsizei count = 0;
-  GLenum indexType = 0; ///< 0: no indices
-  const void *indices = nullptr;
-  GLint baseVertex = 0;
-};
 
 // --- Commands. True: drawn. Called where mayDraw() (commands.h), before anything is prepared for
 // the

@@ -36,10 +36,18 @@ private:
   const host::HostTable *const m_before;
 };
 
+ListArrays &arraysOf(Context &context) {
+  ListCompiler::Arrays &arrays = context.list->arrays();
+  if (!arrays)
+    arrays = {new ListArrays(*context.trueHost, context.caps),
+              [](ListArrays *made) { delete made; }};
+  return *arrays;
+}
+
 class OpenArrays {
 public:
   OpenArrays(Context &context, const DrawCommand &command)
-      : m_context(context), m_arrays(context.list->arrays(context)) {
+      : m_context(context), m_arrays(arraysOf(context)) {
     const OwnHost host(context);
     isOpen = m_arrays.open(context, command, context.list->takeArraysDirty(context));
   }

@@ -4,8 +4,8 @@
 #include <GL/gl.h>
 
 #include "state/mirror/mirror.h"
-#include "state/raster_draw/draw.h"
 #include "state/raster_draw/vertices/array_source.h"
+#include "state/raster_draw/vertices/draw_command.h"
 
 /// Vertex arrays in a display list that keeps its primitives: their vertices, as they lie in memory
 /// when the list is compiled. Pointers and what enables arrays are no part of a list (OpenGL 2.1,

@@ -5,7 +5,7 @@
 #include <GL/gl.h>
 
 #include "state/mirror/attributes.h"
-#include "state/raster_draw/draw.h"
+#include "state/raster_draw/vertices/draw_command.h"
 
 #include "state/raster_draw/vertices/buffer_copies.h"
 
