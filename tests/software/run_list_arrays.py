@@ -14,7 +14,6 @@ import sys
 import tempfile
 
 import sides
-from x_server import XServer
 
 # What the rasterizer draws at least: lists, and a triangle after each. Left to the host are lists that
 # restart primitives, hold mistakes or have no positions; of those from before the first program also what
@@ -24,20 +23,13 @@ ORDERS = {"programs-first": 195, "lists-first": 173, "no-programs": 0}
 
 def judge(client, order, layer, scratch):
     """(lines of what is wrong, how many draws were the rasterizer's)."""
-    stats = pathlib.Path(scratch) / "stats.json"
-    stats.unlink(missing_ok=True)
-    answers = []
-    with XServer() as display:
-        both = {"XDG_CACHE_HOME": scratch, "DISPLAY": display}
-        for env in (sides.environment(extra=both),
-                    sides.environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)})):
-            try:
-                answers.append(sides.run([client, order], env))
-            except (sides.Died, subprocess.TimeoutExpired) as death:
-                return [str(death)], 0
-    drawn = sides.software_statistics(stats).get("drawn", 0)
+    try:
+        bare, layered, statistics = sides.bare_and_layer([client, order], layer, scratch)
+    except (sides.Died, subprocess.TimeoutExpired) as death:
+        return [str(death)], 0
+    drawn = statistics.get("drawn", 0)
     few = [] if drawn >= ORDERS[order] else [f"{drawn} draws of the rasterizer, of at least {ORDERS[order]}"]
-    return sides.differences(*answers) + few, drawn
+    return sides.differences(bare, layered) + few, drawn
 
 
 def main():
@@ -48,16 +40,12 @@ def main():
     build = args.build.resolve()
     client = build / "tests/software/software-list-arrays"
     layer = sides.layer_of(build)
-    passed = failed = 0
+    tally = sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-list-arrays-") as scratch:
         for order in ORDERS:
             wrong, drawn = judge(client, order, layer, scratch)
-            passed, failed = passed + (not wrong), failed + bool(wrong)
-            print(f"{'FAIL' if wrong else 'pass'} {order}: {drawn} draws of the rasterizer", flush=True)
-            for line in wrong[:24]:
-                print(f"     {line}")
-    print(f"{passed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+            tally.row(f"{order}: {drawn} draws of the rasterizer", wrong, 24)
+    return tally.end()
 
 
 if __name__ == "__main__":

@@ -14,7 +14,6 @@ import sys
 import tempfile
 
 import sides
-from x_server import XServer
 
 # How many images may be moved from the host and to it, of those scenes where that is the point. A scene's
 # first frame takes up what the host cleared; a context that leaves gives the host a frame's two images.
@@ -31,21 +30,13 @@ def moved_too_much(name, statistics):
 
 def judge(client, name, layer, scratch):
     """(lines of what is wrong, the rasterizer's statistics)."""
-    stats = pathlib.Path(scratch) / "stats.json"
-    stats.unlink(missing_ok=True)
-    answers = []
-    with XServer() as display:
-        both = {"XDG_CACHE_HOME": scratch, "DISPLAY": display}
-        for env in (sides.environment(extra=both),
-                    sides.environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)})):
-            try:
-                answers.append(sides.run([client, name], env))
-            except (sides.Died, subprocess.TimeoutExpired) as death:
-                return [str(death)], {}
-    if not any(any(pixels) for _, pixels in answers[0]):
+    try:
+        bare, layered, statistics = sides.bare_and_layer([client, name], layer, scratch)
+    except (sides.Died, subprocess.TimeoutExpired) as death:
+        return [str(death)], {}
+    if not any(any(pixels) for _, pixels in bare):
         return ["the bare host shows nothing"], {}
-    statistics = sides.software_statistics(stats)
-    wrong = sides.differences(*answers) + moved_too_much(name, statistics)
+    wrong = sides.differences(bare, layered) + moved_too_much(name, statistics)
     return wrong + ([] if statistics.get("drawn") else ["the rasterizer drew nothing"]), statistics
 
 
@@ -59,19 +50,15 @@ def main():
     client = build / "tests/software/software-releases"
     layer = sides.layer_of(build)
     listing = subprocess.run([client, "--list"], capture_output=True, text=True, check=True).stdout
-    passed = failed = 0
+    tally = sides.Tally()
     with tempfile.TemporaryDirectory(prefix="arbiter-releases-") as scratch:
         for name in listing.split():
             if args.names and name not in args.names:
                 continue
             wrong, statistics = judge(client, name, layer, scratch)
-            passed, failed = passed + (not wrong), failed + bool(wrong)
             counts = [f"{statistics.get(what, 0)} {what}" for what in ("drawn", "downloads", "uploads")]
-            print(f"{'FAIL' if wrong else 'pass'} {name}: {', '.join(counts)}", flush=True)
-            for line in wrong[:8]:
-                print(f"     {line}")
-    print(f"{passed} passed, {failed} failed, 0 skipped")
-    return 1 if failed else 0
+            tally.row(f"{name}: {', '.join(counts)}", wrong)
+    return tally.end()
 
 
 if __name__ == "__main__":
