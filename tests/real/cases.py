@@ -28,6 +28,7 @@ class Case:
     stop_after: float = 0.0  # seconds after which SIGTERM ends a program that runs for ever
     # Not the same from run to run, so that only its recording can be compared (recordings/).
     recorded: bool = False
+    api: str = "gl"  # of window systems that apitrace records: gl, with GLX, or egl
     # Of its recorded frames, how many pixels may be off by more than 3 %. More than 60 needs a reason.
     wrong_pixels: int = 60
     ways_left_out: tuple[str, ...] = ()  # in which its recording is not compared. Any needs a reason.

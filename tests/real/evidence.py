@@ -66,6 +66,7 @@ def summarise(stats: list[dict]) -> dict:
         "programs": sum(1 for p in programs if not p.get("error")),
         "failed_programs": sum(1 for p in programs if p.get("error")),
         "draws_glsl": draws("host_glsl") + draws("rasterizer"),
+        "draws_rasterizer": draws("rasterizer"),
         "draws_recorded": draws("recorded"),
         "draws_untouched": draws("host_untouched"),
         "draws_dropped": draws("dropped"),

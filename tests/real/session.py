@@ -87,7 +87,7 @@ def record(case: Case, folder: Path, trace: Path) -> None:
     """Runs the case on the bare host under apitrace, which writes the file `trace`."""
     shutil.rmtree(folder, ignore_errors=True)
     trace.unlink(missing_ok=True)
-    command = ["apitrace", "trace", "-o", str(trace), *case.command]
+    command = ["apitrace", "trace", f"--api={case.api}", "-o", str(trace), *case.command]
     run(replace(case, command=command, output=""), Mode("bare"), folder)
     if not trace.exists():
         raise PrepareError(f"apitrace left no trace; see {folder / 'log.txt'}")

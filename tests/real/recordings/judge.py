@@ -115,15 +115,17 @@ def judge(recording: Recording, way: Way, bare: Run, run: Run, seen: Comparison,
         row.problems.append(f"status {run.status}, bare {bare.status} ({last})")
     if seen.seen != head.frames:
         row.problems.append(f"{seen.seen} frames, bare {head.frames}")
-    row.problems += _unproved(recording, summary)
+    row.problems += _unproved(recording, way, summary)
     return row
 
 
-def _unproved(recording: Recording, summary: dict) -> list[str]:
-    """Why the statistics do not show that the layer drew with the recording's programs."""
+def _unproved(recording: Recording, way: Way, summary: dict) -> list[str]:
+    """Why the statistics do not show that the layer drew, and with the recording's programs."""
     if recording.refused is None:
         return []
-    return evidence.problems(summary, recording.least_programs, recording.refused)
+    idle = way.rasterizes and not summary["draws_rasterizer"]
+    return (["the rasterizer drew nothing"] if idle else []) + \
+        evidence.problems(summary, recording.least_programs, recording.refused)
 
 
 def _draw_worst(seen: Comparison, folder: Path) -> None:

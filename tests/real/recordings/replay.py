@@ -12,6 +12,7 @@ from typing import Callable
 
 import session
 from picture import PictureError
+from recordings import traces
 from recordings.frames import Frame, read_frames
 from recordings.traces import Recording
 
@@ -27,6 +28,7 @@ class Way:
 
     mode: session.Mode
     cold: bool = False  # begins with empty caches; otherwise with what earlier ways left
+    rasterizes: bool = False  # all that it can, programs or not
 
     @property
     def name(self) -> str:
@@ -46,14 +48,15 @@ class Run:
 
 
 def ways(library: Path) -> list[Way]:
-    """The four ways, and the default profile, whose limits are reported only: a recording holds no
-    answer to a refusal that it did not meet."""
+    """The four ways; the default profile, whose limits are reported only, as a recording holds no
+    answer to a refusal that it did not meet; and fixed function drawn by the rasterizer in contexts
+    without programs too."""
     def mode(name: str, backend: str, profile: str = "host") -> session.Mode:
         return session.Mode(name, library, profile, backend)
 
     return [Way(mode("auto-cold", "auto"), cold=True), Way(mode("auto-warm", "auto")),
             Way(mode("swrast", "swrast")), Way(mode("host", "host")),
-            Way(mode("r300", "auto", "r300"))]
+            Way(mode("r300", "auto", "r300")), Way(mode("fixed", "auto"), rasterizes=True)]
 
 
 def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: float,
@@ -65,12 +68,14 @@ def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: fl
         shutil.rmtree(cache, ignore_errors=True)
     for path in (folder, cache):
         path.mkdir(parents=True, exist_ok=True)
-    command = ["glretrace", "-b", "-s", "-", "-S", calls, str(recording.trace)]
+    command = [traces.player(recording.trace), "-b", "-s", "-", "-S", calls, str(recording.trace)]
     started = time.monotonic()
     with session.XServer(folder / "screen") as server, open(folder / "log.txt", "wb") as log:
         environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **_FILLED,
                        **recording.environment, **way.mode.environment(folder), "DISPLAY": server.display,
                        "XDG_CACHE_HOME": str(cache)}
+        if way.rasterizes:
+            environment["ARBITER_FIXED_FUNCTION"] = "always"
         if recording.over_limits or way.mode.profile == "r300":
             environment["ARBITER_LIMITS"] = "report"
         process = subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.PIPE,

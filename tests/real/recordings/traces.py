@@ -109,6 +109,12 @@ def frame_count(trace: Path) -> int:
         raise PrepareError(f"{trace}: apitrace does not read it: {error}") from error
 
 
+def player(trace: Path) -> str:
+    """The program that replays it, by the window system that it was recorded with."""
+    egl = shell(["apitrace", "dump", "--color=never", "--grep=^eglCreateContext$", str(trace)])
+    return "eglretrace" if egl.strip() else "glretrace"
+
+
 def snapshot_calls(trace: Path) -> str:
     """What glretrace is asked to look at: each frame, and the last draw if no swap follows it, as
     in programs that draw to a framebuffer object and read it, or that were ended while drawing."""
