@@ -17,7 +17,7 @@ class Coin(Program):
     def cases(self, work: Path) -> list[Case]:
         client = build_client(work, "coin.cpp", ["-lCoin", "-lGL", "-lX11"])
         return [Case("coin", [str(client)], recorded=True, least_programs=2,
-                     ways_left_out=("auto-cold", "auto-warm", "swrast", "r300")),
+                     ways_left_out=("auto-cold", "auto-warm", "swrast", "r300", "fixed")),
                 Case("coin-softpipe", [str(client)], environment=SOFTPIPE, recorded=True, least_programs=2,
                      ways_left_out=("host",))]
 
