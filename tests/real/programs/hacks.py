@@ -22,7 +22,7 @@ class Hacks(Program):
             return Case(f"hacks-{name}{suffix}", [str(FOLDER / name)], stop_after=SECONDS, recorded=True,
                         api="egl", least_programs=0, frames=40, **more)
 
-        # Of engine's discs that lie in its faces each implementation shows other specks, softpipe too;
+        # engine's discs in coplanar faces differ from llvmpipe's and from softpipe's; why is not known.
         # glplanet's stars are smooth points, which the rasterizer leaves to the host.
         hosts = [case(name, ways_left_out=("fixed",)) for name in ("engine", "glplanet", "hilbert")]
         return [*(case(name) for name in HACKS), *hosts, case("hilbert", "-softpipe", environment=SOFTPIPE)]
