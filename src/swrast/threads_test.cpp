@@ -61,7 +61,7 @@ TEST_P(Threads, JobsOfManyCallersAndNestedOnesEnd) {
   EXPECT_EQ(total.load(), 3 * 200 * 5 * 4);
 }
 
-// As a handler does by siglongjmp(): nobody may use the caller's stack afterwards.
+// As a handler does by siglongjmp(): no thread may use the caller's stack afterwards.
 TEST_P(Threads, AJumpOutOfAJobEndsIt) {
   static std::jmp_buf s_back;
   static std::atomic<int> s_inside, s_calls;

@@ -26,6 +26,10 @@ class Rates(unittest.TestCase):
     def test_always(self):
         self.assertTrue(rates.compare("hangs", process(0.05), process(1))[0])
 
+    def test_mostly_but_less_than_bare(self):
+        found = sum(rates.compare("hangs", process(0.95), process(0.8))[0] for _ in range(50))
+        self.assertEqual(found, 0)
+
     def test_more_often(self):
         found = sum(rates.compare("hangs", process(0.04), process(0.35))[0] for _ in range(50))
         self.assertGreater(found, 45)

@@ -2,139 +2,17 @@
 // | no-programs. Each list is compiled, its arrays are overwritten, and it is called under a
 // fragment program that was made before the lists, after them, or under none; pixels and errors are
 // written out, to be compared between two sides.
-#include <cstdio>
 #include <cstring>
-#include <functional>
 #include <utility>
 
-#include "surface.h"
+#include "list_scene.h"
 
-namespace software {
+namespace software::list_scene {
 namespace {
-
-constexpr int kSize = 64;
 
 constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_STRIP, GL_LINE_LOOP,
                              GL_TRIANGLES,      GL_TRIANGLE_FAN, GL_QUADS,      GL_QUAD_STRIP,
                              GL_TRIANGLE_STRIP, GL_POLYGON};
-constexpr int kVertices = 24;
-
-/// One vertex in all types.
-struct Vertex {
-  GLfloat position[3];
-  GLshort shorts[2];
-  GLdouble doubles[4];
-  GLubyte color[4];
-  GLbyte normal[3];
-  GLbyte bytes[4];
-  GLfloat coords[4];
-  GLubyte edge;
-};
-
-std::vector<Vertex> makeVertices(Random &random) {
-  std::vector<Vertex> vertices(kVertices);
-  const auto unit = [&] { return float(random.below(1001)) / 1000; };
-  for (Vertex &v : vertices) {
-    v.position[0] = 2 * unit() - 1, v.position[1] = 2 * unit() - 1, v.position[2] = unit() - 0.5f;
-    v.shorts[0] = GLshort(random.between(-1, 1)), v.shorts[1] = GLshort(random.between(-1, 1));
-    for (int i = 0; i < 4; ++i) {
-      v.doubles[i] = i == 3 ? 1 : 2.0 * unit() - 1;
-      v.color[i] = GLubyte(random.below(256));
-      v.bytes[i] = GLbyte(random.between(-128, 127));
-      v.coords[i] = i == 3 ? 1 : unit();
-    }
-    for (GLbyte &n : v.normal)
-      n = GLbyte(random.between(-128, 127));
-    v.edge = GLubyte(random.below(2));
-  }
-  return vertices;
-}
-
-struct Scene {
-  Random random{7};
-  std::vector<Vertex> vertices = makeVertices(random);
-  std::vector<GLushort> indices;
-  GLuint buffers[2] = {};
-  GLuint part = 0; ///< of callParts()
-
-  Scene() {
-    for (int i = 0; i < kVertices; ++i)
-      indices.push_back(GLushort(random.below(kVertices)));
-    glGenBuffers(2, buffers);
-    part = glGenLists(2);
-  }
-  /// What arrays are pointed at: client memory, or the buffer.
-  const Vertex *source = nullptr;
-  void place(bool inBuffer) {
-    glBindBuffer(GL_ARRAY_BUFFER, inBuffer ? buffers[0] : 0);
-    if (inBuffer)
-      glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * kVertices, vertices.data(),
-                   GL_STATIC_DRAW);
-    source = inBuffer ? nullptr : vertices.data();
-  }
-  template <std::size_t N, typename T> const void *at(T (Vertex::*member)[N]) const {
-    return source ? static_cast<const void *>((source->*member))
-                  : reinterpret_cast<const void *>(
-                        reinterpret_cast<const char *>(vertices[0].*member) -
-                        reinterpret_cast<const char *>(vertices.data()));
-  }
-  void positions() {
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(3, GL_FLOAT, sizeof(Vertex), at(&Vertex::position));
-  }
-  void colors() {
-    glEnableClientState(GL_COLOR_ARRAY);
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), at(&Vertex::color));
-  }
-  void coords() {
-    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-    glTexCoordPointer(4, GL_FLOAT, sizeof(Vertex), at(&Vertex::coords));
-  }
-  static void none() {
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY,
-                               GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY, GL_SECONDARY_COLOR_ARRAY})
-      glDisableClientState(array);
-    for (GLuint i = 0; i < 8; ++i)
-      glDisableVertexAttribArray(i);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  }
-
-  struct List {
-    std::string name;
-    GLuint list;
-  };
-  std::vector<List> lists;
-  /// Compiles what `commands` do; client memory is another after.
-  void compile(const std::string &name, const std::function<void()> &commands) {
-    const std::vector<Vertex> before = vertices;
-    const GLuint list = glGenLists(1);
-    glNewList(list, GL_COMPILE);
-    commands();
-    glEndList();
-    const std::string errors = takeErrors();
-    std::memset(static_cast<void *>(vertices.data()), 0, sizeof(Vertex) * kVertices);
-    vertices = before;
-    none();
-    lists.push_back({name + errors, list});
-  }
-  void call(const List &list) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glColor4f(0.3f, 0.9f, 0.5f, 1);
-    glSecondaryColor3f(0.1f, 0.2f, 0);
-    glTexCoord4f(0.7f, 0.1f, 0.4f, 1);
-    glNormal3f(0, 0, 1);
-    glEdgeFlag(GL_TRUE);
-    glCallList(list.list);
-    record(list.name + takeErrors(), readRgba(0, 0, kSize, kSize));
-    // What the list leaves behind.
-    glBegin(GL_TRIANGLES);
-    glVertex2f(-1, -1), glVertex2f(1, -1), glVertex2f(-1, 1);
-    glEnd();
-    record(list.name + " after" + takeErrors(), readRgba(0, 0, kSize, kSize));
-  }
-};
-
 void compileModes(Scene &scene) {
   for (const bool inBuffer : {false, true})
     for (const GLenum mode : kModes) {
@@ -285,133 +163,6 @@ void compileCommands(Scene &scene) {
   });
 }
 
-/// Begin and End, and attributes outside of them.
-void compilePrimitives(Scene &scene) {
-  const auto triangle = [](float x, float y) {
-    glTexCoord2f(0.2f, 0.9f), glVertex2f(x, y);
-    glTexCoord3f(0.9f, 0.1f, 0.5f), glVertex3f(x + 0.6f, y, 0.2f);
-    glVertex4f(x, y + 0.6f, 0, 0.9f);
-  };
-  scene.compile("primitives", [&] {
-    glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
-    triangle(0, 0);
-    glEnd();
-    glBegin(GL_TRIANGLES);
-    triangle(-0.9f, 0.1f);
-    glEnd();
-    glRectf(0.1f, -0.8f, 0.5f, -0.4f);
-  });
-  scene.compile("attributes outside", [&] {
-    glColor3ub(250, 20, 90);
-    glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
-    glEnd();
-    glSecondaryColor3f(0.3f, 0, 0.2f);
-    glColor4f(0, 1, 0, 0.5f);
-    glTexCoord1f(0.8f);
-    glBegin(GL_QUADS);
-    glVertex2f(0, 0), glVertex2f(0.9f, 0), glVertex2f(0.9f, 0.9f), glVertex2f(0, 0.9f);
-    glEnd();
-    glColor3f(0.1f, 0.2f, 0.9f);
-  });
-  scene.compile("attributes alone",
-                [] { glColor3f(0.9f, 0.2f, 0.1f), glTexCoord4f(0.5f, 0, 0, 1); });
-  scene.compile("nothing", [] {});
-  scene.place(true);
-  scene.positions();
-  scene.compile("attributes and arrays", [] {
-    glColor3f(1, 0.5f, 0);
-    glDrawArrays(GL_TRIANGLES, 0, 6);
-    glColor3f(0, 0.5f, 1);
-    glDrawArrays(GL_TRIANGLES, 6, 6);
-  });
-  scene.compile("state after a primitive", [&] {
-    glBegin(GL_TRIANGLES);
-    triangle(-0.9f, -0.9f);
-    glEnd();
-    glColor3f(0, 1, 1);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glBegin(GL_TRIANGLES);
-    triangle(-0.7f, -0.7f);
-    glEnd();
-    glDisable(GL_BLEND);
-  });
-  scene.compile("a command within a primitive", [&] {
-    glBegin(GL_TRIANGLES);
-    glColor3f(1, 0, 1);
-    triangle(-0.9f, -0.9f);
-    glMaterialf(GL_FRONT, GL_SHININESS, 3);
-    triangle(0, 0);
-    glEnd();
-    glBegin(GL_LINES);
-    triangle(-0.5f, -0.8f);
-    glVertex2f(0.9f, 0.9f);
-    glEnd();
-  });
-}
-
-/// The name of a list is another's: of a few commands, none of which may be left of the first.
-void compileAgain(Scene &scene) {
-  const auto quad = [](float x, float size) { glRectf(x, x, x + size, x + size); };
-  scene.compile("replaced by primitives", [&] { quad(-0.9f, 1.2f); });
-  const GLuint first = scene.lists.back().list;
-  glNewList(first, GL_COMPILE);
-  quad(0.1f, 0.3f);
-  glEndList();
-  scene.compile("replaced by state", [&] { quad(-0.9f, 1.2f); });
-  const GLuint second = scene.lists.back().list;
-  glNewList(second, GL_COMPILE);
-  glTranslatef(0.2f, 0, 0);
-  quad(0.1f, 0.3f);
-  glLoadIdentity();
-  glEndList();
-  scene.compile("replaced and executed", [&] { quad(-0.9f, 1.2f); });
-  const GLuint third = scene.lists.back().list;
-  glNewList(third, GL_COMPILE_AND_EXECUTE);
-  quad(-0.4f, 0.3f);
-  glEndList();
-  scene.compile("deleted", [&] { quad(-0.9f, 1.2f); });
-  glDeleteLists(scene.lists.back().list, 1);
-}
-
-/// Parts of primitives that several lists make, or lists and the application.
-void callParts(Scene &scene) {
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glBegin(GL_TRIANGLES);
-  glCallList(scene.part);
-  glVertex2f(-0.9f, 0.3f);
-  glCallList(scene.part);
-  glVertex2f(0.1f, 0.9f);
-  glEnd();
-  glCallList(scene.part + 1);
-  glVertex2f(0.9f, -0.9f);
-  glEnd();
-  record("parts" + takeErrors(), readRgba(0, 0, kSize, kSize));
-}
-
-/// Vertices without Begin and End.
-void compileParts(Scene &scene) {
-  glNewList(scene.part, GL_COMPILE);
-  glColor3f(0.9f, 0.4f, 0);
-  glVertex2f(-0.5f, -0.8f);
-  glColor3f(0.1f, 0.4f, 0.9f);
-  glVertex2f(0.7f, 0.1f);
-  glEndList();
-}
-
-/// The last one that is compiled: Mesa 22.3.6 loses vertices of lists after it.
-void compileOpen(Scene &scene) {
-  glNewList(scene.part + 1, GL_COMPILE);
-  glColor3f(0, 0.4f, 0);
-  glBegin(GL_TRIANGLES);
-  glVertex2f(0.5f, -0.8f);
-  glColor3f(0.6f, 0, 0.9f);
-  glVertex2f(0.7f, 0.7f);
-  glEndList();
-}
-
 /// Called together, with a base.
 void callTogether(const Scene &scene) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -429,18 +180,6 @@ void makeTheProgram() {
                     "!!ARBfp1.0\nTEMP t;\nMUL t, fragment.texcoord[0], 0.5;\n"
                     "ADD t, t, fragment.color.secondary;\n"
                     "MAD result.color, fragment.color, 0.7, t;\nEND\n");
-}
-
-/// What has a list watched by the layer, and all that call others from then on.
-void compileWatched(Scene &scene) {
-  scene.compile("End alone", [] { glEnd(); });
-  const GLuint inner = scene.lists.front().list;
-  scene.compile("a list of primitives within", [inner] {
-    glCallList(inner);
-    glBegin(GL_TRIANGLES);
-    glVertex2f(0.2f, 0.2f), glVertex2f(0.8f, 0.2f), glVertex2f(0.2f, 0.8f);
-    glEnd();
-  });
 }
 
 void compileAll(Scene &scene) {
@@ -485,15 +224,15 @@ int run(Order order) {
 }
 
 } // namespace
-} // namespace software
+} // namespace software::list_scene
 
 int main(int argc, char **argv) {
-  using software::Order;
+  using software::list_scene::Order;
   const std::pair<const char *, Order> orders[] = {{"programs-first", Order::ProgramsFirst},
                                                    {"lists-first", Order::ListsFirst},
                                                    {"no-programs", Order::NoPrograms}};
   for (const auto &[name, order] : orders)
     if (argc == 2 && !std::strcmp(argv[1], name))
-      return software::run(order);
+      return software::list_scene::run(order);
   return 1;
 }

@@ -15,26 +15,18 @@ import sys
 import tempfile
 
 import sides
-from x_server import XServer
 
 
 def judge(client, name, server_options, layer, scratch):
     """(lines of what is wrong, draws of the rasterizer)."""
-    stats = pathlib.Path(scratch) / "stats.json"
-    stats.unlink(missing_ok=True)
-    answers = []
-    for env in (sides.environment(),
-                sides.environment(layer, "swrast", {"XDG_CACHE_HOME": scratch,
-                                                    "ARBITER_STATS": str(stats)})):
-        with XServer(options=server_options) as display:
-            try:
-                answers.append(sides.run([client, name], {**env, "DISPLAY": display}))
-            except (sides.Died, subprocess.TimeoutExpired) as death:
-                return [str(death)], 0
-    if not any(pixels for _, pixels in answers[0]):
+    try:
+        bare, layered, statistics = sides.bare_and_layer([client, name], layer, scratch, server_options)
+    except (sides.Died, subprocess.TimeoutExpired) as death:
+        return [str(death)], 0
+    if not any(pixels for _, pixels in bare):
         return ["the bare host shows nothing"], 0
-    drawn = sides.software_statistics(stats).get("drawn", 0)
-    return sides.differences(*answers) + ([] if drawn else ["the rasterizer drew nothing"]), drawn
+    drawn = statistics.get("drawn", 0)
+    return sides.differences(bare, layered) + ([] if drawn else ["the rasterizer drew nothing"]), drawn
 
 
 def main():

@@ -110,16 +110,18 @@ def software_statistics(path):
         return {}
 
 
-def bare_and_layer(command, layer, scratch):
+def bare_and_layer(command, layer, scratch, server_options=()):
     """(the bare host's records, those under the layer with the back end swrast, its statistics), on an X
-    server of their own. `scratch`: a folder for caches and statistics."""
+    server each. `scratch`: a folder for caches and statistics."""
     stats = pathlib.Path(scratch) / "stats.json"
     stats.unlink(missing_ok=True)
-    with XServer() as display:
-        both = {"XDG_CACHE_HOME": str(scratch), "DISPLAY": display}
-        bare = run(command, environment(extra=both))
-        layered = run(command, environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)}))
-    return bare, layered, software_statistics(stats)
+    both = {"XDG_CACHE_HOME": str(scratch)}
+    answers = []
+    for env in (environment(extra=both),
+                environment(layer, "swrast", {**both, "ARBITER_STATS": str(stats)})):
+        with XServer(options=server_options) as display:
+            answers.append(run(command, {**env, "DISPLAY": display}))
+    return (*answers, software_statistics(stats))
 
 
 def software_totals(folder):
