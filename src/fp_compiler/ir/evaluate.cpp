@@ -130,7 +130,7 @@ private:
         operands[i] = fetch(instruction.src[i]);
       if (m_inputs.operands)
         m_inputs.operands(instruction, operands);
-      value = apply(instruction.op, operands, m_numerics);
+      value = apply(instruction.op, operands, m_numerics, m_program.language);
     }
     if (m_inputs.result)
       m_inputs.result(instruction, value);

@@ -70,6 +70,14 @@ struct Fp24 : Legacy {
   static constexpr float kExponentLimit = 0x1.FFFFp6f; // the same, truncated
 };
 
+/// A mode's sums in vertex programs: from the first term on.
+template <typename Mode> struct Forwards : Mode {
+  using Mode::sum;
+  static float sum(float x, float y, float z) { return sum(sum(x, y), z); }
+  static float sum(float x, float y, float z, float w) { return sum(sum(sum(x, y), z), w); }
+  static float homogeneous(float x, float y, float z, float w) { return sum(x, y, z, w); }
+};
+
 float maximum(float a, float b) {
   if (std::isnan(a) || std::isnan(b))
     return std::isnan(a) ? b : a;
@@ -239,12 +247,13 @@ float loaded(float value, Numerics numerics) {
   return numerics == Numerics::Fp24 ? fp24::truncated(value) : flushed(value);
 }
 
-Vec4 apply(Opcode op, const Operands &operands, Numerics numerics) {
+Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language language) {
+  const bool vertex = language == Language::ArbVertex;
   switch (numerics) {
   case Numerics::Host:
-    return Unit<Host>::apply(op, operands);
+    return vertex ? Unit<Forwards<Host>>::apply(op, operands) : Unit<Host>::apply(op, operands);
   case Numerics::Legacy:
-    return Unit<Legacy>::apply(op, operands);
+    return vertex ? Unit<Forwards<Legacy>>::apply(op, operands) : Unit<Legacy>::apply(op, operands);
   case Numerics::Fp24:
     return Unit<Fp24>::apply(op, operands);
   }

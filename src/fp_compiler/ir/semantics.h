@@ -26,9 +26,13 @@
 /// ARL      floor(a), as an integer; beyond +-2^31, or of NaN, an index that no array has.
 /// CMP      a < 0 ? b : c; so NaN and -0 choose c.
 /// COS SIN  any angle; an infinite one gives NaN.
-/// DP3 DP4  the last two products are added first, then towards x: ((w + z) + y) + x.
-/// DPH      (x + (z + b.w)) + y. Both orders are Mesa's, for its own parser's programs: what one
-///          pass draws with the host and the next with machine code meets at equal depths.
+/// DP3 DP4  of fragment programs: the last two products are added first, then towards x:
+///          ((w + z) + y) + x. Of vertex programs from the first one on: ((x + y) + z) + w.
+/// DPH      of fragment programs (x + (z + b.w)) + y, of vertex programs ((x + y) + z) + b.w.
+///          The orders of fragment programs are llvmpipe's, for its own parser's programs. Those of
+///          vertex programs are what MUL and three MADs make of the same rows, as hosts transform
+///          in fixed function: so positions by DP4, by DPH, by MUL and MAD and of fixed function
+///          are the same bits, and passes meet at equal depths whichever of them they use.
 /// DST      (1, a.y*b.y, a.z, b.w)
 /// EXP      (2^floor(a), a - floor(a), 2^a, 1)
 /// EX2      2^a; overflows to infinity, underflows to 0.
@@ -118,7 +122,9 @@ using Operands = std::array<Vec4, 3>;
 /// The result of an arithmetic opcode for all four components, before _SAT and mask. Operands are
 /// already swizzled and negated; a scalar operand stands in x.
 /// Requires: \p op is neither Texture nor Kills; in Fp24 the operands are 24-bit floats.
-[[nodiscard]] Vec4 apply(Opcode op, const Operands &operands, Numerics numerics);
+/// \param language the program's: of vertex programs the order of sums is another
+[[nodiscard]] Vec4 apply(Opcode op, const Operands &operands, Numerics numerics,
+                         Language language = Language::ArbFragment);
 
 /// KIL's condition.
 [[nodiscard]] bool kills(const Vec4 &operand);

@@ -44,8 +44,8 @@ std::optional<ir::Operands> constantOperands(const ir::Program &program,
 /// The result; components outside the mask repeat one inside, so that rows are shared. It is a
 /// number of the mode, so reading it as a constant gives it back.
 std::optional<ir::Vec4> result(const Instruction &instruction, const ir::Operands &operands,
-                               Numerics numerics) {
-  ir::Vec4 value = ir::apply(instruction.op, operands, numerics);
+                               Numerics numerics, ir::Language language) {
+  ir::Vec4 value = ir::apply(instruction.op, operands, numerics, language);
   float filler = 0.0f;
   for (std::size_t i = 4; i-- > 0;) {
     if (!(instruction.dst.mask >> i & 1))
@@ -76,7 +76,7 @@ bool foldConstants(ir::Program &program, Numerics asked) {
     const auto operands = constantOperands(program, instruction, numerics);
     if (!operands)
       continue;
-    const auto value = result(instruction, *operands, numerics);
+    const auto value = result(instruction, *operands, numerics, program.language);
     if (!value)
       continue;
     instruction.src = {rows.operand(*value, instruction.src[0].span), {}, {}};

@@ -159,7 +159,7 @@ Context::~Context() {
   try {
     LinkedProgramCache::Names names = linkedPrograms->abandon();
     group->addGarbage({std::move(names.programs), std::move(names.shaders),
-                       samplerOverride->abandon(), hostAssembly->abandon()});
+                       samplerOverride->abandon(), std::move(names.assembly)});
   } catch (const std::exception &) { // they stay in the host until the share group is gone
   }
 }
@@ -339,6 +339,8 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
     copyClipPlanes(from, to);
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
+  to.hostAssembly->enablesCopied();
+  invalidateProgram(to);
   for (ProgramTarget &row : to.targets)
     setEnabled(to, row, from.row(row.target).enabled);
 }

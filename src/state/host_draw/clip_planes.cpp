@@ -92,8 +92,10 @@ void copyClipPlanes(const Context &from, Context &to) {
 }
 
 void noteClipPlanesOfLists(Context &context) {
+  // The host clips what its own vertex programs give.
   if (listsEnablePlanes(context) && context.linkedProgram &&
-      context.linkedProgram->vertex.compiled && context.linkedProgram->vertex.compiled->clipped)
+      !context.linkedProgram->vertexAssembly && context.linkedProgram->vertex.compiled &&
+      context.linkedProgram->vertex.compiled->clipped)
     invalidateProgram(context);
 }
 

@@ -1,4 +1,5 @@
-// When vertex programs are drawn in the form that writes gl_ClipVertex, and who is asked for that.
+// When vertex programs that are GLSL on the host are drawn in the form that writes gl_ClipVertex,
+// and who is asked for that.
 #include "state/host_draw/clip_planes.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,11 @@ using namespace testing;
 
 constexpr std::string_view kText = "!!ARBvp1.0\nMOV result.position, vertex.position;\nEND";
 
+/// What draws vertex programs as GLSL.
+struct GlslHost : FakeHost {
+  GlslHost() { offerNoAssembly(); }
+};
+
 /// Draws; whether the effective vertex program is clipped.
 bool clips(Context &context) {
   EXPECT_TRUE(draw(context));
@@ -26,7 +32,7 @@ bool clips(Context &context) {
 }
 
 TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   use(*context, kText, kVertex);
   EXPECT_FALSE(clips(*context));
@@ -40,7 +46,7 @@ TEST(ClipPlanes, NobodyAsksBeforeOneIsEnabled) {
 }
 
 TEST(ClipPlanes, EachPlaneChoosesTheForm) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   context->caps.maxClipPlanes = 8;
   use(*context, kText, kVertex);
@@ -59,7 +65,7 @@ TEST(ClipPlanes, EachPlaneChoosesTheForm) {
 }
 
 TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   host.enabled = {GL_CLIP_PLANE2};
   handlers::Enable(*context, GL_CLIP_PLANE2);
@@ -68,7 +74,7 @@ TEST(ClipPlanes, OneEnabledBeforeTheProgramIsKnown) {
 }
 
 TEST(ClipPlanes, PopAttribBringsThemBack) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   use(*context, kText, kVertex);
   host.enabled = {GL_CLIP_PLANE0};
@@ -83,7 +89,7 @@ TEST(ClipPlanes, PopAttribBringsThemBack) {
 }
 
 TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext other(host);
   use(*other, kText, kVertex);
   EXPECT_FALSE(clips(*other));
@@ -99,7 +105,7 @@ TEST(ClipPlanes, AListThatEnablesOneClipsInEachContextOfTheGroup) {
 }
 
 TEST(ClipPlanes, AListThatIsExecutedFollowsAtOnce) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   use(*context, kText, kVertex);
   EXPECT_FALSE(clips(*context));
@@ -112,7 +118,7 @@ TEST(ClipPlanes, AListThatIsExecutedFollowsAtOnce) {
 }
 
 TEST(ClipPlanes, CopyContextCopiesThem) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext from(host);
   handlers::Enable(*from, GL_CLIP_PLANE0);
   const CurrentContext to(host);
@@ -128,7 +134,7 @@ TEST(ClipPlanes, CopyContextCopiesThem) {
 }
 
 TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
-  FakeHost host;
+  GlslHost host;
   const CurrentContext context(host);
   const GLuint name = use(*context, kText, kVertex);
   EXPECT_FALSE(clips(*context));

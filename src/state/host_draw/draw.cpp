@@ -121,6 +121,11 @@ bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
   return context.numerics == fp::Numerics::Host && (isLong(pair.vertex) || isLong(pair.fragment));
 }
 
+/// Whether the host's own ARB path is the vertex stage.
+bool isAssembly(Context &context, const std::shared_ptr<const CompiledProgram> &vertex) {
+  return drawsVerticesByAssembly(context) && context.linkedPrograms->assemblyOf(context, vertex);
+}
+
 /// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
 /// programs, and these over ATI's fragment shaders.
 Path choosePath(Context &context) {
@@ -163,18 +168,20 @@ Path choosePath(Context &context) {
                                                       : Path::ApplicationStageGlsl;
   if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
     return Path::HostAssembly;
-  // Linked alone a vertex program keeps all its results, for feedback and for the raster position.
-  if (pair.vertex && (!context.rasterizes || context.vertexResultsMatter))
-    pair.fragment = nullptr;
-  if (pair.vertex && clipPlanesMatter(context))
-    pair.vertex = pair.vertex->clipped->of(*pair.vertex);
-  context.linkedProgram = context.linkedPrograms->get(context, pair);
-  if (context.linkedProgram->hostProgram == 0) {
-    context.linkedProgram = nullptr;
-    return Path::HostRefused;
+  if (pair.vertex && !isAssembly(context, pair.vertex)) {
+    // Linked alone a GLSL vertex shader keeps all its results, for feedback and for the raster
+    // position.
+    if (!context.rasterizes || context.vertexResultsMatter)
+      pair.fragment = nullptr;
+    if (clipPlanesMatter(context))
+      pair.vertex = pair.vertex->clipped->of(*pair.vertex);
   }
-  context.stagesAreLinked = pair.vertex && pair.fragment;
-  return Path::HostGlsl;
+  LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
+  if (linkedProgram->refused)
+    return Path::HostRefused;
+  context.linkedProgram = linkedProgram;
+  context.stagesAreLinked = pair.vertex && pair.fragment && !linkedProgram->vertexAssembly;
+  return linkedProgram->hostProgram != 0 ? Path::HostGlsl : Path::HostAssembly;
 }
 
 /// The attention that each draw needs while this path is taken.
@@ -182,7 +189,7 @@ std::uint32_t stickyAttention(const Context &context) {
   std::uint32_t bits = 0;
   if (isDropped(context.path))
     bits |= attention::kInvalid;
-  if (context.path == Path::HostGlsl) {
+  if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
     if (context.linkedProgram->hasPlainSamplers && context.caps.samplerObjects &&
@@ -213,7 +220,7 @@ void install(Context &context) {
   ++context.selections;
   setPath(context, choosePath(context));
   context.attention |= attention::kParameters;
-  if (context.path == Path::HostAssembly) {
+  if (context.path == Path::HostAssembly && !context.linkedProgram) {
     if (context.samplerOverride->active())
       context.samplerOverride->release(context);
     return releaseHostProgram(context);
@@ -221,11 +228,13 @@ void install(Context &context) {
   if (context.path == Path::NoProgram && settings().alwaysFixedFunction &&
       !applicationShades(context))
     software::engage(context);
-  if (context.path != Path::HostGlsl)
+  if (!context.linkedProgram)
     return releaseHostState(context);
   if (context.linkedProgram->fragment.compiled)
     software::engage(context);
-  context.hostAssembly->release(context);
+  context.hostAssembly->apply(context, *context.linkedProgram);
+  if (context.linkedProgram->hostProgram == 0)
+    return releaseHostProgram(context);
   context.host->UseProgram(context.linkedProgram->hostProgram);
   context.hostProgramIsOurs = true;
 }
@@ -275,7 +284,7 @@ bool validatePrograms(Context &context) {
 bool validate(Context &context) {
   refreshEffective(context);
   const std::uint32_t sticky = stickyAttention(context);
-  if (context.path == Path::HostGlsl) {
+  if (context.linkedProgram) {
     LinkedProgram &linkedProgram = *context.linkedProgram;
     uploadParameters(context, linkedProgram, context.attention);
     if ((sticky & attention::kCompare) != 0)
@@ -330,6 +339,7 @@ void validateForList(Context &context) {
 }
 
 void afterHostList(Context &context) {
+  context.hostAssembly->restoreEnables(context);
   noteFixedFunctionChange(context);
   if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
     return;

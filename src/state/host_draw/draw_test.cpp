@@ -199,6 +199,7 @@ constexpr char kVertexText[] = "!!ARBvp1.0\n"
 
 TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
   FakeHost host;
+  host.offerNoAssembly();
   const CurrentContext context(host);
   const GLuint fragments[] = {use(*context, kThree), use(*context, kFour)};
   const GLuint vertices[] = {use(*context, kVertexText, kVertex),
@@ -225,6 +226,7 @@ TEST(Draw, ShadersAreCompiledOnceAndLinkedAPair) {
 
 TEST(Draw, AStageIsSentWhatItsTargetChanged) {
   FakeHost host;
+  host.offerNoAssembly();
   const CurrentContext context(host);
   use(*context, kFour);
   use(*context, kVertexText, kVertex);

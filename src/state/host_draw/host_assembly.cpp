@@ -1,14 +1,13 @@
 #include "state/host_draw/host_assembly.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
-#include "fp_compiler/back/assembly/assembly.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/core/errors.h"
 #include "state/host_draw/linked_program.h"
-#include "util/log.h"
+#include "state/report/capture.h"
 
 namespace arbiter::state {
 
@@ -17,136 +16,147 @@ namespace {
 /// The host's targets, in the order of HostAssembly's stages.
 constexpr GLenum kHostTargets[] = {GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB};
 
-GLenum hostTarget(const CompiledProgram &compiled) {
-  return kHostTargets[compiled.target == Target::Vertex ? 0 : 1];
+/// Bits, not values: a NaN would be sent for ever, and -0 never.
+bool same(const Vec4 &a, const Vec4 &b) {
+  return std::bit_cast<std::array<std::uint32_t, 4>>(a) ==
+         std::bit_cast<std::array<std::uint32_t, 4>>(b);
 }
 
-/// A host object that holds the program; 0 if the host refuses it.
-GLuint load(Context &context, const CompiledProgram &compiled) {
-  const host::HostTable &host = *context.host;
-  const GLenum target = hostTarget(compiled);
-  GLuint name = 0;
-  HostErrorScope scope(*context.host, context.pendingError);
-  host.GenProgramsARB(1, &name);
-  host.BindProgramARB(target, name);
-  // The text of an ATI shader's form is assembly that was emitted already.
-  const bool emitted =
-      compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
-  const std::string text =
-      compiled.program && !emitted ? fp::emitAssembly(*compiled.program) : compiled.source();
-  host.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
-  if (!scope.failed())
-    return name;
-  logError("state", "the host's own compiler refuses program %s", toHex(compiled.hash).c_str());
-  host.BindProgramARB(target, 0);
-  host.DeleteProgramsARB(1, &name);
-  return 0;
+/// The host's env values from `index` on as they were set, the host's initial ones where they were
+/// not.
+Vec4 &envAt(std::vector<Vec4> &env, std::size_t index) {
+  if (index >= env.size())
+    env.resize(index + 1, Vec4{});
+  return env[index];
 }
 
 } // namespace
 
-GLuint HostAssembly::nameOf(Context &context,
-                            const std::shared_ptr<const CompiledProgram> &compiled) {
-  const auto it = std::find_if(m_entries.begin(), m_entries.end(),
-                               [&](const Entry &entry) { return entry.compiled == compiled; });
-  if (it != m_entries.end())
-    return it->name;
-  // Texts that left their object are held by nothing else any more.
-  std::erase_if(m_entries, [&](const Entry &entry) {
-    if (entry.compiled.use_count() > 1)
-      return false;
-    context.host->DeleteProgramsARB(1, &entry.name);
-    return true;
-  });
-  return m_entries.emplace_back(Entry{compiled, load(context, *compiled)}).name;
+GLenum hostAssemblyTarget(const CompiledProgram &compiled) {
+  return kHostTargets[compiled.target == Target::Vertex ? 0 : 1];
 }
 
-bool HostAssembly::applyStage(Context &context, std::size_t stage,
-                              const std::shared_ptr<const CompiledProgram> &compiled) {
-  if (m_active[stage] == compiled)
-    return true;
-  if (!compiled) {
-    releaseStage(context, stage);
-    return true;
+void HostAssembly::applyStage(Context &context, std::size_t stage, AssemblyProgram *program) {
+  if (m_active[stage] == program)
+    return;
+  if (program && m_bound[stage] != program->name) {
+    context.host->BindProgramARB(kHostTargets[stage], program->name);
+    m_bound[stage] = program->name;
   }
-  const GLuint name = nameOf(context, compiled);
-  if (name == 0)
-    return false;
-  context.host->BindProgramARB(kHostTargets[stage], name);
-  if (!m_active[stage])
-    context.host->Enable(kHostTargets[stage]);
+  if (!m_active[stage] || !program)
+    (program ? context.host->Enable : context.host->Disable)(kHostTargets[stage]);
   m_used = true;
-  m_active[stage] = compiled;
+  m_active[stage] = program;
+}
+
+void HostAssembly::applyStages(Context &context, const std::array<AssemblyProgram *, 2> &programs) {
+  for (std::size_t stage = 0; stage < programs.size(); ++stage)
+    applyStage(context, stage, programs[stage]);
+  if (std::exchange(m_copied, false))
+    restoreEnables(context);
+}
+
+bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
+  std::array<AssemblyProgram *, 2> programs = {};
+  const std::array<const std::shared_ptr<const CompiledProgram> *, 2> wanted = {&pair.vertex,
+                                                                                &pair.fragment};
+  for (std::size_t stage = 0; stage < wanted.size(); ++stage)
+    if (*wanted[stage]) {
+      programs[stage] = context.linkedPrograms->assemblyOf(context, *wanted[stage]);
+      if (!programs[stage]) {
+        release(context);
+        return false;
+      }
+    }
+  if (m_refuses)
+    release(context);
+  applyStages(context, programs);
   return true;
+}
+
+void HostAssembly::apply(Context &context, const LinkedProgram &linkedProgram) {
+  if (m_refuses)
+    release(context);
+  applyStages(context, {linkedProgram.vertexAssembly, nullptr});
 }
 
 bool HostAssembly::refuse(Context &context) {
   release(context);
   if (!context.caps.fragmentProgram)
     return false;
+  if (std::exchange(m_bound[1], 0u) != 0)
+    context.host->BindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 0);
   context.host->Enable(GL_FRAGMENT_PROGRAM_ARB);
   m_used = m_refuses = true;
   return true;
 }
 
-void HostAssembly::disableAgain(Context &context) const {
+void HostAssembly::restoreEnables(Context &context) const {
   if (!m_used)
     return;
-  for (const GLenum target : kHostTargets)
-    context.host->Disable(target);
+  const std::array<bool, 2> enabled = {m_active[0] != nullptr, m_active[1] != nullptr || m_refuses};
+  const std::array<bool, 2> offered = {context.caps.vertexProgram, context.caps.fragmentProgram};
+  for (std::size_t stage = 0; stage < enabled.size(); ++stage)
+    if (offered[stage])
+      (enabled[stage] ? context.host->Enable : context.host->Disable)(kHostTargets[stage]);
 }
 
-bool HostAssembly::apply(Context &context, const ProgramPair &pair) {
-  if (m_refuses)
-    release(context);
-  if (applyStage(context, 0, pair.vertex) && applyStage(context, 1, pair.fragment))
-    return true;
-  release(context);
-  return false;
+void HostAssembly::bindAgain(Context &context, GLenum target) const {
+  const std::size_t stage = target == kHostTargets[0] ? 0 : 1;
+  context.host->BindProgramARB(target, m_bound[stage]);
 }
 
-void HostAssembly::uploadParameters(Context &context) const {
+void HostAssembly::uploadStage(Context &context, std::size_t stage) {
+  LinkedProgramStage &program = m_active[stage]->stage;
   const host::HostTable &host = *context.host;
-  for (const auto &compiled : m_active) {
-    if (!compiled)
+  const GLenum target = kHostTargets[stage];
+  const ProgramTarget &row = context.row(program.compiled->target);
+  const auto &uniforms = program.compiled->glsl.uniforms;
+  for (std::size_t i = 0; i < uniforms.size(); ++i) {
+    const fp::ir::Parameter &parameter = uniforms[i].parameter;
+    const bool env = parameter.kind == fp::ir::ParameterKind::Env;
+    const bool local = parameter.kind == fp::ir::ParameterKind::Local;
+    // Constants and state are the host's to read; a capture shows them.
+    if (!env && !local && !capturing())
       continue;
-    const ProgramTarget &row = context.row(compiled->target);
-    const GLenum target = hostTarget(*compiled);
-    for (const fp::GlslUniform &uniform : compiled->glsl.uniforms) {
-      const fp::ir::Parameter &parameter = uniform.parameter;
-      if (parameter.kind == fp::ir::ParameterKind::Env)
-        host.ProgramEnvParameter4fvARB(target, parameter.index, row.env[parameter.index].data());
-      else if (parameter.kind == fp::ir::ParameterKind::Local &&
-               parameter.index < row.bound->locals.size())
-        host.ProgramLocalParameter4fvARB(target, parameter.index,
-                                         row.bound->locals[parameter.index].load().data());
-    }
+    const Vec4 value = currentValue(context, row, parameter);
+    Vec4 &held = env ? envAt(m_env[stage], parameter.index) : program.uploaded[i];
+    program.uploaded[i] = env ? value : program.uploaded[i];
+    if (same(value, held))
+      continue;
+    held = value;
+    if (env)
+      host.ProgramEnvParameter4fvARB(target, parameter.index, value.data());
+    else if (local)
+      host.ProgramLocalParameter4fvARB(target, parameter.index, value.data());
   }
 }
 
-void HostAssembly::releaseStage(Context &context, std::size_t stage) {
-  if (!m_active[stage])
-    return;
-  m_active[stage].reset();
-  context.host->Disable(kHostTargets[stage]);
-  context.host->BindProgramARB(kHostTargets[stage], 0);
+void HostAssembly::uploadParameters(Context &context) {
+  for (std::size_t stage = 0; stage < m_active.size(); ++stage)
+    if (m_active[stage])
+      uploadStage(context, stage);
 }
 
 void HostAssembly::release(Context &context) {
   if (std::exchange(m_refuses, false))
     context.host->Disable(GL_FRAGMENT_PROGRAM_ARB);
-  releaseStage(context, 0);
-  releaseStage(context, 1);
+  applyStages(context, {});
 }
 
-std::vector<GLuint> HostAssembly::abandon() {
-  std::vector<GLuint> names;
-  for (const Entry &entry : m_entries)
-    if (entry.name != 0)
-      names.push_back(entry.name);
-  m_entries.clear();
-  m_active = {};
-  return names;
+void HostAssembly::forget(Context &context, const AssemblyProgram *program) {
+  for (std::size_t stage = 0; stage < m_active.size(); ++stage) {
+    if (m_active[stage] == program)
+      applyStage(context, stage, nullptr);
+    if (m_bound[stage] == program->name) // deleting it binds none
+      m_bound[stage] = 0;
+  }
+}
+
+bool HostAssembly::runs(const CompiledProgram *compiled) const {
+  return std::any_of(m_active.begin(), m_active.end(), [&](const AssemblyProgram *program) {
+    return program && program->stage.compiled == compiled;
+  });
 }
 
 } // namespace arbiter::state

@@ -1,57 +1,65 @@
 #pragma once
 #include <array>
-#include <memory>
 #include <vector>
 
 #include <GL/gl.h>
 
+#include "state/programs/program_object.h"
+
 namespace arbiter::state {
 
 class Context;
-struct CompiledProgram;
+struct AssemblyProgram;
+struct LinkedProgram;
 struct ProgramPair;
 
-/// The uses of the host's own ARB path. The application's GLSL program has one stage alone, and the
-/// other one is an ARB program's: no GLSL program of the layer's can join one of the application's.
-/// Or a program is so long that the host's GLSL compiler may not survive it. The host gets
-/// assembly: from a program that our compiler checked, within our limits, and each in a host object
-/// of its own, for a host may not survive one that is specified again and again.
+/// The host's target of the program's language.
+[[nodiscard]] GLenum hostAssemblyTarget(const CompiledProgram &compiled);
+
+/// What is bound and enabled of the host's own ARB path. Vertex programs are the host's there where
+/// they can be (LinkedProgram says why). Fragment programs are where the application's GLSL program
+/// has the vertex stage alone, as no GLSL program of the layer's can join one of the application's,
+/// and where a program is so long that the host's GLSL compiler may not survive it.
 class HostAssembly {
 public:
   /// Binds and enables the programs of `pair` on the host, loading each at its first call; a stage
-  /// that has none is released. False, with nothing bound, if the host refuses one. Raises no
+  /// that has none is disabled. False, with nothing enabled, if the host refuses one. Raises no
   /// error.
   [[nodiscard]] bool apply(Context &context, const ProgramPair &pair);
-  /// Gives the host the env and local values that the effective programs read.
-  void uploadParameters(Context &context) const;
+  /// The vertex stage of `linkedProgram`, if it is assembly; nothing else stays enabled.
+  void apply(Context &context, const LinkedProgram &linkedProgram);
+  /// Gives the host the env and local values that the enabled programs read, as far as they
+  /// changed.
+  void uploadParameters(Context &context);
   /// Enables the host's fragment target with no program in it: each draw is the host's error then,
   /// as it would be the layer's. False if the host has no such target.
   [[nodiscard]] bool refuse(Context &context);
   [[nodiscard]] bool refuses() const { return m_refuses; }
-  /// PopAttrib or CopyContext may have brought back an enable of the layer's on the host.
-  void disableAgain(Context &context) const;
-  /// Disables and unbinds what apply() bound.
+  /// PopAttrib may have brought back an enable of the layer's on the host, or taken one away.
+  void restoreEnables(Context &context) const;
+  /// The same of CopyContext, whose target need not be current: at the next choice of programs.
+  void enablesCopied() { m_used = m_copied = true; }
+  /// Disables what apply() enabled.
   void release(Context &context);
-  /// Empties without touching the host; gives the host objects' names.
-  [[nodiscard]] std::vector<GLuint> abandon();
+  /// The program is about to be deleted.
+  void forget(Context &context, const AssemblyProgram *program);
+  /// Binds what is enabled again, after another program was bound to `target`.
+  void bindAgain(Context &context, GLenum target) const;
   [[nodiscard]] bool active() const { return m_active[0] || m_active[1] || m_refuses; }
+  [[nodiscard]] bool runs(const CompiledProgram *compiled) const;
 
 private:
-  struct Entry {
-    std::shared_ptr<const CompiledProgram> compiled;
-    GLuint name = 0; ///< 0: the host refused it
-  };
-  [[nodiscard]] GLuint nameOf(Context &context,
-                              const std::shared_ptr<const CompiledProgram> &compiled);
-  [[nodiscard]] bool applyStage(Context &context, std::size_t stage,
-                                const std::shared_ptr<const CompiledProgram> &compiled);
-  void releaseStage(Context &context, std::size_t stage);
+  void applyStages(Context &context, const std::array<AssemblyProgram *, 2> &programs);
+  void applyStage(Context &context, std::size_t stage, AssemblyProgram *program);
+  void uploadStage(Context &context, std::size_t stage);
 
-  std::vector<Entry> m_entries;
   bool m_refuses = false;
-  bool m_used = false; ///< the host's enables were ever set
+  bool m_used = false;   ///< the host's enables were ever set
+  bool m_copied = false; ///< they may be others than m_active says
   /// Vertex, fragment; null where the host's target is disabled.
-  std::array<std::shared_ptr<const CompiledProgram>, 2> m_active;
+  std::array<AssemblyProgram *, 2> m_active = {};
+  std::array<GLuint, 2> m_bound = {};     ///< on the host
+  std::array<std::vector<Vec4>, 2> m_env; ///< the host's env values, as far as they were set
 };
 
 } // namespace arbiter::state

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "fp_compiler/back/assembly/assembly.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/host_draw/host_assembly.h"
 #include "state/host_draw/undefined_results.h"
 #include "state/report/capture.h"
 #include "state/share/share_group.h"
@@ -98,6 +100,13 @@ void setSamplers(Context &context, const LinkedProgram &linkedProgram) {
   }
 }
 
+bool readsState(const CompiledProgram &compiled) {
+  const auto &uniforms = compiled.glsl.uniforms;
+  return std::any_of(uniforms.begin(), uniforms.end(), [](const fp::GlslUniform &uniform) {
+    return uniform.parameter.kind == fp::ir::ParameterKind::State;
+  });
+}
+
 void findParameters(Context &context, GLuint hostProgram, LinkedProgramStage &stage) {
   const auto &uniforms = stage.compiled->glsl.uniforms;
   const char *const array = isVertex(*stage.compiled) ? "arb_vparam" : "arb_param";
@@ -107,8 +116,8 @@ void findParameters(Context &context, GLuint hostProgram, LinkedProgramStage &st
     char name[40]; // the longer name, and any number
     std::snprintf(name, sizeof name, "%s[%zu]", array, i);
     stage.locations[i] = context.host->GetUniformLocation(hostProgram, name);
-    stage.readsState |= uniforms[i].parameter.kind == fp::ir::ParameterKind::State;
   }
+  stage.readsState = readsState(*stage.compiled);
 }
 
 bool isPlain(fp::ir::TexTarget target) {
@@ -136,8 +145,31 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
                   [](const auto &sampler) { return isPlain(sampler.target); });
 }
 
+/// A program object of the host's ARB path that holds the program; 0 if the host refuses it.
+GLuint loadAssembly(Context &context, const CompiledProgram &compiled) {
+  const host::HostTable &host = *context.host;
+  const GLenum target = hostAssemblyTarget(compiled);
+  // The text of an ATI shader's form is assembly that was emitted already.
+  const bool emitted =
+      compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
+  const std::string text =
+      compiled.program && !emitted ? fp::emitAssembly(*compiled.program) : compiled.source();
+  GLuint name = 0;
+  HostErrorScope scope(*context.host, context.pendingError);
+  host.GenProgramsARB(1, &name);
+  host.BindProgramARB(target, name);
+  host.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
+  const bool refused = scope.failed();
+  context.hostAssembly->bindAgain(context, target);
+  if (!refused)
+    return name;
+  logWarn("state", "the host's own compiler refuses program %s", toHex(compiled.hash).c_str());
+  host.DeleteProgramsARB(1, &name);
+  return 0;
+}
+
 void destroy(Context &context, const LinkedProgram &linkedProgram) {
-  if (linkedProgram.hostProgram == 0)
+  if (linkedProgram.hostProgram == 0 || linkedProgram.fragmentAlone)
     return;
   context.group->removeHostProgram(linkedProgram.hostProgram);
   context.host->DeleteProgram(linkedProgram.hostProgram); // where current, when it is no longer
@@ -145,59 +177,100 @@ void destroy(Context &context, const LinkedProgram &linkedProgram) {
 
 } // namespace
 
-const LinkedProgramCache::Shader *
-LinkedProgramCache::shaderOf(Context &context,
-                             const std::shared_ptr<const CompiledProgram> &compiled) {
-  const auto [it, isNew] = m_shaders.try_emplace(compiled.get());
-  if (!isNew)
-    return &it->second;
-  GLuint name = 0;
+bool drawsVerticesByAssembly(const Context &context) {
+  return context.caps.vertexProgram && context.numerics == fp::Numerics::Host;
+}
+
+LinkedProgramCache::HostObjects &
+LinkedProgramCache::objectsOf(const std::shared_ptr<const CompiledProgram> &compiled) {
+  HostObjects &objects = m_objects[compiled.get()];
+  objects.compiled = compiled;
+  return objects;
+}
+
+GLuint LinkedProgramCache::shaderOf(Context &context,
+                                    const std::shared_ptr<const CompiledProgram> &compiled) {
+  HostObjects &objects = objectsOf(compiled);
+  if (objects.shader)
+    return *objects.shader;
+  const GLuint name = compileShader(context, *compiled, compiled->glsl.text);
   try {
-    name = compileShader(context, *compiled, compiled->glsl.text);
     if (name != 0)
       context.group->addHostProgram(name);
   } catch (...) { // no memory: none was made
-    if (name != 0)
-      context.host->DeleteShader(name);
-    m_shaders.erase(it);
+    context.host->DeleteShader(name);
     throw;
   }
-  it->second = {compiled, name};
-  return &it->second;
+  objects.shader = name;
+  return name;
 }
 
-std::unique_ptr<LinkedProgram> LinkedProgramCache::build(Context &context,
-                                                         const ProgramPair &pair) {
-  auto linkedProgram = std::make_unique<LinkedProgram>();
-  linkedProgram->vertex.compiled = pair.vertex.get();
-  linkedProgram->fragment.compiled = pair.fragment.get();
+AssemblyProgram *
+LinkedProgramCache::assemblyOf(Context &context,
+                               const std::shared_ptr<const CompiledProgram> &compiled) {
+  std::unique_ptr<AssemblyProgram> &assembly = objectsOf(compiled).assembly;
+  if (!assembly) {
+    auto made = std::make_unique<AssemblyProgram>();
+    made->stage.compiled = compiled.get();
+    made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial ones
+    made->name = loadAssembly(context, *compiled);
+    assembly = std::move(made);
+  }
+  return assembly->name != 0 ? assembly.get() : nullptr;
+}
+
+bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pair,
+                                         LinkedProgram &linkedProgram) {
+  linkedProgram.vertexAssembly = assemblyOf(context, pair.vertex);
+  if (!linkedProgram.vertexAssembly)
+    return false;
+  linkedProgram.readsState = capturing() && readsState(*pair.vertex);
+  if (!pair.fragment)
+    return true;
+  LinkedProgram *const alone = get(context, {nullptr, pair.fragment});
+  linkedProgram.fragmentAlone = alone;
+  linkedProgram.refused = alone->refused;
+  linkedProgram.hostProgram = alone->hostProgram;
+  linkedProgram.readsState |= alone->readsState;
+  linkedProgram.hasPlainSamplers = alone->hasPlainSamplers;
+  return true;
+}
+
+void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
+                               LinkedProgram &linkedProgram) {
+  linkedProgram.vertex.compiled = pair.vertex.get();
+  linkedProgram.fragment.compiled = pair.fragment.get();
   const HostErrorScope scope(*context.host, context.pendingError);
+  if (pair.vertex && drawsVerticesByAssembly(context) &&
+      buildOnAssembly(context, pair, linkedProgram))
+    return;
+  linkedProgram.refused = true; // until it is linked
   GLuint shaders[2] = {};
   for (const auto &compiled : {pair.vertex, pair.fragment}) {
     if (!compiled)
       continue;
     GLuint &shader = shaders[isVertex(*compiled) ? 0 : 1];
-    shader = shaderOf(context, compiled)->name;
+    shader = shaderOf(context, compiled);
     if (shader == 0)
-      return linkedProgram;
+      return;
   }
   // A shader of this pair's own where the two do not fit each other: rare.
   const std::string whole =
       pair.vertex && pair.fragment ? withMissingResults(*pair.vertex, *pair.fragment) : "";
   const GLuint own = whole.empty() ? 0 : compileShader(context, *pair.vertex, whole);
-  linkedProgram->hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
+  linkedProgram.hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
   if (own != 0)
     context.host->DeleteShader(own);
-  if (linkedProgram->hostProgram == 0)
-    return linkedProgram;
+  if (linkedProgram.hostProgram == 0)
+    return;
+  linkedProgram.refused = false;
   try {
-    context.group->addHostProgram(linkedProgram->hostProgram);
-    setUp(context, pair, *linkedProgram);
+    context.group->addHostProgram(linkedProgram.hostProgram);
+    setUp(context, pair, linkedProgram);
   } catch (...) { // no memory
-    destroy(context, *linkedProgram);
+    destroy(context, linkedProgram);
     throw;
   }
-  return linkedProgram;
 }
 
 LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
@@ -205,12 +278,13 @@ LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair
   const auto it = m_linkedPrograms.find(key);
   if (it != m_linkedPrograms.end())
     return it->second.get();
-  if (m_shaders.size() >= m_sweepAt)
+  if (m_objects.size() >= m_sweepAt)
     sweep(context);
   std::unique_ptr<LinkedProgram> &made =
       m_linkedPrograms[key]; // its place first: a program is costlier
   try {
-    made = build(context, pair);
+    made = std::make_unique<LinkedProgram>();
+    build(context, pair, *made);
   } catch (...) {
     m_linkedPrograms.erase(key);
     throw;
@@ -218,9 +292,20 @@ LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair
   return made.get();
 }
 
+void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &objects) {
+  if (const GLuint shader = objects.shader.value_or(0)) {
+    context.group->removeHostProgram(shader);
+    context.host->DeleteShader(shader);
+  }
+  if (objects.assembly && objects.assembly->name != 0) {
+    context.hostAssembly->forget(context, objects.assembly.get());
+    context.host->DeleteProgramsARB(1, &objects.assembly->name);
+  }
+}
+
 void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled) {
-  const auto shader = m_shaders.find(compiled);
-  if (shader == m_shaders.end())
+  const auto objects = m_objects.find(compiled);
+  if (objects == m_objects.end())
     return;
   std::erase_if(m_linkedPrograms, [&](const auto &entry) {
     if (entry.first.vertex != compiled && entry.first.fragment != compiled)
@@ -232,38 +317,39 @@ void LinkedProgramCache::drop(Context &context, const CompiledProgram *compiled)
     destroy(context, *entry.second);
     return true;
   });
-  if (shader->second.name != 0) {
-    context.group->removeHostProgram(shader->second.name);
-    context.host->DeleteShader(shader->second.name);
-  }
-  m_shaders.erase(shader);
+  deleteObjects(context, objects->second);
+  m_objects.erase(objects);
 }
 
 /// Programs that left their object through another context: nothing else holds them any more.
 void LinkedProgramCache::sweep(Context &context) {
   std::vector<const CompiledProgram *> left;
-  for (const auto &[compiled, shader] : m_shaders) {
+  for (const auto &[compiled, objects] : m_objects) {
     const bool effective =
-        context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
-                                  context.linkedProgram->fragment.compiled == compiled);
-    if (!effective && shader.compiled.use_count() == 1)
+        context.hostAssembly->runs(compiled) ||
+        (context.linkedProgram && (context.linkedProgram->vertex.compiled == compiled ||
+                                   context.linkedProgram->fragment.compiled == compiled));
+    if (!effective && objects.compiled.use_count() == 1)
       left.push_back(compiled);
   }
   for (const CompiledProgram *const compiled : left)
     drop(context, compiled);
-  m_sweepAt = std::max<std::size_t>(64, 2 * m_shaders.size());
+  m_sweepAt = std::max<std::size_t>(64, 2 * m_objects.size());
 }
 
 LinkedProgramCache::Names LinkedProgramCache::abandon() {
   Names names;
   for (const auto &[key, linkedProgram] : m_linkedPrograms)
-    if (linkedProgram->hostProgram != 0)
+    if (linkedProgram->hostProgram != 0 && !linkedProgram->fragmentAlone)
       names.programs.push_back(linkedProgram->hostProgram);
-  for (const auto &[compiled, shader] : m_shaders)
-    if (shader.name != 0)
-      names.shaders.push_back(shader.name);
+  for (const auto &[compiled, objects] : m_objects) {
+    if (objects.shader.value_or(0) != 0)
+      names.shaders.push_back(*objects.shader);
+    if (objects.assembly && objects.assembly->name != 0)
+      names.assembly.push_back(objects.assembly->name);
+  }
   m_linkedPrograms.clear();
-  m_shaders.clear();
+  m_objects.clear();
   return names;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -9,6 +11,7 @@
 namespace arbiter::state {
 
 class Context;
+struct ProgramTarget;
 
 /// The programs that shade a draw, one a stage; null where fixed function does.
 struct ProgramPair {
@@ -24,26 +27,51 @@ struct LinkedProgramStage {
   bool readsState = false;                   ///< has uniforms of kind State
 };
 
-/// A pair of compiled programs as the host's GLSL program, in one context. Each context has its own
-/// because a host program holds its uniform values, and contexts of a share group draw on different
-/// threads.
-struct LinkedProgram {
-  GLuint hostProgram = 0; ///< 0: the host refused it
-  LinkedProgramStage vertex;
-  LinkedProgramStage fragment;
-  bool readsState = false; ///< either stage does
-  bool hasPlainSamplers = false;
+/// A program as an object of the host's own ARB path. Env values are the target's, not the
+/// program's: of those `uploaded` holds what the last draw read.
+struct AssemblyProgram {
+  GLuint name = 0; ///< 0: the host refused it
+  LinkedProgramStage stage;
 };
 
-/// The linked programs of a context, and the host's shader objects that they are linked from: each
-/// program is compiled once, however many it is paired with.
+/// A pair of compiled programs as the host runs it, in one context. Each context has its own
+/// because a host program holds its uniform values, and contexts of a share group draw on different
+/// threads.
+///
+/// A vertex program is the host's own ARB program where it can be: passes that compare depths for
+/// equality meet only where they do without the layer, and no GLSL computes a position as each
+/// host's own path does. Its fragment program is then linked alone, once for all of its pairs.
+struct LinkedProgram {
+  bool refused = false;   ///< by the host
+  GLuint hostProgram = 0; ///< of GLSL; 0: neither stage is GLSL, or the host refused it
+  LinkedProgramStage vertex;
+  LinkedProgramStage fragment;
+  AssemblyProgram *vertexAssembly = nullptr;
+  LinkedProgram *fragmentAlone = nullptr; ///< beside `vertexAssembly`: whose `hostProgram` it is
+  bool readsState = false;                ///< either stage does
+  bool hasPlainSamplers = false;
+
+  /// The stages that hold what the host was given: vertex, fragment.
+  [[nodiscard]] std::array<LinkedProgramStage *, 2> stages() {
+    return {vertexAssembly ? &vertexAssembly->stage : &vertex,
+            fragmentAlone ? &fragmentAlone->fragment : &fragment};
+  }
+};
+
+/// The linked programs of a context, and the host's shaders and programs that they are made of:
+/// each program is compiled once, however many it is paired with.
 class LinkedProgramCache {
 public:
   /// The linked program of `pair`, of which one program at least is not null; built at the first
   /// call, in which case the host links, and compiles what it has not compiled yet. Raises no
-  /// error; a linked program that the host refused has hostProgram 0.
+  /// error.
   [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair);
-  /// Deletes the shader and the linked programs of a compiled program that left its object.
+  /// The program as the host's own ARB path has it, from the text of what our compiler checked,
+  /// within our limits; loaded at the first call. Each in an object of its own, for a host may not
+  /// survive one that is specified again and again. Null if the host refuses it. Raises no error.
+  [[nodiscard]] AssemblyProgram *assemblyOf(Context &context,
+                                            const std::shared_ptr<const CompiledProgram> &compiled);
+  /// Deletes the host's objects and the linked programs of a compiled program that left its object.
   /// `context` is current.
   void drop(Context &context, const CompiledProgram *compiled);
 
@@ -51,6 +79,7 @@ public:
   struct Names {
     std::vector<GLuint> programs;
     std::vector<GLuint> shaders;
+    std::vector<GLuint> assembly; ///< program objects of the host's ARB path
   };
   /// Empties the cache without touching the host.
   [[nodiscard]] Names abandon();
@@ -69,24 +98,37 @@ private:
       return hash(key.vertex) * 31 + hash(key.fragment);
     }
   };
-  struct Shader {
+  /// What the host has of one program; both only where it is drawn with in both ways.
+  struct HostObjects {
     std::shared_ptr<const CompiledProgram> compiled; ///< keeps the linked programs' pointers alive
-    GLuint name = 0;                                 ///< 0: the host refused it
+    std::optional<GLuint> shader;                    ///< 0: the host refused it
+    std::unique_ptr<AssemblyProgram> assembly;
   };
-  [[nodiscard]] const Shader *shaderOf(Context &context,
-                                       const std::shared_ptr<const CompiledProgram> &compiled);
-  [[nodiscard]] std::unique_ptr<LinkedProgram> build(Context &context, const ProgramPair &pair);
+  [[nodiscard]] HostObjects &objectsOf(const std::shared_ptr<const CompiledProgram> &compiled);
+  [[nodiscard]] GLuint shaderOf(Context &context,
+                                const std::shared_ptr<const CompiledProgram> &compiled);
+  void build(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgram);
+  [[nodiscard]] bool buildOnAssembly(Context &context, const ProgramPair &pair,
+                                     LinkedProgram &linkedProgram);
+  void deleteObjects(Context &context, const HostObjects &objects);
   void sweep(Context &context);
 
   std::unordered_map<Key, std::unique_ptr<LinkedProgram>, KeyHash> m_linkedPrograms;
-  std::unordered_map<const CompiledProgram *, Shader> m_shaders;
+  std::unordered_map<const CompiledProgram *, HostObjects> m_objects;
   std::size_t m_sweepAt = 64;
 };
+
+/// True where a vertex program is drawn with by the host's own ARB path: the host has one, and the
+/// arithmetic is the host's, as no other can be written in assembly.
+[[nodiscard]] bool drawsVerticesByAssembly(const Context &context);
 
 /// Brings the host's uniforms of the effective linked program up to date, as far as `attention`
 /// says that they may have changed; its host program is current. No allocation, one call a run of
 /// changed values.
 void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint32_t attention);
+/// The value that a parameter has now; `row`: the effective program's.
+[[nodiscard]] Vec4 currentValue(Context &context, const ProgramTarget &row,
+                                const fp::ir::Parameter &parameter);
 
 /// The value of one row of GL state (3.11.3.2), from the host.
 void fetchState(Context &context, const fp::ir::StateRef &state, GLfloat value[4]);

@@ -3,13 +3,11 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
 
 namespace arbiter::state {
 
-namespace {
-
-/// The value that the element of the uniform array has to have.
 Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter) {
   Vec4 value{};
   switch (parameter.kind) {
@@ -26,6 +24,8 @@ Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Para
   }
   return value;
 }
+
+namespace {
 
 void uploadStage(Context &context, LinkedProgramStage &stage) {
   const ProgramTarget &row = context.row(stage.compiled->target);
@@ -67,8 +67,12 @@ void uploadParameters(Context &context, LinkedProgram &linkedProgram, std::uint3
     if ((attention & bits) != 0 && !stage.locations.empty())
       uploadStage(context, stage);
   };
-  upload(linkedProgram.vertex, attention::kVertexParameters);
-  upload(linkedProgram.fragment, attention::kFragmentParameters);
+  if (!linkedProgram.vertexAssembly)
+    upload(linkedProgram.vertex, attention::kVertexParameters);
+  else if ((attention & (attention::kVertexParameters |
+                         (linkedProgram.readsState ? attention::kState : 0u))) != 0)
+    context.hostAssembly->uploadParameters(context);
+  upload(*linkedProgram.stages()[1], attention::kFragmentParameters);
 }
 
 } // namespace arbiter::state

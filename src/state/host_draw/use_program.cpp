@@ -26,18 +26,6 @@ void useProgram(Context &context, GLuint name) {
   invalidateProgram(context);
 }
 
-namespace {
-
-/// The host's own enable of the target is neither the application's to save nor to restore.
-void releaseHostAssembly(Context &context) {
-  if (!context.hostAssembly->active())
-    return;
-  releaseHostState(context);
-  invalidateProgram(context);
-}
-
-} // namespace
-
 void pushEnables(Context &context, GLbitfield mask) {
   AttribStack::Entry entry{.hasEnables = (mask & GL_ENABLE_BIT) != 0,
                            .dirty = software::dirtyGroupsOfAttributes(mask)};
@@ -57,7 +45,6 @@ void popEnables(Context &context) {
 }
 
 void pushAttrib(Context &context, GLbitfield mask) {
-  releaseHostAssembly(context);
   if ((mask & GL_TEXTURE_BIT) != 0)
     releaseSamplers(context);
   context.host->PushAttrib(mask); // raises STACK_OVERFLOW where the layer's would overflow too
@@ -65,9 +52,9 @@ void pushAttrib(Context &context, GLbitfield mask) {
 }
 
 void popAttrib(Context &context) {
-  releaseHostAssembly(context);
   context.host->PopAttrib();
-  context.hostAssembly->disableAgain(context);
+  // The host's own enables of the targets are neither the application's to save nor to restore.
+  context.hostAssembly->restoreEnables(context);
   popEnables(context);
   noteFixedFunctionChange(context);
   noteClipPlanesChange(context);

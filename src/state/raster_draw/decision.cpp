@@ -17,7 +17,7 @@ namespace {
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
   if (context.listMode != 0) [[unlikely]]
     return Fallback::List;
-  if (context.path != Path::HostGlsl) {
+  if (!context.linkedProgram) {
     // Fixed function alone is the rasterizer's too, once a program has been drawn.
     if (context.path == Path::HostAssembly && !applicationShades(context))
       return Fallback::NotCompiled; // too long

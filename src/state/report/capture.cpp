@@ -84,7 +84,7 @@ TextureUse describeTexture(Context &context, const fp::GlslSampler &sampler) {
 /// Draws that took the path of the effective program, on the host or by the rasterizer.
 std::uint64_t drawsOf(const Context &context, std::size_t path) {
   const std::uint64_t own =
-      Path(path) == Path::HostGlsl ? context.draws[std::size_t(Path::Rasterizer)] : 0;
+      context.linkedProgram ? context.draws[std::size_t(Path::Rasterizer)] : 0;
   return context.draws[path] + own;
 }
 
@@ -124,8 +124,7 @@ void captureEnter(Context &context) {
   effective.path = std::size_t(context.path);
   effective.drawsBefore = drawsOf(context, effective.path);
   const HostErrorScope scope(*context.host, context.pendingError);
-  for (const LinkedProgramStage *const stage :
-       {&context.linkedProgram->vertex, &context.linkedProgram->fragment}) {
+  for (const LinkedProgramStage *const stage : context.linkedProgram->stages()) {
     if (!stage->compiled)
       continue;
     const auto slot = std::size_t(stage->compiled->target);
@@ -147,9 +146,8 @@ void captureLeave(Context &context) {
     if (!program || draws == 0)
       continue;
     const std::vector<Vec4> *held = nullptr;
-    if (const LinkedProgram *const linkedProgram = context.linkedProgram)
-      for (const LinkedProgramStage *const stage :
-           {&linkedProgram->vertex, &linkedProgram->fragment})
+    if (LinkedProgram *const linkedProgram = context.linkedProgram)
+      for (const LinkedProgramStage *const stage : linkedProgram->stages())
         if (stage->compiled == program.get())
           held = &stage->uploaded;
     CaptureRecord::instance()->used({Target(i), program, context.serial, context.frames, draws,

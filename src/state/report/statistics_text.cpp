@@ -56,7 +56,8 @@ void writeProgram(JsonWriter &json, const ProgramRow &row) {
 }
 
 bool isFallback(Path path) {
-  return path != Path::HostGlsl && path != Path::Rasterizer && path != Path::Recorded;
+  return path != Path::HostGlsl && path != Path::HostAssembly && path != Path::Rasterizer &&
+         path != Path::Recorded;
 }
 
 void writeDraws(JsonWriter &json) {

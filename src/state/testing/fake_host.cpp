@@ -157,27 +157,59 @@ void genPrograms(GLsizei n, GLuint *names) {
   for (GLsizei i = 0; i < n; ++i)
     names[i] = ++fake().lastName;
 }
-void programString(GLenum target, GLenum, GLsizei length, const void *) {
+void programString(GLenum target, GLenum, GLsizei length, const void *text) {
   fake().note(words("ProgramString", {target, length}));
+  if (fake().refusesAssembly)
+    return fake().raise(GL_INVALID_OPERATION);
+  fake().assembly[fake().bound[target]] =
+      std::string(static_cast<const char *>(text), std::size_t(length));
+}
+void bindProgram(GLenum target, GLuint name) {
+  fake().note(words("BindProgram", {target, name}));
+  fake().bound[target] = name;
+}
+void deletePrograms(GLsizei count, const GLuint *names) {
+  for (GLsizei i = 0; i < count; ++i)
+    fake().assembly.erase(names[i]);
+}
+void envParameter(GLenum target, GLuint index, const GLfloat *value) {
+  fake().note(words("ProgramEnvParameter4fv", {target, index, static_cast<long long>(value[0])}));
+}
+void localParameter(GLenum target, GLuint index, const GLfloat *value) {
+  fake().note(words("ProgramLocalParameter4fv", {target, index, static_cast<long long>(value[0])}));
+}
+/// Of program targets what they are is kept.
+void noteTarget(GLenum cap, bool enabled) {
+  if (cap == GL_VERTEX_PROGRAM_ARB || cap == GL_FRAGMENT_PROGRAM_ARB)
+    fake().targets[cap] = enabled;
 }
 void pushAttrib(GLbitfield) {
   if (fake().attribDepth >= 16)
     return fake().raise(GL_STACK_OVERFLOW);
   ++fake().attribDepth;
+  fake().savedTargets.push_back(fake().targets);
 }
 void popAttrib() {
   if (fake().attribDepth <= 0)
     return fake().raise(GL_STACK_UNDERFLOW);
   --fake().attribDepth;
+  fake().targets = fake().savedTargets.back();
+  fake().savedTargets.pop_back();
 }
 void begin(GLenum mode) { fake().note(words("Begin", {mode})); }
-void enable(GLenum cap) { fake().note(words("Enable", {cap})); }
+void enable(GLenum cap) {
+  fake().note(words("Enable", {cap}));
+  noteTarget(cap, true);
+}
 GLboolean isEnabled(GLenum cap) {
   fake().note(words("IsEnabled", {cap}));
   return fake().enabled.count(cap) != 0;
 }
 void activeTexture(GLenum unit) { fake().note(words("ActiveTexture", {unit})); }
-void disable(GLenum cap) { fake().note(words("Disable", {cap})); }
+void disable(GLenum cap) {
+  fake().note(words("Disable", {cap}));
+  noteTarget(cap, false);
+}
 void getAttachedShaders(GLuint program, GLsizei most, GLsizei *count, GLuint *shaders) {
   *count = 0;
   for (const GLenum type : fake().stages[program])
@@ -217,6 +249,10 @@ const Row kRows[] = {
     ROW(DeleteLists, deleteLists),
     ROW(GenProgramsARB, genPrograms),
     ROW(ProgramStringARB, programString),
+    ROW(BindProgramARB, bindProgram),
+    ROW(DeleteProgramsARB, deletePrograms),
+    ROW(ProgramEnvParameter4fvARB, envParameter),
+    ROW(ProgramLocalParameter4fvARB, localParameter),
     ROW(PushAttrib, pushAttrib),
     ROW(PopAttrib, popAttrib),
     ROW(Begin, begin),

@@ -35,6 +35,7 @@ public:
   bool compileFails = false;
   bool linkFails = false;
   bool createFails = false;
+  bool refusesAssembly = false;
   bool lost = false;          ///< CONTEXT_LOST for ever; queries leave their arguments as they are
   GLenum error = GL_NO_ERROR; ///< pending
 
@@ -49,6 +50,13 @@ public:
   std::map<GLint, std::vector<GLfloat>> uniforms; ///< by location, of whichever program
   GLuint lastName = 0;
   int attribDepth = 0;
+  std::map<GLuint, std::string> assembly;           ///< the text of each program object
+  std::map<GLenum, GLuint> bound;                   ///< program objects, by target
+  std::map<GLenum, bool> targets;                   ///< whether a program target is enabled
+  std::vector<std::map<GLenum, bool>> savedTargets; ///< by PushAttrib
+
+  /// As one without programs in assembly.
+  void offerNoAssembly() { extensions.clear(); }
 
   /// "UseProgram 3", in order.
   std::vector<std::string> calls;

@@ -29,6 +29,7 @@ class Way:
     mode: session.Mode
     cold: bool = False  # begins with empty caches; otherwise with what earlier ways left
     rasterizes: bool = False  # all that it can, programs or not
+    late: bool = False  # machine code is late, as on a busy machine: the host draws meanwhile
 
     @property
     def name(self) -> str:
@@ -48,13 +49,14 @@ class Run:
 
 
 def ways(library: Path) -> list[Way]:
-    """The four ways; the default profile, whose limits are reported only, as a recording holds no
-    answer to a refusal that it did not meet; and fixed function drawn by the rasterizer in contexts
-    without programs too."""
+    """The back ends, with caches cold and warm, and with machine code that is late; the default
+    profile, whose limits are reported only, as a recording holds no answer to a refusal that it did
+    not meet; and fixed function drawn by the rasterizer in contexts without programs too."""
     def mode(name: str, backend: str, profile: str = "host") -> session.Mode:
         return session.Mode(name, library, profile, backend)
 
-    return [Way(mode("auto-cold", "auto"), cold=True), Way(mode("auto-warm", "auto")),
+    return [Way(mode("auto-late", "auto"), cold=True, late=True),
+            Way(mode("auto-cold", "auto"), cold=True), Way(mode("auto-warm", "auto")),
             Way(mode("swrast", "swrast")), Way(mode("host", "host")),
             Way(mode("r300", "auto", "r300")), Way(mode("fixed", "auto"), rasterizes=True)]
 
@@ -76,6 +78,8 @@ def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: fl
                        "XDG_CACHE_HOME": str(cache)}
         if way.rasterizes:
             environment["ARBITER_FIXED_FUNCTION"] = "always"
+        if way.late:
+            environment["ARBITER_DEBUG"] = "late-code"
         if recording.over_limits or way.mode.profile == "r300":
             environment["ARBITER_LIMITS"] = "report"
         process = subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.PIPE,

@@ -83,16 +83,16 @@ struct Writer {
   std::string cross() const;
 };
 
-/// dot() is taken to sum in the order of ir/semantics.h, as Mesa's does.
+/// dot() is taken to sum in the order of ir/semantics.h for fragment programs, as llvmpipe's does.
 std::string Writer::dot(const Components &at) const {
-  if (plain())
+  if (plain() && !registers.ofVertices())
     return "dot(" + vec(0, at) + ", " + vec(1, at) + ")";
   return "arb_sum(" + product(vec(0, at), vec(1, at), facts.first) + ")";
 }
 
-/// As Mesa orders it for its own parser's DPH: passes that meet at equal depths rely on that.
+/// As Mesa orders it for its own parser's DPH.
 std::string Writer::dph() const {
-  if (!plain())
+  if (!plain() || registers.ofVertices())
     return "arb_sum(" + product(vec(0, {0, 1, 2}), vec(1, {0, 1, 2}), facts.first) + ", " +
            at(1, 3) + ")";
   const auto term = [&](int i) { return at(0, i) + " * " + at(1, i); };

@@ -99,6 +99,11 @@ constexpr const char *kPower =
 constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
                          "float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }\n"
                          "float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }\n";
+/// A statement for each sum: Mesa balances the sums of one expression, whatever its parentheses say.
+constexpr char kForwardSums[] =
+    "float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }\n"
+    "float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }\n"
+    "float arb_sum(vec4 p) { float s = p.x + p.y; s += p.z; s += p.w; return s; }\n";
 constexpr char kRoundedSums[] =
     "float arb_sum(vec3 p) { return arb_round(arb_round(p.x + p.y) + p.z); }\n"
     "float arb_sum(vec3 p, float w) { return arb_round(arb_sum(p) + w); }\n"
@@ -122,7 +127,9 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
                       forVectors("arb_mul", 2)},
       {"arb_mulz", product("arb_mulz(float z, float x)", "z == 0.0", "z * x", exact) +
                        forVectors("arb_mulz", 2)},
-      {"arb_sum", numerics == Numerics::Fp24 ? kRoundedSums : kSums},
+      {"arb_sum", numerics == Numerics::Fp24                    ? kRoundedSums
+                  : program.language == ir::Language::ArbVertex ? kForwardSums
+                                                                : kSums},
       {"arb_pow", kPower},
   };
   std::string text;

@@ -31,6 +31,8 @@ public:
   [[nodiscard]] const std::vector<GlslUniform> &uniforms() const { return m_uniforms; }
   [[nodiscard]] const std::vector<GlslSampler> &samplers() const { return m_samplers; }
   [[nodiscard]] const std::vector<GlslAttribute> &attributes() const { return m_generics; }
+  /// Those of a vertex program.
+  [[nodiscard]] bool ofVertices() const { return m_ofVertices; }
   [[nodiscard]] bool readsPosition() const { return m_readsPosition; }
   [[nodiscard]] bool readsRectangle() const { return m_readsRectangle; }
 
@@ -47,6 +49,7 @@ private:
   void makeLocal(RegisterText &name, const std::string &local, const char *function);
 
   Numerics m_numerics;
+  bool m_ofVertices;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;
   Arrays m_arrays; ///< first among the uniforms, so that rows read by number too share its elements

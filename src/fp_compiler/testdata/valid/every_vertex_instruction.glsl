@@ -21,6 +21,9 @@ vec4 arb_log(float x) {
   if (m < 1.0) { m *= 2.0; e += -1.0; }
   return vec4(e, m, l, 1.0);
 }
+float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }
+float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }
+float arb_sum(vec4 p) { float s = p.x + p.y; s += p.z; s += p.w; return s; }
 void main() {
   vec4 t0;
   vec4 t1;
@@ -30,9 +33,9 @@ void main() {
   t0 = abs(gl_Vertex);
   t1 = t0 + vec4(-0.25, 0.5, -1.0, -2.0);
   a0 = arb_address(t1.y);
-  t2.x = dot(t0.xyz, t1.xyz);
-  t2.y = dot(t0, t1);
-  t2.z = (t0.x * t1.x + (t0.z * t1.z + t1.w)) + t0.y * t1.y;
+  t2.x = arb_sum(t0.xyz * t1.xyz);
+  t2.y = arb_sum(t0 * t1);
+  t2.z = arb_sum(t0.xyz * t1.xyz, t1.w);
   t2.w = t1.w;
   t0.x = exp2(t2.x);
   t0.y = fract(t2.y);

@@ -1,6 +1,9 @@
 #version 120
 attribute vec4 arb_attrib1;
 attribute vec4 arb_attrib6;
+float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }
+float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }
+float arb_sum(vec4 p) { float s = p.x + p.y; s += p.z; s += p.w; return s; }
 void main() {
   vec4 s6 = vec4(gl_Point.size, gl_Point.sizeMin, gl_Point.sizeMax, gl_Point.fadeThresholdSize);
   vec4 s7 = vec4(gl_Point.distanceConstantAttenuation, gl_Point.distanceLinearAttenuation, gl_Point.distanceQuadraticAttenuation, 1.0);
@@ -12,7 +15,7 @@ void main() {
   t0 = vec4(gl_FogCoord) * gl_MultiTexCoord7 + t0;
   t0 = t0 + arb_attrib1;
   t0 = arb_attrib6 * gl_EyePlaneS[0] + t0;
-  t0.x = dot(t0, gl_ClipPlane[5]);
+  t0.x = arb_sum(t0 * gl_ClipPlane[5]);
   gl_Position = t0;
   gl_FrontColor = gl_EyePlaneT[0];
   gl_FrontSecondaryColor.xyz = gl_ObjectPlaneR[3].xyz;

@@ -1,4 +1,7 @@
 #version 120
+float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }
+float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }
+float arb_sum(vec4 p) { float s = p.x + p.y; s += p.z; s += p.w; return s; }
 void main() {
   vec4 s8 = vec4(normalize(normalize(gl_LightSource[0].position.xyz) + vec3(0.0, 0.0, 1.0)), 1.0);
   vec4 s9 = vec4(gl_FrontMaterial.shininess, 0.0, 0.0, 1.0);
@@ -8,15 +11,15 @@ void main() {
   vec4 t0;
   vec4 t1;
   vec4 t2;
-  gl_Position.x = dot(gl_ModelViewProjectionMatrixTranspose[0], gl_Vertex);
-  gl_Position.y = dot(gl_ModelViewProjectionMatrixTranspose[1], gl_Vertex);
-  gl_Position.z = dot(gl_ModelViewProjectionMatrixTranspose[2], gl_Vertex);
-  gl_Position.w = dot(gl_ModelViewProjectionMatrixTranspose[3], gl_Vertex);
-  t0.x = dot(gl_ModelViewMatrixInverse[0].xyz, vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
-  t0.y = dot(gl_ModelViewMatrixInverse[1].xyz, vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
-  t0.z = dot(gl_ModelViewMatrixInverse[2].xyz, vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
-  t1.x = dot(t0.xyz, gl_LightSource[0].position.xyz);
-  t1.y = dot(t0.xyz, s8.xyz);
+  gl_Position.x = arb_sum(gl_ModelViewProjectionMatrixTranspose[0] * gl_Vertex);
+  gl_Position.y = arb_sum(gl_ModelViewProjectionMatrixTranspose[1] * gl_Vertex);
+  gl_Position.z = arb_sum(gl_ModelViewProjectionMatrixTranspose[2] * gl_Vertex);
+  gl_Position.w = arb_sum(gl_ModelViewProjectionMatrixTranspose[3] * gl_Vertex);
+  t0.x = arb_sum(gl_ModelViewMatrixInverse[0].xyz * vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
+  t0.y = arb_sum(gl_ModelViewMatrixInverse[1].xyz * vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
+  t0.z = arb_sum(gl_ModelViewMatrixInverse[2].xyz * vec3(gl_Normal.x, gl_Normal.y, gl_Normal.z));
+  t1.x = arb_sum(t0.xyz * gl_LightSource[0].position.xyz);
+  t1.y = arb_sum(t0.xyz * s8.xyz);
   t1.w = s9.x;
   t2.yz = vec2(max(t1.x, 0.0), (t1.x > 0.0 ? (clamp(t1.w, -127.99999, 127.99999) == 0.0 ? 1.0 : (t1.y > 0.0 ? pow(t1.y, clamp(t1.w, -127.99999, 127.99999)) : 0.0)) : 0.0));
   t0.xyz = t2.yyy * s10.xyz + s11.xyz;

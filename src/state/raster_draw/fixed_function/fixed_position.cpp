@@ -88,7 +88,14 @@ void clampColors(Program &program) {
       instruction.dst.saturate = true;
 }
 
-void addDistances(Appender &append, std::uint8_t planes, std::uint16_t eye) {
+/// Of the position that is drawn, taken back through the projection, whatever wrote it: that of
+/// fixed function, of an invariant program and of one that computes the same itself are cut at the
+/// same bits. So hosts do it, in clip space, by planes taken through the projection; of programs
+/// without the option the specification has no clipping by planes at all.
+void addClipDistances(Appender &append, std::uint8_t planes, std::uint16_t position) {
+  const std::uint16_t eye = append.temporary("eye");
+  append.transform(File::Temporary, eye, StateItem::MatrixProjection, MatrixModifier::Inverse,
+                   Appender::operand(File::Temporary, position));
   for (int plane = 0; plane < 8; ++plane)
     if ((planes >> plane & 1u) != 0)
       append.op(
@@ -99,22 +106,15 @@ void addDistances(Appender &append, std::uint8_t planes, std::uint16_t eye) {
            Appender::operand(File::Temporary, eye)});
 }
 
-void addInvariantPosition(Program &program, std::uint8_t planes) {
+void addInvariantPosition(Program &program) {
   program.options.positionInvariant = false;
   Appender append(program);
   const Operand vertex = append.attribute({AttributeKind::Position, 0});
   append.transform(File::Output, append.output({OutputKind::Position, 0}), StateItem::MatrixMvp,
                    MatrixModifier::Plain, vertex);
-  if (planes == 0)
-    return;
-  const std::uint16_t eye = append.temporary("eye");
-  append.transform(File::Temporary, eye, StateItem::MatrixModelview, MatrixModifier::Plain, vertex);
-  addDistances(append, planes, eye);
 }
 
-/// The specification has no clipping by planes for these, but hosts do it in clip space, by planes
-/// taken through the projection, and so does the layer on the host.
-void clipInClipSpace(Program &program, std::uint8_t planes) {
+void clipPosition(Program &program, std::uint8_t planes) {
   const auto found =
       std::find(program.outputs.begin(), program.outputs.end(), Output{OutputKind::Position, 0});
   if (found == program.outputs.end())
@@ -129,10 +129,7 @@ void clipInClipSpace(Program &program, std::uint8_t planes) {
     }
   const Operand value = Appender::operand(File::Temporary, position);
   append.op(Opcode::Mov, File::Output, output, 0xF, {value});
-  const std::uint16_t eye = append.temporary("eye");
-  append.transform(File::Temporary, eye, StateItem::MatrixProjection, MatrixModifier::Inverse,
-                   value);
-  addDistances(append, planes, eye);
+  addClipDistances(append, planes, position);
 }
 
 } // namespace
@@ -141,9 +138,9 @@ Program withFixedPosition(Program program, std::uint8_t clipPlanes, bool clampsC
   if (clampsColors)
     clampColors(program);
   if (program.options.positionInvariant)
-    addInvariantPosition(program, clipPlanes);
-  else if (clipPlanes != 0)
-    clipInClipSpace(program, clipPlanes);
+    addInvariantPosition(program);
+  if (clipPlanes != 0)
+    clipPosition(program, clipPlanes);
   return program;
 }
 

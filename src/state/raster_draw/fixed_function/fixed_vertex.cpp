@@ -142,20 +142,26 @@ Source FixedWriter::normal() {
   return *(m_normal = normal.read());
 }
 
+/// With planes that clip it (2.12): see addClipDistances().
 void FixedWriter::position() {
-  const Target position = m_builder.result(OutputKind::Position);
+  const Target result = m_builder.result(OutputKind::Position);
+  const Target position = m_key.clipPlanes == 0 ? result : temporary();
   for (int row = 0; row < 4; ++row)
     op(Opcode::Dp4, position.mask(kComponent[row]),
        {matrixRow(StateItem::MatrixMvp, 0, row), attribute(Kind::Position)});
-}
-
-void FixedWriter::clipDistances() {
+  if (m_key.clipPlanes == 0)
+    return;
+  op(Opcode::Mov, result, {position.read()});
+  const Target eye = temporary();
+  for (int row = 0; row < 4; ++row)
+    op(Opcode::Dp4, eye.mask(kComponent[row]),
+       {matrixRow(StateItem::MatrixProjection, 0, row, MatrixModifier::Inverse), position.read()});
   for (int plane = 0; plane < 8; ++plane)
     if ((m_key.clipPlanes >> plane & 1u) != 0)
       op(Opcode::Dp4,
          m_builder.result(OutputKind::TexCoord, kClipDistanceOutput + plane / 4)
              .mask(kComponent[plane % 4]),
-         {state(StateItem::ClipPlane, plane), eye()});
+         {state(StateItem::ClipPlane, plane), eye.read()});
 }
 
 void FixedWriter::unlit() {
@@ -227,7 +233,6 @@ fp::ir::Program makeFixedVertexProgram(const FixedVertexKey &key) {
   writer.texCoords();
   writer.fogCoord();
   writer.pointSize();
-  writer.clipDistances();
   return writer.take();
 }
 

@@ -21,7 +21,6 @@ public:
       : m_key(key), m_builder(fp::ir::Language::ArbVertex) {}
 
   void position();
-  void clipDistances();
   void colors();
   void texCoords();
   void fogCoord();

@@ -16,9 +16,10 @@ bool guards(Guard guard, Guard side) { return (int(guard) & int(side)) != 0; }
 class Unit {
 public:
   Unit(Code &code, const OperandValues &operands, unsigned needed,
-       const analysis::OperandFacts &facts, Numerics numerics)
+       const analysis::OperandFacts &facts, Numerics numerics, ir::Language language)
       : m_code(code), m_ir(code.ir), m_a(operands[0]), m_b(operands[1]), m_c(operands[2]),
-        m_needed(needed), m_facts(facts), m_legacy(numerics == Numerics::Legacy) {}
+        m_needed(needed), m_facts(facts), m_legacy(numerics == Numerics::Legacy),
+        m_forwards(language == ir::Language::ArbVertex) {}
 
   Vec compute(Opcode op);
 
@@ -56,14 +57,18 @@ private:
   }
   Value *product(std::size_t i) { return product(m_a[i], m_b[i], m_facts.first); }
 
-  /// From the last of the products to the first (ir/semantics.h).
+  /// In the order of ir/semantics.h.
   Value *dot(std::size_t terms) {
-    Value *all = product(terms - 1);
-    for (std::size_t i = terms - 1; i-- > 0;)
-      all = sum(all, product(i));
+    const auto term = [&](std::size_t i) { return product(m_forwards ? i : terms - 1 - i); };
+    Value *all = term(0);
+    for (std::size_t i = 1; i < terms; ++i)
+      all = sum(all, term(i));
     return all;
   }
-  Value *homogeneous() { return sum(sum(product(0), sum(product(2), m_b[3])), product(1)); }
+  Value *homogeneous() {
+    return m_forwards ? sum(dot(3), m_b[3])
+                      : sum(sum(product(0), sum(product(2), m_b[3])), product(1));
+  }
 
   Value *truth(llvm::CmpInst::Predicate predicate, std::size_t i) {
     return m_code.select(m_ir.CreateFCmp(predicate, m_a[i], m_b[i]), one(), zero());
@@ -97,6 +102,7 @@ private:
   unsigned m_needed;
   const analysis::OperandFacts &m_facts;
   bool m_legacy;
+  bool m_forwards; ///< how dot products are summed
 };
 
 Vec Unit::light() {
@@ -224,8 +230,8 @@ Vec Unit::compute(Opcode op) {
 } // namespace
 
 Vec apply(Code &code, Opcode op, const OperandValues &operands, unsigned needed,
-          const analysis::OperandFacts &facts, Numerics numerics) {
-  return Unit(code, operands, needed, facts, numerics).compute(op);
+          const analysis::OperandFacts &facts, Numerics numerics, ir::Language language) {
+  return Unit(code, operands, needed, facts, numerics, language).compute(op);
 }
 
 Value *kills(Code &code, const Vec &operand) {

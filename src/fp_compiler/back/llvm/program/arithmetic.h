@@ -12,8 +12,10 @@ using OperandValues = std::array<Vec, 3>;
 /// \p needed; others are null.
 /// Requires: the opcode is neither Texture nor Kills nor ARL; \p numerics is Host or Legacy.
 /// \param facts what need not be guarded in Legacy
+/// \param language the program's: of vertex programs the order of sums is another
 [[nodiscard]] Vec apply(Code &code, ir::Opcode op, const OperandValues &operands, unsigned needed,
-                        const analysis::OperandFacts &facts, Numerics numerics);
+                        const analysis::OperandFacts &facts, Numerics numerics,
+                        ir::Language language = ir::Language::ArbFragment);
 
 /// KIL's condition: one i1 a lane.
 [[nodiscard]] Value *kills(Code &code, const Vec &operand);

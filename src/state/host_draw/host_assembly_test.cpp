@@ -1,0 +1,178 @@
+// Vertex programs as the host's own: what it is given, what is enabled, and what is sent.
+#include "state/host_draw/host_assembly.h"
+
+#include <gtest/gtest.h>
+
+#include "state/core/lifecycle.h"
+#include "state/host_draw/linked_program.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr char kText[] = "!!ARBvp1.0\n"
+                         "ADD result.position, vertex.position, program.env[3];\n"
+                         "MOV result.color, program.local[1];\n"
+                         "END\n";
+constexpr char kShading[] = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n";
+
+using Calls = std::vector<std::string>;
+
+const std::string kVertexName = std::to_string(kVertex);
+
+/// The calls that sent a parameter.
+Calls sent(const FakeHost &host) {
+  Calls calls;
+  for (const std::string &call : host.calls)
+    if (call.find("Parameter4fv") != std::string::npos)
+      calls.push_back(call);
+  return calls;
+}
+
+TEST(HostAssembly, AVertexProgramIsTheHostsBesideAnyFragments) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  EXPECT_EQ(host.currentProgram, 0u);
+  EXPECT_EQ(drawsBy(*context, Path::HostAssembly), 1u);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]);
+  EXPECT_FALSE(host.targets[kFragment]);
+  EXPECT_NE(host.currentProgram, 0u) << "fragments are GLSL";
+  EXPECT_EQ(drawsBy(*context, Path::HostGlsl), 1u);
+  handlers::Disable(*context, kVertex);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_FALSE(host.targets[kVertex]);
+}
+
+TEST(HostAssembly, AFragmentProgramIsLinkedOnceForAllItsPairs) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kShading);
+  for (int i = 0; i < 5; ++i) {
+    use(*context, std::string(kText) + std::string(std::size_t(i), ' '), kVertex);
+    ASSERT_TRUE(draw(*context));
+  }
+  EXPECT_EQ(host.count("LinkProgram"), 1);
+  EXPECT_EQ(host.programs.size(), 1u);
+  EXPECT_EQ(host.assembly.size(), 5u);
+}
+
+TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 7, 0, 0, 0);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 4, 8, 0, 0, 0); // not read
+  handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 9, 0, 0, 0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(sent(host), (Calls{"ProgramEnvParameter4fv " + kVertexName + " 3 7",
+                               "ProgramLocalParameter4fv " + kVertexName + " 1 9"}));
+  host.calls.clear();
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 7, 0, 0, 0);
+  handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 5, 0, 0, 0);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(sent(host), (Calls{"ProgramLocalParameter4fv " + kVertexName + " 1 5"}));
+}
+
+// An env value is the target's: another program's draw may have changed what the host holds.
+TEST(HostAssembly, EnvValuesAreTheTargets) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint first = use(*context, kText, kVertex);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 1, 0, 0, 0);
+  ASSERT_TRUE(draw(*context));
+  use(*context, std::string(kText) + " ", kVertex);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 2, 0, 0, 0);
+  ASSERT_TRUE(draw(*context));
+  handlers::BindProgramARB(*context, kVertex, first);
+  handlers::ProgramEnvParameter4fARB(*context, kVertex, 3, 1, 0, 0, 0);
+  host.calls.clear();
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(sent(host), (Calls{"ProgramEnvParameter4fv " + kVertexName + " 3 1"}));
+}
+
+// What is pushed is the layer's enable of the moment, which is neither the application's to save
+// nor to bring back.
+TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  handlers::PushAttrib(*context, GL_ALL_ATTRIB_BITS);
+  handlers::Disable(*context, kVertex);
+  ASSERT_TRUE(draw(*context));
+  handlers::PushAttrib(*context, GL_LIGHTING_BIT);
+  handlers::PopAttrib(*context);
+  EXPECT_FALSE(host.targets[kVertex]);
+  handlers::PopAttrib(*context);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]) << "the application enabled it before the push";
+
+  handlers::Disable(*context, kVertex);
+  ASSERT_TRUE(draw(*context));
+  handlers::PushAttrib(*context, GL_COLOR_BUFFER_BIT); // the fake saves the enables all the same
+  handlers::Enable(*context, kVertex);
+  ASSERT_TRUE(draw(*context));
+  handlers::PopAttrib(*context);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_TRUE(host.targets[kVertex]) << "a pop without enables takes none away";
+}
+
+TEST(HostAssembly, CopyContextBringsNoEnable) {
+  FakeHost host;
+  const CurrentContext from(host);
+  const CurrentContext to(host);
+  host.targets[kVertex] = true; // as CopyContext of a context that draws by it leaves the host
+  copyContext(*from, *to, GL_ALL_ATTRIB_BITS);
+  ASSERT_TRUE(draw(*to));
+  EXPECT_FALSE(host.targets[kVertex]);
+}
+
+TEST(HostAssembly, AProgramThatIsDeletedLeavesNothing) {
+  FakeHost host;
+  const CurrentContext context(host);
+  const GLuint name = use(*context, kText, kVertex);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  handlers::DeleteProgramsARB(*context, 1, &name);
+  EXPECT_TRUE(host.assembly.empty());
+  EXPECT_FALSE(host.targets[kVertex]);
+  handlers::Disable(*context, kVertex);
+  ASSERT_TRUE(draw(*context)) << "the fragment program's own GLSL stays";
+  EXPECT_EQ(host.count("LinkProgram"), 1);
+}
+
+TEST(HostAssembly, ProgramsThatAreReplacedDoNotPileUp) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  for (int i = 0; i < 200; ++i) {
+    load(*context, std::string(kText) + std::to_string(i), kVertex);
+    handlers::GetError(*context);
+    load(*context, "!!ARBvp1.0\n#" + std::to_string(i) + "\nMOV result.position, {1};\nEND",
+         kVertex);
+    ASSERT_TRUE(draw(*context));
+  }
+  EXPECT_LE(host.assembly.size(), 2u);
+}
+
+TEST(HostAssembly, WhatTheHostRefusesIsGlsl) {
+  FakeHost host;
+  host.refusesAssembly = true;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.count("CreateShader"), 2);
+  EXPECT_FALSE(host.targets[kVertex]);
+  EXPECT_EQ(handlers::GetError(*context), GLenum(GL_NO_ERROR));
+}
+
+} // namespace
+} // namespace arbiter::state
