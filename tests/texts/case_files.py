@@ -9,6 +9,7 @@ accept or refuse; REASON is the specification's section or rule. A WORD is one o
 
     undefined            the specification leaves open what is drawn: bare hosts are not compared
     exact                all ways draw the same to the bit, the bare host's own path included
+    host-exact           the bare host and the layer's back end host do; the rasterizer may round otherwise
     show RESULT          the result of a vertex program that is shown (texts.cpp); else its colour
     bare accept: WHY     the bare host's verdict is another one, and why that is no fault of the layer
     bare refuse: WHY
@@ -38,6 +39,7 @@ class Case:
     reason: str
     undefined: bool = False
     exact: bool = False
+    host_exact: bool = False
     shown: str = 'primary'
     bare_accepted: bool = None
     bare_reason: str = ''
@@ -85,8 +87,8 @@ def stage_of(path, text):
 
 def with_words(case, words):
     for word in words:
-        if word in ('undefined', 'exact'):
-            setattr(case, word, True)
+        if word in ('undefined', 'exact', 'host-exact'):
+            setattr(case, word.replace('-', '_'), True)
         elif word.startswith('show '):
             case.shown = word[5:]
         elif word.startswith('bare ') and ': ' in word:

@@ -63,6 +63,23 @@ TEST(HostAssembly, AFragmentProgramIsLinkedOnceForAllItsPairs) {
   EXPECT_EQ(host.assembly.size(), 5u);
 }
 
+TEST(HostAssembly, WhatTheFragmentProgramReadsAndNothingWritesIsDefined) {
+  FakeHost host;
+  const CurrentContext context(host);
+  use(*context, kText, kVertex);
+  use(*context, kShading);
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.assembly.size(), 1u);
+  use(*context, "!!ARBfp1.0\nMUL result.color, fragment.texcoord[5], fragment.fogcoord.x;\nEND\n");
+  ASSERT_TRUE(draw(*context));
+  ASSERT_EQ(host.assembly.size(), 2u) << "a text of its own for that pair";
+  const std::string &text = host.assembly.rbegin()->second;
+  EXPECT_NE(text.find("MOV result.texcoord[5], p2;"), std::string::npos) << text;
+  EXPECT_NE(text.find("MOV result.fogcoord.x, p2;"), std::string::npos) << text;
+  EXPECT_NE(text.find("PARAM p2 = {0, 0, 0, 1};"), std::string::npos) << text;
+  EXPECT_EQ(text.find("MOV result.texcoord[4]"), std::string::npos) << text;
+}
+
 TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   FakeHost host;
   const CurrentContext context(host);

@@ -146,14 +146,17 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
 }
 
 /// A program object of the host's ARB path that holds the program; 0 if the host refuses it.
-GLuint loadAssembly(Context &context, const CompiledProgram &compiled) {
+GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
+                    const std::vector<fp::ir::Output> &defined) {
   const host::HostTable &host = *context.host;
   const GLenum target = hostAssemblyTarget(compiled);
   // The text of an ATI shader's form is assembly that was emitted already.
   const bool emitted =
       compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
-  const std::string text =
-      compiled.program && !emitted ? fp::emitAssembly(*compiled.program) : compiled.source();
+  const std::string text = !compiled.program || emitted ? compiled.source()
+                           : defined.empty()
+                               ? fp::emitAssembly(*compiled.program)
+                               : fp::emitAssembly(withResults(*compiled.program, defined));
   GLuint name = 0;
   HostErrorScope scope(*context.host, context.pendingError);
   host.GenProgramsARB(1, &name);
@@ -207,21 +210,27 @@ GLuint LinkedProgramCache::shaderOf(Context &context,
 
 AssemblyProgram *
 LinkedProgramCache::assemblyOf(Context &context,
-                               const std::shared_ptr<const CompiledProgram> &compiled) {
-  std::unique_ptr<AssemblyProgram> &assembly = objectsOf(compiled).assembly;
-  if (!assembly) {
-    auto made = std::make_unique<AssemblyProgram>();
-    made->stage.compiled = compiled.get();
-    made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial ones
-    made->name = loadAssembly(context, *compiled);
-    assembly = std::move(made);
-  }
-  return assembly->name != 0 ? assembly.get() : nullptr;
+                               const std::shared_ptr<const CompiledProgram> &compiled,
+                               const std::vector<fp::ir::Output> &defined) {
+  auto &all = objectsOf(compiled).assembly;
+  const auto known = std::find_if(all.begin(), all.end(),
+                                  [&](const auto &each) { return each->defined == defined; });
+  if (known != all.end())
+    return (*known)->name != 0 ? known->get() : nullptr;
+  auto made = std::make_unique<AssemblyProgram>();
+  made->stage.compiled = compiled.get();
+  made->stage.uploaded.assign(compiled->glsl.uniforms.size(), Vec4{}); // the host's initial ones
+  made->defined = defined;
+  AssemblyProgram *const assembly = all.emplace_back(std::move(made)).get(); // its place first
+  assembly->name = loadAssembly(context, *compiled, defined);
+  return assembly->name != 0 ? assembly : nullptr;
 }
 
 bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pair,
                                          LinkedProgram &linkedProgram) {
-  linkedProgram.vertexAssembly = assemblyOf(context, pair.vertex);
+  linkedProgram.vertexAssembly =
+      pair.fragment ? assemblyOf(context, pair.vertex, missingResults(*pair.vertex, *pair.fragment))
+                    : assemblyOf(context, pair.vertex);
   if (!linkedProgram.vertexAssembly)
     return false;
   linkedProgram.readsState = capturing() && readsState(*pair.vertex);
@@ -256,7 +265,9 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
   }
   // A shader of this pair's own where the two do not fit each other: rare.
   const std::string whole =
-      pair.vertex && pair.fragment ? withMissingResults(*pair.vertex, *pair.fragment) : "";
+      pair.vertex && pair.fragment
+          ? glslWithResults(*pair.vertex, missingResults(*pair.vertex, *pair.fragment))
+          : "";
   const GLuint own = whole.empty() ? 0 : compileShader(context, *pair.vertex, whole);
   linkedProgram.hostProgram = linkProgram(context, pair, own ? own : shaders[0], shaders[1]);
   if (own != 0)
@@ -297,9 +308,11 @@ void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &obje
     context.group->removeHostProgram(shader);
     context.host->DeleteShader(shader);
   }
-  if (objects.assembly && objects.assembly->name != 0) {
-    context.hostAssembly->forget(context, objects.assembly.get());
-    context.host->DeleteProgramsARB(1, &objects.assembly->name);
+  for (const auto &assembly : objects.assembly) {
+    if (assembly->name == 0)
+      continue;
+    context.hostAssembly->forget(context, assembly.get());
+    context.host->DeleteProgramsARB(1, &assembly->name);
   }
 }
 
@@ -345,8 +358,9 @@ LinkedProgramCache::Names LinkedProgramCache::abandon() {
   for (const auto &[compiled, objects] : m_objects) {
     if (objects.shader.value_or(0) != 0)
       names.shaders.push_back(*objects.shader);
-    if (objects.assembly && objects.assembly->name != 0)
-      names.assembly.push_back(objects.assembly->name);
+    for (const auto &assembly : objects.assembly)
+      if (assembly->name != 0)
+        names.assembly.push_back(assembly->name);
   }
   m_linkedPrograms.clear();
   m_objects.clear();

@@ -32,6 +32,7 @@ struct LinkedProgramStage {
 struct AssemblyProgram {
   GLuint name = 0; ///< 0: the host refused it
   LinkedProgramStage stage;
+  std::vector<fp::ir::Output> defined; ///< beside those that it writes (undefined_results.h)
 };
 
 /// A pair of compiled programs as the host runs it, in one context. Each context has its own
@@ -69,8 +70,10 @@ public:
   /// The program as the host's own ARB path has it, from the text of what our compiler checked,
   /// within our limits; loaded at the first call. Each in an object of its own, for a host may not
   /// survive one that is specified again and again. Null if the host refuses it. Raises no error.
+  /// \param defined results of a vertex program that are to be, beside those that it writes
   [[nodiscard]] AssemblyProgram *assemblyOf(Context &context,
-                                            const std::shared_ptr<const CompiledProgram> &compiled);
+                                            const std::shared_ptr<const CompiledProgram> &compiled,
+                                            const std::vector<fp::ir::Output> &defined = {});
   /// Deletes the host's objects and the linked programs of a compiled program that left its object.
   /// `context` is current.
   void drop(Context &context, const CompiledProgram *compiled);
@@ -102,7 +105,7 @@ private:
   struct HostObjects {
     std::shared_ptr<const CompiledProgram> compiled; ///< keeps the linked programs' pointers alive
     std::optional<GLuint> shader;                    ///< 0: the host refused it
-    std::unique_ptr<AssemblyProgram> assembly;
+    std::vector<std::unique_ptr<AssemblyProgram>> assembly; ///< by `defined`: mostly one
   };
   [[nodiscard]] HostObjects &objectsOf(const std::shared_ptr<const CompiledProgram> &compiled);
   [[nodiscard]] GLuint shaderOf(Context &context,

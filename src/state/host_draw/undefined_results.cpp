@@ -1,8 +1,9 @@
 #include "state/host_draw/undefined_results.h"
 
-#include <vector>
+#include <algorithm>
+#include <optional>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/reads.h"
 
 namespace arbiter::state {
 
@@ -10,26 +11,49 @@ namespace {
 
 using fp::ir::Attribute;
 using fp::ir::AttributeKind;
+using fp::ir::Instruction;
+using fp::ir::Output;
 using fp::ir::OutputKind;
 
-/// The built-in of a vertex shader for what a fragment attribute interpolates; empty for those that
-/// no vertex gives.
-std::string builtinOf(const Attribute &attribute) {
+/// The built-in of a vertex shader.
+std::string builtinOf(const Output &result) {
+  switch (result.kind) {
+  case OutputKind::FrontPrimary:
+    return "gl_FrontColor";
+  case OutputKind::FrontSecondary:
+    return "gl_FrontSecondaryColor";
+  case OutputKind::FogCoord:
+    return "gl_FogFragCoord";
+  default:
+    return "gl_TexCoord[" + std::to_string(result.index) + "]";
+  }
+}
+
+/// The result that a fragment attribute interpolates; none for those that no vertex gives.
+std::optional<Output> resultOf(const Attribute &attribute) {
   switch (attribute.kind) {
   case AttributeKind::ColorPrimary:
-    return "gl_FrontColor";
+    return Output{OutputKind::FrontPrimary, 0};
   case AttributeKind::ColorSecondary:
-    return "gl_FrontSecondaryColor";
+    return Output{OutputKind::FrontSecondary, 0};
   case AttributeKind::FogCoord:
-    return "gl_FogFragCoord";
+    return Output{OutputKind::FogCoord, 0};
   case AttributeKind::TexCoord:
-    return "gl_TexCoord[" + std::to_string(attribute.index) + "]";
+    return Output{OutputKind::TexCoord, attribute.index};
   case AttributeKind::Position:
   case AttributeKind::Normal:
   case AttributeKind::Generic:
     break;
   }
-  return {};
+  return std::nullopt;
+}
+
+/// A result of which nothing is written is as if it were not bound.
+bool writes(const fp::ir::Program &vertex, const Output &result) {
+  return std::any_of(vertex.code.begin(), vertex.code.end(), [&](const Instruction &instruction) {
+    return instruction.dst.file == fp::ir::File::Output &&
+           vertex.outputs[instruction.dst.index] == result;
+  });
 }
 
 std::vector<Attribute> readBy(const fp::ir::Program &fragment) {
@@ -43,24 +67,47 @@ std::vector<Attribute> readBy(const fp::ir::Program &fragment) {
 
 } // namespace
 
-std::string withMissingResults(const CompiledProgram &vertex, const CompiledProgram &fragment) {
+std::vector<Output> missingResults(const CompiledProgram &vertex, const CompiledProgram &fragment) {
+  std::vector<Output> missing;
+  for (const Attribute &attribute : readBy(*fragment.program)) {
+    const std::optional<Output> result = resultOf(attribute);
+    if (result && !writes(*vertex.program, *result) &&
+        std::find(missing.begin(), missing.end(), *result) == missing.end())
+      missing.push_back(*result);
+  }
+  return missing;
+}
+
+fp::ir::Program withResults(fp::ir::Program vertex, const std::vector<Output> &missing) {
+  fp::ir::Parameter value;
+  value.constant = {0, 0, 0, 1};
+  vertex.parameters.push_back(value);
+  for (const Output &result : missing) {
+    Instruction move;
+    move.op = fp::ir::Opcode::Mov;
+    move.dst.file = fp::ir::File::Output;
+    move.dst.index = std::uint16_t(vertex.outputs.size());
+    move.dst.mask = fp::ir::resultMask(result.kind);
+    move.src[0].file = fp::ir::File::Parameter;
+    move.src[0].index = std::uint16_t(vertex.parameters.size() - 1);
+    vertex.outputs.push_back(result);
+    vertex.code.push_back(move);
+  }
+  return vertex;
+}
+
+std::string glslWithResults(const CompiledProgram &vertex, const std::vector<Output> &missing) {
   constexpr std::string_view kMain = "void main() {\n";
   const std::string &text = vertex.glsl.text;
   const std::size_t main = text.find(kMain);
-  if (main == std::string::npos)
+  if (main == std::string::npos || missing.empty())
     return {};
   std::string definitions;
-  for (const Attribute &attribute : readBy(*fragment.program)) {
-    const std::string builtin = builtinOf(attribute);
-    // A result that is written in part is defined as a whole already.
-    if (builtin.empty() || text.find("  " + builtin) != std::string::npos ||
-        definitions.find(builtin + " ") != std::string::npos)
-      continue;
-    const bool scalar = attribute.kind == AttributeKind::FogCoord;
-    definitions += "  " + builtin + (scalar ? " = 0.0;\n" : " = vec4(0.0, 0.0, 0.0, 1.0);\n");
-  }
-  return definitions.empty() ? definitions
-                             : std::string(text).insert(main + kMain.size(), definitions);
+  for (const Output &result : missing)
+    definitions +=
+        "  " + builtinOf(result) +
+        (result.kind == OutputKind::FogCoord ? " = 0.0;\n" : " = vec4(0.0, 0.0, 0.0, 1.0);\n");
+  return std::string(text).insert(main + kMain.size(), definitions);
 }
 
 } // namespace arbiter::state
