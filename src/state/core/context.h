@@ -54,12 +54,12 @@ inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at w
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
 enum class Path : std::uint8_t {
-  HostGlsl,             ///< our translation, on the host
-  Rasterizer,           ///< by our own rasterizer
-  NoProgram,            ///< host untouched: no program target is enabled
-  ApplicationGlsl,      ///< host untouched: the application's own GLSL program wins
-  ApplicationPipeline,  ///< host untouched: the application's program pipeline wins
-  HostAssembly,         ///< on the host's ARB path, beside one stage of the application's GLSL
+  HostGlsl,            ///< our translation, on the host
+  Rasterizer,          ///< by our own rasterizer
+  NoProgram,           ///< host untouched: no program target is enabled
+  ApplicationGlsl,     ///< host untouched: the application's own GLSL program wins
+  ApplicationPipeline, ///< host untouched: the application's program pipeline wins
+  HostAssembly, ///< on the host's ARB path alone, beside fixed function or the application's GLSL
   ApplicationStageGlsl, ///< host untouched: one stage of GLSL, and the host refuses the ARB program
   NotOffered,           ///< host untouched: this context has no program targets of the layer's
   Recorded,             ///< into a display list: counted when compiled

@@ -1,5 +1,5 @@
-// The way of a draw: which program is effective (the application's GLSL, then the ARB program, then
-// fixed function), its linked program, its parameters.
+// The way of a draw: what is effective (path_choice.h) is brought into the host, and its
+// parameters.
 #include "state/host_draw/draw.h"
 
 #include <algorithm>
@@ -7,12 +7,10 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/host_draw/application_glsl.h"
-#include "state/host_draw/ati_variants.h"
-#include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/path_choice.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
@@ -59,129 +57,6 @@ bool isDropped(Path path) { return path == Path::InvalidProgram || path == Path:
 void setPath(Context &context, Path path) {
   context.path = path;
   context.drawCounter = &context.draws[std::size_t(path)];
-}
-
-/// The host's CURRENT_PROGRAM is the application's unless the layer's is bound. Only the host knows
-/// whether a UseProgram succeeded, and what a list did; so it is asked, once after each.
-GLuint applicationProgram(Context &context) {
-  if (!context.applicationProgramKnown && !context.hostProgramIsOurs) {
-    GLint current = 0;
-    context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
-    context.applicationProgram = GLuint(current);
-    context.applicationProgramKnown = true;
-  }
-  return context.applicationProgram;
-}
-
-GLuint applicationPipeline(Context &context) {
-  GLint pipeline = 0;
-  if (context.pipelinesUsed)
-    context.host->GetIntegerv(GL_PROGRAM_PIPELINE_BINDING, &pipeline);
-  return GLuint(pipeline);
-}
-
-/// The rows whose programs shade now; null where fixed function or the application's GLSL does.
-struct EffectivePrograms {
-  const ProgramTarget *vertex = nullptr;
-  const ProgramTarget *fragment = nullptr;
-  bool ati = false; ///< an ATI fragment shader is enabled, of either form, and no `fragment`
-  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati; }
-};
-
-EffectivePrograms enabledRows(const Context &context) {
-  const auto ifEnabled = [&](Target target) {
-    const ProgramTarget &row = context.row(target);
-    return row.enabled ? &row : nullptr;
-  };
-  EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
-  rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
-  return rows;
-}
-
-/// The compiled programs of the rows; false if one has none that is valid. An ATI shader that is
-/// not leaves fragments to fixed function.
-bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
-  if (rows.vertex)
-    pair.vertex = context.group->compiledOf(*rows.vertex->bound);
-  if (rows.fragment)
-    pair.fragment = context.group->compiledOf(*rows.fragment->bound);
-  else if (rows.ati)
-    pair.fragment = atiShaderEffective(context);
-  return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
-}
-
-/// Mesa's GLSL compiler goes along a chain of instructions by recursion and left its stack in one
-/// of 16,000 POW, which its assembly parser takes. Legacy and Fp24 are arithmetic that GLSL alone
-/// has.
-bool isTooLongForGlsl(const Context &context, const ProgramPair &pair) {
-  constexpr std::size_t kLong = 4096; // instructions
-  const auto isLong = [](const std::shared_ptr<const CompiledProgram> &compiled) {
-    return compiled && compiled->program && compiled->program->code.size() > kLong;
-  };
-  return context.numerics == fp::Numerics::Host && (isLong(pair.vertex) || isLong(pair.fragment));
-}
-
-/// Whether the host's own ARB path is the vertex stage.
-bool isAssembly(Context &context, const std::shared_ptr<const CompiledProgram> &vertex) {
-  return drawsVerticesByAssembly(context) && context.linkedPrograms->assemblyOf(context, vertex);
-}
-
-/// Precedence (ARB_shader_objects; DESIGN): stage by stage the application's own GLSL wins over ARB
-/// programs, and these over ATI's fragment shaders.
-Path choosePath(Context &context) {
-  context.linkedProgram = nullptr;
-  context.stagesAreLinked = false;
-  context.atiShaderEffective = false;
-  for (ProgramTarget &row : context.targets)
-    if (row.enabled)
-      row.seenVersion = row.bound->version.load(std::memory_order_acquire);
-  EffectivePrograms rows = enabledRows(context);
-  if (rows.none())
-    return Path::NoProgram;
-  const GLuint program = applicationProgram(context);
-  const GLuint pipeline = program == 0 ? applicationPipeline(context) : 0;
-  GlslStages theirs;
-  if (program != 0)
-    theirs = stagesOf(context, program);
-  else if (pipeline != 0)
-    theirs = stagesOfPipeline(context, pipeline);
-  if (pipeline != 0 && theirs.none())
-    return Path::ApplicationPipeline; // an empty pipeline: the host's to judge
-  if (theirs.vertex)
-    rows.vertex = nullptr;
-  if (theirs.fragment) {
-    rows.fragment = nullptr;
-    rows.ati = false;
-  }
-  if (rows.none())
-    return program != 0 ? Path::ApplicationGlsl : Path::ApplicationPipeline;
-
-  ProgramPair pair;
-  if (!takePrograms(context, rows, pair))
-    return Path::InvalidProgram;
-  if (!pair.vertex && !pair.fragment)
-    return Path::NoProgram;
-  // Beside one stage of the application's GLSL the other one is the ARB program's, as beside fixed
-  // function; no program of the layer's can be linked to the application's.
-  if (program != 0 || pipeline != 0)
-    return context.hostAssembly->apply(context, pair) ? Path::HostAssembly
-                                                      : Path::ApplicationStageGlsl;
-  if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
-    return Path::HostAssembly;
-  if (pair.vertex && !isAssembly(context, pair.vertex)) {
-    // Linked alone a GLSL vertex shader keeps all its results, for feedback and for the raster
-    // position.
-    if (!context.rasterizes || context.vertexResultsMatter)
-      pair.fragment = nullptr;
-    if (clipPlanesMatter(context))
-      pair.vertex = pair.vertex->clipped->of(*pair.vertex);
-  }
-  LinkedProgram *const linkedProgram = context.linkedPrograms->get(context, pair);
-  if (linkedProgram->refused)
-    return Path::HostRefused;
-  context.linkedProgram = linkedProgram;
-  context.stagesAreLinked = pair.vertex && pair.fragment && !linkedProgram->vertexAssembly;
-  return linkedProgram->hostProgram != 0 ? Path::HostGlsl : Path::HostAssembly;
 }
 
 /// The attention that each draw needs while this path is taken.
@@ -297,10 +172,6 @@ bool validate(Context &context) {
   }
   context.attention = sticky | (context.attention & attention::kList);
   return !isDropped(context.path);
-}
-
-bool applicationShades(Context &context) {
-  return applicationProgram(context) != 0 || applicationPipeline(context) != 0;
 }
 
 void releaseSamplers(Context &context) {

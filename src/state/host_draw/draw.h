@@ -10,10 +10,6 @@ bool validate(Context &context);
 /// host needs, uniforms and sampler bindings, is left for the validate() before its next draw.
 bool validatePrograms(Context &context);
 
-/// The application's own GLSL, a program or a pipeline, has a part in draws now, as far as no
-/// program of the layer's is bound on the host.
-[[nodiscard]] bool applicationShades(Context &context);
-
 /// The host's current program becomes the application's again, and its sampler bindings too.
 void releaseHostState(Context &context);
 /// Its sampler bindings alone; the next draw looks again.

@@ -4,6 +4,7 @@
 
 #include "state/core/context.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/path_choice.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/functions/compile_thread.h"

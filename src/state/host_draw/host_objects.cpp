@@ -1,0 +1,113 @@
+#include "state/host_draw/host_objects.h"
+
+#include <algorithm>
+
+#include "fp_compiler/back/assembly/assembly.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/host_draw/host_assembly.h"
+#include "state/host_draw/linked_program.h"
+#include "state/host_draw/undefined_results.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The info log of a shader or program, for our log.
+template <typename GetIv, typename GetLog>
+std::string infoLog(GLuint object, GetIv getIv, GetLog getLog) {
+  GLint length = 0;
+  getIv(object, GL_INFO_LOG_LENGTH, &length);
+  if (length <= 0)
+    return {};
+  std::string text(std::size_t(length), '\0');
+  GLsizei written = 0;
+  getLog(object, length, &written, text.data());
+  text.resize(std::size_t(std::clamp<GLsizei>(written, 0, length)));
+  return text;
+}
+
+std::string nameOf(const ProgramPair &pair) {
+  std::string name;
+  for (const auto &compiled : {pair.vertex, pair.fragment})
+    if (compiled)
+      name += (name.empty() ? "" : " with ") + toHex(compiled->hash);
+  return name;
+}
+
+} // namespace
+
+GLuint compileShader(Context &context, const CompiledProgram &compiled, const std::string &glsl) {
+  const host::HostTable &host = *context.host;
+  const GLuint shader =
+      host.CreateShader(isVertex(compiled) ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+  if (shader == 0)
+    return 0;
+  const GLchar *const text = glsl.c_str();
+  const auto length = GLint(glsl.size());
+  host.ShaderSource(shader, 1, &text, &length);
+  host.CompileShader(shader);
+  GLint status = GL_FALSE;
+  host.GetShaderiv(shader, GL_COMPILE_STATUS, &status);
+  if (status == GL_TRUE)
+    return shader;
+  logError("state", "the host does not compile the GLSL of program %s:\n%s",
+           toHex(compiled.hash).c_str(),
+           infoLog(shader, host.GetShaderiv, host.GetShaderInfoLog).c_str());
+  host.DeleteShader(shader);
+  return 0;
+}
+
+GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLuint fragment) {
+  const host::HostTable &host = *context.host;
+  const GLuint program = host.CreateProgram();
+  if (program == 0)
+    return 0;
+  if (pair.vertex)
+    for (const fp::GlslAttribute &attribute : pair.vertex->glsl.attributes)
+      host.BindAttribLocation(program, attribute.index, attribute.name.c_str());
+  for (const GLuint shader : {vertex, fragment})
+    if (shader != 0)
+      host.AttachShader(program, shader);
+  host.LinkProgram(program);
+  for (const GLuint shader : {vertex, fragment})
+    if (shader != 0)
+      host.DetachShader(program, shader);
+  GLint status = GL_FALSE;
+  host.GetProgramiv(program, GL_LINK_STATUS, &status);
+  if (status == GL_TRUE)
+    return program;
+  logError("state", "the host does not link the GLSL of program %s:\n%s", nameOf(pair).c_str(),
+           infoLog(program, host.GetProgramiv, host.GetProgramInfoLog).c_str());
+  host.DeleteProgram(program);
+  return 0;
+}
+
+GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
+                    const std::vector<fp::ir::Output> &defined) {
+  const host::HostTable &host = *context.host;
+  const GLenum target = hostAssemblyTarget(compiled);
+  // The text of an ATI shader's form is assembly that was emitted already.
+  const bool emitted =
+      compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
+  const std::string text = !compiled.program || emitted ? compiled.source()
+                           : defined.empty()
+                               ? fp::emitAssembly(*compiled.program)
+                               : fp::emitAssembly(withResults(*compiled.program, defined));
+  GLuint name = 0;
+  HostErrorScope scope(*context.host, context.pendingError);
+  host.GenProgramsARB(1, &name);
+  host.BindProgramARB(target, name);
+  host.ProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()), text.data());
+  const bool refused = scope.failed();
+  context.hostAssembly->bindAgain(context, target);
+  if (!refused)
+    return name;
+  logWarn("state", "the host's own compiler refuses program %s", toHex(compiled.hash).c_str());
+  host.DeleteProgramsARB(1, &name);
+  return 0;
+}
+
+} // namespace arbiter::state
