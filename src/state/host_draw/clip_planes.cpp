@@ -3,11 +3,10 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/clipped_variant.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
-#include "util/flags.h"
-#include "util/log.h"
 
 namespace arbiter::state {
 
@@ -31,23 +30,6 @@ void invalidateClipPlanes(Context &context) {
 }
 
 } // namespace
-
-std::shared_ptr<const CompiledProgram> ClippedVariant::of(const CompiledProgram &whole) const {
-  const std::lock_guard lock(m_mutex);
-  if (m_form)
-    return m_form;
-  auto form = std::make_shared<CompiledProgram>(whole);
-  form->clipped = nullptr; // it would keep itself
-  form->glsl = fp::emitGlsl(*whole.program, m_host, m_numerics);
-  if (debugFlag(DebugFlag::Glsl))
-    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
-  return m_form = std::move(form);
-}
-
-std::shared_ptr<const CompiledProgram> ClippedVariant::made() const {
-  const std::lock_guard lock(m_mutex);
-  return m_form;
-}
 
 bool clipPlanesMatter(Context &context) {
   if (listsEnablePlanes(context))

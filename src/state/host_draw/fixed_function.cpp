@@ -2,7 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/host_draw/ati_variants.h"
+#include "state/host_draw/variants/ati_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"

@@ -3,11 +3,12 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/application_glsl.h"
-#include "state/host_draw/ati_variants.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/ati_variants.h"
+#include "state/host_draw/variants/clipped_variant.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

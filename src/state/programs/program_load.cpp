@@ -1,7 +1,7 @@
 // ProgramString (3.11.1; ARB_vertex_program 2.14.1): the text goes to our compiler.
 #include "state/programs/program_load.h"
 #include "state/core/context.h"
-#include "state/host_draw/drop_variants.h"
+#include "state/host_draw/variants/drop_variants.h"
 
 #include <algorithm>
 #include <cstring>
@@ -9,8 +9,8 @@
 #include "fp_compiler/ir/print.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/host_draw/ati_variants.h"
-#include "state/host_draw/clip_planes.h"
+#include "state/host_draw/variants/ati_variants.h"
+#include "state/host_draw/variants/clipped_variant.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_cache.h"

@@ -1,5 +1,5 @@
 #include "state/programs/replacement.h"
-#include "state/host_draw/drop_variants.h"
+#include "state/host_draw/variants/drop_variants.h"
 
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"

@@ -1,9 +1,9 @@
-#include "state/host_draw/drop_variants.h"
+#include "state/host_draw/variants/drop_variants.h"
 
 #include "state/core/context.h"
-#include "state/host_draw/ati_variants.h"
-#include "state/host_draw/clip_planes.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/ati_variants.h"
+#include "state/host_draw/variants/clipped_variant.h"
 
 namespace arbiter::state {
 

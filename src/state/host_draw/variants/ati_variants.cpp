@@ -1,4 +1,4 @@
-#include "state/host_draw/ati_variants.h"
+#include "state/host_draw/variants/ati_variants.h"
 
 #include <algorithm>
 
