@@ -80,6 +80,26 @@ TEST(HostAssembly, WhatTheFragmentProgramReadsAndNothingWritesIsDefined) {
   EXPECT_EQ(text.find("MOV result.texcoord[4]"), std::string::npos) << text;
 }
 
+// NVIDIA's driver gives (0, 0, 0, 1) for what nothing writes, and osgFX's cartoons divide by that
+// w.
+TEST(HostAssembly, ComponentsThatNothingWritesAreTheHosts) {
+  FakeHost host;
+  const CurrentContext context(host);
+  for (const bool onProcessor : {false, true}) {
+    context->caps.onProcessor = onProcessor;
+    use(*context,
+        "!!ARBvp1.0\n#" + std::to_string(onProcessor) +
+            "\nMOV result.position, vertex.position;\nMOV result.texcoord[0].x, "
+            "vertex.color;\nEND\n",
+        kVertex);
+    ASSERT_TRUE(draw(*context));
+    const std::string &text = host.assembly.rbegin()->second;
+    EXPECT_EQ(text.find("MOV result.texcoord[0].yzw, {0, 0, 0, 0};") != std::string::npos,
+              onProcessor)
+        << text;
+  }
+}
+
 TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   FakeHost host;
   const CurrentContext context(host);

@@ -92,10 +92,13 @@ GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
   // The text of an ATI shader's form is assembly that was emitted already.
   const bool emitted =
       compiled.program && compiled.program->language == fp::ir::Language::AtiFragment;
+  // NVIDIA's driver has (0, 0, 0, 1) in components that nothing writes, and programs divide by that
+  // w. Over a software host the rasterizer draws in turns with it, and both have zeros.
+  const auto parts = context.caps.onProcessor ? fp::PartlyWritten::Zero : fp::PartlyWritten::Hosts;
   const std::string text = !compiled.program || emitted ? compiled.source()
                            : defined.empty()
-                               ? fp::emitAssembly(*compiled.program)
-                               : fp::emitAssembly(withResults(*compiled.program, defined));
+                               ? fp::emitAssembly(*compiled.program, parts)
+                               : fp::emitAssembly(withResults(*compiled.program, defined), parts);
   GLuint name = 0;
   HostErrorScope scope(*context.host, context.pendingError);
   host.GenProgramsARB(1, &name);

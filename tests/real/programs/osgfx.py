@@ -12,7 +12,10 @@ class OsgFx(Program):
         client = build_client(work, "osgfx.cpp", [
             "-losgFX", "-losgViewer", "-losgGA", "-losgUtil", "-losgDB", "-losg", "-lOpenThreads",
             "-lGL"])
-        return [Case("osgfx", [str(client)], recorded=True)]
+        # `fixed`: the cartoon's program writes s of its texture coordinates and no q, by which fixed function
+        # divides. Mesa has 0 there; of s/0 llvmpipe makes the first texel, softpipe and the rasterizer the last
+        # one. (NVIDIA's driver has 1, which the programs count on: with q written all draw the same.)
+        return [Case("osgfx", [str(client)], recorded=True, ways_left_out=("fixed",))]
 
 
 PROGRAM = OsgFx("osgfx", ("libopenscenegraph-dev", "g++", "apitrace", "xvfb", "libgl1-mesa-dri"),

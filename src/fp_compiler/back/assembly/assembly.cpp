@@ -54,7 +54,8 @@ std::string masked(const std::string &name, std::uint8_t mask) {
 
 class Writer {
 public:
-  explicit Writer(const ir::Program &program) : m_program(program), m_names(program) {}
+  Writer(const ir::Program &program, PartlyWritten parts)
+      : m_program(program), m_names(program), m_parts(parts) {}
 
   std::string run() {
     assert(m_program.language != ir::Language::AtiFragment && !m_program.options.colorSum);
@@ -75,7 +76,8 @@ private:
         m_code += "MOV t" + std::to_string(i) + ", {0, 0, 0, 0};\n";
     for (const std::uint8_t address : addressesReadUnwritten())
       m_code += "ARL a" + std::to_string(address) + ".x, {0, 0, 0, 0}.x;\n";
-    zeroResults();
+    if (m_parts == PartlyWritten::Zero || m_program.language != ir::Language::ArbVertex)
+      zeroResults();
   }
 
   std::vector<std::uint8_t> addressesReadUnwritten() const {
@@ -164,11 +166,14 @@ private:
 
   const ir::Program &m_program;
   assembly::Names m_names;
+  PartlyWritten m_parts;
   std::string m_code;
   int m_scratch = 0;
 };
 } // namespace
 
-std::string emitAssembly(const ir::Program &program) { return Writer(program).run(); }
+std::string emitAssembly(const ir::Program &program, PartlyWritten parts) {
+  return Writer(program, parts).run();
+}
 
 } // namespace arbiter::fp

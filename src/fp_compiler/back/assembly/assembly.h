@@ -5,6 +5,12 @@
 
 namespace arbiter::fp {
 
+/// The components of a vertex result that nothing writes, where others are written.
+enum class PartlyWritten {
+  Zero,  ///< written out, as the IR has them
+  Hosts, ///< left to the host, as they are in the application's own text
+};
+
 /// The program as !!ARBvp1.0 or !!ARBfp1.0 text in one plain form, for a host's own parser: one
 /// list of temporaries, a PARAM a row, arrays as PARAM arrays, no aliases, no comments. Numbers are
 /// the shortest that give the same float. What this project defines and the specifications do not
@@ -12,8 +18,11 @@ namespace arbiter::fp {
 /// out, so that the host reads the text as the IR says; checkProgram() of it means the same
 /// program.
 ///
+/// \param parts what becomes of results of a vertex program that are partly written
+///
 /// Requires: validate(program) finds nothing; the language is not AtiFragment, whose option of a
 /// colour sum no assembly language has; constants are finite; a vertex program has no _SAT.
-[[nodiscard]] std::string emitAssembly(const ir::Program &program);
+[[nodiscard]] std::string emitAssembly(const ir::Program &program,
+                                       PartlyWritten parts = PartlyWritten::Zero);
 
 } // namespace arbiter::fp
