@@ -99,7 +99,8 @@ constexpr const char *kPower =
 constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
                          "float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }\n"
                          "float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }\n";
-/// A statement for each sum: Mesa balances the sums of one expression, whatever its parentheses say.
+/// A statement for each sum: Mesa balances the sums of one expression, whatever its parentheses
+/// say.
 constexpr char kForwardSums[] =
     "float arb_sum(vec3 p) { float s = p.x + p.y; s += p.z; return s; }\n"
     "float arb_sum(vec3 p, float w) { float s = p.x + p.y; s += p.z; s += w; return s; }\n"

@@ -145,9 +145,10 @@ void Walk::step(const Instruction &instruction) {
     return;
   }
   const unsigned needed = instruction.dst.mask;
-  write(instruction.dst, row.has(ir::Texture) ? m_hooks.texture(instruction, operands[0], needed)
-                                              : apply(m_code, instruction.op, operands, needed,
-                                                      facts(instruction), m_numerics, m_program.language));
+  write(instruction.dst, row.has(ir::Texture)
+                             ? m_hooks.texture(instruction, operands[0], needed)
+                             : apply(m_code, instruction.op, operands, needed, facts(instruction),
+                                     m_numerics, m_program.language));
 }
 
 void Walk::write(const ir::Destination &dst, const Vec &value) {
