@@ -210,7 +210,6 @@ void validateForList(Context &context) {
 }
 
 void afterHostList(Context &context) {
-  context.hostAssembly->restoreEnables(context);
   noteFixedFunctionChange(context);
   if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
     return;

@@ -121,10 +121,10 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
       continue;
     const Vec4 value = currentValue(context, row, parameter);
     Vec4 &held = env ? envAt(m_env[stage], parameter.index) : program.uploaded[i];
-    program.uploaded[i] = env ? value : program.uploaded[i];
-    if (same(value, held))
+    const bool changed = !same(value, held);
+    held = program.uploaded[i] = value;
+    if (!changed)
       continue;
-    held = value;
     if (env)
       host.ProgramEnvParameter4fvARB(target, parameter.index, value.data());
     else if (local)

@@ -161,6 +161,38 @@ TEST(HostAssembly, AttributeStacksBringBackNoEnable) {
   EXPECT_TRUE(host.targets[kVertex]) << "a pop without enables takes none away";
 }
 
+// A list of before the first program is the host's alone: what it pops is not seen as it comes.
+TEST(HostAssembly, AHostsListThatPopsBringsNoEnable) {
+  FakeHost host;
+  const CurrentContext context(host);
+  host.lists.insert(7); // as compiled before
+  use(*context, kText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  handlers::Disable(*context, kVertex);
+  ASSERT_TRUE(draw(*context));
+  host.targets[kVertex] = true; // what the list's PopAttrib brings back
+  handlers::CallList(*context, 7);
+  EXPECT_FALSE(host.targets[kVertex]);
+}
+
+TEST(HostAssembly, NoListRecordsAnEnable) {
+  FakeHost host;
+  const CurrentContext context(host);
+  host.lists.insert(7);
+  use(*context, kText, kVertex);
+  ASSERT_TRUE(draw(*context));
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    handlers::NewList(*context, 8, mode);
+    handlers::CallList(*context, 7);
+    handlers::Disable(*context, kVertex);
+    handlers::Enable(*context, kVertex);
+    handlers::EndList(*context);
+  }
+  handlers::CallList(*context, 8);
+  for (const std::string &call : host.recorded)
+    EXPECT_EQ(call.find("able " + kVertexName), std::string::npos) << call;
+}
+
 TEST(HostAssembly, CopyContextBringsNoEnable) {
   FakeHost host;
   const CurrentContext from(host);

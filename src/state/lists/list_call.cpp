@@ -8,6 +8,7 @@
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
+#include "state/host_draw/host_assembly.h"
 #include "state/host_draw/use_program.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/fragment_shaders.h"
@@ -171,9 +172,13 @@ void callHostList(Context &context, GLuint name, Primitive primitive = Primitive
   afterHostList(context);
 }
 
-/// A list kept by the host alone may have called one that pushes or pops attributes.
+/// A list kept by the host alone may have popped attributes, and with them enables, or have called
+/// one that pushes or pops.
 void followAttribStack(Context &context) {
-  if (context.insideBeginEnd || !context.group->hostListsNest.load(std::memory_order_relaxed))
+  if (context.insideBeginEnd)
+    return;
+  context.hostAssembly->restoreEnables(context);
+  if (!context.group->hostListsNest.load(std::memory_order_relaxed))
     return;
   GLint depth = 0;
   context.host->GetIntegerv(GL_ATTRIB_STACK_DEPTH, &depth);
