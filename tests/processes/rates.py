@@ -3,6 +3,7 @@ malloc does: whether the layer's runs do so more often. Nothing is taken for the
 bare host was not seen to do, in the same way, in runs of its own.
 """
 import math
+import time
 
 AT_MOST = 240  # bare runs, until one ends in the way that the layer's did
 AT_LEAST = 60  # runs of each
@@ -16,15 +17,17 @@ def chance(bare_failures, bare_runs, layer_failures, layer_runs):
                for k in range(layer_failures, min(failures, layer_runs) + 1)) / math.comb(runs, failures)
 
 
-def compare(end, bare_run, layer_run):
+def compare(end, bare_run, layer_run, seconds=math.inf):
     """`bare_run` and `layer_run` make a run with a seed of its own and return how it ended, or None
-    where it was as it should be; `end` is how one of the layer's did. Returns (worse, words)."""
+    where it was as it should be; `end` is how one of the layer's did. After so many seconds it is
+    judged by the runs that were made. Returns (worse, words)."""
+    until = time.monotonic() + seconds
     again = sum(layer_run() is not None for _ in range(6))
     if again >= 5 and all(bare_run() != end for _ in range(6)):  # that is no chance
         return True, f"{end}, and {again} of 6 more runs fail"
     # In turns: how busy the machine is changes what comes at any time.
     bare, layer = [], []
-    while len(bare) < AT_MOST and not (len(bare) >= AT_LEAST and {end, None, *layer} <= {None, *bare}):
+    while len(bare) < AT_MOST and (not bare or time.monotonic() < until) and not (len(bare) >= AT_LEAST and {end, None, *layer} <= {None, *bare}):
         bare.append(bare_run())
         layer.append(layer_run())
     if end not in bare:

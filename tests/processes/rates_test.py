@@ -23,6 +23,15 @@ class Rates(unittest.TestCase):
         layer = iter([None] * 6 + ["SIGSEGV"] + [None] * 300)
         self.assertTrue(rates.compare("hangs", process(0.05), lambda: next(layer))[0])
 
+    def test_after_its_time(self):
+        runs = []
+
+        def layer():
+            runs.append(1)
+            return None
+        self.assertTrue(rates.compare("hangs", process(0), layer, seconds=0)[0])
+        self.assertLess(len(runs), 10)
+
     def test_always(self):
         self.assertTrue(rates.compare("hangs", process(0.05), process(1))[0])
 

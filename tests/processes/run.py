@@ -15,6 +15,7 @@ Prints a table, and with --json writes it. Exit status 1 if a row is worse than 
 import argparse
 import concurrent.futures
 import json
+import math
 import os
 import random
 import shutil
@@ -34,6 +35,7 @@ WAYS = ("host", "auto", "swrast")
 TIMEOUT = 60
 TIMEOUT_OF_RATES = 25
 TIMEOUT_OF_VALGRIND = 300
+QUICK_RATES = 150  # seconds for a comparison of rates in ./dev test, which ends it after ten minutes
 # Of a block that one operator new gave and another delete took, it says "Mismatched free".
 VALGRIND = ("valgrind", "--undef-value-errors=no", "--leak-check=no", "--show-mismatched-frees=yes")
 # What the bare host does not always stand, by its own locks and destructors: rates are compared, which
@@ -44,7 +46,7 @@ BY_CHANCE = ("exit-in-handler-", "exit-in-thread-compiling", "exit-while-other-d
 FROM_ASIDE = ("drawing", "compiling", "draws", "longjmp", "sig")
 # What the bare host does not stand at all, by the end that is asked for: rows of the layer's alone.
 ASKED = {"exit-slowly-in-thread-drawing": "exit 7"}
-WITHOUT_HOST = ("exit-in-layer-drawing-bitmaps", "exit-slowly-in-thread-drawing")
+WITHOUT_HOST = ("exit-in-layer-drawing-bitmaps", "exit-slowly-in-thread-drawing", "longjmp-out-of-layer-drawing")
 ALLOCATORS = {"jemalloc": "libjemalloc.so.2", "tcmalloc": "libtcmalloc_minimal.so.4"}
 
 
@@ -52,8 +54,9 @@ class Row:
     def __init__(self, name, mode, client="foreign", preload=None, wrapper=(), environment=None, without_layer=False):
         self.name, self.mode, self.client, self.without_layer = name, mode, client, without_layer
         self.preload, self.wrapper, self.environment = preload, wrapper, environment or {}
-        # Where the host draws, the layer's part of a bitmap is a few instructions, which no signal finds;
-        # and a host that draws after its destructors ran ends badly.
+        # Where the host draws, the layer's part of a bitmap or of a large draw is a few instructions,
+        # which a signal finds after many seconds or never; and a host that draws after its destructors
+        # ran ends badly.
         self.ways = [w for w in WAYS if w != "host"] if mode in WITHOUT_HOST else WAYS
         self.repeats = any(word in mode for word in FROM_ASIDE) and mode != "handler-draws"
 
@@ -222,7 +225,7 @@ def not_shown(row, way, layer, scratch, seed):
     return None
 
 
-def run_row(row, build, display, scratch, seeds):
+def run_row(row, build, display, scratch, seeds, seconds_of_rates):
     begin = time.monotonic()
     problems, rates_seen, bare_ends, stood = [], [], set(), False
     for seed in seeds if row.repeats else seeds[:1]:
@@ -242,7 +245,8 @@ def run_row(row, build, display, scratch, seeds):
                     result = run_once(row, one_way, build, display, scratch, next(seeds_of_rates),
                                       TIMEOUT_OF_RATES)
                     return result[0] if difference(bare, result) else None
-                is_worse, words = rates.compare(layer[0], lambda: ended("bare"), lambda: ended(way))
+                is_worse, words = rates.compare(layer[0], lambda: ended("bare"), lambda: ended(way),
+                                                seconds_of_rates)
                 rates_seen.append(f"{way}: {words}")
                 worse = words if is_worse else None
             if worse:
@@ -279,7 +283,9 @@ def main():
             rows = [r for r in rows if any(o in r.name for o in arguments.only)]
             if not rows:
                 sys.exit(f"processes: no row has {' or '.join(arguments.only)} in its name")
-        for future in [pool.submit(run_row, r, build, display, scratch, seeds) for r in rows]:
+        seconds = QUICK_RATES if arguments.quick else math.inf
+        futures = [pool.submit(run_row, r, build, display, scratch, seeds, seconds) for r in rows]
+        for future in concurrent.futures.as_completed(futures):
             result = future.result()
             results.append(result)
             print(f"{result['result']:5} {result['row']:34} {result['seconds']:6.2f} s  "

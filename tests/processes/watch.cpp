@@ -15,6 +15,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "foreign.h"
+
 extern "C" {
 void *__libc_malloc(std::size_t bytes);
 void *__libc_calloc(std::size_t count, std::size_t bytes);
@@ -101,7 +103,15 @@ template <typename Function> Function realOf(std::atomic<Function> &kept, const 
 
 } // namespace
 
-void prepareWatch() { static_cast<void>(lookAtFrames()); } // backtrace() loads a library at first
+void prepareWatch() {
+  static_cast<void>(lookAtFrames()); // backtrace() loads a library at first
+  // What the libraries call must be this program's: a handler that does not see that it is in the
+  // midst of an allocation leaves libc's lock behind.
+  for (const char *const name :
+       {"malloc", "calloc", "realloc", "memalign", "aligned_alloc", "posix_memalign", "free",
+        "__register_frame", "__deregister_frame", "pthread_mutex_lock", "pthread_join"})
+    need(ownerOf(dlsym(RTLD_DEFAULT, name)) == Owner::Program, name);
+}
 
 bool isLayerLoaded() { return dlopen("libGLX_arbiter.so.0", RTLD_LAZY | RTLD_NOLOAD) != nullptr; }
 
@@ -120,6 +130,7 @@ void watchLayer() { t_watched = true; }
 
 using foreign::Allocation;
 
+#pragma GCC visibility push(default) // the libraries' calls come here
 extern "C" {
 void *malloc(std::size_t bytes) {
   const Allocation allocation(__builtin_return_address(0));
@@ -154,12 +165,12 @@ void free(void *block) {
   __libc_free(block);
 }
 // LLVM tells libgcc of the code that it made, under a lock that backtrace() takes as well.
-[[gnu::visibility("default")]] void __register_frame(void *frame) {
+void __register_frame(void *frame) {
   static std::atomic<void (*)(void *)> s_real;
   const Allocation busy(nullptr);
   foreign::realOf(s_real, "__register_frame")(frame);
 }
-[[gnu::visibility("default")]] void __deregister_frame(void *frame) {
+void __deregister_frame(void *frame) {
   static std::atomic<void (*)(void *)> s_real;
   const Allocation busy(nullptr);
   foreign::realOf(s_real, "__deregister_frame")(frame);
@@ -175,3 +186,4 @@ int pthread_join(pthread_t thread, void **result) {
   return foreign::realOf(s_real, "pthread_join")(thread, result);
 }
 }
+#pragma GCC visibility pop
