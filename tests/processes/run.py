@@ -40,7 +40,7 @@ QUICK_RATES = 150  # seconds for a comparison of rates in ./dev test, which ends
 VALGRIND = ("valgrind", "--undef-value-errors=no", "--leak-check=no", "--show-mismatched-frees=yes")
 # What the bare host does not always stand, by its own locks and destructors: rates are compared, which
 # takes minutes, and is left to the whole matrix. The rows of watched.cpp ask the same of the layer alone.
-BY_CHANCE = ("exit-in-handler-", "exit-in-thread-compiling", "exit-while-other-draws", "longjmp-then-exit",
+BY_CHANCE = ("exit-in-handler-", "exit-in-thread-", "exit-while-other-draws", "longjmp-then-exit",
              "fork-child-exits")
 # Rows in which something comes at any time, by the seed.
 FROM_ASIDE = ("drawing", "compiling", "draws", "longjmp", "sig")
