@@ -142,6 +142,7 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   const int gl = caps.major * 10 + caps.minor;
   caps.vertexProgram = caps.has("GL_ARB_vertex_program");
   caps.fragmentProgram = caps.has("GL_ARB_fragment_program");
+  caps.parameterRuns = caps.has("GL_EXT_gpu_program_parameters");
   caps.textureRectangle = gl >= 31 || caps.has("GL_ARB_texture_rectangle");
   caps.fragCoordConventions = gl >= 32 || caps.has("GL_ARB_fragment_coord_conventions");
   caps.drawBuffers = gl >= 20 || caps.has("GL_ARB_draw_buffers");

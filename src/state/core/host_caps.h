@@ -22,6 +22,7 @@ struct HostCaps {
   bool compatibility = false; ///< fixed function is there
   bool vertexProgram = false;
   bool fragmentProgram = false;
+  bool parameterRuns = false; ///< EXT_gpu_program_parameters: several parameters in one call
   bool textureRectangle = false;
   bool fragCoordConventions = false;
   bool drawBuffers = false;

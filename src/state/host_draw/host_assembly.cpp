@@ -22,13 +22,43 @@ bool same(const Vec4 &a, const Vec4 &b) {
          std::bit_cast<std::array<std::uint32_t, 4>>(b);
 }
 
-/// The host's env values from `index` on as they were set, the host's initial ones where they were
-/// not.
-Vec4 &envAt(std::vector<Vec4> &env, std::size_t index) {
-  if (index >= env.size())
-    env.resize(index + 1, Vec4{});
-  return env[index];
-}
+/// Values of consecutive parameters that lie in memory in a row: one call of the host's, where it
+/// takes several.
+class ParameterRun {
+public:
+  ParameterRun(const Context &context, GLenum target) : m_context(context), m_target(target) {}
+  void add(bool env, GLuint index, const Vec4 &value) {
+    const bool joins = m_count != 0 && m_context.caps.parameterRuns && env == m_env &&
+                       index == m_index + m_count && &value == m_values + m_count;
+    if (!joins) {
+      send();
+      m_env = env;
+      m_index = index;
+      m_values = &value;
+    }
+    ++m_count;
+  }
+  void send() {
+    const GLuint count = std::exchange(m_count, 0u);
+    if (count == 0)
+      return;
+    const host::HostTable &host = *m_context.host;
+    const GLfloat *const values = m_values->data();
+    if (count == 1)
+      (m_env ? host.ProgramEnvParameter4fvARB : host.ProgramLocalParameter4fvARB)(m_target, m_index,
+                                                                                  values);
+    else
+      (m_env ? host.ProgramEnvParameters4fvEXT
+             : host.ProgramLocalParameters4fvEXT)(m_target, m_index, GLsizei(count), values);
+  }
+
+private:
+  const Context &m_context;
+  GLenum m_target;
+  bool m_env = false;
+  GLuint m_index = 0, m_count = 0;
+  const Vec4 *m_values = nullptr;
+};
 
 } // namespace
 
@@ -108,10 +138,9 @@ void HostAssembly::bindAgain(Context &context, GLenum target) const {
 
 void HostAssembly::uploadStage(Context &context, std::size_t stage) {
   LinkedProgramStage &program = m_active[stage]->stage;
-  const host::HostTable &host = *context.host;
-  const GLenum target = kHostTargets[stage];
   const ProgramTarget &row = context.row(program.compiled->target);
   const auto &uniforms = program.compiled->glsl.uniforms;
+  ParameterRun run{context, kHostTargets[stage]};
   for (std::size_t i = 0; i < uniforms.size(); ++i) {
     const fp::ir::Parameter &parameter = uniforms[i].parameter;
     const bool env = parameter.kind == fp::ir::ParameterKind::Env;
@@ -120,16 +149,17 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
     if (!env && !local && !capturing())
       continue;
     const Vec4 value = currentValue(context, row, parameter);
-    Vec4 &held = env ? envAt(m_env[stage], parameter.index) : program.uploaded[i];
+    if (env && parameter.index >= m_env[stage].size()) {
+      run.send();                                       // growing moves what it points to
+      m_env[stage].resize(parameter.index + 1, Vec4{}); // the host's initial values
+    }
+    Vec4 &held = env ? m_env[stage][parameter.index] : program.uploaded[i];
     const bool changed = !same(value, held);
     held = program.uploaded[i] = value;
-    if (!changed)
-      continue;
-    if (env)
-      host.ProgramEnvParameter4fvARB(target, parameter.index, value.data());
-    else if (local)
-      host.ProgramLocalParameter4fvARB(target, parameter.index, value.data());
+    if (changed && (env || local))
+      run.add(env, parameter.index, held);
   }
+  run.send();
 }
 
 void HostAssembly::uploadParameters(Context &context) {

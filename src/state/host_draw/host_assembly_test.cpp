@@ -1,6 +1,8 @@
 // Vertex programs as the host's own: what it is given, what is enabled, and what is sent.
 #include "state/host_draw/host_assembly.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "state/core/lifecycle.h"
@@ -26,7 +28,8 @@ const std::string kVertexName = std::to_string(kVertex);
 Calls sent(const FakeHost &host) {
   Calls calls;
   for (const std::string &call : host.calls)
-    if (call.find("Parameter4fv") != std::string::npos)
+    if (call.find("Parameter4fv") != std::string::npos ||
+        call.find("Parameters4fv") != std::string::npos)
       calls.push_back(call);
   return calls;
 }
@@ -115,6 +118,50 @@ TEST(HostAssembly, ParametersGoAsFarAsTheyChanged) {
   handlers::ProgramLocalParameter4fARB(*context, kVertex, 1, 5, 0, 0, 0);
   ASSERT_TRUE(draw(*context));
   EXPECT_EQ(sent(host), (Calls{"ProgramLocalParameter4fv " + kVertexName + " 1 5"}));
+}
+
+// A palette of matrices: one call for what changed in a row, where the host takes several.
+TEST(HostAssembly, ConsecutiveParametersGoTogether) {
+  constexpr char kPalette[] = "!!ARBvp1.0\n"
+                              "PARAM m[4] = {program.env[8..11]};\nADDRESS a;\nTEMP p;\n"
+                              "ARL a.x, vertex.attrib[1].x;\n"
+                              "ADD p, m[a.x], program.local[5];\nADD p, p, program.local[6];\n"
+                              "ADD result.position, p, program.local[2];\nEND\n";
+  for (const bool offered : {true, false}) {
+    FakeHost host;
+    if (offered)
+      host.extensions.push_back("GL_EXT_gpu_program_parameters");
+    const CurrentContext context(host);
+    use(*context, kPalette, kVertex);
+    ASSERT_TRUE(draw(*context));
+    const auto env = [&](GLuint index, GLfloat x) {
+      handlers::ProgramEnvParameter4fARB(*context, kVertex, index, x, 0, 0, 0);
+    };
+    const auto local = [&](GLuint index, GLfloat x) {
+      handlers::ProgramLocalParameter4fARB(*context, kVertex, index, x, 0, 0, 0);
+    };
+    for (GLuint i = 8; i < 12; ++i)
+      env(i, GLfloat(i));
+    for (const GLuint i : {5u, 6u, 2u})
+      local(i, GLfloat(i));
+    host.calls.clear();
+    ASSERT_TRUE(draw(*context));
+    Calls calls = sent(host);
+    std::sort(calls.begin(), calls.end());
+    const std::string e = "ProgramEnvParameter4fv " + kVertexName,
+                      l = "ProgramLocalParameter4fv " + kVertexName,
+                      ee = "ProgramEnvParameters4fv " + kVertexName,
+                      ll = "ProgramLocalParameters4fv " + kVertexName;
+    EXPECT_EQ(calls, (offered ? Calls{ee + " 8 8 9 10 11", l + " 2 2", ll + " 5 5 6"}
+                              : Calls{e + " 10 10", e + " 11 11", e + " 8 8", e + " 9 9",
+                                      l + " 2 2", l + " 5 5", l + " 6 6"}));
+    // What changed in the midst is sent alone, with its neighbour.
+    env(9, 1);
+    env(10, 2);
+    host.calls.clear();
+    ASSERT_TRUE(draw(*context));
+    EXPECT_EQ(sent(host), (offered ? Calls{ee + " 9 1 2"} : Calls{e + " 9 1", e + " 10 2"}));
+  }
 }
 
 // An env value is the target's: another program's draw may have changed what the host holds.

@@ -172,6 +172,20 @@ void deletePrograms(GLsizei count, const GLuint *names) {
   for (GLsizei i = 0; i < count; ++i)
     fake().assembly.erase(names[i]);
 }
+/// "NAME target first-index x...": the x of each.
+void parameters(const char *name, GLenum target, GLuint index, GLsizei count,
+                const GLfloat *values) {
+  std::string call = std::string(name) + " " + std::to_string(target) + " " + std::to_string(index);
+  for (GLsizei i = 0; i < count; ++i)
+    call += " " + std::to_string(int(values[4 * i]));
+  fake().note(call);
+}
+void envParameters(GLenum target, GLuint index, GLsizei count, const GLfloat *values) {
+  parameters("ProgramEnvParameters4fv", target, index, count, values);
+}
+void localParameters(GLenum target, GLuint index, GLsizei count, const GLfloat *values) {
+  parameters("ProgramLocalParameters4fv", target, index, count, values);
+}
 void envParameter(GLenum target, GLuint index, const GLfloat *value) {
   fake().note(words("ProgramEnvParameter4fv", {target, index, static_cast<long long>(value[0])}));
 }
@@ -253,6 +267,8 @@ const Row kRows[] = {
     ROW(DeleteProgramsARB, deletePrograms),
     ROW(ProgramEnvParameter4fvARB, envParameter),
     ROW(ProgramLocalParameter4fvARB, localParameter),
+    ROW(ProgramEnvParameters4fvEXT, envParameters),
+    ROW(ProgramLocalParameters4fvEXT, localParameters),
     ROW(PushAttrib, pushAttrib),
     ROW(PopAttrib, popAttrib),
     ROW(Begin, begin),
