@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 
 namespace arbiter::fp {
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "fp_compiler/abi.h"
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
+#include "fp_compiler/numerics.h"
 
 /// The JIT back end from outside: programs as machine code of this processor. It lives in a library
 /// of its own (libarbiter_jit.so), because LLVM is mapped only where it is used; this header is all

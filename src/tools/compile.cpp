@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/lexer.h"
 #include "fp_compiler/hw/native.h"

@@ -1,4 +1,5 @@
 #include "backend.h"
+#include "fp_compiler/back/assembly/assembly.h"
 
 #include <epoxy/gl.h>
 

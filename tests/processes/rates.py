@@ -27,7 +27,9 @@ def compare(end, bare_run, layer_run, seconds=math.inf):
         return True, f"{end}, and {again} of 6 more runs fail"
     # In turns: how busy the machine is changes what comes at any time.
     bare, layer = [], []
-    while len(bare) < AT_MOST and (not bare or time.monotonic() < until) and not (len(bare) >= AT_LEAST and {end, None, *layer} <= {None, *bare}):
+    while len(bare) < AT_MOST and (not bare or time.monotonic() < until):
+        if len(bare) >= AT_LEAST and {end, None, *layer} <= {None, *bare}:
+            break
         bare.append(bare_run())
         layer.append(layer_run())
     if end not in bare:

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "fp_compiler/span.h"
 
 /// An ATI fragment shader as data: what the text form (ATI_text_fragment_shader, "ATFS") and the

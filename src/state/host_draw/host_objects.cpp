@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/back/assembly/assembly.h"
+#include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"

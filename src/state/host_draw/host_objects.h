@@ -4,7 +4,7 @@
 
 #include <GL/gl.h>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "state/programs/program_object.h"
 
 /// What the host has of a program: a shader of GLSL, a program of GLSL, or a program object of its

@@ -1,5 +1,6 @@
 #include "state/host_draw/path_choice.h"
 
+#include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/application_glsl.h"

@@ -5,7 +5,7 @@
 
 #include <GL/gl.h>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/glsl.h"
 
 namespace arbiter::state {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "state/programs/program_object.h"
 
 /// Results that a fragment program reads and its vertex program does not write are (0, 0, 0, 1), as

@@ -9,7 +9,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/glsl.h"
+#include "fp_compiler/limits.h"
 #include "util/hash.h"
 
 namespace arbiter::state {

@@ -2,6 +2,7 @@
 // that pixels' functions are compiled for.
 #include <algorithm>
 
+#include "fp_compiler/ir/ir.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 #include "state/raster_draw/context_state.h"

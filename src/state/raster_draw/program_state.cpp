@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "fp_compiler/ir/ir.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 

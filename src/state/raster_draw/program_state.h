@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "state/mirror/generation_counter.h"
 #include "state/programs/program_object.h"
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <mutex>
 
+#include "fp_compiler/compiler.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "fp_compiler/compiler.h"
 #include "state/core/target.h"
 #include "state/report/capture_record.h"
 

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <unistd.h>
 
+#include "fp_compiler/compiler.h"
 #include "state/core/active_profile.h"
 #include "util/exit_lock.h"
 #include "util/file.h"

@@ -3,12 +3,17 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "state/core/target.h"
 #include "state/programs/program_object.h"
 #include "state/report/capture_row.h"
+
+namespace arbiter::fp {
+struct CheckResult;
+}
 
 /// What a process puts into the folder of ARBITER_CAPTURE: each program text in a file of its own
 /// as it is loaded (HASH.fp, .vp, .atifs) with its GLSL beside it, and one record of how they are

@@ -10,6 +10,7 @@
 #include <pthread.h>
 #include <vector>
 
+#include "fp_compiler/compiler.h"
 #include "state/core/context.h"
 #include "state/programs/program_cache.h"
 #include "state/raster_draw/report.h"

@@ -2,7 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "fp_compiler/compiler.h"
+namespace arbiter::fp {
+struct CheckResult;
+}
 
 /// The statistics of the process (ARBITER_STATS, `arbiter run --stats`) as JSON: contexts,
 /// programs, draws by path with the reason where they are the host's, feedback copies. Written at

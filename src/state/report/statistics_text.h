@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/limits.h"
+#include "fp_compiler/numerics.h"
 #include "state/core/context.h"
 #include "state/raster_draw/report.h"
 #include "util/hash.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 
 namespace arbiter::fp {
 

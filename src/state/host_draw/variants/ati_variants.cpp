@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fp_compiler/back/assembly/assembly.h"
 #include "state/programs/program_object.h"
 #include "util/flags.h"
 #include "util/log.h"

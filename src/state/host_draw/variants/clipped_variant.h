@@ -2,7 +2,7 @@
 #include <memory>
 #include <mutex>
 
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/glsl.h"
 
 namespace arbiter::state {
 

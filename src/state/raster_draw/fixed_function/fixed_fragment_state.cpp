@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "fp_compiler/ir/ir.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/unit_scope.h"

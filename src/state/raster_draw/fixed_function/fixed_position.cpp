@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "fp_compiler/ir/ir.h"
 #include "state/raster_draw/fixed_function/fixed_vertex.h"
 
 namespace arbiter::state::software {

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "fp_compiler/abi.h"
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "state/mirror/mirror.h"
 
 /// Fixed-function vertex processing (OpenGL 1.4, chapter 2) as programs of Language::ArbVertex, one

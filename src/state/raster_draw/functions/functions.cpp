@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 
+#include "fp_compiler/ir/ir.h"
 #include "state/raster_draw/functions/compile_thread.h"
 #include "util/cache/cache_store.h"
 #include "util/flags.h"

@@ -2,7 +2,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 
 namespace arbiter::state::software {
 

@@ -7,7 +7,7 @@
 
 #include <GL/gl.h>
 
-#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/ir/interface.h"
 #include "state/mirror/attributes.h"
 #include "state/raster_draw/vertices/vertex_convert.h"
 

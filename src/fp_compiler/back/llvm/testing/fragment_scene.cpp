@@ -2,6 +2,8 @@
 
 #include <random>
 
+#include "fp_compiler/ir/ir.h"
+
 namespace arbiter::fp::testing {
 
 namespace {

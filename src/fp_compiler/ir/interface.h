@@ -1,0 +1,138 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+/// What a program has to do with the GL around it: attributes, results, parameters, rows of state,
+/// texture targets, options. The code itself is in ir.h, which few of those that draw need.
+namespace arbiter::fp::ir {
+
+struct Program;
+
+/// The language that a program was written in. ATI's text and its API form are one.
+enum class Language : std::uint8_t { ArbFragment, ArbVertex, AtiFragment };
+
+using Vec4 = std::array<float, 4>;
+
+enum class TexTarget : std::uint8_t {
+  Tex1D,
+  Tex2D,
+  Tex3D,
+  Cube,
+  Rect,
+  Shadow1D,
+  Shadow2D,
+  ShadowRect
+};
+
+/// Fragment attributes (ARB_fragment_program 3.11.3.1, table X.2) and vertex attributes
+/// (ARB_vertex_program 2.14.3.1, table X.2); `index` counts for TexCoord and Generic only.
+enum class AttributeKind : std::uint8_t {
+  ColorPrimary,
+  ColorSecondary,
+  TexCoord,
+  FogCoord,
+  Position, ///< fragment.position (window), or vertex.position (object space)
+  Normal,   ///< vertex programs: (x,y,z,1)
+  Generic,  ///< vertex.attrib[index]; attrib[0] is kept as written, its value is the position
+};
+struct Attribute {
+  AttributeKind kind = AttributeKind::ColorPrimary;
+  std::uint8_t index = 0;
+  bool operator==(const Attribute &) const = default;
+};
+
+enum class OutputKind : std::uint8_t {
+  Color, ///< result.color[index] of a fragment program
+  Depth, ///< result.depth: its value is component z (index 2) of the register
+  // Vertex results (ARB_vertex_program table X.4).
+  Position,
+  FrontPrimary,
+  FrontSecondary,
+  BackPrimary,
+  BackSecondary,
+  FogCoord,  ///< component x
+  PointSize, ///< component x
+  TexCoord,  ///< result.texcoord[index]
+};
+struct Output {
+  OutputKind kind = OutputKind::Color;
+  std::uint8_t index = 0;
+  bool operator==(const Output &) const = default;
+};
+
+/// One row of GL state (ARB_fragment_program 3.11.3.2, tables X.2.2 to X.2.7; ARB_vertex_program
+/// 2.14.3.2, tables X.3.2 to X.3.8).
+enum class StateItem : std::uint8_t {
+  MaterialAmbient,
+  MaterialDiffuse,
+  MaterialSpecular,
+  MaterialEmission,
+  MaterialShininess,
+  LightAmbient,
+  LightDiffuse,
+  LightSpecular,
+  LightPosition,
+  LightAttenuation,
+  LightSpotDirection,
+  LightHalf,
+  LightModelAmbient,
+  LightModelSceneColor,
+  LightProdAmbient,
+  LightProdDiffuse,
+  LightProdSpecular,
+  TexEnvColor,
+  FogColor,
+  FogParams,
+  DepthRange,
+  MatrixModelview,
+  MatrixProjection,
+  MatrixMvp,
+  MatrixTexture,
+  MatrixPalette,
+  MatrixProgram,
+  // Vertex programs only.
+  TexGenEye,        ///< plane of coordinate `row` (s, t, r, q) of unit `index`
+  TexGenObject,     ///< likewise
+  ClipPlane,        ///< plane `index`, in eye coordinates
+  PointSize,        ///< (size, smallest, largest, fade threshold)
+  PointAttenuation, ///< (constant, linear, quadratic, 1)
+};
+enum class MatrixModifier : std::uint8_t { Plain, Inverse, Transpose, InvTrans };
+
+struct StateRef {
+  StateItem item = StateItem::MaterialAmbient;
+  bool back = false;      ///< material, scene colour and light product of the back face
+  std::uint8_t index = 0; ///< light, texture unit, clip plane, or matrix number
+  MatrixModifier modifier = MatrixModifier::Plain;
+  std::uint8_t row = 0; ///< matrices: 0..3; TexGen: the coordinate
+  bool operator==(const StateRef &) const = default;
+};
+
+enum class ParameterKind : std::uint8_t { Constant, Env, Local, State };
+/// One vec4 row that the program may read.
+struct Parameter {
+  ParameterKind kind = ParameterKind::Constant;
+  Vec4 constant = {};      ///< Constant
+  std::uint16_t index = 0; ///< Env, Local
+  StateRef state;          ///< State
+};
+
+enum class FogMode : std::uint8_t { None, Exp, Exp2, Linear };
+enum class Precision : std::uint8_t { Unspecified, Fastest, Nicest };
+
+/// The program's options (3.11.4.5).
+struct Options {
+  FogMode fog = FogMode::None;
+  Precision precision = Precision::Unspecified;
+  bool shadow = false;             ///< ARB_fragment_program_shadow
+  bool drawBuffers = false;        ///< ARB_draw_buffers / ATI_draw_buffers
+  bool originUpperLeft = false;    ///< ARB_fragment_coord_conventions
+  bool pixelCenterInteger = false; ///< ARB_fragment_coord_conventions
+  bool positionInvariant = false;  ///< ARB_position_invariant: no result.position in the code
+  /// The secondary colour's rgb is added to the result before fog, as COLOR_SUM does: set for ATI
+  /// fragment shaders by the state that they are drawn under.
+  bool colorSum = false;
+  bool operator==(const Options &) const = default;
+};
+
+} // namespace arbiter::fp::ir
