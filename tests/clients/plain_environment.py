@@ -1,7 +1,8 @@
 """The environment that runners give to clients: nothing that the tests were started with for
-the layer, for the loader of libraries or for Mesa reaches them."""
+the layer, for the loader of libraries or for Mesa reaches them; nor an ignored signal."""
 
 import os
+import signal
 from pathlib import Path
 
 SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
@@ -32,3 +33,12 @@ def sanitized(layered=True, **more):
     if not layered:
         env["ASAN_OPTIONS"] += HOST_ALONE
     return env
+
+
+def heed_signals():
+    """A shell ignores SIGINT for what it runs in the background, nohup SIGHUP, and children inherit it:
+    no process of a test would end by them."""
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGTERM):
+        if signal.getsignal(number) == signal.SIG_IGN:
+            is_interrupt = number == signal.SIGINT
+            signal.signal(number, signal.default_int_handler if is_interrupt else signal.SIG_DFL)

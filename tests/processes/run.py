@@ -28,7 +28,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "clients"))
 import rates  # noqa: E402
-from plain_environment import plain  # noqa: E402
+from plain_environment import heed_signals, plain  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 WAYS = ("host", "auto", "swrast")
@@ -267,8 +267,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
-    # Ignored where a shell runs this in the background, and inherited: no row would end by it.
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    heed_signals()
     build = arguments.build.resolve()
     first = arguments.seed if arguments.seed is not None else random.SystemRandom().randrange(1, 1_000_000)
     seeds = list(range(first, first + arguments.repeat))

@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "clients"))
-from plain_environment import plain  # noqa: E402
+from plain_environment import heed_signals, plain  # noqa: E402
 from x_server import XServer  # noqa: E402
 
 TIMEOUT = 60
@@ -192,6 +192,7 @@ def main():
     parser.add_argument("--only", action="append", default=[])
     parser.add_argument("--jobs", type=int, default=2)
     arguments = parser.parse_args()
+    heed_signals()
     chosen = [n for n in CASES if not arguments.only or any(o in n for o in arguments.only)]
     failed = 0
     with XServer() as display, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
