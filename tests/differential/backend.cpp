@@ -1,8 +1,8 @@
 #include "backend.h"
-#include "fp_compiler/back/assembly/assembly.h"
 
 #include <epoxy/gl.h>
 
+#include "fp_compiler/back/assembly/assembly.h"
 #include "gl_host.h"
 #include "scene.h"
 

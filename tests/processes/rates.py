@@ -19,8 +19,8 @@ def chance(bare_failures, bare_runs, layer_failures, layer_runs):
 
 def compare(end, bare_run, layer_run, seconds=math.inf):
     """`bare_run` and `layer_run` make a run with a seed of its own and return how it ended, or None
-    where it was as it should be; `end` is how one of the layer's did. After so many seconds it is
-    judged by the runs that were made. Returns (worse, words)."""
+    where it was as it should be; `end` is how one of the layer's did. After so many seconds, with
+    fewer runs than it takes to judge, it counts as worse. Returns (worse, words)."""
     until = time.monotonic() + seconds
     again = sum(layer_run() is not None for _ in range(6))
     if again >= 5 and all(bare_run() != end for _ in range(6)):  # that is no chance
@@ -32,6 +32,8 @@ def compare(end, bare_run, layer_run, seconds=math.inf):
             break
         bare.append(bare_run())
         layer.append(layer_run())
+    if len(bare) < AT_LEAST:
+        return True, f"{end}, and no time to compare: {len(bare)} runs of each in {seconds:.0f} s"
     if end not in bare:
         return True, f"{end}, and never in {len(bare)} bare runs"
     others = sorted({e for e in layer if e is not None and e not in bare})

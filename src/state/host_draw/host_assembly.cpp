@@ -155,7 +155,9 @@ void HostAssembly::uploadStage(Context &context, std::size_t stage) {
     }
     Vec4 &held = env ? m_env[stage][parameter.index] : program.uploaded[i];
     const bool changed = !same(value, held);
-    held = program.uploaded[i] = value;
+    held = value;
+    if (env)
+      program.uploaded[i] = value; // what a capture shows
     if (changed && (env || local))
       run.add(env, parameter.index, held);
   }
