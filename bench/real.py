@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How much faster recorded real programs are with Arbiter than on the bare host, measured in turns.
 
-Each recording (tests/real/recordings says where they come from) is cut behind its last swap and replayed
-by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame, `faster` is bare
-by layered, `cpu` the same of processor time. `first` is the time to the end of the first frame: bare, with
-Arbiter's caches empty, with what the last start left. `host's` is the share of draws that are left to the
-host, with the reasons below. A recording without a swap is replayed as a whole.
+Each recording (tests/real_programs_vs_host/recordings says where they come from) is cut behind its last
+swap and replayed by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame,
+`faster` is bare by layered, `cpu` the same of processor time. `first` is the time to the end of the first
+frame: bare, with Arbiter's caches empty, with what the last start left. `host's` is the share of draws that
+are left to the host, with the reasons below. A recording without a swap is replayed as a whole.
 
 examples:
   bench/real.py build-bench
@@ -35,7 +35,7 @@ def parse(argv):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path, help="the build folder")
     parser.add_argument("names", nargs="*", metavar="NAME",
-                        help="programs of tests/real; without NAME and --trace all")
+                        help="programs of tests/real_programs_vs_host; without NAME and --trace all")
     parser.add_argument("--trace", type=pathlib.Path, action="append", default=[], metavar="FILE")
     parser.add_argument("--case", help="only cases whose name contains this")
     parser.add_argument("--layer", type=pathlib.Path,
@@ -55,7 +55,8 @@ def parse(argv):
         parser.error(f"the layer is not built: {args.layer}")
     args.choice = Choice(args.names, args.trace, args.case, args.work, args.frames)
     if args.choice.unknown():
-        parser.error(f"no program named {', '.join(args.choice.unknown())}; tests/real/run.py --list shows them")
+        parser.error(f"no program named {', '.join(args.choice.unknown())}; "
+                     "tests/real_programs_vs_host/run.py --list shows them")
     return args
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import paced
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / 'real'))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'tests' / 'real_programs_vs_host'))
 from cases import PrepareError, shell  # noqa: E402
 
 SETTLE = 20  # times that the last frame is shown before it is timed: machine code, trials, shadows

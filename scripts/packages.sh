@@ -19,7 +19,7 @@ packages_test=(
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.
 packages_real_quick=(openscad apitrace python3-opengl libglut3.12)
 
-# `./dev real` asks tests/real/run.py --packages, which knows what each of its programs needs.
+# `./dev real` asks tests/real_programs_vs_host/run.py --packages, which knows what each of its programs needs.
 
 packages_bench=(xvfb xauth)
 packages_check=(clang-format clang-tidy flake8 shellcheck)

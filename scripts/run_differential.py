@@ -28,7 +28,7 @@ def run(name, args, count, options, extra):
     report.unlink(missing_ok=True)
     print("%-15s" % name, end=" ", flush=True)
     done = subprocess.run(
-        [str(args.build / "tests/differential/differential"), *options,
+        [str(args.build / "tests/back_ends_vs_interpreter/differential"), *options,
          "--count", str(count), "--json", str(report),
          "--failures", str(args.out / (name + "-failures"))],
         env={**os.environ, **extra}, stdin=subprocess.DEVNULL)

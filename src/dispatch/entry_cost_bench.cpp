@@ -15,6 +15,8 @@ using arbiter::state::ContextHot;
 [[gnu::noipa]] void hostDrawArrays(GLenum, GLint, GLsizei) {}
 [[gnu::noipa]] void hostUniform4fv(GLint, GLsizei, const GLfloat *) {}
 [[gnu::noipa]] void hostRasterPos2f(GLfloat, GLfloat) {}
+[[gnu::noipa]] void hostEnable(GLenum) {}
+[[gnu::noipa]] void hostTexParameteri(GLenum, GLenum, GLint) {}
 
 std::uint64_t g_draws = 0;
 
@@ -25,6 +27,8 @@ void makeCurrent() {
   s_table.DrawArrays = hostDrawArrays;
   s_table.Uniform4fv = hostUniform4fv;
   s_table.RasterPos2f = hostRasterPos2f;
+  s_table.Enable = hostEnable;
+  s_table.TexParameteri = hostTexParameteri;
   s_hot.host = &s_table;
   s_hot.drawCounter = &g_draws;
   arbiter::state::t_current = &s_hot;
@@ -61,5 +65,8 @@ int main(int argc, char **argv) {
   compare("glUniform4fv", hostUniform4fv, GLint(0), GLsizei(1),
           static_cast<const GLfloat *>(s_value));
   compare("glRasterPos2f", hostRasterPos2f, GLfloat(0), GLfloat(0));
+  compare("glEnable", hostEnable, GLenum(GL_BLEND));
+  compare("glTexParameteri", hostTexParameteri, GLenum(GL_TEXTURE_2D),
+          GLenum(GL_TEXTURE_MIN_FILTER), GLint(GL_NEAREST));
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -54,6 +54,21 @@ def hides_from_host(table, name):
     return f'  if (here().softwareListens)\n    software::hostWrites(here(), "gl{name}");\n'
 
 
+def straight(command, symbol, dirty, call, handled):
+    """A command of the layer's own that mostly is the host's alone: a jump there, by what
+    state/core/straight.h says, and the handler in a function of its own."""
+    result = command.result
+    give = "return " if result != "void" else ""
+    lead = "  ContextHot *const t = t_current;\n"
+    asked = command.arguments(["static_cast<Context &>(*t)"])
+    aside = (f"[[gnu::noinline]] static {result} handle_{symbol}({command.declare()}) {{\n"
+             f"{lead}{handled}}}\n")
+    host_way = call if result != "void" else f"return {call}"
+    return aside, (f"{lead}{dirty}"
+                   f"  if (t->passThrough || arbiter::state::straight::{command.name}({asked})) [[likely]]\n"
+                   f"    {host_way}\n  {give}handle_{symbol}({command.arguments()});\n")
+
+
 def thunks(table, command, action, symbol):
     """The entry point's body, and a function of its own for the way that is seldom taken: without
     it the compiler saves registers on the straight way too."""
@@ -71,6 +86,8 @@ def thunks(table, command, action, symbol):
                     + guarded(command, f"  {handled}\n"))
     if action == "own":
         handled = f"{give}handlers::{name}({command.arguments(['static_cast<Context &>(*t)'])});"
+        if name in table.config["own"]["straight"]:
+            return straight(command, symbol, dirty, call, guarded(command, f"  {handled}\n"))
         handled = dirty + guarded(command, f"  {handled}\n")
         if name in table.config["own"]["everywhere"]:
             return "", lead + handled
@@ -113,7 +130,8 @@ def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
-           '#include "state/core/context.h"\n#include "state/core/memory.h"\n#include "state/raster_draw/commands.h"\n'
+           '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
+           '#include "state/core/straight.h"\n#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"

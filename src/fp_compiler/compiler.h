@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fp_compiler/diagnostic.h"
-#include "fp_compiler/glsl.h"
+#include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/limits.h"
 

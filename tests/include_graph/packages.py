@@ -14,7 +14,7 @@ def main():
     lists = re.sub(r"#.*", "", (root / "scripts/packages.sh").read_text())
     installed = {word for body in re.findall(r"packages_\w+=\(([^)]*)\)", lists)
                  for word in body.split()}
-    real = root / "tests/real/run.py"
+    real = root / "tests/real_programs_vs_host/run.py"
     if real.exists():
         installed.update(subprocess.run([sys.executable, str(real), "--packages"], check=True,
                                         capture_output=True, text=True).stdout.split())

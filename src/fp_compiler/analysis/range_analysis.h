@@ -39,12 +39,16 @@ public:
   }
 
 private:
+  /// Of an operand after its swizzle and sign: one component, by the destination's position; all.
   [[nodiscard]] ValueRange operand(const ir::Operand &source, int position) const;
   [[nodiscard]] ValueRange4 operand(const ir::Operand &source) const;
+  /// Of a register's component, before swizzle and sign.
   [[nodiscard]] ValueRange read(const ir::Operand &source, std::size_t component) const;
   [[nodiscard]] std::array<ValueRange4, 3> operands(const ir::Instruction &instruction) const;
+  /// What POW, or LIT's power, need not guard against.
   void findBaseFacts(OperandFacts &facts, const ir::Operand &base, int basePosition,
                      const ir::Operand &exponent, int exponentPosition) const;
+  /// Which products cannot be zero times infinity or NaN (OperandFacts::first, second).
   void findProductFacts(OperandFacts &facts, const ir::Instruction &instruction) const;
 
   const ir::Program &m_program;

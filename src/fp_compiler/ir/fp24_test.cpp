@@ -7,7 +7,7 @@
 #include "fp_compiler/ir/validate.h"
 
 /// Numerics::Fp24 around the opcodes: what registers, textures, KIL and the options make of
-/// numbers. The opcodes themselves are tests/fp24's.
+/// numbers. The opcodes themselves are tests/fp24_vs_integers's.
 namespace arbiter::fp::ir {
 namespace {
 

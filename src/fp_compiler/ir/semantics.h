@@ -6,8 +6,8 @@
 // clang-format off: the table is one
 /// What every opcode means, to the last special value. The specification leaves much undefined;
 /// here nothing is, and the interpreter, the folder and every back end follow this page. A back
-/// end's host may differ from it by the tolerances that tests/differential states, and nowhere
-/// else.
+/// end's host may differ from it by the tolerances that tests/back_ends_vs_interpreter states, and
+/// nowhere else.
 ///
 /// Numbers. IEEE single precision, round to nearest, each operation rounded by itself (MAD, LRP,
 /// dot products: products first, then their sums). A denormal, read or produced, counts as

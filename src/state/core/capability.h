@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "state/core/context_hot.h"
 #include "state/core/target.h"
 #include "state/mirror/dirty_bits.h"
 
@@ -18,11 +19,15 @@ enum class Capability : std::uint8_t {
   ClipPlane,     ///< the host, and which form a vertex program is drawn in (clip_planes.h)
 };
 
+/// Eight bytes, which an index scales by itself.
 struct CapabilityRow {
   GLenum cap = 0;
-  Capability capability = Capability::Host;
-  std::uint32_t dirty = software::dirty::kAll; ///< what the rasterizer must ask for again
+  Capability capability : 8 = Capability::Host;
+  std::uint32_t dirty : 24 = kAllDirty; ///< what the rasterizer must ask for again
+
+  static constexpr std::uint32_t kAllDirty = 0xFFFFFF;
 };
+static_assert(sizeof(CapabilityRow) == 8 && software::dirty::kGroups <= 24);
 
 namespace detail {
 
@@ -133,6 +138,13 @@ inline constexpr CapabilityRow kOther{};
   if (row.cap != cap) [[unlikely]]
     return detail::kOther;
   return row;
+}
+
+/// What an Enable or Disable of the row's capability makes dirty. Most often it is dirty already,
+/// and a store that is not needed would wait for the last one's.
+inline void noteDirty(ContextHot &hot, const CapabilityRow &row) {
+  if (row.dirty & ~hot.dirty)
+    hot.dirty |= row.dirty;
 }
 
 } // namespace arbiter::state

@@ -62,7 +62,7 @@ void queryExtensions(const host::HostTable &host, HostCaps &caps) {
 
 /// What no query tells but the name of the host's renderer.
 /// llvmpipe (Mesa 22.3.6) draws the same whatever limit above 1 a texture sets, where softpipe
-/// draws by it; tests/software/run_anisotropy.py shows both.
+/// draws by it; tests/rasterizer_vs_host/run_anisotropy.py shows both.
 void queryRenderer(const host::HostTable &host, HostCaps &caps) {
   const std::string_view name = getString(host, GL_RENDERER);
   const auto names = [&](const char *part) { return name.find(part) != name.npos; };

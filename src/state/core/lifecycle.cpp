@@ -219,14 +219,14 @@ void release(Context *context) {
     return;
   logFlag(DebugFlag::Contexts, "state", "context %u: freed", context->serial);
   // Neither can be told of all of it, and one that fails must not keep the other from forgetting.
-  const auto tell = [&](void (*note)(Context &)) {
+  const auto despiteFailure = [&](void (*note)(Context &)) {
     try {
       note(*context);
     } catch (const std::exception &) {
     }
   };
-  tell([](Context &gone) { noteContextDestroyed(gone); });
-  tell([](Context &gone) { captureContextGone(gone); });
+  despiteFailure([](Context &gone) { noteContextDestroyed(gone); });
+  despiteFailure([](Context &gone) { captureContextGone(gone); });
   delete context;
 }
 

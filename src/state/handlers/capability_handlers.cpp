@@ -9,21 +9,31 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
 namespace {
 
-/// Enable and Disable of a program target.
-void enable(Context &context, ProgramTarget &row, bool enabled) {
-  if (!outsideBeginEnd(context,
-                       enabled ? "Enable between Begin and End" : "Disable between Begin and End"))
-    return;
-  noteProgramApiUse(context);
-  if (!context.listMode)
-    return setEnabled(context, row, enabled);
+/// Aside, as a command takes room on the stack.
+[[gnu::noinline]] void record(Context &context, const ProgramTarget &row, bool enabled) {
   const auto kind = enabled ? Command::Kind::Enable : Command::Kind::Disable;
   context.list->record(context, {.kind = kind, .target = row.info().name});
+}
+
+/// Enable and Disable of a program target.
+void enable(Context &context, ProgramTarget &row, bool enabled) {
+  if (context.insideBeginEnd) [[unlikely]] {
+    (void)outsideBeginEnd(context, enabled ? "Enable between Begin and End"
+                                           : "Disable between Begin and End");
+    return;
+  }
+  if (!context.group->programApiUsed.load(std::memory_order_relaxed)) [[unlikely]]
+    noteProgramApiUse(context);
+  if (context.listMode)
+    record(context, row, enabled);
+  else
+    setEnabled(context, row, enabled);
 }
 
 /// After the host's Enable or Disable.
@@ -35,8 +45,7 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
 }
 
 /// Enable and Disable of a capability that is not the host's alone.
-[[gnu::noinline]] void setCapability(Context &context, GLenum cap, Capability capability,
-                                     bool enabled) {
+void setCapability(Context &context, GLenum cap, Capability capability, bool enabled) {
   if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, enabled);
   if (enabled)
@@ -52,7 +61,7 @@ namespace handlers {
 
 void Enable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
-  context.dirty |= about.dirty;
+  noteDirty(context, about);
   if (about.capability != Capability::Host) [[unlikely]]
     return setCapability(context, cap, about.capability, true);
   context.host->Enable(cap);
@@ -60,7 +69,7 @@ void Enable(Context &context, GLenum cap) {
 
 void Disable(Context &context, GLenum cap) {
   const CapabilityRow &about = rowOfCapability(cap);
-  context.dirty |= about.dirty;
+  noteDirty(context, about);
   if (about.capability != Capability::Host) [[unlikely]]
     return setCapability(context, cap, about.capability, false);
   context.host->Disable(cap);

@@ -43,9 +43,12 @@ public:
   void release(Context &context);
   /// The program is about to be deleted.
   void forget(Context &context, const AssemblyProgram *program);
-  /// Binds what is enabled again, after another program was bound to `target`.
+  /// Another program was bound to the host's `target` (GL_VERTEX_PROGRAM_ARB or
+  /// GL_FRAGMENT_PROGRAM_ARB): binds again the one that is enabled there, if one is.
   void bindAgain(Context &context, GLenum target) const;
+  /// One of the host's targets is enabled by the layer.
   [[nodiscard]] bool active() const { return m_active[0] || m_active[1] || m_refuses; }
+  /// The host draws with this program now, as assembly rather than as GLSL.
   [[nodiscard]] bool runs(const CompiledProgram *compiled) const;
 
 private:

@@ -5,7 +5,7 @@
 
 #include <GL/gl.h>
 
-#include "fp_compiler/glsl.h"
+#include "fp_compiler/emit.h"
 
 namespace arbiter::state {
 

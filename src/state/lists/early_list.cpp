@@ -27,23 +27,23 @@ void ListCompiler::beginEarly(Context &context) {
   context.host = &software::kRecordingHost;
   context.softwareListens = true;
   context.recorder = &m_outside;
-  recordOutside(context);
+  recordOutsideAttributes(context);
 }
 
 /// Attributes; a vertex there is one of a primitive that another list, or none, begins.
-void ListCompiler::recordOutside(Context &context) {
+void ListCompiler::recordOutsideAttributes(Context &context) {
   m_outside.begin(GL_POINTS, {});
   m_outside.limit(0, leaveFull, &context);
 }
 
 /// Attributes that were set since the last primitive go to the host, and are an item.
-void ListCompiler::takeValues(Context &context) {
+void ListCompiler::takeOutsideAttributes(Context &context) {
   if (m_outside.touched() == 0)
     return;
   software::setAttributes(*context.trueHost, m_outside.values(), m_outside.touched());
   auto geometry = software::geometryOf(m_outside);
   geometry->onlyValues = true;
-  recordOutside(context);
+  recordOutsideAttributes(context);
   finishGeometry();
   m_geometry = std::move(geometry);
   finishGeometry();
@@ -98,7 +98,7 @@ void ListCompiler::limitPrimitive(Context &context) {
 std::shared_ptr<DisplayList> ListCompiler::endEarly(Context &context) {
   if (m_recording)
     return nullptr;
-  takeValues(context);
+  takeOutsideAttributes(context);
   finishGeometry();
   auto list = std::make_shared<DisplayList>();
   list->items = std::exchange(m_items, {});

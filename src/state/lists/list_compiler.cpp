@@ -198,7 +198,7 @@ bool ListCompiler::beginPrimitive(Context &context, GLenum mode) {
   if (!keeps() || m_recording || m_open || mode > GL_POLYGON)
     return false;
   if (m_early) {
-    takeValues(context);
+    takeOutsideAttributes(context);
   } else if (m_segment != 0) {
     closeSegment(context);
     resume(context);

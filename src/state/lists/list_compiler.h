@@ -107,21 +107,34 @@ private:
     GLbitfield mask;
     bool noted; ///< as a command of the layer's
   };
+  // Of an early list, whose commands the host compiles too (early_list.cpp).
   void beginEarly(Context &context);
-  void takeValues(Context &context);
+  /// Makes an item of the attributes set outside of primitives so far.
+  void takeOutsideAttributes(Context &context);
   void endEarlyPrimitive(Context &context, bool fromArrays);
-  void recordOutside(Context &context);
+  /// From here on attributes outside of primitives are recorded.
+  void recordOutsideAttributes(Context &context);
+  /// A primitive of too many vertices makes the list the host's alone.
   void limitPrimitive(Context &context);
   static bool leaveFull(void *owner, const float position[4]);
   [[nodiscard]] std::shared_ptr<DisplayList> endEarly(Context &context);
-  void closeSegment(Context &context);
-  void resume(Context &context);
+
+  // A segment is a host list of consecutive commands that the host compiles.
   void openSegment(Context &context);
+  /// Ends the host's compilation, so that commands of the layer may run on the host.
+  void closeSegment(Context &context);
+  /// Compiles on after closeSegment().
+  void resume(Context &context);
   void finishSegment();
-  void finishGeometry();
+
+  // A primitive between Begin and End, which is recorded by the layer.
   void stopPrimitive(Context &context);
+  /// Keeps the primitive's vertices so far as an item that leaves Begin/End open.
   void interruptPrimitive(Context &context);
   void keepPrimitive(bool fromArrays);
+  /// Makes an item of the whole primitives that are kept.
+  void finishGeometry();
+
   void setMode(Context &context, std::uint16_t mode);
   void define(Context &context, std::shared_ptr<const DisplayList> list);
 

@@ -9,7 +9,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "fp_compiler/glsl.h"
+#include "fp_compiler/emit.h"
 #include "fp_compiler/limits.h"
 #include "util/hash.h"
 

@@ -48,20 +48,22 @@ struct Gradients {
   }
 };
 
-/// Exact at pixel (originX, originY).
+/// Of the triangle with these corners; its planes are exact at the centre of pixel (originX,
+/// originY), in window coordinates, and round off with the distance from it.
 [[nodiscard]] Gradients gradientsOf(const RasterState &state, const WindowVertex corner[3],
                                     int originX, int originY);
-/// `offset`: of depth.
+/// Window depth over the triangle.
+/// \param offset add polygon offset (3.5.5)
 [[nodiscard]] abi::Plane makeDepthPlane(const RasterState &state, const Triangle &triangle,
                                         const Gradients &gradients, bool offset);
 /// All planes of a triangle whose gradients and depth are known.
 void makePlanes(const PlanePlan &plan, const Triangle &triangle, const Gradients &gradients,
                 const abi::Plane &depth, int originX, int originY, abi::Primitive &primitive);
-/// The planes, exact at pixel (originX, originY), which is better near the triangle than far off.
-/// `offset`: of depth.
+/// Gradients, depth and all planes of a triangle, exact at the centre of pixel (originX, originY):
+/// best one near the triangle. \param offset add polygon offset to depth (3.5.5)
 void makePlanes(const RasterState &state, const PlanePlan &plan, const Triangle &triangle,
                 bool offset, int originX, int originY, abi::Primitive &primitive);
-/// Of a point: nothing varies, all is as at corner 0 of `point`, which has weights.
+/// Of a point: nothing varies, all is as at corner 0 of `point`, whose `weight` is not null.
 void makePointPlanes(const PlanePlan &plan, const Triangle &point, int originX, int originY,
                      abi::Primitive &primitive);
 /// What polygon offset adds to depth (3.5.5).

@@ -16,11 +16,14 @@ struct Rectangle {
   bool backFacing = false;
   Rect pixels; ///< clipped
 };
-/// False if the draw is no axis-aligned rectangle that is drawn filled, or is culled.
+/// Whether the draw is one axis-aligned rectangle that is drawn filled and is not culled; then
+/// `rectangle` says which.
+/// \param indices null: vertices first, first + 1, ...; else indices[first], ...
 [[nodiscard]] bool findRectangle(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count, Rectangle &rectangle);
-/// One shape for all of it; false if an input is not affine over it.
+/// The rectangle as one shape, in place of two triangles; false if an input is no linear function
+/// over the whole of it (the fourth corner's value is not what the other three's make it).
 [[nodiscard]] bool shapeOfRectangle(const RasterState &state, const Shading &shading,
                                     Topology topology, const Vertices &vertices,
                                     const Rectangle &rectangle, Shape &shape);
@@ -30,7 +33,7 @@ struct Rectangle {
 [[nodiscard]] Rect surelyCovered(const RasterState &state, Topology topology,
                                  const Vertices &vertices, const std::uint32_t *indices,
                                  std::uint32_t first, std::uint32_t count);
-/// All w are equal, so that inputs may be Linear.
+/// All w are equal: perspective changes nothing, so that inputs may be Linear.
 [[nodiscard]] bool isAffine(const Vertices &vertices);
 
 } // namespace arbiter::swrast

@@ -26,16 +26,18 @@ public:
   /// One that nothing is to become of. Null without memory.
   static LiveRecord *inMemory();
 
+  /// kCounters of them, in the record: numbers of the texts are read from there when the report is
+  /// made.
   [[nodiscard]] std::uint64_t *counters();
-  /// The text around the rows. Too long a one is not taken: the one before stays.
+  /// Sets the text around the rows. False if it is too long for the record: the one before stays.
   bool setFrame(std::string_view before, std::string_view after);
-  /// Whole, or not at all: false where there is no more room.
+  /// Adds a row behind those that are there. False where there is no more room: nothing is added.
   bool addRow(std::string_view row);
 
   /// The report as of now, written to its place in one step; the record's file goes. No allocation
   /// and no lock: safe wherever the process ends. \returns false with errno set.
   bool finish();
-  /// The report as of now.
+  /// Writes the report as of now to `sink`; the record goes on. False if the sink fails.
   bool write(const TextSink &sink) const;
 
   /// In the child of a fork: the record becomes the child's own, in memory, and its report goes

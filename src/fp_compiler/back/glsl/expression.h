@@ -15,13 +15,14 @@ using Components = std::vector<int>;
 /// The positions whose bit is set in \p mask.
 [[nodiscard]] Components positions(std::uint8_t mask);
 
-/// "x", "zw", "" for all four in order.
+/// A swizzle's letters: "x", "zw"; "" for all four in order, which needs none.
 [[nodiscard]] std::string suffix(const Components &components);
 
-/// "float", "vec2", "vec3", "vec4"
+/// The GLSL type of `width` components: "float", "vec2", "vec3", "vec4".
 [[nodiscard]] std::string typeName(std::size_t width);
 
-/// The GLSL of one component of an operand: "-t0.y", "0.0", "-1.5".
+/// The GLSL of one component of an operand, swizzle and sign applied: "-t0.y", "0.0", "-1.5".
+/// \param position 0..3, of the destination's component
 [[nodiscard]] std::string component(const Registers &registers, const ir::Operand &operand,
                                     int position);
 

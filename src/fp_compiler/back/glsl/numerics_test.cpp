@@ -1,6 +1,6 @@
 /// The modes of arithmetic in the emitted GLSL: where the guards stand, and that what the ranges
 /// claim holds for what the interpreter computes. That the text computes it is
-/// tests/differential's.
+/// tests/back_ends_vs_interpreter's.
 #include <cmath>
 #include <gtest/gtest.h>
 

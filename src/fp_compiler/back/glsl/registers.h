@@ -31,9 +31,11 @@ public:
   [[nodiscard]] const std::vector<GlslUniform> &uniforms() const { return m_uniforms; }
   [[nodiscard]] const std::vector<GlslSampler> &samplers() const { return m_samplers; }
   [[nodiscard]] const std::vector<GlslAttribute> &attributes() const { return m_generics; }
-  /// Those of a vertex program.
+  /// The registers are a vertex program's, else a fragment program's.
   [[nodiscard]] bool ofVertices() const { return m_ofVertices; }
+  /// The program reads fragment.position.
   [[nodiscard]] bool readsPosition() const { return m_readsPosition; }
+  /// The program samples a rectangle texture: the text needs GL_ARB_texture_rectangle.
   [[nodiscard]] bool readsRectangle() const { return m_readsRectangle; }
 
 private:

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "fp_compiler/emit.h"
 #include "fp_compiler/fixed_function.h"
-#include "fp_compiler/glsl.h"
 #include "fp_compiler/ir/ir.h"
 
 namespace arbiter::state {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <mutex>
 
-#include "fp_compiler/glsl.h"
+#include "fp_compiler/emit.h"
 
 namespace arbiter::state {
 

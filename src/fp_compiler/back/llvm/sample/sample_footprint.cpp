@@ -13,8 +13,8 @@
 /// those are as long as each other where a plane is seen along a diagonal. Each sample lies in the
 /// middle of its own Nth of the longer axis; the example's leave the ends out. And the level is
 /// that of the shorter axis, where the example's is up to one level finer if Pmax / Pmin is no
-/// whole number. On the planes of tests/software/run_anisotropy.py, upright, at 60, 30, 15, 7 and 4
-/// degrees, the example to the letter is 9.1, 8.4, 6.9, 5.0 and 4.8 steps of 255 off,
+/// whole number. On the planes of tests/rasterizer_vs_host/run_anisotropy.py, upright, at 60, 30,
+/// 15, 7 and 4 degrees, the example to the letter is 9.1, 8.4, 6.9, 5.0 and 4.8 steps of 255 off,
 /// this 5.7, 4.9, 3.8, 3.2 and 3.9.
 namespace arbiter::fp::llvm_back {
 namespace {

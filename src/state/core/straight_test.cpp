@@ -1,0 +1,71 @@
+// What entry points send to the host without a call into state is what the handlers would have
+// done.
+#include "state/core/straight.h"
+
+#include <gtest/gtest.h>
+
+#include "state/core/errors.h"
+#include "state/testing/current_context.h"
+
+namespace arbiter::state {
+namespace {
+
+using namespace testing;
+
+constexpr GLenum kMostNames = 0x10000;
+
+TEST(Straight, AnEnableOfTheHostsIsWhatTheHandlerMakesOfIt) {
+  FakeHost host;
+  const CurrentContext context(host);
+  int asked = 0;
+  for (GLenum cap = 0; cap < kMostNames; ++cap) {
+    context->dirty = 0;
+    if (!straight::Enable(*context, cap)) {
+      ASSERT_EQ(context->dirty, 0u) << "left to the handler: " << cap;
+      continue;
+    }
+    const std::uint32_t noted = std::exchange(context->dirty, 0);
+    const std::uint32_t attention = context->attention;
+    host.calls.clear();
+    handlers::Enable(*context, cap);
+    ASSERT_EQ(context->dirty, noted) << cap;
+    ASSERT_EQ(context->attention, attention) << cap;
+    ASSERT_EQ(host.calls.size(), 1u) << "the host's Enable alone: " << cap;
+    ++asked;
+  }
+  EXPECT_GT(asked, 60000);
+  for (const GLenum cap : {GLenum(GL_FRAGMENT_PROGRAM_ARB), GLenum(GL_VERTEX_PROGRAM_ARB),
+                           GLenum(GL_FOG), GLenum(GL_TEXTURE_2D), GLenum(GL_CLIP_PLANE0)}) {
+    EXPECT_FALSE(straight::Enable(*context, cap)) << cap;
+    EXPECT_FALSE(straight::Disable(*context, cap)) << cap;
+  }
+}
+
+TEST(Straight, WhatIsDirtyAlreadyStaysSo) {
+  FakeHost host;
+  const CurrentContext context(host);
+  context->dirty = software::dirty::kArrays;
+  EXPECT_TRUE(straight::Disable(*context, GL_CULL_FACE));
+  EXPECT_EQ(context->dirty, software::dirty::kArrays | software::dirty::kRaster);
+}
+
+TEST(Straight, AnErrorOfTheLayersIsNotTheHosts) {
+  FakeHost host;
+  const CurrentContext context(host);
+  EXPECT_TRUE(straight::GetError(*context));
+  raise(*context, GL_INVALID_VALUE, "test");
+  EXPECT_FALSE(straight::GetError(*context));
+}
+
+TEST(Straight, TheLayerSeesWhichTexturesCompare) {
+  FakeHost host;
+  const CurrentContext context(host);
+  EXPECT_TRUE(straight::TexParameteri(*context, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR));
+  EXPECT_FALSE(straight::TexParameteri(*context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
+                                       GL_COMPARE_R_TO_TEXTURE));
+  EXPECT_FALSE(straight::TexParameterf(*context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
+                                       GLfloat(GL_COMPARE_R_TO_TEXTURE)));
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Bitmaps under random state, on the bare host and under the layer: pictures, depths, raster positions and
+errors are equal. What the specification says of their texture
+coordinates, fog and second colour, which hosts do not all do, is compared with colours worked out here.
+
+  run_bitmaps.py --build build [--first SEED] [--count N] [--backend auto]
+
+The scenes are drawn by one context each, then by two of a share group by turns.
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import sides
+from x_server import XServer
+
+# Of the draws of the scenes, as many at least must be the rasterizer's.
+MOST_DRAWN = 0.8
+# Mesa's llvmpipe blends bytes as bytes: it rounds source times alpha and destination times the rest, each to a
+# step, where the rasterizer rounds their sum once. A pixel that two bitmaps blended may be two steps apart
+# (seed 368: 216 of the host's, 214 of the rasterizer's, 214.3 by 4.1.8); so many of a picture at most.
+MOST_BLENDED_TWICE = 16
+# RGBA of what OpenGL 2.1 (2.13, 3.7, 3.9, 3.10) makes of the values that rasterizer-bitmaps sets.
+RULES = {
+    "rule texture coordinates": (64, 191, 128, 255),
+    "rule texture coordinates of another unit": (128, 32, 255, 255),
+    "rule secondary colour": (96, 191, 207, 255),
+    "rule colour sum": (96, 191, 207, 255),
+    "rule fog": (112, 96, 143, 255),  # (4 - 1) / 4 of the colour
+    "rule a texture": (0, 0, 255, 255),
+}
+
+
+def judge_scenes(bare, layer):
+    """As sides.differences(), but for pixels that were blended twice."""
+    near = [(what, a if distance <= 2 and 0 < far <= MOST_BLENDED_TWICE else b)
+            for (what, a), (_, b) in zip(bare, layer) for far, distance in [sides.distances(a, b)]]
+    return sides.differences(bare, near if [w for w, _ in bare] == [w for w, _ in layer] else layer)
+
+
+def judge_rules(client, env):
+    found = dict(sides.run([client, "rules"], env))
+    return [f"{name}: {tuple(found.get(name, b''))}, not {colour}" for name, colour in RULES.items()
+            if sides.distances(found.get(name, b""), bytes(colour))[0]]
+
+
+def main():
+    args = sides.seeded_arguments(__doc__, 60)
+    build = args.build.resolve()
+    client = build / "tests/rasterizer_vs_host/rasterizer-bitmaps"
+    command = [client, args.first, args.count]
+    shared = [client, "shared", args.first, args.count]
+    results = {}
+    with tempfile.TemporaryDirectory(prefix="arbiter-bitmaps-") as scratch, XServer() as display:
+        extra = {"DISPLAY": display, "XDG_CACHE_HOME": scratch}
+        stats = pathlib.Path(scratch) / "stats.json"
+        layer = sides.environment(sides.layer_of(build), args.backend,
+                                  {**extra, "ARBITER_STATS": str(stats)})
+        try:
+            bare = sides.run(command, sides.environment(extra=extra))
+            results["scenes"] = judge_scenes(bare, sides.run(command, layer))
+            part = sides.software_statistics(stats)
+            results["shared scenes"] = judge_scenes(
+                sides.run(shared, sides.environment(extra=extra)), sides.run(shared, layer))
+            if args.backend != "host":
+                results["rules"] = judge_rules(client, layer)
+        except (sides.Died, subprocess.TimeoutExpired) as death:
+            results["clients"], part = [str(death)], {}
+    drawn, given = part.get("drawn", 0), sum(part.get("given_to_host", {}).values())
+    print(f"the rasterizer drew {drawn}, the host {part.get('given_to_host', {})}")
+    if args.backend == "swrast":
+        results["draws"] = [] if drawn and drawn >= MOST_DRAWN * (drawn + given) else \
+            ["too few are the rasterizer's"]
+    for name, lines in results.items():
+        print(f"{'FAIL' if lines else 'pass'} {name}")
+        for line in lines[:12]:
+            print(f"     {line}")
+    failed = sum(bool(lines) for lines in results.values())
+    print(f"{len(results) - failed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Depth buffers without stencil, which software hosts give 32 bits: random frames on the bare host and
+under the layer, in windows and framebuffer objects. All draws must be the rasterizer's.
+
+  run_depths.py --build build [--first SEED] [--count N] [--backend auto]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import array
+import sys
+
+import sides
+
+# Depths of the two rasterizers differ by the rounding of a plane's steps: of 2^32.
+NEAR = 1 << 11
+# Pixels of a picture that may be another triangle's: where depths are equal but for that.
+MOST = 0.004
+
+
+def distances(what, a, b):
+    """(pixels that differ, by how much at most)."""
+    if what.endswith(" depth"):
+        apart = [abs(x - y) for x, y in zip(array.array("I", a), array.array("I", b))]
+        return sum(d > NEAR for d in apart), max(apart, default=0)
+    return sides.distances(a, b)
+
+
+def judge(bare, layer):
+    if [what for what, _ in bare] != [what for what, _ in layer]:
+        return ["other records: " + next((f"bare '{x}', layer '{y}'" for (x, _), (y, _) in
+                                          zip(bare, layer) if x != y), "another count")]
+    lines = []
+    for (what, a), (_, b) in zip(bare, layer):
+        far, worst = distances(what, a, b)
+        if far > MOST * len(a) / 4:
+            lines.append(f"'{what}': {far} pixels differ, by up to {worst}")
+    return lines
+
+
+def main():
+    args = sides.seeded_arguments(__doc__, 12)
+    bare, wrong, part = sides.compare(args, "rasterizer-depths", judge)
+    drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
+    if not any("has 32," in what for what, _ in bare):
+        print("the host gives no window 32 bits")
+    if args.backend == "swrast" and (not drawn or given):
+        wrong.append("draws of the host's")
+    print(f"{args.count} frames from seed {args.first}, {len(bare)} records; the rasterizer drew "
+          f"{drawn}, the host {given}")
+    for line in wrong[:12]:
+        print(f"     {line}")
+    print(f"{int(not wrong)} passed, {int(bool(wrong))} failed, 0 skipped")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""Fixed function without any program: random scenes on the bare host and under the layer, whose rasterizer
+draws them (ARBITER_FIXED_FUNCTION=always); with the default it must not draw one.
+
+  run_fixed.py --build build [--first SEED] [--count N] [--backend auto]
+
+Ends with "N passed, N failed, 0 skipped".
+"""
+
+import sys
+
+import sides
+
+# Blending over what is off by one may be off by more.
+ROUNDING = 3
+# llvmpipe calculates simple scenes with bytes, unless it is told not to: then both sides use floats.
+IN_FLOATS = {"LP_PERF": "no_rast_linear", "GALLIVM_PERF": "no_aos_sampling"}
+
+
+def main():
+    args = sides.seeded_arguments(__doc__, 10)
+    passed = failed = 0
+    for mode in ("always", "programs"):
+        bare, wrong, part = sides.compare(args, "rasterizer-fixed",
+                                          lambda *both: sides.differences(*both, ROUNDING),
+                                          {**IN_FLOATS, "ARBITER_FIXED_FUNCTION": mode})
+        drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
+        if mode == "programs" and (drawn or given):
+            wrong.append("the rasterizer is used where no program is")
+        if mode == "always" and args.backend == "swrast" and drawn <= 20 * sum(given.values()):
+            wrong.append("too many draws are the host's")
+        print(f"{'FAIL' if wrong else 'pass'} {mode}: {args.count} scenes from seed {args.first}, {len(bare)} "
+              f"records; the rasterizer drew {drawn}, the host {given}")
+        for line in wrong[:12]:
+            print(f"     {line}")
+        passed, failed = passed + (not wrong), failed + bool(wrong)
+    print(f"{passed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

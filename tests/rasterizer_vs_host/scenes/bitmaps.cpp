@@ -1,0 +1,382 @@
+// Bitmaps under random state: rasterizer-bitmaps [shared] SEED COUNT [COMMANDS], or
+// rasterizer-bitmaps rules.
+//   SEED COUNT  scenes of so many commands, each in a context of its own: the picture, the depths,
+//               where the raster position is left, GL's errors
+//   shared      each scene is drawn by two contexts of a share group, by turns: they have
+//               programs, lists and buffers of bits in common, and the window
+//   rules       what the specification says and hosts do not all do: run_bitmaps.py knows the
+//               colours
+// Programs of the scenes read no texture coordinates, fog coordinate or secondary colour: a host
+// that draws bitmaps as textured rectangles has its own of those.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <utility>
+
+#include "surface.h"
+
+namespace software {
+namespace {
+
+constexpr int kEdge = 64; // of the target, in pixels
+
+constexpr const char *kFragmentTexts[] = {
+    "!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n",
+    "!!ARBfp1.0\nMUL result.color, fragment.color, {0.5, 0.75, 1.0, 0.5};\nEND\n",
+    "!!ARBfp1.0\nTEMP t;\nMUL t.xy, fragment.position, {0.015625, 0.015625, 0, 0};\n"
+    "MOV t.zw, fragment.color;\nMOV result.color, t;\nEND\n",
+    "!!ARBfp1.0\nTEMP t;\nMUL t.x, fragment.position.x, 0.25;\nFRC t.x, t.x;\nSUB t.x, t.x, 0.3;\n"
+    "KIL t.x;\nMOV result.color, program.local[0];\nEND\n",
+    "!!ARBfp1.0\nMOV result.color, fragment.color;\nMOV result.depth.z, {0.375}.x;\nEND\n",
+};
+constexpr const char *kVertexText =
+    "!!ARBvp1.0\nPARAM mvp[4] = { state.matrix.mvp };\nTEMP p;\n"
+    "ADD p, vertex.position, program.local[0];\nDP4 result.position.x, mvp[0], p;\n"
+    "DP4 result.position.y, mvp[1], p;\nDP4 result.position.z, mvp[2], p;\n"
+    "DP4 result.position.w, mvp[3], p;\nMUL result.color, vertex.color, {1, 0.5, 0.75, 1};\nEND\n";
+
+/// A random scene, drawn by one context, or by two.
+class Scene {
+public:
+  /// \param turn makes the other context current; none: there is no other. True the first time.
+  explicit Scene(std::uint64_t seed, std::function<bool()> turn = {})
+      : m_random(seed), m_turn(std::move(turn)) {
+    m_random.bits();
+  }
+
+  void draw(int commands) {
+    prepare();
+    glClearColor(0.2f, 0.3f, 0.1f, 0.5f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    programs();
+    triangle(); // the target is the rasterizer's, and has depths
+    for (int i = 0; i < commands; ++i) {
+      if (m_turn && m_random.once(3))
+        takeTurns();
+      command();
+    }
+    glDisable(GL_SCISSOR_TEST);
+  }
+
+private:
+  static void prepare() {
+    glViewport(0, 0, kEdge, kEdge);
+    glDisable(GL_DITHER);
+  }
+
+  void takeTurns() {
+    if (m_turn()) {
+      prepare();
+      // RasterPos and Begin are errors where vertex programs are enabled and the current one has no
+      // text (ARB_vertex_program, 2.14.4): Mesa 22.3.6 looks only at Begin.
+      glBindProgramARB(GL_VERTEX_PROGRAM_ARB, m_vertices);
+    }
+    // Mesa 22.3.6 draws with parameters as they were until one is set in this context.
+    chooseProgram(true);
+    if (!m_lists.empty() && m_random.once(3)) {
+      glCallList(m_random.pick(m_lists));
+      drawGathered();
+    }
+  }
+
+  float unit() { return float(m_random.below(17)) / 16.0f; }
+  /// Eighths of a pixel, so that no host rounds to another pixel.
+  float clip() { return float(m_random.between(-kEdge * 5, kEdge * 5)) / float(kEdge * 4); }
+
+  void programs() {
+    for (std::size_t i = 0; i < 5; ++i)
+      m_fragments[i] = makeProgram(GL_FRAGMENT_PROGRAM_ARB, kFragmentTexts[i]);
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 0.9f, 0.5f, 0.1f, 0.75f);
+    m_vertices = makeProgram(GL_VERTEX_PROGRAM_ARB, kVertexText);
+    chooseProgram(true);
+  }
+
+  void chooseProgram(bool fragment) {
+    const GLuint name = m_fragments[std::size_t(m_random.below(5))];
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, name);
+    glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, unit(), unit(), unit(), unit());
+    (fragment ? glEnable : glDisable)(GL_FRAGMENT_PROGRAM_ARB);
+    (m_random.once(3) ? glEnable : glDisable)(GL_VERTEX_PROGRAM_ARB);
+    glProgramLocalParameter4fARB(GL_VERTEX_PROGRAM_ARB, 0, 0.125f * unit(), 0.125f * unit(), 0, 0);
+  }
+
+  void triangle() {
+    glColor4f(unit(), unit(), unit(), 1);
+    glBegin(GL_TRIANGLES);
+    glVertex3f(-1, -1, -0.5f);
+    glVertex3f(1, -1, 0.25f);
+    glVertex3f(0, 1, 0.5f);
+    glEnd();
+  }
+
+  void unpacking() {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1 << m_random.below(4));
+    glPixelStorei(GL_UNPACK_LSB_FIRST, m_random.below(2));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, m_random.once(2) ? 0 : m_random.between(1, 90));
+    glPixelStorei(GL_UNPACK_SKIP_PIXELS, m_random.once(2) ? 0 : m_random.between(0, 20));
+    glPixelStorei(GL_UNPACK_SKIP_ROWS, m_random.once(2) ? 0 : m_random.between(0, 3));
+    glPixelStorei(GL_UNPACK_SWAP_BYTES, m_random.once(5));
+    if (m_random.once(6))
+      glPixelStorei(GL_UNPACK_ALIGNMENT, 3); // an error, and nothing else
+    if (m_random.once(6))
+      glPixelStoref(GL_UNPACK_SKIP_PIXELS, float(m_random.below(5)));
+  }
+
+  void pixelState() {
+    const auto turn = [&](GLenum cap) { (m_random.once(3) ? glEnable : glDisable)(cap); };
+    for (const GLenum cap :
+         {GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_SCISSOR_TEST,
+          GL_POLYGON_STIPPLE, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL})
+      turn(cap);
+    (m_random.once(8) ? glEnable : glDisable)(GL_COLOR_LOGIC_OP);
+    glLogicOp(GLenum(GL_CLEAR + m_random.below(16)));
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthFunc(GLenum(GL_NEVER + m_random.below(8)));
+    glDepthMask(GLboolean(m_random.below(2)));
+    glAlphaFunc(GL_GREATER, 0.375f);
+    glStencilFunc(GLenum(GL_NEVER + m_random.below(8)), m_random.below(4), 3);
+    glStencilOp(GL_INCR, GL_INVERT, GL_REPLACE);
+    glScissor(m_random.below(30), m_random.below(30), 20, 30);
+    glColorMask(GLboolean(!m_random.once(4)), GL_TRUE, GL_TRUE, GL_TRUE);
+    glCullFace(m_random.once(2) ? GL_FRONT_AND_BACK : GL_BACK);
+    glPolygonMode(GL_FRONT_AND_BACK, m_random.once(4) ? GL_LINE : GL_FILL);
+    glPixelZoom(m_random.once(2) ? 1.0f : 2.0f, 1.0f);
+  }
+
+  void position() {
+    glColor4f(unit(), unit(), unit(), unit());
+    switch (m_random.below(4)) {
+    case 0:
+      return glWindowPos3f(float(m_random.between(-20, kEdge)) + 0.25f,
+                           float(m_random.between(-20, kEdge)) + 0.5f, unit());
+    case 1:
+      return glRasterPos4f(clip() * 2, clip() * 2, clip() * 0.5f, 2);
+    default:
+      return glRasterPos3f(clip(), clip(), clip() * 0.5f); // may be outside: not valid then
+    }
+  }
+
+  /// Mesa gathers bitmaps, one over the other, and draws them by the state that it finds when it
+  /// ends.
+  void drawGathered() const {
+    if (!m_listing)
+      glFlush();
+  }
+
+  void bitmap(bool fromBuffer = false) {
+    unsigned char bits[4096];
+    for (unsigned char &byte : bits)
+      byte = m_random.once(3) ? 0xFF : static_cast<unsigned char>(m_random.bits());
+    // Mesa 22.3.6 loses its way where a list has a size that is an error.
+    const bool wrong = !m_listing && m_random.once(12);
+    const int width = wrong ? -1 : m_random.below(m_random.once(5) ? 60 : 14);
+    const int height = m_random.below(m_random.once(5) ? 40 : 16);
+    const void *from = bits;
+    if (fromBuffer) {
+      if (!m_turn || m_buffer == 0 || m_random.once(3))
+        glGenBuffers(1, &m_buffer);
+      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, m_buffer);
+      glBufferData(GL_PIXEL_UNPACK_BUFFER, m_random.once(4) ? 16 : 4096, bits, GL_STATIC_DRAW);
+      from = reinterpret_cast<const void *>(std::size_t(m_random.below(9)));
+    }
+    glBitmap(width, height, float(m_random.between(-8, 8)) * 0.5f, float(m_random.below(4)),
+             float(m_random.between(-3, 12)), float(m_random.between(-2, 2)) * 0.75f,
+             static_cast<const GLubyte *>(from));
+    drawGathered();
+    if (fromBuffer)
+      glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  }
+
+  void listed() {
+    const GLuint list = glGenLists(1);
+    m_lists.push_back(list);
+    glNewList(list, m_random.once(3) ? GL_COMPILE_AND_EXECUTE : GL_COMPILE);
+    m_listing = true;
+    if (m_random.once(2))
+      position();
+    if (!m_random.once(3))
+      bitmap();
+    glEndList();
+    m_listing = false;
+    bitmap();
+    glCallList(list);
+    drawGathered();
+    if (m_random.once(2))
+      glCallLists(1, GL_UNSIGNED_INT, &list);
+    drawGathered();
+  }
+
+  void command() {
+    switch (m_random.below(16)) {
+    case 0:
+    case 1:
+      return pixelState();
+    case 2:
+    case 3:
+    case 4:
+      return position();
+    case 5:
+      return unpacking();
+    case 6:
+      return chooseProgram(m_random.once(2));
+    case 7:
+      return listed();
+    case 8:
+      glPushAttrib(GL_CURRENT_BIT);
+      position();
+      bitmap();
+      return glPopAttrib();
+    case 9:
+      return bitmap(true);
+    case 10:
+      if (m_random.once(4)) {
+        glBegin(GL_POINTS); // an error inside
+        bitmap();
+        glEnd();
+      } else if (m_random.once(3)) {
+        glRenderMode(GL_SELECT);
+        bitmap();
+        glRenderMode(GL_RENDER);
+      } else {
+        triangle();
+      }
+      return;
+    default:
+      return bitmap();
+    }
+  }
+
+  Random m_random;
+  const std::function<bool()> m_turn;
+  bool m_listing = false;
+  GLuint m_fragments[5] = {}, m_vertices = 0;
+  GLuint m_buffer = 0; ///< that bits came from last
+  std::vector<GLuint> m_lists;
+};
+
+std::string rasterText() {
+  float position[4] = {};
+  GLint valid = 0;
+  glGetFloatv(GL_CURRENT_RASTER_POSITION, position);
+  glGetIntegerv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
+  char text[96];
+  std::snprintf(text, sizeof text, " at %.4f %.4f %.5f, valid %d", double(position[0]),
+                double(position[1]), double(position[2]), valid);
+  return text;
+}
+
+void writeAll(const std::string &name) {
+  record(name + " color" + rasterText(), readRgba(0, 0, kEdge, kEdge));
+  std::vector<unsigned char> bytes(std::size_t(kEdge) * kEdge * 4);
+  glReadPixels(0, 0, kEdge, kEdge, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, bytes.data());
+  record(name + " depth and stencil", bytes);
+  record(name + " errors" + takeErrors(), {});
+}
+
+/// One pixel of a bitmap, whose raster position was set with the values below.
+void rule(const char *name, const char *text, void (*state)()) {
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  (void)makeProgram(GL_FRAGMENT_PROGRAM_ARB, text ? text : kFragmentTexts[0]);
+  glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  glRectf(-1, -1, 1, 0);
+  (text ? glEnable : glDisable)(GL_FRAGMENT_PROGRAM_ARB);
+  glColor4f(0.25f, 0.5f, 0.75f, 1);
+  glSecondaryColor3f(0.125f, 0.25f, 0.0625f);
+  glTexCoord4f(0.25f, 0.75f, 0.5f, 1);
+  glMultiTexCoord4f(GL_TEXTURE3, 0.5f, 0.125f, 1, 1);
+  state();
+  glRasterPos2f(0.25f, 0.25f);
+  const GLubyte bit = 0x80;
+  glBitmap(1, 1, 0, 0, 1, 0, &bit);
+  record(std::string("rule ") + name, readRgba(kEdge * 5 / 8, kEdge * 5 / 8, 1, 1));
+  glDisable(GL_FOG);
+  glDisable(GL_COLOR_SUM);
+  glDisable(GL_TEXTURE_2D);
+}
+
+void rules() {
+  glViewport(0, 0, kEdge, kEdge);
+  rule("texture coordinates", "!!ARBfp1.0\nMOV result.color, fragment.texcoord[0];\nEND\n", [] {});
+  rule("texture coordinates of another unit",
+       "!!ARBfp1.0\nMOV result.color, fragment.texcoord[3];\nEND\n", [] {});
+  rule("secondary colour",
+       "!!ARBfp1.0\nADD result.color, fragment.color, fragment.color.secondary;\nEND\n", [] {});
+  rule("colour sum", nullptr, [] { glEnable(GL_COLOR_SUM); });
+  rule("fog", nullptr, [] {
+    constexpr float kColor[4] = {1, 0, 0, 1};
+    glEnable(GL_FOG);
+    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+    glFogCoordf(1);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogf(GL_FOG_START, 0);
+    glFogf(GL_FOG_END, 4);
+    glFogfv(GL_FOG_COLOR, kColor);
+  });
+  rule("a texture", nullptr, [] {
+    constexpr unsigned char kTexels[16] = {255, 0, 0,   255, 0,   255, 0,   255,
+                                           0,   0, 255, 255, 255, 255, 255, 255};
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(GL_TEXTURE_2D);
+  });
+}
+
+void drawScene(Screen &screen, GLXDrawable window, int seed, int commands) {
+  const GLXContext context = screen.makeContext();
+  screen.makeCurrent(window, context);
+  Scene(std::uint64_t(seed)).draw(commands);
+  writeAll("scene " + std::to_string(seed));
+  screen.destroy(context);
+}
+
+void drawShared(Screen &screen, GLXDrawable window, int seed, int commands) {
+  GLXContext contexts[2] = {screen.makeContext(), nullptr};
+  contexts[1] = screen.makeContext(contexts[0]);
+  screen.makeCurrent(window, contexts[0]);
+  int now = 0;
+  bool known = false; // the second one was current before
+  Scene(std::uint64_t(seed), [&] {
+    now = 1 - now;
+    screen.makeCurrent(window, contexts[now]);
+    return !std::exchange(known, true);
+  }).draw(commands);
+  for (const int which : {now, 1 - now}) {
+    screen.makeCurrent(window, contexts[which]);
+    writeAll("shared scene " + std::to_string(seed) + ", context " + std::to_string(which));
+  }
+  for (const GLXContext each : contexts)
+    screen.destroy(each);
+}
+
+} // namespace
+} // namespace software
+
+int main(int argc, char **argv) {
+  using namespace software;
+  const bool shared = argc > 1 && std::strcmp(argv[1], "shared") == 0;
+  if (shared)
+    --argc, ++argv;
+  software::Screen screen; // Xlib has one, too
+  if (!screen.open())
+    return 1;
+  const GLXDrawable window = screen.makeWindow(kEdge, kEdge);
+  const bool onlyRules = argc > 1 && std::strcmp(argv[1], "rules") == 0;
+  const int first = argc < 2 ? 1 : std::atoi(argv[1]);
+  const int count = argc > 2 ? std::atoi(argv[2]) : 1;
+  const int commands = argc > 3 ? std::atoi(argv[3]) : 24;
+  if (onlyRules) {
+    screen.makeCurrent(window, screen.makeContext());
+    rules();
+    return 0;
+  }
+  for (int seed = first; seed < first + count; ++seed)
+    (shared ? drawShared : drawScene)(screen, window, seed, commands);
+  return 0;
+}
