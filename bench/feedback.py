@@ -48,6 +48,9 @@ def parse(argv):
                         help="only workloads whose name has TEXT; may be repeated")
     parser.add_argument("--size", type=int, default=1024, help="edge of the pictures")
     parser.add_argument("--threads", type=int, default=0, help="of the rasterizer; 0: its default")
+    parser.add_argument("--cpu", default="", choices=("avx512", "avx2", "sse4.1"),
+                        help="the rasterizer as on a lesser processor, the bare host's too under sse4.1: "
+                        "of workloads the mean alone has a bound then")
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
     parser.add_argument("--turns", type=int, default=21, help="of each side of a row")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write the figures")
@@ -92,7 +95,8 @@ def main(argv=None):
     machine = describe()
     print(f"{heading(machine)}; "
           f"{args.size}x{args.size}, ARBITER_BACKEND={args.backend}, "
-          f"{args.threads or 'as many as processors'} threads", flush=True)
+          f"{args.threads or 'as many as processors'} threads"
+          f"{', held to ' + args.cpu if args.cpu else ''}", flush=True)
     rows = []
     with tempfile.TemporaryDirectory(prefix="arbiter-feedback-") as scratch:
         args.scratch = pathlib.Path(scratch)
@@ -109,7 +113,7 @@ def main(argv=None):
         args.json.parent.mkdir(parents=True, exist_ok=True)
         args.json.write_text(json.dumps(
             {"schema": 1, "machine": machine, "size": args.size, "backend": args.backend,
-             "threads": args.threads, "turns": args.turns, "rows": rows}, indent=1) + "\n")
+             "threads": args.threads, "cpu": args.cpu, "turns": args.turns, "rows": rows}, indent=1) + "\n")
     return 0 if args.self_test or not verdicts["MISSED"] else 1
 
 

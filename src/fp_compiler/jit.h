@@ -68,7 +68,7 @@ using FragmentCode = Code<abi::ShadeFunction>;
 using VertexCode = Code<abi::VertexFunction>;
 
 struct EngineOptions {
-  std::string cpu;         ///< "" this one; else "avx512", "avx2", "sse4", for tests
+  std::string cpu;         ///< "" this one; else "avx512", "avx2", "sse4.1", for tests
   std::string cacheFolder; ///< of object code (util/cache/cache_store.h); "" none
   std::uint64_t cacheMaxBytes = 0;
   /// Where the library lies, for programs that are not beside it; "" beside the caller's code.

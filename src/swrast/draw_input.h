@@ -97,7 +97,7 @@ struct Shading {
   bool opaque = false;
 
   /// Lanes::Packed, for small triangles, with a key without depth, which `depth` describes. Only
-  /// with 16 lanes, and only where nothing after the depth test may discard a fragment.
+  /// where nothing after the depth test may discard a fragment.
   abi::ShadeFunction packed = nullptr;
   DepthTest depth;
   bool packsQuads = false; ///< a level of detail is wanted

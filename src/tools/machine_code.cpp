@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "tools/launch.h"
+#include "util/flags.h"
 
 namespace arbiter::tools {
 
@@ -54,6 +55,7 @@ MachineCodeError notOffered() { return {"the rasterizer has no code for such a p
 Result<std::string, MachineCodeError> machineCode(const fp::ir::Program &program,
                                                   fp::Numerics numerics, fp::jit::Listing what) {
   fp::jit::EngineOptions options;
+  options.cpu = settings().cpu;
   if (const auto layer = findLayer({}))
     options.folder = std::filesystem::path(layer.value().preload).parent_path();
   std::string reason;

@@ -160,6 +160,14 @@ void readFixedFunction(Reader &reader, Settings &result) {
     reader.warn(Env::FixedFunction, "expected programs or always, not " + quoted(value));
 }
 
+void readCpu(Reader &reader, Settings &result) {
+  const std::string_view value = reader.read(Env::Cpu);
+  if (value == "avx512" || value == "avx2" || value == "sse4.1")
+    result.cpu = value;
+  else if (!value.empty())
+    reader.warn(Env::Cpu, "expected avx512, avx2 or sse4.1, not " + quoted(value));
+}
+
 void readNumerics(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::Numerics);
   if (value == "host" || value == "legacy" || value == "fp24")
@@ -247,6 +255,7 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   readNumerics(reader, result);
   readBackend(reader, result);
   readFixedFunction(reader, result);
+  readCpu(reader, result);
   result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);

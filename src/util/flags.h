@@ -49,6 +49,7 @@ struct Settings {
   Backend backend = Backend::Auto;
   bool alwaysFixedFunction = false; ///< ARBITER_FIXED_FUNCTION=always
   std::uint32_t threads = 0;        ///< of the rasterizer; 0: one a processor
+  std::string cpu;                  ///< "avx512", "avx2", "sse4.1"; empty: this one
   bool cache = true;                ///< of programs, on disk
   std::uint32_t cacheMaxMegabytes = 64;
   std::uint32_t extensionsMaxYear = 0;   ///< 0: of any year

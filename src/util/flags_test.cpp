@@ -125,6 +125,15 @@ TEST(Settings, FixedFunctionIsProgramsOrAlways) {
   EXPECT_EQ(bad.warnings.size(), 1u);
 }
 
+TEST(Settings, TheProcessorIsThisOneOrOfAFamily) {
+  EXPECT_EQ(parse({}).settings.cpu, "");
+  for (const char *const family : {"avx512", "avx2", "sse4.1"})
+    EXPECT_EQ(parse({{"ARBITER_CPU", family}}).settings.cpu, family);
+  const auto bad = parse({{"ARBITER_CPU", "haswell"}});
+  EXPECT_EQ(bad.settings.cpu, "");
+  EXPECT_EQ(bad.warnings.size(), 1u);
+}
+
 TEST(Settings, NumericsAreOneOfThreeOrTheProfiles) {
   EXPECT_EQ(parse({}).settings.numerics, "");
   for (const char *const mode : {"host", "legacy", "fp24"}) {

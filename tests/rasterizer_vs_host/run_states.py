@@ -197,6 +197,7 @@ def parse():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
     parser.add_argument("--backend", default="swrast", choices=("swrast", "auto", "host"))
+    parser.add_argument("--cpu", choices=sides.CPU_FLAGS, help="the rasterizer as on this family")
     parser.add_argument("--count", type=int, default=100, help="rows; 0: all")
     parser.add_argument("--seed", type=int, default=1, help="of the array")
     parser.add_argument("--only", type=int, action="append", help="a row; may be repeated")
@@ -224,7 +225,8 @@ def main():
         stats = pathlib.Path(scratch) / "stats-%p.json"
         bare_env = sides.environment()
         layer_env = sides.environment(sides.layer_of(args.build.resolve()), args.backend,
-                                      {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats)})
+                                      {"XDG_CACHE_HOME": scratch, "ARBITER_STATS": str(stats),
+                                       **sides.cpu_setting(args.cpu)})
 
         glsl_env = sides.environment(sides.layer_of(args.build.resolve()), "host",
                                      {"XDG_CACHE_HOME": scratch})

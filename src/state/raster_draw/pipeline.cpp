@@ -15,6 +15,11 @@ namespace arbiter::state::software {
 
 using fp::ir::AttributeKind;
 
+namespace {
+/// Vectors of four pixels are rarely so empty that packing them pays.
+constexpr int kLeastPackedLanes = 8;
+} // namespace
+
 abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   m_key.lanes = lanes;
   FragmentFunctions::Slot *slot = nullptr;
@@ -58,7 +63,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
     return why;
   Fallback whyNotPacked = Fallback::NotCompiled;
   const fp::jit::Engine &jit = *engine();
-  if (shading.quad && jit.lanes() == 16)
+  if (shading.quad && jit.lanes() >= kLeastPackedLanes)
     choosePacked(levels != 0, shading, whyNotPacked);
   prepared.ready = why != Fallback::Compiling && whyNotPacked != Fallback::Compiling;
   shading.lanes = jit.lanes();

@@ -94,10 +94,11 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
     flush();
     return;
   }
-  const SmallCover cover = m_cover(triangle.corner, area > 0, bounds, m_shading.lanes, m_blocks);
+  const BlockSize size = m_packs ? kPackedBlock : m_blockSize;
+  const SmallCover cover = m_cover(triangle.corner, area > 0, bounds, size.lanes(), m_blocks);
   m_count = cover.blocks;
   m_pixels += cover.pixels;
-  filterBlocks(rect, bounds);
+  filterBlocks(rect, bounds, size);
   if (m_count == 0)
     return;
   if (m_packs) {
@@ -109,12 +110,12 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   flush();
 }
 
-void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds) {
+void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds, BlockSize size) {
   const int right = rect.x + rect.width, top = rect.y + rect.height;
-  const int width = m_shading.blockWidth, height = m_shading.blockHeight;
-  const bool crosses = (bounds.left & -width) < rect.x || (bounds.bottom & -height) < rect.y ||
-                       ((bounds.right + width - 1) & -width) > right ||
-                       ((bounds.top + height - 1) & -height) > top;
+  const bool crosses = (bounds.left & -size.width) < rect.x ||
+                       (bounds.bottom & -size.height) < rect.y ||
+                       ((bounds.right + size.width - 1) & -size.width) > right ||
+                       ((bounds.top + size.height - 1) & -size.height) > top;
   if (!crosses && !m_stippled)
     return;
   const std::uint32_t count = m_count;
@@ -122,14 +123,15 @@ void Emitter::filterBlocks(const Rect &rect, const Bounds &bounds) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block item = m_blocks[i];
     m_pixels -= bitsOf(item.mask);
-    block(item.x, item.y, crosses ? item.mask & insideMask(rect, item.x, item.y) : item.mask);
+    block(item.x, item.y, crosses ? item.mask & insideMask(rect, item.x, item.y, size) : item.mask,
+          size);
   }
 }
 
-unsigned Emitter::insideMask(const Rect &rect, int x, int y) const {
+unsigned Emitter::insideMask(const Rect &rect, int x, int y, BlockSize size) {
   unsigned mask = 0;
-  for (int i = 0; i < m_shading.lanes; ++i) {
-    const int px = x + i % m_shading.blockWidth, py = y + i / m_shading.blockWidth;
+  for (int i = 0; i < size.lanes(); ++i) {
+    const int px = x + i % size.width, py = y + i / size.width;
     if (px >= rect.x && px < rect.x + rect.width && py >= rect.y && py < rect.y + rect.height)
       mask |= 1u << i;
   }
@@ -172,10 +174,10 @@ void Emitter::rows(const Shape &shape, int left, int bottom, int right, int top)
   }
 }
 
-void Emitter::block(int x, int y, unsigned mask) {
+void Emitter::block(int x, int y, unsigned mask, BlockSize size) {
   if (m_stippled) {
-    for (int i = 0; i < m_shading.lanes; ++i) {
-      const int px = x + i % m_shading.blockWidth, py = y + i / m_shading.blockWidth;
+    for (int i = 0; i < size.lanes(); ++i) {
+      const int px = x + i % size.width, py = y + i / size.width;
       const std::uint8_t byte = m_state.polygonStipple[4 * (py & 31) + ((px & 31) >> 3)];
       if (((byte >> (7 - (px & 7))) & 1) == 0)
         mask &= ~(1u << i);
@@ -199,7 +201,7 @@ void Emitter::rectangleBlocks(int left, int bottom, int right, int top) {
       unsigned mask = 0;
       for (int r = firstRow; r < lastRow; ++r)
         mask |= row << (r * width);
-      block(x, y, mask);
+      block(x, y, mask, m_blockSize);
     }
   }
 }
@@ -229,7 +231,7 @@ void Emitter::blocks(const Shape &shape, int left, int bottom, int right, int to
         if (from < to)
           mask |= (((1u << to) - 1) & ~((1u << from) - 1)) << (r * width);
       }
-      block(x, y, mask);
+      block(x, y, mask, m_blockSize);
     }
   }
 }

@@ -13,7 +13,8 @@ namespace arbiter::swrast {
 class Emitter {
 public:
   Emitter(const RasterState &state, const Shading &shading)
-      : m_state(state), m_shading(shading), m_cover(chooseCoverSmall()), m_packed(state, shading) {}
+      : m_state(state), m_shading(shading), m_blockSize{shading.blockWidth, shading.blockHeight},
+        m_cover(chooseCoverSmall()), m_packed(state, shading) {}
   ~Emitter() { flush(); }
   Emitter(const Emitter &) = delete;
   Emitter &operator=(const Emitter &) = delete;
@@ -39,15 +40,24 @@ private:
   void rectangleBlocks(int left, int bottom, int right, int top);
   void span(int x, int y, int end);
   void stippledSpan(int x, int y, int end);
-  void block(int x, int y, unsigned mask);
+  /// Pixels of a block, row by row: a lane each.
+  struct BlockSize {
+    int width, height;
+    [[nodiscard]] int lanes() const { return width * height; }
+  };
+  /// A packed tile's, whatever the shading function's.
+  static constexpr BlockSize kPackedBlock = {4, 4};
+
+  void block(int x, int y, unsigned mask, BlockSize size);
   /// Takes what the rectangle or the stipple leaves out from the blocks of a small triangle.
-  void filterBlocks(const Rect &rect, const Bounds &bounds);
-  [[nodiscard]] unsigned insideMask(const Rect &rect, int x, int y) const;
+  void filterBlocks(const Rect &rect, const Bounds &bounds, BlockSize size);
+  [[nodiscard]] static unsigned insideMask(const Rect &rect, int x, int y, BlockSize size);
   [[nodiscard]] bool wantsRows(int width) const;
 
   FlushMode m_mode;
   const RasterState &m_state;
   const Shading &m_shading;
+  BlockSize m_blockSize; ///< of the shading function
   CoverSmall m_cover;
   PackedShader m_packed;
   bool m_packs = false;

@@ -54,6 +54,7 @@ struct PackedKernels {
 /// All give the same.
 extern const PackedKernels kPackedBaseline;
 #if defined(__x86_64__)
+extern const PackedKernels kPackedAvx2;
 extern const PackedKernels kPackedAvx512;
 #endif
 /// The best that this processor runs.

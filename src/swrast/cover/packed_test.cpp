@@ -5,6 +5,7 @@
 
 #include "swrast/cover/packed.h"
 #include "swrast/testing/canvas.h"
+#include "util/processor.h"
 
 /// Small triangles packed by the pixel against blocks whose shading function tests depth itself.
 namespace arbiter::swrast {
@@ -212,8 +213,25 @@ struct Tile {
   std::unique_ptr<PackedTile> tile = std::make_unique<PackedTile>();
 };
 
-TEST(Packed, KernelsAreTheSameOnAllInstructionSets) {
-  const PackedKernels &best = choosePackedKernels();
+/// The others that this processor runs.
+std::vector<const PackedKernels *> otherKernels() {
+  std::vector<const PackedKernels *> result;
+#if defined(__x86_64__)
+  if (vectors() >= Vectors::Avx2)
+    result.push_back(&kPackedAvx2);
+  if (vectors() >= Vectors::Avx512)
+    result.push_back(&kPackedAvx512);
+#endif
+  return result;
+}
+
+class Kernels : public ::testing::TestWithParam<const PackedKernels *> {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Kernels);
+INSTANTIATE_TEST_SUITE_P(Processors, Kernels, ::testing::ValuesIn(otherKernels()),
+                         [](const auto &row) { return std::to_string(row.index); });
+
+TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
+  const PackedKernels &best = *GetParam();
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-0.5f, 1.5f);
   for (int round = 0; round < 400; ++round) {

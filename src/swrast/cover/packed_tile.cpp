@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "swrast/cover/packed.h"
+#include "util/processor.h"
 
 /// The tile's copy of the depth buffer, and the kernels for any processor.
 namespace arbiter::swrast {
@@ -198,9 +199,10 @@ const PackedKernels kPackedBaseline = {[](const DepthTest &) { return &testBlock
 
 const PackedKernels &choosePackedKernels() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("popcnt"))
+  if (vectors() == Vectors::Avx512)
     return kPackedAvx512;
+  if (vectors() == Vectors::Avx2)
+    return kPackedAvx2;
 #endif
   return kPackedBaseline;
 }

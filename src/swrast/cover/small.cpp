@@ -1,6 +1,7 @@
 #include "swrast/cover/small.h"
 
 #include "swrast/cover/small_block.h"
+#include "util/processor.h"
 
 namespace arbiter::swrast {
 
@@ -11,11 +12,10 @@ SmallCover coverSmallBaseline(const WindowVertex corner[3], bool counterclockwis
 
 CoverSmall chooseCoverSmall() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2")) {
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-      return coverSmallAvx512;
+  if (vectors() == Vectors::Avx512)
+    return coverSmallAvx512;
+  if (vectors() == Vectors::Avx2)
     return coverSmallAvx2;
-  }
 #endif
   return coverSmallBaseline;
 }

@@ -43,6 +43,45 @@ using Int16 = std::int32_t __attribute__((vector_size(64)));
 #endif
 }
 
+/// Sixteen lanes on processors that have eight: compilers divide a wider vector badly, through
+/// memory.
+struct Int8Pair {
+  Int8 low, high;
+};
+[[maybe_unused]] inline Int8Pair operator+(const Int8Pair &a, const Int8Pair &b) {
+  return {a.low + b.low, a.high + b.high};
+}
+[[maybe_unused]] inline Int8Pair operator|(const Int8Pair &a, const Int8Pair &b) {
+  return {a.low | b.low, a.high | b.high};
+}
+[[maybe_unused]] inline Int8Pair &operator+=(Int8Pair &a, const Int8Pair &b) { return a = a + b; }
+[[maybe_unused]] inline unsigned signs(const Int8Pair &value) {
+  return signs(value.low) | signs(value.high) << 8;
+}
+
+/// \p to: c + a * column + b * line in the lanes of a block, row by row.
+template <int kWidth, typename Int>
+void setPlane(Int &to, std::int32_t c, std::int32_t a, std::int32_t b) {
+  if constexpr (requires { to.high; }) {
+    constexpr int kLines = int(sizeof to.low / sizeof(std::int32_t)) / kWidth;
+    setPlane<kWidth>(to.low, c, a, b);
+    setPlane<kWidth>(to.high, c + b * kLines, a, b);
+  } else {
+    Int column = {}, line = {};
+    for (int i = 0; i < int(sizeof to / sizeof(std::int32_t)); ++i) {
+      column[i] = i % kWidth;
+      line[i] = i / kWidth;
+    }
+    to = c + a * column + b * line;
+  }
+}
+
+#if defined(__AVX2__) && !defined(__AVX512F__)
+using Block16 = Int8Pair;
+#else
+using Block16 = Int16;
+#endif
+
 /// Bits set in the low 16.
 inline unsigned bitsOf(unsigned mask) {
 #if defined(__POPCNT__)
@@ -63,11 +102,6 @@ SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Boun
   static_assert(sizeof(Int) == kLanes * sizeof(std::int32_t));
   const std::int32_t firstX = bounds.left & -kWidth, firstY = bounds.bottom & -kHeight;
   const std::int32_t originX = firstX * kSubpixels, originY = firstY * kSubpixels;
-  Int column = {}, line = {};
-  for (int i = 0; i < kLanes; ++i) {
-    column[i] = i % kWidth;
-    line[i] = i / kWidth;
-  }
   const int second = counterclockwise ? 1 : 2;
   const int order[4] = {0, second, 3 - second, 0};
   Int start[3], stepX[3], stepY[3];
@@ -77,9 +111,9 @@ SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Boun
     std::int32_t c = -(a * (from.fixedX - originX) + b * (from.fixedY - originY));
     if (!(a > 0 || (a == 0 && b > 0)))
       --c; // as in edgeBetween()
-    start[i] = (c >> kSubpixelBits) + a * column + b * line;
-    stepX[i] = Int{} + a * kWidth;
-    stepY[i] = Int{} + b * kHeight;
+    setPlane<kWidth>(start[i], c >> kSubpixelBits, a, b);
+    setPlane<kWidth>(stepX[i], a * kWidth, 0, 0);
+    setPlane<kWidth>(stepY[i], b * kHeight, 0, 0);
   }
   SmallCover result;
   constexpr unsigned kAll = (1u << kLanes) - 1;
@@ -105,7 +139,7 @@ SmallCover cover(const WindowVertex corner[3], bool counterclockwise, const Boun
 inline SmallCover coverBlocks(const WindowVertex corner[3], bool counterclockwise,
                               const Bounds &bounds, int lanes, abi::Block *blocks) {
   if (lanes == 16)
-    return cover<Int16, 4, 4>(corner, counterclockwise, bounds, blocks);
+    return cover<Block16, 4, 4>(corner, counterclockwise, bounds, blocks);
   if (lanes == 8)
     return cover<Int8, 4, 2>(corner, counterclockwise, bounds, blocks);
   return cover<Int4, 2, 2>(corner, counterclockwise, bounds, blocks);

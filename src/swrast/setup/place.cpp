@@ -1,6 +1,7 @@
 #include "swrast/setup/place.h"
 
 #include "swrast/setup/place_block.h"
+#include "util/processor.h"
 
 namespace arbiter::swrast {
 
@@ -29,11 +30,10 @@ void placeCorners(const Viewport &viewport, const Vertices &vertices, const std:
 
 PlaceVertices choosePlaceVertices() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) {
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-      return placeVerticesAvx512;
+  if (vectors() == Vectors::Avx512)
+    return placeVerticesAvx512;
+  if (vectors() == Vectors::Avx2)
     return placeVerticesAvx2;
-  }
 #endif
   return placeVerticesBaseline;
 }

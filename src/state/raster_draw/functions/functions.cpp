@@ -119,6 +119,7 @@ fp::jit::Engine *engine() {
   static fp::jit::Engine *const s_engine = []() -> fp::jit::Engine * {
     const NoCancel scope; // files are read, and LLVM is started
     fp::jit::EngineOptions options;
+    options.cpu = settings().cpu;
     if (settings().cache && !cacheFolder().empty()) {
       options.cacheFolder = cacheFolder() + "/code";
       options.cacheMaxBytes = std::uint64_t(settings().cacheMaxMegabytes) << 20;

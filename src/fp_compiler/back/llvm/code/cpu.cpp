@@ -24,7 +24,7 @@ const Row kFamilies[] = {
      "skylake-avx512",
      {"avx512f", "avx512bw", "avx512dq", "avx512vl", "avx2", "fma", "f16c", "bmi2"}},
     {Cpu::Family::Avx2, "avx2", "haswell", {"avx2", "fma", "f16c", "bmi2"}},
-    {Cpu::Family::Sse41, "sse4", "nehalem", {"sse4.1", "ssse3", "popcnt"}},
+    {Cpu::Family::Sse41, "sse4.1", "nehalem", {"sse4.1", "ssse3", "popcnt"}},
 };
 #elif defined(__aarch64__)
 const Row kFamilies[] = {{Cpu::Family::Neon, "neon", "generic", {"neon"}}};

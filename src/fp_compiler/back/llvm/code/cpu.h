@@ -7,8 +7,8 @@
 namespace arbiter::fp::llvm_back {
 
 /// The processor that code is made for: this one if \p name is empty, else a lesser one of the same
-/// architecture ("avx512", "avx2", "sse4", "neon"). Nothing if this one cannot run it, or if there
-/// is none of the families here at all.
+/// architecture ("avx512", "avx2", "sse4.1", "neon"). Nothing if this one cannot run it, or if
+/// there is none of the families here at all.
 [[nodiscard]] std::optional<Cpu> chooseCpu(const std::string &name);
 
 /// The family's name, as chooseCpu() takes it.

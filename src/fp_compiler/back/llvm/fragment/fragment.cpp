@@ -203,9 +203,8 @@ private:
 
   /// Pixels by the tables.
   void writeBytes(const ConsecutiveSamples &samples, const PixelPlace &place) {
-    Value *const texels = m_ir.CreateAlignedLoad(
-        m_code.i32, samples.texels(m_bytes.sample, place.column), llvm::Align(1));
-    m_pixels.storePixels(place, m_tables->pixels(texels), m_bytes.target, nullptr);
+    m_pixels.storePixels(place, m_tables->pixels(samples.texels(m_bytes.sample, place.column)),
+                         m_bytes.target, nullptr);
   }
 
   /// Vectors of [begin, end); the last may be incomplete only where the span ends.

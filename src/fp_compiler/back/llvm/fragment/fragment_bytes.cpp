@@ -123,16 +123,29 @@ bool isPlain(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
          key.alphaTest == abi::Compare::Always && !key.logicOpEnabled &&
          key.depthStencil.layout == abi::Layout::None && !program.shape().writesDepth;
 }
+/// One instruction finds 64 bytes in tables of 256.
+bool permutesBytes(const Cpu &cpu) {
+  return cpu.family == Cpu::Family::Avx512 && llvm::StringRef(cpu.features).contains("+avx512vbmi");
+}
+
+/// The operations on vec4 that cost as much as a pixel's look-ups. In memory these cost the same on
+/// every processor, operations less the wider its vectors are.
+int costOfLookUp(const Cpu &cpu) { return permutesBytes(cpu) ? 3 : cpu.lanes(); }
+
+/// For each byte of a word 0xFF where the pixel's byte is made from byte `source` of the texel.
+std::uint32_t maskOf(const ByteProgram &program, int source) {
+  std::uint32_t mask = 0;
+  for (unsigned k = 0; k < 4; ++k)
+    if (program.source[k] == source)
+      mask |= 0xFFu << 8 * k;
+  return mask;
+}
 } // namespace
 
 std::optional<ByteProgram> byteProgramOf(const Cpu &cpu, const jit::FragmentProgram &program,
                                          const abi::FragmentKey &key) {
-  const bool permutes =
-      cpu.family == Cpu::Family::Avx512 && llvm::StringRef(cpu.features).contains("+avx512vbmi");
   ByteFlow flow(program.program(), key);
-  // A look-up costs as much as about three operations.
-  constexpr int kLeastWork = 4;
-  if (!permutes || !isPlain(program, key) || !flow.run() || flow.work() < kLeastWork)
+  if (!isPlain(program, key) || !flow.run() || flow.work() <= costOfLookUp(cpu))
     return std::nullopt;
   const abi::SamplerKey &sampler = key.samplers[program.program().code[flow.sample()].unit];
   if (!abi::isPlainWord(sampler.format))
@@ -165,7 +178,7 @@ llvm::VectorType *ByteTables::bytes() const {
 
 ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Value *itemCount,
                        const Places &places, const std::function<Value *(Value *texels)> &pixelsOf)
-    : m_code(code), m_program(program) {
+    : m_code(code), m_program(program), m_permutes(permutesBytes(code.cpu)) {
   llvm::IRBuilder<> &ir = code.ir;
   Value *pixelTable = nullptr;
   writeIn(code, places.entry, [&] {
@@ -174,8 +187,9 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
       memory->setAlignment(llvm::Align(64));
       return memory;
     };
-    pixelTable = frame(1024);
-    m_tables = frame(1024);
+    if (m_permutes)
+      pixelTable = frame(kWords);
+    m_tables = frame(m_permutes ? kWords : 4 * kWords);
     m_ready = ir.CreateAlloca(ir.getInt1Ty());
     ir.CreateStore(ir.getFalse(), m_ready);
   });
@@ -184,7 +198,6 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
     return llvm::BasicBlock::Create(code.context(), name, function);
   };
   auto *const fill = block("bytes.fill");
-  auto *const split = block("bytes.split");
   auto *const done = block("bytes.done");
   // The tables cost some hundreds of pixels.
   constexpr unsigned kLeastPixels = 4096;
@@ -199,13 +212,31 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
   number->addIncoming(ir.getInt32(0), before);
   Value *const values = ir.CreateAdd(code.splat(number), code.iota());
   Value *const pixels = pixelsOf(ir.CreateMul(values, code.splat(0x01010101)));
-  ir.CreateAlignedStore(pixels, ir.CreateGEP(ir.getInt32Ty(), pixelTable, number), llvm::Align(64));
+  const auto store = [&](Value *table, Value *words) {
+    ir.CreateAlignedStore(words, ir.CreateGEP(ir.getInt32Ty(), table, number),
+                          llvm::Align(4u * unsigned(code.lanes)));
+  };
+  if (m_permutes)
+    store(pixelTable, pixels);
+  else
+    for (int source = 0; source < 4; ++source)
+      if (const std::uint32_t mask = maskOf(program, source))
+        store(tableOf(source), ir.CreateAnd(pixels, code.splat(int(mask))));
   Value *const following = ir.CreateAdd(number, ir.getInt32(unsigned(code.lanes)));
   number->addIncoming(following, ir.GetInsertBlock());
-  ir.CreateCondBr(ir.CreateICmpULT(following, ir.getInt32(256)), fill, split);
+  auto *const filled = block("bytes.filled");
+  ir.CreateCondBr(ir.CreateICmpULT(following, ir.getInt32(256)), fill, filled);
+  ir.SetInsertPoint(filled);
+  if (m_permutes)
+    splitTable(pixelTable);
+  ir.CreateStore(ir.getTrue(), m_ready);
+  ir.CreateBr(done);
+  ir.SetInsertPoint(done);
+}
 
-  // One table of 256 bytes for each byte of a pixel.
-  ir.SetInsertPoint(split);
+/// One table of 256 bytes for each byte of a pixel.
+void ByteTables::splitTable(Value *pixelTable) {
+  llvm::IRBuilder<> &ir = m_code.ir;
   auto *const dwords = llvm::FixedVectorType::get(ir.getInt32Ty(), 64);
   for (unsigned part = 0; part < 4; ++part) {
     Value *const all = ir.CreateAlignedLoad(
@@ -215,14 +246,17 @@ ByteTables::ByteTables(Code &code, const ByteProgram &program, Value *items, Val
           ir.CreateTrunc(ir.CreateLShr(all, llvm::ConstantInt::get(dwords, 8 * k)), bytes()),
           ir.CreateConstGEP1_32(ir.getInt8Ty(), m_tables, 256 * k + 64 * part), llvm::Align(64));
   }
-  ir.CreateStore(ir.getTrue(), m_ready);
-  ir.CreateBr(done);
-  ir.SetInsertPoint(done);
+}
+
+Value *ByteTables::tableOf(int source) {
+  return m_code.ir.CreateConstGEP1_32(m_code.ir.getInt8Ty(), m_tables, kWords * unsigned(source));
 }
 
 Value *ByteTables::ready() { return m_code.ir.CreateLoad(m_code.ir.getInt1Ty(), m_ready); }
 
 void ByteTables::load() {
+  if (!m_permutes)
+    return; // words are looked up where they lie
   llvm::IRBuilder<> &ir = m_code.ir;
   for (unsigned k = 0; k < 4; ++k)
     for (unsigned part = 0; part < 4; ++part)
@@ -232,8 +266,39 @@ void ByteTables::load() {
 }
 
 Value *ByteTables::pixels(Value *texels) {
+  return m_permutes ? permuted(texels) : lookedUp(texels);
+}
+
+/// Two pixels at a time, as the registers that addresses are made in hold so many.
+Value *ByteTables::lookedUp(Value *texels) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  Value *in = ir.CreateBitCast(texels, bytes());
+  const auto pixel = [&](Value *pair, unsigned shift) {
+    Value *found = nullptr;
+    for (int source = 0; source < 4; ++source)
+      if (maskOf(m_program, source)) {
+        Value *const byte =
+            ir.CreateAnd(ir.CreateLShr(pair, shift + 8 * unsigned(source)), ir.getInt64(0xFF));
+        Value *const word = ir.CreateAlignedLoad(
+            ir.getInt32Ty(), ir.CreateGEP(ir.getInt32Ty(), tableOf(source), byte), llvm::Align(4));
+        found = found ? ir.CreateOr(found, word) : word;
+      }
+    return ir.CreateZExt(found, ir.getInt64Ty());
+  };
+  const auto pairs = unsigned(m_code.lanes) / 2;
+  auto *const type = llvm::FixedVectorType::get(ir.getInt64Ty(), pairs);
+  Value *out = llvm::PoisonValue::get(type);
+  for (unsigned i = 0; i < pairs; ++i) {
+    Value *const pair = ir.CreateAlignedLoad(
+        ir.getInt64Ty(), ir.CreateConstGEP1_32(ir.getInt64Ty(), texels, i), llvm::Align(1));
+    out = ir.CreateInsertElement(out,
+                                 ir.CreateOr(pixel(pair, 0), ir.CreateShl(pixel(pair, 32), 32)), i);
+  }
+  return ir.CreateBitCast(out, m_code.i32);
+}
+
+Value *ByteTables::permuted(Value *texels) {
+  llvm::IRBuilder<> &ir = m_code.ir;
+  Value *in = ir.CreateAlignedLoad(bytes(), texels, llvm::Align(1));
   if (m_program.source != std::array{0, 1, 2, 3}) {
     std::vector<int> indices;
     indices.reserve(64);

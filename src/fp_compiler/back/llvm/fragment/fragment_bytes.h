@@ -15,8 +15,8 @@ struct ByteProgram {
   /// By byte of a pixel: the texel's byte that it is made from.
   std::array<int, 4> source = {};
 };
-/// Nothing where the program or the state ask for more, or the processor has no permutation of
-/// bytes over several registers.
+/// Nothing where the program or the state ask for more, or where the program is so short that
+/// looking up takes longer than running it.
 [[nodiscard]] std::optional<ByteProgram>
 byteProgramOf(const Cpu &cpu, const jit::FragmentProgram &program, const abi::FragmentKey &key);
 
@@ -24,7 +24,7 @@ class ByteTables {
 public:
   /// Between the function's entry and its first item: decides whether the call has pixels enough,
   /// and makes the tables. Leaves the builder in a block that goes on to the item.
-  /// \param pixelsOf the colours of 16 texels, as they would be stored
+  /// \param pixelsOf the colours of a vector of texels, as they would be stored
   ByteTables(Code &code, const ByteProgram &program, Value *items, Value *itemCount,
              const Places &places, const std::function<Value *(Value *texels)> &pixelsOf);
 
@@ -32,15 +32,24 @@ public:
   [[nodiscard]] Value *ready();
   /// Before a loop.
   void load();
-  /// The pixels of \p texels, lanes of i32.
+  /// A vector of pixels, of i32, made from the texels that lie at \p texels.
   [[nodiscard]] Value *pixels(Value *texels);
 
 private:
+  static constexpr unsigned kWords = 1024; ///< bytes of a table of 256 words
+
   [[nodiscard]] llvm::VectorType *bytes() const;
+  void splitTable(Value *pixelTable);
+  [[nodiscard]] Value *tableOf(int source);
+  [[nodiscard]] Value *permuted(Value *texels);
+  [[nodiscard]] Value *lookedUp(Value *texels);
 
   Code &m_code;
   ByteProgram m_program;
-  Value *m_tables = nullptr, *m_ready = nullptr; ///< in the function's frame
+  bool m_permutes; ///< the tables are of bytes and held in registers; else of words, in memory
+  /// In the function's frame. Of bytes: one for each byte of a pixel. Of words: one for each byte
+  /// of a texel, with the bytes of the pixel that are made from it.
+  Value *m_tables = nullptr, *m_ready = nullptr;
   std::array<std::array<Value *, 4>, 4> m_loaded = {};
 };
 

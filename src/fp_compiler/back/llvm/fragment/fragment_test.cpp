@@ -1,4 +1,5 @@
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 
 /// Samples of fragment functions over spans, against the interpreter with a nearest lookup of its
 /// own.
@@ -73,7 +74,7 @@ void check(Scene &scene, const ir::Program &program, const std::vector<abi::Span
 }
 
 INSTANTIATE_TEST_SUITE_P(Cpus, FragmentTest, ::testing::ValuesIn(cpus()),
-                         [](const auto &cpu) { return cpu.param.empty() ? "native" : cpu.param; });
+                         [](const auto &cpu) { return llvm_back::nameInTests(cpu.param); });
 
 TEST_P(FragmentTest, CopiesATextureAsItLies) {
   for (const abi::Filter filter : {abi::Filter::Nearest, abi::Filter::Linear}) {

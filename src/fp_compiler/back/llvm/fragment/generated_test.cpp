@@ -88,8 +88,7 @@ INSTANTIATE_TEST_SUITE_P(All, ProgramsTest,
                          ::testing::Combine(::testing::ValuesIn(testedCpus()),
                                             ::testing::Values(Numerics::Host, Numerics::Legacy)),
                          [](const auto &param) {
-                           const std::string &cpu = std::get<0>(param.param);
-                           return (cpu.empty() ? std::string("host") : cpu) +
+                           return nameInTests(std::get<0>(param.param)) +
                                   (std::get<1>(param.param) == Numerics::Host ? "Host" : "Legacy");
                          });
 

@@ -2,8 +2,9 @@
 
 #include <limits>
 
+#include "fp_compiler/back/llvm/math/exponent.h"
+#include "fp_compiler/back/llvm/math/math_avx2.h"
 #include "fp_compiler/back/llvm/math/math_avx512.h"
-#include "fp_compiler/back/llvm/math/polynomial.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -13,9 +14,6 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // Minimax polynomials for the relative error (Remez exchange), lowest power first.
 
-/// (2^f - 1) / f for f in [0, 1]; 1 + f * p is within 2^-28.8 of 2^f.
-constexpr float kExp2[] = {0x1.62e42cp-1f, 0x1.ebfd58p-3f,  0x1.c68912p-5f,
-                           0x1.3d0b92p-7f, 0x1.46d64ep-10f, 0x1.c54170p-13f};
 /// log2(1 + t) / t for 1 + t in [sqrt(1/2), sqrt(2)], within 2^-25.1.
 constexpr float kLog2[] = {0x1.715476p+0f,  -0x1.715470p-1f, 0x1.ec73d6p-2f,
                            -0x1.715c4ep-2f, 0x1.26d384p-2f,  -0x1.e95be4p-3f,
@@ -36,38 +34,6 @@ constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 
 llvm::Type *doubles(Code &code) {
   return llvm::FixedVectorType::get(code.ir.getDoubleTy(), unsigned(code.lanes));
-}
-
-/// x as (1 + t) * 2^exponent with 1 + t in [sqrt(1/2), sqrt(2)]; anything for what is no positive
-/// finite number.
-struct Parts {
-  Value *exponent; ///< i32
-  Value *t;        ///< exact
-};
-Parts parts(Code &code, Value *x) {
-  Value *const bits = code.ir.CreateBitCast(x, code.i32);
-  constexpr int kRootOfHalf = 0x3F3504F3;
-  Value *const exponent =
-      code.ir.CreateAShr(code.ir.CreateSub(bits, code.splat(kRootOfHalf)), code.splat(23));
-  Value *const mantissa = code.ir.CreateBitCast(
-      code.ir.CreateSub(bits, code.ir.CreateShl(exponent, code.splat(23))), code.f32);
-  return {exponent, code.ir.CreateFSub(mantissa, code.splat(1.0f))};
-}
-
-/// 2^whole * (1 + f * p(f)) for f in [0, 1] and a whole number of [-127, 128].
-Value *assembled(Code &code, Value *whole, Value *f) {
-  Value *const mantissa = multiplyAdd(code, f, polynomial<float>(code, f, kExp2), code.splat(1.0f));
-  // Below the normal numbers this makes a zero, above them an infinity, of the exponent's bits.
-  Value *const biased = code.ir.CreateAdd(code.toInt(whole), code.splat(127));
-  return code.ir.CreateFMul(
-      mantissa, code.ir.CreateBitCast(code.ir.CreateShl(biased, code.splat(23)), code.f32));
-}
-
-/// In the range that assembled() takes; NaN stays NaN.
-Value *clampedExponent(Code &code, Value *x) {
-  Value *const low = constantLike(x, -127.0), *const high = constantLike(x, 128.0);
-  Value *const above = code.ir.CreateSelect(code.ir.CreateFCmpOGT(low, x), low, x);
-  return code.ir.CreateSelect(code.ir.CreateFCmpOLT(high, above), high, above);
 }
 
 /// The number that all lanes of a constant have.
@@ -127,9 +93,10 @@ Value *exp2(Code &code, Value *x) {
 Value *log2(Code &code, Value *x) {
   if (code.cpu.family == Cpu::Family::Avx512)
     return avx512::log2(code, x);
-  const auto [exponent, t] = parts(code, x);
+  const Mantissa parts = mantissaOf(code, x);
+  Value *const t = code.ir.CreateFSub(parts.value, code.splat(1.0f)); // exact
   Value *const finite =
-      multiplyAdd(code, t, polynomial<float>(code, t, kLog2), code.toFloat(exponent));
+      multiplyAdd(code, t, polynomial<float>(code, t, kLog2), code.toFloat(parts.exponent));
   Value *const positive =
       code.select(code.ir.CreateFCmpOEQ(x, code.splat(kInfinity)), code.splat(kInfinity), finite);
   Value *const other = code.select(code.ir.CreateFCmpOEQ(x, code.splat(0.0f)),
@@ -140,13 +107,15 @@ Value *log2(Code &code, Value *x) {
 Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne) {
   if (code.cpu.family == Cpu::Family::Avx512)
     return avx512::power(code, base, exponent, oneStaysOne);
+  if (code.cpu.family == Cpu::Family::Avx2)
+    return avx2::power(code, base, exponent, oneStaysOne);
   // The product of a logarithm and an exponent may be as large as 128, so that a single's last
   // bits would be lost in it: doubles up to the fraction.
   llvm::Type *const wide = doubles(code);
-  const auto [whole, t] = parts(code, base);
-  Value *const longT = code.ir.CreateFPExt(t, wide);
+  const Mantissa parts = mantissaOf(code, base);
+  Value *const longT = code.ir.CreateFPExt(code.ir.CreateFSub(parts.value, code.splat(1.0f)), wide);
   Value *const finite = multiplyAdd(code, longT, polynomial<double>(code, longT, kLog2Long),
-                                    code.ir.CreateSIToFP(whole, wide));
+                                    code.ir.CreateSIToFP(parts.exponent, wide));
   Value *const infinite = code.ir.CreateFCmpOEQ(base, code.splat(kInfinity));
   Value *const logarithm =
       code.ir.CreateSelect(infinite, llvm::ConstantFP::get(wide, double(kInfinity)), finite);
@@ -205,6 +174,8 @@ Value *reciprocalRoot(Code &code, Value *x) {
   Value *const magnitude = absolute(code, x);
   if (code.cpu.family == Cpu::Family::Avx512)
     return avx512::reciprocalRoot(code, magnitude);
+  if (code.cpu.family == Cpu::Family::Avx2)
+    return avx2::reciprocalRoot(code, magnitude);
   return reciprocal(code, code.ir.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, magnitude));
 }
 

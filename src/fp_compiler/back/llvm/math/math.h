@@ -14,8 +14,8 @@ namespace arbiter::fp::llvm_back {
 [[nodiscard]] Value *exp2(Code &code, Value *x);
 /// log2 x within 2^-22.5 of it; of 0 -infinity, NaN below zero.
 [[nodiscard]] Value *log2(Code &code, Value *x);
-/// POW of ir/semantics.h, within 2^-22 of the exact power.
-/// \param oneStaysOne Numerics::Legacy: 1^b is 1 for every b
+/// POW of ir/semantics.h, within 2^-22 of the exact power for exponents up to 125, within 2^-19 up
+/// to 2000. \param oneStaysOne Numerics::Legacy: 1^b is 1 for every b
 [[nodiscard]] Value *power(Code &code, Value *base, Value *exponent, bool oneStaysOne);
 
 struct SineCosine {

@@ -4,7 +4,7 @@
 
 #include <llvm/IR/IntrinsicsX86.h>
 
-#include "fp_compiler/back/llvm/math/polynomial.h"
+#include "fp_compiler/back/llvm/math/long_log.h"
 
 namespace arbiter::fp::llvm_back::avx512 {
 
@@ -95,11 +95,6 @@ Value *lookUp(Code &code, const Table &table, Value *index) {
                                  {half(0), index, half(kParts / 2)});
 }
 
-/// A sum in two parts.
-struct Long {
-  Value *high, *low;
-};
-
 /// log2 x of a positive number to some 30 bits; of infinity (infinity, anything).
 Long longLog2(Code &code, Value *x) {
   llvm::IRBuilder<> &ir = code.ir;
@@ -107,17 +102,10 @@ Long longLog2(Code &code, Value *x) {
   constexpr int kPartShift = 18; // the mantissa's five upper bits
   Value *const part = ir.CreateLShr(ir.CreateBitCast(m, code.i32), code.splat(kPartShift));
   Value *const r = multiplyAdd(code, m, lookUp(code, kFactor, part), code.splat(-1.0f));
-  // A whole number and a multiple of 2^-16: exact.
-  Value *const coarse = ir.CreateFAdd(exponentOf(code, x), lookUp(code, kFactorLog, part));
-  Value *const first = ir.CreateFMul(r, code.splat(kLog2First));
-  Value *const firstError = multiplyAdd(code, r, code.splat(kLog2First), ir.CreateFNeg(first));
-  Value *rest = ir.CreateFAdd(firstError, lookUp(code, kFactorLogRest, part));
-  rest = multiplyAdd(code, r, code.splat(kLog2FirstRest), rest);
-  rest = multiplyAdd(code, ir.CreateFMul(r, r), polynomial<float>(code, r, kLog2Tail), rest);
-  // The coarse part is zero or the larger, so that the difference is the sum's error.
-  Value *const high = ir.CreateFAdd(coarse, first);
-  Value *const lost = ir.CreateFSub(first, ir.CreateFSub(high, coarse));
-  return {high, ir.CreateFAdd(lost, rest)};
+  return llvm_back::longLog2(code,
+                             {ir.CreateFAdd(exponentOf(code, x), lookUp(code, kFactorLog, part)),
+                              lookUp(code, kFactorLogRest, part), r},
+                             {kLog2First, kLog2FirstRest, kLog2Tail});
 }
 } // namespace
 

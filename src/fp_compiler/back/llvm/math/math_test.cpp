@@ -92,6 +92,13 @@ std::vector<Case> cases() {
          return std::array{between(r, 0.5f, 1), between(r, 1, 120)};
        },
        [](double a, double b) { return std::exp2(b * std::log2(a)); }, kBound},
+      {"POW, large, of 1 or so", Opcode::Pow,
+       [](testing::Random &r) {
+         const float base = between(r, 0.95f, 1.05f);
+         const float reach = std::min(2000.0f, 120 / std::fabs(std::log2(base)));
+         return std::array{base, between(r, -reach, reach)};
+       },
+       [](double a, double b) { return std::exp2(b * std::log2(a)); }, 0x1p-19},
       {"RCP", Opcode::Rcp,
        [](testing::Random &r) {
          return std::array{anySize(r, -125, 126), 0.0f};
@@ -144,9 +151,8 @@ TEST_P(MathTest, IsAsCloseAsItSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MathTest, ::testing::ValuesIn(testedCpus()), [](const auto &param) {
-  return param.param.empty() ? std::string("host") : param.param;
-});
+INSTANTIATE_TEST_SUITE_P(All, MathTest, ::testing::ValuesIn(testedCpus()),
+                         [](const auto &param) { return nameInTests(param.param); });
 
 } // namespace
 } // namespace arbiter::fp::llvm_back

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <span>
+#include <vector>
 
 #include "fp_compiler/back/llvm/math/math.h"
 
@@ -10,12 +12,27 @@ namespace arbiter::fp::llvm_back {
   return llvm::ConstantFP::get(like->getType(), value);
 }
 
-/// The polynomial at \p x, by Horner's rule; the coefficient of the lowest power stands first.
-/// Requires at least one.
+/// The polynomial at \p x, all but its lowest powers by Estrin's scheme: neighbours are joined,
+/// then neighbours of these. Its longest chain has as many steps as the count has binary digits,
+/// where Horner's rule has one a coefficient; processors wait for chains more than they lack units.
+/// The lowest powers, which round the most, are joined one by one. The coefficient of the lowest
+/// power stands first. Requires at least one.
 template <typename Number>
 [[nodiscard]] Value *polynomial(Code &code, Value *x, std::span<const Number> coefficients) {
-  Value *sum = constantLike(x, double(coefficients.back()));
-  for (std::size_t i = coefficients.size() - 1; i-- > 0;)
+  constexpr std::size_t kByOne = 2;
+  const std::size_t alone = std::min(kByOne, coefficients.size() - 1);
+  std::vector<Value *> terms;
+  for (const Number coefficient : coefficients.subspan(alone))
+    terms.push_back(constantLike(x, double(coefficient)));
+  for (Value *power = x; terms.size() > 1; power = code.ir.CreateFMul(power, power)) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < terms.size(); i += 2)
+      terms[count++] =
+          i + 1 < terms.size() ? multiplyAdd(code, terms[i + 1], power, terms[i]) : terms[i];
+    terms.resize(count);
+  }
+  Value *sum = terms.front();
+  for (std::size_t i = alone; i-- > 0;)
     sum = multiplyAdd(code, sum, x, constantLike(x, double(coefficients[i])));
   return sum;
 }

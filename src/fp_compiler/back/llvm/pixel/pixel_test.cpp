@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fp_compiler/back/llvm/engine/engine.h"
+#include "fp_compiler/back/llvm/testing/machine.h"
 #include "fp_compiler/back/llvm/testing/pixel_reference.h"
 #include "fp_compiler/ir/builder.h"
 
@@ -289,8 +290,8 @@ void checkPixel(Draw &draw, Draw &before, int x, int y) {
 }
 
 class PixelTest : public ::testing::TestWithParam<const char *> {};
-INSTANTIATE_TEST_SUITE_P(Cpus, PixelTest, ::testing::Values("avx512", "avx2", "sse4", "neon"),
-                         [](const auto &cpu) { return std::string(cpu.param); });
+INSTANTIATE_TEST_SUITE_P(Cpus, PixelTest, ::testing::Values("avx512", "avx2", "sse4.1", "neon"),
+                         [](const auto &cpu) { return llvm_back::nameInTests(cpu.param); });
 
 TEST_P(PixelTest, RandomStates) {
   const auto engine = llvm_back::makeEngine({GetParam()});

@@ -137,9 +137,8 @@ TEST_P(VertexTest, ShapeListsWhatIsReadAndWritten) {
   EXPECT_EQ(out.at(2, 7), (Vec4{}));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, VertexTest, ::testing::ValuesIn(testedCpus()), [](const auto &param) {
-  return param.param.empty() ? std::string("host") : param.param;
-});
+INSTANTIATE_TEST_SUITE_P(All, VertexTest, ::testing::ValuesIn(testedCpus()),
+                         [](const auto &param) { return nameInTests(param.param); });
 
 } // namespace
 } // namespace arbiter::fp::llvm_back

@@ -156,7 +156,7 @@ int main(int argc, char **argv) {
       std::puts(SampleFunction::assembly(*chooseCpu(""), keyOf(bench), optionsOf(bench)).c_str());
       return 0;
     }
-    for (const char *const cpu : {"", "avx512", "avx2", "sse4"})
+    for (const char *const cpu : {"", "avx512", "avx2", "sse4.1"})
       benchmark::RegisterBenchmark(
           (std::string(bench.name) + "/" + (*cpu ? cpu : "this")).c_str(),
           [&bench, cpu](benchmark::State &state) { run(state, bench, cpu); })

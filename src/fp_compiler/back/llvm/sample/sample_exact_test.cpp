@@ -264,7 +264,7 @@ TEST_P(Sample, SrgbIsDecoded) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4"));
+INSTANTIATE_TEST_SUITE_P(Cpus, Sample, ::testing::Values("", "avx512", "avx2", "sse4.1"));
 
 } // namespace
 } // namespace arbiter::fp::llvm_back::testing

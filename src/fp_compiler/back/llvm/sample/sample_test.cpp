@@ -202,7 +202,7 @@ TEST_P(SamplePairs, AgreeWithTheReference) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cpus, SamplePairs, ::testing::Values("", "avx512", "avx2", "sse4"));
+INSTANTIATE_TEST_SUITE_P(Cpus, SamplePairs, ::testing::Values("", "avx512", "avx2", "sse4.1"));
 
 } // namespace
 } // namespace arbiter::fp::llvm_back::testing

@@ -19,7 +19,7 @@ inline constexpr int kWidth = 75, kHeight = 9;
 
 inline std::vector<std::string> cpus() {
   std::vector<std::string> names;
-  for (const char *name : {"", "avx512", "avx2", "sse4", "neon"})
+  for (const char *name : {"", "avx512", "avx2", "sse4.1", "neon"})
     if (llvm_back::makeEngine({name}))
       names.emplace_back(name);
   return names;

@@ -127,9 +127,13 @@ void writeBody(Code &code, llvm::Function *function, const ir::Program &program,
 }
 } // namespace
 
+std::string nameInTests(const std::string &cpu) {
+  return cpu.empty() ? "host" : cpu.substr(0, cpu.find('.'));
+}
+
 std::vector<std::string> testedCpus() {
   std::vector<std::string> result = {""};
-  for (const char *const name : {"avx512", "avx2", "sse4", "neon"})
+  for (const char *const name : {"avx512", "avx2", "sse4.1", "neon"})
     if (chooseCpu(name))
       result.emplace_back(name);
   return result;

@@ -11,6 +11,8 @@ namespace arbiter::fp::llvm_back {
 
 /// The processors that this machine can stand for: itself first, then each lesser family by name.
 [[nodiscard]] std::vector<std::string> testedCpus();
+/// One of them in the name of a test: "host" for this machine, and nothing that no name may have.
+[[nodiscard]] std::string nameInTests(const std::string &cpu);
 
 /// A program of any language as code that runs on arrays: attributes in, outputs out, and a mask of
 /// what KIL discarded. A texture answers the coordinates (TXP's divided) and TXB's bias, zero where
