@@ -11,6 +11,23 @@
 
 namespace arbiter::state::handlers {
 
+namespace {
+
+/// Which renderbuffers a command is about can be looked up: there is a rasterizer, and no list is
+/// compiled, in which the host could not be asked.
+bool knowsWhich(const Context &context) {
+  return context.software && !context.insideBeginEnd && context.listMode == 0;
+}
+
+void renderbufferRedefined(Context &context, const char *name) {
+  if (knowsWhich(context))
+    context.software->residency.renderbufferRedefined();
+  else if (context.softwareListens)
+    software::hostDoesUnknown(context, name);
+}
+
+} // namespace
+
 void TextureView(Context &context, GLuint texture, GLenum target, GLuint origtexture,
                  GLenum internalformat, GLuint minlevel, GLuint numlevels, GLuint minlayer,
                  GLuint numlayers) {
@@ -45,12 +62,26 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
 }
 
 void DeleteRenderbuffers(Context &context, GLsizei n, const GLuint *renderbuffers) {
-  if (context.softwareListens)
+  if (knowsWhich(context))
+    context.software->residency.renderbuffersDeleted(n, renderbuffers);
+  else if (context.softwareListens)
     software::hostDoesUnknown(context, "glDeleteRenderbuffers");
   if (context.group && !context.insideBeginEnd)
     context.group->deletedNames.add(DeletedNames::Kind::Renderbuffer, n, renderbuffers,
                                     context.serial);
   context.host->DeleteRenderbuffers(n, renderbuffers);
+}
+
+void RenderbufferStorage(Context &context, GLenum target, GLenum internalformat, GLsizei width,
+                         GLsizei height) {
+  renderbufferRedefined(context, "glRenderbufferStorage");
+  context.host->RenderbufferStorage(target, internalformat, width, height);
+}
+
+void RenderbufferStorageMultisample(Context &context, GLenum target, GLsizei samples,
+                                    GLenum internalformat, GLsizei width, GLsizei height) {
+  renderbufferRedefined(context, "glRenderbufferStorageMultisample");
+  context.host->RenderbufferStorageMultisample(target, samples, internalformat, width, height);
 }
 
 } // namespace arbiter::state::handlers

@@ -33,13 +33,11 @@ void uploadAll(ResidentImages &images) {
 }
 
 void dropObjects(ResidentImages &images) {
-  ObjectImages &objects = images.objects;
-  for (const auto &[name, texture] : objects.textures)
-    for (const std::unique_ptr<PixelImage> &image : texture->images)
-      if (image)
-        dropShadow(images, *image);
-  for (const auto &[name, image] : objects.renderbuffers)
-    dropShadow(images, *image);
+  // From the end, as the last one takes the place of the one that goes.
+  const std::vector<PixelImage *> &shadowed = images.objects.shadowed;
+  for (std::size_t i = shadowed.size(); i-- > 0;)
+    if (shadowed[i]->place.kind != Place::Kind::Window)
+      dropShadow(images, *shadowed[i]);
 }
 
 void dropFramebuffer(ResidentImages &images) {
@@ -64,18 +62,10 @@ void dropFramebuffer(ResidentImages &images) {
 
 void dropAll(ResidentImages &images) {
   ObjectImages &objects = images.objects;
-  for (const auto &[name, texture] : objects.textures)
-    for (const std::unique_ptr<PixelImage> &image : texture->images)
-      if (image) {
-        dropShadow(images, *image);
-        image->described = false;
-      }
-  for (const auto &[name, image] : objects.renderbuffers) {
-    dropShadow(images, *image);
-    image->described = false;
-  }
+  dropObjects(images);
   dropShadow(images, images.color);
   dropShadow(images, images.depthStencil);
+  ++objects.descriptions;
   objects.redefined();
   images.hot.dirty = ~0u;
 }
@@ -136,7 +126,7 @@ void Residency::hostTakesTargets(const char *why) {
   dropIfNeighbourWasCurrent(images);
   if (hostMissedFrames(images))
     refreshWindowSize(images);
-  if (images.objects.valid != 0)
+  if (!images.objects.shadowed.empty())
     dropFramebuffer(images);
 }
 

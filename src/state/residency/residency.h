@@ -154,6 +154,10 @@ public:
   void textureRedefined(GLenum target);
   /// Before the host deletes them.
   void texturesDeleted(GLsizei n, const GLuint *names);
+  /// Before the host gives storage to the renderbuffer that is bound: its pixels are gone.
+  void renderbufferRedefined();
+  /// Before the host deletes them.
+  void renderbuffersDeleted(GLsizei n, const GLuint *names);
 
   // --- The application's pixels in memory ---
 

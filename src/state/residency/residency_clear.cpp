@@ -141,7 +141,7 @@ bool Residency::clear(GLbitfield mask) {
     return false;
   ObjectImages &objects = images.objects;
   // The mode of an application that never draws by us costs nothing.
-  if (objects.valid == 0 && !objects.drawn)
+  if (objects.shadowed.empty() && !objects.drawn)
     return false;
   const GLbitfield done = clearOurs(images, mask);
   if (done == mask)

@@ -112,7 +112,7 @@ bool copyBetweenShadows(ResidentImages &images, const CopyToTexture &copy) {
 
 bool Residency::copyToTexture(const CopyToTexture &copy) {
   ResidentImages &images = *m_images;
-  if (isAlone(images) && images.objects.valid != 0 && copyBetweenShadows(images, copy))
+  if (isAlone(images) && !images.objects.shadowed.empty() && copyBetweenShadows(images, copy))
     return true;
   // The host copies: from its read buffer, to a texture that is its own afterwards.
   synchronise("glCopyTexImage");

@@ -83,12 +83,12 @@ void describeWindow(ResidentImages &images, int width, int height) {
   const host::HostTable &host = *images.hot.host;
   Drawable &drawable = images.drawable;
   PixelImage &color = images.color;
-  if (color.described && color.width == width && color.height == height)
+  if (color.described != 0 && color.width == width && color.height == height)
     return;
   for (PixelImage *image : {&images.color, &images.depthStencil}) {
     // The host throws the pixels of a window away whose size changed, and so do we.
     dropShadow(images, *image);
-    image->described = true;
+    image->described = images.objects.descriptions;
     image->base = 0;
     image->width = width;
     image->height = height;

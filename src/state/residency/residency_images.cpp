@@ -12,13 +12,14 @@ namespace arbiter::state::software {
 namespace {
 
 /// What the host says of a texture's level, bound to its target.
-void describeLevel(const host::HostTable &host, PixelImage &image) {
+void describeLevel(ResidentImages &images, PixelImage &image) {
+  const host::HostTable &host = *images.hot.host;
   const auto get = [&](GLenum pname) {
     GLint value = 0;
     host.GetTexLevelParameteriv(image.place.target, image.place.level, pname, &value);
     return value;
   };
-  image.described = true;
+  image.described = images.objects.descriptions;
   image.width = get(GL_TEXTURE_WIDTH);
   image.height = get(GL_TEXTURE_HEIGHT);
   image.depth = get(GL_TEXTURE_DEPTH);
@@ -162,10 +163,10 @@ PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget
     image->place = {Place::Kind::Texture, texture.name, imageTarget, level};
     image->texture = &texture;
   }
-  if (!image->described) {
+  if (!isDescribed(images.objects, *image)) {
     HostErrorScope errors = errorScope(images);
     const TextureBinding binding(images, target, texture.name);
-    describeLevel(*images.hot.host, *image);
+    describeLevel(images, *image);
     if (images.textureViews.contains(texture.name)) {
       image->base = 0;
       image->shadow = {};
@@ -183,7 +184,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
     found = renderbuffers.emplace(name, std::move(made)).first;
   }
   PixelImage *const image = found->second.get();
-  if (image->described)
+  if (isDescribed(images.objects, *image))
     return *image;
   const host::HostTable &host = *images.hot.host;
   HostErrorScope errors = errorScope(images);
@@ -199,7 +200,7 @@ PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {
     host.GetRenderbufferParameteriv(GL_RENDERBUFFER, pname, &value);
     return value;
   };
-  image->described = true;
+  image->described = images.objects.descriptions;
   image->width = get(GL_RENDERBUFFER_WIDTH);
   image->height = get(GL_RENDERBUFFER_HEIGHT);
   HostFormat format;
@@ -282,7 +283,15 @@ void setValid(ResidentImages &images, PixelImage &image, Valid which) {
   if (isPending) // first, as it may find no memory
     (image.place.kind == Place::Kind::Window ? images.pending : objects.pending).push_back(&image);
   if ((image.valid == Valid::Host) != (which == Valid::Host)) {
-    objects.valid += which == Valid::Host ? std::size_t(-1) : std::size_t(1);
+    if (which == Valid::Host) {
+      PixelImage *const last = objects.shadowed.back();
+      last->shadowedAt = image.shadowedAt;
+      objects.shadowed[image.shadowedAt] = last;
+      objects.shadowed.pop_back();
+    } else {
+      image.shadowedAt = objects.shadowed.size();
+      objects.shadowed.push_back(&image);
+    }
     objects.changed();
   }
   image.valid = which;

@@ -43,8 +43,10 @@ struct PixelImage {
   Place place;
   Texture *texture = nullptr;         ///< that it is a level of
   const Drawable *drawable = nullptr; ///< that it is the colour buffer of
-  bool described = false;             ///< the host was asked what it is; what follows holds
-  GLint internalFormat = 0;           ///< as the host tells it
+  /// When the host was asked what it is, which is what follows: of an image of an object while this
+  /// is ObjectImages::descriptions, of the window's unless it is 0.
+  std::uint64_t described = 0;
+  GLint internalFormat = 0; ///< as the host tells it
   GLenum base = 0;    ///< GL_RGBA, GL_LUMINANCE .., GL_DEPTH_COMPONENT; 0: not one that we have
   abi::Format format; ///< that a shadow of it has at first
   bool srgb = false;  ///< isSrgb(internalFormat), of an image that we have
@@ -53,9 +55,10 @@ struct PixelImage {
   /// after a copy: it then gives the same RGBA at the same precision.
   swrast::Image shadow;
   Valid valid = Valid::Host;
-  bool listed = false;    ///< in a list of pending images
-  bool shown = false;     ///< of the window: others see these pixels already
-  bool drawnHere = false; ///< by us, since the host last wrote to it
+  std::size_t shadowedAt = 0; ///< in ObjectImages::shadowed, while `valid` is not Host
+  bool listed = false;        ///< in a list of pending images
+  bool shown = false;         ///< of the window: others see these pixels already
+  bool drawnHere = false;     ///< by us, since the host last wrote to it
 };
 
 /// A texture object; faces and levels as far as they were asked for.
@@ -81,8 +84,11 @@ struct ObjectImages {
   std::uint64_t version = 1;
   /// To be called where a PixelImage gets another shadow.
   void changed() { ++version; }
-  /// Images whose shadow counts, windows' included: while there are none, nothing is to be done.
-  std::size_t valid = 0;
+  /// Images whose shadow counts, windows' included, in no order: while there are none, nothing is
+  /// to be done.
+  std::vector<PixelImage *> shadowed;
+  /// Moves on when any image may be another than it was described as.
+  std::uint64_t descriptions = 1;
   /// An image may be another than it was described as.
   void redefined() {
     ++generation;
@@ -191,6 +197,10 @@ void forgetSize(ResidentImages &images);
 [[nodiscard]] GLenum textureTargetOf(GLenum imageTarget);
 /// Finds out a texture's target where only its name is known. 0: none that we know.
 [[nodiscard]] GLenum findTarget(ResidentImages &images, Texture &texture);
+/// What was asked of an image of an object holds still.
+[[nodiscard]] inline bool isDescribed(const ObjectImages &objects, const PixelImage &image) {
+  return image.described == objects.descriptions;
+}
 void setValid(ResidentImages &images, PixelImage &image, Valid which);
 /// The shadow's memory is given back: the host has all.
 void dropShadow(ResidentImages &images, PixelImage &image);

@@ -1,6 +1,7 @@
 // Residency against the host that there is: textures, renderbuffers and depth buffers.
 #include <functional>
 
+#include "host/handlers.h"
 #include "state/raster_draw/context_state.h"
 #include "state/residency/residency.h"
 #include "state/residency/testing/residency_scene.h"
@@ -54,6 +55,60 @@ TEST_F(Residency, RenderbuffersGoToTheHostAndBack) {
   EXPECT_EQ(shadowPixel(5, 7), 0x00070077u);
   EXPECT_EQ(hostPixel(0, 0), 0x0000FFFFu);
   EXPECT_TRUE(gl().IsEnabled(GL_SCISSOR_TEST));
+}
+
+/// A framebuffer that is bound and draws to a renderbuffer of its own.
+struct RenderbufferScene {
+  GLuint renderbuffer = 0, framebuffer = 0;
+};
+
+class ResidencyOfRenderbuffers : public Residency {
+protected:
+  RenderbufferScene scene(int width, int height) {
+    RenderbufferScene made;
+    reinterpret_cast<PFNGLGENRENDERBUFFERSPROC>(hostFunction("glGenRenderbuffers"))(
+        1, &made.renderbuffer);
+    gl().BindRenderbuffer(GL_RENDERBUFFER, made.renderbuffer);
+    handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, width, height);
+    gl().GenFramebuffers(1, &made.framebuffer);
+    bindFramebuffer(made.framebuffer);
+    gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 made.renderbuffer);
+    changed();
+    return made;
+  }
+};
+
+TEST_F(ResidencyOfRenderbuffers, NewStorageConcernsNoOtherImage) {
+  const GLuint other = framebufferOf(texture(GL_RGBA8, kWidth, kHeight));
+  bindFramebuffer(other);
+  drawAll(0x11223344);
+  const RenderbufferScene made = scene(kWidth, kHeight);
+  drawAll(0x55667788);
+  handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, 8, 8);
+  changed();
+  draw({0, 0, 8, 8}, 0x0A0B0C0D);
+  EXPECT_EQ(shadowPixel(7, 7), 0x0A0B0C0Du);
+  EXPECT_EQ(statistics().uploads, 0u) << "pixels that are gone, or those of another image";
+  EXPECT_EQ(statistics().downloads, 0u);
+  EXPECT_EQ(hostPixel(7, 7), 0x0A0B0C0Du);
+  bindFramebuffer(other);
+  EXPECT_EQ(hostPixel(5, 7), 0x11223344u);
+  EXPECT_NE(made.framebuffer, other);
+}
+
+TEST_F(ResidencyOfRenderbuffers, ADeletedOneLivesOnWhereItIsAttached) {
+  const GLuint other = framebufferOf(texture(GL_RGBA8, kWidth, kHeight));
+  const RenderbufferScene made = scene(kWidth, kHeight);
+  drawAll(0x55667788);
+  bindFramebuffer(other);
+  drawAll(0x11223344);
+  handlers::DeleteRenderbuffers(context(), 1, &made.renderbuffer);
+  EXPECT_EQ(statistics().uploads, 1u) << "those of the deleted one alone";
+  EXPECT_EQ(hostPixel(5, 7), 0x11223344u);
+  bindFramebuffer(made.framebuffer);
+  changed();
+  EXPECT_EQ(directPixel(5, 7), 0x55667788u);
 }
 
 /// Of a texture, else of a renderbuffer: what is held encoded is moved as it is, whether or not

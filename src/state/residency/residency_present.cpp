@@ -47,7 +47,7 @@ void copyToMemory(ResidentImages &images) {
 /// A window whose back buffer and depths nothing changes but contexts that are current with it: one
 /// of X, as what else is a drawable of GLX, or a surface of EGL, may have pixels that others write.
 bool outlivesRelease(const ResidentImages &images) {
-  return images.color.described && images.doubleBuffered && images.drawable.show &&
+  return images.color.described != 0 && images.doubleBuffered && images.drawable.show &&
          images.drawable.kind == Drawable::Kind::Window &&
          !NeighbourEpoch::isCrowded(images.neighbours.epoch());
 }
@@ -91,7 +91,7 @@ void Residency::leave() {
     return;
   // Between two frames the host's buffers have the size of the last one. It looks for another when
   // the next one begins, which this does not.
-  if (images.color.described && hostMissedFrames(images))
+  if (images.color.described != 0 && hostMissedFrames(images))
     images.sizeKnown = true;
   synchronise("the context leaves its thread");
   // The host wrote to its own copy of the application's memory.
@@ -115,7 +115,7 @@ void Residency::enter(const Drawable &drawable) {
       std::exchange(images.released, false) && isSameWindow(images.drawable, drawable);
   if (!kept) { // another context may have drawn to this window
     dropWindow(images);
-    images.color.described = images.depthStencil.described = false;
+    images.color.described = images.depthStencil.described = 0;
   }
   forgetSize(images);
   images.sizeSure = true;

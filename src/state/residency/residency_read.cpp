@@ -107,7 +107,7 @@ bool Residency::readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLen
   if (!isAlone(images) || !pixels || width <= 0 || height <= 0 || !byteFormat(format, type, bytes))
     return false;
   ObjectImages &objects = images.objects;
-  if (objects.valid == 0)
+  if (objects.shadowed.empty())
     return false;
   const PixelImage *const image = framebuffersOf(images).read;
   if (!image || image->valid == Valid::Host)
@@ -128,7 +128,7 @@ bool Residency::getTexImage(GLenum target, GLint level, GLenum format, GLenum ty
   if (!isAlone(images) || !pixels || binding == 0 || !byteFormat(format, type, bytes))
     return false;
   ObjectImages &objects = images.objects;
-  if (objects.valid == 0)
+  if (objects.shadowed.empty())
     return false;
   Texture *const texture = boundTexture(images, target);
   if (!texture)

@@ -174,8 +174,16 @@ void redefine(ResidentImages &images, Texture &texture) {
   for (const std::unique_ptr<PixelImage> &image : texture.images)
     if (image) {
       dropShadow(images, *image);
-      image->described = false;
+      image->described = 0;
     }
+}
+
+/// The host has the pixels of an image that is about to be the host's.
+void handToHost(ResidentImages &images, PixelImage &image) {
+  if (image.valid != Valid::Shadow)
+    return;
+  upload(images, image);
+  setValid(images, image, Valid::Both);
 }
 
 } // namespace
@@ -187,25 +195,25 @@ void Residency::textureRedefined(GLenum target) {
   ObjectImages &objects = images.objects;
   if (objects.textures.empty())
     return;
-  std::uint64_t wanted = 0;
-  if (target != 0) {
+  const auto redefineOne = [&](Texture &texture) {
+    for (const std::unique_ptr<PixelImage> &image : texture.images)
+      if (image)
+        handToHost(images, *image);
+    redefine(images, texture);
+  };
+  if (target == 0) {
+    for (const auto &[key, texture] : objects.textures)
+      redefineOne(*texture);
+  } else {
     const GLenum binding =
         bindingOf(target == GL_TEXTURE_CUBE_MAP ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X) : target);
     if (binding == 0)
       return; // a proxy, an array: none that has a shadow
     GLint bound = 0;
     images.hot.host->GetIntegerv(binding, &bound);
-    wanted = textureKey(textureTargetOf(target), GLuint(bound));
-  }
-  for (const auto &[key, texture] : objects.textures) {
-    if (target != 0 && key != wanted)
-      continue;
-    for (const std::unique_ptr<PixelImage> &image : texture->images)
-      if (image && image->valid == Valid::Shadow) {
-        upload(images, *image);
-        setValid(images, *image, Valid::Both);
-      }
-    redefine(images, *texture);
+    const auto found = objects.textures.find(textureKey(textureTargetOf(target), GLuint(bound)));
+    if (found != objects.textures.end())
+      redefineOne(*found->second);
   }
   objects.redefined();
 }
@@ -221,12 +229,49 @@ void Residency::texturesDeleted(GLsizei n, const GLuint *names) {
       continue;
     // Its images live on where they are attached to a framebuffer that is not bound.
     for (const std::unique_ptr<PixelImage> &image : found->second->images)
-      if (image && image->valid == Valid::Shadow)
-        upload(images, *image);
+      if (image)
+        handToHost(images, *image);
     redefine(images, *found->second);
     std::erase_if(objects.pending,
                   [&](const PixelImage *image) { return image->texture == found->second.get(); });
     objects.textures.erase(found);
+    objects.redefined();
+  }
+}
+
+void Residency::renderbufferRedefined() {
+  ResidentImages &images = *m_images;
+  if (!isAlone(images))
+    return;
+  ObjectImages &objects = images.objects;
+  GLint bound = 0;
+  images.hot.host->GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+  if (!images.deletedNames.isUniqueWhereBound(DeletedNames::Kind::Renderbuffer, GLuint(bound),
+                                              images.serial))
+    return hostDoesAnything("glRenderbufferStorage");
+  const auto found = objects.renderbuffers.find(GLuint(bound));
+  if (found != objects.renderbuffers.end()) {
+    dropShadow(images, *found->second); // its pixels go with its storage
+    found->second->described = 0;
+  }
+  objects.redefined();
+}
+
+void Residency::renderbuffersDeleted(GLsizei n, const GLuint *names) {
+  ResidentImages &images = *m_images;
+  if (!isAlone(images) || !names)
+    return;
+  ObjectImages &objects = images.objects;
+  for (GLsizei i = 0; i < n; ++i) {
+    const auto found = objects.renderbuffers.find(names[i]);
+    if (found == objects.renderbuffers.end())
+      continue;
+    // It lives on where it is attached to a framebuffer that is not bound.
+    PixelImage *const image = found->second.get();
+    handToHost(images, *image);
+    dropShadow(images, *image);
+    std::erase(objects.pending, image);
+    objects.renderbuffers.erase(found);
     objects.redefined();
   }
 }

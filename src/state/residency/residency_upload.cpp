@@ -188,7 +188,7 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   if (!isAlone(images) || binding == 0)
     return;
   ObjectImages &objects = images.objects;
-  if (objects.valid == 0)
+  if (objects.shadowed.empty())
     return;
   Texture *const texture = textureOfBoundName(images, target);
   if (!texture)

@@ -107,7 +107,7 @@ Size sizeOf(ResidentImages &images) {
   if (drawable.kind == Drawable::Kind::Pbuffer) // never has another
     return told(drawable, sure);
   const Size known =
-      images.color.described ? Size{images.color.width, images.color.height} : Size{};
+      images.color.described != 0 ? Size{images.color.width, images.color.height} : Size{};
   const bool missed = drawable.show && windowFrames().hostMissed(drawable, true);
   if (missed) {
     const Size now = told(drawable, sure);
@@ -135,7 +135,7 @@ bool hostMissedFrames(const ResidentImages &images) {
 void Residency::hostSwaps() { forgetSize(*m_images); }
 
 void refreshWindowSize(ResidentImages &images) {
-  if (images.sizeKnown && images.color.described)
+  if (images.sizeKnown && images.color.described != 0)
     return;
   const host::HostTable &host = *images.hot.host;
   HostErrorScope errors = errorScope(images);
