@@ -1,7 +1,7 @@
 #include <array>
 #include <immintrin.h>
 
-#include "swrast/cover/packed.h"
+#include "swrast/cover/packed_choice.h"
 
 /// The kernels for processors with vectors of 8 lanes: two rows of a block at a time.
 namespace arbiter::swrast {
@@ -136,30 +136,10 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, i
   return left;
 }
 
-template <abi::Layout kLayout> TestBlocks testOf(abi::Compare compare) {
-  using abi::Compare;
-  static constexpr TestBlocks kAll[] = {
-      testBlocksBy<kLayout, Compare::Never>,        testBlocksBy<kLayout, Compare::Less>,
-      testBlocksBy<kLayout, Compare::Equal>,        testBlocksBy<kLayout, Compare::LessEqual>,
-      testBlocksBy<kLayout, Compare::Greater>,      testBlocksBy<kLayout, Compare::NotEqual>,
-      testBlocksBy<kLayout, Compare::GreaterEqual>, testBlocksBy<kLayout, Compare::Always>};
-  return kAll[int(compare)];
-}
-
-TestBlocks chooseTest(const DepthTest &test) {
-  switch (test.layout) {
-  case abi::Layout::Depth16:
-    return testOf<abi::Layout::Depth16>(test.compare);
-  case abi::Layout::Depth24Stencil8:
-    return testOf<abi::Layout::Depth24Stencil8>(test.compare);
-  case abi::Layout::Depth32F:
-    return testOf<abi::Layout::Depth32F>(test.compare);
-  case abi::Layout::Depth32:
-    return testOf<abi::Layout::Depth32>(test.compare);
-  default:
-    return testBlocksBy<abi::Layout::None, abi::Compare::Always>;
-  }
-}
+struct Kernels {
+  template <abi::Layout kLayout, abi::Compare kCompare>
+  static constexpr TestBlocks test = testBlocksBy<kLayout, kCompare>;
+};
 
 /// For each set of 8 lanes the lanes in it, one behind the other.
 constexpr auto kClosed = [] {
@@ -223,6 +203,6 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
 
 } // namespace
 
-const PackedKernels kPackedAvx2 = {chooseTest, listPixels};
+const PackedKernels kPackedAvx2 = {chooseTest<Kernels>, listPixels};
 
 } // namespace arbiter::swrast

@@ -1,6 +1,6 @@
 #include <immintrin.h>
 
-#include "swrast/cover/packed.h"
+#include "swrast/cover/packed_choice.h"
 
 /// The kernels for processors with vectors of 16 lanes, and instructions that close the gaps in
 /// them.
@@ -100,30 +100,10 @@ std::uint32_t testBlocksBy(PackedTile &tile, const abi::Plane &z, int originX, i
   return left;
 }
 
-template <abi::Layout kLayout> TestBlocks testOf(abi::Compare compare) {
-  using abi::Compare;
-  static constexpr TestBlocks kAll[] = {
-      testBlocksBy<kLayout, Compare::Never>,        testBlocksBy<kLayout, Compare::Less>,
-      testBlocksBy<kLayout, Compare::Equal>,        testBlocksBy<kLayout, Compare::LessEqual>,
-      testBlocksBy<kLayout, Compare::Greater>,      testBlocksBy<kLayout, Compare::NotEqual>,
-      testBlocksBy<kLayout, Compare::GreaterEqual>, testBlocksBy<kLayout, Compare::Always>};
-  return kAll[int(compare)];
-}
-
-TestBlocks chooseTest(const DepthTest &test) {
-  switch (test.layout) {
-  case abi::Layout::Depth16:
-    return testOf<abi::Layout::Depth16>(test.compare);
-  case abi::Layout::Depth24Stencil8:
-    return testOf<abi::Layout::Depth24Stencil8>(test.compare);
-  case abi::Layout::Depth32F:
-    return testOf<abi::Layout::Depth32F>(test.compare);
-  case abi::Layout::Depth32:
-    return testOf<abi::Layout::Depth32>(test.compare);
-  default:
-    return testBlocksBy<abi::Layout::None, abi::Compare::Always>;
-  }
-}
+struct Kernels {
+  template <abi::Layout kLayout, abi::Compare kCompare>
+  static constexpr TestBlocks test = testBlocksBy<kLayout, kCompare>;
+};
 
 /// x and y of the lanes of a block as abi::Pixel, row by row or quad by quad.
 __m512i lanesOf(bool quads) {
@@ -172,6 +152,6 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
 
 } // namespace
 
-const PackedKernels kPackedAvx512 = {chooseTest, listPixels};
+const PackedKernels kPackedAvx512 = {chooseTest<Kernels>, listPixels};
 
 } // namespace arbiter::swrast

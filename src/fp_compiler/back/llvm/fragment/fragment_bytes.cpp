@@ -130,7 +130,7 @@ bool permutesBytes(const Cpu &cpu) {
 
 /// The operations on vec4 that cost as much as a pixel's look-ups. In memory these cost the same on
 /// every processor, operations less the wider its vectors are.
-int costOfLookUp(const Cpu &cpu) { return permutesBytes(cpu) ? 3 : cpu.lanes(); }
+int costOfLookUp(const Cpu &cpu) { return permutesBytes(cpu) ? 3 : cpu.lanes() / 2; }
 
 /// For each byte of a word 0xFF where the pixel's byte is made from byte `source` of the texel.
 std::uint32_t maskOf(const ByteProgram &program, int source) {
