@@ -28,6 +28,25 @@ void mapAndMove(Stage &stage, float move) {
   }
 }
 
+/// A buffer that stays mapped while it is drawn from, and changes without a command. Where the host
+/// has no such buffers, the stage's own.
+void writeMapped(Stage &stage, float move) {
+  if (!epoxy_has_gl_extension("GL_ARB_buffer_storage"))
+    return fill(GL_ARRAY_BUFFER, stage.buffer, move, false);
+  constexpr GLbitfield kFlags = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  const auto before = stageVertices(move + 0.25f, 0.5f), after = stageVertices(move, 1.0f);
+  const auto bytes = GLsizeiptr(before.size() * sizeof before[0]);
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferStorage(GL_ARRAY_BUFFER, bytes, before.data(), kFlags);
+  void *const memory = glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, kFlags);
+  pointArrays(buffer);
+  stage.draw();
+  stage.draw(); // what is drawn from twice may be kept
+  std::memcpy(memory, after.data(), std::size_t(bytes));
+}
+
 /// Memory of the application's own, which changes without a command.
 std::vector<StageVertex> &clientMemory() {
   static std::vector<StageVertex> s_memory = stageVertices(0.0f, 1.0f);
@@ -81,6 +100,8 @@ void inList(Stage &stage, bool masked) {
 const std::vector<Change> kObjectChanges = {
     {"BufferSubData", kAllForms, 0, [](Stage &s) { fill(GL_ARRAY_BUFFER, s.buffer, 0.1f, false); },
      [](Stage &s) { fill(GL_ARRAY_BUFFER, s.buffer, 0.0f, false); }},
+    {"a persistent mapping", kAllForms, 0, [](Stage &s) { writeMapped(s, 0.1f); },
+     [](Stage &s) { pointArrays(s.buffer); }},
     {"BufferData", kAllForms, 0, [](Stage &s) { fill(GL_ARRAY_BUFFER, s.buffer, 0.1f, true); },
      [](Stage &s) { fill(GL_ARRAY_BUFFER, s.buffer, 0.0f, true); }},
     {"BufferData by another target", kAllForms, 0,
