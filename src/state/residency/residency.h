@@ -154,7 +154,8 @@ public:
   void textureRedefined(GLenum target);
   /// Before the host deletes them.
   void texturesDeleted(GLsizei n, const GLuint *names);
-  /// Before the host gives storage to the renderbuffer that is bound: its pixels are gone.
+  /// Before the host gives storage to the renderbuffer that is bound, or refuses to: the
+  /// renderbuffer is the host's from here on. Pending pixels of it go to the host first.
   void renderbufferRedefined();
   /// Before the host deletes them.
   void renderbuffersDeleted(GLsizei n, const GLuint *names);

@@ -83,18 +83,28 @@ TEST_F(ResidencyOfRenderbuffers, NewStorageConcernsNoOtherImage) {
   const GLuint other = framebufferOf(texture(GL_RGBA8, kWidth, kHeight));
   bindFramebuffer(other);
   drawAll(0x11223344);
-  const RenderbufferScene made = scene(kWidth, kHeight);
+  (void)scene(kWidth, kHeight);
   drawAll(0x55667788);
   handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, 8, 8);
   changed();
   draw({0, 0, 8, 8}, 0x0A0B0C0D);
   EXPECT_EQ(shadowPixel(7, 7), 0x0A0B0C0Du);
-  EXPECT_EQ(statistics().uploads, 0u) << "pixels that are gone, or those of another image";
+  EXPECT_EQ(statistics().uploads, 1u) << "its own pixels alone";
   EXPECT_EQ(statistics().downloads, 0u);
   EXPECT_EQ(hostPixel(7, 7), 0x0A0B0C0Du);
   bindFramebuffer(other);
   EXPECT_EQ(hostPixel(5, 7), 0x11223344u);
-  EXPECT_NE(made.framebuffer, other);
+}
+
+TEST_F(ResidencyOfRenderbuffers, RefusedStorageLeavesThePixels) {
+  (void)scene(kWidth, kHeight);
+  drawAll(0x55667788);
+  handlers::RenderbufferStorage(context(), GL_RENDERBUFFER, GL_RGBA8, -1, 8);
+  EXPECT_EQ(gl().GetError(), GLenum(GL_INVALID_VALUE));
+  changed();
+  draw({0, 0, 1, 1}, 0x0A0B0C0D);
+  EXPECT_EQ(shadowPixel(5, 7), 0x55667788u);
+  EXPECT_EQ(hostPixel(5, 7), 0x55667788u);
 }
 
 TEST_F(ResidencyOfRenderbuffers, ADeletedOneLivesOnWhereItIsAttached) {

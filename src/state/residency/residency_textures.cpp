@@ -251,7 +251,8 @@ void Residency::renderbufferRedefined() {
     return hostDoesAnything("glRenderbufferStorage");
   const auto found = objects.renderbuffers.find(GLuint(bound));
   if (found != objects.renderbuffers.end()) {
-    dropShadow(images, *found->second); // its pixels go with its storage
+    handToHost(images, *found->second); // where the host refuses the storage, they stay
+    dropShadow(images, *found->second);
     found->second->described = 0;
   }
   objects.redefined();

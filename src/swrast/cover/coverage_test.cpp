@@ -5,6 +5,7 @@
 
 #include "swrast/cover/small.h"
 #include "swrast/testing/canvas.h"
+#include "util/processor.h"
 
 /// Which pixels are covered, against exact references.
 namespace arbiter::swrast {
@@ -135,7 +136,7 @@ TEST(Rasterize, FansCoverEachPixelOnce) {
 TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
   std::vector<CoverSmall> others;
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2"))
+  if (vectors() >= Vectors::Avx2)
     others.push_back(coverSmallAvx2);
 #endif
   others.push_back(chooseCoverSmall());

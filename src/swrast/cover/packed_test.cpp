@@ -226,7 +226,7 @@ std::vector<const PackedKernels *> otherKernels() {
 }
 
 class Kernels : public ::testing::TestWithParam<const PackedKernels *> {};
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Kernels);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Kernels); // a processor that has the baseline's alone
 INSTANTIATE_TEST_SUITE_P(Processors, Kernels, ::testing::ValuesIn(otherKernels()),
                          [](const auto &row) { return std::to_string(row.index); });
 

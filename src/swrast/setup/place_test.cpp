@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "swrast/setup/place.h"
+#include "util/processor.h"
 
 namespace arbiter::swrast {
 namespace {
@@ -118,13 +119,13 @@ TEST(Place, PlacesFourCornersAsOneAtATimeIsPlaced) {
 
 #if defined(__x86_64__)
 TEST(Place, PlacesThemSoWithAvx2) {
-  if (!__builtin_cpu_supports("avx2"))
+  if (vectors() < Vectors::Avx2)
     GTEST_SKIP() << "no AVX2";
   compareMany(placeVerticesAvx2);
 }
 
 TEST(Place, PlacesThemSoWithAvx512) {
-  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512dq"))
+  if (vectors() < Vectors::Avx512)
     GTEST_SKIP() << "no AVX-512";
   compareMany(placeVerticesAvx512);
 }
