@@ -41,6 +41,8 @@ def parse(argv):
     parser.add_argument("--layer", type=pathlib.Path,
                         help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
+    parser.add_argument("--fixed-function", choices=("programs", "always"),
+                        help="whose draws without a program are (default: as the layer has it)")
     parser.add_argument("--turns", type=int, default=3, help="of each side (default: %(default)s)")
     parser.add_argument("--seconds", type=float, default=1.5,
                         help="that the last frame is looped for in a turn (default: %(default)s)")
@@ -63,7 +65,8 @@ def parse(argv):
 def measure(recording, args, scratch):
     """A row: all figures of one recording."""
     bare = Side("bare", args.display, scratch / "bare-cache")
-    layered = Side("layered", args.display, scratch / "cache", args.layer, args.backend)
+    layered = Side("layered", args.display, scratch / "cache", args.layer, args.backend,
+                   args.fixed_function)
     row = {"recording": recording.name, "programs": 0}
     traces = replays.cut(recording.trace, scratch / "traces")
     run = scratch / "run"

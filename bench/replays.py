@@ -24,20 +24,23 @@ LEAST, MOST = 5, 2000  # times that it is timed
 
 @dataclass(frozen=True)
 class Side:
-    """One way to replay, on the X server `display`: `layer` in front with `backend`, or the bare host; its
-    caches on disk."""
+    """One way to replay, on the X server `display`: `layer` in front with `backend` and, if it is said, whose
+    `fixed_function` is, or the bare host; its caches on disk."""
 
     name: str
     display: str
     cache: pathlib.Path
     layer: pathlib.Path | None = None
     backend: str = "auto"
+    fixed_function: str | None = None
 
     def environment(self, recording, folder):
         extra = {**recording.environment, "XDG_CACHE_HOME": str(self.cache)}
         if self.layer:
             extra.update(ARBITER_BACKEND=self.backend, ARBITER_PROFILE="host",
                          ARBITER_STATS=str(folder / "stats.%p.json"))
+            if self.fixed_function:
+                extra["ARBITER_FIXED_FUNCTION"] = self.fixed_function
             if recording.over_limits:
                 extra["ARBITER_LIMITS"] = "report"
         env = {**paced.environment(self.layer, extra), "DISPLAY": self.display}

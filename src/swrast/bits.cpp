@@ -98,6 +98,7 @@ DrawStatistics rasterizeBits(const RasterState &state, const Shading &shading, c
   for (std::size_t i = 0; i < shading.inputCount; ++i)
     for (std::size_t c = 0; c < 4; ++c)
       primitive.inputs[i][c] = {fragments.inputs[i][c], 0, 0};
+  state.clears.reach(part.rect);
   const FlushMode mode;
   std::uint64_t pixels = 0;
   if (shading.row) {

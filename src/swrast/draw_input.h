@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "fp_compiler/abi.h"
+#include "swrast/image/deferred_clear.h"
 #include "swrast/rect.h"
 
 /// What a draw is made of, as all stages of the rasterizer see it: vertices, state, functions.
@@ -43,6 +44,21 @@ struct Vertices {
   const void *maker = nullptr;
 };
 
+/// The targets of a draw whose clears are still to be written, in part.
+struct PendingClears {
+  DeferredClear *clears[abi::kMaxColorTargets + 1] = {};
+  int count = 0;
+  void add(DeferredClear *clear) {
+    if (clear)
+      clears[count++] = clear;
+  }
+  /// Before a thread reads or writes pixels of the rectangle: DeferredClear::reach().
+  void reach(const Rect &rect) const {
+    for (int i = 0; i < count; ++i)
+      clears[i]->reach(rect);
+  }
+};
+
 /// What the fixed functions between vertex and fragment do (OpenGL 1.4 chapter 3).
 struct RasterState {
   float viewport[4] = {}; ///< x, y, width, height
@@ -71,6 +87,7 @@ struct RasterState {
   /// Height of a target that the host keeps upside down (a window, not a framebuffer object), else
   /// 0: roundings and ties then fall as the host's do.
   std::int32_t upsideDownHeight = 0;
+  PendingClears clears; ///< of what this draw reads or writes
 };
 
 /// Depth as the rasterizer tests it itself: the test and the buffer's write mask, no stencil.

@@ -113,13 +113,23 @@ void Pipeline::fillData(const Mirror &mirror) {
   m_data = mirror.constants;
   m_units.fill(m_data);
   const auto targetOf = [](const swrast::Image *image, int slice = 0) {
-    return image ? abi::Target{image->pixel(0, 0, slice), image->rowStride} : abi::Target{};
+    return image ? abi::Target{image->placeOf(0, 0, slice), image->rowStride} : abi::Target{};
   };
   for (std::size_t i = 0; i < m_data.targets.size(); ++i)
     m_data.targets[i] = targetOf(m_targets->color[i], m_targets->slice[i]);
   if (m_key.depthStencil.layout != abi::Layout::None)
     m_data.depthStencil = targetOf(m_targets->depthStencil);
   m_data.windowHeight = float(m_targets->height);
+}
+
+/// The clears that the draw is to write where it draws.
+void Pipeline::takeClears() {
+  m_raster.clears = {};
+  for (const swrast::Image *const image : m_targets->color)
+    if (image)
+      m_raster.clears.add(image->storage->pendingClear());
+  if (m_key.depthStencil.layout != abi::Layout::None)
+    m_raster.clears.add(m_targets->depthStencil->storage->pendingClear());
 }
 
 /// The targets' shadows become valid to write to.
@@ -177,6 +187,7 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
+  takeClears();
   shading = &prepared.shading;
   return {};
 }

@@ -98,6 +98,7 @@ private:
                   swrast::Topology topology);
   void fillRaster(const Mirror &mirror);
   void fillData(const Mirror &mirror);
+  void takeClears();
 
   /// A function that was asked for before, so that a draw that repeats takes no lock.
   struct Recent {

@@ -333,8 +333,11 @@ bool makeOwn(ResidentImages &images, PixelImage &image, bool keep) {
   swrast::Image &shadow = image.shadow;
   const bool fits = !shadow.empty() && writable(shadow.format, image.format);
   const bool read = fits && shadow.storage->isRead();
-  if (fits && !shadow.shared() && !read)
+  if (fits && !shadow.shared() && !read) {
+    if (!keep)
+      shadow.storage->forgetClear();
     return true;
+  }
   images.objects.changed();
   const bool isWindow = image.place.kind == Place::Kind::Window;
   // Other memory is there sooner than the window system has read this; but a copy is no sooner.

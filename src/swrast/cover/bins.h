@@ -16,7 +16,8 @@ public:
   static constexpr std::uint32_t kMaxTriangles = 1 << 15;
 
 private:
-  static constexpr int kTileShift = 6, kTile = 1 << kTileShift;
+  /// Those of pending clears: a tile is one thread's.
+  static constexpr int kTileShift = DeferredClear::kTileShift, kTile = 1 << kTileShift;
   static constexpr std::uint32_t kChunk = 2048; ///< triangles
   static constexpr std::uint32_t kNone = ~0u;
 

@@ -18,6 +18,9 @@ constexpr int kBandsPerThread = 4;
 constexpr std::int64_t kBandPixels = 32768;
 /// A multiple of every block's height.
 constexpr int kBandUnit = 4;
+/// Where clears are pending: a tile of theirs is one thread's.
+constexpr int kClearBandUnit = DeferredClear::kTile;
+static_assert(kClearBandUnit % kBandUnit == 0);
 
 /// What of the shapes lies in the rows [bottom, top); returns the pixels.
 std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const Shape *shapes,
@@ -41,27 +44,34 @@ std::uint64_t shadeBand(const RasterState &state, const Shading &shading, const 
 
 std::uint64_t shadeInBands(const RasterState &state, const Shading &shading, const Shape *shapes,
                            std::size_t count) {
-  int bottom = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
+  constexpr int kMost = std::numeric_limits<int>::max(), kLeast = std::numeric_limits<int>::min();
+  int bottom = kMost, top = kLeast, left = kMost, right = kLeast;
   std::int64_t area = 0;
   for (std::size_t i = 0; i < count; ++i) {
     bottom = std::min(bottom, shapes[i].bottom);
     top = std::max(top, shapes[i].top);
+    left = std::min(left, shapes[i].left);
+    right = std::max(right, shapes[i].right);
     area += std::int64_t(shapes[i].right - shapes[i].left) * (shapes[i].top - shapes[i].bottom);
   }
   if (bottom >= top)
     return 0;
-  if (area < kParallelPixels)
+  if (area < kParallelPixels) {
+    state.clears.reach({left, bottom, right - left, top - bottom});
     return shadeBand(state, shading, shapes, count, bottom, top);
-  bottom &= ~(kBandUnit - 1);
+  }
+  const int unit = state.clears.count != 0 ? kClearBandUnit : kBandUnit;
+  bottom &= ~(unit - 1);
   int height = top - bottom;
   if (const int threads = threadCount(); threads > 1) {
     const std::int64_t bands =
         threads * std::clamp<std::int64_t>(area / kBandPixels / threads, 1, kBandsPerThread);
-    height = int((height + bands - 1) / bands + kBandUnit - 1) & ~(kBandUnit - 1);
+    height = int((height + bands - 1) / bands + unit - 1) & ~(unit - 1);
   }
   std::atomic<std::uint64_t> pixels{0};
   auto band = [&](std::uint32_t i) {
     const int from = bottom + int(i) * height, to = std::min(top, from + height);
+    state.clears.reach({left, from, right - left, to - from});
     pixels.fetch_add(shadeBand(state, shading, shapes, count, from, to), std::memory_order_relaxed);
   };
   parallel(std::uint32_t((top - bottom + height - 1) / height), band);

@@ -20,7 +20,10 @@ public:
   Emitter &operator=(const Emitter &) = delete;
 
   /// What follows, until the end, lies in one tile: small triangles may wait for each other.
-  void beginTile(const Rect &rect) { m_packs = m_packed.begin(rect); }
+  void beginTile(const Rect &rect) {
+    m_state.clears.reach(rect);
+    m_packs = m_packed.begin(rect);
+  }
   /// What of the shape lies in columns left to right and rows bottom to top.
   void shade(const Shape &shape, int left, int bottom, int right, int top);
   /// What of a triangle of less than kSmallExtent lies in the rectangle, which is of one tile.

@@ -14,6 +14,8 @@ using abi::Layout;
 /// Below this, waking a thread costs more than the work.
 constexpr std::int64_t kParallelBytes = 512 << 10;
 constexpr int kBandRows = 32;
+/// Less is written as soon as it is noted.
+constexpr std::int64_t kDeferredBytes = 8 << 10;
 
 /// Calls `row(y)` for rows 0 to height - 1, on all threads where that pays.
 template <typename Row> void forRows(int height, std::int64_t bytes, const Row &row) {
@@ -83,6 +85,8 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
                 int fromZ) {
   if (rect.empty() || to.empty() || from.empty())
     return;
+  to.completeClear();
+  from.completeClear();
   const std::int64_t bytes = std::int64_t(rect.width) * abi::bytesOf(to.format.layout);
   const auto each = [&](auto copyRow) {
     forRows(rect.height, bytes * rect.height, [&](int y) {
@@ -110,40 +114,45 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
   });
 }
 
+namespace {
+
+/// Writes the pattern now, or where it covers a large image, when its pixels are needed.
+void clearPixels(Image &image, const Rect &rect, const ClearPattern &pattern) {
+  const ClearedPixels pixels = {image.placeOf(0, 0), image.rowStride, image.width, image.height,
+                                abi::bytesOf(image.format.layout)};
+  const Rect area = intersect(rect, {0, 0, image.width, image.height});
+  const std::int64_t bytes = std::int64_t(area.width) * area.height * pixels.pixelBytes;
+  const bool isWhole = area.width == image.width && area.height == image.height;
+  if (isWhole && image.depth == 1 && bytes >= kDeferredBytes &&
+      image.storage->deferClear(pixels, pattern))
+    return;
+  if (DeferredClear *const before = image.storage->pendingClear())
+    before->reach(area);
+  forRows(area.height, bytes, [&](int y) {
+    writePattern(pixels, pattern, {area.x, area.y + y, area.width, 1});
+  });
+}
+
+} // namespace
+
 void fill(Image &image, const Rect &rect, const float rgba[4], unsigned writeMask) {
   const int components = abi::componentsOf(image.format.layout);
   if (rect.empty() || image.empty() || components == 0)
     return;
   const auto pixelBytes = std::size_t(abi::bytesOf(image.format.layout));
   float value[1][4] = {{rgba[0], rgba[1], rgba[2], rgba[3]}};
-  constexpr std::size_t kPattern = 256; // a multiple of every pixel's size
-  std::uint8_t pattern[kPattern] = {}, mask[kPattern];
   // What the mask keeps shows as bits that differ between two backgrounds.
-  std::memset(mask, 0xFF, sizeof mask);
-  packPixels(image.format, value, 1, pattern, writeMask);
-  packPixels(image.format, value, 1, mask, writeMask);
-  bool whole = true;
-  for (std::size_t i = 0; i < pixelBytes; ++i) {
-    mask[i] = std::uint8_t(~(pattern[i] ^ mask[i]));
-    whole = whole && mask[i] == 0xFF;
+  ClearPattern pattern;
+  std::memset(pattern.mask, 0xFF, sizeof pattern.mask);
+  packPixels(image.format, value, 1, pattern.value, writeMask);
+  packPixels(image.format, value, 1, pattern.mask, writeMask);
+  for (std::size_t i = 0; i < pixelBytes; ++i)
+    pattern.mask[i] = std::uint8_t(~(pattern.value[i] ^ pattern.mask[i]));
+  for (std::size_t i = pixelBytes; i < sizeof pattern.value; ++i) {
+    pattern.value[i] = pattern.value[i - pixelBytes];
+    pattern.mask[i] = pattern.mask[i - pixelBytes];
   }
-  for (std::size_t i = pixelBytes; i < kPattern; ++i) {
-    pattern[i] = pattern[i - pixelBytes];
-    mask[i] = mask[i - pixelBytes];
-  }
-  const std::size_t bytes = std::size_t(rect.width) * pixelBytes;
-  forRows(rect.height, std::int64_t(bytes) * rect.height, [&](int y) {
-    std::uint8_t *const row = image.pixel(rect.x, rect.y + y);
-    for (std::size_t done = 0; done < bytes; done += kPattern) {
-      const std::size_t n = std::min(kPattern, bytes - done);
-      if (whole) {
-        std::memcpy(row + done, pattern, n);
-        continue;
-      }
-      for (std::size_t i = 0; i < n; ++i)
-        row[done + i] = std::uint8_t((row[done + i] & ~mask[i]) | (pattern[i] & mask[i]));
-    }
-  });
+  clearPixels(image, rect, pattern);
 }
 
 void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthValue,
@@ -151,52 +160,27 @@ void fillDepthStencil(Image &image, const Rect &rect, bool depth, float depthVal
   if (rect.empty() || image.empty())
     return;
   const double z = depthValue > 0 ? (depthValue < 1 ? double(depthValue) : 1.0) : 0.0;
-  const std::int64_t bytes =
-      std::int64_t(rect.width) * rect.height * abi::bytesOf(image.format.layout);
-  const auto fillRows = [&](auto value, auto mask) {
-    using Value = decltype(value);
-    forRows(rect.height, bytes, [&](int y) {
-      auto *const row = reinterpret_cast<Value *>(image.pixel(rect.x, rect.y + y));
-      if (Value(~mask) == 0) {
-        std::fill(row, row + rect.width, value);
-        return;
-      }
-      // What is changed is read first: far enough ahead, as these images leave the nearer caches.
-      constexpr int kPart = 64 / int(sizeof(Value)), kAhead = 24 * kPart;
-      int x = 0;
-      for (; x + kPart <= rect.width; x += kPart) {
-        __builtin_prefetch(row + x + kAhead, 1, 3);
-        for (int i = 0; i < kPart; ++i)
-          row[x + i] = Value((row[x + i] & ~mask) | (value & mask));
-      }
-      for (; x < rect.width; ++x)
-        row[x] = Value((row[x] & ~mask) | (value & mask));
-    });
+  const auto clear = [&](auto value, auto mask) {
+    if (mask == 0)
+      return;
+    ClearPattern pattern;
+    for (std::size_t at = 0; at < sizeof pattern.value; at += sizeof value) {
+      std::memcpy(pattern.value + at, &value, sizeof value);
+      std::memcpy(pattern.mask + at, &mask, sizeof mask);
+    }
+    clearPixels(image, rect, pattern);
   };
+  const std::uint32_t all = depth ? 0xFFFFFFFFu : 0;
   switch (image.format.layout) {
   case Layout::Depth16:
-    if (depth)
-      fillRows(std::uint16_t(z * 65535.0 + 0.5), std::uint16_t(0xFFFF));
-    return;
-  case Layout::Depth24Stencil8: {
-    const std::uint32_t value = (std::uint32_t(z * 16777215.0 + 0.5) << 8) | stencilValue;
-    const std::uint32_t mask = (depth ? 0xFFFFFF00u : 0u) | stencilMask;
-    if (mask)
-      fillRows(value, mask);
-    return;
-  }
+    return clear(std::uint16_t(z * 65535.0 + 0.5), std::uint16_t(all));
+  case Layout::Depth24Stencil8:
+    return clear((std::uint32_t(z * 16777215.0 + 0.5) << 8) | stencilValue,
+                 (all & 0xFFFFFF00u) | stencilMask);
   case Layout::Depth32:
-    if (depth)
-      fillRows(std::uint32_t(z * 4294967295.0 + 0.5), 0xFFFFFFFFu);
-    return;
+    return clear(std::uint32_t(z * 4294967295.0 + 0.5), all);
   case Layout::Depth32F:
-    if (depth) {
-      std::uint32_t value = 0;
-      const auto f = float(z);
-      std::memcpy(&value, &f, 4);
-      fillRows(value, 0xFFFFFFFFu);
-    }
-    return;
+    return clear(float(z), all);
   default:
     return;
   }

@@ -63,13 +63,17 @@ bool makeWritable(Image &image, bool keepContents) {
     return false;
   if (!image.shared()) {
     image.storage->awaitReader();
+    if (!keepContents)
+      image.storage->forgetClear();
     return true;
   }
   std::shared_ptr<Storage> storage = Storage::make(image.storage->bytes());
   if (!storage)
     return false;
-  if (keepContents)
+  if (keepContents) {
+    image.completeClear();
     copyBytes(storage->data(), image.storage->data(), image.storage->bytes());
+  }
   image.storage = std::move(storage);
   return true;
 }

@@ -19,9 +19,20 @@ struct Image {
   std::ptrdiff_t offset = 0; ///< of pixel (0, 0, 0), the lower left, in the storage
 
   [[nodiscard]] bool empty() const { return !storage; }
+  /// A pixel's place, to read or write any of them.
   [[nodiscard]] std::uint8_t *pixel(int x, int y, int z = 0) const {
+    completeClear();
+    return placeOf(x, y, z);
+  }
+  /// The same while a clear may be pending: for who calls DeferredClear::reach() first.
+  [[nodiscard]] std::uint8_t *placeOf(int x, int y, int z = 0) const {
     return storage->data() + offset + z * sliceStride + y * rowStride +
            std::ptrdiff_t(x) * abi::bytesOf(format.layout);
+  }
+  /// What is left of a clear is written. To be called before threads use pixel().
+  void completeClear() const {
+    if (DeferredClear *const clear = storage->pendingClear())
+      clear->complete();
   }
   [[nodiscard]] bool shared() const { return storage.use_count() > 1; }
 };

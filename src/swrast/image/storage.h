@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "swrast/image/deferred_clear.h"
+
 /// The memory of images, and the pool of what was freed.
 namespace arbiter::swrast {
 
@@ -35,6 +37,17 @@ public:
     if (m_owner)
       (void)m_owner->isRead(m_user, true);
   }
+  /// The clear of what lies here that is still to be written, in part; null: none.
+  [[nodiscard]] DeferredClear *pendingClear() const {
+    return m_clear && m_clear->isPending() ? m_clear.get() : nullptr;
+  }
+  /// Clears without writing. False if there is no memory for it.
+  [[nodiscard]] bool deferClear(const ClearedPixels &pixels, const ClearPattern &pattern);
+  /// All that lies here is about to be replaced.
+  void forgetClear() {
+    if (m_clear)
+      m_clear->forget();
+  }
   /// Memory that all storages hold now, pool included.
   [[nodiscard]] static std::size_t totalBytes();
 
@@ -46,6 +59,10 @@ private:
   std::size_t m_bytes;
   const Owner *m_owner = nullptr; ///< null: the pool's memory
   void *m_user = nullptr;
+  struct GiveBack {
+    void operator()(DeferredClear *clear) const { DeferredClear::giveBack(clear); }
+  };
+  std::unique_ptr<DeferredClear, GiveBack> m_clear; ///< null: never deferred
 };
 
 } // namespace arbiter::swrast
