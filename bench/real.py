@@ -3,9 +3,10 @@
 
 Each recording (tests/real_programs_vs_host/recordings says where they come from) is cut behind its last
 swap and replayed by glretrace, its last frame looped. `bare` and `layered` are milliseconds of that frame,
-`faster` is bare by layered, `cpu` the same of processor time. `first` is the time to the end of the first
-frame: bare, with Arbiter's caches empty, with what the last start left. `host's` is the share of draws that
-are left to the host, with the reasons below. A recording without a swap is replayed as a whole.
+`faster` is bare by layered, `cpu` the same of processor time. `cold` is the time to the end of the first
+frame with empty caches, the host's too, `warm` with what the last start left, and `b. cold` and `b. warm`
+the same of the bare host. `hosts` is the share of draws that are left to the host, with the reasons below.
+A recording without a swap is replayed as a whole.
 
 examples:
   bench/real.py build-bench
@@ -73,10 +74,9 @@ def measure(recording, args, scratch):
     if traces:
         whole, first = traces
         row["kind"] = "frame"
-        row["first"] = {
-            "bare": replays.first_frame(recording, first, bare, run, False, args.turns),
-            "cold": replays.first_frame(recording, first, layered, run, True, args.turns),
-            "warm": replays.first_frame(recording, first, layered, run, False, args.turns)}
+        firsts = replays.first_frames(recording, first, [bare, layered], run, args.turns)
+        row["first"] = {"bare_cold": firsts[0][0], "cold": firsts[1][0],
+                        "bare_warm": firsts[0][1], "warm": firsts[1][1]}
         sides = replays.steady(recording, whole, [bare, layered], run, args.seconds, args.turns)
         row.update(bare=sides[0].wall, layered=sides[1].wall, loops=[side.loops for side in sides],
                    bare_cpu=sides[0].processor, layered_cpu=sides[1].processor)
@@ -107,7 +107,8 @@ def draws_of(stats):
 
 def text_of(row):
     first = row.get("first")
-    shown = f"{first['bare']:7.1f} {first['cold']:7.1f} {first['warm']:7.1f}" if first else f"{'':23}"
+    shown = (" ".join(f"{first[name]:7.1f}" for name in ("bare_cold", "cold", "bare_warm", "warm"))
+             if first else f"{'':31}")
     share = "" if row["hosts_share"] is None else f"{100 * row['hosts_share']:.1f} %"
     cpu = f"{row['faster_cpu']:5.2f}" if row["faster_cpu"] else "    -"
     return (f"{row['recording']:26} {row['bare']:9.2f} {row['layered']:9.2f} {row['faster']:7.2f} {cpu} "
@@ -135,7 +136,7 @@ def main(argv=None):
     machine = describe()
     print(f"{heading(machine)}; "
           f"ARBITER_BACKEND={args.backend}\n\n{'recording':26} {'bare ms':>9} {'layered':>9} {'faster':>7} "
-          f"{'cpu':>5} {'first':>7} {'cold':>7} {'warm':>7} {'hosts':>8}", flush=True)
+          f"{'cpu':>5} {'b. cold':>7} {'cold':>7} {'b. warm':>7} {'warm':>7} {'hosts':>8}", flush=True)
     rows, failed = [], []
     with XServer("1280x1024x24") as args.display, \
             tempfile.TemporaryDirectory(prefix="arbiter-bench-real-") as scratch:

@@ -50,10 +50,11 @@ class Side:
 
 @dataclass
 class Timed:
-    """Of one replay: seconds of glretrace's own clock, which starts at the first call; processor seconds
-    of the process; what the layer's statistics say."""
+    """Of one replay: seconds of glretrace's own clock, which starts at the first call, and the frames that it
+    showed; processor seconds of the process; what the layer's statistics say."""
 
     seconds: float
+    frames: int
     processor: float
     stats: dict
 
@@ -94,7 +95,7 @@ def replay(recording, trace, side, folder, loops=0, timeout=600):
         stats = json.loads(path.read_text())
     if side.layer and not stats.get("contexts"):
         raise PrepareError(f"{side.name}: the layer was not in the process, or saw no context")
-    return Timed(float(rendered.group(2)),
+    return Timed(float(rendered.group(2)), max(1, int(rendered.group(1))),
                  after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, stats)
 
 
@@ -116,9 +117,10 @@ def steady(recording, trace, sides, folder, seconds, turns):
     long = [[] for _ in sides]
     loops = []
     for side in sides:  # a pace to choose the lengths by; fills the caches
-        first = replay(recording, trace, side, folder, SETTLE).seconds
-        again = replay(recording, trace, side, folder, 2 * SETTLE).seconds
-        frame = max((again - first) / SETTLE, 1e-5)
+        first = replay(recording, trace, side, folder, SETTLE)
+        again = replay(recording, trace, side, folder, 2 * SETTLE)
+        # Behind a long trace the difference is within the noise of what happens once.
+        frame = max((again.seconds - first.seconds) / SETTLE, again.seconds / again.frames / 4)
         loops.append(min(MOST, max(LEAST, round(seconds / frame))))
     for turn in range(turns):
         for place in range(len(sides)):
@@ -133,11 +135,14 @@ def steady(recording, trace, sides, folder, seconds, turns):
     return found
 
 
-def first_frame(recording, trace, side, folder, cold, turns):
-    """Milliseconds to the end of the first frame, median; `cold`: with empty caches each time."""
-    times = []
+def first_frames(recording, trace, sides, folder, turns):
+    """Milliseconds to the end of the first frame, medians: (with empty caches, with what the last start left) of
+    each side, which take turns. The host has caches too."""
+    times = [([], []) for _ in sides]
     for _ in range(turns):
-        if cold:
+        for side, (cold, warm) in zip(sides, times):
             shutil.rmtree(side.cache, ignore_errors=True)
-        times.append(1000 * replay(recording, trace, side, folder).seconds)
-    return statistics.median(times)
+            cold.append(1000 * replay(recording, trace, side, folder).seconds)
+        for side, (cold, warm) in zip(sides, times):
+            warm.append(1000 * replay(recording, trace, side, folder).seconds)
+    return [(statistics.median(cold), statistics.median(warm)) for cold, warm in times]

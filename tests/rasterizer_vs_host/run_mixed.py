@@ -18,7 +18,8 @@ import sides
 from x_server import XServer
 
 SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
-# Machine code that is late: passes of one frame must meet all the same.
+# Machine code that is late: passes of one frame must meet all the same. It comes while frames pause.
+PAUSE_MS = 40
 WAYS = {"auto": ("auto", {}), "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {})}
 POISON = (85, 170, 157)  # what fresh memory holds: of two bare runs, and of the layer's
@@ -79,7 +80,7 @@ def main():
                                         {"DISPLAY": display, "XDG_CACHE_HOME": scratch,
                                          "ARBITER_STATS": str(stats), **extra}, POISON[2])
                 try:
-                    layer = sides.run(command, env)
+                    layer = sides.run([*command, PAUSE_MS] if "late" in way else command, env)
                 except (sides.Died, subprocess.TimeoutExpired) as death:
                     wrong = [str(death)]
                 else:

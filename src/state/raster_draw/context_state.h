@@ -44,7 +44,11 @@ struct ContextState {
   /// one of the two draws all: mayTestDepth().
   std::uint64_t hostTurns = 0;
   FrameTrials trials;
-  bool wholeFrames = false;  ///< the last frames had none, as many as `trials` asks for
+  bool wholeFrames = false; ///< the last frames had none, as many as `trials` asks for
+  /// The host drew something in this frame of which it is not known whether the rasterizer lacks
+  /// it, as the engine or a program is still being made.
+  bool unjudged = false;
+  int unjudgedFrames = 0;    ///< in a row
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
   /// Before a draw of the host's that says that the frame is a mixed one.
@@ -57,6 +61,10 @@ struct ContextState {
     ++hostTurns;
     residency.hostDoesAnything("glCallList");
   }
+  /// Of a draw that the host does whatever there is: whether it may go without a judgement. An
+  /// application that makes programs in each frame would never be judged.
+  [[nodiscard]] bool mayGoUnjudged() const { return unjudgedFrames < kMostUnjudged; }
+  static constexpr int kMostUnjudged = 2;
   /// Whether the rasterizer may test depth or stencil now.
   [[nodiscard]] bool mayTestDepth() const {
     return forced || (wholeFrames && !hostDrew && hostTurns == 0);

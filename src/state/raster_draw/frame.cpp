@@ -24,7 +24,11 @@ void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
   // A frame in which nothing was drawn says nothing about the next one.
   if (workOf(state) != state.workSeen) {
-    state.wholeFrames = state.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+    // Nor does one that the host drew before anything could be said of it.
+    if (state.hostTurns != 0 || !state.unjudged)
+      state.wholeFrames = state.trials.frameEnded(state.hostTurns == 0, state.depthsTested);
+    state.unjudgedFrames = state.unjudged ? state.unjudgedFrames + 1 : 0;
+    state.unjudged = false;
     state.hostTurns = 0;
     state.workSeen = workOf(state);
   }

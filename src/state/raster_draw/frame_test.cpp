@@ -125,6 +125,38 @@ TEST_F(Frame, ThoseOfFinishAndOfWindowsEndThereAlone) {
   EXPECT_FALSE(state().wholeFrames);
 }
 
+// While machine code is made nothing is known of what the host draws in its place.
+TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
+  const auto frame = [&](bool unjudged) {
+    state().fellBack(unjudged ? Fallback::Compiling : Fallback::Mixed);
+    state().unjudged = unjudged;
+    finishFrame(context());
+  };
+  frame(true);
+  EXPECT_FALSE(state().wholeFrames) << "what the host drew may be what the rasterizer lacks";
+  frame(false);
+  EXPECT_TRUE(state().wholeFrames);
+  frame(true);
+  EXPECT_TRUE(state().wholeFrames) << "nor does it end a row of whole ones";
+  state().unjudged = true;
+  drawnByHost();
+  finishFrame(context());
+  EXPECT_FALSE(state().wholeFrames) << "a turn of the host's is one, whatever else was drawn";
+}
+
+TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
+  int unjudged = 0;
+  for (; state().mayGoUnjudged() && unjudged < 100; ++unjudged) {
+    state().fellBack(Fallback::Compiling);
+    state().unjudged = true;
+    finishFrame(context());
+  }
+  EXPECT_EQ(unjudged, ContextState::kMostUnjudged);
+  drawn();
+  finishFrame(context());
+  EXPECT_TRUE(state().mayGoUnjudged());
+}
+
 // A draw that is found out to be the host's only where it is tried: frames must not go by turns.
 TEST_F(Frame, TrialsThatFailBecomeRare) {
   int tried = 0, turns = 0;

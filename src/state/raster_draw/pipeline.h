@@ -130,6 +130,7 @@ private:
 
   // --- What was chosen, and when ---
   bool m_chosen = false;
+  bool m_isMixed = false; ///< the choice was that the frame is a mixed one
   Basis m_basis;
   std::uint64_t m_seen = 0; ///< GenerationCounter
   bool m_floatTarget = false;

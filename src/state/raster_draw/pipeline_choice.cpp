@@ -113,20 +113,23 @@ Outcome Pipeline::chooseFor(Context &context, const Kind *vertices) {
   mirror.refresh(context.dirty);
   if (mirror.obstacle)
     return fallbackNamed(mirror.obstacle, Fallback::State);
-  if (m_chosen) {
+  if (m_chosen || m_isMixed) {
     mirror.refreshVertexState(m_floatTarget);
     const std::uint32_t deciding = m_compiled ? kChoice : kFixedChoice;
     if ((mirror.clock.changedSince(m_seen) & deciding) == 0 &&
         (context.dirty & dirty::kFramebuffer) == 0 &&
         basisOf(context, mirror, vertices) == m_basis) {
       m_seen = mirror.clock.now();
-      return {};
+      return m_isMixed ? Outcome(Fallback::Mixed) : Outcome();
     }
   }
-  m_chosen = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
+  m_chosen = m_isMixed = m_filled = m_prepared[0].ready = m_prepared[1].ready = false;
   const Outcome outcome = chooseAnew(context, mirror, vertices);
-  if (outcome.ok()) {
-    m_chosen = true;
+  m_chosen = outcome.ok();
+  m_isMixed = !outcome.ok() && outcome.reason() == Fallback::Mixed;
+  if (m_wait == Wait::Not && !outcome.ok() && outcome.reason() == Fallback::Compiling)
+    context.software->unjudged = true;
+  if (m_chosen || m_isMixed) {
     m_basis = basisOf(context, mirror, vertices);
     m_seen = mirror.clock.now();
   }
@@ -144,8 +147,17 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
 }
 
 Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
-  m_wait = context.software->forced ? Wait::UntilDone : Wait::Briefly;
-  if (context.numerics == fp::Numerics::Fp24 || !engine())
+  const ContextState &state = *context.software;
+  const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
+  const bool isMixed = !state.mayTestDepth() && (depth.depthTest != 0 || depth.stencilTest != 0);
+  m_wait = state.forced                       ? Wait::UntilDone
+           : isMixed && state.mayGoUnjudged() ? Wait::Not
+                                              : Wait::Briefly;
+  if (context.numerics == fp::Numerics::Fp24)
+    return Fallback::NotCompiled;
+  if (m_wait == Wait::Not && awaitsEngine())
+    return Fallback::Compiling;
+  if (!engine())
     return Fallback::NotCompiled;
   m_compiled = context.linkedProgram ? context.linkedProgram->fragment.compiled : nullptr;
   Outcome outcome;

@@ -64,12 +64,6 @@ bool clearsInMemory(const PixelImage &image, bool whole) {
   return image.valid != Valid::Host || (whole && image.drawnHere);
 }
 
-/// What samples a texture of whose clear some is pending must look at it anew, and complete it.
-void noteDeferred(ResidentImages &images, const PixelImage &image) {
-  if (image.place.kind == Place::Kind::Texture && image.shadow.storage->pendingClear())
-    images.objects.changed();
-}
-
 bool clearColor(ResidentImages &images, PixelImage &image, int slice, const ClearState &state) {
   const bool whole = covers(state.area, image) && state.colorMask == 0xF;
   if (!makeOwn(images, image, !whole))
@@ -77,7 +71,6 @@ bool clearColor(ResidentImages &images, PixelImage &image, int slice, const Clea
   swrast::Image part = image.shadow;
   part.offset += slice * part.sliceStride;
   swrast::fill(part, state.area, state.color, state.colorMask);
-  noteDeferred(images, image);
   setValid(images, image, Valid::Shadow);
   return true;
 }
@@ -121,7 +114,6 @@ GLbitfield clearOurs(ResidentImages &images, GLbitfield mask) {
     return done;
   if (!state.area.empty())
     swrast::fillDepthStencil(image.shadow, state.area, depth, state.depth, stencil, state.stencil);
-  noteDeferred(images, image);
   setValid(images, image, Valid::Shadow);
   return done | rest;
 }

@@ -1,12 +1,15 @@
-// Frames that the rasterizer and the host draw together: rasterizer-mixed SEED COUNT. Each seed is
-// a sequence of frames in two windows, in which draws that the host must make and draws of programs
-// meet at every position, while windows are resized, mapped late, shown twice or not at all, and
-// programs are new in the middle of a frame, and passes over one shape meet at equal depths. What
-// is shown and what is read is written out, to be compared between two sides. Every frame begins
-// with something that covers all of it, since a window's pixels are undefined after it was resized.
+// Frames that the rasterizer and the host draw together: rasterizer-mixed SEED COUNT [PAUSE]. Each
+// seed is a sequence of frames in two windows, in which draws that the host must make and draws of
+// programs meet at every position, while windows are resized, mapped late, shown twice or not at
+// all, and programs are new in the middle of a frame, and passes over one shape meet at equal
+// depths. What is shown and what is read is written out, to be compared between two sides. Every
+// frame begins with something that covers all of it, since a window's pixels are undefined after it
+// was resized. PAUSE, in milliseconds, is between frames: what is compiled aside comes into them.
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 #include "glx_windows.h"
 #include "surface.h"
@@ -51,13 +54,14 @@ public:
   Sequence(const Sequence &) = delete;
   Sequence &operator=(const Sequence &) = delete;
 
-  void run() {
+  void run(std::chrono::milliseconds pause) {
     for (m_frame = 0; m_frame < kFrames; ++m_frame) {
       change();
       cover();
       for (int i = m_random.below(6); i > 0; --i)
         step();
       show();
+      std::this_thread::sleep_for(pause);
     }
   }
 
@@ -310,13 +314,14 @@ END
 } // namespace software
 
 int main(int argc, char **argv) {
-  if (argc != 3)
+  if (argc != 3 && argc != 4)
     return 1;
   Display *const own = XOpenDisplay(nullptr), *const other = XOpenDisplay(nullptr);
   if (!own || !other)
     software::fail("no X display");
   for (int i = 0; i < std::atoi(argv[2]); ++i)
-    software::Sequence(own, other, std::atoi(argv[1]) + i).run();
+    software::Sequence(own, other, std::atoi(argv[1]) + i)
+        .run(std::chrono::milliseconds(argc == 4 ? std::atoi(argv[3]) : 0));
   XCloseDisplay(other);
   XCloseDisplay(own);
   return 0;

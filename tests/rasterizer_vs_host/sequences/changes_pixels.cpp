@@ -47,9 +47,32 @@ void toWindow(Stage &) {
   glViewport(0, 0, kSide, kSide);
 }
 
+/// The target's texels, which draws sample from here on, by Clear alone.
+void clearSampled(Stage &stage, float red) {
+  glBindTexture(GL_TEXTURE_2D, stage.target);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, stage.framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, stage.target, 0);
+  glClearColor(red, 0.5f, 1.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glClearColor(0.2f, 0.1f, 0.4f, 1.0f);
+}
+
 } // namespace
 
 const std::vector<Change> kPixelChanges = {
+    {"the sampled texture, cleared", kAllForms, 0,
+     [](Stage &s) {
+       for (const float red : {0.25f, 0.5f}) {
+         clearSampled(s, red);
+         s.draw();
+         s.draw();
+       }
+       clearSampled(s, 1.0f);
+     },
+     [](Stage &s) { glBindTexture(GL_TEXTURE_2D, s.textures[0]); }},
     {"Scissor", kAllForms, GL_SCISSOR_BIT,
      [](Stage &) {
        glEnable(GL_SCISSOR_TEST);

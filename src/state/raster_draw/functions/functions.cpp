@@ -14,6 +14,7 @@ namespace arbiter::state::software {
 
 namespace {
 
+std::atomic<bool> g_engineKnown{false};
 std::atomic<std::uint64_t> g_functions{0}, g_failed{0}, g_codeBytes{0}, g_nanoseconds{0};
 
 /// Adds the time until its end to the statistics.
@@ -38,7 +39,7 @@ constexpr std::chrono::milliseconds kWorthWaiting{50};
 /// floating-point environment that LLVM is not made for. Where there is no such thread what was
 /// asked for stays in the making, and the host draws.
 template <typename Task> void run(Wait wait, Task task) {
-  if (compileLater(std::move(task)))
+  if (compileLater(std::move(task)) && wait != Wait::Not)
     awaitCompiler(wait == Wait::UntilDone ? std::nullopt : std::optional(kWorthWaiting));
 }
 
@@ -132,7 +133,15 @@ fp::jit::Engine *engine() {
       logWarn("software", "no rasterizer, the host draws: %s", reason.c_str());
     return made.release(); // its code may run until the process is gone
   }();
+  g_engineKnown.store(true, std::memory_order_release);
   return s_engine;
+}
+
+bool awaitsEngine() {
+  static std::atomic<bool> s_asked{false};
+  if (g_engineKnown.load(std::memory_order_acquire))
+    return false;
+  return s_asked.exchange(true) || compileLater([] { static_cast<void>(engine()); });
 }
 
 void FragmentFunctions::prepare() {

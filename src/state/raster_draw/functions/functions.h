@@ -16,6 +16,9 @@ namespace arbiter::state::software {
 /// The engine, made at the first call (it loads LLVM); null where the library does not load, which
 /// is said once in the log.
 [[nodiscard]] fp::jit::Engine *engine();
+/// Has it made by the compiling thread. True while it is not there yet; false where there is no
+/// such thread, too.
+[[nodiscard]] bool awaitsEngine();
 
 /// How far a thing that is compiled aside has come.
 enum class Progress : std::uint8_t { Making, Ready, Failed };
@@ -28,8 +31,9 @@ template <typename Function> struct FunctionSlot {
   std::unique_ptr<fp::jit::Code<Function>> code;
 };
 
-/// Whether a caller waits for a while, or until all is compiled (ARBITER_BACKEND=swrast).
-enum class Wait : std::uint8_t { Briefly, UntilDone };
+/// Whether a caller waits: not at all, as the host draws this time whatever there is; for a while;
+/// or until all is compiled (ARBITER_BACKEND=swrast).
+enum class Wait : std::uint8_t { Not, Briefly, UntilDone };
 
 /// The functions of one fragment program in one mode. Contexts share it; it lives as long as
 /// someone holds it, functions as long as it.
