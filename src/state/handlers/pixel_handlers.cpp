@@ -108,11 +108,6 @@ ARBITER_REDEFINES(TexImage1D,
                   (Context & context, GLenum target, GLint level, GLint internalformat,
                    GLsizei width, GLint border, GLenum format, GLenum type, const void *pixels),
                   (target, level, internalformat, width, border, format, type, pixels))
-ARBITER_REDEFINES(TexImage2D,
-                  (Context & context, GLenum target, GLint level, GLint internalformat,
-                   GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
-                   const void *pixels),
-                  (target, level, internalformat, width, height, border, format, type, pixels))
 ARBITER_REDEFINES(TexImage3D,
                   (Context & context, GLenum target, GLint level, GLint internalformat,
                    GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format,
@@ -159,6 +154,15 @@ ARBITER_REDEFINES(TexStorage3D,
                   (target, levels, internalformat, width, height, depth))
 ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
 #undef ARBITER_REDEFINES
+
+void TexImage2D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels) {
+  if (changes(context) && context.software)
+    context.software->residency.texImage2D(target, level, internalformat, width, height, border,
+                                           format, type, pixels);
+  context.host->TexImage2D(target, level, internalformat, width, height, border, format, type,
+                           pixels);
+}
 
 // --- Texels are replaced ---
 

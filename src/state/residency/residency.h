@@ -149,6 +149,10 @@ public:
   /// own call.
   void texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
                    GLsizei height, GLsizei depth, GLenum format, GLenum type, const void *pixels);
+  /// Before TexImage2D. Where it defines a level as it is already, it replaces its texels; else the
+  /// texture is the host's (textureRedefined()).
+  void texImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
+                  GLint border, GLenum format, GLenum type, const void *pixels);
   /// A level is (re)defined, storage is given, mipmaps are generated: the texture bound to `target`
   /// (0: any, all of them) is the host's from here on. Pending pixels of it go to the host first.
   void textureRedefined(GLenum target);

@@ -30,7 +30,8 @@ bool worthSharing(const Image &image, const Rect &rect) {
 /// The bound texture's level that the copy goes to; null where the host is to judge: errors, a
 /// level that the copy would define anew.
 PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
-  if (bindingOf(copy.target) == 0 || !isNamedAsBound(images, copy.texture))
+  if (bindingOf(copy.target) == 0 || !isNamedAsBound(images, copy.texture) ||
+      makesMipmaps(images, copy.target))
     return nullptr;
   Texture &texture = textureOf(images.objects, textureTargetOf(copy.target), copy.texture);
   PixelImage *const image = levelOf(images, texture, copy.target, copy.level);
@@ -38,15 +39,7 @@ PixelImage *destination(ResidentImages &images, const CopyToTexture &copy) {
     return nullptr;
   const Rect to = {copy.destX, copy.destY, copy.width, copy.height};
   if (copy.defines) {
-    if (!texture.immutableKnown) {
-      const TextureBinding bound(images, texture.target, texture.name);
-      GLint immutable = 0;
-      HostErrorScope errors = errorScope(images);
-      images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
-      texture.immutable = immutable != 0;
-      texture.immutableKnown = true;
-    }
-    const bool same = !texture.immutable && copy.border == 0 &&
+    const bool same = !isImmutable(images, texture) && copy.border == 0 &&
                       GLint(copy.internalFormat) == image->internalFormat &&
                       copy.width == image->width && copy.height == image->height &&
                       image->depth == 1;

@@ -102,6 +102,12 @@ Texture *boundTexture(ResidentImages &images, GLenum imageTarget) {
   return texture && isNamedAsBound(images, texture->name) ? texture : nullptr;
 }
 
+bool makesMipmaps(const ResidentImages &images, GLenum imageTarget) {
+  GLint made = 0;
+  images.hot.host->GetTexParameteriv(textureTargetOf(imageTarget), GL_GENERATE_MIPMAP, &made);
+  return made != 0;
+}
+
 bool textureExists(const ResidentImages &images, GLuint name) {
   return name == 0 || images.hot.host->IsTexture(name) != GL_FALSE;
 }
@@ -173,6 +179,27 @@ PixelImage *levelOf(ResidentImages &images, Texture &texture, GLenum imageTarget
     }
   }
   return image.get();
+}
+
+PixelImage *knownLevelOf(Texture &texture, GLenum imageTarget, GLint level) {
+  const GLenum target = textureTargetOf(imageTarget);
+  if (target == 0 || texture.target != target || level < 0 || level >= abi::kMaxLevels)
+    return nullptr;
+  const int faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
+  const auto index = std::size_t(faces * level + faceOf(imageTarget));
+  return index < texture.images.size() ? texture.images[index].get() : nullptr;
+}
+
+bool isImmutable(ResidentImages &images, Texture &texture) {
+  if (!texture.immutableKnown) {
+    const TextureBinding bound(images, texture.target, texture.name);
+    GLint immutable = 0;
+    HostErrorScope errors = errorScope(images);
+    images.hot.host->GetTexParameteriv(texture.target, GL_TEXTURE_IMMUTABLE_FORMAT, &immutable);
+    texture.immutable = immutable != 0;
+    texture.immutableKnown = true;
+  }
+  return texture.immutable;
 }
 
 PixelImage &renderbufferOf(ResidentImages &images, GLuint name) {

@@ -28,6 +28,14 @@ enum class Valid : std::uint8_t {
   Shadow ///< pending: the host is behind
 };
 
+/// What TexImage2D defined a level with, and when: while that is ObjectImages::descriptions.
+struct Definition {
+  GLint internalFormat = 0;
+  GLenum format = 0, type = 0;
+  std::uint64_t at = 0; ///< 0: it did not, or the host might refuse it
+  bool operator==(const Definition &) const = default;
+};
+
 /// How an image is named when its pixels are moved.
 struct Place {
   enum class Kind : std::uint8_t { Texture, Renderbuffer, Window } kind = Kind::Texture;
@@ -50,6 +58,8 @@ struct PixelImage {
   GLenum base = 0;    ///< GL_RGBA, GL_LUMINANCE .., GL_DEPTH_COMPONENT; 0: not one that we have
   abi::Format format; ///< that a shadow of it has at first
   bool srgb = false;  ///< isSrgb(internalFormat), of an image that we have
+  /// Of a level that TexImage2D defined since it was first known.
+  Definition definition;
   int width = 0, height = 0, depth = 1;
   /// Sizes and format are set even while there are no pixels. The format may differ from `format`
   /// after a copy: it then gives the same RGBA at the same precision.
@@ -184,6 +194,9 @@ void forgetSize(ResidentImages &images);
 [[nodiscard]] Texture *textureOfBoundName(ResidentImages &images, GLenum imageTarget);
 /// The texture that is bound to the target of an image, if anything is known of it.
 [[nodiscard]] Texture *boundTexture(ResidentImages &images, GLenum imageTarget);
+/// The texture that is bound to the target of an image makes its other levels anew when texels of
+/// it are given or copied (GENERATE_MIPMAP; OpenGL 1.4, 3.8.8). To draw to it does not.
+[[nodiscard]] bool makesMipmaps(const ResidentImages &images, GLenum imageTarget);
 /// There is a texture of that name still; default textures are always there.
 [[nodiscard]] bool textureExists(const ResidentImages &images, GLuint name);
 /// The level's image, its description asked for; null for a target or level that there is not.
@@ -201,6 +214,10 @@ void forgetSize(ResidentImages &images);
 [[nodiscard]] inline bool isDescribed(const ObjectImages &objects, const PixelImage &image) {
   return image.described == objects.descriptions;
 }
+/// The level's image if it was ever asked for, described or not.
+[[nodiscard]] PixelImage *knownLevelOf(Texture &texture, GLenum imageTarget, GLint level);
+/// The texture was given by TexStorage: its levels are never defined anew.
+[[nodiscard]] bool isImmutable(ResidentImages &images, Texture &texture);
 void setValid(ResidentImages &images, PixelImage &image, Valid which);
 /// The shadow's memory is given back: the host has all.
 void dropShadow(ResidentImages &images, PixelImage &image);

@@ -178,6 +178,30 @@ TEST_F(Residency, UploadsOfTheApplicationReachBoth) {
   EXPECT_EQ(hostTexel(4, 6, kWidth, kHeight), 0x10203040u);
 }
 
+TEST_F(Residency, ALevelThatIsDefinedAsItIsIsNotReadBack) {
+  const GLuint name = texture(GL_RGBA8, kWidth, kHeight);
+  const auto define = [&](GLint internalFormat, std::uint8_t value) {
+    const Bytes texels(std::size_t(kWidth) * kHeight * 4, value);
+    residency().texImage2D(GL_TEXTURE_2D, 0, internalFormat, kWidth, kHeight, 0, GL_RGBA,
+                           GL_UNSIGNED_BYTE, texels.data());
+    gl().TexImage2D(GL_TEXTURE_2D, 0, internalFormat, kWidth, kHeight, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                    texels.data());
+  };
+  for (const std::uint8_t value : {0x10, 0x20}) { // what it was is not known to be the same
+    define(GL_RGBA, value);
+    EXPECT_EQ(sampled(name, 1, 1), 0x01010101u * value);
+  }
+  const std::uint64_t downloads = residency().statistics().downloads;
+  for (const std::uint8_t value : {0x30, 0x40, 0x50}) {
+    define(GL_RGBA, value);
+    EXPECT_EQ(sampled(name, 1, 1), 0x01010101u * value);
+  }
+  EXPECT_EQ(residency().statistics().downloads, downloads);
+  define(GL_RGB, 0x60);
+  EXPECT_EQ(sampled(name, 1, 1) | 0xFFu, 0x606060FFu) << "another format";
+  EXPECT_GT(residency().statistics().downloads, downloads);
+}
+
 TEST_F(Residency, DeletedAndRedefinedTexturesAreForgotten) {
   const GLuint name = texture(GL_RGBA8, kWidth, kHeight);
   drawAll(0x10203040);

@@ -171,10 +171,12 @@ namespace {
 
 /// The host has all of the texture, and its levels may be others from now on.
 void redefine(ResidentImages &images, Texture &texture) {
+  texture.immutableKnown = false;
   for (const std::unique_ptr<PixelImage> &image : texture.images)
     if (image) {
       dropShadow(images, *image);
       image->described = 0;
+      image->definition = {};
     }
 }
 

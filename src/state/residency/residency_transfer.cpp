@@ -113,6 +113,28 @@ private:
   bool m_on;
 };
 
+/// The bound texture's other levels stay as they are within it.
+class MipmapsKept {
+public:
+  MipmapsKept(const ResidentImages &images, GLenum imageTarget)
+      : m_host(*images.hot.host), m_target(textureTargetOf(imageTarget)),
+        m_made(makesMipmaps(images, imageTarget)) {
+    if (m_made)
+      m_host.TexParameteri(m_target, GL_GENERATE_MIPMAP, GL_FALSE);
+  }
+  ~MipmapsKept() {
+    if (m_made)
+      m_host.TexParameteri(m_target, GL_GENERATE_MIPMAP, GL_TRUE);
+  }
+  MipmapsKept(const MipmapsKept &) = delete;
+  MipmapsKept &operator=(const MipmapsKept &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLenum m_target;
+  bool m_made;
+};
+
 /// The bound texture's level is still of the size that the image was described with. What moves
 /// pixels relies on it, and asks: to bind a name that is free would make a texture of it, too.
 bool isAsDescribed(const host::HostTable &host, const PixelImage &image) {
@@ -316,6 +338,7 @@ void upload(ResidentImages &images, PixelImage &image) {
     const TextureBinding binding(images, textureTargetOf(image.place.target), image.place.name);
     if (!isAsDescribed(*images.hot.host, image))
       return;
+    const MipmapsKept kept(images, image.place.target);
     writeTexture(images, image.place.target, image.place.level, from, gl);
   } else {
     writeBuffer(images, image);

@@ -193,6 +193,8 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   Texture *const texture = textureOfBoundName(images, target);
   if (!texture)
     return;
+  if (makesMipmaps(images, target))
+    return textureRedefined(textureTargetOf(target));
   PixelImage *const image = levelOf(images, *texture, target, level);
   if (!image || image->valid == Valid::Host ||
       (z == 0 && isNamedAsBound(images, texture->name) &&
@@ -201,6 +203,59 @@ void Residency::texSubImage(GLenum target, GLint level, GLint x, GLint y, GLint 
   if (image->valid == Valid::Shadow)
     upload(images, *image);
   dropShadow(images, *image);
+}
+
+namespace {
+
+/// Formats of bytes that TexImage2D takes with any of byteSource()'s.
+bool isPlainFormat(GLint internalFormat) {
+  switch (internalFormat) {
+  case 1:
+  case 2:
+  case 3:
+  case 4:
+  case GL_ALPHA:
+  case GL_ALPHA8:
+  case GL_LUMINANCE:
+  case GL_LUMINANCE8:
+  case GL_LUMINANCE_ALPHA:
+  case GL_LUMINANCE8_ALPHA8:
+  case GL_INTENSITY:
+  case GL_INTENSITY8:
+  case GL_RGB:
+  case GL_RGB8:
+  case GL_RGBA:
+  case GL_RGBA8:
+    return true;
+  default:
+    return false;
+  }
+}
+
+} // namespace
+
+void Residency::texImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width,
+                           GLsizei height, GLint border, GLenum format, GLenum type,
+                           const void *pixels) {
+  ResidentImages &images = *m_images;
+  if (!isAlone(images) || images.objects.textures.empty())
+    return;
+  Texture *const texture = bindingOf(target) == 0 ? nullptr : boundTexture(images, target);
+  PixelImage *const image = texture ? knownLevelOf(*texture, target, level) : nullptr;
+  ByteSource source;
+  Definition now;
+  if (image && border == 0 && isPlainFormat(internalFormat) && byteSource(format, type, source))
+    now = {internalFormat, format, type, images.objects.descriptions};
+  const bool isSame = now.at != 0 && image->definition == now &&
+                      isDescribed(images.objects, *image) && width == image->width &&
+                      height == image->height && image->depth == 1 && pixels &&
+                      !makesMipmaps(images, target) && !isImmutable(images, *texture);
+  if (isSame && (image->valid == Valid::Host ||
+                 write(images, *image, {0, 0, width, height}, format, type, pixels)))
+    return;
+  textureRedefined(target);
+  if (image)
+    image->definition = now;
 }
 
 } // namespace arbiter::state::software

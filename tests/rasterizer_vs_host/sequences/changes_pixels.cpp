@@ -29,10 +29,21 @@ void texels(Stage &stage, int level, unsigned char value) {
   glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
-void size(Stage &stage, int edge) {
-  const std::vector<unsigned char> bytes(std::size_t(4 * edge * edge), 200);
+/// Level 0 as it is, with other texels.
+void define(GLint internalFormat, unsigned char value) {
+  const std::vector<unsigned char> bytes(std::size_t(4 * 64), value);
+  glTexImage2D(GL_TEXTURE_2D, 0, internalFormat, 8, 8, 0, GL_BGRA, GL_UNSIGNED_BYTE, bytes.data());
+}
+
+/// Defined with the same until it is known as such.
+void redefine(Stage &stage, GLint last) {
   glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, edge, edge, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  for (const int value : {60, 130, 220, 90}) {
+    define(GL_RGBA, static_cast<unsigned char>(value));
+    stage.draw();
+    stage.draw();
+  }
+  define(last, 250);
 }
 
 void toTarget(Stage &stage) {
@@ -45,6 +56,48 @@ void toTarget(Stage &stage) {
 void toWindow(Stage &) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, kSide, kSide);
+}
+
+/// Level 1 is sampled, of a texture that makes it of level 0 by itself; then level 0 is replaced.
+void remakeMipmaps(Stage &stage, void (*replace)()) {
+  glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  for (int i = 0; i < 2; ++i) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
+    stage.draw();
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+    stage.draw();
+    replace();
+  }
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
+}
+
+/// To draw to a texture makes no mipmaps of it, nor does what moves the pixels.
+void drawToMipmapped(Stage &stage) {
+  const std::vector<unsigned char> bytes(std::size_t(4 * kSide * kSide), 200);
+  glBindTexture(GL_TEXTURE_2D, stage.target);
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSide, kSide, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               bytes.data());
+  glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
+  toTarget(stage);
+  stage.draw();
+  toWindow(stage);
+  glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data()); // the host's: it gets all pixels
+  glBindTexture(GL_TEXTURE_2D, stage.target);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 1);
+}
+
+void keepMipmaps(Stage &stage) {
+  glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_FALSE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+}
+
+void size(Stage &stage, int edge) {
+  const std::vector<unsigned char> bytes(std::size_t(4 * edge * edge), 200);
+  glBindTexture(GL_TEXTURE_2D, stage.textures[0]);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, edge, edge, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
 /// The target's texels, which draws sample from here on, by Clear alone.
@@ -63,6 +116,37 @@ void clearSampled(Stage &stage, float red) {
 } // namespace
 
 const std::vector<Change> kPixelChanges = {
+    {"TexImage2D, as it is", kAllForms, 0, [](Stage &s) { redefine(s, GL_RGBA); },
+     [](Stage &s) { redefine(s, GL_RGBA8); }},
+    {"TexImage2D, as another format", kAllForms, 0, [](Stage &s) { redefine(s, GL_LUMINANCE); },
+     [](Stage &s) { redefine(s, GL_RGB); }},
+    {"drawn to, mipmaps by themselves", kAllForms, 0, drawToMipmapped, keepMipmaps},
+    {"TexSubImage2D, mipmaps by themselves", kAllForms, 0,
+     [](Stage &s) {
+       remakeMipmaps(s, [] {
+         const std::vector<unsigned char> bytes(std::size_t(4 * 64), 220);
+         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+       });
+     },
+     keepMipmaps},
+    {"CopyTexSubImage2D, mipmaps by themselves", kAllForms, 0,
+     [](Stage &s) {
+       remakeMipmaps(s, [] { glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 28, 28, 8, 8); });
+     },
+     keepMipmaps},
+    {"CopyTexImage2D, mipmaps by themselves", kAllForms, 0,
+     [](Stage &s) {
+       remakeMipmaps(s, [] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 28, 28, 8, 8, 0); });
+     },
+     keepMipmaps},
+    {"TexImage2D, mipmaps by themselves", kAllForms, 0,
+     [](Stage &s) {
+       remakeMipmaps(s, [] {
+         const std::vector<unsigned char> bytes(std::size_t(4 * 64), 220);
+         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+       });
+     },
+     keepMipmaps},
     {"the sampled texture, cleared", kAllForms, 0,
      [](Stage &s) {
        for (const float red : {0.25f, 0.5f}) {
