@@ -15,10 +15,14 @@ struct Vertex {
   float u0, v0, u1, v1;
 };
 
-constexpr Vertex kQuad[] = {{-0.9F, -0.9F, 0.5F, 0xFFFF4020, 0, 1, 0, 2},
-                            {-0.9F, 0.9F, 0.5F, 0xFF40FF20, 0, 0, 0, 0},
-                            {0.9F, -0.9F, 0.5F, 0x802040FF, 1, 1, 2, 2},
-                            {0.9F, 0.9F, 0.5F, 0xFFFFFFFF, 1, 0, 2, 0}};
+/// A quarter of a texel. Direct3D 8 has vertices at pixels' centres, and without it whole columns and
+/// rows would be sampled exactly at texels' edges, which each implementation rounds its own way.
+constexpr float kAside = 0.25F / kSide;
+constexpr float kNone = kAside, kOnce = 1 + kAside, kTwice = 2 + kAside;
+constexpr Vertex kQuad[] = {{-0.9F, -0.9F, 0.5F, 0xFFFF4020, kNone, kOnce, kNone, kTwice},
+                            {-0.9F, 0.9F, 0.5F, 0xFF40FF20, kNone, kNone, kNone, kNone},
+                            {0.9F, -0.9F, 0.5F, 0x802040FF, kOnce, kOnce, kTwice, kTwice},
+                            {0.9F, 0.9F, 0.5F, 0xFFFFFFFF, kOnce, kNone, kTwice, kNone}};
 
 // ps.1.1; tex t0; tex t1; mul r0, t0, v0
 constexpr DWORD kProduct[] = {0xFFFF0101, 0x42,       0xB00F0000, 0x42,       0xB00F0001,

@@ -12,6 +12,25 @@ namespace arbiter::state::software {
 
 namespace {
 
+/// A buffer that the application keeps mapped while it draws (ARB_buffer_storage), read where it
+/// writes: on a host that draws on the processor the mapping is the buffer's memory. Null data
+/// where not all of it is mapped so. The buffer is bound to `target`.
+BufferCopies::Contents persistentMapping(const Context &context, GLenum target, GLint bytes) {
+  const host::HostTable &host = *context.host;
+  const auto get = [&](GLenum pname) {
+    GLint value = 0;
+    host.GetBufferParameteriv(target, pname, &value);
+    return value;
+  };
+  if (!context.caps.bufferStorage || !context.caps.onProcessor ||
+      (get(GL_BUFFER_ACCESS_FLAGS) & GL_MAP_PERSISTENT_BIT) == 0 ||
+      get(GL_BUFFER_MAP_OFFSET) != 0 || get(GL_BUFFER_MAP_LENGTH) != bytes)
+    return {};
+  void *data = nullptr;
+  host.GetBufferPointerv(target, GL_BUFFER_MAP_POINTER, &data);
+  return {static_cast<const std::uint8_t *>(data), data ? std::size_t(bytes) : 0};
+}
+
 /// Binds buffers to a target for as long as it lives. COPY_READ_BUFFER is no part of any draw.
 class BufferScope {
 public:
@@ -72,10 +91,7 @@ BufferCopies::Contents ArraySource::contentsOf(Context &context, const Mirror &m
   for (int i = 0; i < m_mappedCount; ++i)
     if (m_mapped[std::size_t(i)].buffer == buffer)
       return m_mapped[std::size_t(i)].contents;
-  const BufferCopies::Contents contents = map(context, buffer);
-  if (contents.data)
-    m_copies.drawnFrom(buffer, contents);
-  return contents;
+  return map(context, buffer);
 }
 
 BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
@@ -89,8 +105,10 @@ BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
   };
   const GLint bytes = get(GL_BUFFER_SIZE); // of 2 GiB and more: the largest integer
   // One that the application has mapped, or whose storage is not to be read, would be an error.
-  if (bytes <= 0 || get(GL_BUFFER_MAPPED) != 0)
+  if (bytes <= 0)
     return {};
+  if (get(GL_BUFFER_MAPPED) != 0)
+    return persistentMapping(context, scope.target, bytes); // it changes without a command: no copy
   if (context.caps.bufferStorage && get(GL_BUFFER_IMMUTABLE_STORAGE) != 0 &&
       (get(GL_BUFFER_STORAGE_FLAGS) & GL_MAP_READ_BIT) == 0)
     return {};
@@ -99,6 +117,7 @@ BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
     return {};
   Mapped &mapped = m_mapped[std::size_t(m_mappedCount++)];
   mapped = {buffer, {static_cast<const std::uint8_t *>(data), std::size_t(bytes)}};
+  m_copies.drawnFrom(buffer, mapped.contents);
   return mapped.contents;
 }
 

@@ -46,6 +46,7 @@ private:
   /// Null data: the buffer cannot be read.
   [[nodiscard]] BufferCopies::Contents contentsOf(Context &context, const Mirror &mirror,
                                                   GLuint buffer);
+  /// Maps it until close(), or finds the application's own mapping.
   [[nodiscard]] BufferCopies::Contents map(Context &context, GLuint buffer);
   [[nodiscard]] bool addArrays(Context &context, const Mirror &mirror, std::uint32_t slots);
   [[nodiscard]] bool addIndices(Context &context, const Mirror &mirror, const DrawCommand &command);
