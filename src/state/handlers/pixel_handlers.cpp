@@ -27,11 +27,26 @@ bool changes(Context &context) {
 void Clear(Context &context, GLbitfield mask) {
   if (changes(context) && context.software) {
     software::clearsTarget(context, mask);
-    if (context.software->residency.clear(mask))
+    // Whether it happens is the host's to know (OpenGL 3.0, 2.14).
+    if (!context.software->mirror.conditional && context.software->residency.clear(mask))
       return;
     context.software->residency.hostTakesTargets("glClear");
   }
   context.host->Clear(mask);
+}
+
+void BlitFramebuffer(Context &context, GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1,
+                     GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask,
+                     GLenum filter) {
+  if (changes(context) && context.software) {
+    if (!context.software->mirror.conditional &&
+        context.software->residency.blit(
+            {{srcX0, srcY0, srcX1, srcY1}, {dstX0, dstY0, dstX1, dstY1}, mask, filter}))
+      return;
+    context.software->residency.hostTakesTargets("glBlitFramebuffer");
+  }
+  context.host->BlitFramebuffer(srcX0, srcY0, srcX1, srcY1, dstX0, dstY0, dstX1, dstY1, mask,
+                                filter);
 }
 
 void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,

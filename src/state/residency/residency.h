@@ -67,6 +67,16 @@ struct CopyToTexture {
   GLsizei width = 0, height = 1;
 };
 
+/// BlitFramebuffer: corners as given, either end first.
+struct FramebufferBlit {
+  struct Corners {
+    GLint x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  };
+  Corners from, to;
+  GLbitfield mask = 0;
+  GLenum filter = 0;
+};
+
 /// Figures for --stats and for tests.
 struct ResidencyStatistics {
   std::uint64_t copiesShared = 0;                   ///< feedback copies that moved no pixel
@@ -137,6 +147,9 @@ public:
   /// False: the host has been brought up to date for the copy, and the level is its own.
   [[nodiscard]] bool copyToTexture(const CopyToTexture &copy);
   [[nodiscard]] bool clear(GLbitfield mask);
+  /// Colours that are moved as they are, upside down or not, from a shadow; nothing of the host's is
+  /// read.
+  [[nodiscard]] bool blit(const FramebufferBlit &command);
   /// What tells the draw framebuffer from others, where Clear of `mask` replaces all of its colours
   /// and depths; null where it does not, or where we cannot draw to it.
   [[nodiscard]] const void *wholeTargetCleared(GLbitfield mask);
