@@ -147,8 +147,8 @@ public:
   /// False: the host has been brought up to date for the copy, and the level is its own.
   [[nodiscard]] bool copyToTexture(const CopyToTexture &copy);
   [[nodiscard]] bool clear(GLbitfield mask);
-  /// Colours that are moved as they are, upside down or not, from a shadow; nothing of the host's is
-  /// read.
+  /// Colours that are moved as they are, upside down or not, from a shadow; nothing of the host's
+  /// is read.
   [[nodiscard]] bool blit(const FramebufferBlit &command);
   /// What tells the draw framebuffer from others, where Clear of `mask` replaces all of its colours
   /// and depths; null where it does not, or where we cannot draw to it.

@@ -157,6 +157,21 @@ const std::vector<Change> kObjectChanges = {
        glEndQuery(GL_SAMPLES_PASSED);
        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
      }},
+    {"a clear under a condition", kAllForms, 0,
+     [](Stage &s) {
+       s.draw();
+       glBeginQuery(GL_SAMPLES_PASSED, s.query);
+       glEndQuery(GL_SAMPLES_PASSED); // none did
+       glClearColor(1.0f, 0.5f, 0.0f, 1.0f);
+       glEnable(GL_SCISSOR_TEST);
+       glScissor(0, 0, 8, 8);
+       glClear(GL_COLOR_BUFFER_BIT); // this one is seen
+       glDisable(GL_SCISSOR_TEST);
+       glBeginConditionalRender(s.query, GL_QUERY_WAIT);
+       glClear(GL_COLOR_BUFFER_BIT);
+       glEndConditionalRender();
+     },
+     [](Stage &) { glClearColor(0.2f, 0.1f, 0.4f, 1.0f); }},
     {"a buffer, by another context", kAllForms, 0,
      [](Stage &s) { elsewhere(s, [](Stage &o) { fill(GL_ARRAY_BUFFER, o.buffer, 0.1f, false); }); },
      [](Stage &s) {
