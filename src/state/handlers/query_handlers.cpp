@@ -31,6 +31,10 @@ void BeginConditionalRender(Context &context, GLuint id, GLenum mode) {
   if (isRecorded(context))
     return context.list->record(
         context, {.kind = Command::Kind::BeginConditional, .target = mode, .name = id});
+  // What brings pixels to the host is a blit, which the condition would discard. Until its end the
+  // host draws and clears, so nothing is pending that a blit would have to bring.
+  if (context.software && !context.insideBeginEnd && context.listMode == 0)
+    context.software->residency.synchronise("glBeginConditionalRender");
   context.host->BeginConditionalRender(id, mode);
   note(context, true);
 }
