@@ -15,8 +15,9 @@ struct Vertex {
   float u0, v0, u1, v1;
 };
 
-/// A quarter of a texel. Direct3D 8 has vertices at pixels' centres, and without it whole columns and
-/// rows would be sampled exactly at texels' edges, which each implementation rounds its own way.
+/// A quarter of a texel. Direct3D 8 has vertices at pixels' centres, and without it whole columns
+/// and rows would be sampled exactly at texels' edges, which each implementation rounds its own
+/// way.
 constexpr float kAside = 0.25F / kSide;
 constexpr float kNone = kAside, kOnce = 1 + kAside, kTwice = 2 + kAside;
 constexpr Vertex kQuad[] = {{-0.9F, -0.9F, 0.5F, 0xFFFF4020, kNone, kOnce, kNone, kTwice},
