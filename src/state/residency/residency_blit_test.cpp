@@ -12,7 +12,10 @@ class Blit : public Residency {
 protected:
   void SetUp() override {
     Residency::SetUp();
-    m_source = texture(GL_RGBA8, kWidth, kHeight);
+    make(GL_RGBA8);
+  }
+  void make(GLenum sourceFormat) {
+    m_source = texture(sourceFormat, kWidth, kHeight);
     m_target = texture(GL_RGBA8, kWidth, kHeight);
     m_reference = texture(GL_RGBA8, kWidth, kHeight);
     m_from = framebufferOf(m_source);
@@ -100,6 +103,15 @@ TEST_F(Blit, GivesThePixelsOfTheHosts) {
   draw();
   ASSERT_TRUE(blit(kWhole));
   const Bytes mine = texels(m_target);
+  EXPECT_EQ(mine, byHost(kWhole));
+}
+
+TEST_F(Blit, ASourceWithoutAlphaGivesOne) {
+  make(GL_RGB8);
+  draw();
+  ASSERT_TRUE(blit(kWhole));
+  const Bytes mine = texels(m_target);
+  EXPECT_EQ(mine[3], 255);
   EXPECT_EQ(mine, byHost(kWhole));
 }
 

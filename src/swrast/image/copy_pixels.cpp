@@ -11,8 +11,6 @@ namespace {
 
 using abi::Layout;
 
-/// Below this, waking a thread costs more than the work.
-constexpr std::int64_t kParallelBytes = 512 << 10;
 constexpr int kBandRows = 32;
 /// Less is written as soon as it is noted.
 constexpr std::int64_t kDeferredBytes = 8 << 10;

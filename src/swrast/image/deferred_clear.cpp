@@ -12,8 +12,6 @@
 namespace arbiter::swrast {
 namespace {
 
-/// Below this, waking a thread costs more than the work.
-constexpr std::int64_t kParallelBytes = 512 << 10;
 constexpr int kPatternBytes = 16;
 constexpr std::ptrdiff_t kLine = 64;
 constexpr int kRowsAhead = 4;

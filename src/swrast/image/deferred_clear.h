@@ -34,7 +34,7 @@ void writePattern(const ClearedPixels &pixels, const ClearPattern &pattern, cons
 
 /// The clear of one image that is still to be written, in part: a tile of 64x64 pixels at a time,
 /// by the thread that draws to the tile first, so that it lies in that processor's cache when it is
-/// drawn to; what nobody draws to or reads is never written.
+/// drawn to; what is neither drawn to nor read is never written.
 class DeferredClear {
 public:
   static constexpr int kTileShift = 6, kTile = 1 << kTileShift;

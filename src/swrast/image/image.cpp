@@ -9,8 +9,6 @@ namespace arbiter::swrast {
 namespace {
 
 constexpr int kMaxSize = 16384;
-/// Below this, waking a thread costs more than the copy.
-constexpr std::int64_t kParallelBytes = 512 << 10;
 constexpr std::int64_t kCopyBytes = 128 << 10;
 
 void copyBytes(std::uint8_t *to, const std::uint8_t *from, std::size_t bytes) {

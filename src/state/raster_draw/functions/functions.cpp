@@ -131,9 +131,9 @@ fp::jit::Engine *engine() {
       logInfo("software", "rasterizer: %s", made->target().c_str());
     else
       logWarn("software", "no rasterizer, the host draws: %s", reason.c_str());
+    g_engineKnown.store(true, std::memory_order_release);
     return made.release(); // its code may run until the process is gone
   }();
-  g_engineKnown.store(true, std::memory_order_release);
   return s_engine;
 }
 

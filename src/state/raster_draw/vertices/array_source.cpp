@@ -78,6 +78,8 @@ void ArraySource::close(Context &context) {
     return;
   const BufferScope scope(*context.host, context.caps);
   for (int i = 0; i < m_mappedCount; ++i) {
+    if (m_mapped[std::size_t(i)].isApplications)
+      continue;
     context.host->BindBuffer(scope.target, m_mapped[std::size_t(i)].buffer);
     context.host->UnmapBuffer(scope.target);
   }
@@ -107,8 +109,12 @@ BufferCopies::Contents ArraySource::map(Context &context, GLuint buffer) {
   // One that the application has mapped, or whose storage is not to be read, would be an error.
   if (bytes <= 0)
     return {};
-  if (get(GL_BUFFER_MAPPED) != 0)
-    return persistentMapping(context, scope.target, bytes); // it changes without a command: no copy
+  if (get(GL_BUFFER_MAPPED) != 0) { // it changes without a command: no copy
+    const BufferCopies::Contents contents = persistentMapping(context, scope.target, bytes);
+    if (contents.data)
+      m_mapped[std::size_t(m_mappedCount++)] = {buffer, contents, true};
+    return contents;
+  }
   if (context.caps.bufferStorage && get(GL_BUFFER_IMMUTABLE_STORAGE) != 0 &&
       (get(GL_BUFFER_STORAGE_FLAGS) & GL_MAP_READ_BIT) == 0)
     return {};

@@ -42,6 +42,7 @@ private:
   struct Mapped {
     GLuint buffer = 0;
     BufferCopies::Contents contents;
+    bool isApplications = false; ///< its own mapping, which stays
   };
   /// Null data: the buffer cannot be read.
   [[nodiscard]] BufferCopies::Contents contentsOf(Context &context, const Mirror &mirror,
