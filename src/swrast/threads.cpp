@@ -10,15 +10,9 @@
 #include <thread>
 #include <utility>
 
+#include "swrast/jump_guard.h"
 #include "util/flags.h"
 #include "util/thread.h"
-
-// glibc's, of its public ABI, whose header declares the buffer alone. What is pushed is called when
-// longjmp() leaves the frame that holds the buffer (POSIX leaves open what destructors do then:
-// glibc calls none).
-extern "C" void _pthread_cleanup_push(_pthread_cleanup_buffer *buffer, void (*routine)(void *),
-                                      void *argument);
-extern "C" void _pthread_cleanup_pop(_pthread_cleanup_buffer *buffer, int execute);
 
 namespace arbiter::swrast {
 namespace {
@@ -40,6 +34,17 @@ void pause() {
 #elif defined(__aarch64__)
   asm volatile("yield");
 #endif
+}
+
+/// What `ready` says, or false after kLeave.
+template <typename Ready> bool waitFor(Ready ready) {
+  const auto end = std::chrono::steady_clock::now() + kLeave;
+  while (!ready()) {
+    if (std::chrono::steady_clock::now() > end)
+      return false;
+    sched_yield();
+  }
+  return true;
 }
 
 /// Spins until `ready` or the time is over; returns what `ready` says.
@@ -83,22 +88,10 @@ public:
   bool run(std::uint32_t count, Work work, void *argument, int threads) {
     if (m_busy.exchange(true, std::memory_order_acquire))
       return false;
-    CallOffIfLeft guard(*this);
+    JumpGuard guard([this] { callOff(); });
     start(threads - 1);
-    const std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
-    for (int share = m_threads.load(std::memory_order_relaxed); share-- > 0;)
-      m_shares[share].ticket.store(std::uint64_t(job) << 32 | kNoIndex, std::memory_order_relaxed);
-    m_done.store(0, std::memory_order_relaxed);
-    m_count.store(count, std::memory_order_release);
-    m_work.store(work, std::memory_order_release);
-    m_argument.store(argument, std::memory_order_release);
-    m_threads.store(threads, std::memory_order_release);
-    for (int share = 0; share < threads; ++share)
-      m_shares[share].ticket.store(std::uint64_t(job) << 32 | shareBegin(share, threads, count),
-                                   std::memory_order_release);
-    m_job.store(job, std::memory_order_release);
-    m_job.notify_all();
-    take(job, 0);
+    Progress progress;
+    take(begin(count, work, argument, threads, false), 0, progress);
     const auto done = [this, count] { return m_done.load(std::memory_order_acquire) == count; };
     while (!spinFor(done)) {
       const std::uint32_t now = m_done.load(std::memory_order_acquire);
@@ -110,31 +103,77 @@ public:
     return true;
   }
 
-private:
-  /// While it lives, a jump over it calls the job off; so does an exception.
-  class CallOffIfLeft {
-  public:
-    explicit CallOffIfLeft(Pool &pool) : m_pool(pool) {
-      _pthread_cleanup_push(
-          &m_buffer, [](void *self) { static_cast<CallOffIfLeft *>(self)->left(); }, this);
+  /// The job's number; 0 where there is none.
+  std::uint32_t post(std::uint32_t count, Work work, void *argument, int threads) {
+    if (m_busy.exchange(true, std::memory_order_acquire))
+      return 0;
+    start(threads - 1);
+    if (m_workers == 0) {
+      m_busy.store(false, std::memory_order_release);
+      return 0;
     }
-    ~CallOffIfLeft() {
-      _pthread_cleanup_pop(&m_buffer, 0);
-      left();
+    return begin(count, work, argument, threads, true);
+  }
+  [[nodiscard]] bool isOver(std::uint32_t job) const {
+    return std::int32_t(m_over.load(std::memory_order_acquire) - job) >= 0;
+  }
+  void join(std::uint32_t job) {
+    Progress progress;
+    // The caller's index, which is half done, counts as done: the others do the rest.
+    JumpGuard guard([&] {
+      count(job, progress.done + (progress.isAtOne ? 1 : 0));
+      leave(job);
+    });
+    takeAll(job, 0, progress);
+    guard.done();
+    count(job, progress.done);
+    while (!spinFor([&] { return isOver(job); })) {
+      const std::uint32_t now = m_over.load(std::memory_order_acquire);
+      if (std::int32_t(now - job) < 0)
+        m_over.wait(now, std::memory_order_acquire);
     }
-    CallOffIfLeft(const CallOffIfLeft &) = delete;
-    CallOffIfLeft &operator=(const CallOffIfLeft &) = delete;
-    void done() { m_done = true; }
+  }
+  /// Without its threads: what one of them was at stays half done.
+  void joinAlone(std::uint32_t job) {
+    Progress progress;
+    take(job, 0, progress);
+  }
+  void awaitPosted() const {
+    waitFor([this] { return !m_isPosted.load(std::memory_order_acquire); });
+  }
 
-  private:
-    void left() {
-      if (!std::exchange(m_done, true))
-        m_pool.callOff();
-    }
-    Pool &m_pool;
-    bool m_done = false;
-    _pthread_cleanup_buffer m_buffer;
+private:
+  /// A caller's part of a job.
+  struct Progress {
+    std::uint32_t done = 0; ///< indices
+    bool isAtOne = false;
   };
+
+  std::uint32_t begin(std::uint32_t count, Work work, void *argument, int threads, bool posted) {
+    std::uint32_t job = m_job.load(std::memory_order_relaxed) + 1;
+    job += job == 0; // is none
+    for (int share = m_threads.load(std::memory_order_relaxed); share-- > 0;)
+      m_shares[share].ticket.store(std::uint64_t(job) << 32 | kNoIndex, std::memory_order_relaxed);
+    m_isPosted.store(posted, std::memory_order_relaxed);
+    if (posted) // never so far back that numbers come round
+      m_over.store(job - 1, std::memory_order_relaxed);
+    m_done.store(0, std::memory_order_relaxed);
+    m_count.store(count, std::memory_order_release);
+    m_work.store(work, std::memory_order_release);
+    m_argument.store(argument, std::memory_order_release);
+    m_threads.store(threads, std::memory_order_release);
+    for (int share = 0; share < threads; ++share)
+      m_shares[share].ticket.store(std::uint64_t(job) << 32 | shareBegin(share, threads, count),
+                                   std::memory_order_release);
+    m_job.store(job, std::memory_order_release);
+    m_job.notify_all();
+    return job;
+  }
+
+  /// Until the posted job is over, or kLeave.
+  void leave(std::uint32_t job) const {
+    waitFor([&] { return isOver(job); });
+  }
 
   /// No index is taken any more; returns when no worker is at one, or after kLeave: then the pool
   /// takes no job again. Also called in handlers.
@@ -146,13 +185,8 @@ private:
       return std::none_of(std::begin(m_shares), std::end(m_shares),
                           [](const Share &share) { return share.isAtWork.load(); });
     };
-    const auto end = std::chrono::steady_clock::now() + kLeave;
-    while (!idle()) {
-      if (std::chrono::steady_clock::now() > end)
-        return;
-      sched_yield();
-    }
-    m_busy.store(false, std::memory_order_release);
+    if (waitFor(idle))
+      m_busy.store(false, std::memory_order_release);
   }
 
   void start(int workers) {
@@ -188,7 +222,8 @@ private:
         continue;
       // Before it takes an index: callOff() takes the indices back, then asks.
       m_shares[share].isAtWork.store(true);
-      take(seen, share);
+      Progress progress;
+      take(seen, share, progress);
       m_shares[share].isAtWork.store(false, std::memory_order_release);
     }
   }
@@ -197,36 +232,54 @@ private:
     return std::uint32_t(std::uint64_t(count) * unsigned(share) / unsigned(threads));
   }
 
+  void take(std::uint32_t job, int own, Progress &progress) {
+    takeAll(job, own, progress);
+    count(job, progress.done);
+  }
   /// Works on the share, then on the others'.
-  void take(std::uint32_t job, int own) {
-    std::uint32_t done = 0;
+  void takeAll(std::uint32_t job, int own, Progress &progress) {
     const int threads = m_threads.load(std::memory_order_acquire);
     for (int i = 0; i < threads; ++i)
-      done += takeOf(job, (own + i) % threads, threads);
+      takeOf(job, (own + i) % threads, threads, progress);
+  }
+
+  /// So many indices more of the job are done.
+  void count(std::uint32_t job, std::uint32_t done) {
     if (done == 0)
       return;
     // As long as this is not added the job is not over, and the count is its own.
     const std::uint32_t count = m_count.load(std::memory_order_relaxed);
-    if (m_done.fetch_add(done, std::memory_order_acq_rel) + done == count)
+    const bool isPosted = m_isPosted.load(std::memory_order_relaxed);
+    if (m_done.fetch_add(done, std::memory_order_acq_rel) + done != count)
+      return;
+    if (!isPosted) {
       m_done.notify_one();
+      return;
+    }
+    m_over.store(job, std::memory_order_release);
+    m_over.notify_all();
+    m_isPosted.store(false, std::memory_order_release);
+    m_busy.store(false, std::memory_order_release);
   }
 
-  /// How many indices of the share it did.
-  std::uint32_t takeOf(std::uint32_t job, int share, int threads) {
+  /// Does indices of the share.
+  void takeOf(std::uint32_t job, int share, int threads, Progress &progress) {
     std::atomic<std::uint64_t> &ticketOf = m_shares[share].ticket;
     std::uint64_t ticket = ticketOf.load(std::memory_order_acquire);
     const std::uint32_t count = m_count.load(std::memory_order_acquire);
     const Work work = m_work.load(std::memory_order_acquire);
     void *const argument = m_argument.load(std::memory_order_acquire);
     const std::uint32_t end = shareBegin(share + 1, threads, count);
-    for (std::uint32_t done = 0;; ++done) {
+    for (;; ++progress.done) {
       do {
         if (std::uint32_t(ticket >> 32) != job || std::uint32_t(ticket) >= end)
-          return done;
+          return;
         // Success says that no newer job was begun, so that what was read above is this one's.
       } while (!ticketOf.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
                                                std::memory_order_acquire));
+      progress.isAtOne = true;
       work(argument, std::uint32_t(ticket));
+      progress.isAtOne = false;
       ticket = ticketOf.load(std::memory_order_acquire);
     }
   }
@@ -237,7 +290,9 @@ private:
   std::atomic<Work> m_work{nullptr};
   std::atomic<void *> m_argument{nullptr};
   std::atomic<int> m_threads{1}; ///< that may take part, the caller's included: there may be more
+  std::atomic<bool> m_isPosted{false}; ///< the job has no caller that waits
   alignas(64) std::atomic<std::uint32_t> m_done{0};
+  std::atomic<std::uint32_t> m_over{0}; ///< the last posted job that is over
   static constexpr std::uint32_t kNoIndex = ~0u;
   struct alignas(64) Share {
     std::atomic<std::uint64_t> ticket{0};
@@ -262,7 +317,7 @@ Pool *pool() {
   // Not by call_once, which hands the function over in variables of the thread.
   static const bool s_made = [] {
     g_pool.store(new (std::nothrow) Pool, std::memory_order_release);
-    return pthread_atfork(nullptr, nullptr, afterFork) == 0;
+    return pthread_atfork(awaitPosted, nullptr, afterFork) == 0;
   }();
   (void)s_made;
   return g_pool.load(std::memory_order_acquire);
@@ -279,6 +334,31 @@ void parallel(std::uint32_t count, void (*work)(void *argument, std::uint32_t i)
   }
   for (std::uint32_t i = 0; i < count; ++i)
     work(argument, i);
+}
+
+PostedJob post(std::uint32_t count, void (*work)(void *argument, std::uint32_t i), void *argument) {
+  const int threads = threadCount();
+  Pool *const workers = threads > 1 && count > 0 ? pool() : nullptr;
+  return {workers ? workers->post(count, work, argument, threads) : 0, workers};
+}
+
+bool isOver(const PostedJob &job) {
+  return job.number == 0 || static_cast<Pool *>(job.pool)->isOver(job.number);
+}
+
+void join(const PostedJob &job) {
+  if (isOver(job))
+    return;
+  auto *const workers = static_cast<Pool *>(job.pool);
+  if (workers == pool())
+    workers->join(job.number);
+  else
+    workers->joinAlone(job.number);
+}
+
+void awaitPosted() {
+  if (Pool *const existing = g_pool.load(std::memory_order_acquire))
+    existing->awaitPosted();
 }
 
 int threadCount() {

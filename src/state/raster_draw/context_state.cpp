@@ -50,7 +50,7 @@ ContextState::ContextState(Context &context)
     : mirror(context.trueHost ? *context.trueHost : *context.host, context.caps),
       residency({context, context.caps, context.pendingError, context.neighbours,
                  context.group->deletedNames, context.group->textureViews, context.group->contexts,
-                 context.serial}) {}
+                 draws, context.serial}) {}
 ContextState::~ContextState() = default;
 
 } // namespace arbiter::state::software

@@ -10,6 +10,7 @@
 #include "state/raster_draw/frame_trials.h"
 #include "state/raster_draw/immediate/recorder.h"
 #include "state/residency/residency.h"
+#include "swrast/queue/draw_queue.h"
 
 /// What a context keeps for the rasterizer; null in Context::software where it is not
 /// used (a GPU host, ARBITER_BACKEND=host, a context without the layer's program targets).
@@ -28,6 +29,7 @@ struct ContextState {
   ContextState &operator=(const ContextState &) = delete;
 
   Mirror mirror;
+  swrast::DrawQueue draws; ///< outlives the images that it draws to
   Residency residency;
   ImmediateRecorder recorder;
   std::vector<float> listVertices; ///< of a primitive of a list, made whole: scratch memory

@@ -122,6 +122,19 @@ void Pipeline::fillData(const Mirror &mirror) {
   m_data.windowHeight = float(m_targets->height);
 }
 
+/// What m_data refers to, but for the parameters.
+void Pipeline::describeUse() {
+  m_units.describe(m_use);
+  std::size_t count = 0;
+  for (const swrast::Image *const image : m_targets->color)
+    if (image)
+      m_written[count++] = image->storage.get();
+  if (m_key.depthStencil.layout != abi::Layout::None)
+    m_written[count++] = m_targets->depthStencil->storage.get();
+  m_use.targets = {m_written.data(), count};
+  m_use.functions = m_program->functions;
+}
+
 /// The clears that the draw is to write where it draws.
 void Pipeline::takeClears() {
   m_raster.clears = {};
@@ -181,12 +194,15 @@ Outcome Pipeline::readyPixels(Context &context, const IndexRange &indices, std::
   const std::uint64_t images = context.software->residency.version();
   if ((changed & kDataGroups) != 0 || images != m_filledImages)
     fillData(mirror);
+  if (!m_filled || images != m_filledImages)
+    describeUse();
   m_filled = true;
   m_filledSeen = mirror.clock.now();
   m_filledImages = images;
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
   m_data.parameters = m_program->values->data();
+  m_use.parameterRows = std::uint32_t(m_program->values->size());
   takeClears();
   shading = &prepared.shading;
   return {};
@@ -199,6 +215,11 @@ Outcome Pipeline::rasterize(Context &context, const VertexSource &source, const 
       !outcome.ok())
     return outcome;
   m_raster.secondDiagonal = source.fromList;
+  swrast::DrawQueue &draws = context.software->draws;
+  if (draws.add(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0, count,
+                m_use))
+    return {};
+  draws.finish();
   if (swrast::rasterize(m_raster, *shading, topology, m_vertices.vertices(), indices.indices, 0,
                         count)
           .incomplete)
@@ -264,6 +285,7 @@ Outcome Pipeline::shadeBits(Context &context, const PlacedBits &bits) {
     for (std::size_t c = 0; c < 4; ++c)
       fragments.inputs[i][c] = mirror.rasterValues[slot][c];
   }
+  context.software->draws.finish();
   (void)swrast::rasterizeBits(m_raster, *shading, bits.image, pixelAt(position[0], bits.xOrigin),
                               pixelAt(position[1], bits.yOrigin), fragments);
   return {};

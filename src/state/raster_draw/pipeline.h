@@ -99,6 +99,7 @@ private:
   void fillRaster(const Mirror &mirror);
   void fillData(const Mirror &mirror);
   void takeClears();
+  void describeUse();
 
   /// A function that was asked for before, so that a draw that repeats takes no lock.
   struct Recent {
@@ -146,6 +147,8 @@ private:
   std::uint64_t m_filledSeen = 0, m_filledImages = 0;
   swrast::RasterState m_raster;
   abi::FragmentData m_data;
+  swrast::ShadingUse m_use; ///< what they refer to
+  std::array<swrast::Storage *, abi::kMaxColorTargets + 1> m_written;
 };
 
 } // namespace arbiter::state::software

@@ -119,6 +119,7 @@ Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentSh
 Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
                     abi::FragmentKey &key) {
   m_bound = 0;
+  m_storages.clear();
   m_levelsMatter = 0;
   refresh(context, mirror, shape);
   for (const auto &sampler : shape.samplers) {
@@ -135,6 +136,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     code = {};
     abi::TextureView &view = m_views[sampler.unit];
     view = {};
+    m_imageCount[sampler.unit] = 0;
     m_bound |= 1u << sampler.unit;
     code.dimension = dimension;
     if (!images->complete)
@@ -149,6 +151,8 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
     if (images->srgb && state.decodes)
       code.format.srgb = encodedBytes(code.format);
     view = images->view;
+    m_imageCount[sampler.unit] = std::uint8_t(images->imageCount);
+    m_storages.insert(m_storages.end(), images->storages, images->storages + images->imageCount);
     view.lodBias = state.lodBias;
     view.minLod = state.minLod;
     view.maxLod = state.maxLod;
@@ -159,6 +163,11 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
       m_levelsMatter |= 1u << sampler.unit;
   }
   return {};
+}
+
+void Units::describe(swrast::ShadingUse &use) const {
+  use.imageCount = m_imageCount;
+  use.textures = m_storages;
 }
 
 void Units::fill(abi::FragmentData &data) const {

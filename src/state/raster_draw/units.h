@@ -5,6 +5,7 @@
 #include "fp_compiler/jit.h"
 #include "state/mirror/mirror.h"
 #include "state/raster_draw/outcome.h"
+#include "swrast/queue/queued_state.h"
 
 namespace arbiter::state {
 class Context;
@@ -28,6 +29,8 @@ public:
   Outcome bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
                abi::FragmentKey &key);
   void fill(abi::FragmentData &data) const;
+  /// What fill() refers to.
+  void describe(swrast::ShadingUse &use) const;
   /// Units whose level of detail matters: with mipmaps, or with two filters.
   [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
 
@@ -37,6 +40,8 @@ private:
 
   std::vector<SamplerUse> m_uses;
   std::array<abi::TextureView, abi::kMaxUnits> m_views;
+  std::array<std::uint8_t, abi::kMaxUnits> m_imageCount{};
+  std::vector<swrast::Storage *> m_storages; ///< of all images
   std::uint32_t m_bound = 0;
   std::uint32_t m_levelsMatter = 0;
 };

@@ -52,6 +52,8 @@ struct TextureImages {
   bool powerOfTwo = false;
   bool srgb = false;     ///< colours are encoded, for the sampler to decode (OpenGL 2.1, 3.8.15)
   abi::TextureView view; ///< levels and levelCount only; valid until the texture changes
+  swrast::Storage *const *storages = nullptr; ///< of view.levels, one each
+  int imageCount = 0;                         ///< of both: faces times levels
 };
 
 /// One of the copies from the read buffer to a texture: by sharing the shadow where it is whole, by
@@ -103,6 +105,7 @@ public:
     DeletedNames &deletedNames;            ///< of the share group
     TextureViews &textureViews;            ///< likewise
     const std::atomic<int> &groupContexts; ///< that the share group ever had
+    swrast::PendingDraws &draws;           ///< of the context
     std::uint32_t serial = 0;              ///< of the context, for deletedNames
   };
   explicit Residency(const Surroundings &surroundings);

@@ -101,7 +101,7 @@ bool Residency::blit(const FramebufferBlit &command) {
   const bool whole = to->depth == 1 && area == Rect{0, 0, to->width, to->height};
   if (area.empty() || (!whole && to->valid == Valid::Host))
     return false;
-  from->shadow.completeClear();
+  from->shadow.complete();
   if (!makeOwn(images, *to, !whole))
     return false;
   const Image source = plain.flipped ? upsideDown(from->shadow) : from->shadow;

@@ -68,7 +68,7 @@ ResidentImages::ResidentImages(const Residency::Surroundings &around)
     : hot(around.hot), caps(around.caps), pendingError(around.pendingError),
       neighbours(around.neighbours), deletedNames(around.deletedNames),
       textureViews(around.textureViews), groupContexts(around.groupContexts),
-      serial(around.serial) {}
+      draws(around.draws), serial(around.serial) {}
 
 HostErrorScope errorScope(ResidentImages &images) {
   return HostErrorScope(*images.hot.host, images.pendingError);

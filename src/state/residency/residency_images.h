@@ -79,6 +79,7 @@ struct Texture {
   std::vector<std::unique_ptr<PixelImage>> images; ///< faces * level + face; null: never asked for
   TextureImages view;
   std::array<abi::TextureLevel, 6 * abi::kMaxLevels> levels;
+  std::array<swrast::Storage *, 6 * abi::kMaxLevels> storages;
 };
 
 /// A context's images of what its group shares. Each context keeps its own, so that none touches
@@ -153,6 +154,7 @@ struct ResidentImages {
   DeletedNames &deletedNames;
   TextureViews &textureViews;
   const std::atomic<int> &groupContexts;
+  swrast::PendingDraws &draws;
   const std::uint32_t serial;
 
   Drawable drawable;

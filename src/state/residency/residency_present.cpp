@@ -86,6 +86,7 @@ bool Residency::present() {
 
 void Residency::leave() {
   ResidentImages &images = *m_images;
+  images.draws.finish();
   images.released = false;
   if (images.hot.insideBeginEnd || images.hot.listMode != 0)
     return;
@@ -128,6 +129,10 @@ void Residency::enter(const Drawable &drawable) {
 
 void Residency::flush(bool finish) {
   ResidentImages &images = *m_images;
+  if (finish)
+    images.draws.finish();
+  else
+    images.draws.post();
   const bool visible = images.drawable.kind == Drawable::Kind::Window && !images.doubleBuffered &&
                        images.color.valid == Valid::Shadow;
   if (visible || images.groupContexts.load(std::memory_order_relaxed) > 1 ||

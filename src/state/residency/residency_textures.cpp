@@ -25,8 +25,11 @@ GLenum targetOf(abi::Dimension dimension) {
   return 0;
 }
 
+/// Draws that wait may write to it still: it is sampled after them.
 abi::TextureLevel viewOf(const swrast::Image &image) {
-  return {.base = image.pixel(0, 0),
+  if (image.storage->pendingClear())
+    image.complete();
+  return {.base = image.placeOf(0, 0),
           .rowStride = image.rowStride,
           .sliceStride = image.sliceStride,
           .width = image.width,
@@ -77,9 +80,13 @@ public:
     if (!valid(first, faces, range.base, levels, *base, reason))
       return false;
     for (int level = 0; level < levels; ++level)
-      for (int face = 0; face < faces; ++face)
-        m_texture.levels[std::size_t(faces * level + face)] =
-            viewOf(levelOf(m_images, m_texture, first + GLenum(face), range.base + level)->shadow);
+      for (int face = 0; face < faces; ++face) {
+        const swrast::Image &shadow =
+            levelOf(m_images, m_texture, first + GLenum(face), range.base + level)->shadow;
+        const auto at = std::size_t(faces * level + face);
+        m_texture.levels[at] = viewOf(shadow);
+        m_texture.storages[at] = shadow.storage.get();
+      }
     view.format = base->shadow.format;
     view.complete = true;
     view.srgb = base->srgb;
@@ -88,6 +95,8 @@ public:
                       std::has_single_bit(unsigned(base->depth));
     view.view.levels = m_texture.levels.data();
     view.view.levelCount = levels;
+    view.storages = m_texture.storages.data();
+    view.imageCount = faces * levels;
     return true;
   }
 

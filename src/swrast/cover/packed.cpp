@@ -38,7 +38,6 @@ bool PackedShader::begin(const Rect &tile) {
 
 void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
                        const abi::Block *blocks, std::uint32_t count) {
-  m_plan = &plan;
   if (m_pending == kMostPending || m_blocks > kMostBlocks)
     resolve();
   Storage &own = *m_storage;
@@ -50,6 +49,7 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
                                     m_owner + m_pending + 1, blocks, count, left);
   if (seen == 0)
     return;
+  next.plan = &plan;
   next.triangle = triangle;
   next.originX = origin.left;
   next.originY = origin.bottom;
@@ -68,7 +68,7 @@ void PackedShader::shade(const Pending &each, std::uint32_t owner, const abi::Bl
       m_kernels.list(own.tile, owner, m_shading.packsQuads, blocks, each.count, own.pixels);
   if (pixels == 0)
     return;
-  makePlanes(*m_plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
+  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
              own.primitive);
   m_shading.packed(m_shading.data, &own.primitive, own.pixels, pixels);
 }

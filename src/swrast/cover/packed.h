@@ -80,6 +80,7 @@ public:
 private:
   /// A triangle that is shaded later; its blocks are the next `count` ones.
   struct Pending {
+    const PlanePlan *plan;
     Triangle triangle;
     Gradients gradients;
     abi::Plane depth;
@@ -94,7 +95,6 @@ private:
   const RasterState &m_state;
   const Shading &m_shading;
   const PackedKernels &m_kernels;
-  const PlanePlan *m_plan = nullptr;
   TestBlocks m_test = nullptr;
   Storage *m_storage = nullptr; ///< null: not begun
   std::uint32_t m_pending = 0, m_blocks = 0;

@@ -83,8 +83,8 @@ void copyPixels(Image &to, int toX, int toY, int toZ, const Image &from, const R
                 int fromZ) {
   if (rect.empty() || to.empty() || from.empty())
     return;
-  to.completeClear();
-  from.completeClear();
+  to.complete();
+  from.complete();
   const std::int64_t bytes = std::int64_t(rect.width) * abi::bytesOf(to.format.layout);
   const auto each = [&](auto copyRow) {
     forRows(rect.height, bytes * rect.height, [&](int y) {
@@ -116,6 +116,7 @@ namespace {
 
 /// Writes the pattern now, or where it covers a large image, when its pixels are needed.
 void clearPixels(Image &image, const Rect &rect, const ClearPattern &pattern) {
+  image.storage->settle();
   const ClearedPixels pixels = {image.placeOf(0, 0), image.rowStride, image.width, image.height,
                                 abi::bytesOf(image.format.layout)};
   const Rect area = intersect(rect, {0, 0, image.width, image.height});

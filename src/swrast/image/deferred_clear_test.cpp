@@ -100,7 +100,7 @@ public:
   template <typename Clear> void clear(const Clear &command) {
     command(m_late);
     command(m_atOnce);
-    m_atOnce.completeClear();
+    m_atOnce.complete();
   }
   /// As a draw: reached, then written.
   void draw(const Rect &rect, std::uint8_t byte) {
@@ -115,7 +115,7 @@ public:
       }
   }
   void expectEqual() {
-    m_late.completeClear();
+    m_late.complete();
     EXPECT_EQ(bytesOf(m_late), bytesOf(m_atOnce));
   }
   [[nodiscard]] bool isPending() const { return swrast::isPending(m_late); }
@@ -164,7 +164,7 @@ TEST(DeferredClear, IsCompletedOnAllThreads) {
   const float red[] = {1, 0, 0, 1};
   fill(image, {0, 0, 1000, 700}, red);
   image.storage->pendingClear()->reach({300, 300, 10, 10});
-  image.completeClear();
+  image.complete();
   setThreadCount(0);
   for (int y = 0; y < 700; ++y)
     for (int x = 0; x < 1000; ++x)

@@ -69,7 +69,7 @@ bool makeWritable(Image &image, bool keepContents) {
   if (!storage)
     return false;
   if (keepContents) {
-    image.completeClear();
+    image.complete();
     copyBytes(storage->data(), image.storage->data(), image.storage->bytes());
   }
   image.storage = std::move(storage);

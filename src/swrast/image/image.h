@@ -21,16 +21,19 @@ struct Image {
   [[nodiscard]] bool empty() const { return !storage; }
   /// A pixel's place, to read or write any of them.
   [[nodiscard]] std::uint8_t *pixel(int x, int y, int z = 0) const {
-    completeClear();
+    complete();
     return placeOf(x, y, z);
   }
-  /// The same while a clear may be pending: for who calls DeferredClear::reach() first.
+  /// The same while draws and a clear may be pending: for draws, which come after those that wait
+  /// and call DeferredClear::reach().
   [[nodiscard]] std::uint8_t *placeOf(int x, int y, int z = 0) const {
     return storage->data() + offset + z * sliceStride + y * rowStride +
            std::ptrdiff_t(x) * abi::bytesOf(format.layout);
   }
-  /// What is left of a clear is written. To be called before threads use pixel().
-  void completeClear() const {
+  /// Draws that wait are done, and what is left of a clear is written. To be called before threads
+  /// use pixel().
+  void complete() const {
+    storage->settle();
     if (DeferredClear *const clear = storage->pendingClear())
       clear->complete();
   }

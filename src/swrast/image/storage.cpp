@@ -142,12 +142,14 @@ std::shared_ptr<Storage> Storage::wrap(std::uint8_t *data, std::size_t bytes, co
 }
 
 bool Storage::deferClear(const ClearedPixels &pixels, const ClearPattern &pattern) {
+  settle();
   if (!m_clear)
     m_clear.reset(DeferredClear::take());
   return m_clear && m_clear->begin(pixels, pattern);
 }
 
 Storage::~Storage() {
+  settle();
   if (m_owner) {
     m_owner->release(m_user);
     return;

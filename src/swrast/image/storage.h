@@ -8,6 +8,26 @@
 /// The memory of images, and the pool of what was freed.
 namespace arbiter::swrast {
 
+/// Draws that wait to be done.
+class PendingDraws {
+public:
+  /// All are done when it returns.
+  virtual void finish() = 0;
+  /// Other threads begin with them, where there are any.
+  virtual void post() = 0;
+
+protected:
+  ~PendingDraws() = default;
+};
+
+/// Which draws wait that read or write what lies in a storage.
+struct PendingUse {
+  PendingDraws *draws = nullptr; ///< null: none
+  std::uint32_t batch = 0;       ///< the last one that does
+  bool isDrawnTo = false;        ///< by that batch
+  bool isSampled = false;        ///< likewise
+};
+
 /// A block of memory that images share. 64 bytes before and behind may be read. Freed blocks go to
 /// a small pool, so that ping-pong between two buffers allocates nothing.
 class Storage {
@@ -37,7 +57,14 @@ public:
     if (m_owner)
       (void)m_owner->isRead(m_user, true);
   }
-  /// The clear of what lies here that is still to be written, in part; null: none.
+  /// Before what lies here is read or written by anyone but draws that wait, or freed.
+  void settle() const {
+    if (m_use.draws) [[unlikely]]
+      m_use.draws->finish();
+  }
+  [[nodiscard]] PendingUse &pendingUse() { return m_use; }
+  /// The clear of what lies here that is still to be written, in part; null: none. Draws that wait
+  /// may write it.
   [[nodiscard]] DeferredClear *pendingClear() const {
     return m_clear && m_clear->isPending() ? m_clear.get() : nullptr;
   }
@@ -45,6 +72,7 @@ public:
   [[nodiscard]] bool deferClear(const ClearedPixels &pixels, const ClearPattern &pattern);
   /// All that lies here is about to be replaced.
   void forgetClear() {
+    settle();
     if (m_clear)
       m_clear->forget();
   }
@@ -59,6 +87,7 @@ private:
   std::size_t m_bytes;
   const Owner *m_owner = nullptr; ///< null: the pool's memory
   void *m_user = nullptr;
+  PendingUse m_use;
   struct GiveBack {
     void operator()(DeferredClear *clear) const { DeferredClear::giveBack(clear); }
   };

@@ -21,6 +21,7 @@ struct Triangle {
 
 /// Which planes a primitive of the draw has, and from which arrays; sorted once a draw.
 struct PlanePlan {
+  PlanePlan() : wantsDepth(false), wantsW(false) {}
   PlanePlan(const Shading &shading, const Vertices &vertices);
   /// The value of vertex v is values[v & mask]: a component without an array is constant.
   struct Source {

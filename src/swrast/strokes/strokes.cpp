@@ -97,9 +97,9 @@ float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
 
 } // namespace
 
-void Strokes::shade(const Draw &draw) {
-  m_statistics.primitives += m_count;
-  m_statistics.pixels += shadeInBands(draw.state, draw.shading, m_shapes.data(), m_count);
+void Strokes::handOn(const Draw &draw) {
+  if (m_count != 0)
+    m_sink.take(m_sink.user, draw, m_shapes.data(), m_count);
   m_count = 0;
 }
 
@@ -111,12 +111,21 @@ Shape &Strokes::nextShape() {
 
 void Strokes::keepShape(const Draw &draw) {
   if (++m_count >= kMaxShapes)
-    shade(draw);
+    handOn(draw);
 }
 
 void Strokes::rasterize(const Draw &draw, DrawStatistics &statistics) {
+  const auto shade = [](void *user, const Draw &of, const Shape *shapes, std::size_t count) {
+    auto &done = *static_cast<DrawStatistics *>(user);
+    done.primitives += count;
+    done.pixels += shadeInBands(of.state, of.shading, shapes, count);
+  };
+  gather(draw, {shade, &statistics});
+}
+
+void Strokes::gather(const Draw &draw, const Sink &sink) {
+  m_sink = sink;
   m_count = 0;
-  m_statistics = {};
   m_stipple = 0;
   if (isPolygonal(draw.topology))
     addPolygons(draw);
@@ -124,9 +133,7 @@ void Strokes::rasterize(const Draw &draw, DrawStatistics &statistics) {
     addPoints(draw);
   else
     addLines(draw);
-  shade(draw);
-  statistics.primitives += m_statistics.primitives;
-  statistics.pixels += m_statistics.pixels;
+  handOn(draw);
 }
 
 void Strokes::addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size) {

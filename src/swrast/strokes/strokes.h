@@ -30,7 +30,14 @@ struct Stroke {
 /// Lines, points and polygons that are not filled, in order; shapes are shaded as they get many.
 class Strokes {
 public:
+  /// Where shapes go, some at a time.
+  struct Sink {
+    void (*take)(void *user, const Draw &draw, const Shape *shapes, std::size_t count);
+    void *user;
+  };
+  /// Shades them.
   void rasterize(const Draw &draw, DrawStatistics &statistics);
+  void gather(const Draw &draw, const Sink &sink);
 
 private:
   void addLines(const Draw &draw);
@@ -45,11 +52,11 @@ private:
   /// was shaded is used again as it is.
   [[nodiscard]] Shape &nextShape();
   void keepShape(const Draw &draw);
-  void shade(const Draw &draw);
+  void handOn(const Draw &draw);
 
   std::vector<Shape> m_shapes;
   std::size_t m_count = 0; ///< of m_shapes that wait
-  DrawStatistics m_statistics;
+  Sink m_sink = {};
   std::uint32_t m_stipple = 0; ///< steps into the line stipple
 };
 

@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "swrast/cover/emit.h"
+#include "swrast/setup/triangles.h"
+
+/// Primitives of a draw, set up and sorted into tiles of the window.
+namespace arbiter::swrast {
+
+/// The tiles that a draw may reach: those of pending clears, as a tile is one thread's.
+struct TileGrid {
+  static constexpr int kTileShift = DeferredClear::kTileShift, kTile = 1 << kTileShift;
+  Rect clip;                                            ///< pixels
+  int left = 0, bottom = 0, columns = 0, rows = 0;      ///< in tiles
+
+  /// \param visible not empty
+  [[nodiscard]] static TileGrid of(const Rect &visible);
+  [[nodiscard]] std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
+  /// What is drawn of a tile: its pixels within the clip rectangle.
+  [[nodiscard]] Rect rect(int x, int y) const {
+    return intersect(clip, {x << kTileShift, y << kTileShift, kTile, kTile});
+  }
+};
+
+/// So many primitives of a draw as one thread sets up at a time.
+class Chunk {
+public:
+  static constexpr std::uint32_t kTriangles = 2048;
+
+  /// Nothing is in it. Throws std::bad_alloc, as do all that add.
+  void clear(const TileGrid &grid);
+  /// Sets up triangles [first, end) of the draw.
+  void setUp(const Draw &draw, std::uint32_t first, std::uint32_t end);
+  /// Adds a shape whose planes are made.
+  /// \param hides it replaces whatever lies below its pixels
+  /// \param inputs so many of its inputs are used
+  void addShape(const Shape &shape, std::uint32_t inputs, bool hides);
+
+  [[nodiscard]] const TileGrid &grid() const { return m_grid; }
+  [[nodiscard]] std::uint32_t primitives() const { return std::uint32_t(m_records.size()); }
+  /// Times that a primitive is looked at in a tile.
+  [[nodiscard]] std::uint32_t links() const { return std::uint32_t(m_links.size()); }
+  /// There are records of vertices: what they name is read when tiles are shaded.
+  [[nodiscard]] bool readsVertices() const { return m_records.size() != m_shapeCount; }
+  /// Pixels within the bounds of all primitives.
+  [[nodiscard]] std::uint64_t area() const { return m_area; }
+  /// Tile number y * columns + x of the grid, from its corner.
+  [[nodiscard]] bool isEmpty(std::size_t tile) const { return m_tiles[tile].first == kNone; }
+  /// The first primitive in the tile is opaque and covers it.
+  [[nodiscard]] bool hidesOlder(std::size_t tile) const { return m_tiles[tile].hidesOlder; }
+  /// Shades what lies in the tile, in order.
+  /// \param rect what of the tile is drawn to; `emitter` has begun it
+  void shade(std::size_t tile, const PlanePlan &plan, const WindowVertex *window, const Rect &rect,
+             Emitter &emitter) const;
+
+private:
+  static constexpr std::uint32_t kNone = ~0u;
+  /// A small triangle as vertices; of another, `vertex[0]` is the number of its shape.
+  struct Record {
+    std::uint32_t vertex[3];
+    std::uint32_t provoking;
+    bool isShape, backFacing;
+  };
+  struct Link {
+    std::uint32_t record, next;
+  };
+  struct List {
+    std::uint32_t first = kNone, last = kNone;
+    bool hidesOlder = false; ///< the first is opaque and covers the tile
+  };
+
+  template <Topology kTopology>
+  void setUpAs(const Draw &draw, std::uint32_t first, std::uint32_t end);
+  void add(const Draw &draw, Triangle &triangle, bool clip);
+  void makeShape(const Draw &draw, const Triangle &triangle, Shape &shape);
+  void link(int tileX, int tileY, bool covers);
+
+  TileGrid m_grid;
+  std::vector<Record> m_records;
+  /// One that was shaded is used again as it is: what is read of a shape is written of each.
+  std::vector<Shape> m_shapes;
+  std::size_t m_shapeCount = 0;
+  std::vector<Link> m_links;
+  std::vector<List> m_tiles;
+  std::uint64_t m_area = 0;
+};
+
+} // namespace arbiter::swrast

@@ -1,0 +1,85 @@
+#include "swrast/setup/place_draw.h"
+
+#include <algorithm>
+
+#include "swrast/setup/shape.h"
+#include "swrast/threads.h"
+
+namespace arbiter::swrast {
+namespace {
+
+/// The vertices that the draw uses: [begin, end).
+void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
+  begin = draw.first;
+  end = draw.first + draw.count;
+  if (!draw.indices)
+    return;
+  // Without a branch, and of signed numbers, which all processors compare in vectors: an index that
+  // is too great is taken for the end of the buffer.
+  const auto bufferEnd = std::int32_t(std::min(draw.vertices.count, std::uint32_t(INT32_MAX)));
+  std::int32_t first = bufferEnd, last = -1;
+  for (std::uint32_t i = 0; i < draw.count; ++i) {
+    const auto index = std::int32_t(draw.indices[i]);
+    const bool isGood = index >= 0 && index < bufferEnd;
+    first = std::min(first, isGood ? index : bufferEnd);
+    last = std::max(last, isGood ? index : -1);
+  }
+  begin = std::uint32_t(first);
+  end = std::uint32_t(last + 1);
+}
+
+} // namespace
+
+Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
+            const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
+            std::uint32_t count) {
+  return {state,
+          shading,
+          topology,
+          vertices,
+          indices,
+          first,
+          count,
+          makeViewport(state, vertices),
+          PlanePlan(shading, vertices)};
+}
+
+void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
+                   std::vector<PlacedBounds> &bounds) {
+  std::uint32_t begin = 0, end = 0;
+  usedVertices(draw, begin, end);
+  draw.visible = intersect(draw.state.clip, draw.viewport.pixels);
+  if (window.size() < end)
+    window.resize(end);
+  draw.window = window.data();
+  if (begin >= end)
+    return;
+  constexpr std::uint32_t kStretch = Vertices::kStretch;
+  const std::uint32_t firstStretch = begin / kStretch;
+  const std::uint32_t chunks = (end + kStretch - 1) / kStretch - firstStretch;
+  bounds.assign(chunks, {});
+  const PlaceVertices place = choosePlaceVertices();
+  auto chunk = [&](std::uint32_t number) {
+    const std::uint32_t from = (firstStretch + number) * kStretch;
+    const std::uint32_t to = std::min(end, from + kStretch);
+    if (draw.vertices.make)
+      draw.vertices.make(draw.vertices.maker, from, to);
+    bounds[number] = place(draw.viewport, draw.vertices, std::max(begin, from), to, window.data());
+  };
+  parallel(chunks, chunk);
+  PlacedBounds all;
+  for (const PlacedBounds &part : bounds)
+    all.add(part);
+  const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
+  // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
+  // plain one does so too where it hands on the first vertex as the provoking one.
+  draw.otherDiagonal = draw.state.secondDiagonal || draw.state.polygonStipple != nullptr ||
+                       clipped || draw.state.provokingIsFirst;
+  if (clipped)
+    return; // a vertex that is outside has no place that bounds anything
+  const std::int32_t left = pixelFrom(all.minX), bottom = pixelFrom(all.minY);
+  draw.visible = intersect(draw.visible, {left, bottom, (all.maxX >> kSubpixelBits) + 1 - left,
+                                          (all.maxY >> kSubpixelBits) + 1 - bottom});
+}
+
+} // namespace arbiter::swrast
