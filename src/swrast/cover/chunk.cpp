@@ -110,8 +110,7 @@ void Chunk::addShape(const Shape &shape, std::uint32_t inputs, bool hides) {
   std::copy_n(shape.edges, shape.edgeCount, own.edges);
   std::memcpy(static_cast<void *>(&own.primitive), &shape.primitive,
               kFixed + inputs * sizeof(shape.primitive.inputs[0]));
-  m_records.push_back(
-      {{std::uint32_t(m_shapeCount)}, 0, true, shape.primitive.backFacing != 0});
+  m_records.push_back({{std::uint32_t(m_shapeCount)}, 0, true, shape.primitive.backFacing != 0});
   ++m_shapeCount;
   m_area += std::uint64_t(shape.right - shape.left) * std::uint64_t(shape.top - shape.bottom);
   for (int y = shape.bottom >> TileGrid::kTileShift; y <= (shape.top - 1) >> TileGrid::kTileShift;

@@ -11,8 +11,8 @@ namespace arbiter::swrast {
 /// The tiles that a draw may reach: those of pending clears, as a tile is one thread's.
 struct TileGrid {
   static constexpr int kTileShift = DeferredClear::kTileShift, kTile = 1 << kTileShift;
-  Rect clip;                                            ///< pixels
-  int left = 0, bottom = 0, columns = 0, rows = 0;      ///< in tiles
+  Rect clip;                                       ///< pixels
+  int left = 0, bottom = 0, columns = 0, rows = 0; ///< in tiles
 
   /// \param visible not empty
   [[nodiscard]] static TileGrid of(const Rect &visible);

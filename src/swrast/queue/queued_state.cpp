@@ -75,8 +75,7 @@ bool QueuedState::isSame(const RasterState &raster, const Shading &shading,
     if (!view)
       continue;
     const std::size_t count = use.imageCount[unit];
-    if (!sameBytes(*view, m_givenViews[unit]) ||
-        next + count > m_levels.data() + m_levels.size() ||
+    if (!sameBytes(*view, m_givenViews[unit]) || next + count > m_levels.data() + m_levels.size() ||
         (count != 0 && std::memcmp(next, view->levels, count * sizeof *next) != 0))
       return false;
     next += count;

@@ -16,6 +16,7 @@ struct Draw {
   const WindowVertex *window = nullptr; ///< of all vertices that the draw uses
   Rect visible;                         ///< pixels that the draw may reach
   bool otherDiagonal = false;           ///< of quads: see triangleAt()
+  bool isClipped = false;               ///< a vertex that the draw uses lies outside
 
   [[nodiscard]] std::uint32_t vertexAt(std::uint32_t place) const {
     return indices ? indices[place] : first + place;

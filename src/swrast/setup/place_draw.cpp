@@ -70,7 +70,7 @@ void placeVertices(Draw &draw, std::vector<WindowVertex> &window,
   PlacedBounds all;
   for (const PlacedBounds &part : bounds)
     all.add(part);
-  const bool clipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
+  const bool clipped = draw.isClipped = (all.outcodes & (kClipMask | kOutNan)) != 0;
   // Hosts clip and stipple in another path than the plain one, and it cuts quads otherwise. The
   // plain one does so too where it hands on the first vertex as the provoking one.
   draw.otherDiagonal = draw.state.secondDiagonal || draw.state.polygonStipple != nullptr ||
