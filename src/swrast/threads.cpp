@@ -156,7 +156,7 @@ private:
       m_shares[share].ticket.store(std::uint64_t(job) << 32 | kNoIndex, std::memory_order_relaxed);
     m_isPosted.store(posted, std::memory_order_relaxed);
     if (posted) // never so far back that numbers come round
-      m_over.store(job - 1, std::memory_order_relaxed);
+      noteOver(job - 1);
     m_done.store(0, std::memory_order_relaxed);
     m_count.store(count, std::memory_order_release);
     m_work.store(work, std::memory_order_release);
@@ -256,10 +256,19 @@ private:
       m_done.notify_one();
       return;
     }
-    m_over.store(job, std::memory_order_release);
-    m_over.notify_all();
+    // Who knows that it is over may post the next one.
     m_isPosted.store(false, std::memory_order_release);
     m_busy.store(false, std::memory_order_release);
+    noteOver(job);
+  }
+  /// Another thread may have noted a later one meanwhile.
+  void noteOver(std::uint32_t job) {
+    std::uint32_t last = m_over.load(std::memory_order_relaxed);
+    while (std::int32_t(job - last) > 0 &&
+           !m_over.compare_exchange_weak(last, job, std::memory_order_acq_rel,
+                                         std::memory_order_relaxed))
+      ;
+    m_over.notify_all();
   }
 
   /// Does indices of the share.

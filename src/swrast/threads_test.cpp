@@ -97,6 +97,78 @@ TEST_P(Threads, AJumpOutOfAJobEndsIt) {
   expectAllOnce(1000);
 }
 
+struct Calls {
+  std::vector<std::atomic<int>> of;
+  explicit Calls(std::uint32_t count) : of(count) {}
+  static void work(void *self, std::uint32_t i) {
+    static_cast<Calls *>(self)->of[i].fetch_add(1, std::memory_order_relaxed);
+  }
+};
+
+TEST_P(Threads, APostedJobIsDoneWithoutTheCallerAndWithHim) {
+  for (int round = 0; round < 500; ++round) {
+    const auto count = std::uint32_t(1 + round % 61);
+    Calls calls(count);
+    const PostedJob job = post(count, Calls::work, &calls);
+    EXPECT_EQ(job.number != 0, GetParam() > 1);
+    if (job.number == 0)
+      continue;
+    expectAllOnce(17); // other work of the caller's meanwhile
+    if (round % 2 == 0)
+      while (!isOver(job)) // all is done by the others
+        std::this_thread::yield();
+    else
+      join(job);
+    EXPECT_TRUE(isOver(job));
+    join(job);
+    for (std::uint32_t i = 0; i < count; ++i)
+      ASSERT_EQ(calls.of[i].load(), 1) << "index " << i << " of " << count;
+  }
+}
+
+TEST_P(Threads, ManyCallersPost) {
+  std::vector<std::thread> callers;
+  for (int t = 0; t < 3; ++t)
+    callers.emplace_back([&] {
+      for (int round = 0; round < 300; ++round) {
+        Calls calls(9);
+        const PostedJob job = post(9, Calls::work, &calls);
+        if (job.number == 0)
+          continue; // another's is under way
+        join(job);
+        for (std::atomic<int> &each : calls.of)
+          ASSERT_EQ(each.load(), 1);
+      }
+    });
+  for (std::thread &caller : callers)
+    caller.join();
+}
+
+TEST_P(Threads, AJumpOutOfJoinWaitsForTheOthers) {
+  if (GetParam() == 1)
+    GTEST_SKIP() << "there are no others";
+  static std::jmp_buf s_back;
+  static std::atomic<int> s_inside;
+  static std::thread::id s_caller;
+  s_caller = std::this_thread::get_id();
+  const auto work = [](void *, std::uint32_t) {
+    if (std::this_thread::get_id() == s_caller)
+      std::longjmp(s_back, 1);
+    s_inside.fetch_add(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    s_inside.fetch_sub(1);
+  };
+  const PostedJob job = post(40, work, nullptr);
+  ASSERT_NE(job.number, 0u);
+  if (setjmp(s_back) == 0) {
+    join(job);
+    FAIL() << "no jump";
+  }
+  EXPECT_TRUE(isOver(job)) << "the index that was left counts as done";
+  EXPECT_EQ(s_inside.load(), 0);
+  expectAllOnce(1000);
+}
+
 TEST_P(Threads, WorkAfterFork) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "ThreadSanitizer ends a child of a process with threads that starts one";

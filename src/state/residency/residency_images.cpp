@@ -67,8 +67,8 @@ int faceOf(GLenum imageTarget) {
 ResidentImages::ResidentImages(const Residency::Surroundings &around)
     : hot(around.hot), caps(around.caps), pendingError(around.pendingError),
       neighbours(around.neighbours), deletedNames(around.deletedNames),
-      textureViews(around.textureViews), groupContexts(around.groupContexts),
-      draws(around.draws), serial(around.serial) {}
+      textureViews(around.textureViews), groupContexts(around.groupContexts), draws(around.draws),
+      serial(around.serial) {}
 
 HostErrorScope errorScope(ResidentImages &images) {
   return HostErrorScope(*images.hot.host, images.pendingError);

@@ -21,7 +21,7 @@ constexpr std::uint32_t kManyTriangles = 512;
 constexpr std::size_t kMostShapes = 4096; ///< of lines and points: 700 bytes each
 
 /// A batch that costs so many nanoseconds is given to the other threads, if they are free.
-constexpr std::uint64_t kPostCost = 120'000;
+constexpr std::uint64_t kPostCost = 90'000;
 /// What is less is done by one thread.
 constexpr std::uint64_t kAloneCost = 40'000;
 /// A batch waits no longer for the threads to be free.

@@ -1,0 +1,425 @@
+// Draws that wait: their pixels are those of draws that are done at once, whatever changes or is
+// asked for meanwhile.
+#include "swrast/queue/draw_queue.h"
+
+#include <csetjmp>
+#include <functional>
+#include <gtest/gtest.h>
+#include <random>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "swrast/image/copy_pixels.h"
+#include "swrast/image/image.h"
+#include "swrast/rasterize.h"
+
+namespace arbiter::swrast {
+namespace {
+
+constexpr int kSize = 200;
+constexpr abi::Format kWord = {abi::Layout::U8x4, abi::kRgba, 0};
+
+/// A shading function for tests: pixel = 3 * pixel + parameter, so that order and number count; and
+/// where a texture is bound, its texel is added.
+void shadePixel(const abi::FragmentData *data, int x, int y) {
+  std::uint32_t add = 0;
+  std::memcpy(&add, data->parameters[0], sizeof add);
+  const auto place = [&](const std::uint8_t *base, std::int64_t stride) {
+    return base + y * stride + std::ptrdiff_t(x) * 4;
+  };
+  if (const abi::TextureView *const texture = data->textures[0]) {
+    std::uint32_t texel = 0;
+    // From the other side of the image: from another thread's tile.
+    const abi::TextureLevel &level = texture->levels[0];
+    std::memcpy(&texel,
+                level.base + (level.height - 1 - y) * level.rowStride +
+                    std::ptrdiff_t(level.width - 1 - x) * 4,
+                sizeof texel);
+    add += texel;
+  }
+  auto *const pixel =
+      const_cast<std::uint8_t *>(place(data->targets[0].base, data->targets[0].rowStride));
+  std::uint32_t value = 0;
+  std::memcpy(&value, pixel, sizeof value);
+  value = 3 * value + add;
+  std::memcpy(pixel, &value, sizeof value);
+}
+void shadeRow(const abi::FragmentData *data, const abi::Primitive *, const void *items,
+              std::uint32_t count) {
+  const auto *const spans = static_cast<const abi::Span *>(items);
+  for (std::uint32_t i = 0; i < count; ++i)
+    for (int x = 0; x < spans[i].count; ++x)
+      shadePixel(data, spans[i].x + x, spans[i].y);
+}
+
+/// A target, what is drawn with, and what that refers to.
+struct Scene {
+  explicit Scene(const Image &image) : target(image) { refer(); }
+  Scene(const Scene &) = delete;
+  Scene &operator=(const Scene &) = delete;
+
+  void refer() {
+    state.viewport[2] = state.viewport[3] = float(kSize);
+    state.clip = {0, 0, kSize, kSize};
+    state.clears = {};
+    state.clears.add(target.storage->pendingClear());
+    data.parameters = &parameter;
+    data.targets[0] = {target.placeOf(0, 0), target.rowStride};
+    shading.data = &data;
+    shading.row = shadeRow;
+    shading.readsDepth = shading.readsW = false;
+    storages[0] = target.storage.get();
+    use.targets = {storages, 1};
+    use.parameterRows = 1;
+    use.functions = kept;
+  }
+  void setParameter(std::uint32_t value) { std::memcpy(parameter, &value, sizeof value); }
+  void sample(const Image &image) {
+    if (image.storage->pendingClear())
+      image.complete();
+    level = {image.placeOf(0, 0), image.rowStride, 0, image.width, image.height, 1, 0};
+    view.levels = &level;
+    view.levelCount = 1;
+    data.textures[0] = &view;
+    storages[1] = image.storage.get();
+    use.textures = {storages + 1, 1};
+    use.imageCount[0] = 1;
+  }
+
+  Image target;
+  RasterState state;
+  Shading shading;
+  abi::FragmentData data;
+  float parameter[4] = {};
+  abi::TextureLevel level;
+  abi::TextureView view;
+  Storage *storages[2] = {};
+  ShadingUse use;
+  std::shared_ptr<int> kept = std::make_shared<int>(0);
+};
+
+struct Mesh {
+  void add(double x, double y) {
+    position[0].push_back(float(x / kSize * 2 - 1));
+    position[1].push_back(float(y / kSize * 2 - 1));
+    position[2].push_back(0);
+    position[3].push_back(1);
+  }
+  [[nodiscard]] Vertices get() const {
+    Vertices vertices;
+    vertices.count = std::uint32_t(position[0].size());
+    for (int i = 0; i < 4; ++i)
+      vertices.position[i] = position[i].data();
+    return vertices;
+  }
+  [[nodiscard]] std::uint32_t count() const { return std::uint32_t(position[0].size()); }
+  std::vector<float> position[4];
+};
+
+Mesh meshOf(std::mt19937 &random, int vertices, double size) {
+  std::uniform_real_distribution<double> place(-20, kSize + 20), offset(-size, size);
+  Mesh mesh;
+  double x = 0, y = 0;
+  for (int i = 0; i < vertices; ++i) {
+    if (i % 3 == 0) {
+      x = place(random);
+      y = place(random);
+    }
+    mesh.add(x + offset(random), y + offset(random));
+  }
+  return mesh;
+}
+Mesh quad(double x, double y, double width, double height) {
+  Mesh mesh;
+  mesh.add(x, y);
+  mesh.add(x + width, y);
+  mesh.add(x + width, y + height);
+  mesh.add(x, y + height);
+  return mesh;
+}
+
+void clear(Image &image, float value) {
+  const float rgba[4] = {value, value, value, value};
+  fill(image, {0, 0, image.width, image.height}, rgba, 15);
+}
+Image cleared(float value = 0) {
+  Image image = makeImage(kWord, kSize, kSize);
+  clear(image, value);
+  return image;
+}
+std::vector<std::uint32_t> pixelsOf(const Image &image) {
+  std::vector<std::uint32_t> pixels;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      std::uint32_t value = 0;
+      std::memcpy(&value, image.pixel(x, y), sizeof value);
+      pixels.push_back(value);
+    }
+  return pixels;
+}
+
+/// By the queue, or at once where it does not take it.
+bool drawBy(DrawQueue &queue, Scene &scene, Topology topology, const Mesh &mesh) {
+  const Vertices vertices = mesh.get();
+  if (queue.add(scene.state, scene.shading, topology, vertices, nullptr, 0, mesh.count(),
+                scene.use))
+    return true;
+  queue.finish();
+  (void)rasterize(scene.state, scene.shading, topology, vertices, nullptr, 0, mesh.count());
+  return false;
+}
+void drawAtOnce(Scene &scene, Topology topology, const Mesh &mesh) {
+  (void)rasterize(scene.state, scene.shading, topology, mesh.get(), nullptr, 0, mesh.count());
+}
+
+class Queue : public testing::TestWithParam<int> {
+protected:
+  void SetUp() override { setThreadCount(GetParam()); }
+  void TearDown() override { setThreadCount(0); }
+};
+
+TEST_P(Queue, DrawsAreThoseThatAreDoneAtOnce) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 12; ++round) {
+    Image late = cleared(), now = cleared();
+    Scene queued(late), direct(now);
+    DrawQueue queue;
+    int taken = 0;
+    for (int i = 0; i < 60; ++i) {
+      const int kind = int(random() % 8);
+      const bool isMany = kind == 7;
+      const Mesh mesh = meshOf(random, isMany ? 3000 : 3 * (1 + int(random() % 40)),
+                               kind == 6 ? 120
+                               : isMany  ? 4
+                                         : 15);
+      constexpr Topology kTopologies[] = {
+          Topology::Triangles,     Topology::Points, Topology::LineStrip,   Topology::Quads,
+          Topology::TriangleStrip, Topology::Lines,  Topology::TriangleFan, Topology::Triangles};
+      const std::uint32_t parameter = random();
+      for (Scene *const scene : {&queued, &direct}) {
+        scene->refer();
+        if (i % 3 == 0)
+          scene->state.clip = {int(random() % 1 + 17 + i), 9, 120, 150};
+        scene->setParameter(parameter);
+        scene->state.lineWidth = scene->state.pointSize = float(1 + i % 4);
+        if (scene == &direct)
+          drawAtOnce(*scene, kTopologies[kind], mesh);
+        else
+          taken += drawBy(queue, *scene, kTopologies[kind], mesh) ? 1 : 0;
+      }
+      if (i % 17 == 0)
+        queue.post();
+    }
+    EXPECT_GT(taken, 40);
+    ASSERT_EQ(pixelsOf(late), pixelsOf(now)) << "round " << round;
+    EXPECT_TRUE(queue.isEmpty()) << "the pixels were asked for";
+  }
+}
+
+TEST_P(Queue, WhatIsChangedAfterwardsChangesNothing) {
+  Image image = cleared(), texture = cleared();
+  Scene scene(image);
+  scene.sample(texture);
+  DrawQueue queue;
+  std::array<std::uint8_t, 128> stipple;
+  stipple.fill(0xF0);
+  scene.state.polygonStipple = stipple.data();
+  scene.setParameter(5);
+  {
+    Mesh mesh = quad(10, 10, 40, 40);
+    ASSERT_TRUE(drawBy(queue, scene, Topology::Quads, mesh));
+    for (std::vector<float> &values : mesh.position)
+      std::fill(values.begin(), values.end(), 0.0f);
+  }
+  stipple.fill(0xFF);
+  scene.setParameter(9);
+  scene.data.targets[0] = {};
+  scene.data.textures[0] = nullptr;
+  scene.level = {};
+  scene.view = {};
+  scene.state.clip = {};
+  const std::weak_ptr<int> functions = scene.kept;
+  scene.kept.reset();
+  scene.use.functions.reset();
+  EXPECT_FALSE(functions.expired()) << "machine code lives as long as a draw waits";
+  queue.finish();
+  EXPECT_TRUE(functions.expired());
+  const auto pixels = pixelsOf(image);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const bool isIn = x >= 10 && x < 50 && y >= 10 && y < 50 && x % 8 < 4;
+      ASSERT_EQ(pixels[std::size_t(y) * kSize + std::size_t(x)], isIn ? 5u : 0u) << x << " " << y;
+    }
+}
+
+TEST_P(Queue, ClearsCopiesAndDrawsKeepTheirOrder) {
+  Image late = cleared(), now = cleared();
+  std::mt19937 random(3);
+  DrawQueue queue;
+  for (int i = 0; i < 40; ++i) {
+    const Mesh mesh = meshOf(random, 60, 20);
+    for (Image *const image : {&late, &now}) {
+      Scene scene(*image);
+      scene.setParameter(std::uint32_t(i));
+      if (image == &now)
+        drawAtOnce(scene, Topology::Triangles, mesh);
+      else
+        drawBy(queue, scene, Topology::Triangles, mesh);
+      if (i % 8 == 3) {
+        const float rgba[4] = {0.5f, 0.25f, 0, 1};
+        fill(*image, {i, 2 * i, 90, 60}, rgba, 15);
+      }
+      if (i % 16 == 9)
+        clear(*image, 1);
+      if (i % 8 == 5)
+        copyPixels(*image, 100, 100, 0, *image, {0, 0, 80, 80}, 0);
+    }
+  }
+  EXPECT_EQ(pixelsOf(late), pixelsOf(now));
+}
+
+TEST_P(Queue, WhatWasDrawnIsSampledAndWhatIsSampledIsNotDrawnToBefore) {
+  std::vector<std::uint32_t> results[2];
+  for (const bool isLate : {false, true}) {
+    Image first = cleared(), second = cleared();
+    DrawQueue queue;
+    std::mt19937 random(11);
+    for (int i = 0; i < 30; ++i) {
+      Image &to = i % 2 == 0 ? first : second, &from = i % 2 == 0 ? second : first;
+      Scene scene(to);
+      scene.sample(from);
+      scene.setParameter(random());
+      for (int part = 0; part < 3; ++part) {
+        const Mesh mesh = meshOf(random, 90, 25);
+        if (isLate)
+          drawBy(queue, scene, Topology::Triangles, mesh);
+        else
+          drawAtOnce(scene, Topology::Triangles, mesh);
+      }
+    }
+    queue.finish();
+    results[isLate ? 1 : 0] = pixelsOf(first);
+    const auto other = pixelsOf(second);
+    results[isLate ? 1 : 0].insert(results[isLate ? 1 : 0].end(), other.begin(), other.end());
+  }
+  EXPECT_EQ(results[0], results[1]);
+}
+
+TEST_P(Queue, AStorageThatIsFreedIsDrawnToBefore) {
+  DrawQueue queue;
+  Image kept = cleared();
+  {
+    Image image = cleared();
+    Scene scene(image);
+    ASSERT_TRUE(drawBy(queue, scene, Topology::Quads, quad(0, 0, 50, 50)));
+    Scene other(kept);
+    other.sample(image);
+    other.setParameter(4);
+    ASSERT_TRUE(drawBy(queue, other, Topology::Quads, quad(0, 0, 50, 50)));
+    EXPECT_FALSE(queue.isEmpty());
+    scene.target = other.target = {};
+  }
+  EXPECT_TRUE(queue.isEmpty());
+  EXPECT_EQ(pixelsOf(kept)[0], 4u);
+}
+
+TEST_P(Queue, LargeDrawsAreNotTaken) {
+  DrawQueue queue;
+  Image image = cleared();
+  Scene scene(image);
+  EXPECT_FALSE(drawBy(queue, scene, Topology::Quads, quad(0, 0, 190, 190)));
+  EXPECT_FALSE(drawBy(queue, scene, Topology::Triangles, [] {
+    Mesh mesh;
+    mesh.add(-150, 0);
+    mesh.add(380, 5);
+    mesh.add(90, 390);
+    return mesh;
+  }()));
+  EXPECT_TRUE(queue.isEmpty());
+}
+
+TEST_P(Queue, TwoQueuesMeetInAnImage) {
+  Image late = cleared(), now = cleared();
+  std::mt19937 random(5);
+  DrawQueue queues[2];
+  for (int i = 0; i < 20; ++i) {
+    const Mesh mesh = meshOf(random, 30, 30);
+    Scene queued(late), direct(now);
+    queued.setParameter(std::uint32_t(i));
+    direct.setParameter(std::uint32_t(i));
+    drawBy(queues[i / 3 % 2], queued, Topology::Triangles, mesh);
+    drawAtOnce(direct, Topology::Triangles, mesh);
+  }
+  EXPECT_EQ(pixelsOf(late), pixelsOf(now));
+}
+
+std::jmp_buf g_back;
+bool g_jumps = false;
+pthread_t g_jumper;
+void jumpOut(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
+             std::uint32_t count) {
+  if (g_jumps && pthread_equal(pthread_self(), g_jumper)) {
+    g_jumps = false;
+    std::longjmp(g_back, 1);
+  }
+  shadeRow(data, primitive, items, count);
+}
+
+// As a handler does by siglongjmp(): no thread reads what the queue gives up, and it goes on.
+TEST_P(Queue, AJumpOutOfItLeavesItEmpty) {
+  DrawQueue queue;
+  Image image = cleared();
+  std::mt19937 random(2);
+  g_jumper = pthread_self();
+  static int round;
+  for (round = 0; round < 5; ++round) {
+    Scene scene(image);
+    scene.shading.row = jumpOut;
+    for (int i = 0; i < 12; ++i)
+      ASSERT_TRUE(drawBy(queue, scene, Topology::Triangles, meshOf(random, i == 6 ? 3000 : 90, 6)));
+    g_jumps = true;
+    if (setjmp(g_back) == 0) {
+      queue.finish();
+      ASSERT_TRUE(GetParam() > 1 && g_jumps) << "the other threads were sooner, or nothing jumps";
+      g_jumps = false;
+    }
+    queue.finish();
+    EXPECT_TRUE(queue.isEmpty());
+    EXPECT_EQ(image.storage->pendingUse().draws, nullptr);
+  }
+  clear(image, 0);
+  Scene scene(image);
+  scene.setParameter(8);
+  ASSERT_TRUE(drawBy(queue, scene, Topology::Quads, quad(20, 20, 9, 9)));
+  EXPECT_EQ(pixelsOf(image)[21 * kSize + 21], 8u);
+}
+
+TEST_P(Queue, AChildOfAForkFinishesWhatWaits) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "ThreadSanitizer ends a child of a process with threads that starts one";
+#endif
+  std::mt19937 random(13);
+  Image late = cleared(), now = cleared();
+  DrawQueue queue;
+  for (int i = 0; i < 60; ++i) {
+    const Mesh mesh = meshOf(random, 120, 20);
+    Scene queued(late), direct(now);
+    drawBy(queue, queued, Topology::Triangles, mesh);
+    drawAtOnce(direct, Topology::Triangles, mesh);
+    if (i % 20 == 10)
+      queue.post();
+  }
+  const auto expected = pixelsOf(now);
+  const pid_t child = fork();
+  if (child == 0)
+    _exit(pixelsOf(late) == expected ? 0 : 1);
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_EQ(pixelsOf(late), expected) << "in the parent";
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, Queue, testing::Values(1, 2, 5));
+
+} // namespace
+} // namespace arbiter::swrast
