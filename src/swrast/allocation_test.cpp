@@ -4,6 +4,7 @@
 #include <new>
 
 #include "swrast/image/image.h"
+#include "swrast/queue/draw_queue.h"
 #include "swrast/testing/canvas.h"
 #include "swrast/threads.h"
 
@@ -58,6 +59,40 @@ TEST_P(Allocation, DrawsLikeTheLastTakeNone) {
       // Few vertices may miss the clip rectangle, which is small for the test's sake.
       EXPECT_TRUE(count < 1000 || statistics.pixels > 0) << int(topology);
     }
+}
+
+TEST_P(Allocation, FramesOfDrawsThatWaitTakeNone) {
+  Canvas canvas(200, 200);
+  canvas.useQuads(16);
+  canvas.state.clip = {80, 80, 24, 24}; // small draws
+  Image target = makeImage({abi::Layout::U8x4, abi::kRgba}, 200, 200);
+  Storage *const storages[] = {target.storage.get()};
+  ShadingUse use;
+  use.targets = storages;
+  DrawQueue queue;
+  std::uint64_t before = 0;
+  for (int frame = 0; frame < 12; ++frame) {
+    if (frame == 6)
+      before = g_allocations.load();
+    for (const int count : {4, 60, 3000, 12}) {
+      canvas.data.alphaReference = float(count); // another state
+      WindowVertices vertices(canvas);
+      {
+        const std::uint64_t outside = g_allocations.load();
+        for (int i = 0; i < count; ++i)
+          vertices.add(i * 37 % 251 - (count < 3000 ? 20 : 0), i * 91 % 200, 0);
+        before += g_allocations.load() - outside;
+      }
+      for (const Topology topology : {Topology::Triangles, Topology::LineStrip, Topology::Points})
+        if (count != 3000 || topology == Topology::Triangles) {
+          ASSERT_TRUE(queue.add(canvas.state, canvas.shading, topology, vertices.get(), nullptr, 0,
+                                std::uint32_t(count), use));
+        }
+    }
+    (void)target.pixel(0, 0);
+    ASSERT_TRUE(queue.isEmpty());
+  }
+  EXPECT_EQ(g_allocations.load(), before);
 }
 
 TEST_P(Allocation, FeedbackBetweenTwoImagesTakesNone) {

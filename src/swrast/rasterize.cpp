@@ -81,13 +81,9 @@ static DrawStatistics drawChecked(const RasterState &state, const Shading &shadi
                                   Topology topology, const Vertices &vertices,
                                   const std::uint32_t *indices, std::uint32_t first,
                                   std::uint32_t count) {
-  if (state.clip.empty() || (!shading.row && !shading.quad) || count == 0)
+  count = drawnCount(state, shading, vertices, indices, first, count);
+  if (count == 0)
     return {};
-  if (!indices) {
-    if (first >= vertices.count)
-      return {};
-    count = std::min(count, vertices.count - first);
-  }
   Rectangle rectangle;
   if (isPolygonal(topology) &&
       findRectangle(state, topology, vertices, indices, first, count, rectangle)) {

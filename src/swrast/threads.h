@@ -32,7 +32,7 @@ struct PostedJob {
 /// other threads have done that, or for a second. In a child of the process that posted it, what
 /// another thread was at stays half done (before a fork that is waited for).
 void join(const PostedJob &job);
-/// Until no job that was posted is under way, whoever posted it, or for a second.
+/// Waits until no posted job is under way, of any caller, or for a second.
 void awaitPosted();
 
 /// Threads that work, the caller's included.

@@ -85,6 +85,11 @@ void Chunk::clear(const TileGrid &grid) {
   m_tiles.assign(grid.count(), List());
 }
 
+std::size_t Chunk::bytes() const {
+  return m_records.capacity() * sizeof m_records[0] + m_shapes.capacity() * sizeof m_shapes[0] +
+         m_links.capacity() * sizeof m_links[0] + m_tiles.capacity() * sizeof m_tiles[0];
+}
+
 void Chunk::link(int tileX, int tileY, bool covers) {
   List &list = m_tiles[std::size_t(tileY - m_grid.bottom) * std::size_t(m_grid.columns) +
                        std::size_t(tileX - m_grid.left)];

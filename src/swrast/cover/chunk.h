@@ -45,6 +45,8 @@ public:
   [[nodiscard]] bool readsVertices() const { return m_records.size() != m_shapeCount; }
   /// Pixels within the bounds of all primitives.
   [[nodiscard]] std::uint64_t area() const { return m_area; }
+  /// Memory that it keeps for the next draw.
+  [[nodiscard]] std::size_t bytes() const;
   /// Tile number y * columns + x of the grid, from its corner.
   [[nodiscard]] bool isEmpty(std::size_t tile) const { return m_tiles[tile].first == kNone; }
   /// The first primitive in the tile is opaque and covers it.

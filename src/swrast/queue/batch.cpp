@@ -23,6 +23,15 @@ template <typename T> T &nextOf(std::vector<std::unique_ptr<T>> &store, std::siz
   return *store[used];
 }
 
+/// Room for so many more, which push_back() then finds.
+template <typename T> void reserve(std::vector<T> &store, std::size_t more) {
+  if (store.capacity() < store.size() + more)
+    store.reserve(std::max(2 * store.capacity(), store.size() + more));
+}
+
+/// Draws keep their memory for those of the next batch, but of so large ones only so many.
+constexpr std::size_t kLargeBytes = std::size_t(1) << 20, kMostLarge = 16;
+
 std::atomic<std::uint32_t> g_lastNumber{0};
 
 } // namespace
@@ -36,10 +45,6 @@ void Batch::makeRoom(const QueuedDraw &draw) {
   const std::size_t rows = std::size_t(grid.bottom) + std::size_t(grid.rows);
   if (m_tiles.size() < rows * kAcross)
     m_tiles.resize(rows * kAcross);
-  const auto reserve = [](auto &store, std::size_t more) {
-    if (store.capacity() < store.size() + more)
-      store.reserve(std::max(2 * store.capacity(), store.size() + more));
-  };
   reserve(m_segments, grid.count() * draw.chunkCount());
   reserve(m_reached, grid.count());
   reserve(m_setUps, draw.chunkCount());
@@ -66,20 +71,22 @@ void Batch::sort(const TileGrid &grid, std::uint32_t chunk, IsEmpty isEmpty) {
     }
 }
 
-void Batch::add(const RasterState &state, const Shading &shading, const ShadingUse &use) {
+void Batch::add(const RasterState &state, const Shading &shading, const ShadingUse &use,
+                bool isSameState) {
   QueuedDraw &draw = *m_draws[m_drawCount];
   const Chunk &chunk = draw.chunk(0);
   makeRoom(draw);
-  takeState(draw, state, shading, use);
+  takeState(draw, state, shading, use, isSameState);
   sort(chunk.grid(), 0, [&](std::uint32_t tile) { return chunk.isEmpty(tile); });
   m_cost += kDrawCost + kLinkCost * chunk.links() + kPixelCost * chunk.area();
   ++m_drawCount;
 }
 
-void Batch::addKept(const RasterState &state, const Shading &shading, const ShadingUse &use) {
+void Batch::addKept(const RasterState &state, const Shading &shading, const ShadingUse &use,
+                    bool isSameState) {
   QueuedDraw &draw = *m_draws[m_drawCount];
   makeRoom(draw);
-  takeState(draw, state, shading, use);
+  takeState(draw, state, shading, use, isSameState);
   for (std::uint32_t chunk = 0; chunk < draw.chunkCount(); ++chunk) {
     sort(draw.chunk(0).grid(), chunk, [](std::uint32_t) { return false; });
     m_setUps.push_back({std::uint32_t(m_drawCount), chunk});
@@ -89,8 +96,8 @@ void Batch::addKept(const RasterState &state, const Shading &shading, const Shad
 }
 
 void Batch::takeState(QueuedDraw &draw, const RasterState &state, const Shading &shading,
-                      const ShadingUse &use) {
-  if (m_stateCount == 0 || !m_states[m_stateCount - 1]->isSame(state, shading, use)) {
+                      const ShadingUse &use, bool isSameState) {
+  if (!isSameState) {
     nextOf(m_states, m_stateCount).set(state, shading, use);
     mark(use);
     ++m_stateCount;
@@ -116,7 +123,7 @@ bool Batch::meets(const ShadingUse &use) const {
 void Batch::mark(const ShadingUse &use) {
   if (m_drawCount == 0)
     m_number = g_lastNumber.fetch_add(1, std::memory_order_relaxed) + 1;
-  m_storages.reserve(m_storages.size() + use.targets.size() + use.textures.size());
+  reserve(m_storages, use.targets.size() + use.textures.size());
   const auto markOne = [&](Storage *storage) -> PendingUse & {
     PendingUse &pending = storage->pendingUse();
     if (pending.draws && pending.draws != &m_queue)
@@ -177,8 +184,17 @@ void Batch::shadeTile(std::uint32_t number) {
       emitter.emplace(state->raster(), state->shading());
       emitter->beginTile(rect);
     }
-    draw.shade(segment.chunk, segment.tile, rect, *emitter);
+    // Planes are exact at a pixel of what the draw may reach in the tile, as Bins has it.
+    draw.shade(segment.chunk, segment.tile, intersect(rect, draw.chunk(segment.chunk).grid().clip),
+               *emitter);
   }
+}
+
+void Batch::freeLargest() {
+  std::size_t large = 0;
+  for (std::size_t i = 0; i < m_drawCount; ++i)
+    if (m_draws[i]->bytes() >= kLargeBytes && ++large > kMostLarge)
+      m_draws[i]->free();
 }
 
 void Batch::reset() {
@@ -191,6 +207,7 @@ void Batch::reset() {
   m_setUpsDone.store(0, std::memory_order_relaxed);
   for (std::size_t i = 0; i < m_stateCount; ++i)
     m_states[i]->release();
+  freeLargest();
   m_stateCount = m_drawCount = 0;
   m_cost = 0;
   for (Storage *const storage : m_storages)

@@ -21,10 +21,17 @@ public:
 
   /// The next draw, of which the batch knows nothing before one of the two that follow.
   [[nodiscard]] QueuedDraw &next();
-  /// Adds next(), which is set up.
-  void add(const RasterState &state, const Shading &shading, const ShadingUse &use);
+  /// Adds next(), which is set up. \param isSameState what isLast() says
+  void add(const RasterState &state, const Shading &shading, const ShadingUse &use,
+           bool isSameState);
   /// Adds next(), which was kept to be set up later.
-  void addKept(const RasterState &state, const Shading &shading, const ShadingUse &use);
+  void addKept(const RasterState &state, const Shading &shading, const ShadingUse &use,
+               bool isSameState);
+  /// The last draw is drawn with the same.
+  [[nodiscard]] bool isLast(const RasterState &state, const Shading &shading,
+                            const ShadingUse &use) const {
+    return m_stateCount != 0 && m_states[m_stateCount - 1]->isSame(state, shading, use);
+  }
   /// A draw reads what the batch's draws write, or writes what they read: at other pixels than its
   /// own, maybe.
   [[nodiscard]] bool meets(const ShadingUse &use) const;
@@ -60,11 +67,12 @@ private:
   };
 
   void takeState(QueuedDraw &draw, const RasterState &state, const Shading &shading,
-                 const ShadingUse &use);
+                 const ShadingUse &use, bool isSameState);
   void mark(const ShadingUse &use);
   template <typename IsEmpty> void sort(const TileGrid &grid, std::uint32_t chunk, IsEmpty isEmpty);
   void makeRoom(const QueuedDraw &draw);
   void setUpAll();
+  void freeLargest();
 
   PendingDraws &m_queue;
   std::uint32_t m_number = 1; ///< known by it where storages are marked

@@ -67,55 +67,51 @@ bool DrawQueue::add(const RasterState &state, const Shading &shading, Topology t
   alone([&] {
     try {
       isAdded = addChecked({state, shading, topology, vertices, indices, first, count, use});
-      if (filling().cost() >= (isOver(m_job) ? kPostCost : kMostCost))
-        postFilling();
     } catch (const std::bad_alloc &) {
-      isAdded = false;
+      // It was not added.
     }
+    if (filling().cost() >= (isOver(m_job) ? kPostCost : kMostCost))
+      postFilling();
   });
   return isAdded;
 }
 
-bool DrawQueue::addRectangle(const Given &given, bool &isRectangle) {
+std::optional<bool> DrawQueue::addRectangle(const Given &given) {
   Rectangle rectangle;
-  isRectangle = isPolygonal(given.topology) &&
-                findRectangle(given.state, given.topology, given.vertices, given.indices,
-                              given.first, given.count, rectangle);
-  if (!isRectangle)
-    return false;
+  if (!isPolygonal(given.topology) ||
+      !findRectangle(given.state, given.topology, given.vertices, given.indices, given.first,
+                     given.count, rectangle))
+    return std::nullopt;
   const Rect &pixels = rectangle.pixels;
   if (pixels.empty())
     return true;
   if (std::uint64_t(pixels.width) * std::uint64_t(pixels.height) >= kLargePixels)
     return false;
   Shape shape;
-  isRectangle = shapeOfRectangle(given.state, given.shading, given.topology, given.vertices,
-                                 rectangle, shape);
-  if (!isRectangle)
-    return false;
+  if (!shapeOfRectangle(given.state, given.shading, given.topology, given.vertices, rectangle,
+                        shape))
+    return std::nullopt;
   Chunk &chunk = filling().next().begin();
   chunk.clear(TileGrid::of(pixels));
   chunk.addShape(shape, given.shading.inputCount, given.shading.opaque && !shape.stippled);
-  filling().add(given.state, given.shading, given.use);
+  filling().add(given.state, given.shading, given.use, given.isSameState);
   return true;
 }
 
-bool DrawQueue::addChecked(const Given &asGiven) {
-  Given given = asGiven;
-  if (given.state.clip.empty() || (!given.shading.row && !given.shading.quad) || given.count == 0)
+bool DrawQueue::addChecked(Given given) {
+  given.count = drawnCount(given.state, given.shading, given.vertices, given.indices, given.first,
+                           given.count);
+  if (given.count == 0)
     return true;
-  if (!given.indices) {
-    if (given.first >= given.vertices.count)
-      return true;
-    given.count = std::min(given.count, given.vertices.count - given.first);
-  }
   if (m_isSpoilt)
     giveUp();
-  if (filling().draws() == kMostDraws || filling().meets(given.use))
+  given.isSameState = filling().isLast(given.state, given.shading, given.use);
+  if (filling().draws() == kMostDraws || (!given.isSameState && filling().meets(given.use))) {
     postFilling();
-  bool isRectangle = false;
-  if (const bool isAdded = addRectangle(given, isRectangle); isRectangle)
-    return isAdded;
+    given.isSameState = false;
+  }
+  if (const std::optional<bool> isAdded = addRectangle(given))
+    return *isAdded;
   Batch &batch = filling();
   QueuedDraw &queued = batch.next();
   Draw draw = drawOf(given.state, given.shading, given.topology, given.vertices, given.indices,
@@ -128,7 +124,7 @@ bool DrawQueue::addChecked(const Given &asGiven) {
     const std::uint32_t triangles = triangleCount(given.topology, given.count);
     if (triangles > kManyTriangles && !draw.isClipped) {
       queued.keep(draw, triangles);
-      batch.addKept(given.state, given.shading, given.use);
+      batch.addKept(given.state, given.shading, given.use, given.isSameState);
       return true;
     }
     chunk.clear(TileGrid::of(draw.visible));
@@ -142,7 +138,7 @@ bool DrawQueue::addChecked(const Given &asGiven) {
     return true;
   if (chunk.readsVertices())
     queued.keepInputs(draw.plan, given.vertices.count);
-  batch.add(given.state, given.shading, given.use);
+  batch.add(given.state, given.shading, given.use, given.isSameState);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "swrast/queue/batch.h"
@@ -45,9 +46,11 @@ private:
     const std::uint32_t *indices;
     std::uint32_t first, count;
     const ShadingUse &use;
+    bool isSameState = false; ///< as the batch's last draw's
   };
-  [[nodiscard]] bool addChecked(const Given &given);
-  [[nodiscard]] bool addRectangle(const Given &given, bool &isRectangle);
+  [[nodiscard]] bool addChecked(Given given);
+  /// What add() returns; none where the draw is no rectangle.
+  [[nodiscard]] std::optional<bool> addRectangle(const Given &given);
   /// False: more than is kept.
   [[nodiscard]] bool setUpStrokes(const Draw &draw, Chunk &chunk);
   void joinRunning();

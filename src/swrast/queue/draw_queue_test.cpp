@@ -2,6 +2,7 @@
 // asked for meanwhile.
 #include "swrast/queue/draw_queue.h"
 
+#include <atomic>
 #include <csetjmp>
 #include <functional>
 #include <gtest/gtest.h>
@@ -199,7 +200,7 @@ TEST_P(Queue, DrawsAreThoseThatAreDoneAtOnce) {
       for (Scene *const scene : {&queued, &direct}) {
         scene->refer();
         if (i % 3 == 0)
-          scene->state.clip = {int(random() % 1 + 17 + i), 9, 120, 150};
+          scene->state.clip = {17 + i, 9, 120, 150};
         scene->setParameter(parameter);
         scene->state.lineWidth = scene->state.pointSize = float(1 + i % 4);
         if (scene == &direct)
@@ -354,7 +355,7 @@ TEST_P(Queue, TwoQueuesMeetInAnImage) {
 }
 
 std::jmp_buf g_back;
-bool g_jumps = false;
+std::atomic<bool> g_jumps{false};
 pthread_t g_jumper;
 void jumpOut(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
              std::uint32_t count) {

@@ -64,6 +64,23 @@ void QueuedDraw::keep(const Draw &draw, std::uint32_t triangles) {
     m_chunks[i].clear(grid);
 }
 
+std::size_t QueuedDraw::bytes() const {
+  std::size_t bytes = m_window.capacity() * sizeof m_window[0] +
+                      m_values.capacity() * sizeof m_values[0] +
+                      m_indices.capacity() * sizeof m_indices[0];
+  for (const Chunk &chunk : m_chunks)
+    bytes += chunk.bytes();
+  return bytes;
+}
+
+void QueuedDraw::free() {
+  for (Chunk &chunk : m_chunks)
+    chunk = {};
+  m_window = {};
+  m_values = {};
+  m_indices = {};
+}
+
 void QueuedDraw::setUp(std::uint32_t chunk) {
   Vertices vertices; // what is set up without clipping reads no array of them
   vertices.count = m_allVertices;

@@ -38,6 +38,10 @@ public:
   /// Sets up a chunk of a kept draw. Threads may set up different ones at a time.
   void setUp(std::uint32_t chunk);
 
+  /// That it keeps.
+  [[nodiscard]] std::size_t bytes() const;
+  void free();
+
   [[nodiscard]] const QueuedState *state() const { return m_state; }
   [[nodiscard]] std::uint32_t chunkCount() const { return m_count; }
   [[nodiscard]] const Chunk &chunk(std::uint32_t number) const { return m_chunks[number]; }

@@ -30,6 +30,15 @@ void usedVertices(const Draw &draw, std::uint32_t &begin, std::uint32_t &end) {
 
 } // namespace
 
+std::uint32_t drawnCount(const RasterState &state, const Shading &shading, const Vertices &vertices,
+                         const std::uint32_t *indices, std::uint32_t first, std::uint32_t count) {
+  if (state.clip.empty() || (!shading.row && !shading.quad))
+    return 0;
+  if (indices)
+    return count;
+  return first < vertices.count ? std::min(count, vertices.count - first) : 0;
+}
+
 Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
             const Vertices &vertices, const std::uint32_t *indices, std::uint32_t first,
             std::uint32_t count) {

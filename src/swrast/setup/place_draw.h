@@ -7,6 +7,11 @@
 /// The vertices of a draw to window coordinates.
 namespace arbiter::swrast {
 
+/// How many of the `count` vertices are drawn, by `indices` or (null) from `first` on: 0 where
+/// nothing is.
+[[nodiscard]] std::uint32_t drawnCount(const RasterState &state, const Shading &shading,
+                                       const Vertices &vertices, const std::uint32_t *indices,
+                                       std::uint32_t first, std::uint32_t count);
 /// The arguments refer to what outlives the draw. Nothing is placed yet.
 [[nodiscard]] Draw drawOf(const RasterState &state, const Shading &shading, Topology topology,
                           const Vertices &vertices, const std::uint32_t *indices,

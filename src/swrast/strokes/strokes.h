@@ -37,6 +37,7 @@ public:
   };
   /// Shades them.
   void rasterize(const Draw &draw, DrawStatistics &statistics);
+  /// Hands them to the sink.
   void gather(const Draw &draw, const Sink &sink);
 
 private:
