@@ -65,7 +65,8 @@ struct ContextState {
     residency.hostDoesAnything("glCallList");
   }
   /// Of a draw that the host can do as well: whether it may go without a judgement, so that nothing
-  /// waits for machine code. An application that makes programs in each frame would never be judged.
+  /// waits for machine code. An application that makes programs in each frame would never be
+  /// judged.
   [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
     return unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
   }
