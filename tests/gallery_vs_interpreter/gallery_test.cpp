@@ -126,8 +126,9 @@ public:
 
 private:
   std::optional<scene::Picture> draw(const Case &each, int frame) const {
-    std::vector<std::string> words = {m_arbiter, "draw", (m_folder / each.file).string(), "--frame",
-                                      std::to_string(frame), "-o", m_output};
+    std::vector<std::string> words = {
+        m_arbiter, "draw",  (m_folder / each.file).string(), "--frame", std::to_string(frame),
+        "-o",      m_output};
     words.insert(words.end(), m_options.begin(), m_options.end());
     if (each.size != nullptr)
       words.insert(words.end(), {"--size", each.size});

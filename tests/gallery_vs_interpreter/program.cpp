@@ -23,8 +23,7 @@ glm::vec4 vector(const ir::Vec4 &value) { return glm::make_vec4(value.data()); }
 
 ir::Program compiled(const scene::ProgramFile &file) {
   const fp::hw::Profile &widest = *fp::hw::findBuiltin("host");
-  const auto &limits =
-      file.language == ir::Language::ArbVertex ? widest.vertex : widest.fragment;
+  const auto &limits = file.language == ir::Language::ArbVertex ? widest.vertex : widest.fragment;
   auto result = fp::checkProgram(file.language, file.text, {limits, fp::LimitPolicy::Report});
   if (!result.ok()) {
     std::fputs(fp::renderAll(file.name, file.text, result.diagnostics).c_str(), stderr);
@@ -42,8 +41,7 @@ Program::Program(const scene::Document &document, const scene::Pass &pass, int f
 ir::Vec4 Program::parameter(const ir::Parameter &parameter) const {
   if (parameter.kind == ir::ParameterKind::State)
     return stateRow(parameter.state);
-  const Setting space =
-      parameter.kind == ir::ParameterKind::Local ? Setting::Local : Setting::Env;
+  const Setting space = parameter.kind == ir::ParameterKind::Local ? Setting::Local : Setting::Env;
   for (const scene::ParameterRow &row : m_rows)
     if (row.space == space && row.index == parameter.index)
       return row.value;
@@ -112,7 +110,9 @@ Vertex VertexStage::run(const scene::MeshVertex &vertex) const {
     attributes.push_back(attribute(vertex, each));
   ir::Inputs inputs;
   inputs.attributes = attributes;
-  inputs.parameter = [&](const ir::Parameter &parameter) { return m_program->parameter(parameter); };
+  inputs.parameter = [&](const ir::Parameter &parameter) {
+    return m_program->parameter(parameter);
+  };
   const ir::Evaluation evaluation = ir::evaluate(code, inputs);
   for (std::size_t i = 0; i < code.outputs.size(); ++i) {
     const glm::vec4 value = vector(evaluation.outputs[i]);

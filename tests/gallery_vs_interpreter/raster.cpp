@@ -59,9 +59,7 @@ double edge(const Corner &a, const Corner &b, std::int64_t x, std::int64_t y) {
 }
 
 /// Whether a pixel's centre on the edge is inside: on one of the two triangles that share it.
-bool ownsBorder(const Corner &a, const Corner &b) {
-  return b.y < a.y || (b.y == a.y && b.x < a.x);
-}
+bool ownsBorder(const Corner &a, const Corner &b) { return b.y < a.y || (b.y == a.y && b.x < a.x); }
 
 class Triangle {
 public:

@@ -18,7 +18,7 @@ struct Vertex {
 
 struct Fragment {
   int x = 0, y = 0;
-  double depth = 0;  ///< window z, [0,1]
+  double depth = 0; ///< window z, [0,1]
   double inverseW = 1;
   bool front = true; ///< of a counter-clockwise triangle
   std::array<glm::vec4, kVaryings> varyings = {};

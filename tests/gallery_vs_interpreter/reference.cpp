@@ -40,8 +40,8 @@ scene::Image imageOf(const Surface &surface) {
 class Raster {
 public:
   Raster(Surface &surface, const scene::State &state, scene::Depth depth)
-      : m_surface(surface), m_state(state), m_depth(depth),
-        m_stencil(valueOf(state.stencil)), m_blend(valueOf(state.blend)) {}
+      : m_surface(surface), m_state(state), m_depth(depth), m_stencil(valueOf(state.stencil)),
+        m_blend(valueOf(state.blend)) {}
 
   [[nodiscard]] bool culled(bool front) const {
     const scene::Cull cull = valueOf(m_state.cull);
@@ -148,8 +148,8 @@ Texture Reference::textureOf(const scene::TextureSpec &spec) {
         texture.depths.push_back(float(depth / kDepths));
     }
   } else if (texture.images.empty()) {
-    texture.images = orFail(scene::generate(spec.source, m_document.folder, m_document.width(),
-                                            m_document.height()));
+    texture.images = orFail(
+        scene::generate(spec.source, m_document.folder, m_document.width(), m_document.height()));
   }
   texture.nearest = spec.filter.value == scene::Filter::Nearest;
   texture.wrap = spec.wrap.value;
