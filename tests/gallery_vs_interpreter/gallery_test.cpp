@@ -46,6 +46,7 @@ constexpr Case kCases[] = {
     {"lighting_2_diffuse.fp", 20, "128x128", 4, 0.004},
     {"lighting_3_bumps.fp", 20, "128x128", 6, 0.01},
     {"lighting_4_all.fp", 20, "128x128", 8, 0.01},
+    {"pass_through.fp", 0, "128x128", 4, 0},
     {"particles.fp", 50, "128x128", 6, 0.004},
     {"reflection.fp", 0, "128x128", 5, 0.01},
     {"shadow_map.fp", 0, "128x128", 4, 0.01},
