@@ -147,9 +147,11 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
 
 void addDraw(CLI::App &app, DrawArguments &draw) {
   CLI::App *command = app.add_subcommand(
-      "draw", "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
+      "draw",
+      "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
   addLayer(*command, draw.layer);
-  command->add_option("--size", draw.size, "WxH in pixels, in place of the document's or of 512x512");
+  command->add_option("--size", draw.size,
+                      "WxH in pixels, in place of the document's or of 512x512");
   command
       ->add_option("--texture", draw.textures,
                    "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
@@ -160,8 +162,8 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
           "--mesh", draw.mesh,
           "what carries the programs, in place of the document's or of a quad; a grid is 64x64 of "
           "them, for vertex programs to bend")
-      ->check(CLI::IsMember({"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot",
-                             "billboards"}));
+      ->check(CLI::IsMember(
+          {"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot", "billboards"}));
   const auto addValues = [&](const char *name, std::vector<std::string> &values, const char *help) {
     command->add_option(name, values, help)->allow_extra_args(false)->take_all();
   };
@@ -182,8 +184,9 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       ->add_option("--feedback", draw.feedback,
                    "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
       ->check(CLI::Range(0, 31));
-  command->add_option("-o,--output", draw.output,
-                      "the PNG to write; without it the document's name with the ending .png, here");
+  command->add_option(
+      "-o,--output", draw.output,
+      "the PNG to write; without it the document's name with the ending .png, here");
   command->add_flag("--json", draw.json, "say what was drawn as JSON");
   command->add_flag("--bare", draw.bare, "without the layer: the host's own implementation");
   command->add_flag("--in-layer", draw.inLayer)->group(""); // what draw passes to itself
