@@ -1,6 +1,9 @@
 #include "scene/panel/panel.h"
 
 #include <gmock/gmock.h>
+#include <random>
+
+#include "scene/panel/complete.h"
 
 namespace arbiter::scene {
 namespace {
@@ -146,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"local[0] = ", "", "panel-syntax"}, Wrong{"local[0].yx = 1", ".yx", "panel-syntax"},
         Wrong{"local[0].xy = 1 2 3", "3", "panel-syntax"},
         Wrong{"local[0] = 1 in 2..1", "1", "panel-range"},
-        Wrong{"local[0] = 1 in 0-1", "-1", "panel-syntax"},
+        Wrong{"local[0] = 1 in 0-1", "0-1", "panel-syntax"},
         Wrong{"local[0] = 1, local[0].y = 2", "local[0].y = 2", "panel-twice"},
         Wrong{"local[0..2] = 1", "1", "panel-syntax"},
         Wrong{"local[0..2] = rotate 30", "rotate", "panel-syntax"},
@@ -162,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"texture 0 = \"../secret.png\"", "\"../secret.png\"", "panel-file"},
         Wrong{"texture 0 = \"/etc/passwd\"", "\"/etc/passwd\"", "panel-file"},
         Wrong{"texture 0 = feedback of sky", "sky", "panel-syntax"},
-        Wrong{"texture 0 = normals of normals of normals of normals of bumps", "normals",
+        Wrong{"texture 0 = normals of normals of normals of normals of bumps", "bumps",
               "panel-range"},
         Wrong{"texture 0 = checker cells 0", "0", "panel-range"},
         Wrong{"mesh shells of shells of shells of shells of shells of quad", "shells",
@@ -183,6 +186,31 @@ TEST(Panel, HostileTextEndsSoon) {
   EXPECT_TRUE(parsePanel("#@").ok());
   EXPECT_TRUE(parsePanel("").ok());
   EXPECT_FALSE(parsePanel("END").written);
+}
+
+/// Whatever the bytes are: each place lies in the text, and the same text is read the same.
+TEST(Panel, ChangedBytesKeepEverySpanInTheText) {
+  std::string text = kTwirl;
+  std::minstd_rand random(7);
+  constexpr std::string_view kBytes = "#@,=[].\"x0 -9e\n\r\t%\xff/s";
+  for (int i = 0; i < 5000; ++i) {
+    if (i % 50 == 0)
+      text = kTwirl;
+    const std::size_t at = random() % text.size();
+    if (random() % 3 == 0)
+      text.erase(at, 1 + random() % 4);
+    else
+      text.insert(at, 1, kBytes[random() % kBytes.size()]);
+    const Panel panel = parsePanel(text);
+    for (const fp::Diagnostic &diagnostic : panel.diagnostics) {
+      ASSERT_LE(diagnostic.span.begin, diagnostic.span.end) << text;
+      ASSERT_LE(diagnostic.span.end, text.size()) << text;
+    }
+    for (const Parameter &parameter : panel.parameters)
+      for (const Number &number : parameter.values)
+        ASSERT_TRUE(number.written() && number.span.end <= text.size()) << text;
+    (void)completePanel(text, std::uint32_t(at));
+  }
 }
 
 TEST(Words, AreUniqueAndTheirDefaultsInRange) {

@@ -128,9 +128,7 @@ private:
 
   static void end(Reader &reader) {
     if (!reader.atEnd())
-      reader.warning(reader.peek().span, "panel-word",
-                     "'" + std::string(reader.peek().text) + "' has no meaning here",
-                     "a comma begins the next setting");
+      reader.leftOver();
     reader.skipClause();
   }
 

@@ -9,12 +9,21 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr std::size_t kMaxName = 255; ///< bytes of a file's name
+constexpr std::size_t kMaxName = 255; ///< bytes; of files it is the file system's own
 
 std::string shown(double value) {
   std::ostringstream out;
   out << value;
   return out.str();
+}
+
+/// Of a message: bytes that may be half a character, or many.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  std::string shown(text.substr(0, kShown));
+  for (char &c : shown)
+    c = c >= ' ' && c <= '~' ? c : '?';
+  return "'" + shown + (text.size() > kShown ? "..'" : "'");
 }
 
 /// The words without the empty ones.
@@ -59,8 +68,7 @@ bool Reader::warning(fp::Span span, const char *id, std::string message, std::st
 
 bool Reader::expected(const std::string &what, std::string hint) {
   const Token &token = peek();
-  const std::string got =
-      token.kind == TokenKind::End ? "the end of the line" : "'" + std::string(token.text) + "'";
+  const std::string got = token.kind == TokenKind::End ? "the end of the line" : quoted(token.text);
   return error(token.span, "panel-syntax", "expected " + what + ", not " + got, std::move(hint));
 }
 
@@ -69,7 +77,7 @@ bool Reader::unknownWord(const std::string &what, std::span<const WordRow> rows)
   const auto words = names(rows);
   const std::string_view near = closest(token.text, words);
   return warning(token.span, "panel-word",
-                 "'" + std::string(token.text) + "' is no " + what + " and has no effect",
+                 quoted(token.text) + " is no " + what + " and has no effect",
                  near.empty() ? wordList(rows) : "did you mean '" + std::string(near) + "'?");
 }
 
@@ -102,6 +110,8 @@ bool Reader::name(const std::string &what, Name &name) {
   if (!at(TokenKind::Word) && !at(TokenKind::String))
     return expected(what, "a word, or anything in double quotes");
   const Token &token = take();
+  if (token.text.size() > kMaxName)
+    return error(token.span, "panel-range", "a name has at most 255 bytes");
   name = {std::string(token.text), token.span};
   return true;
 }
@@ -109,12 +119,15 @@ bool Reader::name(const std::string &what, Name &name) {
 bool Reader::file(const std::string &what, Name &result) {
   if (!name(what, result))
     return false;
-  if (result.text.size() > kMaxName)
-    return error(result.span, "panel-file", "the name of a file has more than 255 bytes");
   return !leadsOut(result.text) ||
          error(result.span, "panel-file",
-               "'" + result.text + "' leads out of the document's folder",
+               quoted(result.text) + " leads out of the document's folder",
                "put the file beside the document and write its name alone");
+}
+
+bool Reader::leftOver() {
+  return warning(peek().span, "panel-word", quoted(peek().text) + " has no meaning here",
+                 "a comma begins the next setting");
 }
 
 bool Reader::onOff(bool &on) {

@@ -48,6 +48,8 @@ public:
   /// A name of a file beside the document: no absolute one, none that leads out of the folder.
   bool file(const std::string &what, Name &name);
   bool onOff(bool &on);
+  /// A warning of what a clause that is read already goes on with.
+  bool leftOver();
 
   template <typename Enum> bool word(const std::string &what, Chosen<Enum> &chosen) {
     if (!at(TokenKind::Word))

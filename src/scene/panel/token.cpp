@@ -1,5 +1,6 @@
 #include "scene/panel/token.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -77,7 +78,10 @@ private:
   /// "0..1" is a number, a range sign and a number; "2nd.png" is a word.
   Token number() {
     const char *const begin = m_text.data() + m_at + (peek() == '+');
-    const char *limit = m_text.data() + m_text.size();
+    // What is longer is no number: each byte of a line is looked at a few times only.
+    constexpr std::ptrdiff_t kLongest = 64;
+    const char *const end = m_text.data() + m_text.size();
+    const char *limit = begin + std::min(end - begin, kLongest);
     for (const char *at = begin; at + 1 < limit; ++at)
       if (at[0] == '.' && at[1] == '.')
         limit = at;
