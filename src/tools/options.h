@@ -11,6 +11,7 @@ struct Arguments {
   CheckArguments check;
   CompileArguments compile;
   DrawArguments draw;
+  DebugArguments debug;
   RunArguments run;
   StatsArguments stats;
   CaptureArguments capture;
@@ -19,6 +20,9 @@ struct Arguments {
   CacheArguments cache;
   LspArguments lsp;
 };
+
+/// The verb, shown in no help, of the process that draws for `debug`.
+inline constexpr const char *kDrawsVerb = "debug-draws";
 
 /// The group, in help, of the options that verbs which load the layer share.
 inline constexpr const char *kLayerGroup = "Options of the layer";

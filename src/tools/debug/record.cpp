@@ -205,9 +205,15 @@ private:
     }
   }
 
+  /// As a program without draw buffers names it.
+  std::string resultName(const fp::ir::Output &output) const {
+    const bool single = output.kind == fp::ir::OutputKind::Color && !m_program.options.drawBuffers;
+    return single ? "result.color" : fp::ir::bindingText(output);
+  }
+
   void results(Trace &trace) const {
     for (std::size_t i = 0; i < m_program.outputs.size(); ++i)
-      trace.results.push_back({fp::ir::bindingText(m_program.outputs[i]),
+      trace.results.push_back({resultName(m_program.outputs[i]),
                                {m_runs.first.end.outputs[i], m_runs.second.end.outputs[i]},
                                m_outputs[i]});
   }

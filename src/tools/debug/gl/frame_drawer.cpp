@@ -1,0 +1,169 @@
+#include "tools/debug/gl/frame_drawer.h"
+
+#include <epoxy/gl.h>
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+/// All of the state that a draw of ours changes, and the framebuffer, which no attribute group has.
+class Restored {
+public:
+  Restored() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_draw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+  }
+  Restored(const Restored &) = delete;
+  Restored &operator=(const Restored &) = delete;
+  ~Restored() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(m_draw));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(m_read));
+    glPopAttrib();
+  }
+
+private:
+  GLint m_draw = 0, m_read = 0;
+};
+
+/// ATI_text_fragment_shader's target, which no header of Debian's has.
+constexpr GLenum kTextFragmentShaderAti = 0x8200;
+
+GLenum targetOf(fp::ir::TexTarget target) {
+  using fp::ir::TexTarget;
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return GL_TEXTURE_1D;
+  case TexTarget::Tex3D:
+    return GL_TEXTURE_3D;
+  case TexTarget::Cube:
+    return GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return GL_TEXTURE_RECTANGLE_ARB;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    break;
+  }
+  return GL_TEXTURE_2D;
+}
+
+DebugError glError(GLenum code) { return {"GL error " + std::to_string(code)}; }
+
+} // namespace
+
+Result<std::unique_ptr<Drawer>, DebugError> FrameDrawer::open(std::unique_ptr<Subject> subject) {
+  std::unique_ptr<FrameDrawer> drawer(new FrameDrawer(std::move(subject)));
+  if (auto error = drawer->m_subject->prepare())
+    return *error;
+  drawer->keepText();
+  drawer->keepPicture();
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return std::unique_ptr<Drawer>(std::move(drawer));
+}
+
+std::string FrameDrawer::name() const {
+  return reinterpret_cast<const char *>(glGetString(GL_RENDERER));
+}
+
+/// The text of the bound program object, which cut programs are loaded into: its local parameters
+/// stay. An ATI shader is no such object; beside it a program of our own is drawn with.
+void FrameDrawer::keepText() {
+  GLint bound = 0, length = 0;
+  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
+  m_isOwn = bound == 0 || !glIsEnabled(GL_FRAGMENT_PROGRAM_ARB);
+  m_program = GLuint(bound);
+  if (m_isOwn) {
+    glGenProgramsARB(1, &m_program);
+    return;
+  }
+  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
+  m_text.resize(std::size_t(length));
+  glGetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, m_text.data());
+  m_loaded = m_text;
+}
+
+void FrameDrawer::keepPicture() {
+  const auto [width, height] = size();
+  m_subject->clear();
+  m_subject->drawMesh();
+  m_picture.resize(std::size_t(width) * std::size_t(height));
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, m_picture.data());
+}
+
+/// Makes \p text (or, where it is empty, the document's) the program that is drawn with.
+/// \returns an empty string, or GL's complaint
+std::string FrameDrawer::load(const std::string &text) {
+  if (m_isOwn) {
+    if (text.empty())
+      return {};
+    glDisable(kTextFragmentShaderAti);
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  }
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+  const std::string &wanted = text.empty() ? m_text : text;
+  if (wanted == m_loaded)
+    return {};
+  m_loaded.clear();
+  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(wanted.size()),
+                     wanted.data());
+  if (glGetError() == GL_NO_ERROR) {
+    m_loaded = wanted;
+    return {};
+  }
+  const auto *const words =
+      reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
+  return std::string("a program that shows values was refused: ") + (words ? words : "no reason");
+}
+
+Result<std::vector<Drawer::Vec4>, DebugError>
+FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &region) {
+  const Restored restored;
+  m_subject->setPlainState();
+  if (std::string fault = load(text); !fault.empty())
+    return DebugError{std::move(fault)};
+  // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
+  const std::string fault =
+      m_target.bind(region.x + region.width, region.y + region.height, targets);
+  if (!fault.empty())
+    return DebugError{fault};
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.x, region.y, region.width, region.height);
+  m_subject->clear();
+  m_target.clear();
+  m_subject->drawMesh();
+  auto values = m_target.read(region);
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return values;
+}
+
+Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+FrameDrawer::picture(const Region &region) {
+  std::vector<std::array<std::uint8_t, 4>> pixels;
+  const auto width = std::size_t(size()[0]);
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    const auto row = m_picture.begin() + std::ptrdiff_t(std::size_t(y) * width) + region.x;
+    pixels.insert(pixels.end(), row, row + region.width);
+  }
+  return pixels;
+}
+
+Result<std::array<int, 3>, DebugError> FrameDrawer::textureSize(unsigned unit,
+                                                                fp::ir::TexTarget target) {
+  constexpr GLenum kSides[] = {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH};
+  std::array<int, 3> size = {};
+  GLint active = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glActiveTexture(GL_TEXTURE0 + unit);
+  for (std::size_t i = 0; i < 3; ++i)
+    glGetTexLevelParameteriv(targetOf(target), 0, kSides[i], &size[i]);
+  glActiveTexture(GLenum(active));
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return size;
+}
+
+} // namespace arbiter::tools::debug

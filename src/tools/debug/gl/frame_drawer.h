@@ -1,0 +1,40 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "tools/debug/drawer.h"
+#include "tools/debug/gl/float_target.h"
+#include "tools/debug/gl/subject.h"
+
+namespace arbiter::tools::debug {
+
+/// The drawer of a subject in the context that is current.
+class FrameDrawer : public Drawer {
+public:
+  [[nodiscard]] static Result<std::unique_ptr<Drawer>, DebugError>
+  open(std::unique_ptr<Subject> subject);
+
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::array<int, 2> size() const override { return m_subject->size(); }
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError>
+  draw(const std::string &text, std::size_t targets, const Region &region) override;
+  [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+  picture(const Region &region) override;
+  [[nodiscard]] Result<std::array<int, 3>, DebugError>
+  textureSize(unsigned unit, fp::ir::TexTarget target) override;
+
+private:
+  explicit FrameDrawer(std::unique_ptr<Subject> subject) : m_subject(std::move(subject)) {}
+  void keepText();
+  void keepPicture();
+  std::string load(const std::string &text);
+
+  std::unique_ptr<Subject> m_subject;
+  FloatTarget m_target;
+  GLuint m_program = 0; ///< that cut programs are loaded into
+  bool m_isOwn = false; ///< it is none of the document's
+  std::string m_text, m_loaded;
+  std::vector<std::array<std::uint8_t, 4>> m_picture;
+};
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/profile.h"
+#include "tools/debug/pixel_reader.h"
+#include "tools/debug/start.h"
+#include "tools/debug/verdict.h"
+#include "tools/debug/watch.h"
+
+/// One draw of a document under the debugger. The process that draws stays, so that a further pixel
+/// costs only what is new about it.
+namespace arbiter::tools::debug {
+
+struct SessionError {
+  enum class Kind { Usage, Invalid, NoGl } kind = Kind::Usage;
+  std::string message; ///< Invalid: rendered diagnostics, lines that end; else "name: reason"
+};
+
+struct SessionOptions {
+  std::string path;
+  std::string text;      ///< of the document: what an editor has may not be saved
+  int pass = 1;          ///< from 1
+  int frame = 1;         ///< from 1
+  fp::hw::Profile profile;
+  std::string numerics;  ///< a name of fp::kNumericsNames; empty: the document's, or host
+  Backend backend = Backend::Swrast;
+  std::string library;   ///< of the layer; empty: found
+};
+
+/// A program's text and what the compiler makes of it.
+struct CheckedText {
+  std::string name;
+  std::string text;
+  fp::ir::Program program;
+};
+/// Errors: the compiler's, under the profile's limits.
+[[nodiscard]] Result<CheckedText, SessionError>
+checkText(std::string name, std::string text, const fp::hw::Profile &profile);
+
+class Session {
+public:
+  [[nodiscard]] static Result<std::unique_ptr<Session>, SessionError>
+  open(const SessionOptions &options);
+
+  [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
+  [[nodiscard]] Drawer &drawer() { return *m_drawer; }
+  [[nodiscard]] fp::Numerics numerics() const { return m_numerics; }
+
+  /// \p program in the document's program's place. Pixels count from the lower left.
+  [[nodiscard]] Result<Trace, DebugError> trace(const CheckedText &program, int x, int y);
+  [[nodiscard]] Result<Trace, DebugError> trace(int x, int y) { return trace(m_fragment, x, y); }
+  [[nodiscard]] Result<Verdict, DebugError> verdict(const Trace &trace, int x, int y) {
+    return judge(*m_drawer, m_fragment.program, trace, x, y);
+  }
+  /// A value in each pixel of the picture, the lowest row first.
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);
+
+private:
+  Session() = default;
+
+  CheckedText m_fragment;
+  fp::Numerics m_numerics = fp::Numerics::Host;
+  std::unique_ptr<DrawClient> m_drawer;
+};
+
+} // namespace arbiter::tools::debug
