@@ -78,7 +78,7 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
   if (app.got_subcommand("draw"))
     return draw(arguments.draw, argv);
   if (app.got_subcommand("debug"))
-    return debug(arguments.debug);
+    return debugPixel(arguments.debug);
   if (app.got_subcommand(kDrawsVerb))
     return drawForDebugger();
   if (app.got_subcommand("lsp"))

@@ -128,8 +128,8 @@ struct DebugArguments {
   std::string library;
 };
 /// Shows what a program does for one pixel.
-[[nodiscard]] int debug(const DebugArguments &arguments);
-/// The process that draws for debug(): draws/server.h on descriptor 0.
+[[nodiscard]] int debugPixel(const DebugArguments &arguments);
+/// The process that draws for debugPixel(): draws/server.h on descriptor 0.
 [[nodiscard]] int drawForDebugger();
 
 struct CacheArguments {

@@ -1,14 +1,10 @@
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
-#include <limits>
 
 #include "tools/commands.h"
 #include "tools/debug/condition.h"
-#include "tools/debug/json.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/findings.h"
 #include "tools/debug/session.h"
-#include "tools/debug/text.h"
 #include "tools/input.h"
 #include "tools/picture.h"
 
@@ -16,8 +12,6 @@ namespace arbiter::tools {
 
 namespace {
 
-using debug::DebugError;
-using debug::Json;
 using debug::Session;
 using debug::Trace;
 
@@ -30,14 +24,6 @@ bool readPair(std::string_view text, Number &first, Number &second) {
   const auto last = std::from_chars(mark.ptr + 1, end, second);
   return last.ec == std::errc() && last.ptr == end;
 }
-
-/// Another program beside the document's, and where the two part.
-struct Beside {
-  debug::CheckedText program;
-  Trace trace;
-  std::optional<debug::Difference> first;
-  std::optional<std::string> result;
-};
 
 /// One run of the command, step by step; the first step that fails has said why.
 class Run {
@@ -55,10 +41,12 @@ public:
     if (code != kExitOk)
       return code;
     if (m_arguments.json)
-      printJson();
+      std::printf("%s\n", debug::findingsJson(m_findings)
+                              .dump(1, ' ', false, debug::Json::error_handler_t::replace)
+                              .c_str());
     else
-      printText();
-    return differs() ? kExitDiffers : kExitOk;
+      std::fputs(debug::findingsText(m_findings).c_str(), stdout);
+    return debug::isDifferent(m_findings) ? kExitDiffers : kExitOk;
   }
 
 private:
@@ -114,22 +102,28 @@ private:
     return kExitOk;
   }
 
+  /// The program that --against names.
+  int readReference(const fp::hw::Profile &profile) {
+    const auto text = readInput(m_arguments.against);
+    if (!text)
+      return refuse(text.error().message +
+                    " (--against takes swrast, host, bare, fp24, or a program's file)");
+    auto checked = debug::checkText(m_arguments.against, text.value(), profile);
+    if (!checked)
+      return refuse(checked.error());
+    m_reference = std::move(checked).value();
+    return kExitOk;
+  }
+
   int read() {
     if (const int code = readWords(); code != kExitOk)
       return code;
     const auto profile = fp::hw::loadProfile(m_arguments.profile);
     if (!profile)
       return refuse(profile.error().message);
-    if (isFile()) {
-      const auto text = readInput(m_arguments.against);
-      if (!text)
-        return refuse(text.error().message + " (--against takes swrast, host, bare, fp24, or a "
-                                             "program's file)");
-      auto checked = debug::checkText(m_arguments.against, text.value(), profile.value());
-      if (!checked)
-        return refuse(checked.error());
-      m_beside.emplace().program = std::move(checked).value();
-    }
+    if (isFile())
+      if (const int code = readReference(profile.value()); code != kExitOk)
+        return code;
     const auto text = readInput(m_arguments.document);
     if (!text)
       return refuse(text.error().message);
@@ -146,18 +140,32 @@ private:
     if (!session)
       return refuse(session.error());
     m_session = std::move(session).value();
-    if (m_arguments.fromTop)
-      m_y = m_session->drawer().size()[1] - 1 - m_y;
+    describe();
     return kExitOk;
+  }
+
+  void describe() {
+    const auto [width, height] = m_session->drawer().size();
+    if (m_arguments.fromTop)
+      m_y = height - 1 - m_y;
+    m_findings.document = m_arguments.document;
+    m_findings.x = m_x;
+    m_findings.y = m_y;
+    m_findings.width = width;
+    m_findings.height = height;
+    m_findings.pass = m_arguments.pass;
+    m_findings.frame = m_arguments.frame;
+    m_findings.line = m_arguments.line;
+    m_findings.breakOn = m_arguments.breakOn;
   }
 
   int trace() {
     auto trace = m_session->trace(m_x, m_y);
     if (!trace)
       return refuse(trace.error().message);
-    m_trace = std::move(trace).value();
+    m_findings.trace = std::move(trace).value();
     if (m_condition)
-      m_stopped = debug::firstRow(m_trace, *m_condition);
+      m_findings.stopped = debug::firstRow(m_findings.trace, *m_condition);
     return kExitOk;
   }
 
@@ -175,146 +183,21 @@ private:
   int compare() {
     if (m_arguments.against == "fp24")
       return kExitOk; // both arithmetics are in the trace
-    if (m_beside) {
-      auto trace = m_session->trace(m_beside->program, m_x, m_y);
+    const Trace &mine = m_findings.trace;
+    if (m_reference) {
+      auto trace = m_session->trace(*m_reference, m_x, m_y);
       if (!trace)
         return refuse(m_arguments.against + ": " + trace.error().message);
-      m_beside->trace = std::move(trace).value();
-      m_beside->first = debug::firstDifference(m_trace, m_beside->trace, {});
-      m_beside->result = debug::differingResult(m_trace, m_beside->trace, {});
+      const Trace &other = trace.value();
+      m_findings.beside = {m_arguments.against, other, debug::firstDifference(mine, other, {}),
+                           debug::differingResult(mine, other, {})};
       return kExitOk;
     }
-    auto verdict = m_session->verdict(m_trace, m_x, m_y);
+    auto verdict = m_session->verdict(mine, m_x, m_y);
     if (!verdict)
       return refuse(verdict.error().message, kExitInternal);
-    m_verdict = std::move(verdict).value();
+    m_findings.verdict = std::move(verdict).value();
     return kExitOk;
-  }
-
-  bool differs() const {
-    if (m_stopped)
-      return true;
-    if (m_beside)
-      return m_beside->first || m_beside->result;
-    return m_verdict ? !m_verdict->isEqual() : secondDiffers();
-  }
-
-  /// Whether 8 bits show the second arithmetic.
-  bool secondDiffers() const {
-    for (const debug::Named &result : m_trace.results)
-      if (debug::colorText(result.value.first) != debug::colorText(result.value.second))
-        return true;
-    return m_trace.isDiscarded.first != m_trace.isDiscarded.second;
-  }
-
-  /// The first row whose second value 8 bits could show.
-  std::optional<std::size_t> firstVisible() const {
-    debug::Condition condition;
-    condition.kind = debug::Condition::Kind::Differs;
-    return debug::firstRow(m_trace, condition);
-  }
-
-  std::string secondLine() const {
-    const std::string name(fp::kNumericsNames[std::size_t(m_trace.numerics.second)]);
-    const auto first = firstVisible();
-    if (!secondDiffers() && !first)
-      return name + ": equal in 8 bits";
-    std::string line = name + (secondDiffers() ? " differs" : ": equal in 8 bits");
-    if (first)
-      line += ", the first error that 8 bits could show is at line " +
-              std::to_string(m_trace.rows[*first].at.line) + ": " + m_trace.rows[*first].text;
-    return line;
-  }
-
-  std::string besideLine() const {
-    const std::string &name = m_arguments.against;
-    if (!m_beside->first)
-      return m_beside->result ? name + " differs in " + *m_beside->result : name + ": equal";
-    const debug::Difference &first = *m_beside->first;
-    const debug::Row &mine = m_trace.rows[first.row];
-    const debug::Row &other = m_beside->trace.rows[first.other];
-    std::string text = name + (m_beside->result ? " differs" : " has the same result") +
-                       ", first at line " + std::to_string(mine.at.line) + ": " + mine.text;
-    if (mine.text != other.text || mine.at.line != other.at.line)
-      text += "\n  there line " + std::to_string(other.at.line) + ": " + other.text;
-    if (first.components)
-      text += "\n  " + mine.destination + " is " +
-              debug::vectorText(first.value.first, first.components, 9) + " here, " +
-              debug::vectorText(first.value.second, first.components, 9) + " there";
-    else
-      text += std::string("\n  the fragment is ") +
-              (mine.discards.first ? "discarded here, and passes there" : "discarded there alone");
-    return text + (first.cause.empty() ? "" : "\n  " + first.cause);
-  }
-
-  std::string verdictText() const {
-    if (m_beside)
-      return besideLine();
-    if (!m_verdict)
-      return secondLine();
-    std::string text = debug::verdictLine(*m_verdict, m_trace);
-    if (m_verdict->first && m_verdict->first->components)
-      text += "\n  the interpreter has " +
-              debug::vectorText(m_verdict->first->value.first, m_verdict->first->components, 9) +
-              ", " + m_verdict->drawer + " " +
-              debug::vectorText(m_verdict->first->value.second, m_verdict->first->components, 9);
-    return text;
-  }
-
-  /// The last row to show.
-  std::size_t lastRow() const {
-    if (m_stopped)
-      return *m_stopped;
-    if (m_arguments.line > 0 && !m_trace.rows.empty())
-      return debug::rowAtLine(m_trace, std::uint32_t(m_arguments.line));
-    return std::numeric_limits<std::size_t>::max();
-  }
-
-  void printText() const {
-    const auto [width, height] = m_session->drawer().size();
-    std::string text = m_arguments.document + ", pixel " + std::to_string(m_x) + "," +
-                       std::to_string(m_y) + " of " + std::to_string(width) + "x" +
-                       std::to_string(height) + "\n" + debug::inputsText(m_trace) + "\n";
-    debug::TextOptions options;
-    options.to = lastRow();
-    options.marked = m_stopped;
-    text += debug::rowsText(m_trace, options) + "\n";
-    if (!m_stopped && m_arguments.line == 0)
-      text += debug::resultsText(m_trace);
-    if (m_condition)
-      text += m_stopped ? "stopped: " + m_arguments.breakOn + " at line " +
-                              std::to_string(m_trace.rows[*m_stopped].at.line) + "\n"
-                        : "--break " + m_arguments.breakOn + ": no instruction\n";
-    text += verdictText() + "\n";
-    std::fputs(text.c_str(), stdout);
-  }
-
-  Json besideJson() const {
-    Json json = {{"file", m_arguments.against},
-                 {"equal", !m_beside->first && !m_beside->result},
-                 {"line", besideLine()},
-                 {"trace", debug::traceJson(m_beside->trace)}};
-    json["result"] = m_beside->result ? Json(*m_beside->result) : Json();
-    json["first"] = m_beside->first
-                        ? debug::differenceJson(*m_beside->first, m_trace, m_beside->trace)
-                        : Json();
-    return json;
-  }
-
-  void printJson() const {
-    const auto [width, height] = m_session->drawer().size();
-    Json json = debug::traceJson(m_trace);
-    json["schema"] = debug::kTraceSchema;
-    json["file"] = m_arguments.document;
-    json["pixel"] = {m_x, m_y};
-    json["size"] = {width, height};
-    json["pass"] = m_arguments.pass;
-    json["frame"] = m_arguments.frame;
-    json["stopped"] = m_stopped ? Json(*m_stopped) : Json();
-    json["verdict"] = m_verdict ? debug::verdictJson(*m_verdict, m_trace) : Json();
-    json["against"] = m_beside ? besideJson() : Json();
-    json["summary"] = verdictText();
-    std::printf("%s\n", json.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   }
 
   const DebugArguments &m_arguments;
@@ -322,15 +205,13 @@ private:
   float m_low = 0, m_high = 1;
   std::optional<debug::Condition> m_condition;
   debug::Watch m_watch;
+  std::optional<debug::CheckedText> m_reference;
   std::unique_ptr<Session> m_session;
-  Trace m_trace;
-  std::optional<std::size_t> m_stopped;
-  std::optional<debug::Verdict> m_verdict;
-  std::optional<Beside> m_beside;
+  debug::Findings m_findings;
 };
 
 } // namespace
 
-int debug(const DebugArguments &arguments) { return Run(arguments).run(); }
+int debugPixel(const DebugArguments &arguments) { return Run(arguments).run(); }
 
 } // namespace arbiter::tools
