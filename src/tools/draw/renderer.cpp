@@ -235,41 +235,7 @@ double drawFrames(const Scene &scene) {
   return took.count() / std::max(1, scene.frames - 1);
 }
 
-class LastFrame : public PreparedScene {
-public:
-  explicit LastFrame(const Scene &scene) : m_scene(scene) {}
-
-  std::optional<RenderError> open() {
-    if (const char *step = m_surface.open(m_scene.width, m_scene.height))
-      return RenderError{RenderError::Kind::NoGl,
-                         std::string(step) + " (EGL error " + std::to_string(eglGetError()) + ")"};
-    RenderError error;
-    if (!arbiter::tools::prepare(m_scene, error))
-      return error;
-    m_mesh = std::make_unique<MeshDrawer>(m_scene);
-    for (int frame = 1; frame < m_scene.frames; ++frame)
-      drawFrame(m_scene, *m_mesh);
-    return {};
-  }
-  void drawMesh() const override { m_mesh->draw(); }
-  void clear() const override {
-    glClear(GL_COLOR_BUFFER_BIT | (m_scene.mesh == Mesh::Sphere ? GL_DEPTH_BUFFER_BIT : 0));
-  }
-
-private:
-  const Scene m_scene;
-  Surface m_surface;
-  std::unique_ptr<MeshDrawer> m_mesh;
-};
-
 } // namespace
-
-Result<std::unique_ptr<PreparedScene>, RenderError> PreparedScene::prepare(const Scene &scene) {
-  auto frame = std::make_unique<LastFrame>(scene);
-  if (auto error = frame->open())
-    return *error;
-  return std::unique_ptr<PreparedScene>(std::move(frame));
-}
 
 Result<Rendering, RenderError> render(const Scene &scene) {
   Surface surface;

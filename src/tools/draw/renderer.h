@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <string>
 
 #include "tools/draw/scene.h"
@@ -25,16 +24,5 @@ struct RenderError {
 /// primary colour likewise; each generic attribute has the value of the conventional one whose slot
 /// it has (ARB_vertex_program, table X.1), where the scene gives it no other.
 [[nodiscard]] Result<Rendering, RenderError> render(const Scene &scene);
-
-/// A scene before its last frame, on a surface of its own: what the debugger looks into.
-class PreparedScene {
-public:
-  [[nodiscard]] static Result<std::unique_ptr<PreparedScene>, RenderError>
-  prepare(const Scene &scene);
-  virtual ~PreparedScene() = default;
-  /// The mesh alone, with the programs and the target of the moment.
-  virtual void drawMesh() const = 0;
-  virtual void clear() const = 0;
-};
 
 } // namespace arbiter::tools
