@@ -120,7 +120,7 @@ struct DebugArguments {
   std::string breakOn;           ///< debug/condition.h, or empty
   int line = 0;                  ///< run to it; 0: to the end
   int pass = 1;
-  int frame = 1;
+  int frame = 0;
   std::string stage = "fragment"; ///< or "vertex"
   bool json = false;
   std::string profile;
@@ -129,6 +129,8 @@ struct DebugArguments {
 };
 /// Shows what a program does for one pixel.
 [[nodiscard]] int debugPixel(const DebugArguments &arguments);
+/// The verb, shown in no help, of drawForDebugger().
+inline constexpr const char *kDrawsVerb = "debug-draws";
 /// The process that draws for debugPixel(): draws/server.h on descriptor 0.
 [[nodiscard]] int drawForDebugger();
 

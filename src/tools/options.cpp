@@ -233,19 +233,18 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
   command->add_option("--pass", debug.pass, "which of the document's passes, from 1")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
-  command->add_option("--frame", debug.frame, "which frame, from 1")
-      ->check(CLI::Range(1, 100000))
+  command->add_option("--frame", debug.frame, "which frame, from 0")
+      ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   addDebugComparison(*command, debug);
   command->add_flag("--json", debug.json, "the whole trace as one JSON document");
-  debug.profile = settings().profile;
-  command->add_option("--profile", debug.profile, kProfileHelp)->capture_default_str();
+  command->add_option("--profile", debug.profile, kProfileHelp);
   command
       ->add_option("--numerics", debug.numerics,
                    "the arithmetic to show; fp24 and host beside each other")
       ->check(CLI::IsMember({"host", "legacy", "fp24"}));
   command->add_option("--library", debug.library, "the layer's library, where it is not beside us");
-  command->add_option("FILE", debug.document, "a document: a program text with or without a panel")
+  command->add_option("FILE", debug.document, "a document: a program text, or a folder with one; - is standard input")
       ->required();
   command->footer("Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
                   "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "

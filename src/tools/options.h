@@ -21,9 +21,6 @@ struct Arguments {
   LspArguments lsp;
 };
 
-/// The verb, shown in no help, of the process that draws for `debug`.
-inline constexpr const char *kDrawsVerb = "debug-draws";
-
 /// The group, in help, of the options that verbs which load the layer share.
 inline constexpr const char *kLayerGroup = "Options of the layer";
 

@@ -2,11 +2,11 @@
 #include <cstdio>
 
 #include "tools/commands.h"
+#include "scene/picture.h"
 #include "tools/debug/condition.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/session.h"
 #include "tools/input.h"
-#include "tools/picture.h"
 
 namespace arbiter::tools {
 
@@ -73,8 +73,7 @@ private:
   debug::Backend backend() const {
     if (m_arguments.against == "bare")
       return debug::Backend::Bare;
-    const bool fp24 = m_arguments.numerics == "fp24"; // which the rasterizer has no code for
-    return m_arguments.against == "host" || fp24 ? debug::Backend::Host : debug::Backend::Swrast;
+    return m_arguments.against == "host" ? debug::Backend::Host : debug::Backend::Swrast;
   }
 
   /// The words that need no document.
@@ -97,8 +96,6 @@ private:
       if (std::string fault = whyNotWritable(m_arguments.output); !fault.empty())
         return refuse(fault);
     }
-    if (m_arguments.numerics == "fp24" && m_arguments.against == "bare")
-      return refuse("--against bare: the host's own implementation has no fp24 arithmetic");
     return kExitOk;
   }
 
@@ -115,24 +112,34 @@ private:
     return kExitOk;
   }
 
+  /// The document's name and text.
+  int readDocument(debug::SessionOptions &options) {
+    options.path = m_arguments.document;
+    if (options.path == "-") {
+      auto text = readInput("-");
+      if (!text)
+        return refuse(text.error().message);
+      options.path = "<stdin>";
+      options.text = std::move(text).value();
+      return kExitOk;
+    }
+    const auto document = scene::loadDocument(options.path);
+    if (!document)
+      return refuse(document.error().message);
+    options.path = document.value().files.front().name;
+    options.text = document.value().files.front().text;
+    return kExitOk;
+  }
+
   int read() {
     if (const int code = readWords(); code != kExitOk)
       return code;
-    const auto profile = fp::hw::loadProfile(m_arguments.profile);
-    if (!profile)
-      return refuse(profile.error().message);
-    if (isFile())
-      if (const int code = readReference(profile.value()); code != kExitOk)
-        return code;
-    const auto text = readInput(m_arguments.document);
-    if (!text)
-      return refuse(text.error().message);
     debug::SessionOptions options;
-    options.path = m_arguments.document;
-    options.text = text.value();
+    if (const int code = readDocument(options); code != kExitOk)
+      return code;
     options.pass = m_arguments.pass;
     options.frame = m_arguments.frame;
-    options.profile = profile.value();
+    options.profile = m_arguments.profile;
     options.numerics = m_arguments.numerics;
     options.backend = backend();
     options.library = m_arguments.library;
@@ -141,14 +148,14 @@ private:
       return refuse(session.error());
     m_session = std::move(session).value();
     describe();
-    return kExitOk;
+    return isFile() ? readReference(m_session->profile()) : int(kExitOk);
   }
 
   void describe() {
     const auto [width, height] = m_session->drawer().size();
     if (m_arguments.fromTop)
       m_y = height - 1 - m_y;
-    m_findings.document = m_arguments.document;
+    m_findings.document = m_session->fragment().name;
     m_findings.x = m_x;
     m_findings.y = m_y;
     m_findings.width = width;
@@ -175,7 +182,7 @@ private:
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
     const std::string fault =
-        writePng(m_arguments.output,
+        scene::writePng(m_arguments.output,
                  {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }

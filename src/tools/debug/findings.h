@@ -19,7 +19,7 @@ struct Findings {
   std::string document;
   int x = 0, y = 0; ///< the pixel, from the lower left
   int width = 0, height = 0;
-  int pass = 1, frame = 1;
+  int pass = 1, frame = 0;
   Trace trace;
   std::string breakOn;                ///< empty: nothing was to be stopped at
   std::optional<std::size_t> stopped; ///< the row

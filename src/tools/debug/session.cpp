@@ -2,6 +2,7 @@
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "tools/language.h"
+#include "util/flags.h"
 
 namespace arbiter::tools::debug {
 
@@ -14,6 +15,13 @@ SessionError usage(std::string message) { return {SessionError::Kind::Usage, std
 /// What stands beside an arithmetic: fp24, and beside that the host's.
 Numerics besides(Numerics numerics) {
   return numerics == Numerics::Fp24 ? Numerics::Host : Numerics::Fp24;
+}
+
+std::string panelErrors(const scene::Document &document) {
+  std::string text;
+  for (const scene::ProgramFile &file : document.files)
+    text += fp::renderAll(file.name, file.text, file.panel.diagnostics);
+  return text;
 }
 
 } // namespace
@@ -29,27 +37,61 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
   return CheckedText{std::move(name), std::move(text), std::move(*result.program)};
 }
 
-Result<std::unique_ptr<Session>, SessionError> Session::open(const SessionOptions &options) {
-  auto checked = checkText(options.path, options.text, options.profile);
+std::optional<SessionError> Session::read(const SessionOptions &options) {
+  m_document = scene::assemble(options.path, options.text, scene::readText);
+  if (!m_document.ok())
+    return SessionError{SessionError::Kind::Invalid, panelErrors(m_document)};
+  const std::size_t passes = m_document.passes.size();
+  if (options.pass < 1 || std::size_t(options.pass) > passes)
+    return usage("--pass " + std::to_string(options.pass) + ": " + options.path + " has " +
+                 (passes == 1 ? "one pass" : std::to_string(passes) + " passes"));
+  const std::string &named = m_document.panel().profile.text;
+  const auto profile = fp::hw::loadProfile(!options.profile.empty() ? options.profile
+                                           : !named.empty()         ? named
+                                                                    : settings().profile);
+  if (!profile)
+    return usage(profile.error().message);
+  m_profile = profile.value();
+  const scene::Pass &pass = m_document.passes[std::size_t(options.pass) - 1];
+  if (pass.fragment < 0)
+    return usage(options.path + ": the pass has no fragment program to be looked into; a document "
+                                "is a fragment program that names its vertex program");
+  const scene::ProgramFile &file = m_document.files[std::size_t(pass.fragment)];
+  auto checked = checkText(file.name, file.text, m_profile);
   if (!checked)
     return checked.error();
-  if (checked.value().program.language == fp::ir::Language::ArbVertex)
-    return usage(options.path + ": is a vertex program; a document is a fragment program, which "
-                                "names its vertex program");
-  std::unique_ptr<Session> session(new Session);
-  session->m_fragment = std::move(checked).value();
-  const std::string numerics = options.numerics.empty() ? "host" : options.numerics;
-  session->m_numerics = fp::numericsNamed(numerics).value_or(Numerics::Host);
-  if (session->m_numerics == Numerics::Fp24 && options.backend != Backend::Host)
-    return usage("--numerics fp24 is drawn by the host alone: --against host");
-  auto drawer = startDrawing({options.backend, numerics, options.library},
-                             {{"path", options.path},
-                              {"text", options.text},
-                              {"pass", options.pass},
-                              {"frame", options.frame}});
+  m_fragment = std::move(checked).value();
+  return {};
+}
+
+std::optional<SessionError> Session::start(const SessionOptions &options) {
+  std::string numerics = options.numerics;
+  if (numerics.empty())
+    numerics = m_document.panel().numerics.text;
+  m_numerics = fp::numericsNamed(numerics).value_or(m_profile.numerics);
+  const Backend backend = m_numerics == Numerics::Fp24 && options.backend == Backend::Swrast
+                              ? Backend::Host // the rasterizer has no code for it
+                              : options.backend;
+  if (m_numerics != Numerics::Host && backend == Backend::Bare)
+    return usage("--against bare: the host's own implementation has one arithmetic, its own");
+  auto drawer = startDrawing(
+      {backend, std::string(fp::kNumericsNames[std::size_t(m_numerics)]), options.library},
+      {{"path", options.path},
+       {"text", options.text},
+       {"pass", options.pass - 1},
+       {"frame", options.frame}});
   if (!drawer)
     return SessionError{SessionError::Kind::NoGl, drawer.error().message};
-  session->m_drawer = std::move(drawer).value();
+  m_drawer = std::move(drawer).value();
+  return {};
+}
+
+Result<std::unique_ptr<Session>, SessionError> Session::open(const SessionOptions &options) {
+  std::unique_ptr<Session> session(new Session);
+  if (auto error = session->read(options))
+    return *error;
+  if (auto error = session->start(options))
+    return *error;
   return session;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
+#include "scene/document.h"
 #include "tools/debug/pixel_reader.h"
 #include "tools/debug/start.h"
 #include "tools/debug/verdict.h"
@@ -22,8 +23,8 @@ struct SessionOptions {
   std::string path;
   std::string text;      ///< of the document: what an editor has may not be saved
   int pass = 1;          ///< from 1
-  int frame = 1;         ///< from 1
-  fp::hw::Profile profile;
+  int frame = 0;         ///< from 0
+  std::string profile;   ///< a name or a file; empty: the document's, or the user's
   std::string numerics;  ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
   std::string library;   ///< of the layer; empty: found
@@ -45,6 +46,9 @@ public:
   open(const SessionOptions &options);
 
   [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
+  /// What programs are held to.
+  [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
+  [[nodiscard]] const scene::Document &document() const { return m_document; }
   [[nodiscard]] Drawer &drawer() { return *m_drawer; }
   [[nodiscard]] fp::Numerics numerics() const { return m_numerics; }
 
@@ -60,6 +64,11 @@ public:
 private:
   Session() = default;
 
+  std::optional<SessionError> read(const SessionOptions &options);
+  std::optional<SessionError> start(const SessionOptions &options);
+
+  scene::Document m_document;
+  fp::hw::Profile m_profile;
   CheckedText m_fragment;
   fp::Numerics m_numerics = fp::Numerics::Host;
   std::unique_ptr<DrawClient> m_drawer;

@@ -1,7 +1,6 @@
 #include "tools/debug/start.h"
 
 #include "tools/launch.h"
-#include "tools/options.h"
 
 namespace arbiter::tools::debug {
 

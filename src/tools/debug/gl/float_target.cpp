@@ -56,6 +56,7 @@ void FloatTarget::clear() const {
 std::vector<fp::ir::Vec4> FloatTarget::read(const Region &region) const {
   const auto pixels = std::size_t(region.width) * std::size_t(region.height);
   std::vector<fp::ir::Vec4> values(m_colors.size() * pixels);
+  bindToRead();
   for (std::size_t i = 0; i < m_colors.size(); ++i) {
     glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(i));
     glReadPixels(region.x, region.y, region.width, region.height, GL_RGBA, GL_FLOAT,

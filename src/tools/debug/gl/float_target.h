@@ -17,6 +17,8 @@ public:
   /// Binds a framebuffer of at least that size and number of colours, made anew if need be.
   /// \returns an empty string, or why there is none
   [[nodiscard]] std::string bind(int width, int height, std::size_t targets);
+  /// As what is read from. Requires: bind() was successful.
+  void bindToRead() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer); }
   /// Every pixel of the scissor box becomes uncovered(). The clear colour is as it was.
   void clear() const;
   /// Of the bound framebuffer: targets * height * width values.

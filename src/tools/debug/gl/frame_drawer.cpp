@@ -49,6 +49,13 @@ GLenum targetOf(fp::ir::TexTarget target) {
   return GL_TEXTURE_2D;
 }
 
+/// Depth and stencil, from the framebuffer that is read to the one that is drawn to.
+void copyDepths(const Region &region) {
+  const GLint x = region.x, y = region.y, right = x + region.width, top = y + region.height;
+  glBlitFramebuffer(x, y, right, top, x, y, right, top,
+                    GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+}
+
 DebugError glError(GLenum code) { return {"GL error " + std::to_string(code)}; }
 
 } // namespace
@@ -85,9 +92,23 @@ void FrameDrawer::keepText() {
   m_loaded = m_text;
 }
 
+/// What the draw finds, where it draws over what is there: the picture's own draw changes it.
+void FrameDrawer::keepDepths() {
+  const auto [width, height] = size();
+  const Restored restored;
+  GLint source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  if (!m_before.bind(width, height, 1).empty())
+    return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(source));
+  copyDepths({0, 0, width, height});
+}
+
 void FrameDrawer::keepPicture() {
   const auto [width, height] = size();
-  m_subject->clear();
+  m_keepsTarget = !m_subject->clear();
+  if (m_keepsTarget)
+    keepDepths();
   m_subject->drawMesh();
   m_picture.resize(std::size_t(width) * std::size_t(height));
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, m_picture.data());
@@ -131,7 +152,12 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
     return DebugError{fault};
   glEnable(GL_SCISSOR_TEST);
   glScissor(region.x, region.y, region.width, region.height);
-  m_subject->clear();
+  if (m_keepsTarget) {
+    m_before.bindToRead();
+    copyDepths(region);
+  } else {
+    m_subject->clear();
+  }
   m_target.clear();
   m_subject->drawMesh();
   auto values = m_target.read(region);

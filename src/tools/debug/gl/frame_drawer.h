@@ -27,10 +27,12 @@ private:
   explicit FrameDrawer(std::unique_ptr<Subject> subject) : m_subject(std::move(subject)) {}
   void keepText();
   void keepPicture();
+  void keepDepths();
   std::string load(const std::string &text);
 
   std::unique_ptr<Subject> m_subject;
-  FloatTarget m_target;
+  FloatTarget m_target, m_before; ///< `m_before`: depth and stencil that the draw finds
+  bool m_keepsTarget = false;     ///< the draw's pass does not begin with an empty target
   GLuint m_program = 0; ///< that cut programs are loaded into
   bool m_isOwn = false; ///< it is none of the document's
   std::string m_text, m_loaded;

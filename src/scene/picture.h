@@ -5,7 +5,7 @@
 
 #include "util/result.h"
 
-namespace arbiter::tools {
+namespace arbiter::scene {
 
 /// An 8-bit RGBA picture; row 0 is the bottom one, as in GL.
 struct Picture {
@@ -24,10 +24,4 @@ struct PictureError {
 /// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writePng(const std::string &path, const Picture &picture);
 
-/// Eight by eight white and dark fields; the lower left one is dark.
-[[nodiscard]] Picture checker(int size);
-
-/// Independent random bytes in all four components, the same ones each time.
-[[nodiscard]] Picture noise(int width, int height);
-
-} // namespace arbiter::tools
+} // namespace arbiter::scene

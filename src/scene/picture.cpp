@@ -1,4 +1,4 @@
-#include "tools/picture.h"
+#include "scene/picture.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <png.h>
 
-namespace arbiter::tools {
+namespace arbiter::scene {
 
 namespace {
 
@@ -46,28 +46,4 @@ std::string writePng(const std::string &path, const Picture &picture) {
   return {};
 }
 
-Picture checker(int size) {
-  Picture picture{size, size, {}};
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      const bool light = ((x * 8 / size) + (y * 8 / size)) % 2 != 0;
-      const std::uint8_t level = light ? 255 : 32;
-      picture.bytes.insert(picture.bytes.end(), {level, level, level, 255});
-    }
-  }
-  return picture;
-}
-
-Picture noise(int width, int height) {
-  Picture picture{width, height, std::vector<std::uint8_t>(std::size_t(4) * width * height)};
-  std::uint32_t state = 2463534242u; // xorshift32: the sequence is part of the picture's meaning
-  for (std::uint8_t &byte : picture.bytes) {
-    state ^= state << 13;
-    state ^= state >> 17;
-    state ^= state << 5;
-    byte = std::uint8_t(state >> 24);
-  }
-  return picture;
-}
-
-} // namespace arbiter::tools
+} // namespace arbiter::scene

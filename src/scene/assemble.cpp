@@ -1,0 +1,161 @@
+// From one text to a document with all of its files.
+#include <algorithm>
+
+#include "fp_compiler/compiler.h"
+#include "scene/document.h"
+
+namespace arbiter::scene {
+
+namespace {
+
+using fp::ir::Language;
+
+constexpr std::size_t kMaxPasses = 16;
+
+void complain(ProgramFile &file, fp::Span span, const char *id, std::string message,
+              std::string hint = {}) {
+  if (file.panel.diagnostics.size() < kMaxPanelDiagnostics)
+    file.panel.diagnostics.push_back(
+        {fp::Severity::Error, id, span, std::move(message), std::move(hint)});
+}
+
+std::string folderOf(const std::string &path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+class Assembler {
+public:
+  Assembler(Document &document, const ReadText &read) : m_document(document), m_read(read) {}
+
+  void run() {
+    addPass(0);
+    // A copy: files grow meanwhile.
+    const std::vector<Name> further = m_document.panel().then;
+    for (const Name &name : further) {
+      if (m_document.passes.size() == kMaxPasses) {
+        complain(m_document.files[0], name.span, "panel-range", "a document has at most 16 passes");
+        return;
+      }
+      if (const int file = add(0, name); file >= 0)
+        addPass(file);
+    }
+  }
+
+private:
+  /// The number of a file that a line of another one names; -1 after a complaint.
+  int add(int from, const Name &name) {
+    const std::string path = m_document.folder + name.text;
+    for (std::size_t i = 0; i < m_document.files.size(); ++i)
+      if (m_document.files[i].name == path)
+        return int(i);
+    auto text = m_read(path);
+    if (!text) {
+      complain(m_document.files[std::size_t(from)], name.span, "panel-file", text.error().message,
+               "files of a document lie beside it");
+      return -1;
+    }
+    ProgramFile file{path, std::move(text).value(), {}, {}};
+    file.language = fp::languageOfText(file.text).value_or(Language::ArbFragment);
+    file.panel = parsePanel(file.text);
+    m_document.files.push_back(std::move(file));
+    return int(m_document.files.size()) - 1;
+  }
+
+  void addPass(int index) {
+    Pass pass;
+    pass.panel = index;
+    const Name vertex = m_document.files[std::size_t(index)].panel.vertex;
+    if (m_document.files[std::size_t(index)].language == Language::ArbVertex) {
+      pass.vertex = index;
+    } else {
+      pass.fragment = index;
+      if (vertex.written())
+        pass.vertex = addVertex(index, vertex);
+    }
+    m_document.passes.push_back(pass);
+  }
+
+  int addVertex(int from, const Name &name) {
+    const int file = add(from, name);
+    if (file < 0 || m_document.files[std::size_t(file)].language == Language::ArbVertex)
+      return file;
+    complain(m_document.files[std::size_t(from)], name.span, "panel-file",
+             name.text + " is no vertex program", "its text begins with !!ARBvp1.0");
+    return -1;
+  }
+
+  Document &m_document;
+  const ReadText &m_read;
+};
+
+/// What lines of one file say of targets, which other files have.
+class TargetCheck {
+public:
+  explicit TargetCheck(Document &document) : m_document(document) {}
+
+  void run() {
+    for (ProgramFile &file : m_document.files)
+      check(file);
+  }
+
+private:
+  [[nodiscard]] const Target *find(const std::string &name) const {
+    for (const Pass &pass : m_document.passes)
+      if (const auto &target = m_document.panelOf(pass).target; target && target->name.text == name)
+        return &*target;
+    return nullptr;
+  }
+
+  [[nodiscard]] std::string known() const {
+    std::string names;
+    for (const Pass &pass : m_document.passes)
+      if (const auto &target = m_document.panelOf(pass).target)
+        names += (names.empty() ? "there is " : ", ") + target->name.text;
+    return names.empty() ? "a pass has one by a line '#@ target NAME WIDTH HEIGHT'" : names;
+  }
+
+  void check(ProgramFile &file) {
+    for (const TextureSpec &texture : file.panel.textures) {
+      const Name &name = texture.source.target;
+      if (!name.written())
+        continue;
+      exists(file, name);
+      if (file.panel.target && file.panel.target->name.text == name.text)
+        complain(file, name.span, "panel-target", "the pass reads the target that it draws to",
+                 "'feedback' reads the last frame's picture");
+    }
+    for (const Parameter &parameter : file.panel.parameters)
+      if (parameter.kind.value == ValueKind::Camera)
+        exists(file, parameter.target);
+    if (const auto &own = file.panel.target)
+      if (const Target *other = find(own->name.text);
+          other != nullptr &&
+          (other->width.value != own->width.value || other->height.value != own->height.value))
+        complain(file, own->name.span, "panel-target", "this target has another size elsewhere");
+  }
+
+  void exists(ProgramFile &file, const Name &name) {
+    if (find(name.text) == nullptr)
+      complain(file, name.span, "panel-target", "no pass draws into a target '" + name.text + "'",
+               known());
+  }
+
+  Document &m_document;
+};
+
+} // namespace
+
+Document assemble(const std::string &path, std::string text, const ReadText &read) {
+  Document document;
+  document.folder = folderOf(path);
+  ProgramFile main{path, std::move(text), {}, {}};
+  main.language = fp::languageOfText(main.text).value_or(Language::ArbFragment);
+  main.panel = parsePanel(main.text);
+  document.files.push_back(std::move(main));
+  Assembler(document, read).run();
+  TargetCheck(document).run();
+  return document;
+}
+
+} // namespace arbiter::scene

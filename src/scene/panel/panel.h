@@ -1,0 +1,166 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fp_compiler/diagnostic.h"
+#include "scene/words.h"
+
+/// The panel of one program text: what its comment lines that begin with `#@` say. Every number and
+/// word has its place in the text, in bytes, so that one can be written anew and the rest stays.
+namespace arbiter::scene {
+
+struct Number {
+  double value = 0;
+  fp::Span span; ///< empty: not written, a default
+
+  [[nodiscard]] bool written() const { return span.end > span.begin; }
+};
+
+struct Name {
+  std::string text;
+  fp::Span span; ///< with its quotes, if it has them
+
+  [[nodiscard]] bool written() const { return span.end > span.begin; }
+};
+
+/// A word of a table where it stands.
+template <typename Enum> struct Chosen {
+  Enum value = {};
+  fp::Span span;
+};
+
+/// The values of rowOf(word).arguments(), in that order.
+struct Arguments {
+  std::array<Number, kMaxArguments> numbers = {};
+
+  /// Requires: the row has an argument of that name.
+  [[nodiscard]] double get(const WordRow &row, std::string_view name) const;
+};
+
+struct ShapeSpec {
+  Chosen<Shape> shape;
+  Arguments arguments;
+  std::array<Number, 3> at = {}; ///< where its middle is, behind the scale
+  Number scale{1, {}};
+  std::vector<ShapeSpec> of; ///< one for shells and volume, else none
+
+  [[nodiscard]] double argument(std::string_view name) const {
+    return arguments.get(rowOf(shape.value), name);
+  }
+};
+
+struct CameraSpec {
+  Chosen<CameraKind> kind;
+  Arguments arguments;
+
+  [[nodiscard]] double argument(std::string_view name) const {
+    return arguments.get(rowOf(kind.value), name);
+  }
+};
+
+struct State {
+  std::optional<Chosen<Blend>> blend;
+  std::optional<Chosen<Depth>> depth;
+  bool depthWrite = true;
+  std::optional<Chosen<Cull>> cull;
+  std::optional<Chosen<Stencil>> stencil;
+  bool colourWrite = true;
+  std::array<Number, 4> clear = {};
+  bool keep = false;
+};
+
+struct Target {
+  Name name;
+  Number width, height;
+};
+
+/// What one texture coordinate set is.
+struct CoordinateSpec {
+  unsigned set = 0;
+  Chosen<Coordinate> source;
+  std::array<Number, 2> offset = {}; ///< of St
+};
+
+struct Animation {
+  Chosen<AnimationKind> kind;
+  Number period{1, {}}; ///< seconds, > 0
+};
+
+/// One line of local, env or attrib.
+struct Parameter {
+  Setting space = Setting::Local; ///< or Env, Attrib
+  unsigned first = 0;             ///< index
+  unsigned count = 1;             ///< more than one: rows of a matrix
+  std::array<bool, 4> mask = {true, true, true, true};
+  Name label; ///< without its quotes; may be empty
+  Chosen<ValueKind> kind;
+  std::vector<Number> values; ///< one for each component of the mask; of Rotate: degrees
+  Arguments arguments;        ///< of Rotate
+  Name target;                ///< of Camera: whose camera
+  bool hasRange = false;
+  Number low{0, {}}, high{1, {}};
+  bool colour = false; ///< to be picked as a colour
+  std::optional<Animation> animation;
+  fp::Span span; ///< the whole clause
+};
+
+/// Where texels come from.
+struct TextureSource {
+  Chosen<Generator> generator;
+  Arguments arguments;
+  Number width{256, {}}, height{256, {}}; ///< texels; of a cube map the width
+  std::vector<Name> files;                ///< of File one, of Cube six
+  Name target;                            ///< of Picture and DepthOf
+  std::vector<TextureSource> of;          ///< of Normals and Feedback; may be empty
+
+  [[nodiscard]] double argument(std::string_view name) const {
+    return arguments.get(rowOf(generator.value), name);
+  }
+};
+
+struct TextureSpec {
+  unsigned unit = 0;
+  fp::Span unitSpan;
+  TextureSource source;
+  Chosen<Filter> filter{Filter::Linear, {}};
+  Chosen<Wrap> wrap{Wrap::Repeat, {}};
+  bool compare = false; ///< a shadow texture: r is compared, not farther is 1
+  fp::Span span;
+};
+
+struct Panel {
+  Name title, profile, numerics;
+  Number width{512, {}}, height{512, {}};
+  Number rate{60, {}};
+  std::vector<ShapeSpec> mesh; ///< drawn as one; empty: not said
+  fp::Span meshSpan;
+  std::optional<CameraSpec> camera;
+  State state;
+  std::optional<Target> target;
+  std::vector<CoordinateSpec> coordinates;
+  std::vector<Parameter> parameters;
+  std::vector<TextureSpec> textures;
+  Name vertex;
+  std::vector<Name> then;
+  bool written = false; ///< the text has any `#@` line
+  /// Errors: what the line asks for cannot be. Warnings: words that have no meaning here; they are
+  /// kept, and mean nothing.
+  std::vector<fp::Diagnostic> diagnostics;
+
+  [[nodiscard]] bool ok() const;
+};
+
+/// Largest values of a text; beyond them is an error.
+inline constexpr int kMaxSide = 8192; ///< of a picture
+inline constexpr int kMaxTextureSide = 4096;
+inline constexpr unsigned kMaxUnits = 32;
+inline constexpr unsigned kMaxParameters = 1024;
+inline constexpr std::size_t kMaxPanelDiagnostics = 64;
+
+/// Reads the `#@` lines of a text of any language.
+[[nodiscard]] Panel parsePanel(std::string_view text);
+
+} // namespace arbiter::scene
