@@ -128,6 +128,10 @@ private:
     for (const Parameter &parameter : file.panel.parameters)
       if (parameter.kind.value == ValueKind::Camera)
         exists(file, parameter.target);
+    if (file.panel.target && file.panel.state.stencil &&
+        file.panel.state.stencil->value != Stencil::Off)
+      complain(file, file.panel.state.stencil->span, "panel-target",
+               "a target has no stencil buffer", "only passes that draw the picture can use one");
     if (const auto &own = file.panel.target)
       if (const Target *other = find(own->name.text);
           other != nullptr &&

@@ -34,7 +34,13 @@ Depth Document::depthOf(const Pass &pass) const {
   if (const auto &depth = panelOf(pass).state.depth)
     return depth->value;
   const auto &camera = cameraOf(pass);
-  return camera && camera->kind.value == CameraKind::Orbit ? Depth::Less : Depth::Off;
+  const auto isFlat = [](const ShapeSpec &spec) {
+    return spec.shape.value == Shape::Quad || spec.shape.value == Shape::Grid;
+  };
+  const auto &mesh = meshOf(pass);
+  const bool flat = std::all_of(mesh.begin(), mesh.end(), isFlat);
+  const bool seen = camera && camera->kind.value == CameraKind::Orbit;
+  return flat && !seen ? Depth::Off : Depth::Less;
 }
 
 bool Document::clears(std::size_t index) const { return !panelOf(passes[index]).state.keep; }

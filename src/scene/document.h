@@ -48,7 +48,7 @@ public:
   /// Pixels that the pass draws to.
   [[nodiscard]] std::pair<int, int> sizeOf(const Pass &pass) const;
   [[nodiscard]] View viewOf(const Pass &pass) const;
-  /// Less for a pass with a camera, else off, where its panel says nothing.
+  /// Where its panel says nothing: less, but off for quads and grids without a camera.
   [[nodiscard]] Depth depthOf(const Pass &pass) const;
   /// A pass begins with an empty target, unless it is to keep what is there.
   [[nodiscard]] bool clears(std::size_t pass) const;

@@ -93,16 +93,18 @@ struct ReportArguments {
 
 struct DrawArguments {
   LayerArguments layer;
-  std::vector<std::string> files; ///< a program of vertices, one of fragments, or both
-  std::string size = "512x512";
-  std::string mesh = "quad";         ///< or "grid", "sphere"
+  std::vector<std::string> files; ///< a document, or a program of vertices and one of fragments
+  std::string size;               ///< empty: the document's
+  std::string mesh;               ///< a shape's word; empty: the document's
   std::vector<std::string> textures; ///< "N=IMG.png|checker|noise"
   std::vector<std::string> locals;   ///< "[vp:|fp:]N=x,y,z,w"
   std::vector<std::string> envs;
   std::vector<std::string> attribs; ///< "N=x,y,z,w"
-  int frames = 1;
+  int frames = 1;    ///< drawn one after another, from the first one
+  int frame = -1;    ///< or the number of one, from 0
   int feedback = -1; ///< a texture unit that gets each frame's picture, or -1
-  std::string output;
+  std::string output; ///< empty: the document's name with the ending .png
+  bool json = false;
   bool bare = false;    ///< without the layer: the host's own implementation
   bool inLayer = false; ///< this is the process that the layer was preloaded into
 };

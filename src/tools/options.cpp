@@ -147,9 +147,9 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
 
 void addDraw(CLI::App &app, DrawArguments &draw) {
   CLI::App *command = app.add_subcommand(
-      "draw", "Draw programs on a mesh through the layer, with no display, into a PNG");
+      "draw", "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
   addLayer(*command, draw.layer);
-  command->add_option("--size", draw.size, "WxH in pixels")->capture_default_str();
+  command->add_option("--size", draw.size, "WxH in pixels, in place of the document's or of 512x512");
   command
       ->add_option("--texture", draw.textures,
                    "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
@@ -158,10 +158,10 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
   command
       ->add_option(
           "--mesh", draw.mesh,
-          "what carries the programs: a quad; a grid of 64x64 of them, for vertex programs "
-          "to bend; a sphere")
-      ->check(CLI::IsMember({"quad", "grid", "sphere"}))
-      ->capture_default_str();
+          "what carries the programs, in place of the document's or of a quad; a grid is 64x64 of "
+          "them, for vertex programs to bend")
+      ->check(CLI::IsMember({"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot",
+                             "billboards"}));
   const auto addValues = [&](const char *name, std::vector<std::string> &values, const char *help) {
     command->add_option(name, values, help)->allow_extra_args(false)->take_all();
   };
@@ -173,17 +173,26 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command
+      ->add_option("--frame", draw.frame,
+                   "draw the frame of this number, from 0, of an animation; with feedback those "
+                   "before it too")
+      ->check(CLI::Range(0, 1000000))
+      ->excludes("--frames");
+  command
       ->add_option("--feedback", draw.feedback,
                    "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
       ->check(CLI::Range(0, 31));
-  command->add_option("-o,--output", draw.output, "the PNG to write")->required();
+  command->add_option("-o,--output", draw.output,
+                      "the PNG to write; without it the document's name with the ending .png, here");
+  command->add_flag("--json", draw.json, "say what was drawn as JSON");
   command->add_flag("--bare", draw.bare, "without the layer: the host's own implementation");
   command->add_flag("--in-layer", draw.inLayer)->group(""); // what draw passes to itself
   command
       ->add_option(
           "FILE", draw.files,
-          "a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0), or one of vertices and one "
-          "of fragments; - is standard input")
+          "a document: a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0) whose lines that begin "
+          "with #@ say what it is drawn with, or a folder of one; or a program of vertices and "
+          "one of fragments; - is standard input")
       ->required()
       ->expected(1, 2);
   command->footer("The mesh fills the picture; every texture coordinate set runs from 0 to 1 with "
@@ -191,8 +200,10 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
                   "function's.\n"
                   "An image or a value that no program reads is an error; a sample of a unit "
                   "without an image is black, and is said.\n"
-                  "Exit code: 0 drawn; 1 usage or a file; 2 the program is invalid; 4 no GL.\n"
+                  "Exit code: 0 drawn; 1 usage or a file; 2 the program or its panel is invalid; "
+                  "4 no GL.\n"
                   "Examples:\n"
+                  "  arbiter draw twirl.fp --frame 30 -o out.png\n"
                   "  arbiter draw shader.fp -o out.png\n"
                   "  arbiter draw --mesh grid waves.vp water.fp --local vp:0=0.5 -o out.png\n"
                   "  arbiter draw --texture 0=photo.png --local 0=0.5,1,0,0 shader.fp -o out.png\n"

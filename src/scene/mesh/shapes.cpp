@@ -116,7 +116,7 @@ Mesh makeCylinder(int parts, float radius) {
         vertexOf(radius * out + glm::vec3(0, y, 0), out, {std::cos(a), 0, -std::sin(a)});
     const float at = std::fmin(std::fmax((y + 0.4f) / 0.8f, 0.0f), 1.0f);
     const float upper = at * at * (3 - 2 * at);
-    vertex.extra = {1 - upper, upper, 0, 0};
+    vertex.extra = {1 - upper, upper, 0, 1};
     return vertex;
   });
 }

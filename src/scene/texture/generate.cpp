@@ -14,12 +14,14 @@ using Images = Result<std::vector<Image>, TextureError>;
 Images readFiles(const TextureSource &source, const std::string &folder) {
   std::vector<Image> images;
   for (const Name &file : source.files) {
+    // A panel has no absolute names; a command line may.
+    const std::string path = file.text.starts_with('/') ? file.text : folder + file.text;
     std::error_code error;
     // A pipe could keep the reader waiting for ever.
-    if (!std::filesystem::is_regular_file(folder + file.text, error))
-      return TextureError{file.span, folder + file.text + ": " +
-                                         (error ? error.message() : "is no regular file")};
-    const auto picture = readPng(folder + file.text);
+    if (!std::filesystem::is_regular_file(path, error))
+      return TextureError{file.span,
+                          path + ": " + (error ? error.message() : "is no regular file")};
+    const auto picture = readPng(path);
     if (!picture)
       return TextureError{file.span, picture.error().message};
     images.emplace_back(picture.value());

@@ -13,7 +13,8 @@ struct TextureError {
 };
 
 /// The images of a source: one, or six faces of a cube map in GL's order.
-/// \param folder of the document, where its files are; with a slash behind it, or empty
+/// \param folder of the document, where its files are; with a slash behind it, or empty. An
+///        absolute name, which a panel never has, is taken as it is.
 /// \param width,height of the document's picture: the size of what feedback begins with, whatever
 ///        numbers stand there
 /// Requires: the source is neither Picture nor DepthOf, which passes draw.

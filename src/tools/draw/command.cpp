@@ -1,9 +1,14 @@
 #include <GL/arbiter.h>
+#include <algorithm>
 #include <cstdio>
 #include <dlfcn.h>
+#include <nlohmann/json.hpp>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
+#include "tools/draw/drawing.h"
 #include "tools/draw/renderer.h"
 #include "tools/draw/uses.h"
 #include "tools/input.h"
@@ -15,9 +20,15 @@ namespace arbiter::tools {
 
 namespace {
 
+constexpr int kSchema = 1; ///< of --json
+
+void print(const scene::ProgramFile &file, const std::vector<fp::Diagnostic> &diagnostics) {
+  std::fputs(fp::renderAll(file.name, file.text, diagnostics).c_str(), stderr);
+}
+
 /// With the file's name and carets. Where the compiler of this command has no complaint (the host
 /// alone refused, or the layer runs under other limits), GL's own words at GL's own position.
-void explain(const DrawArguments &arguments, const SceneProgram &program,
+void explain(const DrawArguments &arguments, const scene::ProgramFile &program,
              const RenderError &error) {
   const auto profile = fp::hw::loadProfile(settings().profile);
   if (!arguments.bare && profile) {
@@ -25,8 +36,7 @@ void explain(const DrawArguments &arguments, const SceneProgram &program,
     options.limits = limitsOf(profile.value(), program.language);
     options.policy = settings().enforceLimits ? fp::LimitPolicy::Enforce : fp::LimitPolicy::Report;
     const fp::CheckResult result = fp::checkProgram(program.language, program.text, options);
-    for (const fp::Diagnostic &diagnostic : result.diagnostics)
-      std::fputs(fp::render(program.name, program.text, diagnostic).c_str(), stderr);
+    print(program, result.diagnostics);
     if (!result.ok())
       return;
   }
@@ -35,17 +45,23 @@ void explain(const DrawArguments &arguments, const SceneProgram &program,
   diagnostic.id = "gl";
   diagnostic.span = {position, position};
   diagnostic.message = error.message.substr(0, error.message.find('\n'));
-  std::fputs(fp::render(program.name, program.text, diagnostic).c_str(), stderr);
+  print(program, {diagnostic});
 }
 
-int fail(const DrawArguments &arguments, const Scene &scene, const RenderError &error) {
+int fail(const DrawArguments &arguments, const scene::Document &document,
+         const RenderError &error) {
+  const scene::ProgramFile &file = document.files[error.file];
   switch (error.kind) {
   case RenderError::Kind::Program:
-    explain(arguments, scene.programs[error.program], error);
+    explain(arguments, file, error);
     return kExitInvalid;
-  case RenderError::Kind::Scene:
-    complain(error.message);
-    return kExitUsage;
+  case RenderError::Kind::Panel:
+    if (error.span.end == 0) { // an option, which has no place in a text
+      complain("--" + error.message);
+      return kExitUsage;
+    }
+    print(file, {{fp::Severity::Error, "panel-draw", error.span, error.message, {}}});
+    return kExitInvalid;
   case RenderError::Kind::NoGl:
     break;
   }
@@ -53,34 +69,114 @@ int fail(const DrawArguments &arguments, const Scene &scene, const RenderError &
   return kExitInternal;
 }
 
+/// Where the picture goes without -o: the document's name with the ending .png, in the working
+/// folder.
+std::string outputOf(const DrawArguments &arguments, const scene::Document &document) {
+  if (!arguments.output.empty())
+    return arguments.output;
+  std::string name = document.files.front().name;
+  name = name.substr(name.rfind('/') + 1);
+  return name.substr(0, name.rfind('.')) + ".png";
+}
+
+void report(const DrawArguments &arguments, const Drawing &drawing, const Rendering &rendering,
+            const std::string &output) {
+  const scene::Document &document = drawing.document;
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["schema"] = kSchema;
+    json["document"] = document.files.front().name;
+    json["picture"] = output;
+    json["width"] = document.width();
+    json["height"] = document.height();
+    json["frame"] = drawing.last;
+    json["passes"] = document.passes.size();
+    json["renderer"] = rendering.renderer;
+    if (drawing.first < drawing.last)
+      json["milliseconds_per_frame"] = rendering.millisecondsPerFrame;
+    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+    std::printf("%s\n", json.dump(2, ' ', false, replace).c_str());
+    return;
+  }
+  std::printf("%s: %dx%d on %s", output.c_str(), document.width(), document.height(),
+              rendering.renderer.c_str());
+  if (drawing.first < drawing.last)
+    std::printf(", %d frames, %.3f ms a frame", drawing.last - drawing.first + 1,
+                rendering.millisecondsPerFrame);
+  std::printf("\n");
+}
+
 int drawHere(const DrawArguments &arguments) {
-  const auto read = readScene(arguments);
+  const auto read = readDrawing(arguments);
   if (!read) {
     complain(read.error().message);
     return kExitUsage;
   }
-  const Scene &scene = read.value();
-  if (const std::string fault = faultOfUses(scene); !fault.empty()) {
+  const Drawing &drawing = read.value();
+  const scene::Document &document = drawing.document;
+  for (const scene::ProgramFile &file : document.files)
+    print(file, file.panel.diagnostics);
+  if (!document.ok())
+    return kExitInvalid;
+  if (const std::string fault = faultOfUses(drawing); !fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
-  const auto rendering = render(scene);
+  if (arguments.output.empty() && arguments.files.front() == "-") {
+    complain("standard input has no name that the picture could have: -o PNG gives one");
+    return kExitUsage;
+  }
+  const auto rendering = render(document, drawing.first, drawing.last);
   if (!rendering)
-    return fail(arguments, scene, rendering.error());
-  for (const std::string &line : unfedSamples(scene))
+    return fail(arguments, document, rendering.error());
+  for (const std::string &line : unfedSamples(document))
     complain(line);
-  if (const std::string fault = writePng(arguments.output, rendering.value().picture);
+  const std::string output = outputOf(arguments, document);
+  if (const std::string fault = scene::writePng(output, rendering.value().picture);
       !fault.empty()) {
     complain(fault);
     return kExitUsage;
   }
-  std::printf("%s: %dx%d on %s", arguments.output.c_str(), scene.width, scene.height,
-              rendering.value().renderer.c_str());
-  if (scene.frames > 1)
-    std::printf(", %d frames, %.3f ms a frame", scene.frames,
-                rendering.value().millisecondsPerFrame);
-  std::printf("\n");
+  report(arguments, drawing, rendering.value(), output);
   return kExitOk;
+}
+
+/// Keeps what standard input has, so that two processes can read it: this one, for the document's
+/// settings, and the one that draws.
+bool keepInput(std::string &text) {
+  auto input = readInput("-");
+  if (!input) {
+    complain(input.error().message);
+    return false;
+  }
+  text = std::move(input).value();
+  const int file = ::memfd_create("document", 0);
+  const bool good = file >= 0 &&
+                    ::write(file, text.data(), text.size()) == ::ssize_t(text.size()) &&
+                    ::lseek(file, 0, SEEK_SET) == 0 && ::dup2(file, STDIN_FILENO) >= 0;
+  if (file > STDIN_FILENO)
+    ::close(file);
+  if (!good)
+    complain("standard input cannot be kept");
+  return good;
+}
+
+/// The document's profile and numerics, where the command line has none.
+bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
+  scene::Panel panel;
+  if (std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {
+    std::string text;
+    if (!keepInput(text))
+      return false;
+    panel = scene::parsePanel(text);
+  } else if (auto document = scene::loadDocument(arguments.files.front())) {
+    panel = document.value().panel();
+  }
+  if (layer.profile.empty())
+    layer.profile = panel.profile.text;
+  if (layer.numerics.empty())
+    layer.numerics = panel.numerics.text;
+  return true;
 }
 
 } // namespace
@@ -102,7 +198,10 @@ int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
     complain(files.error().message);
     return kExitUsage;
   }
-  const auto environment = layerEnvironment(files.value(), arguments.layer);
+  LayerArguments layer = arguments.layer;
+  if (!takeSettings(arguments, layer))
+    return kExitUsage;
+  const auto environment = layerEnvironment(files.value(), layer);
   if (!environment) {
     complain(environment.error().message);
     return kExitUsage;

@@ -4,255 +4,222 @@
 #include <chrono>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <glm/gtc/type_ptr.hpp>
 
-#include "tools/draw/mesh.h"
+#include "tools/draw/gl_mesh.h"
+#include "tools/draw/gl_programs.h"
+#include "tools/draw/gl_targets.h"
+#include "tools/draw/gl_textures.h"
 #include "tools/draw/surface.h"
 
 namespace arbiter::tools {
 
+using scene::Document;
+using scene::Pass;
+
+struct Renderer::Parts {
+  explicit Parts(const Document &drawn) : document(drawn) {}
+
+  std::optional<RenderError> load();
+  std::optional<RenderError> loadMesh(const Pass &pass);
+  void drawPass(std::size_t index, double seconds) const;
+  void drawMesh(std::size_t index) const;
+
+  const Document &document;
+  Targets targets; ///< outlives the textures, which bind its own
+  Textures textures;
+  Programs programs;
+  std::vector<std::unique_ptr<GlMesh>> meshes; ///< one for each pass
+};
+
 namespace {
 
-using fp::ir::Language;
+void setEnabled(GLenum capability, bool on) {
+  if (on)
+    glEnable(capability);
+  else
+    glDisable(capability);
+}
 
-/// The calls of ATI_text_fragment_shader are those of ARB programs with a target of its own, which
-/// no header of Debian's has.
-constexpr GLenum kTextFragmentShaderAti = 0x8200;
-
-struct Target {
-  GLenum name;
-  const char *extension;
-};
-
-Target targetOf(Language language) {
-  switch (language) {
-  case Language::ArbVertex:
-    return {GL_VERTEX_PROGRAM_ARB, "GL_ARB_vertex_program"};
-  case Language::AtiFragment:
-    return {kTextFragmentShaderAti, "GL_ATI_text_fragment_shader"};
-  case Language::ArbFragment:
+void setBlend(scene::Blend blend) {
+  setEnabled(GL_BLEND, blend != scene::Blend::Off);
+  switch (blend) {
+  case scene::Blend::Off:
+    break;
+  case scene::Blend::Alpha:
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    break;
+  case scene::Blend::Premultiplied:
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    break;
+  case scene::Blend::Add:
+    glBlendFunc(GL_ONE, GL_ONE);
+    break;
+  case scene::Blend::Multiply:
+    glBlendFunc(GL_DST_COLOR, GL_ZERO);
     break;
   }
-  return {GL_FRAGMENT_PROGRAM_ARB, "GL_ARB_fragment_program"};
 }
 
-int query(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
+void setDepth(scene::Depth depth, bool write) {
+  setEnabled(GL_DEPTH_TEST, depth != scene::Depth::Off);
+  constexpr GLenum kTests[] = {GL_ALWAYS, GL_LESS, GL_LEQUAL, GL_EQUAL};
+  glDepthFunc(kTests[std::size_t(depth)]);
+  glDepthMask(GLboolean(write));
 }
 
-int programLimit(GLenum target, GLenum name) {
-  GLint value = 0;
-  glGetProgramivARB(target, name, &value);
-  return value;
+void setStencil(scene::Stencil stencil) {
+  setEnabled(GL_STENCIL_TEST, stencil != scene::Stencil::Off);
+  constexpr GLenum kTests[] = {GL_ALWAYS, GL_ALWAYS, GL_EQUAL, GL_NOTEQUAL};
+  glStencilFunc(kTests[std::size_t(stencil)], 0, ~0u);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
-std::string beyond(const std::string &option, unsigned number, int limit, const char *what) {
-  if (limit > 0 && number < unsigned(limit))
-    return {};
-  return option + ": there are " + std::to_string(limit) + " " + what;
+void setCull(scene::Cull cull) {
+  setEnabled(GL_CULL_FACE, cull != scene::Cull::None);
+  glCullFace(cull == scene::Cull::Front ? GL_FRONT : GL_BACK);
 }
 
-/// A parameter of a row that the program's target lacks. An ATI shader has none at all.
-std::string parametersBeyond(const Scene &scene, const SceneProgram &program) {
-  const GLenum target = targetOf(program.language).name;
-  struct Kind {
-    const std::vector<Scene::Parameter> &given;
-    GLenum limit;
-    const char *what;
-  };
-  for (const Kind &kind :
-       {Kind{scene.locals, GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB, "local parameters"},
-        Kind{scene.envs, GL_MAX_PROGRAM_ENV_PARAMETERS_ARB, "environment parameters"}})
-    for (const Scene::Parameter &parameter : kind.given)
-      if (!parameter.language || *parameter.language == program.language)
-        if (std::string fault = beyond(parameter.option, parameter.index,
-                                       programLimit(target, kind.limit), kind.what);
-            !fault.empty())
-          return fault;
-  return {};
+void clear(const scene::State &state) {
+  const auto component = [&](std::size_t i) { return float(state.clear[i].value); };
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glStencilMask(~0u);
+  glClearColor(component(0), component(1), component(2), component(3));
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-/// Anything out of the limits is named here, before GL gives it a nameless error.
-std::string beyondLimits(const Scene &scene) {
-  const int units = query(GL_MAX_TEXTURE_IMAGE_UNITS_ARB);
-  for (const Scene::Texture &texture : scene.textures)
-    if (std::string fault =
-            beyond((texture.option.empty() ? "--feedback " : "--texture ") +
-                       (texture.option.empty() ? std::to_string(texture.unit) : texture.option),
-                   texture.unit, units, "texture image units");
-        !fault.empty())
-      return fault;
-  for (const SceneProgram &program : scene.programs)
-    if (program.language != Language::AtiFragment)
-      if (std::string fault = parametersBeyond(scene, program); !fault.empty())
-        return fault;
-  const int attribs = scene.attribs.empty() ? 0 : query(GL_MAX_VERTEX_ATTRIBS_ARB);
-  for (const Scene::Parameter &attrib : scene.attribs) {
-    if (attrib.index == 0)
-      return attrib.option + ": attribute 0 is the position, which the mesh gives";
-    if (std::string fault = beyond(attrib.option, attrib.index, attribs, "generic attributes");
-        !fault.empty())
-      return fault;
-  }
-  return {};
+template <typename Enum>
+Enum valueOf(const std::optional<scene::Chosen<Enum>> &chosen) {
+  return chosen ? chosen->value : Enum();
 }
 
-void upload(const Scene &scene, const Scene::Texture &texture) {
-  GLuint name = 0;
-  glActiveTexture(GL_TEXTURE0 + texture.unit);
-  glGenTextures(1, &name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  const bool nearest = int(texture.unit) == scene.feedback;
-  const GLint filter = nearest ? GL_NEAREST : GL_LINEAR;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.picture.width, texture.picture.height, 0,
-               GL_RGBA, GL_UNSIGNED_BYTE, texture.picture.bytes.data());
-  // What a unit samples is in the text of an ARB program, and not in that of an ATI shader.
-  if (scene.programs.back().language == Language::AtiFragment)
-    glEnable(GL_TEXTURE_2D);
-}
-
-/// Loads and enables one program, with its parameters.
-bool load(const Scene &scene, std::size_t index, RenderError &error) {
-  const SceneProgram &program = scene.programs[index];
-  const GLenum target = targetOf(program.language).name;
-  GLuint name = 0;
-  glGenProgramsARB(1, &name);
-  glBindProgramARB(target, name);
-  glProgramStringARB(target, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(program.text.size()),
-                     program.text.data());
-  if (glGetError() != GL_NO_ERROR) {
-    const auto *text = reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
-    error = {RenderError::Kind::Program, text == nullptr ? "" : text,
-             query(GL_PROGRAM_ERROR_POSITION_ARB), index};
-    return false;
-  }
-  const auto wants = [&](const Scene::Parameter &parameter) {
-    return program.language != Language::AtiFragment &&
-           (!parameter.language || *parameter.language == program.language);
-  };
-  for (const Scene::Parameter &parameter : scene.locals)
-    if (wants(parameter))
-      glProgramLocalParameter4fvARB(target, parameter.index, parameter.value.data());
-  for (const Scene::Parameter &parameter : scene.envs)
-    if (wants(parameter))
-      glProgramEnvParameter4fvARB(target, parameter.index, parameter.value.data());
-  glEnable(target);
-  return true;
-}
-
-/// Programs, textures and parameters. \returns false with `error` filled.
-bool prepare(const Scene &scene, RenderError &error) {
-  for (const SceneProgram &program : scene.programs)
-    if (const char *extension = targetOf(program.language).extension;
-        !epoxy_has_gl_extension(extension)) {
-      error = {RenderError::Kind::NoGl, std::string("this GL has no ") + extension};
-      return false;
-    }
-  if (const std::string fault = beyondLimits(scene); !fault.empty()) {
-    error = {RenderError::Kind::Scene, fault};
-    return false;
-  }
-  for (std::size_t i = 0; i < scene.programs.size(); ++i)
-    if (!load(scene, i, error))
-      return false;
-  for (const Scene::Texture &texture : scene.textures)
-    upload(scene, texture);
+void setMatrices(const scene::View &view) {
   glMatrixMode(GL_PROJECTION);
-  glOrtho(-1, 1, -1, 1, -1, 1);
+  glLoadMatrixf(glm::value_ptr(view.projection));
   glMatrixMode(GL_MODELVIEW);
-  if (scene.mesh == Mesh::Sphere)
-    glEnable(GL_DEPTH_TEST);
-  glViewport(0, 0, scene.width, scene.height);
-  return true;
+  glLoadMatrixf(glm::value_ptr(view.modelView));
 }
 
-/// Draws the mesh, each vertex with every attribute that a program may read.
-class MeshDrawer {
-public:
-  explicit MeshDrawer(const Scene &scene)
-      : m_vertices(quadsOf(scene.mesh)), m_sets(query(GL_MAX_TEXTURE_COORDS_ARB)),
-        m_generic(scene.hasVertexProgram()), m_attribs(scene.attribs) {}
+} // namespace
 
-  void draw() const {
-    glBegin(GL_QUADS);
-    for (const MeshVertex &vertex : m_vertices)
-      emit(vertex);
-    glEnd();
+std::optional<RenderError> Renderer::Parts::load() {
+  if (auto error = programs.load(document))
+    return error;
+  if (auto error = targets.load(document))
+    return error;
+  if (auto error = textures.load(document, targets))
+    return error;
+  for (const Pass &pass : document.passes)
+    if (auto error = loadMesh(pass))
+      return error;
+  return std::nullopt;
+}
+
+std::optional<RenderError> Renderer::Parts::loadMesh(const Pass &pass) {
+  const auto mesh = scene::buildMesh(document.meshOf(pass));
+  if (!mesh)
+    return RenderError{RenderError::Kind::Panel, mesh.error().message, std::size_t(pass.panel), -1,
+                       mesh.error().span};
+  const scene::Panel &panel = document.panelOf(pass);
+  std::vector<unsigned> attribs;
+  for (const scene::Parameter &parameter : panel.parameters)
+    if (parameter.space == scene::Setting::Attrib)
+      attribs.push_back(parameter.first);
+  meshes.push_back(std::make_unique<GlMesh>(mesh.value(), panel.coordinates, pass.vertex >= 0,
+                                            attribs));
+  return std::nullopt;
+}
+
+/// Front faces count up and back faces down, in two draws: two-sided stencils are no core of GL 1.5.
+void Renderer::Parts::drawMesh(std::size_t index) const {
+  const scene::State &state = document.panelOf(document.passes[index]).state;
+  if (valueOf(state.stencil) != scene::Stencil::Count) {
+    meshes[index]->draw();
+    return;
   }
-
-private:
-  void emit(const MeshVertex &vertex) const {
-    const float coordinate[] = {vertex.s, vertex.t, 0, 1};
-    const float normal[] = {vertex.normal[0], vertex.normal[1], vertex.normal[2], 1};
-    glColor4fv(coordinate);
-    glNormal3fv(normal);
-    for (int set = 0; set < m_sets; ++set)
-      glMultiTexCoord4fv(GL_TEXTURE0 + GLenum(set), coordinate);
-    if (m_generic) {
-      constexpr GLuint kNormal = 2, kColor = 3, kFirstSet = 8;
-      glVertexAttrib4fvARB(kNormal, normal);
-      glVertexAttrib4fvARB(kColor, coordinate);
-      for (int set = 0; set < std::min(m_sets, 8); ++set)
-        glVertexAttrib4fvARB(kFirstSet + GLuint(set), coordinate);
-      for (const Scene::Parameter &attrib : m_attribs)
-        glVertexAttrib4fvARB(attrib.index, attrib.value.data());
-    }
-    glVertex3fv(vertex.position.data());
-  }
-
-  std::vector<MeshVertex> m_vertices;
-  int m_sets;
-  bool m_generic;
-  const std::vector<Scene::Parameter> &m_attribs;
-};
-
-void drawFrame(const Scene &scene, const MeshDrawer &mesh) {
-  glClear(GL_COLOR_BUFFER_BIT | (scene.mesh == Mesh::Sphere ? GL_DEPTH_BUFFER_BIT : 0));
-  mesh.draw();
-  if (scene.feedback >= 0) {
-    glActiveTexture(GL_TEXTURE0 + GLenum(scene.feedback));
-    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, scene.width, scene.height);
+  glEnable(GL_CULL_FACE);
+  for (const auto &[face, operation] : {std::pair(GL_BACK, GL_INCR_WRAP), {GL_FRONT, GL_DECR_WRAP}}) {
+    glCullFace(GLenum(face));
+    glStencilOp(GL_KEEP, GL_KEEP, GLenum(operation));
+    meshes[index]->draw();
   }
 }
 
-/// \returns milliseconds a frame, without the first one of several.
-double drawFrames(const Scene &scene) {
-  const MeshDrawer mesh(scene);
+void Renderer::Parts::drawPass(std::size_t index, double seconds) const {
+  const Pass &pass = document.passes[index];
+  const scene::Panel &panel = document.panelOf(pass);
+  const scene::State &state = panel.state;
+  targets.bind(panel.target ? panel.target->name.text : std::string());
+  const auto [width, height] = document.sizeOf(pass);
+  glViewport(0, 0, width, height);
+  if (document.clears(index))
+    clear(state);
+  setBlend(valueOf(state.blend));
+  setDepth(document.depthOf(pass), state.depthWrite);
+  setCull(valueOf(state.cull));
+  setStencil(valueOf(state.stencil));
+  const auto colour = GLboolean(state.colourWrite);
+  glColorMask(colour, colour, colour, colour);
+  setMatrices(document.viewOf(pass));
+  textures.bind(pass.panel);
+  programs.use(document, pass, seconds);
+  drawMesh(index);
+  Programs::disable(document);
+  textures.release(pass.panel);
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : m_parts(std::move(parts)) {}
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>, RenderError> Renderer::make(const Document &document) {
+  auto parts = std::make_unique<Parts>(document);
+  if (auto error = parts->load())
+    return *error;
+  return std::unique_ptr<Renderer>(new Renderer(std::move(parts)));
+}
+
+void Renderer::draw(int frame) {
+  const Document &document = m_parts->document;
+  for (std::size_t pass = 0; pass < document.passes.size(); ++pass)
+    m_parts->drawPass(pass, document.secondsOf(frame));
+  m_parts->targets.bind({});
+  m_parts->textures.feed(document.width(), document.height());
+}
+
+scene::Picture Renderer::read() const {
+  const Document &document = m_parts->document;
+  scene::Picture picture{document.width(), document.height(), {}};
+  picture.bytes.resize(std::size_t(4) * std::size_t(picture.width) * std::size_t(picture.height));
+  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+               picture.bytes.data());
+  return picture;
+}
+
+Result<Rendering, RenderError> render(const Document &document, int first, int last) {
+  Surface surface;
+  if (const char *step = surface.open(document.width(), document.height()))
+    return RenderError{RenderError::Kind::NoGl,
+                       std::string(step) + " (EGL error " + std::to_string(eglGetError()) + ")"};
+  auto made = Renderer::make(document);
+  if (!made)
+    return made.error();
+  Renderer &renderer = *made.value();
+  Rendering rendering;
+  rendering.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
   using Clock = std::chrono::steady_clock;
   Clock::time_point begin = Clock::now();
-  for (int frame = 0; frame < scene.frames; ++frame) {
-    drawFrame(scene, mesh);
-    if (frame == 0 && scene.frames > 1) {
+  for (int frame = first; frame <= last; ++frame) {
+    renderer.draw(frame);
+    if (frame == first && first < last) {
       glFinish();
       begin = Clock::now();
     }
   }
   glFinish();
   const std::chrono::duration<double, std::milli> took = Clock::now() - begin;
-  return took.count() / std::max(1, scene.frames - 1);
-}
-
-} // namespace
-
-Result<Rendering, RenderError> render(const Scene &scene) {
-  Surface surface;
-  if (const char *step = surface.open(scene.width, scene.height))
-    return RenderError{RenderError::Kind::NoGl,
-                       std::string(step) + " (EGL error " + std::to_string(eglGetError()) + ")"};
-  RenderError error;
-  if (!prepare(scene, error))
-    return error;
-  Rendering rendering;
-  rendering.renderer = reinterpret_cast<const char *>(glGetString(GL_RENDERER));
-  rendering.millisecondsPerFrame = drawFrames(scene);
-  rendering.picture.width = scene.width;
-  rendering.picture.height = scene.height;
-  rendering.picture.bytes.resize(std::size_t(4) * scene.width * scene.height);
-  glReadPixels(0, 0, scene.width, scene.height, GL_RGBA, GL_UNSIGNED_BYTE,
-               rendering.picture.bytes.data());
+  rendering.millisecondsPerFrame = took.count() / std::max(1, last - first);
+  rendering.picture = renderer.read();
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return RenderError{RenderError::Kind::NoGl, "GL error " + std::to_string(code)};
   return rendering;

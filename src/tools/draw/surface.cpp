@@ -56,6 +56,8 @@ const char *Surface::open(int width, int height) {
                                        8,
                                        EGL_DEPTH_SIZE,
                                        24,
+                                       EGL_STENCIL_SIZE,
+                                       8,
                                        EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;

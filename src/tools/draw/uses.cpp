@@ -15,18 +15,20 @@ using fp::ir::AttributeKind;
 using fp::ir::Language;
 using fp::ir::ParameterKind;
 using fp::ir::TexTarget;
-
-struct Sampled {
-  unsigned unit = 0;
-  TexTarget target = TexTarget::Tex2D;
-};
+using Kind = GivenOption::Kind;
 
 /// What one program reads; bound is read.
 struct Uses {
-  const SceneProgram *program = nullptr;
+  const scene::ProgramFile *program = nullptr;
   std::vector<Sampled> samples;
   std::vector<unsigned> locals, envs, attribs;
 };
+
+fp::CheckResult check(const scene::ProgramFile &file) {
+  const fp::hw::Profile *const widest = fp::hw::findBuiltin("host");
+  return fp::checkProgram(file.language, file.text,
+                          {limitsOf(*widest, file.language), fp::LimitPolicy::Report});
+}
 
 std::vector<Sampled> samplesOf(const fp::ir::Program &program) {
   std::vector<Sampled> samples;
@@ -40,27 +42,30 @@ std::vector<Sampled> samplesOf(const fp::ir::Program &program) {
   return samples;
 }
 
-/// False: the compiler refuses a program, so nothing can be said of what it reads.
-bool findUses(const Scene &scene, std::vector<Uses> &all) {
-  const fp::hw::Profile *const widest = fp::hw::findBuiltin("host");
-  for (const SceneProgram &source : scene.programs) {
-    const fp::CheckResult result =
-        fp::checkProgram(source.language, source.text,
-                         {limitsOf(*widest, source.language), fp::LimitPolicy::Report});
-    if (!result.ok())
+/// False: the compiler refuses the program, so nothing can be said of what it reads.
+bool findUses(const scene::ProgramFile &file, std::vector<Uses> &all) {
+  const fp::CheckResult result = check(file);
+  if (!result.ok())
+    return false;
+  Uses &uses = all.emplace_back();
+  uses.program = &file;
+  uses.samples = samplesOf(*result.program);
+  for (const fp::ir::Parameter &parameter : result.program->parameters)
+    if (parameter.kind == ParameterKind::Local)
+      uses.locals.push_back(parameter.index);
+    else if (parameter.kind == ParameterKind::Env)
+      uses.envs.push_back(parameter.index);
+  for (const fp::ir::Attribute &attribute : result.program->attributes)
+    if (attribute.kind == AttributeKind::Generic)
+      uses.attribs.push_back(attribute.index);
+  return true;
+}
+
+/// Of the programs of one pass.
+bool findUses(const scene::Document &document, const scene::Pass &pass, std::vector<Uses> &all) {
+  for (const int file : {pass.vertex, pass.fragment})
+    if (file >= 0 && !findUses(document.files[std::size_t(file)], all))
       return false;
-    Uses &uses = all.emplace_back();
-    uses.program = &source;
-    uses.samples = samplesOf(*result.program);
-    for (const fp::ir::Parameter &parameter : result.program->parameters)
-      if (parameter.kind == ParameterKind::Local)
-        uses.locals.push_back(parameter.index);
-      else if (parameter.kind == ParameterKind::Env)
-        uses.envs.push_back(parameter.index);
-    for (const fp::ir::Attribute &attribute : result.program->attributes)
-      if (attribute.kind == AttributeKind::Generic)
-        uses.attribs.push_back(attribute.index);
-  }
   return true;
 }
 
@@ -74,72 +79,83 @@ std::string sampling(const std::vector<Uses> &all) {
   return text.empty() ? "no program samples a texture" : text;
 }
 
-std::string faultOf(const Scene::Texture &texture, const std::vector<Uses> &all) {
-  const std::string option = texture.option.empty() ? "--feedback " + std::to_string(texture.unit)
-                                                    : "--texture " + texture.option;
+std::string faultOfImage(const GivenOption &given, const std::vector<Uses> &all) {
   for (const Uses &uses : all)
     for (const Sampled &sampled : uses.samples)
-      if (sampled.unit == texture.unit)
+      if (sampled.unit == given.index)
         return sampled.target == TexTarget::Tex2D
                    ? ""
-                   : option + ": " + uses.program->name + " samples texture[" +
+                   : given.option + ": " + uses.program->name + " samples texture[" +
                          std::to_string(sampled.unit) + "] as " +
                          fp::ir::targetText(sampled.target) + ", and this is a 2D image";
-  return option + " has no effect: " + sampling(all);
+  return given.option + " has no effect: " + sampling(all);
 }
 
-std::string faultOf(const Scene::Parameter &parameter, const std::vector<Uses> &all,
-                    std::vector<unsigned> Uses::*rows, const char *row) {
+std::string faultOfValue(const GivenOption &given, const std::vector<Uses> &all,
+                         std::vector<unsigned> Uses::*rows, const char *row) {
   for (const Uses &uses : all) {
-    if (parameter.language && *parameter.language != uses.program->language)
+    if (given.language && *given.language != uses.program->language)
       continue;
     const std::vector<unsigned> &read = uses.*rows;
-    if (std::find(read.begin(), read.end(), parameter.index) != read.end())
+    if (std::find(read.begin(), read.end(), given.index) != read.end())
       return {};
   }
-  return parameter.option + " has no effect: no " +
-         (!parameter.language                          ? ""
-          : *parameter.language == Language::ArbVertex ? "vertex "
-                                                       : "fragment ") +
-         "program reads " + row + "[" + std::to_string(parameter.index) + "]";
+  return given.option + " has no effect: no " +
+         (!given.language                          ? ""
+          : *given.language == Language::ArbVertex ? "vertex "
+                                                   : "fragment ") +
+         "program reads " + row + "[" + std::to_string(given.index) + "]";
+}
+
+std::string faultOf(const GivenOption &given, const std::vector<Uses> &all) {
+  switch (given.kind) {
+  case Kind::Texture:
+  case Kind::Feedback:
+    return faultOfImage(given, all);
+  case Kind::Local:
+    return faultOfValue(given, all, &Uses::locals, "program.local");
+  case Kind::Env:
+    return faultOfValue(given, all, &Uses::envs, "program.env");
+  case Kind::Attrib:
+    return faultOfValue(given, all, &Uses::attribs, "vertex.attrib");
+  }
+  return {};
 }
 
 } // namespace
 
-std::string faultOfUses(const Scene &scene) {
+std::vector<Sampled> samplesOf(const scene::ProgramFile &file) {
+  const fp::CheckResult result = check(file);
+  return result.ok() ? samplesOf(*result.program) : std::vector<Sampled>{};
+}
+
+std::string faultOfUses(const Drawing &drawing) {
   std::vector<Uses> all;
-  if (!findUses(scene, all))
+  if (drawing.given.empty() ||
+      !findUses(drawing.document, drawing.document.passes.front(), all))
     return {};
-  for (const Scene::Texture &texture : scene.textures)
-    if (std::string fault = faultOf(texture, all); !fault.empty())
+  for (const GivenOption &given : drawing.given)
+    if (std::string fault = faultOf(given, all); !fault.empty())
       return fault;
-  struct Kind {
-    const std::vector<Scene::Parameter> &given;
-    std::vector<unsigned> Uses::*rows;
-    const char *row;
-  };
-  for (const Kind &kind : {Kind{scene.locals, &Uses::locals, "program.local"},
-                           Kind{scene.envs, &Uses::envs, "program.env"},
-                           Kind{scene.attribs, &Uses::attribs, "vertex.attrib"}})
-    for (const Scene::Parameter &parameter : kind.given)
-      if (std::string fault = faultOf(parameter, all, kind.rows, kind.row); !fault.empty())
-        return fault;
   return {};
 }
 
-std::vector<std::string> unfedSamples(const Scene &scene) {
-  std::vector<Uses> all;
+std::vector<std::string> unfedSamples(const scene::Document &document) {
   std::vector<std::string> lines;
-  if (!findUses(scene, all))
-    return lines;
-  for (const Uses &uses : all)
-    for (const Sampled &sampled : uses.samples) {
-      const auto feeds = [&](const Scene::Texture &each) { return each.unit == sampled.unit; };
-      if (std::none_of(scene.textures.begin(), scene.textures.end(), feeds))
-        lines.push_back(uses.program->name + ": texture[" + std::to_string(sampled.unit) + "] (" +
-                        fp::ir::targetText(sampled.target) +
-                        ") has no image, so its samples are black");
-    }
+  for (const scene::Pass &pass : document.passes) {
+    std::vector<Uses> all;
+    if (!findUses(document, pass, all))
+      continue;
+    const auto &textures = document.panelOf(pass).textures;
+    for (const Uses &uses : all)
+      for (const Sampled &sampled : uses.samples) {
+        const auto feeds = [&](const auto &each) { return each.unit == sampled.unit; };
+        if (std::none_of(textures.begin(), textures.end(), feeds))
+          lines.push_back(uses.program->name + ": texture[" + std::to_string(sampled.unit) +
+                          "] (" + fp::ir::targetText(sampled.target) +
+                          ") has no image, so its samples are black");
+      }
+  }
   return lines;
 }
 

@@ -1,0 +1,144 @@
+#include "tools/draw/gl_programs.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+using fp::ir::Language;
+using scene::Setting;
+
+/// The calls of ATI_text_fragment_shader are those of ARB programs with a target of its own, which
+/// no header of Debian's has.
+constexpr GLenum kTextFragmentShaderAti = 0x8200;
+
+struct Limit {
+  int count;
+  const char *option;
+  const char *what;
+};
+
+Limit limitOf(Setting space, GLenum target) {
+  switch (space) {
+  case Setting::Local:
+    return {programLimit(target, GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB), "local", "local parameters"};
+  case Setting::Env:
+    return {programLimit(target, GL_MAX_PROGRAM_ENV_PARAMETERS_ARB), "env",
+            "environment parameters"};
+  default:
+    return {query(GL_MAX_VERTEX_ATTRIBS_ARB), "attrib", "generic attributes"};
+  }
+}
+
+/// A parameter of a row that the program's target lacks. An ATI shader has none at all. Named here,
+/// before GL gives it a nameless error.
+std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std::size_t number) {
+  const GLenum target = targetOf(file.language).name;
+  const auto fault = [&](const scene::Parameter &parameter, const std::string &message) {
+    return RenderError{RenderError::Kind::Panel, message, number, -1, parameter.span};
+  };
+  for (const scene::Parameter &parameter : file.panel.parameters) {
+    const bool attrib = parameter.space == Setting::Attrib;
+    if (file.language == Language::AtiFragment && !attrib) {
+      if (parameter.span.end != 0)
+        return fault(parameter, "an ATI shader has no parameters; its constants are in its text");
+      continue;
+    }
+    const Limit limit = limitOf(parameter.space, target);
+    const std::string name = std::string(limit.option) + " " + std::to_string(parameter.first);
+    if (int(parameter.first + parameter.count) > limit.count)
+      return fault(parameter, name + ": there are " + std::to_string(limit.count) + " " + limit.what);
+    if (attrib && parameter.first == 0)
+      return fault(parameter, "attribute 0 is the position, which the mesh gives");
+  }
+  return std::nullopt;
+}
+
+void give(GLenum target, const scene::ParameterRow &row) {
+  if (row.space == Setting::Local)
+    glProgramLocalParameter4fvARB(target, row.index, row.value.data());
+  else if (row.space == Setting::Env)
+    glProgramEnvParameter4fvARB(target, row.index, row.value.data());
+}
+
+} // namespace
+
+int query(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+int programLimit(GLenum target, GLenum name) {
+  GLint value = 0;
+  glGetProgramivARB(target, name, &value);
+  return value;
+}
+
+ProgramTarget targetOf(Language language) {
+  switch (language) {
+  case Language::ArbVertex:
+    return {GL_VERTEX_PROGRAM_ARB, "GL_ARB_vertex_program"};
+  case Language::AtiFragment:
+    return {kTextFragmentShaderAti, "GL_ATI_text_fragment_shader"};
+  case Language::ArbFragment:
+    break;
+  }
+  return {GL_FRAGMENT_PROGRAM_ARB, "GL_ARB_fragment_program"};
+}
+
+Programs::~Programs() {
+  if (!m_names.empty())
+    glDeleteProgramsARB(GLsizei(m_names.size()), m_names.data());
+}
+
+std::optional<RenderError> Programs::load(const scene::Document &document) {
+  for (std::size_t i = 0; i < document.files.size(); ++i)
+    if (auto error = loadFile(document, i))
+      return error;
+  return std::nullopt;
+}
+
+std::optional<RenderError> Programs::loadFile(const scene::Document &document, std::size_t index) {
+  const scene::ProgramFile &file = document.files[index];
+  const ProgramTarget target = targetOf(file.language);
+  if (!epoxy_has_gl_extension(target.extension))
+    return RenderError{RenderError::Kind::NoGl, std::string("this GL has no ") + target.extension};
+  if (auto error = parametersBeyond(file, index))
+    return error;
+  GLuint &name = m_names.emplace_back(0);
+  glGenProgramsARB(1, &name);
+  glBindProgramARB(target.name, name);
+  glProgramStringARB(target.name, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(file.text.size()),
+                     file.text.data());
+  if (glGetError() == GL_NO_ERROR)
+    return std::nullopt;
+  const auto *text = reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
+  return RenderError{RenderError::Kind::Program, text == nullptr ? "" : text, index,
+                     query(GL_PROGRAM_ERROR_POSITION_ARB)};
+}
+
+void Programs::use(const scene::Document &document, const scene::Pass &pass, double seconds) const {
+  for (const int file : {pass.vertex, pass.fragment}) {
+    if (file < 0)
+      continue;
+    const Language language = document.files[std::size_t(file)].language;
+    const GLenum target = targetOf(language).name;
+    glBindProgramARB(target, m_names[std::size_t(file)]);
+    glEnable(target);
+    if (language != Language::AtiFragment)
+      for (const scene::ParameterRow &row : document.rows(pass, file, seconds))
+        give(target, row);
+  }
+  if (pass.vertex < 0)
+    return;
+  for (const scene::ParameterRow &row : document.rows(pass, pass.panel, seconds))
+    if (row.space == Setting::Attrib)
+      glVertexAttrib4fvARB(row.index, row.value.data());
+}
+
+void Programs::disable(const scene::Document &document) {
+  for (const scene::ProgramFile &file : document.files)
+    glDisable(targetOf(file.language).name);
+}
+
+} // namespace arbiter::tools

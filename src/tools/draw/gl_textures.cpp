@@ -1,0 +1,206 @@
+#include "tools/draw/gl_textures.h"
+
+#include "fp_compiler/ir/print.h"
+#include "fp_compiler/ir/reads.h"
+#include "scene/texture/generate.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+using fp::ir::Language;
+using fp::ir::TexTarget;
+using scene::Generator;
+using scene::Image;
+
+GLenum glTarget(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return GL_TEXTURE_1D;
+  case TexTarget::Tex3D:
+    return GL_TEXTURE_3D;
+  case TexTarget::Cube:
+    return GL_TEXTURE_CUBE_MAP;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return GL_TEXTURE_RECTANGLE;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    break;
+  }
+  return GL_TEXTURE_2D;
+}
+
+RenderError fault(int file, fp::Span span, std::string message) {
+  return {RenderError::Kind::Panel, std::move(message), std::size_t(file), -1, span};
+}
+
+bool isRendered(Generator generator) {
+  return generator == Generator::Picture || generator == Generator::DepthOf;
+}
+
+void uploadImage(GLenum target, const Image &image) {
+  const bool wide = image.bits == 16;
+  const GLint format = wide ? GL_RGBA16 : GL_RGBA8;
+  std::vector<std::uint8_t> narrow;
+  if (!wide)
+    narrow.assign(image.texels.begin(), image.texels.end());
+  const void *texels = wide ? static_cast<const void *>(image.texels.data()) : narrow.data();
+  const GLenum type = wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+  if (target == GL_TEXTURE_1D)
+    glTexImage1D(target, 0, format, image.width, 0, GL_RGBA, type, texels);
+  else
+    glTexImage2D(target, 0, format, image.width, image.height, 0, GL_RGBA, type, texels);
+}
+
+GLint wrapOf(const scene::TextureSpec &spec, GLenum target) {
+  if (target == GL_TEXTURE_RECTANGLE || target == GL_TEXTURE_CUBE_MAP)
+    return GL_CLAMP_TO_EDGE;
+  constexpr GLint kWraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+  return kWraps[std::size_t(spec.wrap.value)];
+}
+
+} // namespace
+
+Textures::~Textures() {
+  for (const Unit &unit : m_units)
+    if (unit.owned)
+      glDeleteTextures(1, &unit.name);
+}
+
+std::optional<RenderError> Textures::load(const scene::Document &document, const Targets &targets) {
+  const int units = query(GL_MAX_TEXTURE_IMAGE_UNITS_ARB);
+  std::vector<int> loaded;
+  for (const scene::Pass &pass : document.passes) {
+    if (std::find(loaded.begin(), loaded.end(), pass.panel) != loaded.end())
+      continue;
+    loaded.push_back(pass.panel);
+    const auto samples = pass.fragment < 0
+                             ? std::vector<Sampled>{}
+                             : samplesOf(document.files[std::size_t(pass.fragment)]);
+    for (const scene::TextureSpec &spec : document.panelOf(pass).textures) {
+      if (spec.unit >= unsigned(units))
+        return fault(pass.panel, spec.unitSpan,
+                     "texture " + std::to_string(spec.unit) + ": there are " +
+                         std::to_string(units) + " texture image units");
+      if (auto error = loadUnit(document, pass, spec, samples, targets))
+        return error;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<RenderError> Textures::loadUnit(const scene::Document &document,
+                                              const scene::Pass &pass,
+                                              const scene::TextureSpec &spec,
+                                              const std::vector<Sampled> &samples,
+                                              const Targets &targets) {
+  const bool cube = isCube(spec.source.generator.value);
+  TexTarget sampled = cube ? TexTarget::Cube : TexTarget::Tex2D;
+  for (const Sampled &each : samples)
+    if (each.unit == spec.unit)
+      sampled = each.target;
+  Unit unit;
+  unit.panel = pass.panel;
+  unit.number = spec.unit;
+  unit.spec = &spec;
+  unit.target = glTarget(sampled);
+  unit.compares = spec.compare || fp::ir::isShadow(sampled);
+  unit.feedback = spec.source.generator.value == Generator::Feedback;
+  unit.enabled = pass.fragment < 0 || document.files[std::size_t(pass.fragment)].language ==
+                                          Language::AtiFragment;
+  if (unit.target == GL_TEXTURE_3D || cube != (unit.target == GL_TEXTURE_CUBE_MAP))
+    return fault(pass.panel, spec.source.generator.span,
+                 "the program samples texture[" + std::to_string(spec.unit) + "] as " +
+                     fp::ir::targetText(sampled) + ", and this is a " + (cube ? "cube map" : "2D image"));
+  if (isRendered(spec.source.generator.value)) {
+    unit.owned = false;
+    const bool depth = spec.source.generator.value == Generator::DepthOf;
+    unit.name = targets.texture(spec.source.target.text, depth);
+    if (unit.target != GL_TEXTURE_2D)
+      return fault(pass.panel, spec.source.generator.span, "what a pass draws is sampled as 2D");
+    m_units.push_back(unit);
+    return std::nullopt;
+  }
+  return upload(document, unit);
+}
+
+std::optional<RenderError> Textures::upload(const scene::Document &document, Unit &unit) {
+  const auto images = scene::generate(unit.spec->source, document.folder, document.width(),
+                                      document.height());
+  if (!images)
+    return fault(unit.panel, images.error().span, images.error().message);
+  const Image &first = images.value().front();
+  if (unit.target == GL_TEXTURE_1D && first.height != 1)
+    return fault(unit.panel, unit.spec->source.generator.span,
+                 "the program samples texture[" + std::to_string(unit.number) +
+                     "] as 1D: write a size of height 1, as in 'gradient 256 1'");
+  glGenTextures(1, &unit.name);
+  m_units.push_back(unit);
+  glActiveTexture(GL_TEXTURE0 + unit.number);
+  glBindTexture(unit.target, unit.name);
+  setParameters(unit);
+  for (std::size_t i = 0; i < images.value().size(); ++i)
+    uploadImage(unit.target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i)
+                                                   : unit.target,
+                images.value()[i]);
+  if (unit.spec->filter.value == scene::Filter::Mipmap && unit.target != GL_TEXTURE_RECTANGLE)
+    glGenerateMipmap(unit.target);
+  glBindTexture(unit.target, 0);
+  return std::nullopt;
+}
+
+void Textures::setParameters(const Unit &unit) {
+  const scene::Filter filter = unit.spec->filter.value;
+  const GLint nearer = filter == scene::Filter::Nearest ? GL_NEAREST : GL_LINEAR;
+  const bool mipmaps =
+      filter == scene::Filter::Mipmap && unit.owned && unit.target != GL_TEXTURE_RECTANGLE;
+  glTexParameteri(unit.target, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : nearer);
+  glTexParameteri(unit.target, GL_TEXTURE_MAG_FILTER, nearer);
+  const GLint wrap = wrapOf(*unit.spec, unit.target);
+  glTexParameteri(unit.target, GL_TEXTURE_WRAP_S, wrap);
+  if (unit.target != GL_TEXTURE_1D)
+    glTexParameteri(unit.target, GL_TEXTURE_WRAP_T, wrap);
+  if (unit.spec->source.generator.value == Generator::DepthOf)
+    glTexParameteri(unit.target, GL_TEXTURE_COMPARE_MODE,
+                    unit.compares ? GL_COMPARE_R_TO_TEXTURE : GL_NONE);
+}
+
+void Textures::bind(int panel) const {
+  for (const Unit &unit : m_units) {
+    if (unit.panel != panel)
+      continue;
+    glActiveTexture(GL_TEXTURE0 + unit.number);
+    glBindTexture(unit.target, unit.name);
+    // A target's texture may be sampled in several ways.
+    if (!unit.owned)
+      setParameters(unit);
+    if (unit.enabled)
+      glEnable(unit.target);
+  }
+}
+
+void Textures::release(int panel) const {
+  for (const Unit &unit : m_units) {
+    if (unit.panel != panel)
+      continue;
+    glActiveTexture(GL_TEXTURE0 + unit.number);
+    if (unit.enabled)
+      glDisable(unit.target);
+    glBindTexture(unit.target, 0);
+  }
+}
+
+void Textures::feed(int width, int height) const {
+  for (const Unit &unit : m_units) {
+    if (!unit.feedback)
+      continue;
+    glActiveTexture(GL_TEXTURE0 + unit.number);
+    glBindTexture(unit.target, unit.name);
+    glCopyTexSubImage2D(unit.target, 0, 0, 0, 0, 0, width, height);
+    glBindTexture(unit.target, 0);
+  }
+}
+
+} // namespace arbiter::tools

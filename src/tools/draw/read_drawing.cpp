@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "tools/draw/drawing.h"
+#include "tools/draw/options.h"
+#include "tools/input.h"
+#include "tools/language.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+using fp::ir::Language;
+using scene::Document;
+
+const char *stageOf(bool vertex) { return vertex ? "vertices" : "fragments"; }
+
+/// Standard input, where a document's text may come from too.
+Result<std::string, scene::DocumentError> readAny(const std::string &path) {
+  if (path != "-")
+    return scene::readText(path);
+  auto text = readInput(path);
+  if (!text)
+    return scene::DocumentError{text.error().message};
+  return std::move(text).value();
+}
+
+Result<Document, DrawingError> readDocument(const std::string &path) {
+  std::error_code error;
+  if (path == "-") {
+    auto text = readInput(path);
+    if (!text)
+      return DrawingError{text.error().message};
+    return scene::assemble("<stdin>", std::move(text).value(), scene::readText);
+  }
+  auto document = scene::loadDocument(path);
+  if (!document)
+    return DrawingError{document.error().message};
+  return std::move(document).value();
+}
+
+/// A second file is the other stage of the first pass.
+std::string addProgram(const std::string &path, Document &document) {
+  auto text = readAny(path);
+  if (!text)
+    return text.error().message;
+  scene::ProgramFile file{path == "-" ? "<stdin>" : path, std::move(text).value(), {}, {}};
+  file.language = chooseLanguage("auto", file.text);
+  file.panel = scene::parsePanel(file.text);
+  const bool vertex = file.language == Language::ArbVertex;
+  scene::Pass &pass = document.passes.front();
+  int &place = vertex ? pass.vertex : pass.fragment;
+  if (place >= 0)
+    return document.files[std::size_t(place)].name + " and " + file.name +
+           " are both programs of " + stageOf(vertex) + ": one of each can be drawn with";
+  place = int(document.files.size());
+  document.files.push_back(std::move(file));
+  // The panel is the fragment program's, whichever came first.
+  if (!vertex) {
+    std::swap(document.files.front(), document.files.back());
+    std::swap(pass.vertex, pass.fragment);
+  }
+  return {};
+}
+
+std::string readFiles(const DrawArguments &arguments, Document &document) {
+  for (const std::string &file : arguments.files)
+    if (isSameFile(file, arguments.output))
+      return arguments.output + ": is the program itself";
+  auto first = readDocument(arguments.files.front());
+  if (!first)
+    return first.error().message;
+  document = std::move(first).value();
+  return arguments.files.size() > 1 ? addProgram(arguments.files[1], document) : std::string();
+}
+
+/// --frames draws that many from the first one; --frame one, and those before it that it hangs on.
+std::string readFrames(const DrawArguments &arguments, Drawing &drawing) {
+  const bool feeds = drawing.document.hasFeedback();
+  if (arguments.frame >= 0) {
+    drawing.last = arguments.frame;
+    drawing.first = feeds ? 0 : arguments.frame;
+    return {};
+  }
+  drawing.last = arguments.frames - 1;
+  if (arguments.feedback >= 0 && arguments.frames == 1)
+    return "--feedback " + std::to_string(arguments.feedback) +
+           " has no effect on one frame; --frames asks for more";
+  return {};
+}
+
+} // namespace
+
+Result<Drawing, DrawingError> readDrawing(const DrawArguments &arguments) {
+  Drawing drawing;
+  std::string fault = readFiles(arguments, drawing.document);
+  if (fault.empty())
+    fault = applyOptions(arguments, drawing);
+  if (fault.empty())
+    fault = readFrames(arguments, drawing);
+  if (!fault.empty())
+    return DrawingError{fault};
+  return drawing;
+}
+
+} // namespace arbiter::tools
