@@ -32,6 +32,8 @@ public:
 
   int run() {
     int code = read();
+    if (code == kExitOk && m_arguments.stage == "vertex")
+      return vertices();
     if (code == kExitOk)
       code = trace();
     if (code == kExitOk && !m_arguments.watch.empty())
@@ -41,9 +43,7 @@ public:
     if (code != kExitOk)
       return code;
     if (m_arguments.json)
-      std::printf("%s\n", debug::findingsJson(m_findings)
-                              .dump(1, ' ', false, debug::Json::error_handler_t::replace)
-                              .c_str());
+      print(debug::findingsJson(m_findings));
     else
       std::fputs(debug::findingsText(m_findings).c_str(), stdout);
     return debug::isDifferent(m_findings) ? kExitDiffers : kExitOk;
@@ -53,6 +53,10 @@ private:
   static int refuse(const std::string &message, int code = kExitUsage) {
     complain(message);
     return code;
+  }
+
+  static void print(const debug::Json &json) {
+    std::printf("%s\n", json.dump(1, ' ', false, debug::Json::error_handler_t::replace).c_str());
   }
 
   static int refuse(const debug::SessionError &error) {
@@ -164,6 +168,29 @@ private:
     m_findings.frame = m_arguments.frame;
     m_findings.line = m_arguments.line;
     m_findings.breakOn = m_arguments.breakOn;
+  }
+
+  int vertices() {
+    const auto triangle = m_session->vertices(m_x, m_y);
+    if (!triangle)
+      return refuse(triangle.error().message);
+    debug::Json json = {{"schema", debug::kTraceSchema}, {"vertices", debug::Json::array()}};
+    bool stopped = false;
+    for (const debug::TracedVertex &vertex : triangle.value()) {
+      debug::Findings one = m_findings;
+      one.document += ", vertex " + std::to_string(vertex.index) + " of the triangle in";
+      one.trace = vertex.trace;
+      if (m_condition)
+        one.stopped = debug::firstRow(one.trace, *m_condition);
+      stopped = stopped || one.stopped;
+      json["vertices"].push_back(debug::findingsJson(one));
+      json["vertices"].back()["vertex"] = vertex.index;
+      if (!m_arguments.json)
+        std::printf("%s\n", debug::findingsText(one).c_str());
+    }
+    if (m_arguments.json)
+      print(json);
+    return stopped ? kExitDiffers : kExitOk;
   }
 
   int trace() {

@@ -61,6 +61,19 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
   if (!checked)
     return checked.error();
   m_fragment = std::move(checked).value();
+  m_pass = pass;
+  m_frame = options.frame;
+  return readVertex();
+}
+
+std::optional<SessionError> Session::readVertex() {
+  if (m_pass.vertex < 0)
+    return {};
+  const scene::ProgramFile &file = m_document.files[std::size_t(m_pass.vertex)];
+  auto checked = checkText(file.name, file.text, m_profile);
+  if (!checked)
+    return checked.error();
+  m_vertex = std::move(checked).value();
   return {};
 }
 
@@ -104,6 +117,32 @@ Result<Trace, DebugError> Session::trace(const CheckedText &program, int x, int 
   if (reader.failure())
     return *reader.failure();
   return trace;
+}
+
+Result<Findings, DebugError> findingsOf(Session &session, int x, int y) {
+  auto trace = session.trace(x, y);
+  if (!trace)
+    return trace.error();
+  auto verdict = session.verdict(trace.value(), x, y);
+  if (!verdict)
+    return verdict.error();
+  Findings findings;
+  findings.document = session.fragment().name;
+  findings.x = x;
+  findings.y = y;
+  findings.width = session.drawer().size()[0];
+  findings.height = session.drawer().size()[1];
+  findings.trace = std::move(trace).value();
+  findings.verdict = std::move(verdict).value();
+  return findings;
+}
+
+Result<TracedTriangle, DebugError> Session::vertices(int x, int y) {
+  if (!m_vertex)
+    return DebugError{"--stage vertex: the pass has no vertex program; fixed function transforms"};
+  return traceTriangle({m_vertex->program, m_vertex->text, m_document, m_pass,
+                        m_document.secondsOf(m_frame)},
+                       *m_drawer, x, y);
 }
 
 Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {

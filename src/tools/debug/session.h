@@ -5,9 +5,11 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
+#include "tools/debug/findings.h"
 #include "tools/debug/pixel_reader.h"
 #include "tools/debug/start.h"
 #include "tools/debug/verdict.h"
+#include "tools/debug/vertices.h"
 #include "tools/debug/watch.h"
 
 /// One draw of a document under the debugger. The process that draws stays, so that a further pixel
@@ -58,6 +60,9 @@ public:
   [[nodiscard]] Result<Verdict, DebugError> verdict(const Trace &trace, int x, int y) {
     return judge(*m_drawer, m_fragment.program, trace, x, y);
   }
+  /// The corners of the pixel's triangle. Errors: the pass has no vertex program, and those of
+  /// traceTriangle().
+  [[nodiscard]] Result<TracedTriangle, DebugError> vertices(int x, int y);
   /// A value in each pixel of the picture, the lowest row first.
   [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);
 
@@ -65,13 +70,20 @@ private:
   Session() = default;
 
   std::optional<SessionError> read(const SessionOptions &options);
+  std::optional<SessionError> readVertex();
   std::optional<SessionError> start(const SessionOptions &options);
 
   scene::Document m_document;
   fp::hw::Profile m_profile;
   CheckedText m_fragment;
+  std::optional<CheckedText> m_vertex;
+  scene::Pass m_pass;
+  int m_frame = 0;
   fp::Numerics m_numerics = fp::Numerics::Host;
   std::unique_ptr<DrawClient> m_drawer;
 };
+
+/// The trace of a pixel and its verdict.
+[[nodiscard]] Result<Findings, DebugError> findingsOf(Session &session, int x, int y);
 
 } // namespace arbiter::tools::debug
