@@ -77,6 +77,14 @@ VALUES = {
     ('draw', '--attrib'): ['3=1,0,0,1'],
     ('draw', '--frames'): ['3'],
     ('draw', '--feedback'): ['0'],
+    ('debug', '--pixel'): ['1,1'],
+    ('debug', '--break'): ['nan'],
+    ('debug', '--line'): ['3'],
+    ('debug', '--watch'): ['fragment.color@2'],
+    ('debug', '--range'): ['0,2'],
+    ('debug', '--pass'): ['2'],
+    ('debug', '--frame'): ['1'],
+    ('debug', '--against'): ['host', 'good.fp'],
 }
 EFFECTS = ('check', 'compile', 'report')
 # Taken though they change nothing, and why.
