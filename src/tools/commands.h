@@ -93,17 +93,17 @@ struct ReportArguments {
 
 struct DrawArguments {
   LayerArguments layer;
-  std::vector<std::string> files; ///< a document, or a program of vertices and one of fragments
-  std::string size;               ///< empty: the document's
-  std::string mesh;               ///< a shape's word; empty: the document's
+  std::vector<std::string> files;    ///< a document, or a program of vertices and one of fragments
+  std::string size;                  ///< empty: the document's
+  std::string mesh;                  ///< a shape's word; empty: the document's
   std::vector<std::string> textures; ///< "N=IMG.png|checker|noise"
   std::vector<std::string> locals;   ///< "[vp:|fp:]N=x,y,z,w"
   std::vector<std::string> envs;
   std::vector<std::string> attribs; ///< "N=x,y,z,w"
-  int frames = 1;    ///< drawn one after another, from the first one
-  int frame = -1;    ///< or the number of one, from 0
-  int feedback = -1; ///< a texture unit that gets each frame's picture, or -1
-  std::string output; ///< empty: the document's name with the ending .png
+  int frames = 1;                   ///< drawn one after another, from the first one
+  int frame = -1;                   ///< or the number of one, from 0
+  int feedback = -1;                ///< a texture unit that gets each frame's picture, or -1
+  std::string output;               ///< empty: the document's name with the ending .png
   bool json = false;
   bool bare = false;    ///< without the layer: the host's own implementation
   bool inLayer = false; ///< this is the process that the layer was preloaded into
@@ -113,14 +113,14 @@ struct DrawArguments {
 
 struct DebugArguments {
   std::string document;
-  std::string pixel;             ///< "X,Y", y up from the lower left
-  bool fromTop = false;          ///< Y counts down from the upper left
+  std::string pixel;              ///< "X,Y", y up from the lower left
+  bool fromTop = false;           ///< Y counts down from the upper left
   std::string against = "swrast"; ///< or "host", "bare", "fp24", or another program's file
-  std::string watch;             ///< "REG@LINE", or empty
-  std::string range = "0,1";     ///< of --watch: what becomes black, and white
-  std::string output;            ///< of --watch
-  std::string breakOn;           ///< debug/condition.h, or empty
-  int line = 0;                  ///< run to it; 0: to the end
+  std::string watch;              ///< "REG@LINE", or empty
+  std::string range = "0,1";      ///< of --watch: what becomes black, and white
+  std::string output;             ///< of --watch
+  std::string breakOn;            ///< debug/trace/condition.h, or empty
+  int line = 0;                   ///< run to it; 0: to the end
   int pass = 1;
   int frame = 0;
   std::string stage = "fragment"; ///< or "vertex"

@@ -147,9 +147,11 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
 
 void addDraw(CLI::App &app, DrawArguments &draw) {
   CLI::App *command = app.add_subcommand(
-      "draw", "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
+      "draw",
+      "Draw a document, or programs on a mesh, through the layer, with no display, into a PNG");
   addLayer(*command, draw.layer);
-  command->add_option("--size", draw.size, "WxH in pixels, in place of the document's or of 512x512");
+  command->add_option("--size", draw.size,
+                      "WxH in pixels, in place of the document's or of 512x512");
   command
       ->add_option("--texture", draw.textures,
                    "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
@@ -160,8 +162,8 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
           "--mesh", draw.mesh,
           "what carries the programs, in place of the document's or of a quad; a grid is 64x64 of "
           "them, for vertex programs to bend")
-      ->check(CLI::IsMember({"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot",
-                             "billboards"}));
+      ->check(CLI::IsMember(
+          {"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot", "billboards"}));
   const auto addValues = [&](const char *name, std::vector<std::string> &values, const char *help) {
     command->add_option(name, values, help)->allow_extra_args(false)->take_all();
   };
@@ -182,8 +184,9 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
       ->add_option("--feedback", draw.feedback,
                    "copy each frame into the texture of this unit (glCopyTexSubImage2D)")
       ->check(CLI::Range(0, 31));
-  command->add_option("-o,--output", draw.output,
-                      "the PNG to write; without it the document's name with the ending .png, here");
+  command->add_option(
+      "-o,--output", draw.output,
+      "the PNG to write; without it the document's name with the ending .png, here");
   command->add_flag("--json", draw.json, "say what was drawn as JSON");
   command->add_flag("--bare", draw.bare, "without the layer: the host's own implementation");
   command->add_flag("--in-layer", draw.inLayer)->group(""); // what draw passes to itself
@@ -227,8 +230,8 @@ void addDebugComparison(CLI::App &command, DebugArguments &debug) {
   command.add_option("--range", debug.range, "LOW,HIGH: values of --watch that become 0 and 255")
       ->needs(watch)
       ->capture_default_str();
-  watch->needs(command.add_option("-o,--output", debug.output, "the PNG that --watch writes")
-                   ->needs(watch));
+  watch->needs(
+      command.add_option("-o,--output", debug.output, "the PNG that --watch writes")->needs(watch));
 }
 
 void addDebug(CLI::App &app, DebugArguments &debug) {
@@ -237,8 +240,10 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
   command->add_option("--pixel", debug.pixel, "X,Y: the pixel; 0,0 is the lower left one")
       ->required();
   command->add_flag("--from-top", debug.fromTop, "Y counts from the picture's upper edge");
-  command->add_option("--stage", debug.stage, "whose instructions: fragment; or vertex, those of "
-                                              "the pixel's triangle")
+  command
+      ->add_option("--stage", debug.stage,
+                   "whose instructions: fragment; or vertex, those of "
+                   "the pixel's triangle")
       ->check(CLI::IsMember({"fragment", "vertex"}))
       ->capture_default_str();
   command->add_option("--pass", debug.pass, "which of the document's passes, from 1")
@@ -255,17 +260,20 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
                    "the arithmetic to show; fp24 and host beside each other")
       ->check(CLI::IsMember({"host", "legacy", "fp24"}));
   command->add_option("--library", debug.library, "the layer's library, where it is not beside us");
-  command->add_option("FILE", debug.document, "a document: a program text, or a folder with one; - is standard input")
+  command
+      ->add_option("FILE", debug.document,
+                   "a document: a program text, or a folder with one; - is standard input")
       ->required();
-  command->footer("Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
-                  "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "
-                  "row.\n"
-                  "Examples:\n"
-                  "  arbiter debug twirl.fp --pixel 100,200\n"
-                  "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
-                  "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
-                  "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
-                  "  arbiter debug twirl.fp --pixel 0,0 --watch offset@10 --range -1,1 -o offset.png");
+  command->footer(
+      "Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
+      "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "
+      "row.\n"
+      "Examples:\n"
+      "  arbiter debug twirl.fp --pixel 100,200\n"
+      "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
+      "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
+      "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
+      "  arbiter debug twirl.fp --pixel 0,0 --watch offset@10 --range -1,1 -o offset.png");
 }
 
 void addRun(CLI::App &app, RunArguments &run) {

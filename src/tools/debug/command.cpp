@@ -1,11 +1,11 @@
 #include <charconv>
 #include <cstdio>
 
-#include "tools/commands.h"
 #include "scene/picture.h"
-#include "tools/debug/condition.h"
+#include "tools/commands.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/session.h"
+#include "tools/debug/trace/condition.h"
 #include "tools/input.h"
 
 namespace arbiter::tools {
@@ -15,8 +15,7 @@ namespace {
 using debug::Session;
 using debug::Trace;
 
-template <typename Number>
-bool readPair(std::string_view text, Number &first, Number &second) {
+template <typename Number> bool readPair(std::string_view text, Number &first, Number &second) {
   const char *const end = text.data() + text.size();
   const auto mark = std::from_chars(text.data(), end, first);
   if (mark.ec != std::errc() || mark.ptr == end || *mark.ptr != ',')
@@ -208,9 +207,8 @@ private:
     if (!values)
       return refuse(values.error().message);
     const auto [width, height] = m_session->drawer().size();
-    const std::string fault =
-        scene::writePng(m_arguments.output,
-                 {width, height, debug::picturedValues(values.value(), m_low, m_high)});
+    const std::string fault = scene::writePng(
+        m_arguments.output, {width, height, debug::picturedValues(values.value(), m_low, m_high)});
     return fault.empty() ? int(kExitOk) : refuse(fault);
   }
 

@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "tools/debug/condition.h"
-#include "tools/debug/numbers.h"
-#include "tools/debug/text.h"
+#include "tools/debug/trace/condition.h"
+#include "tools/debug/trace/numbers.h"
+#include "tools/debug/trace/text.h"
 
 namespace arbiter::tools::debug {
 

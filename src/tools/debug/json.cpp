@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "fp_compiler/ir/print.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/trace/numbers.h"
 
 namespace arbiter::tools::debug {
 

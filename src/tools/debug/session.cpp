@@ -32,8 +32,7 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
   fp::CheckResult result =
       fp::checkProgram(language, text, {limitsOf(profile, language), fp::LimitPolicy::Enforce});
   if (!result.ok())
-    return SessionError{SessionError::Kind::Invalid,
-                        fp::renderAll(name, text, result.diagnostics)};
+    return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
   return CheckedText{std::move(name), std::move(text), std::move(*result.program)};
 }
 
@@ -140,9 +139,9 @@ Result<Findings, DebugError> findingsOf(Session &session, int x, int y) {
 Result<TracedTriangle, DebugError> Session::vertices(int x, int y) {
   if (!m_vertex)
     return DebugError{"--stage vertex: the pass has no vertex program; fixed function transforms"};
-  return traceTriangle({m_vertex->program, m_vertex->text, m_document, m_pass,
-                        m_document.secondsOf(m_frame)},
-                       *m_drawer, x, y);
+  return traceTriangle(
+      {m_vertex->program, m_vertex->text, m_document, m_pass, m_document.secondsOf(m_frame)},
+      *m_drawer, x, y);
 }
 
 Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {

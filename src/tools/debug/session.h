@@ -6,11 +6,11 @@
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
 #include "tools/debug/findings.h"
-#include "tools/debug/pixel_reader.h"
+#include "tools/debug/pixel/reader.h"
+#include "tools/debug/pixel/verdict.h"
+#include "tools/debug/pixel/vertices.h"
+#include "tools/debug/pixel/watch.h"
 #include "tools/debug/start.h"
-#include "tools/debug/verdict.h"
-#include "tools/debug/vertices.h"
-#include "tools/debug/watch.h"
 
 /// One draw of a document under the debugger. The process that draws stays, so that a further pixel
 /// costs only what is new about it.
@@ -23,13 +23,13 @@ struct SessionError {
 
 struct SessionOptions {
   std::string path;
-  std::string text;      ///< of the document: what an editor has may not be saved
-  int pass = 1;          ///< from 1
-  int frame = 0;         ///< from 0
-  std::string profile;   ///< a name or a file; empty: the document's, or the user's
-  std::string numerics;  ///< a name of fp::kNumericsNames; empty: the document's, or host
+  std::string text;     ///< of the document: what an editor has may not be saved
+  int pass = 1;         ///< from 1
+  int frame = 0;        ///< from 0
+  std::string profile;  ///< a name or a file; empty: the document's, or the user's
+  std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
   Backend backend = Backend::Swrast;
-  std::string library;   ///< of the layer; empty: found
+  std::string library; ///< of the layer; empty: found
 };
 
 /// A program's text and what the compiler makes of it.
@@ -39,8 +39,8 @@ struct CheckedText {
   fp::ir::Program program;
 };
 /// Errors: the compiler's, under the profile's limits.
-[[nodiscard]] Result<CheckedText, SessionError>
-checkText(std::string name, std::string text, const fp::hw::Profile &profile);
+[[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
+                                                          const fp::hw::Profile &profile);
 
 class Session {
 public:

@@ -6,8 +6,8 @@
 
 namespace arbiter::tools::debug {
 
-/// What draws: Arbiter's rasterizer, GLSL of Arbiter's on the host, or the host's own implementation
-/// of programs.
+/// What draws: Arbiter's rasterizer, GLSL of Arbiter's on the host, or the host's own
+/// implementation of programs.
 enum class Backend { Swrast, Host, Bare };
 
 struct DrawWith {

@@ -91,8 +91,7 @@ void clear(const scene::State &state) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-template <typename Enum>
-Enum valueOf(const std::optional<scene::Chosen<Enum>> &chosen) {
+template <typename Enum> Enum valueOf(const std::optional<scene::Chosen<Enum>> &chosen) {
   return chosen ? chosen->value : Enum();
 }
 
@@ -128,12 +127,13 @@ std::optional<RenderError> Renderer::Parts::loadMesh(const Pass &pass) {
   for (const scene::Parameter &parameter : panel.parameters)
     if (parameter.space == scene::Setting::Attrib)
       attribs.push_back(parameter.first);
-  meshes.push_back(std::make_unique<GlMesh>(mesh.value(), panel.coordinates, pass.vertex >= 0,
-                                            attribs));
+  meshes.push_back(
+      std::make_unique<GlMesh>(mesh.value(), panel.coordinates, pass.vertex >= 0, attribs));
   return std::nullopt;
 }
 
-/// Front faces count up and back faces down, in two draws: two-sided stencils are no core of GL 1.5.
+/// Front faces count up and back faces down, in two draws: two-sided stencils are no core of
+/// GL 1.5.
 void Renderer::Parts::drawMesh(std::size_t index) const {
   const scene::State &state = document.panelOf(document.passes[index]).state;
   if (valueOf(state.stencil) != scene::Stencil::Count) {
@@ -141,7 +141,8 @@ void Renderer::Parts::drawMesh(std::size_t index) const {
     return;
   }
   glEnable(GL_CULL_FACE);
-  for (const auto &[face, operation] : {std::pair(GL_BACK, GL_INCR_WRAP), {GL_FRONT, GL_DECR_WRAP}}) {
+  for (const auto &[face, operation] :
+       {std::pair(GL_BACK, GL_INCR_WRAP), {GL_FRONT, GL_DECR_WRAP}}) {
     glCullFace(GLenum(face));
     glStencilOp(GL_KEEP, GL_KEEP, GLenum(operation));
     meshes[index]->draw();
@@ -207,10 +208,10 @@ void Renderer::stopBefore(int frame, std::size_t pass) {
   m_parts->setPass(pass, seconds);
 }
 
-void Renderer::clear(std::size_t pass) const {
+void Renderer::clearTarget(std::size_t pass) const {
   const Document &document = m_parts->document;
   glPushAttrib(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  tools::clear(document.panelOf(document.passes[pass]).state);
+  clear(document.panelOf(document.passes[pass]).state);
   glPopAttrib();
 }
 

@@ -39,10 +39,10 @@ public:
   void draw(int frame);
   [[nodiscard]] scene::Picture read() const;
 
-  /// For what looks into one draw: draws what comes before a pass of a frame, and leaves the state as
-  /// the pass's draw finds it, which is clear() where Document::clears(), and drawMesh().
+  /// For what looks into one draw: draws what comes before a pass of a frame, and leaves the state
+  /// as the pass's draw finds it, which is clearTarget() where Document::clears(), and drawMesh().
   void stopBefore(int frame, std::size_t pass);
-  void clear(std::size_t pass) const;
+  void clearTarget(std::size_t pass) const;
   void drawMesh(std::size_t pass) const;
 
 private:

@@ -160,8 +160,8 @@ Server::Reply Server::inlayHintsOf(const Json &params) {
   return hints;
 }
 
-/// {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null ends the
-/// trace.
+/// {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null ends
+/// the trace.
 Server::Reply Server::traceOf(const Json &params) {
   const Document *document = find(params);
   if (!document)

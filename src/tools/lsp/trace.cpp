@@ -1,7 +1,7 @@
 #include "tools/lsp/trace.h"
 
-#include "tools/debug/numbers.h"
-#include "tools/debug/text.h"
+#include "tools/debug/trace/numbers.h"
+#include "tools/debug/trace/text.h"
 
 namespace arbiter::tools::lsp {
 
@@ -35,8 +35,8 @@ std::string pathOf(const std::string &uri) {
     return uri;
   std::string path;
   for (std::size_t i = kScheme.size(); i < uri.size(); ++i) {
-    const bool escape = uri[i] == '%' && i + 2 < uri.size() && digitOf(uri[i + 1]) >= 0 &&
-                        digitOf(uri[i + 2]) >= 0;
+    const bool escape =
+        uri[i] == '%' && i + 2 < uri.size() && digitOf(uri[i + 1]) >= 0 && digitOf(uri[i + 2]) >= 0;
     path += escape ? char(digitOf(uri[i + 1]) * 16 + digitOf(uri[i + 2])) : uri[i];
     i += escape ? 2 : 0;
   }

@@ -23,8 +23,8 @@ public:
   /// of the text, pass and frame is used again.
   [[nodiscard]] Result<Json, Refusal> ask(const Document &document, const TraceQuestion &question);
   void forget(const std::string &uri) { m_traces.erase(uri); }
-  /// InlayHint[]: the values after each instruction of the lines that \p span lies in, while a trace
-  /// of this version of the text is set.
+  /// InlayHint[]: the values after each instruction of the lines that \p span lies in, while a
+  /// trace of this version of the text is set.
   [[nodiscard]] Json hints(const Document &document, fp::Span span) const;
   /// Markdown of the values of the instruction at \p offset; empty where there is no trace.
   [[nodiscard]] std::string hover(const Document &document, std::uint32_t offset) const;

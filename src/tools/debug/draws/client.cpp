@@ -114,8 +114,7 @@ Result<Json, DebugError> DrawClient::ask(const Json &request) {
 }
 
 template <typename Item>
-Result<std::vector<Item>, DebugError> DrawClient::askItems(const Json &request,
-                                                           std::size_t count) {
+Result<std::vector<Item>, DebugError> DrawClient::askItems(const Json &request, std::size_t count) {
   auto answer = ask(request);
   if (!answer)
     return answer.error();
@@ -146,8 +145,7 @@ DrawClient::draw(const std::string &text, std::size_t targets, const Region &reg
 
 Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
 DrawClient::picture(const Region &region) {
-  return askItems<std::array<std::uint8_t, 4>>({{"picture", regionJson(region)}},
-                                               pixelsOf(region));
+  return askItems<std::array<std::uint8_t, 4>>({{"picture", regionJson(region)}}, pixelsOf(region));
 }
 
 Result<std::array<int, 3>, DebugError> DrawClient::textureSize(unsigned unit,

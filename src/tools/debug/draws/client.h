@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/debug/drawer.h"
 #include "tools/debug/draws/channel.h"
+#include "tools/debug/pixel/drawer.h"
 
 namespace arbiter::tools::debug {
 
@@ -16,7 +16,8 @@ class DrawClient : public Drawer {
 public:
   /// Starts the process.
   /// \param name what its drawings are called
-  /// \param start called in the new process, with the socket as descriptor 0; it executes a command,
+  /// \param start called in the new process, with the socket as descriptor 0; it executes a
+  /// command,
   ///              or returns if that fails
   [[nodiscard]] static Result<std::unique_ptr<DrawClient>, DebugError>
   start(std::string name, const std::function<void()> &start);

@@ -1,7 +1,7 @@
 #include "tools/debug/draws/server.h"
 
-#include "tools/debug/cut.h"
 #include "tools/debug/draws/channel.h"
+#include "tools/debug/pixel/cut.h"
 
 namespace arbiter::tools::debug {
 
@@ -75,7 +75,8 @@ private:
     return inside ? std::optional(region) : std::nullopt;
   }
 
-  template <typename Item> static Answer itemsOf(const Result<std::vector<Item>, DebugError> &drawn) {
+  template <typename Item>
+  static Answer itemsOf(const Result<std::vector<Item>, DebugError> &drawn) {
     if (!drawn)
       return failure(drawn.error().message);
     const auto *const bytes = reinterpret_cast<const std::uint8_t *>(drawn.value().data());

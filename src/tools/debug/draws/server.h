@@ -3,7 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "tools/debug/drawer.h"
+#include "tools/debug/pixel/drawer.h"
 
 namespace arbiter::tools::debug {
 

@@ -29,7 +29,7 @@ std::optional<DebugError> DocumentSubject::prepare() {
 bool DocumentSubject::clear() {
   if (!m_document.clears(m_pass))
     return false;
-  m_renderer->clear(m_pass);
+  m_renderer->clearTarget(m_pass);
   return true;
 }
 

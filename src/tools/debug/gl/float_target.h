@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/debug/drawer.h"
+#include "tools/debug/pixel/drawer.h"
 
 namespace arbiter::tools::debug {
 

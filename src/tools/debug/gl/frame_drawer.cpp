@@ -52,8 +52,8 @@ GLenum targetOf(fp::ir::TexTarget target) {
 /// Depth and stencil, from the framebuffer that is read to the one that is drawn to.
 void copyDepths(const Region &region) {
   const GLint x = region.x, y = region.y, right = x + region.width, top = y + region.height;
-  glBlitFramebuffer(x, y, right, top, x, y, right, top,
-                    GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(x, y, right, top, x, y, right, top, GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT,
+                    GL_NEAREST);
 }
 
 DebugError glError(GLenum code) { return {"GL error " + std::to_string(code)}; }

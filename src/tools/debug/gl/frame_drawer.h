@@ -2,9 +2,9 @@
 #include <map>
 #include <memory>
 
-#include "tools/debug/drawer.h"
 #include "tools/debug/gl/float_target.h"
 #include "tools/debug/gl/subject.h"
+#include "tools/debug/pixel/drawer.h"
 
 namespace arbiter::tools::debug {
 
@@ -33,8 +33,8 @@ private:
   std::unique_ptr<Subject> m_subject;
   FloatTarget m_target, m_before; ///< `m_before`: depth and stencil that the draw finds
   bool m_keepsTarget = false;     ///< the draw's pass does not begin with an empty target
-  GLuint m_program = 0; ///< that cut programs are loaded into
-  bool m_isOwn = false; ///< it is none of the document's
+  GLuint m_program = 0;           ///< that cut programs are loaded into
+  bool m_isOwn = false;           ///< it is none of the document's
   std::string m_text, m_loaded;
   std::vector<std::array<std::uint8_t, 4>> m_picture;
 };

@@ -2,7 +2,7 @@
 #include <array>
 #include <optional>
 
-#include "tools/debug/condition.h"
+#include "tools/debug/trace/condition.h"
 
 namespace arbiter::tools::debug {
 

@@ -4,7 +4,7 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/trace/numbers.h"
 #include "tools/language.h"
 
 namespace arbiter::tools::debug {
@@ -14,8 +14,7 @@ namespace {
 fp::CheckResult check(const std::string &text) {
   const auto language = chooseLanguage("auto", text);
   return fp::checkProgram(
-      language, text,
-      {limitsOf(*fp::hw::findBuiltin("host"), language), fp::LimitPolicy::Report});
+      language, text, {limitsOf(*fp::hw::findBuiltin("host"), language), fp::LimitPolicy::Report});
 }
 
 fp::ir::Vec4 plainParameter(const fp::ir::Parameter &parameter) {

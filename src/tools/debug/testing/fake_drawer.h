@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "tools/debug/drawer.h"
+#include "tools/debug/pixel/drawer.h"
 
 namespace arbiter::tools::debug {
 

@@ -1,9 +1,9 @@
-#include "tools/debug/compare.h"
+#include "tools/debug/trace/compare.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tools/debug/numbers.h"
+#include "tools/debug/trace/numbers.h"
 
 namespace arbiter::tools::debug {
 
@@ -89,8 +89,8 @@ std::string causeOf(const Row &a, const Row &b, const Tolerance &tolerance) {
 }
 
 const Named *find(const std::vector<Named> &all, const std::string &name) {
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Named &each) { return each.name == name; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named &each) { return each.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

@@ -1,4 +1,4 @@
-#include "tools/debug/cut.h"
+#include "tools/debug/pixel/cut.h"
 
 #include <cassert>
 
@@ -129,9 +129,9 @@ Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget 
   const auto constant = [&](const fp::ir::Vec4 &v) { return b.constant(v[0], v[1], v[2], v[3]); };
   const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();
   // Below zero in the left, and in the lower, pixels.
-  b.op(Opcode::Sub, side,
-       {b.attribute(fp::ir::AttributeKind::Position),
-        b.constant(float(x) + 1, float(y) + 1, 0, 0)});
+  b.op(
+      Opcode::Sub, side,
+      {b.attribute(fp::ir::AttributeKind::Position), b.constant(float(x) + 1, float(y) + 1, 0, 0)});
   b.op(Opcode::Cmp, lower,
        {side.read().swz("x"), constant(coordinates[0]), constant(coordinates[1])});
   b.op(Opcode::Cmp, upper,

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "fp_compiler/ir/ir.h"
-#include "tools/debug/condition.h"
+#include "tools/debug/trace/condition.h"
 
 namespace arbiter::tools::debug {
 

@@ -1,4 +1,4 @@
-#include "tools/debug/record.h"
+#include "tools/debug/trace/record.h"
 
 #include <cmath>
 
@@ -53,9 +53,9 @@ Run runWith(const Program &program, const TraceInputs &given, Numerics numerics)
   const auto texture = inputs.texture;
   inputs.texture = [&](const fp::ir::Sample &sample) {
     // What is asked for is of the instruction after the last one that is done.
-    return texture ? run.texels[run.steps.size()] =
-                         given.texture(run.steps.size(), sample, numerics)
-                   : Vec4{};
+    return texture
+               ? run.texels[run.steps.size()] = given.texture(run.steps.size(), sample, numerics)
+               : Vec4{};
   };
   run.end = fp::ir::evaluate(program, inputs);
   return run;
@@ -94,8 +94,9 @@ class Recorder {
 public:
   Recorder(const Program &program, std::string_view text, const TraceInputs &given,
            Both<Numerics> numerics)
-      : m_program(program), m_given(given), m_source(text), m_numerics(numerics),
-        m_runs{runWith(program, given, numerics.first), runWith(program, given, numerics.second)},
+      : m_program(program), m_given(given), m_source(text),
+        m_numerics(numerics), m_runs{runWith(program, given, numerics.first),
+                                     runWith(program, given, numerics.second)},
         m_written(program.temporaries.size(), 0), m_outputs(program.outputs.size(), 0) {}
 
   Trace record() {
@@ -141,7 +142,8 @@ private:
   }
 
   std::optional<Texel> texel(std::size_t index) const {
-    const auto &first = m_runs.first.steps[index].sample, &second = m_runs.second.steps[index].sample;
+    const auto &first = m_runs.first.steps[index].sample,
+               &second = m_runs.second.steps[index].sample;
     if (!first || !second)
       return {};
     Texel texel;

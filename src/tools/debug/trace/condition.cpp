@@ -1,4 +1,4 @@
-#include "tools/debug/condition.h"
+#include "tools/debug/trace/condition.h"
 
 #include <charconv>
 #include <utility>
@@ -95,8 +95,7 @@ Result<Condition, DebugError> parseCondition(std::string_view text) {
     if (at == std::string_view::npos)
       continue;
     const std::string_view number = trimmed(text.substr(at + sign.size()));
-    const auto end =
-        std::from_chars(number.data(), number.data() + number.size(), condition.bound);
+    const auto end = std::from_chars(number.data(), number.data() + number.size(), condition.bound);
     if (end.ec != std::errc() || end.ptr != number.data() + number.size() ||
         !readComponent(trimmed(text.substr(0, at)), condition))
       return unknown(text);

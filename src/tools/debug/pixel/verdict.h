@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "tools/debug/compare.h"
-#include "tools/debug/drawer.h"
+#include "tools/debug/pixel/drawer.h"
+#include "tools/debug/trace/compare.h"
 
 namespace arbiter::tools::debug {
 
@@ -19,17 +19,14 @@ struct Verdict {
   std::optional<Difference> first;
   bool bisected = false; ///< `first` was found by halving: an earlier one may differ and not matter
 
-  [[nodiscard]] bool isEqual() const {
-    return steps == 0 && isDiscarded == !drawn.has_value();
-  }
+  [[nodiscard]] bool isEqual() const { return steps == 0 && isDiscarded == !drawn.has_value(); }
 };
 
 /// Where host and interpreter may differ by the rounding of their functions, and no more.
 inline constexpr Tolerance kRounding = {0x1p-16f, 0x1p-16f};
 
-/// Compares the trace's first arithmetic with what the drawer makes of the pixel. Where they differ,
-/// the program is drawn cut behind its instructions.
-/// Errors: the drawer's.
+/// Compares the trace's first arithmetic with what the drawer makes of the pixel. Where they
+/// differ, the program is drawn cut behind its instructions. Errors: the drawer's.
 [[nodiscard]] Result<Verdict, DebugError> judge(Drawer &drawer, const fp::ir::Program &program,
                                                 const Trace &trace, int x, int y,
                                                 const Tolerance &tolerance = kRounding);
@@ -38,8 +35,9 @@ inline constexpr Tolerance kRounding = {0x1p-16f, 0x1p-16f};
 [[nodiscard]] std::string verdictLine(const Verdict &verdict, const Trace &trace);
 
 /// The value of each of \p rows (ascending) in one pixel, drawn by cut programs.
-[[nodiscard]] Result<std::vector<Vec4>, DebugError>
-drawRows(Drawer &drawer, const fp::ir::Program &program, const std::vector<std::size_t> &rows,
-         int x, int y);
+[[nodiscard]] Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer,
+                                                             const fp::ir::Program &program,
+                                                             const std::vector<std::size_t> &rows,
+                                                             int x, int y);
 
 } // namespace arbiter::tools::debug

@@ -17,12 +17,12 @@ constexpr const char *kText = "!!ARBfp1.0\nMOV result.color, fragment.color;\nEN
 /// A client of a process that draws with the fake drawer.
 std::unique_ptr<DrawClient> started() {
   auto client = DrawClient::start("another", [] {
-    ::_exit(serveDraws(0, [](const nlohmann::json &what)
-                              -> Result<std::unique_ptr<Drawer>, DebugError> {
-      if (!what.is_string())
-        return DebugError{"what is no text"};
-      return std::unique_ptr<Drawer>(new FakeDrawer(what.get<std::string>(), 5, 3));
-    }));
+    ::_exit(serveDraws(
+        0, [](const nlohmann::json &what) -> Result<std::unique_ptr<Drawer>, DebugError> {
+          if (!what.is_string())
+            return DebugError{"what is no text"};
+          return std::unique_ptr<Drawer>(new FakeDrawer(what.get<std::string>(), 5, 3));
+        }));
   });
   return std::move(client).value();
 }
@@ -33,8 +33,9 @@ TEST(Draws, WhatTheOtherProcessDrawsComesBack) {
   EXPECT_EQ(client->size(), (std::array<int, 2>{5, 3}));
   FakeDrawer here(kText, 5, 3);
   const Region region{1, 0, 4, 3};
-  const std::string text = "!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[0], fragment.color;\n"
-                           "RCP result.color[1], fragment.texcoord[0].z;\nEND\n";
+  const std::string text =
+      "!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[0], fragment.color;\n"
+      "RCP result.color[1], fragment.texcoord[0].z;\nEND\n";
   const auto there = client->draw(text, 2, region);
   ASSERT_TRUE(there) << there.error().message;
   EXPECT_EQ(there.value(), here.draw(text, 2, region).value());

@@ -3,11 +3,11 @@
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/ir/validate.h"
-#include "tools/debug/cut.h"
-#include "tools/debug/pixel_reader.h"
+#include "tools/debug/pixel/cut.h"
+#include "tools/debug/pixel/reader.h"
+#include "tools/debug/pixel/verdict.h"
+#include "tools/debug/pixel/watch.h"
 #include "tools/debug/testing/fake_drawer.h"
-#include "tools/debug/verdict.h"
-#include "tools/debug/watch.h"
 
 namespace arbiter::tools::debug {
 namespace {
@@ -184,8 +184,7 @@ TEST(Watch, AnyRegisterAfterAnyLine) {
     const auto program = watchProgram(pixel.program, kText, parseWatch(text).value());
     EXPECT_TRUE(program) << program.error().message;
     EXPECT_THAT(fp::ir::validate(program.value()), IsEmpty());
-    const auto drawn =
-        drawer.draw(fp::emitAssembly(program.value()), 1, Region{5, 2, 1, 1});
+    const auto drawn = drawer.draw(fp::emitAssembly(program.value()), 1, Region{5, 2, 1, 1});
     EXPECT_TRUE(drawn);
     return drawn.value()[0];
   };
@@ -215,9 +214,9 @@ TEST(Watch, WhatCannotBeSeenIsSaid) {
 
 TEST(Watch, ValuesBecomeColours) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(picturedValues({{0, 1, 2, -1}, {kNan, 0, 0, 0}, uncovered(), {0.5f, 1.5f, -1, 0}}, 0, 2),
-            (std::vector<std::uint8_t>{0, 128, 255, 255, 255, 0, 255, 255, 0, 0, 0, 0, 64, 191, 0,
-                                       255}));
+  EXPECT_EQ(
+      picturedValues({{0, 1, 2, -1}, {kNan, 0, 0, 0}, uncovered(), {0.5f, 1.5f, -1, 0}}, 0, 2),
+      (std::vector<std::uint8_t>{0, 128, 255, 255, 255, 0, 255, 255, 0, 0, 0, 0, 64, 191, 0, 255}));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "tools/debug/watch.h"
+#include "tools/debug/pixel/watch.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,9 +7,9 @@
 
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
-#include "tools/debug/cut.h"
-#include "tools/debug/drawer.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/pixel/cut.h"
+#include "tools/debug/pixel/drawer.h"
+#include "tools/debug/trace/numbers.h"
 #include "tools/language.h"
 
 namespace arbiter::tools::debug {
@@ -24,8 +24,9 @@ DebugError misspelt(std::string_view text) {
 
 /// What may stand in an operand: no comment and no second statement.
 bool isOperandText(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                 "0123456789_$.[]+-{}, ") == std::string_view::npos;
+  return !text.empty() &&
+         text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                "0123456789_$.[]+-{}, ") == std::string_view::npos;
 }
 
 /// The last instruction that begins at or before the line.
@@ -105,7 +106,8 @@ std::vector<std::uint8_t> picturedValues(const std::vector<fp::ir::Vec4> &values
   for (const fp::ir::Vec4 &value : values) {
     if (value == uncovered()) {
       bytes.insert(bytes.end(), {0, 0, 0, 0});
-    } else if (std::any_of(value.begin(), value.begin() + 3, [](float each) { return std::isnan(each); })) {
+    } else if (std::any_of(value.begin(), value.begin() + 3,
+                           [](float each) { return std::isnan(each); })) {
       bytes.insert(bytes.end(), {255, 0, 255, 255});
     } else {
       std::transform(value.begin(), value.begin() + 3, std::back_inserter(bytes),

@@ -1,10 +1,10 @@
-#include "tools/debug/compare.h"
+#include "tools/debug/trace/compare.h"
 
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "tools/debug/record.h"
 #include "tools/debug/testing/fake_drawer.h"
+#include "tools/debug/trace/record.h"
 
 namespace arbiter::tools::debug {
 namespace {

@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "tools/debug/trace.h"
+#include "tools/debug/trace/trace.h"
 
 /// Where two traces part.
 namespace arbiter::tools::debug {
 
-/// What counts as equal: |a - b| <= max(absolute, relative * max(|a|, |b|)). Two NaNs are equal, and
-/// so are equal infinities.
+/// What counts as equal: |a - b| <= max(absolute, relative * max(|a|, |b|)). Two NaNs are equal,
+/// and so are equal infinities.
 struct Tolerance {
   float absolute = 0;
   float relative = 0;
@@ -23,8 +23,9 @@ struct Tolerance {
 /// Rows of two traces that stand for each other.
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// By opcode, write mask and texture, in the order of the rows: the longest common sequence; between
-/// its members rows that were changed are paired in order, and what was added has no partner.
+/// By opcode, write mask and texture, in the order of the rows: the longest common sequence;
+/// between its members rows that were changed are paired in order, and what was added has no
+/// partner.
 [[nodiscard]] Pairs align(const Trace &a, const Trace &b);
 
 struct Difference {

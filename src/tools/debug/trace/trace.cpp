@@ -1,4 +1,4 @@
-#include "tools/debug/trace.h"
+#include "tools/debug/trace/trace.h"
 
 #include <algorithm>
 #include <cmath>

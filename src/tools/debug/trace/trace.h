@@ -21,11 +21,11 @@ template <typename Value> struct Both {
 /// One operand of a row.
 struct Operand {
   fp::Span span;
-  std::string text;   ///< as it stands in the program: "-offset.yxzw"
-  Both<Vec4> value;   ///< as read: swizzled and signed
+  std::string text; ///< as it stands in the program: "-offset.yxzw"
+  Both<Vec4> value; ///< as read: swizzled and signed
   fp::ir::File file = fp::ir::File::Temporary;
-  unsigned reg = 0;   ///< Index of the register in its file; of an array where it is relative
-  std::uint8_t reads = 0;     ///< components of `value` that the instruction takes
+  unsigned reg = 0;       ///< Index of the register in its file; of an array where it is relative
+  std::uint8_t reads = 0; ///< components of `value` that the instruction takes
   std::uint8_t unwritten = 0; ///< those of them that nothing has written: they are zero
 };
 
@@ -33,9 +33,9 @@ struct Operand {
 struct Texel {
   unsigned unit = 0;
   fp::ir::TexTarget target = fp::ir::TexTarget::Tex2D;
-  Both<Vec4> coordinate; ///< TXP has divided
-  Both<float> bias;      ///< TXB's
-  Both<Vec4> value;      ///< before the write mask
+  Both<Vec4> coordinate;    ///< TXP has divided
+  Both<float> bias;         ///< TXB's
+  Both<Vec4> value;         ///< before the write mask
   std::optional<float> lod; ///< of the first; none where the size of the image is not known
 };
 
@@ -67,13 +67,13 @@ struct Row {
   std::string destination; ///< as it stands in the program: "offset.xy"; empty of KIL
   fp::ir::File file = fp::ir::File::Temporary;
   unsigned reg = 0;
-  std::uint8_t mask = 0;   ///< components written; 0 of KIL
-  Both<Vec4> value;        ///< the whole register after the write
-  Vec4 error = {};         ///< second - first of the components written; 0 where both are NaN
+  std::uint8_t mask = 0; ///< components written; 0 of KIL
+  Both<Vec4> value;      ///< the whole register after the write
+  Vec4 error = {};       ///< second - first of the components written; 0 where both are NaN
   std::optional<Texel> texel;
-  Both<bool> discards;    ///< KIL's condition held
+  Both<bool> discards;      ///< KIL's condition held
   bool isDiscarded = false; ///< an earlier KIL has discarded the fragment (of the first)
-  unsigned flags = 0;     ///< of the first arithmetic
+  unsigned flags = 0;       ///< of the first arithmetic
 };
 
 /// A named vec4 that the program was given or has made.

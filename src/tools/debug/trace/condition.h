@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/debug/trace.h"
+#include "tools/debug/trace/trace.h"
 #include "util/result.h"
 
 namespace arbiter::tools::debug {
@@ -17,9 +17,9 @@ struct DebugError {
 struct Condition {
   enum class Kind { Flag, Kil, Differs, Compare } kind = Kind::Flag;
   enum class Relation { Less, Greater, LessEqual, GreaterEqual, Equal, Unequal };
-  unsigned flag = 0;       ///< Flag
-  std::string reg;         ///< Compare: as the program names it
-  unsigned component = 0;  ///< Compare
+  unsigned flag = 0;      ///< Flag
+  std::string reg;        ///< Compare: as the program names it
+  unsigned component = 0; ///< Compare
   Relation relation = Relation::Less;
   float bound = 0;
 };

@@ -1,4 +1,4 @@
-#include "tools/debug/numbers.h"
+#include "tools/debug/trace/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,17 +3,17 @@
 #include <map>
 #include <optional>
 
-#include "tools/debug/drawer.h"
-#include "tools/debug/record.h"
+#include "tools/debug/pixel/drawer.h"
+#include "tools/debug/trace/record.h"
 
 namespace arbiter::tools::debug {
 
 /// A value in each pixel of a 2x2 quad: lower left, lower right, upper left, upper right.
 using Quad = std::array<Vec4, 4>;
 
-/// What a fragment program reads in one pixel, as the drawer itself gives it: each attribute and row
-/// of parameters is drawn to a float target, and each texture access with the program cut behind it,
-/// so that its level of detail is the draw's own.
+/// What a fragment program reads in one pixel, as the drawer itself gives it: each attribute and
+/// row of parameters is drawn to a float target, and each texture access with the program cut
+/// behind it, so that its level of detail is the draw's own.
 class PixelReader {
 public:
   /// \param drawn the arithmetic that the drawer runs programs with
@@ -22,8 +22,8 @@ public:
 
   /// Errors: the pixel lies outside the picture, nothing covers it, or the drawer fails.
   [[nodiscard]] std::optional<DebugError> read();
-  /// After read(). Texels of another arithmetic, whose coordinates differ, are sampled at those, with
-  /// the derivatives that the drawer's coordinates have.
+  /// After read(). Texels of another arithmetic, whose coordinates differ, are sampled at those,
+  /// with the derivatives that the drawer's coordinates have.
   [[nodiscard]] const TraceInputs &inputs() const { return m_inputs; }
   /// Where sampling for another arithmetic failed, why.
   [[nodiscard]] const std::optional<DebugError> &failure() const { return m_failure; }

@@ -1,11 +1,11 @@
-#include "tools/debug/pixel_reader.h"
+#include "tools/debug/pixel/reader.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "fp_compiler/ir/reads.h"
-#include "tools/debug/cut.h"
+#include "tools/debug/pixel/cut.h"
 
 namespace arbiter::tools::debug {
 
@@ -207,16 +207,15 @@ std::optional<float> PixelReader::levelOf(const Instruction &instruction, const 
     }
     greatest = std::max(greatest, std::sqrt(square));
   }
-  const float bias =
-      instruction.op == fp::ir::Opcode::Txb ? own(access.coordinate)[3] : 0.0f;
+  const float bias = instruction.op == fp::ir::Opcode::Txb ? own(access.coordinate)[3] : 0.0f;
   return std::log2(greatest) + bias;
 }
 
 Vec4 PixelReader::texel(std::size_t index, const fp::ir::Sample &sample, fp::Numerics numerics) {
   const Access &access = m_accesses[index];
   const std::uint8_t used = fp::ir::coordinateMask(sample.target);
-  bool same = m_program.code[index].op != fp::ir::Opcode::Txb ||
-              sample.bias == own(access.coordinate)[3];
+  bool same =
+      m_program.code[index].op != fp::ir::Opcode::Txb || sample.bias == own(access.coordinate)[3];
   for (std::size_t c = 0; c < 3; ++c)
     same = same && (!(used >> c & 1) || sample.coordinate[c] == own(access.coordinate)[c]);
   if (same || numerics == m_drawn)

@@ -33,9 +33,9 @@ struct Probe {
 [[nodiscard]] fp::ir::Program showOperands(const fp::ir::Program &program,
                                            const std::vector<fp::ir::Operand> &operands);
 
-/// A program that samples at four coordinates, one a pixel of the 2x2 quad whose lower left pixel is
-/// (x, y), so that its level of detail is theirs. `coordinates` are lower left, lower right, upper
-/// left, upper right; w is TXB's bias.
+/// A program that samples at four coordinates, one a pixel of the 2x2 quad whose lower left pixel
+/// is (x, y), so that its level of detail is theirs. `coordinates` are lower left, lower right,
+/// upper left, upper right; w is TXB's bias.
 [[nodiscard]] fp::ir::Program sampleQuad(const fp::ir::Program &program, std::uint8_t unit,
                                          fp::ir::TexTarget target, bool biased, int x, int y,
                                          const std::array<fp::ir::Vec4, 4> &coordinates);

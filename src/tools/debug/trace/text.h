@@ -1,15 +1,15 @@
 #pragma once
 #include <string>
 
-#include "tools/debug/trace.h"
+#include "tools/debug/trace/trace.h"
 
 namespace arbiter::tools::debug {
 
 /// What a reader wants to be shown of a trace.
 struct TextOptions {
   std::size_t from = 0;
-  std::size_t to = ~std::size_t(0);    ///< the last row
-  std::optional<std::size_t> marked;   ///< a row with an arrow: where a run stopped
+  std::size_t to = ~std::size_t(0);  ///< the last row
+  std::optional<std::size_t> marked; ///< a row with an arrow: where a run stopped
 };
 
 /// The inputs: a line each.

@@ -1,10 +1,10 @@
-#include "tools/debug/vertices.h"
+#include "tools/debug/pixel/vertices.h"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "fp_compiler/back/assembly/assembly.h"
-#include "tools/debug/cut.h"
+#include "tools/debug/pixel/cut.h"
 
 namespace arbiter::tools::debug {
 
@@ -23,7 +23,8 @@ Vec4 setOf(const scene::Panel &panel, const scene::MeshVertex &vertex, unsigned 
   return {vertex.st.x, vertex.st.y, 0, 1};
 }
 
-/// ARB_vertex_program, table X.1: the conventional attribute of a slot, where the panel has no value.
+/// ARB_vertex_program, table X.1: the conventional attribute of a slot, where the panel has no
+/// value.
 Vec4 genericOf(const VertexStage &stage, const scene::MeshVertex &vertex, unsigned index) {
   for (const scene::ParameterRow &row :
        stage.document.rows(stage.pass, stage.pass.panel, stage.seconds))
@@ -106,8 +107,8 @@ private:
       operands.emplace_back().file = fp::ir::File::Parameter;
       operands.back().index = std::uint16_t(i);
     }
-    const auto drawn = m_drawer.draw(fp::emitAssembly(showOperands(tables, operands)), count,
-                                     {x, y, 1, 1});
+    const auto drawn =
+        m_drawer.draw(fp::emitAssembly(showOperands(tables, operands)), count, {x, y, 1, 1});
     if (!drawn)
       return drawn.error();
     for (std::size_t i = 0; i < count; ++i)
@@ -155,8 +156,7 @@ std::optional<float> depthAt(const std::array<Corner, 3> &t, float x, float y, s
 
 class Tracer {
 public:
-  Tracer(const VertexStage &stage, std::vector<Vec4> parameters)
-      : m_stage(stage) {
+  Tracer(const VertexStage &stage, std::vector<Vec4> parameters) : m_stage(stage) {
     m_inputs.parameters = std::move(parameters);
   }
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "tools/debug/condition.h"
 #include "tools/debug/json.h"
-#include "tools/debug/record.h"
 #include "tools/debug/testing/fake_drawer.h"
-#include "tools/debug/text.h"
+#include "tools/debug/trace/condition.h"
+#include "tools/debug/trace/record.h"
+#include "tools/debug/trace/text.h"
 
 namespace arbiter::tools::debug {
 namespace {
@@ -202,7 +202,8 @@ TEST(Condition, WrongOnesAreNamed) {
 }
 
 TEST(Trace, LinesFindRows) {
-  const Trace trace = traced("!!ARBfp1.0\nTEMP a;\n\nMOV a, 1.0; ADD a, a, a;\n\nMOV result.color, a;\nEND");
+  const Trace trace =
+      traced("!!ARBfp1.0\nTEMP a;\n\nMOV a, 1.0; ADD a, a, a;\n\nMOV result.color, a;\nEND");
   EXPECT_EQ(rowAtLine(trace, 1), 0u);
   EXPECT_EQ(rowAtLine(trace, 4), 1u);
   EXPECT_EQ(rowAtLine(trace, 5), 1u);

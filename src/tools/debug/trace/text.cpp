@@ -1,11 +1,11 @@
-#include "tools/debug/text.h"
+#include "tools/debug/trace/text.h"
 
 #include <algorithm>
 #include <cstdio>
 
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/trace/numbers.h"
 
 namespace arbiter::tools::debug {
 
@@ -35,10 +35,11 @@ std::string flagsText(const Row &row) {
 }
 
 std::string operandText(const Operand &operand, std::size_t width) {
-  std::string text = kIndent + padded(operand.text, width) + "  " +
-                     vectorText(operand.value.first, operand.reads);
+  std::string text =
+      kIndent + padded(operand.text, width) + "  " + vectorText(operand.value.first, operand.reads);
   if (operand.unwritten)
-    text += "  (nothing has written " + std::string(operand.unwritten == operand.reads ? "it" : "all of it") + ": zero)";
+    text += "  (nothing has written " +
+            std::string(operand.unwritten == operand.reads ? "it" : "all of it") + ": zero)";
   return text + "\n";
 }
 
@@ -55,8 +56,8 @@ std::string texelText(const Texel &texel) {
 
 /// "=> offset.xy = (0.5, 0.25, -, -)   fp24 (..), error 1e-05"
 std::string valueText(const Trace &trace, const Row &row) {
-  std::string text = std::string("      => ") + row.destination + " = " +
-                     vectorText(row.value.first, row.mask);
+  std::string text =
+      std::string("      => ") + row.destination + " = " + vectorText(row.value.first, row.mask);
   if (const float error = greatestError(row); error != 0)
     text += "   " + std::string(nameOf(trace.numerics.second)) + " " +
             vectorText(row.value.second, row.mask) + ", error " + numberText(error, 2);

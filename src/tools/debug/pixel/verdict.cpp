@@ -1,13 +1,14 @@
-#include "tools/debug/verdict.h"
+#include "tools/debug/pixel/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
 
 #include "fp_compiler/back/assembly/assembly.h"
-#include "tools/debug/cut.h"
-#include "tools/debug/numbers.h"
+#include "tools/debug/pixel/cut.h"
+#include "tools/debug/trace/numbers.h"
 
 namespace arbiter::tools::debug {
 
@@ -31,11 +32,21 @@ std::array<std::uint8_t, 4> bytesOf(const Vec4 &color) {
   return bytes;
 }
 
-int stepsBetween(const std::array<std::uint8_t, 4> &a, const std::array<std::uint8_t, 4> &b) {
+/// Of the components of \p mask: a host may leave anything in others.
+int stepsBetween(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
   int steps = 0;
   for (std::size_t c = 0; c < 4; ++c)
-    steps = std::max(steps, std::abs(int(a[c]) - int(b[c])));
+    if (mask >> c & 1)
+      steps = std::max(steps, std::abs(int(byteOf(a[c])) - int(byteOf(b[c]))));
   return steps;
+}
+
+bool isSameBits(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && std::memcmp(&a[c], &b[c], sizeof a[c]) != 0 &&
+        !(std::isnan(a[c]) && std::isnan(b[c])))
+      return false;
+  return true;
 }
 
 /// What of a row's value can be compared: of KIL its operand.
@@ -102,8 +113,6 @@ private:
   const Tolerance m_tolerance;
 };
 
-bool isNan(float value) { return value != value; }
-
 /// The interpreter's side, and the drawer's fragment and picture.
 Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
   Verdict verdict;
@@ -124,34 +133,30 @@ Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, in
   if (!color || !verdict.drawn || verdict.isDiscarded)
     return verdict;
   verdict.interpreter = bytesOf(color->value.first);
-  verdict.steps = stepsBetween(verdict.interpreter, bytesOf(*verdict.drawn));
-  verdict.bitsEqual = std::equal(
-      verdict.drawn->begin(), verdict.drawn->end(), color->value.first.begin(),
-      [](float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0 || (isNan(a) && isNan(b)); });
+  verdict.steps = stepsBetween(color->value.first, *verdict.drawn, color->mask);
+  verdict.bitsEqual = isSameBits(color->value.first, *verdict.drawn, color->mask);
   return verdict;
 }
 
 } // namespace
 
 Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &program,
-                                               const std::vector<std::size_t> &rows, int x,
-                                               int y) {
+                                               const std::vector<std::size_t> &rows, int x, int y) {
   std::vector<Probe> probes;
   for (const std::size_t row : rows)
     probes.push_back({Probe::Kind::Value, row});
-  auto drawn = drawer.draw(fp::emitAssembly(cutProgram(program, probes)), probes.size(),
-                           Region{x, y, 1, 1});
+  auto drawn =
+      drawer.draw(fp::emitAssembly(cutProgram(program, probes)), probes.size(), Region{x, y, 1, 1});
   if (drawn && drawn.value().size() != rows.size())
     return DebugError{drawer.name() + " drew another number of pixels than was asked for"};
   return drawn;
 }
 
-Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace,
-                                  int x, int y, const Tolerance &tolerance) {
+Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace, int x,
+                                  int y, const Tolerance &tolerance) {
   auto verdict = compareColors(drawer, trace, x, y);
   // No assembly text says what an ATI shader does, so none can be cut.
-  if (!verdict || verdict.value().isEqual() ||
-      program.language != fp::ir::Language::ArbFragment)
+  if (!verdict || verdict.value().isEqual() || program.language != fp::ir::Language::ArbFragment)
     return verdict;
   Search search(drawer, program, trace, x, y, tolerance);
   verdict.value().bisected = trace.rows.size() > kMostRowsDrawn;

@@ -4,8 +4,8 @@
 
 #include "scene/document.h"
 #include "scene/mesh/mesh.h"
-#include "tools/debug/drawer.h"
-#include "tools/debug/record.h"
+#include "tools/debug/pixel/drawer.h"
+#include "tools/debug/trace/record.h"
 
 /// What a document's vertex program does for the corners of the triangle that is seen in a pixel.
 namespace arbiter::tools::debug {
@@ -26,15 +26,15 @@ struct VertexStage {
   double seconds = 0;
 };
 
-/// The attributes of a vertex in the order of Program::attributes, as the document's mesh gives them.
+/// The attributes of a vertex in the order of Program::attributes, as the document's mesh gives
+/// them.
 [[nodiscard]] std::vector<Vec4> attributesOf(const VertexStage &stage,
                                              const scene::MeshVertex &vertex);
 
-/// The triangle whose corners lie around the pixel's centre and that the depth test and culling leave
-/// (the last one drawn where there is no depth test). Triangles that reach behind the eye are not
-/// found. Rows of GL's state are drawn by \p drawer as fragment programs read them; those that only
-/// vertex programs have are zero.
-/// Errors: no such triangle; the drawer's; the mesh's.
+/// The triangle whose corners lie around the pixel's centre and that the depth test and culling
+/// leave (the last one drawn where there is no depth test). Triangles that reach behind the eye are
+/// not found. Rows of GL's state are drawn by \p drawer as fragment programs read them; those that
+/// only vertex programs have are zero. Errors: no such triangle; the drawer's; the mesh's.
 [[nodiscard]] Result<TracedTriangle, DebugError> traceTriangle(const VertexStage &stage,
                                                                Drawer &drawer, int x, int y);
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/debug/trace.h"
+#include "tools/debug/trace/trace.h"
 
 namespace arbiter::tools::debug {
 
@@ -15,9 +15,9 @@ struct TraceInputs {
   std::function<Vec4(std::size_t index, const fp::ir::Sample &, fp::Numerics)> texture;
   /// The level of detail of a texture instruction, where it is known.
   std::function<std::optional<float>(std::size_t index)> lod;
-  float fogCoordinate = 0; ///< for the fog options
+  float fogCoordinate = 0;            ///< for the fog options
   Vec4 fogColor = {}, fogParams = {}; ///< likewise: the rows state.fog.color and state.fog.params
-  Vec4 secondary = {}; ///< for Options::colorSum
+  Vec4 secondary = {};                ///< for Options::colorSum
 };
 
 /// The interpreter's inputs for one arithmetic. \p given and \p program must outlive them.

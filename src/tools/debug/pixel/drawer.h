@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/debug/condition.h"
+#include "tools/debug/trace/condition.h"
 
 namespace arbiter::tools::debug {
 
