@@ -41,6 +41,7 @@ public:
       code = compare();
     if (code != kExitOk)
       return code;
+    m_findings.note = m_session->end();
     if (m_arguments.json)
       print(debug::findingsJson(m_findings));
     else

@@ -116,7 +116,8 @@ std::string findingsText(const Findings &findings) {
                      rowsText(findings.trace, options) + "\n";
   if (!findings.stopped && findings.line == 0)
     text += resultsText(findings.trace);
-  return text + breakText(findings) + summaryText(findings) + "\n";
+  return text + breakText(findings) + summaryText(findings) + "\n" +
+         (findings.note.empty() ? "" : findings.note + "\n");
 }
 
 Json findingsJson(const Findings &findings) {
@@ -130,6 +131,7 @@ Json findingsJson(const Findings &findings) {
   json["stopped"] = findings.stopped ? Json(*findings.stopped) : Json();
   json["verdict"] = findings.verdict ? verdictJson(*findings.verdict, findings.trace) : Json();
   json["against"] = findings.beside ? besideJson(findings.trace, *findings.beside) : Json();
+  json["note"] = findings.note;
   json["summary"] = summaryText(findings);
   return json;
 }

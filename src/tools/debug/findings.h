@@ -26,6 +26,7 @@ struct Findings {
   int line = 0;                       ///< that was run to; 0: the end
   std::optional<Verdict> verdict;     ///< without it and `beside`: the trace's own two arithmetics
   std::optional<Beside> beside;
+  std::string note; ///< of who drew; may be empty
 };
 
 /// A comparison found a difference, or a run stopped.

@@ -86,12 +86,14 @@ std::optional<SessionError> Session::start(const SessionOptions &options) {
                               : options.backend;
   if (m_numerics != Numerics::Host && backend == Backend::Bare)
     return usage("--against bare: the host's own implementation has one arithmetic, its own");
-  auto drawer = startDrawing(
-      {backend, std::string(fp::kNumericsNames[std::size_t(m_numerics)]), options.library},
-      {{"path", options.path},
-       {"text", options.text},
-       {"pass", options.pass - 1},
-       {"frame", options.frame}});
+  if (backend == Backend::Swrast)
+    m_drawnBy.emplace();
+  auto drawer = startDrawing({backend, std::string(fp::kNumericsNames[std::size_t(m_numerics)]),
+                              options.library, m_drawnBy ? m_drawnBy->path() : std::string()},
+                             {{"path", options.path},
+                              {"text", options.text},
+                              {"pass", options.pass - 1},
+                              {"frame", options.frame}});
   if (!drawer)
     return SessionError{SessionError::Kind::NoGl, drawer.error().message};
   m_drawer = std::move(drawer).value();
@@ -142,6 +144,11 @@ Result<TracedTriangle, DebugError> Session::vertices(int x, int y) {
   return traceTriangle(
       {m_vertex->program, m_vertex->text, m_document, m_pass, m_document.secondsOf(m_frame)},
       *m_drawer, x, y);
+}
+
+std::string Session::end() {
+  m_drawer->close();
+  return m_drawnBy ? m_drawnBy->note() : std::string();
 }
 
 Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {

@@ -5,6 +5,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
+#include "tools/debug/drawn_by.h"
 #include "tools/debug/findings.h"
 #include "tools/debug/pixel/reader.h"
 #include "tools/debug/pixel/verdict.h"
@@ -63,6 +64,8 @@ public:
   /// The corners of the pixel's triangle. Errors: the pass has no vertex program, and those of
   /// traceTriangle().
   [[nodiscard]] Result<TracedTriangle, DebugError> vertices(int x, int y);
+  /// Ends the process that draws. \returns what is to be said of who drew, or nothing
+  [[nodiscard]] std::string end();
   /// A value in each pixel of the picture, the lowest row first.
   [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);
 
@@ -80,6 +83,7 @@ private:
   scene::Pass m_pass;
   int m_frame = 0;
   fp::Numerics m_numerics = fp::Numerics::Host;
+  std::optional<DrawnBy> m_drawnBy;
   std::unique_ptr<DrawClient> m_drawer;
 };
 

@@ -16,6 +16,7 @@ LayerArguments layerOf(const DrawWith &with) {
   layer.limits = "report";
   layer.identity = "host";
   layer.numerics = with.numerics;
+  layer.stats = with.statistics;
   layer.backend = with.backend == Backend::Swrast ? "swrast" : "host";
   return layer;
 }

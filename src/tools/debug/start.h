@@ -12,8 +12,9 @@ enum class Backend { Swrast, Host, Bare };
 
 struct DrawWith {
   Backend backend = Backend::Swrast;
-  std::string numerics; ///< a name of fp::kNumericsNames
-  std::string library;  ///< of the layer; empty: found
+  std::string numerics;   ///< a name of fp::kNumericsNames
+  std::string library;    ///< of the layer; empty: found
+  std::string statistics; ///< a file that the layer writes at the end; or empty
 };
 
 /// Starts `arbiter debug-draws` under the layer (but for Bare) and opens \p what in it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tools/debug/drawn_by.h"
 #include "tools/debug/draws/client.h"
 #include "tools/debug/draws/server.h"
 #include "tools/debug/testing/fake_drawer.h"
@@ -79,6 +80,15 @@ TEST(Draws, AnAnswerThatIsNonsenseIsAnError) {
   EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
   EXPECT_THAT(client.value()->draw(kText, 1, {}).error().message, HasSubstr("number of pixels"));
   EXPECT_THAT(client.value()->open("x")->message, HasSubstr("no picture"));
+}
+
+TEST(DrawnBy, SaysWhatTheRasterizerLeft) {
+  EXPECT_EQ(drawnByNote(R"({"draws": {"rasterizer": 5, "host_glsl": 0, "reasons": {}}})"), "");
+  EXPECT_EQ(
+      drawnByNote(R"({"draws": {"rasterizer": 2, "host_glsl": 3, "reasons": {"target": 3}}})"),
+      "the rasterizer left 3 of 5 draws to the host: target");
+  for (const char *text : {"", "[]", "{}", R"({"draws": 7})", R"({"draws": {"host_glsl": "x"}})"})
+    EXPECT_EQ(drawnByNote(text), "") << text;
 }
 
 } // namespace

@@ -161,6 +161,10 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
   m_target.clear();
   m_subject->drawMesh();
   auto values = m_target.read(region);
+  if (m_isOwn) { // no attribute group is sure to hold this
+    glDisable(GL_FRAGMENT_PROGRAM_ARB);
+    glEnable(kTextFragmentShaderAti);
+  }
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);
   return values;
