@@ -152,7 +152,21 @@ std::string Session::end() {
 }
 
 Result<std::vector<Vec4>, DebugError> Session::watch(const Watch &watch) {
-  const auto program = watchProgram(m_fragment.program, m_fragment.text, watch);
+  auto covered = watchOf(watch, Fragments::Covered);
+  if (!covered || !decidesFragments(m_fragment.program))
+    return covered;
+  // Where something survives, that is what is seen.
+  const auto surviving = watchOf(watch, Fragments::Surviving);
+  if (!surviving)
+    return surviving;
+  for (std::size_t i = 0; i < covered.value().size(); ++i)
+    if (surviving.value()[i] != uncovered())
+      covered.value()[i] = surviving.value()[i];
+  return covered;
+}
+
+Result<std::vector<Vec4>, DebugError> Session::watchOf(const Watch &watch, Fragments fragments) {
+  const auto program = watchProgram(m_fragment.program, m_fragment.text, watch, fragments);
   if (!program)
     return program.error();
   const auto [width, height] = m_drawer->size();

@@ -74,6 +74,7 @@ private:
 
   std::optional<SessionError> read(const SessionOptions &options);
   std::optional<SessionError> readVertex();
+  Result<std::vector<Vec4>, DebugError> watchOf(const Watch &watch, Fragments fragments);
   std::optional<SessionError> start(const SessionOptions &options);
 
   scene::Document m_document;

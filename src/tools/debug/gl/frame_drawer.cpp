@@ -64,7 +64,7 @@ Result<std::unique_ptr<Drawer>, DebugError> FrameDrawer::open(std::unique_ptr<Su
   std::unique_ptr<FrameDrawer> drawer(new FrameDrawer(std::move(subject)));
   if (auto error = drawer->m_subject->prepare())
     return *error;
-  drawer->keepText();
+  drawer->keepProgram();
   drawer->keepPicture();
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);
@@ -75,21 +75,22 @@ std::string FrameDrawer::name() const {
   return reinterpret_cast<const char *>(glGetString(GL_RENDERER));
 }
 
-/// The text of the bound program object, which cut programs are loaded into: its local parameters
-/// stay. An ATI shader is no such object; beside it a program of our own is drawn with.
-void FrameDrawer::keepText() {
-  GLint bound = 0, length = 0;
+/// The bound program object and its local parameters, which programs that show values have too.
+/// Those are objects of their own: hosts crash when the text of one that was drawn with is changed.
+/// An ATI shader is no such object, and has no parameters.
+void FrameDrawer::keepProgram() {
+  GLint bound = 0, count = 0;
   glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
-  m_isOwn = bound == 0 || !glIsEnabled(GL_FRAGMENT_PROGRAM_ARB);
-  m_program = GLuint(bound);
-  if (m_isOwn) {
-    glGenProgramsARB(1, &m_program);
+  if (bound == 0 || !glIsEnabled(GL_FRAGMENT_PROGRAM_ARB))
     return;
+  m_document = GLuint(bound);
+  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB, &count);
+  for (GLuint i = 0; i < GLuint(count); ++i) {
+    Vec4 value = {};
+    glGetProgramLocalParameterfvARB(GL_FRAGMENT_PROGRAM_ARB, i, value.data());
+    if (value != Vec4{})
+      m_locals.emplace_back(i, value);
   }
-  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
-  m_text.resize(std::size_t(length));
-  glGetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, m_text.data());
-  m_loaded = m_text;
 }
 
 /// What the draw finds, where it draws over what is there: the picture's own draw changes it.
@@ -117,21 +118,26 @@ void FrameDrawer::keepPicture() {
 /// Makes \p text (or, where it is empty, the document's) the program that is drawn with.
 /// \returns an empty string, or GL's complaint
 std::string FrameDrawer::load(const std::string &text) {
-  if (m_isOwn) {
-    if (text.empty())
-      return {};
+  if (text.empty())
+    return {};
+  if (m_document == 0) {
     glDisable(kTextFragmentShaderAti);
     glEnable(GL_FRAGMENT_PROGRAM_ARB);
   }
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
-  const std::string &wanted = text.empty() ? m_text : text;
-  if (wanted == m_loaded)
+  if (m_loaded == text) {
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
     return {};
+  }
   m_loaded.clear();
-  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(wanted.size()),
-                     wanted.data());
+  glDeleteProgramsARB(1, &m_program);
+  glGenProgramsARB(1, &m_program);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+  for (const auto &[index, value] : m_locals)
+    glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, index, value.data());
+  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
+                     text.data());
   if (glGetError() == GL_NO_ERROR) {
-    m_loaded = wanted;
+    m_loaded = text;
     return {};
   }
   const auto *const words =
@@ -139,12 +145,23 @@ std::string FrameDrawer::load(const std::string &text) {
   return std::string("a program that shows values was refused: ") + (words ? words : "no reason");
 }
 
+/// The document's own program again; no attribute group is sure to hold it.
+void FrameDrawer::unload() {
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_document);
+  if (m_document != 0)
+    return;
+  glDisable(GL_FRAGMENT_PROGRAM_ARB);
+  glEnable(kTextFragmentShaderAti);
+}
+
 Result<std::vector<Drawer::Vec4>, DebugError>
 FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &region) {
   const Restored restored;
   m_subject->setPlainState();
-  if (std::string fault = load(text); !fault.empty())
+  if (std::string fault = load(text); !fault.empty()) {
+    unload();
     return DebugError{std::move(fault)};
+  }
   // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
   const std::string fault =
       m_target.bind(region.x + region.width, region.y + region.height, targets);
@@ -161,10 +178,7 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
   m_target.clear();
   m_subject->drawMesh();
   auto values = m_target.read(region);
-  if (m_isOwn) { // no attribute group is sure to hold this
-    glDisable(GL_FRAGMENT_PROGRAM_ARB);
-    glEnable(kTextFragmentShaderAti);
-  }
+  unload();
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);
   return values;

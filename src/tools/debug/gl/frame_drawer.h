@@ -25,17 +25,19 @@ public:
 
 private:
   explicit FrameDrawer(std::unique_ptr<Subject> subject) : m_subject(std::move(subject)) {}
-  void keepText();
+  void keepProgram();
   void keepPicture();
   void keepDepths();
   std::string load(const std::string &text);
+  void unload();
 
   std::unique_ptr<Subject> m_subject;
   FloatTarget m_target, m_before; ///< `m_before`: depth and stencil that the draw finds
   bool m_keepsTarget = false;     ///< the draw's pass does not begin with an empty target
-  GLuint m_program = 0;           ///< that cut programs are loaded into
-  bool m_isOwn = false;           ///< it is none of the document's
-  std::string m_text, m_loaded;
+  GLuint m_document = 0;          ///< the document's program object; 0: an ATI shader
+  std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters that are not zero
+  GLuint m_program = 0;                          ///< of the last text that shows values
+  std::string m_loaded;                          ///< that text
   std::vector<std::array<std::uint8_t, 4>> m_picture;
 };
 

@@ -1,5 +1,6 @@
 #include "tools/debug/pixel/cut.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "fp_compiler/ir/builder.h"
@@ -45,23 +46,32 @@ Instruction moved(std::size_t target, const fp::ir::Operand &from) {
 
 class Cutter {
 public:
-  Cutter(const Program &program, const std::vector<Probe> &probes)
-      : m_program(program), m_probes(probes), m_cut(shell(program, probes.size())),
+  Cutter(const Program &program, std::size_t targets, Fragments fragments)
+      : m_program(program), m_fragments(fragments), m_cut(shell(program, targets)),
         m_firstOutput(program.temporaries.size()) {
     for (std::size_t i = 0; i < program.outputs.size(); ++i)
       m_cut.temporaries.push_back({"o" + std::to_string(i)});
   }
 
-  Program run() {
-    for (std::size_t row = 0; row <= m_probes.back().row; ++row) {
-      probes(row, false);
-      const Instruction &instruction = m_program.code[row];
-      if (!fp::ir::info(instruction.op).has(fp::ir::Kills)) {
-        m_cut.code.push_back(instruction);
-        m_cut.code.back().dst = kept(instruction.dst);
-      }
-      probes(row, true);
+  Program withProbes(const std::vector<Probe> &probes) {
+    const bool whole = m_fragments == Fragments::Surviving;
+    const std::size_t end = whole ? m_program.code.size() : probes.back().row + 1;
+    for (std::size_t row = 0; row < end; ++row) {
+      addProbes(probes, row, false);
+      keep(m_program.code[row]);
+      addProbes(probes, row, true);
     }
+    addDepth();
+    return std::move(m_cut);
+  }
+
+  Program withOperands(const std::vector<fp::ir::Operand> &operands) {
+    for (std::size_t i = 0; i < operands.size(); ++i)
+      m_cut.code.push_back(moved(i, operands[i]));
+    if (m_fragments == Fragments::Surviving)
+      for (const Instruction &instruction : m_program.code)
+        keep(instruction);
+    addDepth();
     return std::move(m_cut);
   }
 
@@ -75,15 +85,40 @@ private:
     return dst;
   }
 
-  /// The probes of a row that stand before or behind its instruction.
-  void probes(std::size_t row, bool behind) {
-    for (std::size_t i = 0; i < m_probes.size(); ++i)
-      if (m_probes[i].row == row && (m_probes[i].kind == Probe::Kind::Value) == behind)
-        probe(i, m_program.code[row]);
+  void keep(const Instruction &instruction) {
+    if (fp::ir::info(instruction.op).has(fp::ir::Kills)) {
+      if (m_fragments == Fragments::Surviving)
+        m_cut.code.push_back(instruction);
+      return;
+    }
+    m_cut.code.push_back(instruction);
+    m_cut.code.back().dst = kept(instruction.dst);
   }
 
-  void probe(std::size_t target, const Instruction &instruction) {
-    const Probe::Kind kind = m_probes[target].kind;
+  /// The depth that the program gives its fragments.
+  void addDepth() {
+    if (m_fragments != Fragments::Surviving)
+      return;
+    for (std::size_t i = 0; i < m_program.outputs.size(); ++i) {
+      if (m_program.outputs[i].kind != fp::ir::OutputKind::Depth)
+        continue;
+      fp::ir::Operand depth;
+      depth.index = std::uint16_t(m_firstOutput + i);
+      m_cut.code.push_back(moved(m_cut.outputs.size(), depth));
+      m_cut.code.back().dst.mask = 4;
+      m_cut.outputs.push_back(m_program.outputs[i]);
+      return;
+    }
+  }
+
+  /// The probes of a row that stand before or behind its instruction.
+  void addProbes(const std::vector<Probe> &probes, std::size_t row, bool behind) {
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      if (probes[i].row == row && (probes[i].kind == Probe::Kind::Value) == behind)
+        addProbe(probes[i].kind, i, m_program.code[row]);
+  }
+
+  void addProbe(Probe::Kind kind, std::size_t target, const Instruction &instruction) {
     if (kind == Probe::Kind::Texel) {
       Instruction access = instruction;
       access.dst = colorTarget(target);
@@ -102,24 +137,32 @@ private:
   }
 
   const Program &m_program;
-  const std::vector<Probe> &m_probes;
+  const Fragments m_fragments;
   Program m_cut;
   std::size_t m_firstOutput;
 };
 
 } // namespace
 
-Program cutProgram(const Program &program, const std::vector<Probe> &probes) {
-  assert(!probes.empty() && probes.size() <= kMostTargets);
-  return Cutter(program, probes).run();
+bool decidesFragments(const Program &program) {
+  return std::any_of(program.code.begin(), program.code.end(),
+                     [](const Instruction &instruction) {
+                       return fp::ir::info(instruction.op).has(fp::ir::Kills);
+                     }) ||
+         std::any_of(
+             program.outputs.begin(), program.outputs.end(),
+             [](const fp::ir::Output &output) { return output.kind == fp::ir::OutputKind::Depth; });
 }
 
-Program showOperands(const Program &program, const std::vector<fp::ir::Operand> &operands) {
+Program cutProgram(const Program &program, const std::vector<Probe> &probes, Fragments fragments) {
+  assert(!probes.empty() && probes.size() <= kMostTargets);
+  return Cutter(program, probes.size(), fragments).withProbes(probes);
+}
+
+Program showOperands(const Program &program, const std::vector<fp::ir::Operand> &operands,
+                     Fragments fragments) {
   assert(!operands.empty() && operands.size() <= kMostTargets);
-  Program shown = shell(program, operands.size());
-  for (std::size_t i = 0; i < operands.size(); ++i)
-    shown.code.push_back(moved(i, operands[i]));
-  return shown;
+  return Cutter(program, operands.size(), fragments).withOperands(operands);
 }
 
 Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget target, bool biased,

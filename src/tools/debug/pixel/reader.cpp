@@ -67,6 +67,8 @@ std::optional<DebugError> PixelReader::read() {
                       ": the picture is " + std::to_string(width) + "x" + std::to_string(height) +
                       ", its pixels are 0,0 (lower left) to " + std::to_string(width - 1) + "," +
                       std::to_string(height - 1)};
+  if (auto error = chooseFragments())
+    return error;
   if (auto error = readOperands())
     return error;
   if (auto error = readAccesses())
@@ -75,6 +77,25 @@ std::optional<DebugError> PixelReader::read() {
     return texel(index, sample, mode);
   };
   m_inputs.lod = [this](std::size_t index) { return m_accesses[index].lod; };
+  return {};
+}
+
+/// Fragments may lie over each other, and only the program says which of them are discarded, or at
+/// what depth they are: one that it leaves is the one that is seen.
+std::optional<DebugError> PixelReader::chooseFragments() {
+  if (!decidesFragments(m_program))
+    return {};
+  m_fragments = Fragments::Surviving;
+  fp::ir::Operand zero;
+  zero.swizzle.fill(fp::ir::Select::Zero);
+  zero.file = fp::ir::File::Attribute;
+  Program tables = m_program;
+  zero.index = std::uint16_t(attributeIn(tables, AttributeKind::Position));
+  const auto quads = drawQuads(showOperands(tables, {zero}, m_fragments), 1);
+  if (!quads)
+    return quads.error();
+  if (own(quads.value()[0]) == uncovered())
+    m_fragments = Fragments::Covered;
   return {};
 }
 
@@ -132,7 +153,7 @@ std::optional<DebugError> PixelReader::readOperands() {
     std::vector<fp::ir::Operand> operands;
     for (std::size_t i = 0; i < count; ++i)
       operands.push_back(wanted[from + i].operand);
-    const auto quads = drawQuads(showOperands(tables, operands), count);
+    const auto quads = drawQuads(showOperands(tables, operands, m_fragments), count);
     if (!quads)
       return quads.error();
     if (from == 0)
@@ -168,7 +189,7 @@ std::optional<DebugError> PixelReader::drawProbes(const std::vector<std::size_t>
     probes.push_back({Probe::Kind::Texel, row});
     probes.push_back({Probe::Kind::Coordinate, row});
   }
-  const auto quads = drawQuads(cutProgram(m_program, probes), probes.size());
+  const auto quads = drawQuads(cutProgram(m_program, probes, m_fragments), probes.size());
   if (!quads)
     return quads.error();
   for (std::size_t i = 0; i < rows.size(); ++i) {

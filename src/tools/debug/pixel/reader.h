@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "tools/debug/pixel/cut.h"
 #include "tools/debug/pixel/drawer.h"
 #include "tools/debug/trace/record.h"
 
@@ -27,6 +28,8 @@ public:
   [[nodiscard]] const TraceInputs &inputs() const { return m_inputs; }
   /// Where sampling for another arithmetic failed, why.
   [[nodiscard]] const std::optional<DebugError> &failure() const { return m_failure; }
+  /// Whether the fragment is one that the program leaves; else one that it discards.
+  [[nodiscard]] Fragments fragments() const { return m_fragments; }
   /// In window pixels and [0,1].
   [[nodiscard]] const Vec4 &position() const { return m_position; }
 
@@ -36,6 +39,7 @@ private:
     std::optional<float> lod;
   };
 
+  std::optional<DebugError> chooseFragments();
   std::optional<DebugError> readOperands();
   std::optional<DebugError> readAccesses();
   std::optional<DebugError> drawProbes(const std::vector<std::size_t> &rows);
@@ -52,6 +56,7 @@ private:
   const int m_x, m_y;
   const std::size_t m_lane; ///< of the pixel in its quad
   const fp::Numerics m_drawn;
+  Fragments m_fragments = Fragments::Covered;
   TraceInputs m_inputs;
   Vec4 m_position = {};
   std::array<bool, 4> m_covered = {};

@@ -177,6 +177,42 @@ std::string faultOfWatch(const char *text) {
   return program ? "" : program.error().message;
 }
 
+/// Nearer fragments come later, and the program discards some: what is seen is what it leaves.
+TEST(Cut, SurvivingFragmentsAreThoseOfTheProgram) {
+  FakeDrawer drawer(kText, 16, 8);
+  const fp::ir::Program program = checked(kText);
+  EXPECT_TRUE(decidesFragments(program));
+  drawer.wrong = [](const fp::ir::Instruction &instruction, Vec4 &value) {
+    if (instruction.op == fp::ir::Opcode::Mul)
+      value[0] = -1; // and so every KIL discards
+  };
+  const auto at = [&](Fragments fragments) {
+    const auto cut = cutProgram(program, {{Probe::Kind::Value, 0}}, fragments);
+    EXPECT_THAT(fp::ir::validate(cut), IsEmpty());
+    return drawer.draw(fp::emitAssembly(cut), 1, Region{5, 2, 1, 1}).value()[0];
+  };
+  EXPECT_NE(at(Fragments::Covered), uncovered());
+  EXPECT_EQ(at(Fragments::Surviving), uncovered());
+  EXPECT_EQ(Debugged(drawer, kText, 5, 2).reader.fragments(), Fragments::Covered);
+  drawer.wrong = nullptr;
+  EXPECT_EQ(at(Fragments::Surviving), at(Fragments::Covered));
+  EXPECT_EQ(Debugged(drawer, kText, 5, 2).reader.fragments(), Fragments::Surviving);
+}
+
+TEST(Cut, DepthsOfTheProgramAreKept) {
+  const fp::ir::Program program = checked("!!ARBfp1.0\nTEMP a;\nMOV a, fragment.color;\n"
+                                          "MOV result.depth.z, a.x;\nMOV result.color, a;\nEND\n");
+  EXPECT_TRUE(decidesFragments(program));
+  for (const auto &cut : {cutProgram(program, {{Probe::Kind::Value, 0}}, Fragments::Surviving),
+                          showOperands(program, {program.code[0].src[0]}, Fragments::Surviving)}) {
+    EXPECT_THAT(fp::ir::validate(cut), IsEmpty());
+    EXPECT_TRUE(fp::ir::validate(checked(fp::emitAssembly(cut))).empty());
+    EXPECT_THAT(fp::emitAssembly(cut), HasSubstr("result.depth"));
+  }
+  EXPECT_THAT(fp::emitAssembly(cutProgram(program, {{Probe::Kind::Value, 1}})),
+              testing::Not(HasSubstr("result.depth")));
+}
+
 TEST(Watch, AnyRegisterAfterAnyLine) {
   FakeDrawer drawer(kText, 16, 8);
   const Debugged pixel(drawer, kText, 5, 2);

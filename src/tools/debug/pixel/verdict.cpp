@@ -56,9 +56,9 @@ std::uint8_t maskOf(const Row &row) { return row.mask ? row.mask : 0xF; }
 class Search {
 public:
   Search(Drawer &drawer, const Program &program, const Trace &trace, int x, int y,
-         const Tolerance &tolerance)
+         Fragments fragments, const Tolerance &tolerance)
       : m_drawer(drawer), m_program(program), m_trace(trace), m_x(x), m_y(y),
-        m_tolerance(tolerance) {}
+        m_fragments(fragments), m_tolerance(tolerance) {}
 
   /// Every row, a few a draw, until one differs.
   Result<std::optional<Difference>, DebugError> eachRow() {
@@ -93,7 +93,7 @@ public:
 
 private:
   Result<std::optional<Difference>, DebugError> among(const std::vector<std::size_t> &rows) {
-    const auto drawn = drawRows(m_drawer, m_program, rows, m_x, m_y);
+    const auto drawn = drawRows(m_drawer, m_program, rows, m_x, m_y, m_fragments);
     if (!drawn)
       return drawn.error();
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -110,8 +110,15 @@ private:
   const Program &m_program;
   const Trace &m_trace;
   const int m_x, m_y;
+  const Fragments m_fragments;
   const Tolerance m_tolerance;
 };
+
+/// The pixel of the picture; and the fragment's own colour where blending made that another one.
+std::string drawnText(const Verdict &verdict) {
+  const std::string picture = hexColor(verdict.picture), fragment = colorText(*verdict.drawn);
+  return picture == fragment ? picture : picture + " (the fragment " + fragment + ")";
+}
 
 /// The interpreter's side, and the drawer's fragment and picture.
 Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
@@ -141,12 +148,13 @@ Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, in
 } // namespace
 
 Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &program,
-                                               const std::vector<std::size_t> &rows, int x, int y) {
+                                               const std::vector<std::size_t> &rows, int x, int y,
+                                               Fragments fragments) {
   std::vector<Probe> probes;
   for (const std::size_t row : rows)
     probes.push_back({Probe::Kind::Value, row});
-  auto drawn =
-      drawer.draw(fp::emitAssembly(cutProgram(program, probes)), probes.size(), Region{x, y, 1, 1});
+  auto drawn = drawer.draw(fp::emitAssembly(cutProgram(program, probes, fragments)), probes.size(),
+                           Region{x, y, 1, 1});
   if (drawn && drawn.value().size() != rows.size())
     return DebugError{drawer.name() + " drew another number of pixels than was asked for"};
   return drawn;
@@ -158,7 +166,9 @@ Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const 
   // No assembly text says what an ATI shader does, so none can be cut.
   if (!verdict || verdict.value().isEqual() || program.language != fp::ir::Language::ArbFragment)
     return verdict;
-  Search search(drawer, program, trace, x, y, tolerance);
+  const bool survives = decidesFragments(program) && verdict.value().drawn;
+  Search search(drawer, program, trace, x, y, survives ? Fragments::Surviving : Fragments::Covered,
+                tolerance);
   verdict.value().bisected = trace.rows.size() > kMostRowsDrawn;
   const auto first = verdict.value().bisected ? search.halved() : search.eachRow();
   if (!first)
@@ -172,10 +182,10 @@ std::string verdictLine(const Verdict &verdict, const Trace &trace) {
   if (!verdict.drawn && verdict.isDiscarded)
     return line + " discarded the fragment: equal";
   if (verdict.isEqual())
-    return line + " drew " + hexColor(verdict.picture) + ": equal" +
+    return line + " drew " + drawnText(verdict) + ": equal" +
            (verdict.bitsEqual ? ", to the bit" : " in 8 bits");
   if (verdict.isDiscarded != !verdict.drawn)
-    line += verdict.drawn ? " drew " + hexColor(verdict.picture) + ", the interpreter discards"
+    line += verdict.drawn ? " drew " + drawnText(verdict) + ", the interpreter discards"
                           : " discarded the fragment, the interpreter does not";
   else
     line += " differs by " + std::to_string(verdict.steps) + "/255";

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "tools/debug/pixel/cut.h"
 #include "tools/debug/pixel/drawer.h"
 #include "tools/debug/trace/compare.h"
 
@@ -35,9 +36,8 @@ inline constexpr Tolerance kRounding = {0x1p-16f, 0x1p-16f};
 [[nodiscard]] std::string verdictLine(const Verdict &verdict, const Trace &trace);
 
 /// The value of each of \p rows (ascending) in one pixel, drawn by cut programs.
-[[nodiscard]] Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer,
-                                                             const fp::ir::Program &program,
-                                                             const std::vector<std::size_t> &rows,
-                                                             int x, int y);
+[[nodiscard]] Result<std::vector<Vec4>, DebugError>
+drawRows(Drawer &drawer, const fp::ir::Program &program, const std::vector<std::size_t> &rows,
+         int x, int y, Fragments fragments = Fragments::Covered);
 
 } // namespace arbiter::tools::debug

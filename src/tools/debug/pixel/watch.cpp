@@ -39,14 +39,14 @@ std::optional<std::size_t> lastRow(const Program &program, std::string_view text
   return last;
 }
 
-/// The text up to an instruction, and behind it one that reads the register.
-std::string cutText(const Program &program, std::string_view text, std::size_t row,
-                    const std::string &reg) {
-  const std::size_t end = program.code[row].span.end;
-  std::string cut(text.substr(0, end));
-  if (cut.back() != ';')
-    cut += ';';
-  return cut + "\nMOV result.color, " + reg + ";\nEND\n";
+/// The text with an instruction more behind \p row, which reads the register.
+std::string longerText(const Program &program, std::string_view text, std::size_t row,
+                       const std::string &reg) {
+  std::size_t end = program.code[row].span.end;
+  if (text[end - 1] != ';')
+    end = std::min(text.find(';', end), text.size() - 1) + 1;
+  return std::string(text.substr(0, end)) + "\nTEMP watchedByArbiter;\nMOV watchedByArbiter, " +
+         reg + ";\n" + std::string(text.substr(end));
 }
 
 /// The last row up to \p row whose destination stands in the text as that name.
@@ -79,24 +79,22 @@ Result<Watch, DebugError> parseWatch(std::string_view text) {
 }
 
 Result<Program, DebugError> watchProgram(const Program &program, std::string_view text,
-                                         const Watch &watch) {
+                                         const Watch &watch, Fragments fragments) {
   const std::string option = "--watch " + watch.reg + "@" + std::to_string(watch.line) + ": ";
   const auto row = lastRow(program, text, watch.line);
   if (!row)
     return DebugError{option + "no instruction stands at or before line " +
                       std::to_string(watch.line)};
   if (const auto at = writes(program, text, *row, watch.reg))
-    return cutProgram(program, {{Probe::Kind::Value, *at}});
-  const std::string cut = cutText(program, text, *row, watch.reg);
+    return cutProgram(program, {{Probe::Kind::Value, *at}}, fragments);
   const fp::hw::Profile *const widest = fp::hw::findBuiltin("host");
-  const fp::CheckResult checked = fp::checkProgram(
-      program.language, cut, {limitsOf(*widest, program.language), fp::LimitPolicy::Report});
-  if (!checked.ok())
-    return DebugError{option + checked.diagnostics.front().message +
-                      (checked.diagnostics.front().hint.empty()
-                           ? std::string()
-                           : " (" + checked.diagnostics.front().hint + ")")};
-  return cutProgram(*checked.program, {{Probe::Kind::Value, checked.program->code.size() - 1}});
+  const fp::CheckResult checked =
+      fp::checkProgram(program.language, longerText(program, text, *row, watch.reg),
+                       {limitsOf(*widest, program.language), fp::LimitPolicy::Report});
+  if (checked.ok())
+    return cutProgram(*checked.program, {{Probe::Kind::Value, *row + 1}}, fragments);
+  const fp::Diagnostic &first = checked.diagnostics.front();
+  return DebugError{option + first.message + (first.hint.empty() ? "" : " (" + first.hint + ")")};
 }
 
 std::vector<std::uint8_t> picturedValues(const std::vector<fp::ir::Vec4> &values, float low,

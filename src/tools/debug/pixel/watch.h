@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "fp_compiler/ir/ir.h"
+#include "tools/debug/pixel/cut.h"
 #include "tools/debug/trace/condition.h"
 
 namespace arbiter::tools::debug {
@@ -19,7 +20,8 @@ struct Watch {
 /// \param text the fragment program's, which \p program was made of
 /// Errors: no instruction up to that line, no such register there.
 [[nodiscard]] Result<fp::ir::Program, DebugError>
-watchProgram(const fp::ir::Program &program, std::string_view text, const Watch &watch);
+watchProgram(const fp::ir::Program &program, std::string_view text, const Watch &watch,
+             Fragments fragments = Fragments::Covered);
 
 /// Values as 8-bit RGBA, opaque: low becomes 0 and high 255. NaN is magenta; what nothing covers is
 /// transparent black.
