@@ -70,14 +70,15 @@ class Debug(Temporary):
         for seed, wrong in ((1, 7), (2, 31), (3, 58)):
             right = self.path('right.fp', sixty(seed))
             mistaken = self.path('wrong.fp', sixty(seed, wrong))
-            trace = self.trace(mistaken, '--against', right, status=5)
+            host = ('--profile', 'host')  # the r300 has 32 parameters
+            trace = self.trace(mistaken, *host, '--against', right, status=5)
             self.assertEqual(len(trace['rows']), 60)
             first = trace['against']['first']
             self.assertEqual(first['line'], wrong + 5, trace['summary'])
             self.assertIn('operand', first['cause'])
-            text = self.debug(mistaken, '--against', right, status=5)
+            text = self.debug(mistaken, *host, '--against', right, status=5)
             self.assertIn(f'first at line {wrong + 5}: ', text)
-            self.assertIn('equal', self.debug(right, '--against', right))
+            self.assertIn('equal', self.debug(right, *host, '--against', right))
 
     def test_verdicts_of_everyone_who_draws(self):
         document = self.path('simple.fp', SIMPLE)
