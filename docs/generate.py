@@ -173,11 +173,61 @@ def flags():
 
 def diagnostics():
     source = 'src/fp_compiler/front/diagnostic_ids.def'
-    out = ['# Diagnostics\n', GENERATED.format(source=source),
+    panel = 'src/scene/diagnostic_ids.def'
+    out = ['# Diagnostics\n', GENERATED.format(source=f'{source}` and `{panel}'),
            'An ID stands in brackets at the end of a diagnostic\'s line and in the JSON of '
            '`arbiter check`. It keeps its meaning for ever.\n', '| ID | meaning |', '|---|---|']
     for _, identifier, meaning in rows_of(ROOT / source, 'FP_DIAGNOSTIC'):
         out.append(f'| `{identifier}` | {meaning} |')
+    for identifier, meaning in rows_of(ROOT / panel, 'PANEL_DIAGNOSTIC'):
+        out.append(f'| `{identifier}` | {meaning} |')
+    return '\n'.join(out) + '\n'
+
+
+PANEL_TABLES = (
+    ('PANEL_GENERATOR', 'Images', 'What a texture image unit can have: `texture 0 = WORD [WIDTH [HEIGHT]] [ARGUMENT '
+     'NUMBER]...`.'),
+    ('PANEL_FILTER', 'Filters', ''),
+    ('PANEL_WRAP', 'Wraps', ''),
+    ('PANEL_SHAPE', 'Shapes', 'What `mesh` draws.'),
+    ('PANEL_COORDINATE', 'Texture coordinates', 'What `texcoord N =` gives the programs.'),
+    ('PANEL_CAMERA', 'Cameras', ''),
+    ('PANEL_VALUE', 'Values', 'What `local`, `env` and `attrib` can have beside numbers.'),
+    ('PANEL_ANIMATION', 'Animations', 'Behind a value: `animate WORD [PERIOD]`, in seconds; 1 without. At time 0 the '
+     'value is the one that the text has.'),
+    ('PANEL_BLEND', 'Blending', ''),
+    ('PANEL_DEPTH', 'Depth tests', ''),
+    ('PANEL_CULL', 'Faces left out', ''),
+    ('PANEL_STENCIL', 'Stencil', ''),
+)
+
+
+def panel_argument(row):
+    """`cells` 8 (1 to 4096)"""
+    name, default, least, most = [part.strip() for part in row[len('ARGUMENT('):-1].split(',')]
+    return f'`{plain(name)}` {default} ({least} to {most})'
+
+
+def panel_words():
+    source = 'src/scene/words.def'
+    out = ['# Words of `#@` lines\n', GENERATED.format(source=source),
+           'docs/builder.md says how a line is written. An argument is its name and a number; in '
+           'the tables stand its default and its range.\n',
+           '## Settings\n', '| word | what follows | meaning |', '|---|---|---|']
+    for _, word, form, meaning in rows_of(ROOT / source, 'PANEL_SETTING'):
+        form = form.replace('|', '\\|')
+        out.append(f'| `{word}` | {"`" + form + "`" if form else ""} | {meaning} |')
+    for macro, title, text in PANEL_TABLES:
+        rows = rows_of(ROOT / source, macro)
+        arguments = any(len(row) > 3 for row in rows)
+        out += ['', f'## {title}\n'] + ([text + '\n'] if text else [])
+        out += ['| word | meaning | arguments |', '|---|---|---|'] if arguments else \
+            ['| word | meaning |', '|---|---|']
+        for _, word, meaning, *rest in rows:
+            cells = [f'`{word}`' if word else '', meaning]
+            if arguments:
+                cells.append(', '.join(panel_argument(row) for row in rest))
+            out.append('| ' + ' | '.join(cells) + ' |')
     return '\n'.join(out) + '\n'
 
 
@@ -228,6 +278,7 @@ PAGES = {
     'flags.md': flags,
     'profiles.md': profiles,
     'diagnostics.md': diagnostics,
+    'panel_words.md': panel_words,
     'man/arbiter.7': manual7,
 }
 

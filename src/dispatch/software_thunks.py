@@ -11,6 +11,10 @@ ATTRIBUTE = re.compile(r"(Vertex|Color|SecondaryColor|Normal|TexCoord|MultiTexCo
                        r"VertexAttrib)([1234]?)(N?)(b|s|i|f|d|ub|us|ui)(v?)")
 
 
+# Legal between Begin and End (OpenGL 2.1, 2.6.3), without being an attribute of a vertex.
+SPLITS = re.compile(r"Material[fi]v?")
+
+
 def leads(table):
     return sorted(lead for lead, way in table.software.items() if way != "harmless")
 
@@ -71,6 +75,8 @@ def thunk(table, command, way):
         condition, statement = recorded(command)
         condition = "" if condition == "true" else f" && {condition}"
         lines += f"  if (hot->recorder{condition})\n    return {statement};\n"
+    if SPLITS.fullmatch(command.name):
+        lines += "  const software::PrimitiveSplit split(*hot);\n"
     bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
     if bits:
         lines += f"  hot->dirty |= {bits};\n"
@@ -92,6 +98,7 @@ def source(table):
 #include "host/lazy_functions.h"
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
+#include "state/raster_draw/immediate/split.h"
 #include "state/mirror/dirty_bits.h"
 
 #define ARBITER_ENTRY extern "C" __attribute__((visibility("default")))

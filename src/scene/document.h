@@ -74,6 +74,11 @@ using ReadText = std::function<Result<std::string, DocumentError>(const std::str
 /// \param path where the text would be; "<stdin>" or a name: files beside it are looked for there
 [[nodiscard]] Document assemble(const std::string &path, std::string text, const ReadText &read);
 
+/// What is wrong with a text's panel, in text order, also in the light of the files beside it. No
+/// file is read for a text without a panel, nor for a path that is empty.
+[[nodiscard]] std::vector<fp::Diagnostic> checkPanel(const std::string &path,
+                                                     const std::string &text);
+
 /// The bytes of a file, at most 64 MiB.
 [[nodiscard]] Result<std::string, DocumentError> readText(const std::string &path);
 

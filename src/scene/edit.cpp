@@ -40,7 +40,7 @@ Edit addLine(std::string_view text, std::string_view words) {
   return {{at, at}, ending + "#@ " + std::string(words)};
 }
 
-std::string apply(std::string_view text, const Edit &edit) {
+std::string applied(std::string_view text, const Edit &edit) {
   assert(edit.span.begin <= edit.span.end && edit.span.end <= text.size());
   std::string result(text.substr(0, edit.span.begin));
   result += edit.text;
@@ -49,7 +49,7 @@ std::string apply(std::string_view text, const Edit &edit) {
 }
 
 std::string withNumber(std::string_view text, const Number &number, double value) {
-  return apply(text, setNumber(number, value));
+  return applied(text, setNumber(number, value));
 }
 
 } // namespace arbiter::scene

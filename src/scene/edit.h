@@ -26,8 +26,8 @@ struct Edit {
 [[nodiscard]] Edit addLine(std::string_view text, std::string_view words);
 
 /// Requires: the span lies in the text.
-[[nodiscard]] std::string apply(std::string_view text, const Edit &edit);
-/// apply(setNumber()).
+[[nodiscard]] std::string applied(std::string_view text, const Edit &edit);
+/// applied(setNumber()).
 [[nodiscard]] std::string withNumber(std::string_view text, const Number &number, double value);
 
 } // namespace arbiter::scene

@@ -1,5 +1,6 @@
 #include "scene/edit.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace arbiter::scene {
@@ -21,8 +22,9 @@ TEST(Edit, WhatIsWrittenReadsBackTheSame) {
     const std::string changed = withNumber(text, parsePanel(text).parameters[0].values[2], value);
     const Panel panel = parsePanel(changed);
     ASSERT_TRUE(panel.diagnostics.empty() || std::abs(value) > 1e30) << changed;
-    if (panel.ok())
+    if (panel.ok()) {
       EXPECT_EQ(float(panel.parameters[0].values[2].value), float(value)) << changed;
+    }
   }
   const std::string slower =
       withNumber(text, parsePanel(text).parameters[0].animation->period, 2.5);
@@ -33,15 +35,15 @@ TEST(Edit, ArgumentsWordsAndLinesAreAdded) {
   const std::string text = "!!ARBfp1.0\r\n#@ texture 0 = twirl turn 2, linear\r\nEND\r\n";
   const TextureSpec texture = parsePanel(text).textures.at(0);
   ASSERT_FALSE(texture.source.arguments.numbers[0].written());
-  EXPECT_EQ(apply(text, addArgument(texture.source.generator.span, "radius", 0.5)),
+  EXPECT_EQ(applied(text, addArgument(texture.source.generator.span, "radius", 0.5)),
             "!!ARBfp1.0\r\n#@ texture 0 = twirl radius 0.5 turn 2, linear\r\nEND\r\n");
-  EXPECT_EQ(apply(text, setWord(texture.filter.span, "nearest")),
+  EXPECT_EQ(applied(text, setWord(texture.filter.span, "nearest")),
             "!!ARBfp1.0\r\n#@ texture 0 = twirl turn 2, nearest\r\nEND\r\n");
-  EXPECT_EQ(apply(text, addLine(text, "size 8 8")),
+  EXPECT_EQ(applied(text, addLine(text, "size 8 8")),
             "!!ARBfp1.0\r\n#@ texture 0 = twirl turn 2, linear\r\n#@ size 8 8\r\nEND\r\n");
-  EXPECT_EQ(apply("!!ARBfp1.0\nEND", addLine("!!ARBfp1.0\nEND", "keep")),
+  EXPECT_EQ(applied("!!ARBfp1.0\nEND", addLine("!!ARBfp1.0\nEND", "keep")),
             "!!ARBfp1.0\n#@ keep\nEND");
-  EXPECT_EQ(apply("!!ARBfp1.0", addLine("!!ARBfp1.0", "keep")), "!!ARBfp1.0\n#@ keep");
+  EXPECT_EQ(applied("!!ARBfp1.0", addLine("!!ARBfp1.0", "keep")), "!!ARBfp1.0\n#@ keep");
 }
 
 } // namespace

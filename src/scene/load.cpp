@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -61,6 +62,15 @@ Result<Document, DocumentError> loadDocument(const std::string &path) {
   if (!text)
     return text.error();
   return assemble(name, std::move(text).value(), readText);
+}
+
+std::vector<fp::Diagnostic> checkPanel(const std::string &path, const std::string &text) {
+  Panel panel = parsePanel(text);
+  if (panel.written && !path.empty())
+    panel = assemble(path, text, readText).panel();
+  std::stable_sort(panel.diagnostics.begin(), panel.diagnostics.end(),
+                   [](const auto &a, const auto &b) { return a.span.begin < b.span.begin; });
+  return std::move(panel.diagnostics);
 }
 
 } // namespace arbiter::scene

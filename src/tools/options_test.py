@@ -76,6 +76,7 @@ VALUES = {
     ('draw', '--env'): ['0=1'],
     ('draw', '--attrib'): ['3=1,0,0,1'],
     ('draw', '--frames'): ['3'],
+    ('draw', '--frame'): ['2'],
     ('draw', '--feedback'): ['0'],
     ('debug', '--pixel'): ['1,1'],
     ('debug', '--break'): ['nan'],

@@ -74,6 +74,11 @@ ALLOWED = {
     "state/handlers": STATE,
     MIRROR: {CORE},
     RESIDENCY: {CORE, SHARE, MIRROR},
+    # Words and panels come first; textures and meshes are made of them; the document has all.
+    "scene": set(),
+    "scene/panel": set(),
+    "scene/texture": {"scene/panel"},
+    "scene/mesh": {"scene/panel", "scene/texture"},
     "util": set(),
     "util/cache": set(),
     "util/record": set(),

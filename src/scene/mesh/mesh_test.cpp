@@ -42,12 +42,14 @@ TEST_P(Shapes, TangentsPointWhereSGrows) {
     const glm::vec3 p = b.position - a.position, q = c.position - a.position;
     const glm::vec2 u = b.st - a.st, v = c.st - a.st;
     const glm::vec3 towards = (p * v.y - q * u.y) * (u.x * v.y - v.x * u.y);
-    if (glm::length(towards) > 1e-9f)
+    if (glm::length(towards) > 1e-9f) {
       ASSERT_GT(glm::dot(glm::normalize(towards), glm::vec3(a.tangent)), 0.8f)
           << "triangle " << i / 3;
+    }
     const glm::vec3 up = (q * u.x - p * v.x) * (u.x * v.y - v.x * u.y);
-    if (glm::length(up) > 1e-9f)
+    if (glm::length(up) > 1e-9f) {
       ASSERT_GT(glm::dot(glm::normalize(up), a.binormal()), 0.7f) << "triangle " << i / 3;
+    }
   }
 }
 

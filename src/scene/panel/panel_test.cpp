@@ -188,8 +188,9 @@ TEST(Panel, HostileTextEndsSoon) {
 TEST(Words, AreUniqueAndTheirDefaultsInRange) {
   const auto check = [](std::span<const WordRow> rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (!rows[i].word.empty())
+      if (!rows[i].word.empty()) {
         EXPECT_EQ(findWord(rows, rows[i].word), i) << rows[i].word << " stands in its table twice";
+      }
       for (const ArgumentRow &argument : rows[i].arguments()) {
         EXPECT_LE(argument.low, argument.fallback) << argument.word;
         EXPECT_LE(argument.fallback, argument.high) << argument.word;

@@ -25,8 +25,9 @@ TEST(Texture, EveryGeneratorMakesItsSizeAndTheSameTwice) {
     EXPECT_EQ(image.width, 20) << words;
     EXPECT_EQ(image.height, 12) << words;
     EXPECT_EQ(image.texels, imageOf(std::string(words) + " 20 12").texels) << words;
-    if (std::string(words) != "constant")
+    if (std::string(words) != "constant") {
       EXPECT_THAT(image.texels, testing::Contains(testing::Ne(image.texels[0]))) << words;
+    }
   }
 }
 

@@ -8,7 +8,7 @@ namespace arbiter::state::software {
 void BackOff::enter(Phase phase) {
   m_phase = phase;
   m_frames = 0;
-  m_moving = 0;
+  m_moving = m_plain = 0;
 }
 
 /// Both ways have been tried: m_times holds the host's frames.
@@ -18,10 +18,15 @@ void BackOff::decide() {
   ++m_statistics.trials;
   m_statistics.lastSoftwareMilliseconds = double(m_softwareTime);
   m_statistics.lastHostMilliseconds = double(host);
-  enter(host < m_softwareTime ? Phase::Host : Phase::Software);
+  const bool isHost = host < m_softwareTime * kFaster;
+  // The host is looked at again after as many frames each time: what it draws may be what changed.
+  m_keep = !isHost && host > m_softwareTime * kClearlySlower && m_keep >= kKeepFrames
+               ? std::min(4 * m_keep, kMostKeepFrames)
+               : kKeepFrames;
+  enter(isHost ? Phase::Host : Phase::Software);
 }
 
-void BackOff::frameEnded(bool moved, std::chrono::steady_clock::time_point now) {
+void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now) {
   if (m_forced)
     return;
   const float time =
@@ -33,10 +38,10 @@ void BackOff::frameEnded(bool moved, std::chrono::steady_clock::time_point now) 
     ++m_statistics.framesBackedOff;
   switch (m_phase) {
   case Phase::Software:
-    m_moving = moved ? m_moving + 1 : 0;
+    m_moving = frame.moved ? m_moving + 1 : 0;
+    m_plain = frame.plain ? m_plain + 1 : 0;
     // After a trial that was won the next one waits, too.
-    if (++m_frames > (m_statistics.trials == 0 ? kMovingFrames : kKeepFrames) &&
-        m_moving >= kMovingFrames)
+    if (++m_frames > m_keep && std::max(m_moving, m_plain) >= kDoubtFrames)
       enter(Phase::TrySoftware);
     break;
   case Phase::TrySoftware:

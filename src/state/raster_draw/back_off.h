@@ -5,15 +5,19 @@
 namespace arbiter::state::software {
 
 /// Decides by measurement whether the rasterizer or the host draws. It only doubts where pixels are
-/// moved between the two in every frame: then some frames are drawn the one way and some the other,
-/// and the faster way is kept until it is looked at again.
+/// moved between the two in every frame, and where the rasterizer draws whole frames without a
+/// program, for which the host's machine code may be the better: then some frames are drawn the one
+/// way and some the other, and the faster way is kept until it is looked at again.
 class BackOff {
 public:
+  struct Frame {
+    bool moved =
+        false; ///< images went up to the host or came down in it, beyond what showing it takes
+    bool plain = false; ///< all of it was fixed function, and drawn by the rasterizer
+  };
   /// False: draws are the host's for now.
   [[nodiscard]] bool engaged() const { return m_phase != Phase::TryHost && m_phase != Phase::Host; }
-  /// At the end of a frame. \param moved images went up to the host or came down in it, beyond what
-  /// showing the frame takes
-  void frameEnded(bool moved, std::chrono::steady_clock::time_point now);
+  void frameEnded(Frame frame, std::chrono::steady_clock::time_point now);
   /// Off for good, or never in doubt (ARBITER_BACKEND=swrast).
   void setForced(bool forced) { m_forced = forced; }
 
@@ -27,8 +31,12 @@ public:
 
 private:
   static constexpr int kTrialFrames = 7;   ///< each way
-  static constexpr int kMovingFrames = 8;  ///< in a row, before there is a doubt
+  static constexpr int kDoubtFrames = 8;   ///< in a row, before there is a doubt
   static constexpr int kKeepFrames = 1000; ///< until the next trial
+  /// The same after trials that the rasterizer won clearly, four times as long after each.
+  static constexpr int kMostKeepFrames = 64'000;
+  /// The host is faster by more than what frames differ by chance.
+  static constexpr float kFaster = 0.96f, kClearlySlower = 1.25f;
   enum class Phase : std::uint8_t { Software, TrySoftware, TryHost, Host };
 
   void enter(Phase phase);
@@ -36,8 +44,10 @@ private:
 
   Phase m_phase = Phase::Software;
   bool m_forced = false;
-  int m_frames = 0; ///< in this phase
-  int m_moving = 0; ///< frames in a row that moved images
+  int m_frames = 0;          ///< in this phase
+  int m_keep = kDoubtFrames; ///< frames until a doubt is followed by a trial
+  int m_moving = 0;          ///< frames in a row that moved images
+  int m_plain = 0;           ///< and that were plain
   bool m_hasBefore = false;
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};

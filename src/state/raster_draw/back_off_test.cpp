@@ -11,13 +11,14 @@ using Clock = std::chrono::steady_clock;
 class Frames {
 public:
   explicit Frames(BackOff &backOff) : m_backOff(backOff) {}
-  void run(int count, bool moved, int softwareMilliseconds, int hostMilliseconds) {
+  void run(int count, bool moved, int softwareMilliseconds, int hostMilliseconds,
+           bool plain = false) {
     for (int i = 0; i < count; ++i) {
       const bool software = m_backOff.engaged();
       m_onHost += !software;
       m_now += std::chrono::milliseconds(software ? softwareMilliseconds : hostMilliseconds);
       // The host moves nothing while it draws.
-      m_backOff.frameEnded(moved && software, m_now);
+      m_backOff.frameEnded({moved && software, plain && software}, m_now);
     }
   }
   [[nodiscard]] int onHost() const { return m_onHost; }
@@ -75,6 +76,31 @@ TEST(BackOff, OneFrameThatMovesIsNoDoubt) {
     frames.run(1, false, 10, 1);
   }
   EXPECT_EQ(frames.onHost(), 0);
+}
+
+TEST(BackOff, PlainFramesAreTriedThoughTheyMoveNothing) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(500, false, 10, 7, true);
+  EXPECT_FALSE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 1u);
+}
+
+TEST(BackOff, PlainFramesThatAreEquallyFastAreTheRasterizers) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(500, false, 16, 16, true);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 1u);
+}
+
+TEST(BackOff, TrialsThatTheRasterizerWinsClearlyBecomeRare) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(1'000'000, false, 4, 10, true);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_LT(backOff.statistics().trials, 25u);
+  EXPECT_GT(backOff.statistics().trials, 10u);
 }
 
 TEST(BackOff, ForcedItIsNeverInDoubt) {

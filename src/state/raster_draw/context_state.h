@@ -53,6 +53,7 @@ struct ContextState {
   int unjudgedFrames = 0;    ///< in a row
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
+  bool drawsPlain = true;    ///< fixed function alone: never a program
   /// Before a draw of the host's that says that the frame is a mixed one.
   void hostDraws(const char *why) {
     ++hostTurns;
@@ -63,10 +64,13 @@ struct ContextState {
     ++hostTurns;
     residency.hostDoesAnything("glCallList");
   }
-  /// Of a draw that the host does whatever there is: whether it may go without a judgement. An
-  /// application that makes programs in each frame would never be judged.
-  [[nodiscard]] bool mayGoUnjudged() const { return unjudgedFrames < kMostUnjudged; }
-  static constexpr int kMostUnjudged = 2;
+  /// Of a draw that the host can do as well: whether it may go without a judgement, so that nothing
+  /// waits for machine code. An application that makes programs in each frame would never be
+  /// judged.
+  [[nodiscard]] bool mayGoUnjudged(bool isPlain = false) const {
+    return unjudgedFrames < (isPlain ? kMostUnjudgedPlain : kMostUnjudged);
+  }
+  static constexpr int kMostUnjudged = 2, kMostUnjudgedPlain = 20;
   /// Whether the rasterizer may test depth or stencil now.
   [[nodiscard]] bool mayTestDepth() const {
     return forced || (wholeFrames && !hostDrew && hostTurns == 0);

@@ -83,6 +83,7 @@ void noteDrawn(Context &context) {
   ContextState &state = *context.software;
   ++state.drawn;
   state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
+  state.drawsPlain = state.drawsPlain && !context.linkedProgram;
   ++context.draws[std::size_t(Path::Rasterizer)];
 }
 

@@ -22,6 +22,7 @@ std::uint64_t workOf(const ContextState &state) {
 
 void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
+  const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
   // A frame in which nothing was drawn says nothing about the next one.
   if (workOf(state) != state.workSeen) {
     // Nor does one that the host drew before anything could be said of it.
@@ -33,7 +34,7 @@ void judge(Context &context, bool moved) {
     state.workSeen = workOf(state);
   }
   state.hostDrew = state.depthsTested = false;
-  state.backOff.frameEnded(moved, std::chrono::steady_clock::now());
+  state.backOff.frameEnded({moved, plain}, std::chrono::steady_clock::now());
 }
 
 void endFrame(Context &context) {

@@ -150,9 +150,10 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
   const ContextState &state = *context.software;
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
   const bool isMixed = !state.mayTestDepth() && (depth.depthTest != 0 || depth.stencilTest != 0);
-  m_wait = state.forced                       ? Wait::UntilDone
-           : isMixed && state.mayGoUnjudged() ? Wait::Not
-                                              : Wait::Briefly;
+  const bool isPlain = state.drawsPlain && !context.linkedProgram;
+  m_wait = state.forced                                           ? Wait::UntilDone
+           : (isMixed || isPlain) && state.mayGoUnjudged(isPlain) ? Wait::Not
+                                                                  : Wait::Briefly;
   if (context.numerics == fp::Numerics::Fp24)
     return Fallback::NotCompiled;
   if (m_wait == Wait::Not && awaitsEngine())

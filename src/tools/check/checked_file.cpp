@@ -1,7 +1,9 @@
 #include "tools/check/checked_file.h"
 
+#include <algorithm>
 #include <cassert>
 
+#include "scene/document.h"
 #include "tools/input.h"
 #include "tools/language.h"
 
@@ -21,6 +23,26 @@ const char *name(FileStatus status) {
   return "";
 }
 
+namespace {
+
+/// The lines of a text's panel are checked with it: they are comments to GL, and what `draw` draws.
+void addPanel(const std::string &path, CheckedFile &file) {
+  auto &all = file.result.diagnostics;
+  const auto panel = scene::checkPanel(path == "-" ? std::string() : path, file.text);
+  if (panel.empty())
+    return;
+  all.insert(all.end(), panel.begin(), panel.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto &a, const auto &b) { return a.span.begin < b.span.begin; });
+  const auto isError = [](const fp::Diagnostic &each) {
+    return each.severity == fp::Severity::Error;
+  };
+  if (std::any_of(panel.begin(), panel.end(), isError))
+    file.status = FileStatus::Invalid;
+}
+
+} // namespace
+
 CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
                       const fp::hw::Profile &profile) {
   CheckedFile file;
@@ -39,6 +61,7 @@ CheckedFile checkFile(const std::string &path, const std::string &language, fp::
     file.status = FileStatus::Invalid;
   else if (!file.result.underNativeLimits)
     file.status = FileStatus::OverNative;
+  addPanel(path, file);
   return file;
 }
 

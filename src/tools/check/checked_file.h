@@ -40,7 +40,8 @@ private:
   mutable std::optional<fp::hw::NativeReport> m_native;
 };
 
-/// Reads and checks one file; "-" is standard input.
+/// Reads and checks one file; "-" is standard input. An error of its panel (the lines that begin
+/// with #@) is one of the file.
 /// \param language "auto", or a name of languageRows()
 [[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
                                     fp::LimitPolicy policy, const fp::hw::Profile &profile);

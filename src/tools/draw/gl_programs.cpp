@@ -46,7 +46,8 @@ std::optional<RenderError> parametersBeyond(const scene::ProgramFile &file, std:
     const Limit limit = limitOf(parameter.space, target);
     const std::string name = std::string(limit.option) + " " + std::to_string(parameter.first);
     if (int(parameter.first + parameter.count) > limit.count)
-      return fault(parameter, name + ": there are " + std::to_string(limit.count) + " " + limit.what);
+      return fault(parameter,
+                   name + ": there are " + std::to_string(limit.count) + " " + limit.what);
     if (attrib && parameter.first == 0)
       return fault(parameter, "attribute 0 is the position, which the mesh gives");
   }

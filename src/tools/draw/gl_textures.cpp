@@ -76,9 +76,8 @@ std::optional<RenderError> Textures::load(const scene::Document &document, const
     if (std::find(loaded.begin(), loaded.end(), pass.panel) != loaded.end())
       continue;
     loaded.push_back(pass.panel);
-    const auto samples = pass.fragment < 0
-                             ? std::vector<Sampled>{}
-                             : samplesOf(document.files[std::size_t(pass.fragment)]);
+    const auto samples = pass.fragment < 0 ? std::vector<Sampled>{}
+                                           : samplesOf(document.files[std::size_t(pass.fragment)]);
     for (const scene::TextureSpec &spec : document.panelOf(pass).textures) {
       if (spec.unit >= unsigned(units))
         return fault(pass.panel, spec.unitSpan,
@@ -108,12 +107,13 @@ std::optional<RenderError> Textures::loadUnit(const scene::Document &document,
   unit.target = glTarget(sampled);
   unit.compares = spec.compare || fp::ir::isShadow(sampled);
   unit.feedback = spec.source.generator.value == Generator::Feedback;
-  unit.enabled = pass.fragment < 0 || document.files[std::size_t(pass.fragment)].language ==
-                                          Language::AtiFragment;
+  unit.enabled = pass.fragment < 0 ||
+                 document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
   if (unit.target == GL_TEXTURE_3D || cube != (unit.target == GL_TEXTURE_CUBE_MAP))
     return fault(pass.panel, spec.source.generator.span,
                  "the program samples texture[" + std::to_string(spec.unit) + "] as " +
-                     fp::ir::targetText(sampled) + ", and this is a " + (cube ? "cube map" : "2D image"));
+                     fp::ir::targetText(sampled) + ", and this is a " +
+                     (cube ? "cube map" : "2D image"));
   if (isRendered(spec.source.generator.value)) {
     unit.owned = false;
     const bool depth = spec.source.generator.value == Generator::DepthOf;
@@ -127,8 +127,8 @@ std::optional<RenderError> Textures::loadUnit(const scene::Document &document,
 }
 
 std::optional<RenderError> Textures::upload(const scene::Document &document, Unit &unit) {
-  const auto images = scene::generate(unit.spec->source, document.folder, document.width(),
-                                      document.height());
+  const auto images =
+      scene::generate(unit.spec->source, document.folder, document.width(), document.height());
   if (!images)
     return fault(unit.panel, images.error().span, images.error().message);
   const Image &first = images.value().front();

@@ -188,8 +188,9 @@ std::string applyFeedback(const DrawArguments &arguments, Drawing &drawing) {
   feedback.generator.value = scene::Generator::Feedback;
   if (begins)
     feedback.of = {texture.source};
-  if (begins && (texture.source.width.value != panel.width.value ||
-                 texture.source.height.value != panel.height.value) &&
+  if (begins &&
+      (texture.source.width.value != panel.width.value ||
+       texture.source.height.value != panel.height.value) &&
       texture.source.generator.value == scene::Generator::Checker)
     return option + ": the texture must have the size of the picture, " +
            std::to_string(drawing.document.width()) + "x" +

@@ -131,8 +131,7 @@ std::vector<Sampled> samplesOf(const scene::ProgramFile &file) {
 
 std::string faultOfUses(const Drawing &drawing) {
   std::vector<Uses> all;
-  if (drawing.given.empty() ||
-      !findUses(drawing.document, drawing.document.passes.front(), all))
+  if (drawing.given.empty() || !findUses(drawing.document, drawing.document.passes.front(), all))
     return {};
   for (const GivenOption &given : drawing.given)
     if (std::string fault = faultOf(given, all); !fault.empty())
@@ -151,8 +150,8 @@ std::vector<std::string> unfedSamples(const scene::Document &document) {
       for (const Sampled &sampled : uses.samples) {
         const auto feeds = [&](const auto &each) { return each.unit == sampled.unit; };
         if (std::none_of(textures.begin(), textures.end(), feeds))
-          lines.push_back(uses.program->name + ": texture[" + std::to_string(sampled.unit) +
-                          "] (" + fp::ir::targetText(sampled.target) +
+          lines.push_back(uses.program->name + ": texture[" + std::to_string(sampled.unit) + "] (" +
+                          fp::ir::targetText(sampled.target) +
                           ") has no image, so its samples are black");
       }
   }

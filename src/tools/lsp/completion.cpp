@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/panel/complete.h"
 #include "tools/language.h"
 
 namespace arbiter::tools::lsp {
@@ -12,8 +13,10 @@ using fp::reference::Entry;
 using fp::reference::Index;
 
 Json Completion::run() {
-  if (m_reading.inComment(m_replaced.begin))
+  if (m_reading.inComment(m_replaced.begin)) {
+    addPanelWords();
     return m_items;
+  }
   const std::string header = languageRow(m_language).header;
   if (!m_view.document.text().starts_with(header) &&
       m_view.document.map().lineOf(m_replaced.begin) == 0)
@@ -27,6 +30,16 @@ Json Completion::run() {
   else
     inStatement();
   return m_items;
+}
+
+/// A comment that begins with #@ is a line of the panel.
+void Completion::addPanelWords() {
+  const auto place = scene::completePanel(m_view.document.text(), m_offset);
+  if (!place)
+    return;
+  m_replaced = place->replaced;
+  for (const scene::Candidate &candidate : place->candidates)
+    add(candidate.word, kKeyword, {}, std::string(candidate.meaning));
 }
 
 void Completion::add(std::string_view word, ItemKind kind, const std::string &detail,

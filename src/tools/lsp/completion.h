@@ -26,8 +26,8 @@ using Kinds = std::initializer_list<fp::SymbolKind>;
 class Completion {
 public:
   Completion(const View &view, std::uint32_t offset)
-      : m_view(view), m_reading(view.document, view.analysis),
-        m_language(view.analysis.language), m_replaced{offset, offset} {
+      : m_view(view), m_reading(view.document, view.analysis), m_language(view.analysis.language),
+        m_offset(offset), m_replaced{offset, offset} {
     m_next = m_reading.before(offset);
     const auto at = m_reading.at(offset);
     // A word that is being written is replaced as a whole, and does not count as standing here.
@@ -50,6 +50,7 @@ private:
            const std::string &documentation = {});
   void add(std::span<const fp::reference::Entry> entries, ItemKind kind);
   void addHeaders();
+  void addPanelWords();
 
   void behindDot();
   void addSegment(std::vector<std::string_view> path, const fp::reference::Segment &segment);
@@ -85,6 +86,7 @@ private:
   const View &m_view;
   Reading m_reading;
   fp::ir::Language m_language;
+  std::uint32_t m_offset;
   fp::Span m_replaced;    ///< what an item's text takes the place of
   std::size_t m_next = 0; ///< the number of tokens that stand before it
   Json m_items = Json::array();

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fp_compiler/resources.h"
+#include "scene/document.h"
 #include "tools/lsp/answers.h"
 
 namespace arbiter::tools::lsp {
@@ -121,12 +122,38 @@ void addNative(const View &view, Json &all) {
   }
 }
 
+int hexDigit(char digit) {
+  return digit >= '0' && digit <= '9'   ? digit - '0'
+         : digit >= 'a' && digit <= 'f' ? digit - 'a' + 10
+         : digit >= 'A' && digit <= 'F' ? digit - 'A' + 10
+                                        : -1;
+}
+
+/// The path of a file's URI (RFC 3986); empty for any other.
+std::string pathOf(std::string_view uri) {
+  constexpr std::string_view kScheme = "file://";
+  std::string path;
+  if (!uri.starts_with(kScheme) || uri.size() == kScheme.size() || uri[kScheme.size()] != '/')
+    return path;
+  uri.remove_prefix(kScheme.size());
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+    const int low = high < 0 ? -1 : hexDigit(uri[i + 2]);
+    path += low < 0 ? uri[i] : char(16 * high + low);
+    i += low < 0 ? 0 : 2;
+  }
+  return path;
+}
+
 } // namespace
 
 Json diagnostics(const View &view) {
   Json all = Json::array();
   const fp::CheckResult &check = view.analysis.inspection.check;
   for (const fp::Diagnostic &diagnostic : check.diagnostics)
+    all.push_back(ofCompiler(view, diagnostic));
+  for (const fp::Diagnostic &diagnostic :
+       scene::checkPanel(pathOf(view.document.uri()), view.document.text()))
     all.push_back(ofCompiler(view, diagnostic));
   if (check.ok() && view.analysis.language != fp::ir::Language::AtiFragment &&
       !view.analysis.native.fits)

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/ati/words.h"
+#include "scene/panel/complete.h"
 #include "tools/lsp/answers.h"
 #include "tools/lsp/native_text.h"
 #include "tools/lsp/reading.h"
@@ -203,6 +204,13 @@ private:
 } // namespace
 
 Json hover(const View &view, std::uint32_t offset) {
+  if (const auto place = scene::explainPanel(view.document.text(), offset)) {
+    const scene::Candidate &word = place->candidates.front();
+    const std::string markdown =
+        codeBlock(word.word) + "\n" + std::string(word.meaning) + " (docs/panel_words.md)";
+    return {{"contents", {{"kind", "markdown"}, {"value", markdown}}},
+            {"range", view.range(place->replaced)}};
+  }
   const auto found = Hover(view).at(offset);
   if (!found)
     return nullptr;

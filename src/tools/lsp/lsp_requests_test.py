@@ -57,6 +57,16 @@ class Hover(Session):
         self.assertEqual(self.hover(PROGRAM, '# a comment', 5), '')
 
 
+class Panels(Session):
+    def test_words_are_completed_and_explained(self):
+        found = self.complete('!!ARBfp1.0\n#@ texture 0 = noise, |')
+        self.assertIn('nearest', found)
+        self.assertNotIn('MOV', found)
+        text = '!!ARBfp1.0\n#@ cull back\nEND\n'
+        self.client.open(URI, text)
+        self.assertIn('turns away', self.hover(text, 'back'))
+
+
 class Completion(Session):
     def test_statements(self):
         found = self.complete('!!ARBfp1.0\nTEMP a;\n|')

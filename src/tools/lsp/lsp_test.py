@@ -129,6 +129,15 @@ class Diagnostics(Session):
         self.assertIn("did you mean 'MUL'?", found[0]['message'])
         self.assertIn("hint: did you mean 'colour'?", found[1]['message'])
 
+    def test_wrong_lines_of_a_panel(self):
+        found = self.client.open(URI, '!!ARBfp1.0\n#@ blend ad, size 4\n'
+                                      'MOV result.color, fragment.color;\nEND\n')
+        self.assertEqual([(each['code'], each['severity']) for each in found],
+                         [('panel-word', 2), ('panel-syntax', 1)])
+        self.assertEqual(found[0]['range'], {'start': {'line': 1, 'character': 9},
+                                             'end': {'line': 1, 'character': 11}})
+        self.assertIn("did you mean 'add'?", found[0]['message'])
+
     def test_a_second_declaration_points_at_the_first(self):
         found = self.client.open(URI, '!!ARBfp1.0\nTEMP a;\nPARAM a = {1};\nEND\n')
         self.assertEqual(found[0]['code'], 'redeclared-name')

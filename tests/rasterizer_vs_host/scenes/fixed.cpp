@@ -16,7 +16,8 @@ constexpr int kFrames = 6, kDraws = 8;
 class Scene {
 public:
   Scene(std::uint64_t seed, Screen &screen, GLXDrawable window)
-      : m_random(seed), m_screen(screen), m_window(window), m_context(screen.makeContext()) {
+      : m_random(seed), m_materials(seed), m_screen(screen), m_window(window),
+        m_context(screen.makeContext()) {
     screen.makeCurrent(window, m_context);
   }
   ~Scene() { m_screen.destroy(m_context); }
@@ -218,19 +219,42 @@ private:
       glShadeModel(GL_SMOOTH);
       return glRecti(x, y, x + wide, y + high);
     default:
-      glBegin(m_random.once(2) ? GL_QUADS : GL_POLYGON);
-      for (int i = 0; i < 4; ++i) {
-        const float s = 0.0131f + 0.967f * float(i == 1 || i == 2);
-        const float t = 0.0117f + 0.971f * float(i / 2);
-        glMultiTexCoord2f(GL_TEXTURE0, s, t);
-        glMultiTexCoord2f(GL_TEXTURE1, t, s);
-        glVertex3f(corners[i][0], corners[i][1], z);
+      const bool isQuads = m_random.once(2);
+      glBegin(isQuads ? GL_QUADS : GL_POLYGON);
+      // Legal between Begin and End: before a vertex, and where one quadrilateral is whole.
+      material();
+      quadrilateral(corners, z);
+      if (isQuads && m_materials.once(2)) {
+        material();
+        quadrilateral(corners, z - 0.25f);
       }
       glEnd();
     }
   }
 
+  void quadrilateral(const float (&corners)[4][2], float z) {
+    for (int i = 0; i < 4; ++i) {
+      const float s = 0.0131f + 0.967f * float(i == 1 || i == 2);
+      const float t = 0.0117f + 0.971f * float(i / 2);
+      glMultiTexCoord2f(GL_TEXTURE0, s, t);
+      glMultiTexCoord2f(GL_TEXTURE1, t, s);
+      glVertex3f(corners[i][0] + (z < 0 ? 3.0f : 0.0f), corners[i][1], z);
+    }
+  }
+
+  void material() {
+    if (!m_materials.once(3))
+      return;
+    const auto part = [&] { return float(m_materials.below(9)) / 8; };
+    const float color[4] = {part(), part(), part(), 1};
+    glMaterialfv(GL_FRONT_AND_BACK, m_materials.once(2) ? GL_DIFFUSE : GL_AMBIENT_AND_DIFFUSE,
+                 color);
+    if (m_materials.once(2))
+      glMateriali(GL_FRONT, GL_SHININESS, m_materials.below(16));
+  }
+
   Random m_random;
+  Random m_materials; ///< of its own: scenes of a seed stay what they were
   Screen &m_screen;
   GLXDrawable m_window;
   GLXContext m_context;

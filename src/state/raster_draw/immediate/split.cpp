@@ -1,0 +1,69 @@
+#include "state/raster_draw/immediate/split.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/memory.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/replay.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// Vertices of a primitive that shares none with the next; 0: of a mode whose primitives do.
+std::uint32_t verticesOf(GLenum mode) {
+  switch (mode) {
+  case GL_POINTS:
+    return 1;
+  case GL_LINES:
+    return 2;
+  case GL_TRIANGLES:
+    return 3;
+  case GL_QUADS:
+    return 4;
+  default:
+    return 0;
+  }
+}
+
+bool endsHere(const ImmediateRecorder &recorder) {
+  const std::uint32_t vertices = verticesOf(recorder.mode());
+  return recorder.count() == 0 || (vertices != 0 && recorder.count() % vertices == 0);
+}
+
+} // namespace
+
+void PrimitiveSplit::open(ContextHot &hot) {
+  auto &context = static_cast<Context &>(hot);
+  if (context.listMode != 0 || context.recorder != &context.software->recorder)
+    return;
+  const ContextState &state = *context.software;
+  if (state.openParts || state.recorder.failed() || !endsHere(state.recorder))
+    return;
+  m_hot = &hot;
+  m_mode = state.recorder.mode();
+  stopRecording(context);
+  context.insideBeginEnd = false;
+  withinMemory(context, "glMaterial", [&] {
+    if (state.recorder.count() != 0)
+      endPrimitive(context);
+    else
+      setCurrentValues(context, state.recorder.values(), state.recorder.touched());
+  });
+}
+
+void PrimitiveSplit::close() {
+  auto &context = static_cast<Context &>(*m_hot);
+  bool isRecorded = false;
+  withinMemory(context, "glMaterial",
+               [&] { isRecorded = usesRasterizer(context) && beginPrimitive(context, m_mode); });
+  if (isRecorded)
+    return startRecording(context);
+  ++*context.drawCounter;
+  context.host->Begin(m_mode);
+  context.insideBeginEnd = true;
+}
+
+} // namespace arbiter::state::software

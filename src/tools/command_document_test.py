@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""Tests of documents from outside: `arbiter draw` and `arbiter check` of texts with a panel.
+
+usage: command_document_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
+"""
+import json
+import pathlib
+import subprocess
+
+import command_session
+from command_draw_test import read_png, write_png
+from command_session import ROOT, Temporary, arbiter
+
+SHOW = '!!ARBfp1.0\n{}\nPARAM p = program.local[0];\nMOV result.color, p;\nEND\n'
+SAMPLE = '!!ARBfp1.0\n{}\nTEX result.color, fragment.texcoord[0], texture[0], 2D;\nEND\n'
+
+
+class Bare(Temporary):
+    """On the bare host; the same through the layer is Layered."""
+    words = ('--bare',)
+
+    def draw(self, document, *options):
+        self.output = self.path('out.png')
+        return arbiter('draw', *self.words, document, *options, '-o', self.output)
+
+    def pixels(self, document, *options):
+        result = self.draw(document, *options)
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
+        return read_png(self.output)
+
+    def pixel(self, document, *options):
+        return list(self.pixels(document, *options)[2][0][:4])
+
+    def test_the_panel_says_how(self):
+        document = self.path('a.fp', SHOW.format('#@ size 6 4\n#@ local[0] = 1 0.4 0.2 1'))
+        width, height, rows = self.pixels(document)
+        self.assertEqual((width, height), (6, 4))
+        self.assertEqual(list(rows[0][:4]), [255, 102, 51, 255])
+
+    def test_options_take_its_place(self):
+        document = self.path('a.fp', SHOW.format('#@ size 6 4\n#@ local[0].x = 1, local[0].w = 1'))
+        self.assertEqual(self.pixel(document, '--local', '0=0,1,0,1'), [0, 255, 0, 255])
+        width, height, _ = self.pixels(document, '--size', '3x2')
+        self.assertEqual((width, height), (3, 2))
+
+    def test_a_frame_of_an_animation(self):
+        document = self.path('a.fp', SHOW.format(
+            '#@ size 2 2, rate 10\n#@ local[0].x = 0 in 0..1 animate saw 1s, local[0].w = 1'))
+        self.assertEqual([self.pixel(document, '--frame', frame)[0] for frame in ('0', '4', '14')],
+                         [0, 102, 102])
+
+    def test_files_lie_beside_it(self):
+        write_png(self.path('blue.png'), 1, 1, [b'\0\0\xff\xff'])
+        self.path('half.vp', '!!ARBvp1.0\n#@ local[0] = 0.5 1 1 1\n'
+                             'MUL result.position, vertex.position, program.local[0];\n'
+                             'MOV result.texcoord[0], vertex.texcoord[0];\nEND\n')
+        document = self.path('a.fp', SAMPLE.format(
+            '#@ size 8 2, vertex half.vp, clear 1 0 0 1\n#@ texture 0 = blue.png, nearest'))
+        _, _, rows = self.pixels(document)
+        self.assertEqual([rows[0][4 * x:4 * x + 3] for x in range(8)],
+                         [b'\xff\0\0'] * 2 + [b'\0\0\xff'] * 4 + [b'\xff\0\0'] * 2)
+
+    def test_passes_and_targets(self):
+        self.path('b.fp', SAMPLE.format('#@ texture 0 = picture t, nearest'))
+        document = self.path('a.fp', SHOW.format(
+            '#@ size 4 4, target t 2 2, then b.fp\n#@ local[0] = 0.2 0.4 0.6 1'))
+        self.assertEqual(self.pixel(document), [51, 102, 153, 255])
+
+    def test_a_pass_that_keeps_adds(self):
+        self.path('b.fp', SHOW.format('#@ keep, blend add\n#@ local[0] = 0 0.2 0 0'))
+        document = self.path('a.fp', SHOW.format('#@ size 2 2, then b.fp\n#@ local[0] = 0.2 0.4 0.6 1'))
+        self.assertEqual(self.pixel(document), [51, 153, 153, 255])
+
+    def test_feedback_counts_frames(self):
+        text = ('!!ARBfp1.0\n#@ size 4 4\n#@ texture 0 = feedback of constant r 0.2 g 0 b 0, nearest\n'
+                'TEMP a;\nTEX a, fragment.texcoord, texture[0], 2D;\n'
+                'ADD result.color, a, {0.0392156862745, 0, 0, 1};\nEND')
+        self.assertEqual(self.pixel(self.path('a.fp', text), '--frame', '3')[0], 51 + 40)
+
+    def test_a_folder(self):
+        folder = self.path('life')
+        folder.mkdir()
+        (folder / 'life.fp').write_text(SHOW.format('#@ size 2 2\n#@ local[0] = 0 0 1 1'))
+        self.assertEqual(self.pixel(folder), [0, 0, 255, 255])
+        empty = self.path('empty')
+        empty.mkdir()
+        result = self.draw(empty)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('no document', result.stderr)
+
+    def test_what_was_drawn_as_json(self):
+        document = self.path('a.fp', SHOW.format('#@ size 5 3\n#@ local[0] = 0 0 1 1'))
+        result = subprocess.run([command_session.ARBITER, 'draw', *self.words, str(document), '--json'],
+                                cwd=self.folder.name, capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        said = json.loads(result.stdout)
+        self.assertEqual((said['width'], said['height'], said['passes'], said['picture']),
+                         (5, 3, 1, 'a.png'))
+        self.assertEqual(read_png(self.path('a.png'))[:2], (5, 3), 'the name without -o')
+
+    def test_unknown_words_warn_and_draw(self):
+        document = self.path('a.fp', SHOW.format('#@ sise 6 4, size 2 2\n#@ local[0] = 0 1 0 1'))
+        result = self.draw(document)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stderr.startswith(f"{document}:2:4: warning: 'sise' is no word"),
+                        result.stderr)
+        self.assertIn("did you mean 'size'?", result.stderr)
+        self.assertEqual(read_png(self.output)[:2], (2, 2))
+
+    def test_wrong_lines_are_told_with_their_place(self):
+        for panel, place, said in (
+                ('#@ size 2', '2:10', 'expected a height'),
+                ('#@ texture 0 = none.png', '2:16', 'none.png'),
+                ('#@ texture 0 = sky', '2:16', 'samples texture[0] as 2D, and this is a cube map'),
+                ('#@ vertex none.vp', '2:11', 'none.vp'),
+                ('#@ texture 31 = noise', '2:12', 'texture image units'),
+                ('#@ local[900] = 1', '2:4', 'local parameters'),
+                ('#@ mesh shells count 64 of sphere parts 512', '2:9', 'vertices'),
+                ('#@ texture 0 = picture q', '2:24', 'no pass draws into a target')):
+            result = self.draw(self.path('a.fp', SAMPLE.format(panel)))
+            self.assertEqual(result.returncode, 2, (panel, result.stderr))
+            first = result.stderr.splitlines()[0]
+            self.assertIn(f'a.fp:{place}: error: ', first, panel)
+            self.assertIn(said, first)
+            self.assertIn('^', result.stderr)
+            self.assertFalse(self.output.exists())
+
+    def test_a_wrong_program_of_a_pass_is_named(self):
+        self.path('b.fp', '!!ARBfp1.0\nMOV result.color, q;\nEND\n')
+        document = self.path('a.fp', SHOW.format('#@ size 2 2, then b.fp\n#@ local[0] = 1'))
+        result = self.draw(document)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r'/b\.fp:2:\d+: error: ')
+
+
+class Layered(Bare):
+    words = ()
+
+    def test_its_profile_and_numerics_hold(self):
+        long = 'TEMP a;\nMOV a, fragment.color;\n' + 'ADD a, a, a;\n' * 70 + 'MOV result.color, a;\nEND\n'
+        document = self.path('a.fp', '!!ARBfp1.0\n#@ size 2 2, profile r300\n' + long)
+        self.assertEqual(self.draw(document).returncode, 2)
+        self.assertEqual(self.draw(document, '--profile', 'host').returncode, 0)
+        document = self.path('b.fp', '!!ARBfp1.0\n#@ size 2 2, profile host\n' + long)
+        self.assertEqual(self.draw(document).returncode, 0)
+        result = arbiter('draw', '-', '-o', self.path('c.png'), text=document.read_text())
+        self.assertEqual(result.returncode, 0, 'from standard input too: ' + result.stderr)
+        document = self.path('d.fp', '!!ARBfp1.0\n#@ size 2 2, profile nowhere\n' + long)
+        result = self.draw(document)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('nowhere', result.stderr)
+
+
+class Check(Temporary):
+    def test_panels_are_checked(self):
+        document = self.path('a.fp', SHOW.format('#@ size 2 2, blend ad\n#@ local[0] = 1 2 3 4 5'))
+        result = arbiter('check', document)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn('a.fp:2:20: warning: ', result.stdout)
+        self.assertIn('a.fp:3:24: error: more numbers than components [panel-syntax]', result.stdout)
+        found = json.loads(arbiter('check', '--json', document).stdout)['files'][0]
+        self.assertEqual(found['status'], 'invalid')
+        self.assertEqual([each['id'] for each in found['diagnostics']], ['panel-word', 'panel-syntax'])
+
+    def test_files_beside_are_looked_for(self):
+        document = self.path('a.fp', SHOW.format('#@ then b.fp'))
+        self.assertEqual(arbiter('check', document).returncode, 2)
+        self.path('b.fp', SHOW.format(''))
+        self.assertEqual(arbiter('check', document).returncode, 0)
+
+    def test_the_gallery_is_right(self):
+        documents = sorted((ROOT / 'demos' / 'gallery').glob('*.?p'))
+        self.assertGreaterEqual(len(documents), 20)
+        result = arbiter('check', '--json', *documents)
+        for file in json.loads(result.stdout)['files']:
+            self.assertEqual((file['diagnostics'], file['status']), ([], 'valid'),
+                             pathlib.Path(file['file']).name)
+
+
+if __name__ == '__main__':
+    command_session.main()

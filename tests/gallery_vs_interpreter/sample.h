@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "fp_compiler/ir/evaluate.h"
+#include "scene/panel/panel.h"
+#include "scene/texture/image.h"
+
+/// Texture sampling in plain C++ (GL 2.1, 3.8): no mipmaps.
+namespace gallery {
+
+namespace ir = arbiter::fp::ir;
+
+struct Texture {
+  /// One, or six faces; of a depth texture the depth is the colour.
+  std::vector<arbiter::scene::Image> images;
+  std::vector<float> depths; ///< in place of the image's texels
+  bool nearest = false;
+  arbiter::scene::Wrap wrap = arbiter::scene::Wrap::Repeat;
+
+  [[nodiscard]] glm::vec4 texel(std::size_t face, int x, int y) const;
+};
+
+[[nodiscard]] ir::Vec4 sample(const Texture &texture, const ir::Sample &at);
+
+} // namespace gallery
