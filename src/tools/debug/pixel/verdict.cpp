@@ -114,10 +114,14 @@ private:
   const Tolerance m_tolerance;
 };
 
-/// The pixel of the picture; and the fragment's own colour where blending made that another one.
+/// The pixel of the picture; and the fragment's own colour where blending, or what came later, made
+/// that another one. Hosts round the middle between two steps either way.
 std::string drawnText(const Verdict &verdict) {
-  const std::string picture = hexColor(verdict.picture), fragment = colorText(*verdict.drawn);
-  return picture == fragment ? picture : picture + " (the fragment " + fragment + ")";
+  const std::string picture = hexColor(verdict.picture);
+  for (std::size_t c = 0; c < 4; ++c)
+    if (std::abs(int(verdict.picture[c]) - int(byteOf((*verdict.drawn)[c]))) > 1)
+      return picture + " (the fragment " + colorText(*verdict.drawn) + ")";
+  return picture;
 }
 
 /// The interpreter's side, and the drawer's fragment and picture.
