@@ -14,6 +14,7 @@ enum ExitCode : int {
   kExitInvalid = 2,    ///< the program is not valid
   kExitOverNative = 3, ///< valid, but over the modelled hardware's own limits
   kExitInternal = 4,   ///< a fault of Arbiter's or of the host's GL
+  kExitDiffers = 5,    ///< `debug`: a comparison found a difference, or --break a row
 };
 
 struct CheckArguments {
@@ -109,6 +110,31 @@ struct DrawArguments {
 };
 /// \param argv the whole command line, to be executed again under the layer
 [[nodiscard]] int draw(const DrawArguments &arguments, const std::vector<std::string> &argv);
+
+struct DebugArguments {
+  std::string document;
+  std::string pixel;              ///< "X,Y", y up from the lower left
+  bool fromTop = false;           ///< Y counts down from the upper left
+  std::string against = "swrast"; ///< or "host", "bare", "fp24", or another program's file
+  std::string watch;              ///< "REG@LINE", or empty
+  std::string range = "0,1";      ///< of --watch: what becomes black, and white
+  std::string output;             ///< of --watch
+  std::string breakOn;            ///< debug/trace/condition.h, or empty
+  int line = 0;                   ///< run to it; 0: to the end
+  int pass = 1;
+  int frame = 0;
+  std::string stage = "fragment"; ///< or "vertex"
+  bool json = false;
+  std::string profile;
+  std::string numerics; ///< empty: the document's, or host
+  std::string library;
+};
+/// Shows what a program does for one pixel.
+[[nodiscard]] int debugPixel(const DebugArguments &arguments);
+/// The verb, shown in no help, of drawForDebugger().
+inline constexpr const char *kDrawsVerb = "debug-draws";
+/// The process that draws for debugPixel(): draws/server.h on descriptor 0.
+[[nodiscard]] int drawForDebugger();
 
 struct CacheArguments {
   bool clear = false;

@@ -26,6 +26,9 @@ constexpr Row kRows[] = {
     {"compile", "--optimise", "--emit", " tokens glsl native llvm machine "},
     {"compile", "--numerics", "--emit", " tokens native "},
     {"compile", "--numerics", "--emit", " ir assembly ", "--optimise"},
+    {"debug", "--line", "--json"},
+    {"debug", "--watch", "--stage", " vertex "},
+    {"debug", "--against", "--stage", " vertex "},
 };
 
 bool isGiven(const CLI::Option *option) { return option && option->count() != 0; }

@@ -214,6 +214,68 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
                   "life.fp -o life.png");
 }
 
+void addDebugComparison(CLI::App &command, DebugArguments &debug) {
+  command
+      .add_option("--against", debug.against,
+                  "whose picture the interpreter is compared with: swrast (the rasterizer), host "
+                  "(GLSL on the host), bare (the host's own implementation); fp24 (the other "
+                  "arithmetic alone); or another program's file")
+      ->capture_default_str();
+  command.add_option("--break", debug.breakOn,
+                     "stop at the first row with nan, inf, unwritten, over1, below0, kil, differs, "
+                     "or where a value is so: 'REG.x>0.5'");
+  command.add_option("--line", debug.line, "run to this line and stop")->check(CLI::PositiveNumber);
+  CLI::Option *watch = command.add_option(
+      "--watch", debug.watch, "REG@LINE: any register after any line, over the whole picture");
+  command.add_option("--range", debug.range, "LOW,HIGH: values of --watch that become 0 and 255")
+      ->needs(watch)
+      ->capture_default_str();
+  watch->needs(
+      command.add_option("-o,--output", debug.output, "the PNG that --watch writes")->needs(watch));
+}
+
+void addDebug(CLI::App &app, DebugArguments &debug) {
+  CLI::App *command = app.add_subcommand(
+      "debug", "Show what a program does for one pixel: each instruction, its operands and result");
+  command->add_option("--pixel", debug.pixel, "X,Y: the pixel; 0,0 is the lower left one")
+      ->required();
+  command->add_flag("--from-top", debug.fromTop, "Y counts from the picture's upper edge");
+  command
+      ->add_option("--stage", debug.stage,
+                   "whose instructions: fragment; or vertex, those of "
+                   "the pixel's triangle")
+      ->check(CLI::IsMember({"fragment", "vertex"}))
+      ->capture_default_str();
+  command->add_option("--pass", debug.pass, "which of the document's passes, from 1")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  command->add_option("--frame", debug.frame, "which frame, from 0")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  addDebugComparison(*command, debug);
+  command->add_flag("--json", debug.json, "the whole trace as one JSON document");
+  command->add_option("--profile", debug.profile, kProfileHelp);
+  command
+      ->add_option("--numerics", debug.numerics,
+                   "the arithmetic to show; fp24 and host beside each other")
+      ->check(CLI::IsMember({"host", "legacy", "fp24"}));
+  command->add_option("--library", debug.library, "the layer's library, where it is not beside us");
+  command
+      ->add_option("FILE", debug.document,
+                   "a document: a program text, or a folder with one; - is standard input")
+      ->required();
+  command->footer(
+      "Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
+      "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "
+      "row.\n"
+      "Examples:\n"
+      "  arbiter debug twirl.fp --pixel 100,200\n"
+      "  arbiter debug twirl.fp --pixel 100,200 --against host\n"
+      "  arbiter debug wrong.fp --pixel 8,8 --against right.fp\n"
+      "  arbiter debug twirl.fp --pixel 8,8 --break nan\n"
+      "  arbiter debug twirl.fp --pixel 0,0 --watch offset@10 --range -1,1 -o offset.png");
+}
+
 void addRun(CLI::App &app, RunArguments &run) {
   CLI::App *command =
       app.add_subcommand("run", "Run a command, and all that it starts, under the layer:\n"
@@ -316,6 +378,7 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addCheck(app, arguments.check);
   addCompile(app, arguments.compile);
   addDraw(app, arguments.draw);
+  addDebug(app, arguments.debug);
   addRun(app, arguments.run);
   addStats(app, arguments.stats);
   addCapture(app, arguments.capture);
@@ -323,6 +386,7 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addProfiles(app, arguments.profiles);
   addCache(app, arguments.cache);
   addLsp(app, arguments.lsp);
+  app.add_subcommand(kDrawsVerb, "")->group("");
 }
 
 } // namespace arbiter::tools

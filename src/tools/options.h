@@ -11,6 +11,7 @@ struct Arguments {
   CheckArguments check;
   CompileArguments compile;
   DrawArguments draw;
+  DebugArguments debug;
   RunArguments run;
   StatsArguments stats;
   CaptureArguments capture;

@@ -78,7 +78,16 @@ VALUES = {
     ('draw', '--frames'): ['3'],
     ('draw', '--frame'): ['2'],
     ('draw', '--feedback'): ['0'],
+    ('debug', '--pixel'): ['1,1'],
+    ('debug', '--break'): ['nan'],
+    ('debug', '--line'): ['3'],
+    ('debug', '--watch'): ['fragment.color@2'],
+    ('debug', '--range'): ['0,2'],
+    ('debug', '--pass'): ['2'],
+    ('debug', '--frame'): ['1'],
+    ('debug', '--against'): ['host', 'good.fp'],
 }
+DRAWING = ('draw', 'debug')  # verbs that need the layer itself
 EFFECTS = ('check', 'compile', 'report')
 # Taken though they change nothing, and why.
 NO_EFFECT = {
@@ -94,6 +103,7 @@ OPERANDS = {
     'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
                 ['two.vp'], ['good.atifs']],
     'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],
+    'debug': [['good.fp'], ['bad.fp']],
     'run': [[], ['--', 'true'], ['--', './none']],
     'capture': [[], ['--', 'true']],
     'report': [['good.fp', 'dependent.fp', 'bad.fp', 'good.vp'], ['.'], ['none.fp']],
@@ -188,11 +198,13 @@ class Runner:
         words = [at.get(word, word.replace('@log', './log')) for option in options
                  for word in option.words()]
         given = {option.name for option in options}
-        if verb.name in ('run', 'capture', 'draw') and '--library' not in given and \
+        if verb.name in ('run', 'capture', 'draw', 'debug') and '--library' not in given and \
                 not given & {'--bare', '--index-only'}:
             words += ['--library', at['@library']]
         if verb.name == 'draw' and '--output' not in given:
             words += ['--output', 'out']
+        if verb.name == 'debug' and '--pixel' not in given:
+            words += ['--pixel', '8,4']
         prefix = ['valgrind', '-q', '--error-exitcode=99', '--leak-check=no'] \
             if self.arguments.valgrind else []
         environment = plain(XDG_CACHE_HOME=str(place.folder / 'texts'), LC_ALL='C.UTF-8')
@@ -202,7 +214,7 @@ class Runner:
         return done.returncode, done.stdout, done.stderr, place.written()
 
     def library(self, verb):
-        return self.arguments.draw if verb.name == 'draw' else self.arguments.fake_layer
+        return self.arguments.draw if verb.name in DRAWING else self.arguments.fake_layer
 
 
 def faults_of(verb, options, operands, result):
@@ -217,7 +229,8 @@ def faults_of(verb, options, operands, result):
              or verb.name == 'lsp')
     if status == 0 and not quiet and not out and not written:
         yield 'success, and nothing written'
-    texts = [out] if '--json' in names and verb.name == 'check' and status != 1 else []
+    printed = status != 1 if verb.name == 'check' else verb.name == 'debug' and status in (0, 5)
+    texts = [out] if '--json' in names and printed else []
     texts += [written[name] for name in written if name.endswith('.json')]
     for text in texts:
         try:
@@ -267,7 +280,7 @@ def main():
     part, parts = map(int, arguments.sample.split('/'))
     verbs = [verb for verb in verbs_of(arguments.arbiter)
              if verb.name == (arguments.verb or verb.name) and
-             (verb.name != 'draw' or arguments.draw)]
+             (verb.name not in DRAWING or arguments.draw)]
     failed = total = 0
     with tempfile.TemporaryDirectory(prefix='arbiter-options-') as root:
         runner = Runner(arguments, root)

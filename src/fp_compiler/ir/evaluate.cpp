@@ -26,9 +26,9 @@ public:
   }
 
   Evaluation run() {
-    for (const Instruction &instruction : m_program.code) {
-      step(instruction);
-      if (m_evaluation.killed) {
+    for (std::size_t i = 0; i < m_program.code.size(); ++i) {
+      step(i);
+      if (m_evaluation.killed && !m_inputs.pastKill) {
         m_evaluation.outputs.assign(m_program.outputs.size(), Vec4{});
         m_evaluation.depth.reset();
         return m_evaluation;
@@ -99,8 +99,7 @@ private:
     return value;
   }
 
-  Vec4 sample(const Instruction &instruction) const {
-    const Vec4 value = fetch(instruction.src[0]);
+  static Sample requestOf(const Instruction &instruction, const Vec4 &value) {
     Sample request;
     request.target = instruction.target;
     request.unit = instruction.unit;
@@ -109,32 +108,57 @@ private:
         request.coordinate[i] = instruction.op == Opcode::Txp ? value[i] / value[3] : value[i];
     if (instruction.op == Opcode::Txb && (operandMask(instruction, 0) & 8))
       request.bias = value[3];
+    return request;
+  }
+
+  Vec4 sample(const Sample &request) const {
     Vec4 texel = m_inputs.texture ? m_inputs.texture(request) : Vec4{};
     for (float &component : texel)
       component = held(component, m_numerics);
     return texel;
   }
 
-  void step(const Instruction &instruction) {
+  void step(std::size_t index) {
+    const Instruction &instruction = m_program.code[index];
     const OpInfo &row = info(instruction.op);
+    Step done;
+    done.index = index;
+    for (std::size_t i = 0; i < std::size_t(row.operandCount()); ++i)
+      done.operands[i] = fetch(instruction.src[i]);
     if (row.has(Kills)) {
-      m_evaluation.killed = kills(fetch(instruction.src[0]));
-      return;
-    }
-    Vec4 value;
-    if (row.has(Texture)) {
-      value = sample(instruction);
+      done.discards = kills(done.operands[0]);
+      m_evaluation.killed |= done.discards;
     } else {
-      Operands operands = {};
-      for (std::size_t i = 0; i < std::size_t(row.operandCount()); ++i)
-        operands[i] = fetch(instruction.src[i]);
+      write(instruction.dst, result(instruction, done));
+    }
+    if (!m_inputs.observer)
+      return;
+    if (!row.has(Kills))
+      done.value = contents(instruction.dst);
+    m_inputs.observer(done);
+  }
+
+  /// What the instruction makes, before _SAT.
+  Vec4 result(const Instruction &instruction, Step &done) const {
+    Vec4 value;
+    if (info(instruction.op).has(Texture)) {
+      done.sample = requestOf(instruction, done.operands[0]);
+      value = sample(*done.sample);
+    } else {
       if (m_inputs.operands)
-        m_inputs.operands(instruction, operands);
-      value = apply(instruction.op, operands, m_numerics, m_program.language);
+        m_inputs.operands(instruction, done.operands);
+      value = apply(instruction.op, done.operands, m_numerics, m_program.language);
     }
     if (m_inputs.result)
       m_inputs.result(instruction, value);
-    write(instruction.dst, value);
+    return value;
+  }
+
+  /// What the destination holds now.
+  Vec4 contents(const Destination &dst) const {
+    if (dst.file == File::Address)
+      return {float(m_addresses[dst.index])};
+    return dst.file == File::Output ? m_evaluation.outputs[dst.index] : m_temporaries[dst.index];
   }
 
   /// An index beyond 32 bits, or NaN, is one that no array has.

@@ -18,6 +18,17 @@ struct Sample {
   float bias = 0.0f; ///< TXB's
 };
 
+/// One instruction as the interpreter did it, for a trace.
+struct Step {
+  std::size_t index = 0; ///< in Program::code
+  /// As read: swizzled and signed; the whole coordinate operand of a texture access.
+  Operands operands = {};
+  std::optional<Sample> sample; ///< of a texture access
+  /// The whole destination register after the write; an address register in x. Zero of KIL.
+  Vec4 value = {};
+  bool discards = false; ///< KIL's condition held
+};
+
 /// Everything outside a program that its result depends on. Empty functions give zeros.
 struct Inputs {
   /// One vec4 for each of Program::attributes, in that order; missing ones are zero.
@@ -36,13 +47,17 @@ struct Inputs {
   std::function<void(const Instruction &, Operands &)> operands;
   /// Sees, and may change, each result before _SAT and the write.
   std::function<void(const Instruction &, Vec4 &)> result;
+  /// Sees each instruction when it is done.
+  std::function<void(const Step &)> observer;
+  /// Goes on after a KIL that discards, as the neighbours of a discarded fragment do.
+  bool pastKill = false;
 };
 
 /// What a program makes of one fragment.
 struct Evaluation {
   std::vector<Vec4> outputs;  ///< one for each of Program::outputs; not clamped without fog option
   std::optional<float> depth; ///< if the program writes result.depth.z; not clamped
-  bool killed = false;        ///< then the rest is zero
+  bool killed = false;        ///< then the rest is zero, without Inputs::pastKill
 };
 
 /// The reference interpreter (semantics.h). Requires: validate(program) finds nothing.

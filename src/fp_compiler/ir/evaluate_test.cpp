@@ -110,6 +110,35 @@ TEST(Evaluate, SwizzleTakesItsSignsAlong) {
   EXPECT_EQ(colorOf(b), (Vec4{-1, -3, -1, 0}));
 }
 
+TEST(Evaluate, ObserverSeesEachInstructionWhenItIsDone) {
+  Builder b;
+  const auto t = b.temporary();
+  b.op(Opcode::Mov, t.mask("xw"), {-b.constant(1, 2, 3, 4)});
+  b.tex(Opcode::Txp, t.mask("y").sat(), t.read().swz("xyzw"), 3, TexTarget::Tex2D);
+  b.kil(t.read());
+  b.op(Opcode::Mov, b.color(), {t.read()});
+  std::vector<Step> steps;
+  Inputs inputs;
+  inputs.texture = [](const Sample &) { return Vec4{5, 6, 7, 8}; };
+  inputs.observer = [&](const Step &step) { steps.push_back(step); };
+  (void)evaluate(b.program(), inputs);
+  ASSERT_EQ(steps.size(), 3u) << "the fragment ends at KIL";
+  EXPECT_EQ(steps[0].operands[0], (Vec4{-1, -2, -3, -4}));
+  EXPECT_EQ(steps[0].value, (Vec4{-1, 0, 0, -4})) << "the whole register";
+  ASSERT_TRUE(steps[1].sample);
+  EXPECT_EQ(steps[1].sample->coordinate, (Vec4{0.25f, 0, 0, 0}));
+  EXPECT_EQ(steps[1].value, (Vec4{-1, 1, 0, -4})) << "y is saturated";
+  EXPECT_TRUE(steps[2].discards);
+  EXPECT_EQ(steps[2].index, 2u);
+
+  steps.clear();
+  inputs.pastKill = true;
+  const Evaluation end = evaluate(b.program(), inputs);
+  EXPECT_EQ(steps.size(), 4u);
+  EXPECT_TRUE(end.killed);
+  EXPECT_EQ(end.outputs.at(0), (Vec4{-1, 1, 0, -4})) << "what it would have been";
+}
+
 TEST(Evaluate, KilStopsTheFragment) {
   for (const float value : {-1.0f, -0.0f, 0.0f, kNan, 1.0f, -kInf}) {
     Builder b;

@@ -22,6 +22,8 @@ struct Renderer::Parts {
 
   std::optional<RenderError> load();
   std::optional<RenderError> loadMesh(const Pass &pass);
+  void bindTarget(std::size_t index) const;
+  void setPass(std::size_t index, double seconds) const;
   void drawPass(std::size_t index, double seconds) const;
   void drawMesh(std::size_t index) const;
 
@@ -147,15 +149,17 @@ void Renderer::Parts::drawMesh(std::size_t index) const {
   }
 }
 
-void Renderer::Parts::drawPass(std::size_t index, double seconds) const {
+void Renderer::Parts::bindTarget(std::size_t index) const {
   const Pass &pass = document.passes[index];
   const scene::Panel &panel = document.panelOf(pass);
-  const scene::State &state = panel.state;
   targets.bind(panel.target ? panel.target->name.text : std::string());
   const auto [width, height] = document.sizeOf(pass);
   glViewport(0, 0, width, height);
-  if (document.clears(index))
-    clear(state);
+}
+
+void Renderer::Parts::setPass(std::size_t index, double seconds) const {
+  const Pass &pass = document.passes[index];
+  const scene::State &state = document.panelOf(pass).state;
   setBlend(valueOf(state.blend));
   setDepth(document.depthOf(pass), state.depthWrite);
   setCull(valueOf(state.cull));
@@ -165,6 +169,14 @@ void Renderer::Parts::drawPass(std::size_t index, double seconds) const {
   setMatrices(document.viewOf(pass));
   textures.bind(pass.panel);
   programs.use(document, pass, seconds);
+}
+
+void Renderer::Parts::drawPass(std::size_t index, double seconds) const {
+  const Pass &pass = document.passes[index];
+  bindTarget(index);
+  if (document.clears(index))
+    clear(document.panelOf(pass).state);
+  setPass(index, seconds);
   drawMesh(index);
   Programs::disable(document);
   textures.release(pass.panel);
@@ -187,6 +199,23 @@ void Renderer::draw(int frame) {
   m_parts->targets.bind({});
   m_parts->textures.feed(document.width(), document.height());
 }
+
+void Renderer::stopBefore(int frame, std::size_t pass) {
+  const double seconds = m_parts->document.secondsOf(frame);
+  for (std::size_t before = 0; before < pass; ++before)
+    m_parts->drawPass(before, seconds);
+  m_parts->bindTarget(pass);
+  m_parts->setPass(pass, seconds);
+}
+
+void Renderer::clearTarget(std::size_t pass) const {
+  const Document &document = m_parts->document;
+  glPushAttrib(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  clear(document.panelOf(document.passes[pass]).state);
+  glPopAttrib();
+}
+
+void Renderer::drawMesh(std::size_t pass) const { m_parts->drawMesh(pass); }
 
 scene::Picture Renderer::read() const {
   const Document &document = m_parts->document;

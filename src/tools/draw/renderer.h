@@ -39,6 +39,12 @@ public:
   void draw(int frame);
   [[nodiscard]] scene::Picture read() const;
 
+  /// For what looks into one draw: draws what comes before a pass of a frame, and leaves the state
+  /// as the pass's draw finds it, which is clearTarget() where Document::clears(), and drawMesh().
+  void stopBefore(int frame, std::size_t pass);
+  void clearTarget(std::size_t pass) const;
+  void drawMesh(std::size_t pass) const;
+
 private:
   struct Parts;
   explicit Renderer(std::unique_ptr<Parts> parts);

@@ -1,5 +1,7 @@
 #include "tools/lsp/server.h"
 
+#include <algorithm>
+
 namespace arbiter::tools::lsp {
 
 namespace {
@@ -8,6 +10,12 @@ constexpr int kInvalidParams = -32602;
 constexpr int kRequestFailed = -32803;
 
 RpcError noDocument() { return {kInvalidParams, "no open document of this URI"}; }
+/// An integer that any picture has room for.
+bool isSmall(const Json &json) {
+  return json.is_number_integer() && json.get<std::int64_t>() >= 0 &&
+         json.get<std::int64_t>() < 65536;
+}
+
 RpcError noPosition() { return {kInvalidParams, "no position"}; }
 
 } // namespace
@@ -56,6 +64,7 @@ void Server::closed(const Json &params) {
   if (!document)
     return;
   const std::string uri = document->uri();
+  m_traces.forget(uri);
   m_documents.erase(uri);
   sendNotification("textDocument/publishDiagnostics",
                    {{"uri", uri}, {"diagnostics", Json::array()}});
@@ -80,7 +89,19 @@ template <typename Handler> Server::Reply Server::atPosition(const Json &params,
   return handler(viewOf(*document), *offset);
 }
 
-Server::Reply Server::hoverAt(const Json &params) { return atPosition(params, hover); }
+/// The values of a trace stand behind what is known of the word.
+Server::Reply Server::hoverAt(const Json &params) {
+  return atPosition(params, [&](const View &view, std::uint32_t offset) -> Reply {
+    Json found = hover(view, offset);
+    const std::string values = m_traces.hover(view.document, offset);
+    if (values.empty())
+      return found;
+    if (found.is_null())
+      return Json{{"contents", {{"kind", "markdown"}, {"value", values}}}};
+    found["contents"]["value"] = found["contents"]["value"].get<std::string>() + "\n\n" + values;
+    return found;
+  });
+}
 
 Server::Reply Server::completionAt(const Json &params) { return atPosition(params, completion); }
 
@@ -133,7 +154,43 @@ Server::Reply Server::inlayHintsOf(const Json &params) {
   const auto to = end ? document->map().offset(*end) : std::nullopt;
   if (!from || !to)
     return noPosition();
-  return inlayHints(viewOf(*document), {*from, *to});
+  Json hints = inlayHints(viewOf(*document), {*from, *to});
+  for (Json &value : m_traces.hints(*document, {*from, *to}))
+    hints.push_back(std::move(value));
+  return hints;
+}
+
+/// {textDocument, pixel: [x, y] or null, pass?, frame?, against?: "swrast" or "host"}; null ends
+/// the trace.
+Server::Reply Server::traceOf(const Json &params) {
+  const Document *document = find(params);
+  if (!document)
+    return noDocument();
+  const Json *const pixel = member(params, {"pixel"});
+  if (pixel && pixel->is_null()) {
+    m_traces.forget(document->uri());
+    return Json();
+  }
+  if (!pixel || !pixel->is_array() || pixel->size() != 2 || !isSmall((*pixel)[0]) ||
+      !isSmall((*pixel)[1]))
+    return RpcError{kInvalidParams, "no pixel: [x, y]"};
+  const std::string *const against = stringAt(params, {"against"});
+  if (against && *against != "swrast" && *against != "host")
+    return RpcError{kInvalidParams, "against is swrast or host"};
+  TraceQuestion question;
+  question.x = (*pixel)[0].get<int>();
+  question.y = (*pixel)[1].get<int>();
+  question.pass = int(std::clamp<std::int64_t>(integerAt(params, {"pass"}).value_or(1), 0, 1000));
+  question.frame =
+      int(std::clamp<std::int64_t>(integerAt(params, {"frame"}).value_or(0), 0, 100000));
+  if (against && *against == "host")
+    question.backend = debug::Backend::Host;
+  auto trace = m_traces.ask(*document, question);
+  if (m_refreshesHints)
+    send({{"jsonrpc", "2.0"}, {"id", m_nextId++}, {"method", "workspace/inlayHint/refresh"}});
+  if (!trace)
+    return RpcError{kRequestFailed, trace.error().message};
+  return std::move(trace).value();
 }
 
 Server::Reply Server::semanticTokensOf(const Json &params) {

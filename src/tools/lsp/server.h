@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tools/lsp/answers.h"
+#include "tools/lsp/trace.h"
 #include "tools/lsp/transport.h"
 
 namespace arbiter::tools::lsp {
@@ -71,6 +72,7 @@ private:
   Reply symbolsOf(const Json &params);
   Reply inlayHintsOf(const Json &params);
   Reply semanticTokensOf(const Json &params);
+  Reply traceOf(const Json &params);
 
   struct RequestRow;
   struct NotificationRow;
@@ -90,6 +92,7 @@ private:
   std::deque<Json> m_waiting;
   std::set<Json> m_cancelled; ///< ids of requests that wait
   std::map<std::string, Document> m_documents;
+  Traces m_traces;
   std::optional<std::chrono::steady_clock::time_point> m_changedSince;
 };
 

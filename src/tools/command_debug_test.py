@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Tests of `arbiter debug` from outside, through the layer: traces, verdicts, planted mistakes.
+
+usage: command_debug_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest arguments]
+"""
+import json
+import random
+
+import command_session
+from command_draw_test import read_png
+from command_session import BAD, ROOT, VERTEX, Temporary, arbiter
+
+GALLERY = ROOT / 'demos' / 'gallery'
+PANEL = '#@ size 16 8, mesh quad, camera none\n#@ texture 0 = clouds 64 64, linear, repeat\n'
+SIMPLE = ('!!ARBfp1.0\n' + PANEL + '#@ local[0] = 0.5 0.25 0.125 1\n'
+          'TEMP a;\nTEX a, fragment.texcoord[0], texture[0], 2D;\n'
+          'MUL a, a, program.local[0];\nADD result.color, a, fragment.color;\nEND\n')
+
+
+def sixty(seed, wrong=None):
+    """Sixty instructions, each with a constant of its own; line n + 5 has instruction n."""
+    numbers = random.Random(seed)
+    lines = ['MOV a, fragment.color;']
+    for n in range(1, 59):
+        constant = f'{numbers.uniform(0.1, 0.9):.6f}'
+        if n == wrong:
+            constant = f'{float(constant) + 0.03125:.6f}'
+        form = numbers.choice(('ADD b, a, {0};', 'MAD a, a, {0}, b;', 'MUL a.xyw, b, {0};',
+                               'LRP b, {0}, a, b;', 'MAX b.xz, a, {0};', 'POW b.w, a.x, {0}.x;'))
+        lines.append(form.format('{' + ', '.join([constant] * 4) + '}' if 'POW' in form or 'LRP' in form
+                                 else constant))
+    return ('!!ARBfp1.0\n' + PANEL.replace('#@ texture 0 = clouds 64 64, linear, repeat\n', '#\n') +
+            'TEMP a, b;\n' + '\n'.join(lines) + '\nADD result.color, a, b;\nEND\n')
+
+
+class Debug(Temporary):
+    def debug(self, document, *options, pixel='5,3', status=0):
+        result = arbiter('debug', document, '--pixel', pixel, *options)
+        self.assertEqual(result.returncode, status, result.stderr + result.stdout[-2000:])
+        return result.stdout if status in (0, 5) else result.stderr
+
+    def trace(self, document, *options, pixel='5,3', status=0):
+        return json.loads(self.debug(document, '--json', *options, pixel=pixel, status=status))
+
+    def test_inputs_are_those_of_the_pixel(self):
+        trace = self.trace(self.path('simple.fp', SIMPLE))
+        self.assertEqual((trace['schema'], trace['pixel'], trace['size']), (1, [5, 3], [16, 8]))
+        values = {each['name']: each['value'] for each in trace['attributes']}
+        self.assertEqual(values['fragment.texcoord[0]'], [5.5 / 16, 3.5 / 8, 0, 1])
+        self.assertEqual(trace['parameters'][0]['value'], [0.5, 0.25, 0.125, 1])
+        texel = trace['rows'][0]['texel']
+        self.assertEqual(texel['coordinate'][:2], [5.5 / 16, 3.5 / 8])
+        self.assertAlmostEqual(texel['lod'], 3, places=4)  # 8 texels a pixel upwards
+        self.assertEqual(trace['rows'][1]['operands'][0]['value'], texel['value'])
+        self.assertTrue(trace['verdict']['equal'])
+        self.assertTrue(trace['verdict']['bits_equal'])
+        self.assertEqual(trace['verdict']['picture'], trace['rows'][2]['color'])
+
+    def test_the_pixel_of_the_picture(self):
+        document = self.path('simple.fp', SIMPLE)
+        picture = self.path('out.png')
+        self.assertEqual(arbiter('draw', document, '-o', picture).returncode, 0)
+        _, height, rows = read_png(picture)
+        for x, y in ((0, 0), (15, 7), (5, 3), (15, 0)):
+            drawn = rows[height - 1 - y][4 * x:4 * x + 4].hex()
+            self.assertEqual(self.trace(document, pixel=f'{x},{y}')['verdict']['picture'], drawn)
+        self.assertEqual(self.trace(document, '--from-top', pixel='5,4')['pixel'], [5, 3])
+
+    def test_planted_constants_are_found(self):
+        for seed, wrong in ((1, 7), (2, 31), (3, 58)):
+            right = self.path('right.fp', sixty(seed))
+            mistaken = self.path('wrong.fp', sixty(seed, wrong))
+            host = ('--profile', 'host')  # the r300 has 32 parameters
+            trace = self.trace(mistaken, *host, '--against', right, status=5)
+            self.assertEqual(len(trace['rows']), 60)
+            first = trace['against']['first']
+            self.assertEqual(first['line'], wrong + 5, trace['summary'])
+            self.assertIn('operand', first['cause'])
+            text = self.debug(mistaken, *host, '--against', right, status=5)
+            self.assertIn(f'first at line {wrong + 5}: ', text)
+            self.assertIn('equal', self.debug(right, *host, '--against', right))
+
+    def test_verdicts_of_everyone_who_draws(self):
+        document = self.path('simple.fp', SIMPLE)
+        for against, name in (('swrast', 'swrast'), ('host', 'host'), ('bare', 'bare host')):
+            text = self.debug(document, '--against', against)
+            self.assertRegex(text.splitlines()[-1], f'^{name} drew [0-9a-f]{{8}}: equal')
+        self.assertIn('fp24: equal in 8 bits', self.debug(document, '--against', 'fp24'))
+
+    def test_fp24_beside_host(self):
+        document = self.path('coarse.fp', '!!ARBfp1.0\n' + PANEL + 'TEMP a;\n'
+                             'ADD a, fragment.color, 1000.3;\nSUB a, a, 1000.0;\n'
+                             'MAD result.color, a, 4.0, -2.0;\nEND\n')
+        text = self.debug(document, '--against', 'fp24', status=5)
+        self.assertIn('first error that 8 bits could show is at line 5', text)
+        trace = self.trace(document, '--numerics', 'fp24')
+        self.assertEqual((trace['numerics'], trace['second_numerics']), ('fp24', 'host'))
+        self.assertTrue(trace['verdict']['equal'], trace['summary'])
+
+    def test_breaks(self):
+        document = self.path('nan.fp', '!!ARBfp1.0\n' + PANEL + 'TEMP a, b;\n'
+                             'RCP a.x, fragment.texcoord[0].z;\nMUL a.y, a.x, 0.0;\n'
+                             'MOV b, a;\nMOV result.color, b.x;\nEND\n')
+        for condition, line in (('inf', 5), ('nan', 6), ('unwritten', 7), ('over1', 5), ('b.x>1', 7)):
+            text = self.debug(document, '--break', condition, status=5)
+            self.assertIn(f'stopped by {condition} at line {line}', text)
+            self.assertIn(f'>{line:5}  ', text)
+        self.assertIn('--break kil: no instruction', self.debug(document, '--break', 'kil'))
+        self.assertEqual(self.trace(document, '--break', 'nan', status=5)['stopped'], 1)
+        self.assertNotIn('result.color', self.debug(document, '--line', '6'))
+
+    def test_kil(self):
+        document = self.path('kil.fp', '!!ARBfp1.0\n' + PANEL + 'TEMP a;\n'
+                             'SUB a, fragment.texcoord[0], 0.5;\nKIL a.x;\n'
+                             'MOV result.color, a;\nEND\n')
+        left, right = self.trace(document, pixel='2,2'), self.trace(document, pixel='12,2')
+        self.assertTrue(left['discarded'] and left['rows'][1]['discards'])
+        self.assertIn('swrast discarded the fragment: equal', left['summary'])
+        self.assertFalse(right['discarded'])
+        self.assertTrue(right['verdict']['bits_equal'])
+
+    def test_watch(self):
+        document = self.path('simple.fp', SIMPLE)
+        picture = self.path('watch.png')
+        self.debug(document, '--watch', 'fragment.texcoord[0]@6', '-o', picture)
+        width, height, rows = read_png(picture)
+        self.assertEqual((width, height), (16, 8))
+        self.assertEqual(list(rows[0][:4]), [round(255 * 0.5 / 16), round(255 * 7.5 / 8), 0, 255])
+        self.debug(document, '--watch', 'a@7', '--range', '0,0.5', '-o', picture)
+        value = self.trace(document)['rows'][1]['value']
+        _, _, rows = read_png(picture)
+        for drawn, wanted in zip(rows[8 - 1 - 3][20:23], value):
+            self.assertAlmostEqual(drawn, min(255, max(0, wanted * 2 * 255)), delta=0.51)
+
+    def test_the_gallery(self):
+        for name, pixel, more in (('twirl.fp', '100,200', ()), ('life.fp', '33,40', ('--frame', '3')),
+                                  ('lighting_4_all.fp', '256,200', ()), ('fur.fp', '256,200', ())):
+            trace = self.trace(GALLERY / name, *more, pixel=pixel)
+            self.assertTrue(trace['verdict']['equal'], trace['summary'])
+
+    def test_vertices(self):
+        trace = self.trace(GALLERY / 'skinning.fp', '--stage', 'vertex', pixel='256,256')
+        self.assertEqual(len(trace['vertices']), 3)
+        for vertex in trace['vertices']:
+            names = [result['name'] for result in vertex['results']]
+            self.assertIn('result.position', names)
+            self.assertTrue(vertex['rows'])
+        self.assertIn('no vertex program', self.debug(self.path('a.fp', SIMPLE), '--stage', 'vertex',
+                                                      status=1))
+
+    def test_what_cannot_be(self):
+        document = self.path('simple.fp', SIMPLE)
+        png = self.path('x.png')
+        for options, status, words in (
+                (('--pixel', '16,0'), 1, 'the picture is 16x8'),
+                (('--pixel', '-1,0'), 1, 'the picture is 16x8'),
+                (('--pixel', '5'), 1, 'expected X,Y'),
+                (('--pixel', '5,3,1'), 1, 'expected X,Y'),
+                (('--pixel', '99999999999,3'), 1, 'expected X,Y'),
+                (('--pixel', '1,1', '--pass', '2'), 1, 'has one pass'),
+                (('--pixel', '1,1', '--break', 'soon'), 1, 'expected nan'),
+                (('--pixel', '1,1', '--watch', 'q@6', '-o', png), 1, "'q'"),
+                (('--pixel', '1,1', '--watch', 'a@2', '-o', png), 1, 'no instruction'),
+                (('--pixel', '1,1', '--watch', 'a@6'), 1, '--output'),
+                (('--pixel', '1,1', '--watch', 'a@6', '-o', '/nowhere/x.png'), 1, '/nowhere'),
+                (('--pixel', '1,1', '--range', '1,0', '--watch', 'a@6', '-o', png), 1, 'LOW,HIGH'),
+                (('--pixel', '1,1', '--against', 'none.fp'), 1, 'none.fp'),
+                (('--pixel', '1,1', '--profile', 'none'), 1, 'none')):
+            result = arbiter('debug', document, *options)
+            self.assertEqual(result.returncode, status, (options, result.stderr))
+            self.assertIn(words, result.stderr, options)
+        self.assertIn('bad.fp:3:', self.debug(self.path('bad.fp', BAD), status=2))
+        self.assertIn('no fragment program', self.debug(self.path('v.vp', VERTEX), status=1))
+        small = self.path('small.fp', SIMPLE.replace('mesh quad', 'mesh quad scale 0.25'))
+        self.assertIn('covers this pixel', self.debug(small, pixel='0,0', status=1))
+        self.assertIn('none.fp', self.debug(self.path('none.fp'), status=1))
+
+
+if __name__ == '__main__':
+    command_session.main()

@@ -1,0 +1,165 @@
+#include "tools/debug/draws/client.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Compiling a long program for a first time takes seconds on a busy machine, no more.
+constexpr int kPatience = 120;
+
+Json regionJson(const Region &region) {
+  return {{"x", region.x}, {"y", region.y}, {"width", region.width}, {"height", region.height}};
+}
+
+/// 0 where there is no such number.
+std::int64_t integerAt(const Json &json, const char *name) {
+  const auto found = json.find(name);
+  return found != json.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+}
+
+std::size_t pixelsOf(const Region &region) {
+  return std::size_t(region.width) * std::size_t(region.height);
+}
+
+/// In the new process: the socket is descriptor 0, and what is printed does not meet the
+/// debugger's own output.
+[[noreturn]] void become(int descriptor, const std::function<void()> &start) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::dup2(descriptor, STDIN_FILENO);
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  start();
+  ::_exit(127);
+}
+
+} // namespace
+
+DrawClient::DrawClient(std::string name, int descriptor, int process)
+    : m_name(std::move(name)), m_channel(std::make_unique<Channel>(descriptor)),
+      m_process(process) {}
+
+DrawClient::~DrawClient() { close(); }
+
+void DrawClient::close() {
+  m_channel.reset(); // the process ends when it hears no more
+  if (m_process <= 0)
+    return;
+  while (::waitpid(m_process, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  m_process = -1;
+}
+
+Result<std::unique_ptr<DrawClient>, DebugError>
+DrawClient::start(std::string name, const std::function<void()> &start) {
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    return DebugError{std::string("no socket for the drawing process: ") + std::strerror(errno)};
+  const pid_t process = ::fork();
+  if (process == 0) {
+    ::close(ends[0]); // or it would never hear that the other end is gone
+    become(ends[1], start);
+  }
+  ::close(ends[1]);
+  if (process < 0) {
+    ::close(ends[0]);
+    return DebugError{std::string("no drawing process: ") + std::strerror(errno)};
+  }
+  return std::unique_ptr<DrawClient>(new DrawClient(std::move(name), ends[0], process));
+}
+
+/// What became of the process. It is killed if it only says nothing.
+DebugError DrawClient::lost() {
+  int status = 0;
+  m_channel.reset();
+  for (int i = 0; i < 20; ++i) { // one that has failed is about to end
+    if (m_process <= 0 || ::waitpid(m_process, &status, WNOHANG) == m_process) {
+      m_process = -1;
+      if (WIFSIGNALED(status))
+        return {"the process that draws (" + m_name + ") was ended by signal " +
+                std::to_string(WTERMSIG(status)) + ", " + ::strsignal(WTERMSIG(status))};
+      return {"the process that draws (" + m_name + ") ended"};
+    }
+    ::usleep(10000);
+  }
+  ::kill(m_process, SIGKILL);
+  ::waitpid(m_process, &status, 0);
+  m_process = -1;
+  return {"the process that draws (" + m_name + ") did not answer for " +
+          std::to_string(kPatience) + " seconds"};
+}
+
+Result<Json, DebugError> DrawClient::ask(const Json &request) {
+  if (!m_channel)
+    return DebugError{"the process that draws (" + m_name + ") is gone"};
+  if (!m_channel->send(request.dump(-1, ' ', false, Json::error_handler_t::replace)))
+    return lost();
+  const auto line = m_channel->receive(kPatience);
+  if (!line)
+    return lost();
+  Json answer = Json::parse(*line, nullptr, false);
+  if (!answer.is_object())
+    return DebugError{"the process that draws (" + m_name + ") answered nonsense"};
+  if (const auto error = answer.find("error"); error != answer.end() && error->is_string())
+    return DebugError{error->get<std::string>()};
+  return answer;
+}
+
+template <typename Item>
+Result<std::vector<Item>, DebugError> DrawClient::askItems(const Json &request, std::size_t count) {
+  auto answer = ask(request);
+  if (!answer)
+    return answer.error();
+  std::vector<Item> items(count);
+  const std::size_t bytes = count * sizeof(Item);
+  if (integerAt(answer.value(), "bytes") != std::int64_t(bytes))
+    return DebugError{"the process that draws (" + m_name + ") drew another number of pixels"};
+  if (!m_channel->receive(items.data(), bytes, kPatience))
+    return lost();
+  return items;
+}
+
+std::optional<DebugError> DrawClient::open(const Json &what) {
+  const auto answer = ask({{"open", what}});
+  if (!answer)
+    return answer.error();
+  m_size = {int(integerAt(answer.value(), "width")), int(integerAt(answer.value(), "height"))};
+  if (m_size[0] <= 0 || m_size[1] <= 0)
+    return DebugError{"the process that draws (" + m_name + ") has no picture"};
+  return {};
+}
+
+Result<std::vector<Drawer::Vec4>, DebugError>
+DrawClient::draw(const std::string &text, std::size_t targets, const Region &region) {
+  return askItems<Vec4>({{"draw", text}, {"targets", targets}, {"region", regionJson(region)}},
+                        targets * pixelsOf(region));
+}
+
+Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+DrawClient::picture(const Region &region) {
+  return askItems<std::array<std::uint8_t, 4>>({{"picture", regionJson(region)}}, pixelsOf(region));
+}
+
+Result<std::array<int, 3>, DebugError> DrawClient::textureSize(unsigned unit,
+                                                               fp::ir::TexTarget target) {
+  const auto answer = ask({{"texture", unit}, {"target", int(target)}});
+  if (!answer)
+    return answer.error();
+  std::array<int, 3> size = {};
+  const auto found = answer.value().find("size");
+  if (found != answer.value().end() && found->is_array() && found->size() == 3)
+    for (std::size_t i = 0; i < 3; ++i)
+      if ((*found)[i].is_number_integer())
+        size[i] = (*found)[i].get<int>();
+  return size;
+}
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/debug/draws/channel.h"
+#include "tools/debug/pixel/drawer.h"
+
+namespace arbiter::tools::debug {
+
+/// A drawer in another process, so that no driver, and no program that a driver chokes on, is in
+/// this one.
+class DrawClient : public Drawer {
+public:
+  /// Starts the process.
+  /// \param name what its drawings are called
+  /// \param start called in the new process, with the socket as descriptor 0; it executes a
+  /// command,
+  ///              or returns if that fails
+  [[nodiscard]] static Result<std::unique_ptr<DrawClient>, DebugError>
+  start(std::string name, const std::function<void()> &start);
+  ~DrawClient() override;
+
+  /// The first request: what is to be drawn (draws/server.h).
+  [[nodiscard]] std::optional<DebugError> open(const nlohmann::json &what);
+
+  [[nodiscard]] std::string name() const override { return m_name; }
+  [[nodiscard]] std::array<int, 2> size() const override { return m_size; }
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError>
+  draw(const std::string &text, std::size_t targets, const Region &region) override;
+  [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+  picture(const Region &region) override;
+  [[nodiscard]] Result<std::array<int, 3>, DebugError>
+  textureSize(unsigned unit, fp::ir::TexTarget target) override;
+  /// Ends the process and waits for it.
+  void close();
+
+private:
+  DrawClient(std::string name, int descriptor, int process);
+  Result<nlohmann::json, DebugError> ask(const nlohmann::json &request);
+  /// A request whose answer is followed by `count` items.
+  template <typename Item>
+  Result<std::vector<Item>, DebugError> askItems(const nlohmann::json &request, std::size_t count);
+  DebugError lost();
+
+  std::string m_name;
+  std::unique_ptr<Channel> m_channel;
+  int m_process = -1;
+  std::array<int, 2> m_size = {};
+};
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tools/debug/pixel/drawer.h"
+
+namespace arbiter::tools::debug {
+
+/// Makes the drawer of an `open` request.
+using OpenDrawer =
+    std::function<Result<std::unique_ptr<Drawer>, DebugError>(const nlohmann::json &what)>;
+
+/// Answers a DrawClient until it hangs up. A request is a line of JSON, and so is its answer, which
+/// has "error", or
+///   {"open": ..}                                 -> {"width", "height"}
+///   {"draw": text, "targets": n, "region": R}    -> {"bytes": n * 16 * pixels}, then the bytes
+///   {"picture": R}                               -> {"bytes": 4 * pixels}, then the bytes
+///   {"texture": unit, "target": n}               -> {"size": [width, height, depth]}
+/// with R = {"x", "y", "width", "height"}.
+/// \returns the process's exit code
+[[nodiscard]] int serveDraws(int descriptor, const OpenDrawer &open);
+
+} // namespace arbiter::tools::debug

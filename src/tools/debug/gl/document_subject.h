@@ -1,0 +1,32 @@
+#pragma once
+#include <memory>
+
+#include "scene/document.h"
+#include "tools/debug/gl/subject.h"
+#include "tools/draw/renderer.h"
+#include "tools/draw/surface.h"
+
+namespace arbiter::tools::debug {
+
+/// One pass of one frame of a document, on a surface of its own.
+class DocumentSubject : public Subject {
+public:
+  /// \param pass from 0 \param frame from 0
+  DocumentSubject(scene::Document document, std::size_t pass, int frame)
+      : m_document(std::move(document)), m_pass(pass), m_frame(frame) {}
+
+  [[nodiscard]] std::array<int, 2> size() const override;
+  [[nodiscard]] std::optional<DebugError> prepare() override;
+  void drawMesh() override { m_renderer->drawMesh(m_pass); }
+  bool clear() override;
+  void setPlainState() override;
+
+private:
+  const scene::Document m_document;
+  const std::size_t m_pass;
+  const int m_frame;
+  Surface m_surface; ///< outlives the renderer
+  std::unique_ptr<Renderer> m_renderer;
+};
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,213 @@
+#include "tools/debug/gl/frame_drawer.h"
+
+#include <epoxy/gl.h>
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+/// All of the state that a draw of ours changes, and the framebuffer, which no attribute group has.
+class Restored {
+public:
+  Restored() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_draw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+  }
+  Restored(const Restored &) = delete;
+  Restored &operator=(const Restored &) = delete;
+  ~Restored() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(m_draw));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(m_read));
+    glPopAttrib();
+  }
+
+private:
+  GLint m_draw = 0, m_read = 0;
+};
+
+/// ATI_text_fragment_shader's target, which no header of Debian's has.
+constexpr GLenum kTextFragmentShaderAti = 0x8200;
+
+GLenum targetOf(fp::ir::TexTarget target) {
+  using fp::ir::TexTarget;
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return GL_TEXTURE_1D;
+  case TexTarget::Tex3D:
+    return GL_TEXTURE_3D;
+  case TexTarget::Cube:
+    return GL_TEXTURE_CUBE_MAP_POSITIVE_X;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return GL_TEXTURE_RECTANGLE_ARB;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    break;
+  }
+  return GL_TEXTURE_2D;
+}
+
+/// Depth and stencil, from the framebuffer that is read to the one that is drawn to.
+void copyDepths(const Region &region) {
+  const GLint x = region.x, y = region.y, right = x + region.width, top = y + region.height;
+  glBlitFramebuffer(x, y, right, top, x, y, right, top, GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
+DebugError glError(GLenum code) { return {"GL error " + std::to_string(code)}; }
+
+} // namespace
+
+Result<std::unique_ptr<Drawer>, DebugError> FrameDrawer::open(std::unique_ptr<Subject> subject) {
+  std::unique_ptr<FrameDrawer> drawer(new FrameDrawer(std::move(subject)));
+  if (auto error = drawer->m_subject->prepare())
+    return *error;
+  drawer->keepProgram();
+  drawer->keepPicture();
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return std::unique_ptr<Drawer>(std::move(drawer));
+}
+
+std::string FrameDrawer::name() const {
+  return reinterpret_cast<const char *>(glGetString(GL_RENDERER));
+}
+
+/// The bound program object and its local parameters, which programs that show values have too.
+/// Those are objects of their own: hosts crash when the text of one that was drawn with is changed.
+/// An ATI shader is no such object, and has no parameters.
+void FrameDrawer::keepProgram() {
+  GLint bound = 0, count = 0;
+  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_BINDING_ARB, &bound);
+  if (bound == 0 || !glIsEnabled(GL_FRAGMENT_PROGRAM_ARB))
+    return;
+  m_document = GLuint(bound);
+  glGetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_MAX_PROGRAM_LOCAL_PARAMETERS_ARB, &count);
+  for (GLuint i = 0; i < GLuint(count); ++i) {
+    Vec4 value = {};
+    glGetProgramLocalParameterfvARB(GL_FRAGMENT_PROGRAM_ARB, i, value.data());
+    if (value != Vec4{})
+      m_locals.emplace_back(i, value);
+  }
+}
+
+/// What the draw finds, where it draws over what is there: the picture's own draw changes it.
+void FrameDrawer::keepDepths() {
+  const auto [width, height] = size();
+  const Restored restored;
+  GLint source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  if (!m_before.bind(width, height, 1).empty())
+    return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(source));
+  copyDepths({0, 0, width, height});
+}
+
+void FrameDrawer::keepPicture() {
+  const auto [width, height] = size();
+  m_keepsTarget = !m_subject->clear();
+  if (m_keepsTarget)
+    keepDepths();
+  m_subject->drawMesh();
+  m_picture.resize(std::size_t(width) * std::size_t(height));
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, m_picture.data());
+}
+
+/// Makes \p text (or, where it is empty, the document's) the program that is drawn with.
+/// \returns an empty string, or GL's complaint
+std::string FrameDrawer::load(const std::string &text) {
+  if (text.empty())
+    return {};
+  if (m_document == 0) {
+    glDisable(kTextFragmentShaderAti);
+    glEnable(GL_FRAGMENT_PROGRAM_ARB);
+  }
+  if (m_loaded == text) {
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+    return {};
+  }
+  m_loaded.clear();
+  glDeleteProgramsARB(1, &m_program);
+  glGenProgramsARB(1, &m_program);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+  for (const auto &[index, value] : m_locals)
+    glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, index, value.data());
+  glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
+                     text.data());
+  if (glGetError() == GL_NO_ERROR) {
+    m_loaded = text;
+    return {};
+  }
+  const auto *const words =
+      reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
+  return std::string("a program that shows values was refused: ") + (words ? words : "no reason");
+}
+
+/// The document's own program again; no attribute group is sure to hold it.
+void FrameDrawer::unload() {
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_document);
+  if (m_document != 0)
+    return;
+  glDisable(GL_FRAGMENT_PROGRAM_ARB);
+  glEnable(kTextFragmentShaderAti);
+}
+
+Result<std::vector<Drawer::Vec4>, DebugError>
+FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &region) {
+  const Restored restored;
+  m_subject->setPlainState();
+  if (std::string fault = load(text); !fault.empty()) {
+    unload();
+    return DebugError{std::move(fault)};
+  }
+  // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
+  const std::string fault =
+      m_target.bind(region.x + region.width, region.y + region.height, targets);
+  if (!fault.empty())
+    return DebugError{fault};
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.x, region.y, region.width, region.height);
+  if (m_keepsTarget) {
+    m_before.bindToRead();
+    copyDepths(region);
+  } else {
+    m_subject->clear();
+  }
+  m_target.clear();
+  m_subject->drawMesh();
+  auto values = m_target.read(region);
+  unload();
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return values;
+}
+
+Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+FrameDrawer::picture(const Region &region) {
+  std::vector<std::array<std::uint8_t, 4>> pixels;
+  const auto width = std::size_t(size()[0]);
+  for (int y = region.y; y < region.y + region.height; ++y) {
+    const auto row = m_picture.begin() + std::ptrdiff_t(std::size_t(y) * width) + region.x;
+    pixels.insert(pixels.end(), row, row + region.width);
+  }
+  return pixels;
+}
+
+Result<std::array<int, 3>, DebugError> FrameDrawer::textureSize(unsigned unit,
+                                                                fp::ir::TexTarget target) {
+  constexpr GLenum kSides[] = {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH};
+  std::array<int, 3> size = {};
+  GLint active = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glActiveTexture(GL_TEXTURE0 + unit);
+  for (std::size_t i = 0; i < 3; ++i)
+    glGetTexLevelParameteriv(targetOf(target), 0, kSides[i], &size[i]);
+  glActiveTexture(GLenum(active));
+  if (const GLenum code = glGetError(); code != GL_NO_ERROR)
+    return glError(code);
+  return size;
+}
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "tools/debug/gl/float_target.h"
+#include "tools/debug/gl/subject.h"
+#include "tools/debug/pixel/drawer.h"
+
+namespace arbiter::tools::debug {
+
+/// The drawer of a subject in the context that is current.
+class FrameDrawer : public Drawer {
+public:
+  [[nodiscard]] static Result<std::unique_ptr<Drawer>, DebugError>
+  open(std::unique_ptr<Subject> subject);
+
+  [[nodiscard]] std::string name() const override;
+  [[nodiscard]] std::array<int, 2> size() const override { return m_subject->size(); }
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError>
+  draw(const std::string &text, std::size_t targets, const Region &region) override;
+  [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+  picture(const Region &region) override;
+  [[nodiscard]] Result<std::array<int, 3>, DebugError>
+  textureSize(unsigned unit, fp::ir::TexTarget target) override;
+
+private:
+  explicit FrameDrawer(std::unique_ptr<Subject> subject) : m_subject(std::move(subject)) {}
+  void keepProgram();
+  void keepPicture();
+  void keepDepths();
+  std::string load(const std::string &text);
+  void unload();
+
+  std::unique_ptr<Subject> m_subject;
+  FloatTarget m_target, m_before; ///< `m_before`: depth and stencil that the draw finds
+  bool m_keepsTarget = false;     ///< the draw's pass does not begin with an empty target
+  GLuint m_document = 0;          ///< the document's program object; 0: an ATI shader
+  std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters that are not zero
+  GLuint m_program = 0;                          ///< of the last text that shows values
+  std::string m_loaded;                          ///< that text
+  std::vector<std::array<std::uint8_t, 4>> m_picture;
+};
+
+} // namespace arbiter::tools::debug

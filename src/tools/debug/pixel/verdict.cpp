@@ -1,0 +1,202 @@
+#include "tools/debug/pixel/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+
+#include "fp_compiler/back/assembly/assembly.h"
+#include "tools/debug/pixel/cut.h"
+#include "tools/debug/trace/numbers.h"
+
+namespace arbiter::tools::debug {
+
+namespace {
+
+using fp::ir::Program;
+
+/// Longer programs are halved: each row would be a program of its own to compile.
+constexpr std::size_t kMostRowsDrawn = 256;
+
+const Named *colorOf(const Trace &trace) {
+  for (const Named &result : trace.results)
+    if (result.name == "result.color" || result.name == "result.color[0]")
+      return &result;
+  return nullptr;
+}
+
+std::array<std::uint8_t, 4> bytesOf(const Vec4 &color) {
+  std::array<std::uint8_t, 4> bytes = {};
+  std::transform(color.begin(), color.end(), bytes.begin(), byteOf);
+  return bytes;
+}
+
+/// Of the components of \p mask: a host may leave anything in others.
+int stepsBetween(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
+  int steps = 0;
+  for (std::size_t c = 0; c < 4; ++c)
+    if (mask >> c & 1)
+      steps = std::max(steps, std::abs(int(byteOf(a[c])) - int(byteOf(b[c]))));
+  return steps;
+}
+
+bool isSameBits(const Vec4 &a, const Vec4 &b, std::uint8_t mask) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if ((mask >> c & 1) && std::memcmp(&a[c], &b[c], sizeof a[c]) != 0 &&
+        !(std::isnan(a[c]) && std::isnan(b[c])))
+      return false;
+  return true;
+}
+
+/// What of a row's value can be compared: of KIL its operand.
+Vec4 valueOf(const Row &row) { return row.mask ? row.value.first : row.operands[0].value.first; }
+std::uint8_t maskOf(const Row &row) { return row.mask ? row.mask : 0xF; }
+
+class Search {
+public:
+  Search(Drawer &drawer, const Program &program, const Trace &trace, int x, int y,
+         Fragments fragments, const Tolerance &tolerance)
+      : m_drawer(drawer), m_program(program), m_trace(trace), m_x(x), m_y(y),
+        m_fragments(fragments), m_tolerance(tolerance) {}
+
+  /// Every row, a few a draw, until one differs.
+  Result<std::optional<Difference>, DebugError> eachRow() {
+    for (std::size_t from = 0; from < m_trace.rows.size(); from += kMostTargets) {
+      std::vector<std::size_t> rows(std::min(kMostTargets, m_trace.rows.size() - from));
+      std::iota(rows.begin(), rows.end(), from);
+      auto found = among(rows);
+      if (!found || found.value())
+        return found;
+    }
+    return std::optional<Difference>();
+  }
+
+  /// Finds a row that differs behind one that does not.
+  Result<std::optional<Difference>, DebugError> halved() {
+    std::optional<Difference> nearest;
+    std::size_t low = 0, high = m_trace.rows.size();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      auto found = among({middle});
+      if (!found)
+        return found;
+      if (found.value()) {
+        nearest = found.value();
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return nearest;
+  }
+
+private:
+  Result<std::optional<Difference>, DebugError> among(const std::vector<std::size_t> &rows) {
+    const auto drawn = drawRows(m_drawer, m_program, rows, m_x, m_y, m_fragments);
+    if (!drawn)
+      return drawn.error();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row &row = m_trace.rows[rows[i]];
+      const Vec4 mine = valueOf(row), other = drawn.value()[i];
+      const std::uint8_t components = differing(mine, other, maskOf(row), m_tolerance);
+      if (components)
+        return std::optional(Difference{rows[i], rows[i], {mine, other}, components, {}});
+    }
+    return std::optional<Difference>();
+  }
+
+  Drawer &m_drawer;
+  const Program &m_program;
+  const Trace &m_trace;
+  const int m_x, m_y;
+  const Fragments m_fragments;
+  const Tolerance m_tolerance;
+};
+
+/// The pixel of the picture; and the fragment's own colour where blending, or what came later, made
+/// that another one. Hosts round the middle between two steps either way.
+std::string drawnText(const Verdict &verdict) {
+  const std::string picture = hexColor(verdict.picture);
+  for (std::size_t c = 0; c < 4; ++c)
+    if (std::abs(int(verdict.picture[c]) - int(byteOf((*verdict.drawn)[c]))) > 1)
+      return picture + " (the fragment " + colorText(*verdict.drawn) + ")";
+  return picture;
+}
+
+/// The interpreter's side, and the drawer's fragment and picture.
+Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
+  Verdict verdict;
+  verdict.drawer = drawer.name();
+  verdict.isDiscarded = trace.isDiscarded.first;
+  const Region pixel{x, y, 1, 1};
+  const auto picture = drawer.picture(pixel);
+  if (!picture)
+    return picture.error();
+  if (!picture.value().empty())
+    verdict.picture = picture.value()[0];
+  const auto fragment = drawer.draw("", 1, pixel);
+  if (!fragment)
+    return fragment.error();
+  if (!fragment.value().empty() && fragment.value()[0] != uncovered())
+    verdict.drawn = fragment.value()[0];
+  const Named *const color = colorOf(trace);
+  if (!color || !verdict.drawn || verdict.isDiscarded)
+    return verdict;
+  verdict.interpreter = bytesOf(color->value.first);
+  verdict.steps = stepsBetween(color->value.first, *verdict.drawn, color->mask);
+  verdict.bitsEqual = isSameBits(color->value.first, *verdict.drawn, color->mask);
+  return verdict;
+}
+
+} // namespace
+
+Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &program,
+                                               const std::vector<std::size_t> &rows, int x, int y,
+                                               Fragments fragments) {
+  std::vector<Probe> probes;
+  for (const std::size_t row : rows)
+    probes.push_back({Probe::Kind::Value, row});
+  auto drawn = drawer.draw(fp::emitAssembly(cutProgram(program, probes, fragments)), probes.size(),
+                           Region{x, y, 1, 1});
+  if (drawn && drawn.value().size() != rows.size())
+    return DebugError{drawer.name() + " drew another number of pixels than was asked for"};
+  return drawn;
+}
+
+Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace, int x,
+                                  int y, const Tolerance &tolerance) {
+  auto verdict = compareColors(drawer, trace, x, y);
+  // No assembly text says what an ATI shader does, so none can be cut.
+  if (!verdict || verdict.value().isEqual() || program.language != fp::ir::Language::ArbFragment)
+    return verdict;
+  const bool survives = decidesFragments(program) && verdict.value().drawn;
+  Search search(drawer, program, trace, x, y, survives ? Fragments::Surviving : Fragments::Covered,
+                tolerance);
+  verdict.value().bisected = trace.rows.size() > kMostRowsDrawn;
+  const auto first = verdict.value().bisected ? search.halved() : search.eachRow();
+  if (!first)
+    return first.error();
+  verdict.value().first = first.value();
+  return verdict;
+}
+
+std::string verdictLine(const Verdict &verdict, const Trace &trace) {
+  std::string line = verdict.drawer;
+  if (!verdict.drawn && verdict.isDiscarded)
+    return line + " discarded the fragment: equal";
+  if (verdict.isEqual())
+    return line + " drew " + drawnText(verdict) + ": equal" +
+           (verdict.bitsEqual ? ", to the bit" : " in 8 bits");
+  if (verdict.isDiscarded != !verdict.drawn)
+    line += verdict.drawn ? " drew " + drawnText(verdict) + ", the interpreter discards"
+                          : " discarded the fragment, the interpreter does not";
+  else
+    line += " differs by " + std::to_string(verdict.steps) + "/255";
+  if (!verdict.first)
+    return line + "; no instruction differs by more than rounding";
+  const Row &row = trace.rows[verdict.first->row];
+  return line + ", first at line " + std::to_string(row.at.line) + ": " + row.text;
+}
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,94 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/profile.h"
+#include "scene/document.h"
+#include "tools/debug/drawn_by.h"
+#include "tools/debug/findings.h"
+#include "tools/debug/pixel/reader.h"
+#include "tools/debug/pixel/verdict.h"
+#include "tools/debug/pixel/vertices.h"
+#include "tools/debug/pixel/watch.h"
+#include "tools/debug/start.h"
+
+/// One draw of a document under the debugger. The process that draws stays, so that a further pixel
+/// costs only what is new about it.
+namespace arbiter::tools::debug {
+
+struct SessionError {
+  enum class Kind { Usage, Invalid, NoGl } kind = Kind::Usage;
+  std::string message; ///< Invalid: rendered diagnostics, lines that end; else "name: reason"
+};
+
+struct SessionOptions {
+  std::string path;
+  std::string text;     ///< of the document: what an editor has may not be saved
+  int pass = 1;         ///< from 1
+  int frame = 0;        ///< from 0
+  std::string profile;  ///< a name or a file; empty: the document's, or the user's
+  std::string numerics; ///< a name of fp::kNumericsNames; empty: the document's, or host
+  Backend backend = Backend::Swrast;
+  std::string library; ///< of the layer; empty: found
+};
+
+/// A program's text and what the compiler makes of it.
+struct CheckedText {
+  std::string name;
+  std::string text;
+  fp::ir::Program program;
+};
+/// Errors: the compiler's, under the profile's limits.
+[[nodiscard]] Result<CheckedText, SessionError> checkText(std::string name, std::string text,
+                                                          const fp::hw::Profile &profile);
+
+class Session {
+public:
+  [[nodiscard]] static Result<std::unique_ptr<Session>, SessionError>
+  open(const SessionOptions &options);
+
+  [[nodiscard]] const CheckedText &fragment() const { return m_fragment; }
+  /// What programs are held to.
+  [[nodiscard]] const fp::hw::Profile &profile() const { return m_profile; }
+  [[nodiscard]] const scene::Document &document() const { return m_document; }
+  [[nodiscard]] Drawer &drawer() { return *m_drawer; }
+  [[nodiscard]] fp::Numerics numerics() const { return m_numerics; }
+
+  /// \p program in the document's program's place. Pixels count from the lower left.
+  [[nodiscard]] Result<Trace, DebugError> trace(const CheckedText &program, int x, int y);
+  [[nodiscard]] Result<Trace, DebugError> trace(int x, int y) { return trace(m_fragment, x, y); }
+  [[nodiscard]] Result<Verdict, DebugError> verdict(const Trace &trace, int x, int y) {
+    return judge(*m_drawer, m_fragment.program, trace, x, y);
+  }
+  /// The corners of the pixel's triangle. Errors: the pass has no vertex program, and those of
+  /// traceTriangle().
+  [[nodiscard]] Result<TracedTriangle, DebugError> vertices(int x, int y);
+  /// Ends the process that draws. \returns what is to be said of who drew, or nothing
+  [[nodiscard]] std::string end();
+  /// A value in each pixel of the picture, the lowest row first.
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError> watch(const Watch &watch);
+
+private:
+  Session() = default;
+
+  std::optional<SessionError> read(const SessionOptions &options);
+  std::optional<SessionError> readVertex();
+  Result<std::vector<Vec4>, DebugError> watchOf(const Watch &watch, Fragments fragments);
+  std::optional<SessionError> start(const SessionOptions &options);
+
+  scene::Document m_document;
+  fp::hw::Profile m_profile;
+  CheckedText m_fragment;
+  std::optional<CheckedText> m_vertex;
+  scene::Pass m_pass;
+  int m_frame = 0;
+  fp::Numerics m_numerics = fp::Numerics::Host;
+  std::optional<DrawnBy> m_drawnBy;
+  std::unique_ptr<DrawClient> m_drawer;
+};
+
+/// The trace of a pixel and its verdict.
+[[nodiscard]] Result<Findings, DebugError> findingsOf(Session &session, int x, int y);
+
+} // namespace arbiter::tools::debug

@@ -1,0 +1,46 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "tools/debug/pixel/drawer.h"
+
+namespace arbiter::tools::debug {
+
+/// A drawer without GL: a quad over the whole picture, drawn by the interpreter.
+class FakeDrawer : public Drawer {
+public:
+  FakeDrawer(std::string text, int width, int height)
+      : m_text(std::move(text)), m_width(width), m_height(height) {}
+
+  [[nodiscard]] std::string name() const override { return "fake"; }
+  [[nodiscard]] std::array<int, 2> size() const override { return {m_width, m_height}; }
+  [[nodiscard]] Result<std::vector<Vec4>, DebugError>
+  draw(const std::string &text, std::size_t targets, const Region &region) override;
+  [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
+  picture(const Region &region) override;
+  [[nodiscard]] Result<std::array<int, 3>, DebugError> textureSize(unsigned,
+                                                                   fp::ir::TexTarget) override {
+    return std::array<int, 3>{64, 32, 1};
+  }
+
+  /// program.local[N] and all others: (N, 0.5, -1, 2) unless this says otherwise.
+  std::function<Vec4(const fp::ir::Parameter &)> parameter;
+  /// Changes results, as a host that is wrong does.
+  std::function<void(const fp::ir::Instruction &, Vec4 &)> wrong;
+  std::function<bool(int x, int y)> covers;
+  int drawn = 0; ///< draws so far
+
+private:
+  std::string m_text;
+  int m_width, m_height;
+};
+
+/// Attributes of the fake's quad: texture coordinates and colours are (s, t, 0, 1).
+[[nodiscard]] fp::ir::Vec4 attributeAt(const fp::ir::Attribute &attribute, int x, int y, int width,
+                                       int height);
+/// The fake's textures: a smooth function of the coordinates.
+[[nodiscard]] fp::ir::Vec4 texelAt(const fp::ir::Sample &sample);
+/// A program that must load.
+[[nodiscard]] fp::ir::Program checked(const std::string &text);
+
+} // namespace arbiter::tools::debug
