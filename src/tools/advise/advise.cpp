@@ -1,0 +1,188 @@
+#include "tools/advise/advise.h"
+
+#include <algorithm>
+
+#include "tools/advise/rules/rules.h"
+#include "tools/advise/trial.h"
+
+namespace arbiter::tools::advise {
+
+namespace {
+
+/// Instructions that are run, in all, for one program: a long program's proposals beyond are not
+/// tried.
+constexpr std::uint64_t kMostSteps = 40'000'000;
+
+/// Edits with the text that they make.
+struct Rewrite {
+  Edits edits;
+  std::string text;
+  fp::CheckResult check;
+};
+
+/// Compiles proposals and runs them.
+class Judge {
+public:
+  explicit Judge(const Subject &subject) : m_subject(subject) {}
+
+  /// The advice, if the proposal gains and is equal.
+  std::optional<Advice> judge(const Proposal &proposal) {
+    std::optional<Rewrite> rewrite = rewritten(proposal.edits);
+    if (!rewrite)
+      return std::nullopt;
+    const Cost cost = costOf(rewrite->check);
+    const bool gains = falls(m_subject.cost(), cost) ||
+                       (proposal.texture && fewerSlots(m_subject.cost(), cost));
+    if (!gains || !spend() || !holds(proposal, *rewrite->check.program))
+      return std::nullopt;
+    Advice advice;
+    advice.rule = proposal.rule;
+    advice.span = proposal.span;
+    advice.message = proposal.message;
+    advice.before = m_subject.cost();
+    advice.after = cost;
+    const bool fix = proposal.derived.empty() && proposal.condition.empty();
+    (fix ? advice.edits : advice.sketch) = std::move(rewrite->edits);
+    advice.application = proposal.application;
+    advice.condition = proposal.condition;
+    advice.nearness = proposal.nearness;
+    return advice;
+  }
+
+private:
+  /// A condition is the author's to know: it is not asked of made-up inputs.
+  bool holds(const Proposal &proposal, const fp::ir::Program &program) const {
+    return !proposal.condition.empty() ||
+           equal(m_subject.program(), program, proposal.derived, proposal.nearness);
+  }
+
+  bool spend() {
+    m_steps += 2 * kTrials * std::uint64_t(m_subject.size());
+    return m_steps <= kMostSteps;
+  }
+
+  [[nodiscard]] std::optional<Rewrite> checked(Edits edits) const {
+    std::optional<std::string> text = applied(m_subject.text(), edits);
+    if (!text)
+      return std::nullopt;
+    const Setting &setting = m_subject.setting();
+    fp::CheckResult check =
+        fp::checkProgram(setting.language, *text, {setting.limits, fp::LimitPolicy::Report});
+    if (!check.ok())
+      return std::nullopt;
+    return Rewrite{std::move(edits), std::move(*text), std::move(check)};
+  }
+
+  /// The edits, and what they leave without a reader goes too.
+  [[nodiscard]] std::optional<Rewrite> rewritten(const Edits &proposed) const {
+    std::optional<Rewrite> rewrite = checked(proposed);
+    if (!rewrite)
+      return std::nullopt;
+    const Edits more = leftOver(*rewrite);
+    if (more.empty())
+      return rewrite;
+    Edits edits = proposed;
+    edits.insert(edits.end(), more.begin(), more.end());
+    sort(edits);
+    return checked(std::move(edits));
+  }
+
+  /// Removals of statements that were live and are so no more.
+  [[nodiscard]] Edits leftOver(const Rewrite &rewrite) const {
+    const fp::ir::Program &program = *rewrite.check.program;
+    const std::vector<std::uint8_t> written = fp::analysis::liveOf(program).written;
+    Edits removals;
+    for (std::size_t i = 0; i < program.code.size(); ++i) {
+      if (written[i] != 0)
+        continue;
+      const auto begin = before(rewrite.edits, program.code[i].span.begin);
+      const std::optional<std::uint32_t> old = begin ? instructionAt(*begin) : std::nullopt;
+      if (old && m_subject.flow().live(*old))
+        removals.push_back({wholeStatement(m_subject.text(), m_subject.at(*old).span), ""});
+    }
+    return removals;
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> instructionAt(std::uint32_t begin) const {
+    for (std::uint32_t i = 0; i < m_subject.size(); ++i)
+      if (m_subject.at(i).span.begin == begin)
+        return i;
+    return std::nullopt;
+  }
+
+  const Subject &m_subject;
+  std::uint64_t m_steps = 0;
+};
+
+/// Two ways to change one place: the cheaper one stays, of equals the first.
+void add(std::vector<Advice> &all, Advice &&advice) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const Advice &each) {
+    return each.span == advice.span && std::string_view(each.rule) == advice.rule;
+  });
+  if (same == all.end())
+    all.push_back(std::move(advice));
+  else if (cheaper(advice.after, same->after))
+    *same = std::move(advice);
+}
+
+std::vector<Advice> adviceFor(const Subject &subject) {
+  std::vector<Advice> all;
+  Judge judge(subject);
+  for (const Rule &rule : rules())
+    for (Proposal &proposal : rule.propose(subject))
+      if (std::optional<Advice> advice = judge.judge(proposal))
+        add(all, std::move(*advice));
+  std::stable_sort(all.begin(), all.end(), [](const Advice &a, const Advice &b) {
+    return a.span.begin < b.span.begin;
+  });
+  return all;
+}
+
+const Advice *bestFix(const std::vector<Advice> &all) {
+  const Advice *best = nullptr;
+  for (const Advice &each : all)
+    if (each.isFix() && (best == nullptr || cheaper(each.after, best->after)))
+      best = &each;
+  return best;
+}
+
+} // namespace
+
+std::vector<RuleInfo> ruleList() {
+  std::vector<RuleInfo> list;
+  for (const Rule &rule : rules())
+    list.push_back({rule.id, rule.title});
+  return list;
+}
+
+std::vector<Advice> advise(std::string_view text, const Setting &setting) {
+  const std::unique_ptr<Subject> subject = Subject::read(text, setting);
+  return subject ? adviceFor(*subject) : std::vector<Advice>();
+}
+
+Fixed applyAll(std::string_view text, const Setting &setting) {
+  Fixed fixed;
+  fixed.text = text;
+  const std::unique_ptr<Subject> original = Subject::read(text, setting);
+  if (!original)
+    return fixed;
+  fixed.before = fixed.after = original->cost();
+  // Each fix makes a count smaller and none larger, so this ends.
+  while (true) {
+    const std::vector<Advice> all = advise(fixed.text, setting);
+    const Advice *best = bestFix(all);
+    if (best == nullptr)
+      return fixed;
+    std::optional<std::string> next = applied(fixed.text, best->edits);
+    const std::unique_ptr<Subject> subject = next ? Subject::read(*next, setting) : nullptr;
+    // Roundings add up: the whole way must be equal too.
+    if (!subject ||
+        !equal(original->program(), subject->program(), {}, Nearness::Rounding, kTrials))
+      return fixed;
+    fixed.applied.push_back(*best);
+    fixed.after = subject->cost();
+    fixed.text = std::move(*next);
+  }
+}
+
+} // namespace arbiter::tools::advise
