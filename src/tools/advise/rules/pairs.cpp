@@ -176,7 +176,7 @@ std::optional<Step> next(const Subject &subject, const Step &step) {
   if (!one || !other || one->operand != other->operand)
     return std::nullopt;
   const Step found{{one->reader, other->reader}, one->operand};
-  if (!isAlike(subject, found) || found.early() <= step.late() ||
+  if (!isAlike(subject, found) || found.late() <= step.late() ||
       subject.flow().writer(one->reader, one->operand) != step.at[0] ||
       subject.flow().writer(other->reader, other->operand) != step.at[1])
     return std::nullopt;

@@ -133,11 +133,9 @@ Proposals copies(const Subject &subject) {
   for (std::uint32_t i = 0; i < subject.size(); ++i) {
     if (!isPlainCopy(subject.at(i)) || !subject.flow().live(i))
       continue;
-    std::optional<Draft> draft;
-    if (subject.at(i).dst.file == File::Temporary && subject.flow().readAlone(i))
-      draft = readThrough(subject, i);
-    else
-      draft = writeThrough(subject, i);
+    const bool readable = subject.at(i).dst.file == File::Temporary && subject.flow().readAlone(i);
+    const std::optional<Draft> draft =
+        readable ? readThrough(subject, i) : writeThrough(subject, i);
     if (draft)
       proposals.push_back(
           draft->about(i, "needless-copy", "MOV is not needed: what it copies can be read or written in its place"));

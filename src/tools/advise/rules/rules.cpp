@@ -10,6 +10,7 @@ constexpr Rule kRules[] = {
     {"parameter-work", "work on parameters alone, the same for every pixel", parameterWork},
     {"linear-work", "work that is linear in texture coordinates", linearWork},
     {"component-order", "swizzles that the card copies for", operandOrder},
+    {"swizzles-by-one-copy", "one register in several orders", arrangements},
     {"table-of-one-value", "a function of one value", tableOfOne},
     {"unit-vector-cube-map", "DP3, RSQ, MUL of one vector", cubeMap},
     {"clamp-by-sat", "MAX and MIN that clamp to [0,1]", clamps},

@@ -23,6 +23,8 @@ struct Rule {
 // interpolation.cpp
 [[nodiscard]] Proposals linearWork(const Subject &subject);
 [[nodiscard]] Proposals operandOrder(const Subject &subject);
+// arrange.cpp
+[[nodiscard]] Proposals arrangements(const Subject &subject);
 // tables.cpp
 [[nodiscard]] Proposals tableOfOne(const Subject &subject);
 [[nodiscard]] Proposals cubeMap(const Subject &subject);
