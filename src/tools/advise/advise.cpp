@@ -114,10 +114,13 @@ private:
   std::uint64_t m_steps = 0;
 };
 
-/// Two ways to change one place: the cheaper one stays, of equals the first.
+/// Two ways to change one place: the cheaper one stays, of equals the first. What the application
+/// would have to do is said once of a place, whatever the rule.
 void add(std::vector<Advice> &all, Advice &&advice) {
   const auto same = std::find_if(all.begin(), all.end(), [&](const Advice &each) {
-    return each.span == advice.span && std::string_view(each.rule) == advice.rule;
+    const bool rule = std::string_view(each.rule) == advice.rule;
+    const bool others = !each.application.empty() && !advice.application.empty();
+    return each.span == advice.span && (rule || others);
   });
   if (same == all.end())
     all.push_back(std::move(advice));

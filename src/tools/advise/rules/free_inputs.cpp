@@ -26,12 +26,15 @@ std::optional<std::uint8_t> freeLocal(const Subject &subject) {
   });
 }
 
-std::optional<std::uint8_t> freeTexCoord(const Subject &subject) {
+std::vector<std::uint8_t> freeTexCoords(const Subject &subject) {
   const auto &attributes = subject.program().attributes;
-  return firstFree(subject.setting().limits.textureCoords, [&](std::uint8_t index) {
-    const fp::ir::Attribute wanted{fp::ir::AttributeKind::TexCoord, index};
-    return std::find(attributes.begin(), attributes.end(), wanted) != attributes.end();
-  });
+  std::vector<std::uint8_t> free;
+  for (std::uint32_t i = 0; i < std::min(subject.setting().limits.textureCoords, 256u); ++i) {
+    const fp::ir::Attribute wanted{fp::ir::AttributeKind::TexCoord, std::uint8_t(i)};
+    if (std::find(attributes.begin(), attributes.end(), wanted) == attributes.end())
+      free.push_back(std::uint8_t(i));
+  }
+  return free;
 }
 
 std::optional<std::uint8_t> freeUnit(const Subject &subject) {

@@ -9,7 +9,7 @@
 namespace arbiter::tools::advise {
 
 [[nodiscard]] std::optional<std::uint8_t> freeLocal(const Subject &subject);
-[[nodiscard]] std::optional<std::uint8_t> freeTexCoord(const Subject &subject);
+[[nodiscard]] std::vector<std::uint8_t> freeTexCoords(const Subject &subject);
 [[nodiscard]] std::optional<std::uint8_t> freeUnit(const Subject &subject);
 
 /// "program.local[3]"

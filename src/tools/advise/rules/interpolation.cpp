@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fp_compiler/ir/reads.h"
 #include "tools/advise/rules/free_inputs.h"
 #include "tools/advise/rules/rules.h"
@@ -32,26 +34,47 @@ bool isReordered(const Subject &subject, std::uint32_t index, int operand) {
   return false;
 }
 
+bool isLinear(const Subject &subject, std::uint32_t index) {
+  return subject.program().language == fp::ir::Language::ArbFragment &&
+         subject.flow().live(index) && subject.flow().depends(index) == Depends::Affine &&
+         ofTexCoordsAlone(subject, index) && subject.flow().endsKind(index);
+}
+
+/// The values come from texture coordinate sets of their own, as far as there are any.
+std::optional<Proposal> movedToVertices(const Subject &subject,
+                                        const std::vector<std::uint32_t> &values) {
+  const std::vector<std::uint8_t> sets = freeTexCoords(subject);
+  const std::size_t count = std::min(values.size(), sets.size());
+  if (count == 0)
+    return std::nullopt;
+  const std::string stem = subject.fresh("moved");
+  std::string written, results;
+  std::vector<Derived> derived;
+  Draft draft(subject);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = i == 0 ? stem : stem + "_" + std::to_string(i + 1);
+    draft.insert(values[i], {"ATTRIB " + name + " = " + texCoordText(sets[i])});
+    readInstead(subject, values[i], name, draft);
+    derived.push_back({Derived::Kind::TexCoord, sets[i], values[i]});
+    written += (i == 0 ? "" : ", ") + subject.destination(values[i]);
+    results += (i == 0 ? "" : ", ") + std::to_string(sets[i]);
+  }
+  const char *op = fp::ir::info(subject.at(values[0]).op).mnemonic;
+  const std::string what =
+      count == 1 ? std::string(op) + " is" : std::to_string(count) + " values are";
+  Proposal proposal = draft.about(
+      values[0], values[count - 1], "linear-work",
+      what + " linear in texture coordinates: the vertex stage can compute " +
+          (count == 1 ? "it" : "them") + ", and interpolation keeps that");
+  proposal.derived = std::move(derived);
+  proposal.application = "writes what " + written + (count == 1 ? " is" : " are") +
+                         " here to result.texcoord " + results + " of its vertex program";
+  return proposal;
+}
+
 constexpr const char *kOrder = "component-order";
 constexpr const char *kOrderMessage =
     "the card has no such swizzle and copies for it: the components can come in this order";
-
-/// Numbers in the order that they are read in.
-std::optional<Proposal> orderOfNumbers(const Subject &subject, std::uint32_t index, int operand) {
-  const std::uint8_t mask = fp::ir::operandMask(subject.at(index), operand);
-  fp::ir::Vec4 value = {};
-  for (std::size_t c = 0; c < 4; ++c) {
-    const auto number = subject.number(index, operand, int(c));
-    if ((mask >> c & 1) && !number)
-      return std::nullopt;
-    value[c] = mask >> c & 1 ? *number : 0.0f;
-  }
-  const std::string name = subject.fresh("ordered");
-  Draft draft(subject);
-  draft.insert(index, {"PARAM " + name + " = " + vectorText(value)});
-  draft.replaceOperand(index, operand, name);
-  return draft.about(index, kOrder, kOrderMessage);
-}
 
 /// A register of the application's.
 std::optional<Proposal> orderOfInput(const Subject &subject, std::uint32_t index, int operand) {
@@ -62,11 +85,11 @@ std::optional<Proposal> orderOfInput(const Subject &subject, std::uint32_t index
   std::string binding;
   Derived derived{Derived::Kind::TexCoord, 0, index, operand};
   if (attribute) {
-    const auto free = freeTexCoord(subject);
-    if (!free)
+    const std::vector<std::uint8_t> free = freeTexCoords(subject);
+    if (free.empty())
       return std::nullopt;
-    derived.index = *free;
-    binding = texCoordText(*free);
+    derived.index = free[0];
+    binding = texCoordText(free[0]);
   } else {
     const auto free = freeLocal(subject);
     if (!free)
@@ -90,27 +113,17 @@ std::optional<Proposal> orderOfInput(const Subject &subject, std::uint32_t index
 
 Proposals linearWork(const Subject &subject) {
   Proposals proposals;
-  const std::optional<std::uint8_t> free = freeTexCoord(subject);
-  for (std::uint32_t i = 0; free && i < subject.size(); ++i) {
-    const fp::ir::Instruction &instruction = subject.at(i);
-    if (subject.program().language != fp::ir::Language::ArbFragment || !subject.flow().live(i) ||
-        subject.flow().depends(i) != Depends::Affine || !ofTexCoordsAlone(subject, i) ||
-        !subject.flow().endsKind(i))
-      continue;
-    const std::string name = subject.fresh("moved");
-    Draft draft(subject);
-    draft.insert(i, {"ATTRIB " + name + " = " + texCoordText(*free)});
-    readInstead(subject, i, name, draft);
-    Proposal proposal = draft.about(
-        i, "linear-work",
-        std::string(fp::ir::info(instruction.op).mnemonic) +
-            " is linear in texture coordinates: the vertex stage can compute it, and "
-            "interpolation keeps it");
-    proposal.derived.push_back({Derived::Kind::TexCoord, *free, i});
-    proposal.application = "writes what " + subject.destination(i) + " is here to result.texcoord[" +
-                           std::to_string(*free) + "] of its vertex program";
-    proposals.push_back(std::move(proposal));
-  }
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < subject.size(); ++i)
+    if (isLinear(subject, i))
+      all.push_back(i);
+  for (const std::uint32_t each : all)
+    if (auto proposal = movedToVertices(subject, {each}))
+      proposals.push_back(std::move(*proposal));
+  // Together they may save a node.
+  if (all.size() > 1)
+    if (auto proposal = movedToVertices(subject, all))
+      proposals.push_back(std::move(*proposal));
   return proposals;
 }
 
@@ -121,14 +134,14 @@ Proposals operandOrder(const Subject &subject) {
   for (std::uint32_t i = 0; i < subject.size(); ++i)
     for (int o = 0; o < fp::ir::info(subject.at(i).op).operandCount(); ++o) {
       const fp::ir::Operand &source = subject.at(i).src[std::size_t(o)];
-      if ((source.file != File::Attribute && source.file != File::Parameter) || source.relative ||
+      const bool parameter =
+          source.file == File::Parameter && !source.relative &&
+          subject.flow().depends(i, o) == Depends::Parameter;
+      if ((source.file != File::Attribute && !parameter) ||
           fp::ir::info(subject.at(i).op).shapes[o] == 'S' || subject.at(i).op == Opcode::Swz ||
           !isReordered(subject, i, o))
         continue;
-      auto proposal = orderOfNumbers(subject, i, o);
-      if (!proposal)
-        proposal = orderOfInput(subject, i, o);
-      if (proposal)
+      if (auto proposal = orderOfInput(subject, i, o))
         proposals.push_back(std::move(*proposal));
     }
   return proposals;

@@ -84,20 +84,23 @@ std::optional<std::string> seenText(const Subject &subject, const Chooser &choos
   return Subject::spelled(subject.base(chooser.comparison, operand), read, mask, false);
 }
 
-void finish(const Subject &subject, const Chooser &chooser, const Arms &arms,
-            const std::string &sign, Draft draft, Proposals &proposals) {
+/// The chooser as CMP by the sign of \p sign.
+void choose(const Subject &subject, const Chooser &chooser, const Arms &arms,
+            const std::string &sign, Draft &draft) {
   const bool below = subject.at(chooser.comparison).op == Opcode::Slt;
-  const Instruction &instruction = subject.at(chooser.index);
   draft.replace(chooser.index,
-                statementText(Opcode::Cmp, instruction.dst.saturate,
+                statementText(Opcode::Cmp, subject.at(chooser.index).dst.saturate,
                               subject.destination(chooser.index),
                               {sign, below ? arms.ifOne : arms.ifZero,
                                below ? arms.ifZero : arms.ifOne}));
-  const std::string message =
+}
+
+Proposal finished(const Subject &subject, const Chooser &chooser, const Draft &draft) {
+  return draft.about(
+      chooser.comparison, chooser.index, kRule,
       std::string(fp::ir::info(subject.at(chooser.comparison).op).mnemonic) + " makes 1 or 0 and " +
-      fp::ir::info(instruction.op).mnemonic +
-      " only chooses by it: CMP chooses by the sign of a difference";
-  proposals.push_back(draft.about(chooser.comparison, chooser.index, kRule, message));
+          fp::ir::info(subject.at(chooser.index).op).mnemonic +
+          " only chooses by it: CMP chooses by the sign of a difference");
 }
 
 /// One side is 0: the other one has the sign.
@@ -106,34 +109,43 @@ void proposeSign(const Subject &subject, const Chooser &chooser, const Arms &arm
   for (const int zero : {0, 1}) {
     if (subject.number(chooser.comparison, zero) != 0.0f)
       continue;
-    if (const auto sign = seenText(subject, chooser, 1 - zero, zero == 0))
-      finish(subject, chooser, arms, *sign, Draft(subject), proposals);
+    const auto sign = seenText(subject, chooser, 1 - zero, zero == 0);
+    if (!sign)
+      continue;
+    Draft draft(subject);
+    choose(subject, chooser, arms, *sign, draft);
+    proposals.push_back(finished(subject, chooser, draft));
   }
 }
 
-/// The comparison becomes a difference.
-void proposeDifference(const Subject &subject, const Chooser &chooser, const Arms &arms,
-                       Proposals &proposals) {
-  const Instruction &instruction = subject.at(chooser.index);
-  if (!subject.flow().onlyUse(chooser.comparison) ||
-      subject.at(chooser.comparison).dst.saturate)
-    return;
-  Operand read = instruction.src[std::size_t(chooser.operand)];
-  read.negate = 0;
-  const auto sign = Subject::spelled(subject.destinationBase(chooser.comparison), read,
-                                     instruction.dst.mask, false);
-  if (!sign)
-    return;
-  const std::uint8_t mask = subject.at(chooser.comparison).dst.mask;
-  const auto a = subject.spelled(chooser.comparison, 0, mask, false);
-  const auto b = subject.spelled(chooser.comparison, 1, mask, false);
-  if (!a || !b)
+/// The comparison becomes a difference, if all that read it choose by it.
+void proposeDifference(const Subject &subject, std::uint32_t comparison, Proposals &proposals) {
+  const Instruction &instruction = subject.at(comparison);
+  const std::uint8_t mask = instruction.dst.mask;
+  const auto a = subject.spelled(comparison, 0, mask, false);
+  const auto b = subject.spelled(comparison, 1, mask, false);
+  if (!a || !b || instruction.dst.saturate || subject.flow().uses(comparison).empty())
     return;
   Draft draft(subject);
-  draft.replace(chooser.comparison,
-                statementText(Opcode::Sub, false, subject.destination(chooser.comparison),
-                              {*a, *b}));
-  finish(subject, chooser, arms, *sign, std::move(draft), proposals);
+  draft.replace(comparison,
+                statementText(Opcode::Sub, false, subject.destination(comparison), {*a, *b}));
+  Chooser last;
+  for (const Use &use : subject.flow().uses(comparison)) {
+    const Chooser chooser{use.reader, use.operand, comparison};
+    if (subject.flow().writer(use.reader, use.operand) != comparison ||
+        !fp::ir::info(subject.at(use.reader).op).has(fp::ir::PerComponent))
+      return;
+    const std::optional<Arms> arms = armsOf(subject, chooser);
+    Operand read = subject.at(use.reader).src[std::size_t(use.operand)];
+    read.negate = 0;
+    const auto sign = Subject::spelled(subject.destinationBase(comparison), read,
+                                       subject.at(use.reader).dst.mask, false);
+    if (!arms || !sign)
+      return;
+    choose(subject, chooser, *arms, *sign, draft);
+    last = chooser;
+  }
+  proposals.push_back(finished(subject, last, draft));
 }
 
 bool compares(Opcode op) { return op == Opcode::Sge || op == Opcode::Slt; }
@@ -150,12 +162,13 @@ Proposals selects(const Subject &subject) {
       if (!writer || !compares(subject.at(*writer).op))
         continue;
       const Chooser chooser{i, o, *writer};
-      if (const std::optional<Arms> arms = armsOf(subject, chooser)) {
+      if (const std::optional<Arms> arms = armsOf(subject, chooser))
         proposeSign(subject, chooser, *arms, proposals);
-        proposeDifference(subject, chooser, *arms, proposals);
-      }
     }
   }
+  for (std::uint32_t i = 0; i < subject.size(); ++i)
+    if (compares(subject.at(i).op))
+      proposeDifference(subject, i, proposals);
   return proposals;
 }
 

@@ -130,9 +130,16 @@ Proposal tableProposal(const Subject &subject, const Place &place, std::uint32_t
   const std::uint8_t mask = fp::ir::operandMask(subject.at(place.instruction), place.operand);
   const std::string value =
       *Subject::spelled(subject.base(place.instruction, place.operand), plain, mask, true);
+  const std::string table = textureText(unit, fp::ir::TexTarget::Tex1D);
   Draft draft(subject);
-  draft.replace(last, statementText(Opcode::Tex, false, subject.destination(last),
-                                    {value, textureText(unit, fp::ir::TexTarget::Tex1D)}));
+  if (subject.flow().holds(source, mask, place.instruction, last)) {
+    draft.replace(last, statementText(Opcode::Tex, false, subject.destination(last), {value, table}));
+  } else {
+    const std::string name = subject.fresh("table");
+    draft.insert(place.instruction,
+                 {"TEMP " + name, statementText(Opcode::Tex, false, name, {value, table})});
+    readInstead(subject, last, name, draft);
+  }
   Proposal proposal = draft.about(
       last, "table-of-one-value",
       subject.destination(last) + " is a function of " + value +
@@ -186,14 +193,9 @@ Proposals tableOfOne(const Subject &subject) {
     if (std::none_of(found.begin(), found.end(),
                      [&](std::uint32_t i) { return isFunction(subject.at(i).op); }))
       continue;
-    for (const std::uint32_t last : found) {
-      const fp::ir::Operand &source = subject.at(place.instruction).src[std::size_t(place.operand)];
-      if (functions.leaves(last) &&
-          subject.flow().holds(source, fp::ir::operandMask(subject.at(place.instruction),
-                                                           place.operand),
-                               place.instruction, last))
+    for (const std::uint32_t last : found)
+      if (functions.leaves(last))
         proposals.push_back(tableProposal(subject, place, last, *unit));
-    }
   }
   return proposals;
 }
