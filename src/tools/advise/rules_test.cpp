@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "fp_compiler/hw/profile.h"
@@ -129,6 +131,13 @@ TEST(Rules, HaveAnExampleEach) {
     EXPECT_TRUE(std::any_of(std::begin(kRows), std::end(kRows), [&](const Row &row) {
       return std::string_view(row.rule) == rule.id;
     })) << rule.id;
+}
+
+TEST(Rules, AreInTheDocumentation) {
+  std::ifstream file(ARBITER_SOURCE_ROOT "/docs/advice.md");
+  const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  for (const RuleInfo &rule : ruleList())
+    EXPECT_NE(page.find("| `" + std::string(rule.id) + "` |"), std::string::npos) << rule.id;
 }
 
 // What the model does by itself is no advice: shader authors would rewrite for nothing.

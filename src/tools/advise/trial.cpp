@@ -28,7 +28,8 @@ std::uint64_t mixed(std::uint64_t key) {
   return key ^ key >> 31;
 }
 
-/// A number of the range; on a grid, so that equal numbers come up.
+/// A number of the range; half of them on a grid, so that equal numbers come up, half with all the
+/// bits of a single's fraction, so that sums round.
 float valueIn(Range range, std::uint64_t key) {
   constexpr float kSpecials[] = {0.0f, 0.5f, 1.0f, 2.0f, -1.0f};
   const std::uint64_t bits = mixed(key);
@@ -37,7 +38,9 @@ float valueIn(Range range, std::uint64_t key) {
     if (special >= range.lo && special <= range.hi)
       return special;
   }
-  return range.lo + (range.hi - range.lo) * float((bits >> 16) % 4097) / 4096.0f;
+  const float part = (bits >> 15 & 1) != 0 ? float((bits >> 16) % 257) / 256.0f
+                                           : float(bits >> 40) / float(1 << 24);
+  return range.lo + (range.hi - range.lo) * part;
 }
 
 Range rangeOf(const Attribute &attribute, fp::ir::Language language, int component) {

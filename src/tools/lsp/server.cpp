@@ -49,6 +49,9 @@ const Server::RequestRow Server::kRequests[] = {
     {"textDocument/documentSymbol", &Server::symbolsOf},
     {"textDocument/inlayHint", &Server::inlayHintsOf},
     {"textDocument/semanticTokens/full", &Server::semanticTokensOf},
+    {"textDocument/codeAction", &Server::codeActionsOf},
+    {"codeAction/resolve", &Server::resolveAction},
+    {"arbiter/advice", &Server::adviceOf},
 };
 
 const Server::NotificationRow Server::kNotifications[] = {
