@@ -116,8 +116,7 @@ int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
 /// Every file under every card.
 int checkCards(const CheckArguments &arguments) {
   if (arguments.profiles.size() != 1 || arguments.compare || arguments.gauges != "auto" ||
-      arguments.advise ||
-      (arguments.json && arguments.brief) ||
+      arguments.advise || (arguments.json && arguments.brief) ||
       (arguments.why && (arguments.json || arguments.brief))) {
     complain("--profile all takes no other profile, no --compare, no --gauges and no --advise, and "
              "one of --brief, --why and --json");
@@ -196,8 +195,8 @@ int check(const CheckArguments &arguments) {
     }
     profiles.push_back(std::move(profile).value());
   }
-  if (arguments.fix && std::find(arguments.files.begin(), arguments.files.end(), "-") !=
-                           arguments.files.end()) {
+  if (arguments.fix &&
+      std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {
     complain("--fix writes files: standard input is none");
     return kExitUsage;
   }

@@ -9,9 +9,10 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-/// Instructions that are run, in all, for one program: a long program's proposals beyond are not
-/// tried.
-constexpr std::uint64_t kMostSteps = 40'000'000;
+/// Work that is spent on one program, in instructions run; to compile one is worth kCompileSteps.
+/// A long program's proposals beyond are not tried.
+constexpr std::uint64_t kMostSteps = 40'000'000, kMostStepsOfAll = 200'000'000;
+constexpr std::uint64_t kCompileSteps = 256;
 
 /// Edits with the text that they make.
 struct Rewrite {
@@ -23,17 +24,19 @@ struct Rewrite {
 /// Compiles proposals and runs them.
 class Judge {
 public:
-  explicit Judge(const Subject &subject) : m_subject(subject) {}
+  Judge(const Subject &subject, std::uint64_t &steps) : m_subject(subject), m_steps(steps) {}
 
   /// The advice, if the proposal gains and is equal.
   std::optional<Advice> judge(const Proposal &proposal) {
+    if (!spend(kCompileSteps))
+      return std::nullopt;
     std::optional<Rewrite> rewrite = rewritten(proposal.edits);
     if (!rewrite)
       return std::nullopt;
     const Cost cost = costOf(rewrite->check);
-    const bool gains = falls(m_subject.cost(), cost) ||
-                       (proposal.texture && fewerSlots(m_subject.cost(), cost));
-    if (!gains || !spend() || !holds(proposal, *rewrite->check.program))
+    const bool gains =
+        falls(m_subject.cost(), cost) || (proposal.texture && fewerSlots(m_subject.cost(), cost));
+    if (!gains || !spend(2 * kTrials) || !holds(proposal, *rewrite->check.program))
       return std::nullopt;
     Advice advice;
     advice.rule = proposal.rule;
@@ -56,9 +59,12 @@ private:
            equal(m_subject.program(), program, proposal.derived, proposal.nearness);
   }
 
-  bool spend() {
-    m_steps += 2 * kTrials * std::uint64_t(m_subject.size());
-    return m_steps <= kMostSteps;
+  /// Takes what each instruction costs from what is left.
+  bool spend(std::uint64_t each) {
+    const std::uint64_t all = each * m_subject.size();
+    const bool enough = all <= m_steps;
+    m_steps -= enough ? all : m_steps;
+    return enough;
   }
 
   [[nodiscard]] std::optional<Rewrite> checked(Edits edits) const {
@@ -111,7 +117,7 @@ private:
   }
 
   const Subject &m_subject;
-  std::uint64_t m_steps = 0;
+  std::uint64_t &m_steps; ///< left
 };
 
 /// Two ways to change one place: the cheaper one stays, of equals the first. What the application
@@ -128,16 +134,15 @@ void add(std::vector<Advice> &all, Advice &&advice) {
     *same = std::move(advice);
 }
 
-std::vector<Advice> adviceFor(const Subject &subject) {
+std::vector<Advice> adviceFor(const Subject &subject, std::uint64_t &steps) {
   std::vector<Advice> all;
-  Judge judge(subject);
+  Judge judge(subject, steps);
   for (const Rule &rule : rules())
     for (Proposal &proposal : rule.propose(subject))
       if (std::optional<Advice> advice = judge.judge(proposal))
         add(all, std::move(*advice));
-  std::stable_sort(all.begin(), all.end(), [](const Advice &a, const Advice &b) {
-    return a.span.begin < b.span.begin;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Advice &a, const Advice &b) { return a.span.begin < b.span.begin; });
   return all;
 }
 
@@ -160,7 +165,8 @@ std::vector<RuleInfo> ruleList() {
 
 std::vector<Advice> advise(std::string_view text, const Setting &setting) {
   const std::unique_ptr<Subject> subject = Subject::read(text, setting);
-  return subject ? adviceFor(*subject) : std::vector<Advice>();
+  std::uint64_t steps = kMostSteps;
+  return subject ? adviceFor(*subject, steps) : std::vector<Advice>();
 }
 
 Fixed applyAll(std::string_view text, const Setting &setting) {
@@ -170,22 +176,24 @@ Fixed applyAll(std::string_view text, const Setting &setting) {
   if (!original)
     return fixed;
   fixed.before = fixed.after = original->cost();
+  std::uint64_t left = kMostStepsOfAll;
   // Each fix makes a count smaller and none larger, so this ends.
-  while (true) {
-    const std::vector<Advice> all = advise(fixed.text, setting);
+  while (const std::unique_ptr<Subject> now = Subject::read(fixed.text, setting)) {
+    std::uint64_t steps = std::min(left, kMostSteps);
+    left -= steps;
+    const std::vector<Advice> all = adviceFor(*now, steps);
+    left += steps; // what was not needed
     const Advice *best = bestFix(all);
-    if (best == nullptr)
-      return fixed;
-    std::optional<std::string> next = applied(fixed.text, best->edits);
-    const std::unique_ptr<Subject> subject = next ? Subject::read(*next, setting) : nullptr;
+    std::optional<std::string> made = best ? applied(fixed.text, best->edits) : std::nullopt;
+    const std::unique_ptr<Subject> next = made ? Subject::read(*made, setting) : nullptr;
     // Roundings add up: the whole way must be equal too.
-    if (!subject ||
-        !equal(original->program(), subject->program(), {}, Nearness::Rounding, kTrials))
-      return fixed;
+    if (!next || !equal(original->program(), next->program(), {}, Nearness::Rounding))
+      break;
     fixed.applied.push_back(*best);
-    fixed.after = subject->cost();
-    fixed.text = std::move(*next);
+    fixed.after = next->cost();
+    fixed.text = std::move(*made);
   }
+  return fixed;
 }
 
 } // namespace arbiter::tools::advise

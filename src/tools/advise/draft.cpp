@@ -25,8 +25,7 @@ Draft &Draft::remove(std::uint32_t index) {
 }
 
 Draft &Draft::insert(std::uint32_t index, const std::vector<std::string> &statements) {
-  m_edits.push_back(
-      insertedBefore(m_subject.text(), m_subject.at(index).span.begin, statements));
+  m_edits.push_back(insertedBefore(m_subject.text(), m_subject.at(index).span.begin, statements));
   return *this;
 }
 
@@ -79,16 +78,15 @@ void readInstead(const Subject &subject, std::uint32_t index, const std::string 
     const fp::ir::Instruction &reader = subject.at(use.reader);
     const bool extended = reader.op == fp::ir::Opcode::Swz; // its suffix stands elsewhere
     const bool scalar = fp::ir::info(reader.op).shapes[use.operand] == 'S';
-    const auto text =
-        extended ? std::optional(name)
-                 : Subject::spelled(name, reader.src[std::size_t(use.operand)],
-                                    fp::ir::operandMask(reader, use.operand), scalar);
+    const auto text = extended ? std::optional(name)
+                               : Subject::spelled(name, reader.src[std::size_t(use.operand)],
+                                                  fp::ir::operandMask(reader, use.operand), scalar);
     all = all && text;
     reads.emplace_back(use, text.value_or(""));
   }
   if (!all) {
-    draft.replace(index, statementText(fp::ir::Opcode::Mov, false, subject.destination(index),
-                                       {name}));
+    draft.replace(index,
+                  statementText(fp::ir::Opcode::Mov, false, subject.destination(index), {name}));
     return;
   }
   for (const auto &[use, text] : reads)

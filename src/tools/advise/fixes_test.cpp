@@ -69,7 +69,9 @@ void expectKept(const Subject &before, const Advice &advice, const Setting &sett
   EXPECT_EQ(after->cost(), advice.after) << advice.rule;
   EXPECT_TRUE(falls(before.cost(), after->cost())) << advice.rule << " of\n" << before.text();
   EXPECT_TRUE(equal(before.program(), after->program(), {}, advice.nearness, kFresh, kInputs))
-      << advice.rule << " changes\n" << before.text() << "into\n" << *text;
+      << advice.rule << " changes\n"
+      << before.text() << "into\n"
+      << *text;
   // The second maker's fog coordinates and comparisons are not what GL's are.
   const bool foreign = before.text().find("fogcoord") != std::string_view::npos ||
                        before.text().find("SHADOW") != std::string_view::npos;
@@ -84,7 +86,8 @@ void expectKept(const Subject &before, const Advice &advice, const Setting &sett
       for (std::size_t c = 0; c < 4 && same; ++c)
         same = other != is.results.end() && near(value[c], other->second[c], Nearness::Exact);
     }
-    EXPECT_TRUE(same) << advice.rule << " at " << pixel << " changes\n" << before.text() << "into\n"
+    EXPECT_TRUE(same) << advice.rule << " at " << pixel << " changes\n"
+                      << before.text() << "into\n"
                       << *text;
   }
 }
@@ -137,7 +140,8 @@ TEST(Fixes, OneAfterTheOtherKeepTheProgram) {
       continue;
     ASSERT_TRUE(after) << fixed.text;
     EXPECT_TRUE(equal(before->program(), after->program(), {}, Nearness::Rounding, kFresh, kInputs))
-        << text << "became\n" << fixed.text;
+        << text << "became\n"
+        << fixed.text;
     EXPECT_EQ(after->cost(), fixed.after);
     EXPECT_EQ(fixed.applied.empty(), before->cost() == after->cost());
     for (const Advice &each : advise(fixed.text, setting))

@@ -78,9 +78,8 @@ std::optional<Use> Flow::onlyUse(std::uint32_t index) const {
 }
 
 bool Flow::readAlone(std::uint32_t index) const {
-  return std::all_of(m_uses[index].begin(), m_uses[index].end(), [&](const Use &use) {
-    return writer(use.reader, use.operand) == index;
-  });
+  return std::all_of(m_uses[index].begin(), m_uses[index].end(),
+                     [&](const Use &use) { return writer(use.reader, use.operand) == index; });
 }
 
 bool Flow::endsKind(std::uint32_t index) const {

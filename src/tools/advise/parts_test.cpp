@@ -106,17 +106,16 @@ TEST(Trial, DoesNotAnswerOfWhatIsAlwaysDiscarded) {
 }
 
 TEST(Show, HasPlaceCostAndLines) {
-  const std::string text = std::string(kHead) +
-                           "MUL t, fragment.color, 3.0;\nMAX t, t, 0.0;\n"
-                           "MIN result.color, t, 1.0;\nEND\n";
+  const std::string text = std::string(kHead) + "MUL t, fragment.color, 3.0;\nMAX t, t, 0.0;\n"
+                                                "MIN result.color, t, 1.0;\nEND\n";
   const Setting setting{fp::ir::Language::ArbFragment, fp::hw::findBuiltin("r300")->fragment};
   const std::vector<Advice> all = advise(text, setting);
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(lineText("a.fp", text, all[0]).find("a.fp:4:1: note: MAX and MIN clamp"), 0u);
   const std::string full = fullText("a.fp", text, all[0]);
-  for (const char *piece : {"[clamp-by-sat]", "^~~~", "ALU 3 -> 1", "  - MAX t, t, 0.0;\n",
-                            "  - MUL t, fragment.color, 3.0;\n",
-                            "  + MUL_SAT t, fragment.color, 3.0;\n"})
+  for (const char *piece :
+       {"[clamp-by-sat]", "^~~~", "ALU 3 -> 1", "  - MAX t, t, 0.0;\n",
+        "  - MUL t, fragment.color, 3.0;\n", "  + MUL_SAT t, fragment.color, 3.0;\n"})
     EXPECT_NE(full.find(piece), std::string::npos) << piece << " in\n" << full;
 }
 

@@ -48,10 +48,10 @@ ValueRange rangeOf(const Subject &subject, std::uint32_t index, int operand, std
     if (!(mask >> i & 1))
       continue;
     const fp::ir::Select select = source.swizzle[i];
-    ValueRange range = select == fp::ir::Select::Zero  ? fp::analysis::rangeOfNumber(0.0f)
-                       : select == fp::ir::Select::One ? fp::analysis::rangeOfNumber(1.0f)
-                                                       : ofComponent(subject, analysis, source,
-                                                                     std::size_t(select));
+    ValueRange range = select == fp::ir::Select::Zero ? fp::analysis::rangeOfNumber(0.0f)
+                       : select == fp::ir::Select::One
+                           ? fp::analysis::rangeOfNumber(1.0f)
+                           : ofComponent(subject, analysis, source, std::size_t(select));
     if (source.negate >> i & 1)
       range = fp::analysis::negated(range);
     all = all ? ValueRange{std::min(all->lo, range.lo), std::max(all->hi, range.hi),

@@ -82,7 +82,8 @@ constexpr Row kRows[] = {
     {"dead-work", true, "host", "MUL a, t, p;\nMOV o, v;", "MUL a, t, p;\nMOV o, a;"},
     {"multiply-add", true, "host", "MUL a, t, p;\nADD o, a, u;",
      "MUL a, t, p;\nADD b, a, u;\nMUL o, a, b;"},
-    {"linear-blend", true, "host", "SUB a, t, u;\nMAD o, p, a, u;", "SUB a, t, v;\nMAD o, p, a, u;"},
+    {"linear-blend", true, "host", "SUB a, t, u;\nMAD o, p, a, u;",
+     "SUB a, t, v;\nMAD o, p, a, u;"},
     {"operand-without-effect", true, "r300", "RCP a.x, t.x;\nMUL a, a.x, 1.0;\nMIN o, a, t;",
      "RCP a.x, t.x;\nMUL a, a.x, 1.5;\nMIN o, a, t;"},
     {"sample-earlier", true, "host",
@@ -140,10 +141,42 @@ TEST(Rules, AreInTheDocumentation) {
     EXPECT_NE(page.find("| `" + std::string(rule.id) + "` |"), std::string::npos) << rule.id;
 }
 
+/// A program, a rule, and the slots and nodes before and after.
+struct Gain {
+  const char *rule;
+  const char *body;
+  std::uint32_t slots, nodes, slotsAfter, nodesAfter;
+};
+
+// What the rules were made for, on the R300: texture slots and ALU slots together.
+constexpr Gain kGains[] = {
+    {"parameter-work", "DP3 a.w, p, p;\nRSQ a.w, a.w;\nMUL a.xyz, p, a.w;\nDP3 o, a, v;", 4, 1, 1,
+     1},
+    {"parameter-work", "RCP a.x, p.x;\nMUL o, v, a.x;", 2, 1, 1, 1},
+    {"linear-work", "ADD a, t, p;\nTEX o, a, texture[0], 2D;", 3, 2, 2, 1},
+    {"clamp-by-sat", "MUL a, t, 3.0;\nMAX a, a, 0.0;\nMIN o, a, 1.0;", 3, 1, 1, 1},
+    {"sine-and-cosine", "SIN a.x, t.x;\nCOS a.y, t.x;\nMUL o, a.x, a.y;", 8, 1, 6, 1},
+    {"select-by-cmp", "SGE a, t, p;\nMUL o, a, u;", 2, 1, 1, 1},
+    {"component-order", "MUL o, v, p.yxzw;", 3, 1, 1, 1},
+};
+
+TEST(Rules, GainWhatTheyWereMadeFor) {
+  for (const Gain &gain : kGains) {
+    const std::vector<Advice> all = advise(whole(gain.body), settingOf("r300"));
+    const Advice *found = find(all, gain.rule);
+    ASSERT_NE(found, nullptr) << gain.body;
+    EXPECT_EQ(found->before.slots(), gain.slots) << gain.body;
+    EXPECT_EQ(found->before.nodes, gain.nodes) << gain.body;
+    EXPECT_EQ(found->after.slots(), gain.slotsAfter) << gain.body;
+    EXPECT_EQ(found->after.nodes, gain.nodesAfter) << gain.body;
+  }
+}
+
 // What the model does by itself is no advice: shader authors would rewrite for nothing.
 TEST(Rules, SayNothingThatTheModelDoes) {
-  for (const char *body : {"MUL a, t, p;\nADD o, a, u;", "MOV a, t;\nMUL o, a, p;",
-                           "MUL a, t, p;\nMOV o, v;", "LG2 a.x, v.x;\nMUL a.x, a.x, p.x;\nEX2 o, a.x;"})
+  for (const char *body :
+       {"MUL a, t, p;\nADD o, a, u;", "MOV a, t;\nMUL o, a, p;", "MUL a, t, p;\nMOV o, v;",
+        "LG2 a.x, v.x;\nMUL a.x, a.x, p.x;\nEX2 o, a.x;"})
     for (const Advice &each : advise(whole(body), settingOf("r300")))
       EXPECT_FALSE(each.isFix()) << each.rule << " of\n" << body;
 }

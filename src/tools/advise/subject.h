@@ -38,6 +38,10 @@ public:
   [[nodiscard]] std::uint32_t size() const { return std::uint32_t(program().code.size()); }
   [[nodiscard]] const Flow &flow() const { return m_flow; }
   [[nodiscard]] Cost cost() const { return costOf(m_check); }
+  /// "pixel" or "vertex": what the program is run for.
+  [[nodiscard]] const char *fragmentOrVertex() const {
+    return m_setting.language == fp::ir::Language::ArbVertex ? "vertex" : "pixel";
+  }
 
   /// A range of bytes without white space and comments.
   [[nodiscard]] std::string tokens(fp::Span span) const;

@@ -164,8 +164,7 @@ private:
     if (m_given != nullptr)
       for (const Given &each : *m_given)
         if (each.derived.kind == Derived::Kind::Local &&
-            parameter.kind == fp::ir::ParameterKind::Local &&
-            parameter.index == each.derived.index)
+            parameter.kind == fp::ir::ParameterKind::Local && parameter.index == each.derived.index)
           return each.value;
     return m_trial.of(parameter);
   }

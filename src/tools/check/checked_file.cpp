@@ -43,9 +43,9 @@ void addPanel(const std::string &path, CheckedFile &file) {
 
 void checkText(const std::string &path, CheckedFile &file, fp::LimitPolicy policy) {
   file.result = fp::checkProgram(file.language, file.text, {file.limits, policy});
-  file.status = !file.result.ok()                  ? FileStatus::Invalid
+  file.status = !file.result.ok()                ? FileStatus::Invalid
                 : !file.result.underNativeLimits ? FileStatus::OverNative
-                                                   : FileStatus::Valid;
+                                                 : FileStatus::Valid;
   addPanel(path, file);
 }
 

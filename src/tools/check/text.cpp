@@ -87,8 +87,8 @@ std::string fixedText(const CheckedFile &file) {
   if (!file.fixed)
     return "";
   const std::size_t count = file.fixed->applied.size();
-  std::string text = shown(file.name) + ": " + std::to_string(count) +
-                     (count == 1 ? " fix made" : " fixes made");
+  std::string text =
+      shown(file.name) + ": " + std::to_string(count) + (count == 1 ? " fix made" : " fixes made");
   if (count != 0)
     text += ": " + advise::changeText(file.fixed->before, file.fixed->after);
   text += "\n";

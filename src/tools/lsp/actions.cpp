@@ -75,9 +75,7 @@ Json disabled(const View &view, const advise::Advice &advice) {
   const std::string reason = advice.application.empty()
                                  ? "holds only if " + advice.condition
                                  : "only if the application " + advice.application;
-  return {{"title", titleOf(view, advice)},
-          {"kind", kRewrite},
-          {"disabled", {{"reason", reason}}}};
+  return {{"title", titleOf(view, advice)}, {"kind", kRewrite}, {"disabled", {{"reason", reason}}}};
 }
 
 } // namespace
@@ -120,8 +118,8 @@ Json everyFix(const View &view) {
   std::size_t begin = 0, end = 0;
   while (begin < shorter && text[begin] == fixed.text[begin])
     ++begin;
-  while (end < shorter - begin && text[text.size() - 1 - end] ==
-                                      fixed.text[fixed.text.size() - 1 - end])
+  while (end < shorter - begin &&
+         text[text.size() - 1 - end] == fixed.text[fixed.text.size() - 1 - end])
     ++end;
   const auto inside = [&](std::size_t at) {
     return at < text.size() && (std::uint8_t(text[at]) & 0xC0) == 0x80;
@@ -132,8 +130,8 @@ Json everyFix(const View &view) {
     --end;
   Json edit = {{"range", view.range({std::uint32_t(begin), std::uint32_t(text.size() - end)})},
                {"newText", fixed.text.substr(begin, fixed.text.size() - end - begin)}};
-  return workspaceEdit(view, fixed.applied.empty() ? Json::array()
-                                                   : Json::array({std::move(edit)}));
+  return workspaceEdit(view,
+                       fixed.applied.empty() ? Json::array() : Json::array({std::move(edit)}));
 }
 
 Json adviceList(const View &view, const std::vector<advise::Advice> &advice) {

@@ -14,14 +14,8 @@ using fp::ir::File;
 using fp::ir::Operand;
 
 /// What the R300's RGB unit can take of a register, without its w: ..., .yzx, .zxy, .wzy (hw/r300).
-constexpr std::array<std::array<std::uint8_t, 3>, 8> kSelects = {{{0, 1, 2},
-                                                                  {1, 2, 0},
-                                                                  {2, 0, 1},
-                                                                  {3, 2, 1},
-                                                                  {0, 0, 0},
-                                                                  {1, 1, 1},
-                                                                  {2, 2, 2},
-                                                                  {3, 3, 3}}};
+constexpr std::array<std::array<std::uint8_t, 3>, 8> kSelects = {
+    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {3, 2, 1}, {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}};
 constexpr std::size_t kMostTried = 6; ///< arrangements of one register
 
 /// Component i of the copy is component [i] of the register.

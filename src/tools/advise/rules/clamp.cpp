@@ -33,7 +33,8 @@ std::optional<int> bounded(const Subject &subject, std::uint32_t index) {
 /// Reads its register's components where they stand, without signs.
 bool isPlain(const fp::ir::Operand &operand, std::uint8_t mask) {
   for (std::size_t i = 0; i < 4; ++i)
-    if ((mask >> i & 1) && (operand.swizzle[i] != fp::ir::kIdentity[i] || (operand.negate >> i & 1)))
+    if ((mask >> i & 1) &&
+        (operand.swizzle[i] != fp::ir::kIdentity[i] || (operand.negate >> i & 1)))
       return false;
   return true;
 }
@@ -48,8 +49,8 @@ struct Clamp {
 std::optional<Clamp> clampAt(const Subject &subject, std::uint32_t second) {
   const std::optional<int> result = bounded(subject, second);
   const auto first = result ? subject.flow().writer(second, *result) : std::nullopt;
-  if (!first || subject.at(*first).op == subject.at(second).op ||
-      subject.at(*first).dst.saturate || !subject.flow().onlyUse(*first))
+  if (!first || subject.at(*first).op == subject.at(second).op || subject.at(*first).dst.saturate ||
+      !subject.flow().onlyUse(*first))
     return std::nullopt;
   const std::optional<int> value = bounded(subject, *first);
   if (!value)
@@ -63,13 +64,12 @@ void proposeCopy(const Subject &subject, const Clamp &clamp, Proposals &proposal
   const fp::ir::Operand &value = subject.at(clamp.first).src[std::size_t(clamp.value)];
   const fp::ir::Operand read = composed(second.src[std::size_t(clamp.result)], value);
   const std::uint8_t mask = second.dst.mask;
-  const auto text =
-      Subject::spelled(subject.base(clamp.first, clamp.value), read, mask, false);
+  const auto text = Subject::spelled(subject.base(clamp.first, clamp.value), read, mask, false);
   if (!text || !subject.flow().holds(read, mask, clamp.first, clamp.second))
     return;
   Draft draft(subject);
-  draft.replace(clamp.second, statementText(Opcode::Mov, true, subject.destination(clamp.second),
-                                            {*text}));
+  draft.replace(clamp.second,
+                statementText(Opcode::Mov, true, subject.destination(clamp.second), {*text}));
   proposals.push_back(draft.about(clamp.first, clamp.second, kRule, kMessage));
 }
 
@@ -82,8 +82,7 @@ void proposeWriter(const Subject &subject, const Clamp &clamp, Proposals &propos
   const Instruction &instruction = subject.at(*writer), &second = subject.at(clamp.second);
   const std::uint8_t mask = second.dst.mask;
   const fp::ir::Operand &read = second.src[std::size_t(clamp.result)];
-  if (!isPlain(subject.at(clamp.first).src[std::size_t(clamp.value)], mask) ||
-      !isPlain(read, mask))
+  if (!isPlain(subject.at(clamp.first).src[std::size_t(clamp.value)], mask) || !isPlain(read, mask))
     return;
   const std::string own = subject.destination(*writer);
   Draft draft(subject);
@@ -91,9 +90,8 @@ void proposeWriter(const Subject &subject, const Clamp &clamp, Proposals &propos
   if (own == subject.destination(clamp.second) && !second.dst.saturate)
     draft.remove(clamp.second);
   else
-    draft.replace(clamp.second,
-                  statementText(Opcode::Mov, false, subject.destination(clamp.second),
-                                {subject.destinationBase(*writer)}));
+    draft.replace(clamp.second, statementText(Opcode::Mov, false, subject.destination(clamp.second),
+                                              {subject.destinationBase(*writer)}));
   if (instruction.dst.file == fp::ir::File::Temporary)
     proposals.push_back(draft.about(clamp.first, clamp.second, kRule, kMessage));
 }

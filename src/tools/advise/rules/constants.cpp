@@ -26,7 +26,8 @@ std::vector<Vec4> resultsOf(const fp::ir::Program &program) {
   inputs.result = [&](const Instruction &instruction, Vec4 &value) {
     Vec4 &result = results[std::size_t(&instruction - program.code.data())];
     for (std::size_t c = 0; c < 4; ++c)
-      result[c] = instruction.dst.saturate ? fp::ir::saturated(value[c]) : fp::ir::flushed(value[c]);
+      result[c] =
+          instruction.dst.saturate ? fp::ir::saturated(value[c]) : fp::ir::flushed(value[c]);
   };
   (void)fp::ir::evaluate(program, inputs);
   return results;
@@ -84,10 +85,9 @@ std::optional<Line> lineOf(const Subject &subject, std::uint32_t index) {
         line.factor[c] = (*other)[c];
       else if (op == Opcode::Sub && value == 1)
         line.factor[c] = -1.0f;
-      line.term[c] = op == Opcode::Add || (op == Opcode::Sub && value == 1)
-                         ? (*other)[c]
-                     : op == Opcode::Sub ? -(*other)[c]
-                                         : (*third)[c];
+      line.term[c] = op == Opcode::Add || (op == Opcode::Sub && value == 1) ? (*other)[c]
+                     : op == Opcode::Sub                                    ? -(*other)[c]
+                                                                            : (*third)[c];
     }
     return line;
   }
@@ -136,8 +136,7 @@ void proposeChain(const Subject &subject, std::uint32_t second, Proposals &propo
   if (!inner || subject.at(*first).dst.saturate)
     return;
   const fp::ir::Operand &read = subject.at(second).src[std::size_t(outer->value)];
-  const fp::ir::Operand through =
-      composed(read, subject.at(*first).src[std::size_t(inner->value)]);
+  const fp::ir::Operand through = composed(read, subject.at(*first).src[std::size_t(inner->value)]);
   const std::uint8_t mask = subject.at(second).dst.mask;
   fp::ir::Operand plain = through;
   plain.negate = subject.at(*first).src[std::size_t(inner->value)].negate;
@@ -182,7 +181,8 @@ Proposals constantWork(const Subject &subject) {
     readInstead(subject, i, name, draft);
     proposals.push_back(draft.about(i, kWork,
                                     std::string(fp::ir::info(instruction.op).mnemonic) +
-                                        " of numbers is the same for every pixel: it can be a number"));
+                                        " of numbers is the same for every " +
+                                        subject.fragmentOrVertex() + ": it can be a number"));
   }
   return proposals;
 }

@@ -36,9 +36,11 @@ public:
     m_sum.first = std::min(m_sum.first, index);
     switch (instruction.op) {
     case Opcode::Add:
-      return operand(index, 0, position, weight, depth) && operand(index, 1, position, weight, depth);
+      return operand(index, 0, position, weight, depth) &&
+             operand(index, 1, position, weight, depth);
     case Opcode::Sub:
-      return operand(index, 0, position, weight, depth) && operand(index, 1, position, -weight, depth);
+      return operand(index, 0, position, weight, depth) &&
+             operand(index, 1, position, -weight, depth);
     case Opcode::Mul:
       return product(index, position, weight, depth);
     case Opcode::Mad:
@@ -78,8 +80,7 @@ private:
   bool term(std::uint32_t index, int o, std::size_t component, float weight) {
     const Operand &source = m_subject.at(index).src[std::size_t(o)];
     if (m_sum.place) {
-      const Operand &other =
-          m_subject.at(m_sum.place->first).src[std::size_t(m_sum.place->second)];
+      const Operand &other = m_subject.at(m_sum.place->first).src[std::size_t(m_sum.place->second)];
       if (other.file != source.file || other.index != source.index)
         return false;
     }
@@ -132,8 +133,7 @@ Proposals dotProducts(const Subject &subject) {
     if (!product)
       continue;
     const auto [op, numbers] = *product;
-    const std::string base =
-        subject.base(summing.sum().place->first, summing.sum().place->second);
+    const std::string base = subject.base(summing.sum().place->first, summing.sum().place->second);
     Draft draft(subject);
     draft.replace(i, statementText(op, instruction.dst.saturate, subject.destination(i),
                                    {base, vectorText(numbers)}));

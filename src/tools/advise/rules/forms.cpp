@@ -80,8 +80,8 @@ void proposeBlend(const Subject &subject, std::uint32_t mad, int operand, Propos
   Draft draft(subject);
   draft.replace(mad, statementText(Opcode::Lrp, subject.at(mad).dst.saturate,
                                    subject.destination(mad), {*weight, *from, *to}));
-  proposals.push_back(draft.about(*difference, mad, "linear-blend",
-                                  "SUB and MAD are one LRP", Nearness::Rounding));
+  proposals.push_back(
+      draft.about(*difference, mad, "linear-blend", "SUB and MAD are one LRP", Nearness::Rounding));
 }
 
 /// SUB d, 1, a; MUL t, d, c; MAD r, a, b, t.
@@ -110,8 +110,8 @@ void proposeWeights(const Subject &subject, std::uint32_t mad, Proposals &propos
 }
 
 void proposeStatement(const Subject &subject, std::uint32_t index, Opcode op,
-                      const std::vector<std::optional<std::string>> &operands,
-                      const char *message, Proposals &proposals) {
+                      const std::vector<std::optional<std::string>> &operands, const char *message,
+                      Proposals &proposals) {
   std::vector<std::string> texts;
   for (const auto &operand : operands) {
     if (!operand)
@@ -119,8 +119,8 @@ void proposeStatement(const Subject &subject, std::uint32_t index, Opcode op,
     texts.push_back(*operand);
   }
   Draft draft(subject);
-  draft.replace(index, statementText(op, subject.at(index).dst.saturate,
-                                     subject.destination(index), texts));
+  draft.replace(
+      index, statementText(op, subject.at(index).dst.saturate, subject.destination(index), texts));
   proposals.push_back(draft.about(index, "operand-without-effect", message));
 }
 

@@ -62,10 +62,10 @@ std::optional<Proposal> movedToVertices(const Subject &subject,
   const char *op = fp::ir::info(subject.at(values[0]).op).mnemonic;
   const std::string what =
       count == 1 ? std::string(op) + " is" : std::to_string(count) + " values are";
-  Proposal proposal = draft.about(
-      values[0], values[count - 1], "linear-work",
-      what + " linear in texture coordinates: the vertex stage can compute " +
-          (count == 1 ? "it" : "them") + ", and interpolation keeps that");
+  Proposal proposal =
+      draft.about(values[0], values[count - 1], "linear-work",
+                  what + " linear in texture coordinates: the vertex stage can compute " +
+                      (count == 1 ? "it" : "them") + ", and interpolation keeps that");
   proposal.derived = std::move(derived);
   proposal.application = "writes what " + written + (count == 1 ? " is" : " are") +
                          " here to result.texcoord " + results + " of its vertex program";
@@ -104,8 +104,8 @@ std::optional<Proposal> orderOfInput(const Subject &subject, std::uint32_t index
   draft.replaceOperand(index, operand, name);
   Proposal proposal = draft.about(index, kOrder, kOrderMessage);
   proposal.derived.push_back(derived);
-  proposal.application = "gives " + binding + " the components of " +
-                         subject.tokens(source.span) + " in this order";
+  proposal.application =
+      "gives " + binding + " the components of " + subject.tokens(source.span) + " in this order";
   return proposal;
 }
 
@@ -134,9 +134,8 @@ Proposals operandOrder(const Subject &subject) {
   for (std::uint32_t i = 0; i < subject.size(); ++i)
     for (int o = 0; o < fp::ir::info(subject.at(i).op).operandCount(); ++o) {
       const fp::ir::Operand &source = subject.at(i).src[std::size_t(o)];
-      const bool parameter =
-          source.file == File::Parameter && !source.relative &&
-          subject.flow().depends(i, o) == Depends::Parameter;
+      const bool parameter = source.file == File::Parameter && !source.relative &&
+                             subject.flow().depends(i, o) == Depends::Parameter;
       if ((source.file != File::Attribute && !parameter) ||
           fp::ir::info(subject.at(i).op).shapes[o] == 'S' || subject.at(i).op == Opcode::Swz ||
           !isReordered(subject, i, o))

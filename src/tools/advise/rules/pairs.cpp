@@ -78,8 +78,8 @@ private:
       before.push_back("TEMP " + m_name);
     const Instruction &instruction = m_subject.at(step.at[0]);
     for (int o = 0; o < fp::ir::info(instruction.op).operandCount(); ++o) {
-      const auto text = o == step.through ? std::optional(throughText(step, o))
-                                          : operandText(step, o, before);
+      const auto text =
+          o == step.through ? std::optional(throughText(step, o)) : operandText(step, o, before);
       if (!text || text->empty())
         return false;
       operands.push_back(*text);

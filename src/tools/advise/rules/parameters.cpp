@@ -28,8 +28,8 @@ Proposals parameterWork(const Subject &subject) {
     Proposal proposal =
         draft.about(i, "parameter-work",
                     std::string(fp::ir::info(instruction.op).mnemonic) +
-                        " of parameters is the same for every pixel of a draw: the application can "
-                        "compute it once");
+                        " of parameters is the same for every " + subject.fragmentOrVertex() +
+                        " of a draw: the application can compute it once");
     proposal.derived.push_back({Derived::Kind::Local, std::uint8_t(*local), i});
     proposal.application = "sets " + binding + " to what " + subject.destination(i) + " is here";
     proposals.push_back(std::move(proposal));

@@ -73,10 +73,10 @@ Proposals powers(const Subject &subject) {
     if (!made->before.empty())
       draft.insert(i, made->before);
     draft.replace(i, made->statement);
-    Proposal proposal =
-        draft.about(i, kRule,
-                    "POW is LG2, MUL and EX2; the exponent " + numberText(*exponent) + " is less work",
-                    Nearness::Rounding);
+    Proposal proposal = draft.about(i, kRule,
+                                    "POW is LG2, MUL and EX2; the exponent " +
+                                        numberText(*exponent) + " is less work",
+                                    Nearness::Rounding);
     // POW of a base below zero is 0.
     if (!rangeOf(subject, i, 0, 1).notNegative())
       proposal.condition = "the base " + *base + " is never below zero";

@@ -64,8 +64,8 @@ std::optional<Draft> readThrough(const Subject &subject, std::uint32_t copy) {
     const Instruction &reader = subject.at(use.reader);
     const std::uint8_t mask = fp::ir::operandMask(reader, use.operand);
     const Operand read = composed(reader.src[std::size_t(use.operand)], from);
-    const auto text = Subject::spelled(base, read, mask,
-                                       fp::ir::info(reader.op).shapes[use.operand] == 'S');
+    const auto text =
+        Subject::spelled(base, read, mask, fp::ir::info(reader.op).shapes[use.operand] == 'S');
     if (!text || reader.op == Opcode::Swz || !subject.flow().holds(read, mask, copy, use.reader))
       return std::nullopt;
     draft.replaceOperand(use.reader, use.operand, *text);
@@ -101,9 +101,9 @@ Proposals repeats(const Subject &subject) {
           !isSame(subject, i, j))
         continue;
       const std::string message =
-          std::string(fp::ir::info(subject.at(j).op).mnemonic) +
-          " computes what line " +
-          std::to_string(fp::locate(subject.text(), subject.at(i).span.begin).line) + " has computed";
+          std::string(fp::ir::info(subject.at(j).op).mnemonic) + " computes what line " +
+          std::to_string(fp::locate(subject.text(), subject.at(i).span.begin).line) +
+          " has computed";
       const std::string read = readOf(subject, i, j);
       const auto copied = statementText(Opcode::Mov, false, subject.destination(j), {read});
       if (subject.flow().holds(resultOf(subject.at(i)), subject.at(i).dst.mask, i + 1, j)) {
@@ -138,7 +138,8 @@ Proposals copies(const Subject &subject) {
         readable ? readThrough(subject, i) : writeThrough(subject, i);
     if (draft)
       proposals.push_back(
-          draft->about(i, "needless-copy", "MOV is not needed: what it copies can be read or written in its place"));
+          draft->about(i, "needless-copy",
+                       "MOV is not needed: what it copies can be read or written in its place"));
   }
   return proposals;
 }

@@ -51,16 +51,16 @@ std::uint32_t earliest(const Subject &subject, std::uint32_t index) {
 std::optional<Proposal> renamed(const Subject &subject, std::uint32_t index) {
   const Instruction &instruction = subject.at(index);
   std::uint32_t place = index;
-  while (place > 0 && subject.flow().holds(instruction.src[0],
-                                           fp::ir::operandMask(instruction, 0), place - 1, index))
+  while (place > 0 && subject.flow().holds(instruction.src[0], fp::ir::operandMask(instruction, 0),
+                                           place - 1, index))
     --place;
   if (place == index || instruction.dst.file != File::Temporary)
     return std::nullopt;
   const std::string name = subject.fresh("sampled");
   Draft draft(subject);
-  draft.insert(place, {"TEMP " + name,
-                       restated(subject, index, name + maskText(instruction.dst.mask),
-                                instruction.dst.saturate)});
+  draft.insert(place,
+               {"TEMP " + name, restated(subject, index, name + maskText(instruction.dst.mask),
+                                         instruction.dst.saturate)});
   readInstead(subject, index, name, draft);
   return draft.about(index, "sample-earlier",
                      "this sample's coordinate is there earlier: beside other samples it begins no "

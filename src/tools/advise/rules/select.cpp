@@ -88,19 +88,18 @@ std::optional<std::string> seenText(const Subject &subject, const Chooser &choos
 void choose(const Subject &subject, const Chooser &chooser, const Arms &arms,
             const std::string &sign, Draft &draft) {
   const bool below = subject.at(chooser.comparison).op == Opcode::Slt;
-  draft.replace(chooser.index,
-                statementText(Opcode::Cmp, subject.at(chooser.index).dst.saturate,
-                              subject.destination(chooser.index),
-                              {sign, below ? arms.ifOne : arms.ifZero,
-                               below ? arms.ifZero : arms.ifOne}));
+  draft.replace(chooser.index, statementText(Opcode::Cmp, subject.at(chooser.index).dst.saturate,
+                                             subject.destination(chooser.index),
+                                             {sign, below ? arms.ifOne : arms.ifZero,
+                                              below ? arms.ifZero : arms.ifOne}));
 }
 
 Proposal finished(const Subject &subject, const Chooser &chooser, const Draft &draft) {
-  return draft.about(
-      chooser.comparison, chooser.index, kRule,
-      std::string(fp::ir::info(subject.at(chooser.comparison).op).mnemonic) + " makes 1 or 0 and " +
-          fp::ir::info(subject.at(chooser.index).op).mnemonic +
-          " only chooses by it: CMP chooses by the sign of a difference");
+  return draft.about(chooser.comparison, chooser.index, kRule,
+                     std::string(fp::ir::info(subject.at(chooser.comparison).op).mnemonic) +
+                         " makes 1 or 0 and " +
+                         fp::ir::info(subject.at(chooser.index).op).mnemonic +
+                         " only chooses by it: CMP chooses by the sign of a difference");
 }
 
 /// One side is 0: the other one has the sign.

@@ -133,21 +133,22 @@ Proposal tableProposal(const Subject &subject, const Place &place, std::uint32_t
   const std::string table = textureText(unit, fp::ir::TexTarget::Tex1D);
   Draft draft(subject);
   if (subject.flow().holds(source, mask, place.instruction, last)) {
-    draft.replace(last, statementText(Opcode::Tex, false, subject.destination(last), {value, table}));
+    draft.replace(last,
+                  statementText(Opcode::Tex, false, subject.destination(last), {value, table}));
   } else {
     const std::string name = subject.fresh("table");
     draft.insert(place.instruction,
                  {"TEMP " + name, statementText(Opcode::Tex, false, name, {value, table})});
     readInstead(subject, last, name, draft);
   }
-  Proposal proposal = draft.about(
-      last, "table-of-one-value",
-      subject.destination(last) + " is a function of " + value +
-          " alone: a one-dimensional texture can hold it");
+  Proposal proposal = draft.about(last, "table-of-one-value",
+                                  subject.destination(last) + " is a function of " + value +
+                                      " alone: a one-dimensional texture can hold it");
   proposal.derived.push_back({Derived::Kind::Texture, unit, last});
-  proposal.application =
-      "fills a table for " + value + " in [0,1] (scaled and biased where it is not) and binds it to "
-      "unit " + std::to_string(unit) + "; eight bits are enough for colours";
+  proposal.application = "fills a table for " + value +
+                         " in [0,1] (scaled and biased where it is not) and binds it to "
+                         "unit " +
+                         std::to_string(unit) + "; eight bits are enough for colours";
   proposal.texture = true;
   return proposal;
 }
@@ -187,7 +188,8 @@ Proposals tableOfOne(const Subject &subject) {
     return proposals;
   Functions functions(subject);
   for (const auto &[scalar, place] : scalarsOf(subject)) {
-    if (scalar.file == File::Temporary && subject.flow().depends(scalar.index) <= Depends::Parameter)
+    if (scalar.file == File::Temporary &&
+        subject.flow().depends(scalar.index) <= Depends::Parameter)
       continue;
     const std::vector<std::uint32_t> found = functions.of(scalar);
     if (std::none_of(found.begin(), found.end(),
