@@ -9,10 +9,18 @@ namespace arbiter::tools::advise {
 
 namespace {
 
-/// Work that is spent on one program, in instructions run; to compile one is worth kCompileSteps.
-/// A long program's proposals beyond are not tried.
-constexpr std::uint64_t kMostSteps = 40'000'000, kMostStepsOfAll = 200'000'000;
-constexpr std::uint64_t kCompileSteps = 256;
+/// Work that is spent on one program, in instructions run, about 60 to a microsecond. A long
+/// program's proposals beyond are not tried.
+constexpr std::uint64_t kMostSteps = 80'000'000, kMostStepsOfAll = 240'000'000;
+
+/// What compiling a program is worth for each of its instructions; the R300's schedule grows with
+/// the square.
+std::uint64_t compileSteps(const Subject &subject) {
+  constexpr std::uint64_t kEach = 640, kDoubling = 36;
+  const bool schedules = subject.setting().limits.nativeModel == fp::NativeModel::R300 &&
+                         subject.setting().language == fp::ir::Language::ArbFragment;
+  return schedules ? kEach * (1 + subject.size() / kDoubling) : kEach;
+}
 
 /// Edits with the text that they make.
 struct Rewrite {
@@ -28,7 +36,7 @@ public:
 
   /// The advice, if the proposal gains and is equal.
   std::optional<Advice> judge(const Proposal &proposal) {
-    if (!spend(kCompileSteps))
+    if (!spend(compileSteps(m_subject)))
       return std::nullopt;
     std::optional<Rewrite> rewrite = rewritten(proposal.edits);
     if (!rewrite)

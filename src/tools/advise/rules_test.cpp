@@ -82,6 +82,8 @@ constexpr Row kRows[] = {
     {"dead-work", true, "host", "MUL a, t, p;\nMOV o, v;", "MUL a, t, p;\nMOV o, a;"},
     {"multiply-add", true, "host", "MUL a, t, p;\nADD o, a, u;",
      "MUL a, t, p;\nADD b, a, u;\nMUL o, a, b;"},
+    {"homogeneous-dot-product", true, "r300", "DP3 a.x, v, p;\nADD o, a.x, p.w;",
+     "DP3 a.x, v, p;\nADD o, a.x, q.w;"},
     {"linear-blend", true, "host", "SUB a, t, u;\nMAD o, p, a, u;",
      "SUB a, t, v;\nMAD o, p, a, u;"},
     {"operand-without-effect", true, "r300", "RCP a.x, t.x;\nMUL a, a.x, 1.0;\nMIN o, a, t;",
@@ -158,6 +160,7 @@ constexpr Gain kGains[] = {
     {"sine-and-cosine", "SIN a.x, t.x;\nCOS a.y, t.x;\nMUL o, a.x, a.y;", 8, 1, 6, 1},
     {"select-by-cmp", "SGE a, t, p;\nMUL o, a, u;", 2, 1, 1, 1},
     {"component-order", "MUL o, v, p.yxzw;", 3, 1, 1, 1},
+    {"component-order", "TEX o, t.yxzw, texture[0], 2D;", 4, 2, 2, 1},
 };
 
 TEST(Rules, GainWhatTheyWereMadeFor) {

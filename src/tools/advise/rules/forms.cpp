@@ -109,6 +109,38 @@ void proposeWeights(const Subject &subject, std::uint32_t mad, Proposals &propos
   }
 }
 
+/// DP3 t, a, b; ADD r, t, b.w.
+void proposeHomogeneous(const Subject &subject, std::uint32_t sum, int operand,
+                        Proposals &proposals) {
+  const auto dot = subject.flow().writer(sum, operand);
+  if (!dot || subject.at(sum).op != Opcode::Add || subject.at(*dot).op != Opcode::Dp3 ||
+      subject.at(*dot).dst.saturate || signOf(subject, sum, operand) != false)
+    return;
+  const Operand &last = subject.at(sum).src[std::size_t(1 - operand)];
+  const std::uint8_t mask = subject.at(sum).dst.mask;
+  for (const int o : {0, 1}) {
+    Operand whole = subject.at(*dot).src[std::size_t(o)];
+    const std::uint8_t read = componentsRead(last, mask);
+    if (!fp::opt::sameRegister(whole, last) || (read & (read - 1)) != 0 || read == 0)
+      continue;
+    std::size_t at = 0;
+    while (!(mask >> at & 1))
+      ++at;
+    whole.swizzle[3] = last.swizzle[at];
+    whole.negate = std::uint8_t((whole.negate & 7) | (last.negate >> at & 1 ? 8 : 0));
+    const auto a = subject.spelled(*dot, 1 - o, 7, false);
+    const auto b = Subject::spelled(subject.base(*dot, o), whole, 0xF, false);
+    if (!a || !b || !subject.flow().holds(whole, 0xF, *dot, sum) ||
+        !subject.flow().holds(subject.at(*dot).src[std::size_t(1 - o)], 7, *dot, sum))
+      continue;
+    Draft draft(subject);
+    draft.replace(sum, statementText(Opcode::Dph, subject.at(sum).dst.saturate,
+                                     subject.destination(sum), {*a, *b}));
+    proposals.push_back(draft.about(*dot, sum, "homogeneous-dot-product",
+                                    "DP3 and the w that is added are one DPH", Nearness::Rounding));
+  }
+}
+
 void proposeStatement(const Subject &subject, std::uint32_t index, Opcode op,
                       const std::vector<std::optional<std::string>> &operands, const char *message,
                       Proposals &proposals) {
@@ -179,6 +211,14 @@ Proposals multiplyAdd(const Subject &subject) {
   for (std::uint32_t i = 0; i < subject.size(); ++i)
     for (int o = 0; o < 2 && adds(subject.at(i).op); ++o)
       proposeMultiplyAdd(subject, i, o, proposals);
+  return proposals;
+}
+
+Proposals homogeneousProducts(const Subject &subject) {
+  Proposals proposals;
+  for (std::uint32_t i = 0; i < subject.size(); ++i)
+    for (const int o : {0, 1})
+      proposeHomogeneous(subject, i, o, proposals);
   return proposals;
 }
 

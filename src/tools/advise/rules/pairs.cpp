@@ -15,7 +15,8 @@ using fp::ir::File;
 using fp::ir::Instruction;
 using fp::ir::Operand;
 
-constexpr std::size_t kMostProposals = 256;
+constexpr std::size_t kMostProposals = 256, kMostTried = 2048;
+constexpr std::uint32_t kMostApart = 48; ///< of the two chains' first instructions
 constexpr std::size_t kMostSteps = 8;
 constexpr const char *kRule = "scalars-to-vector";
 
@@ -199,9 +200,10 @@ void propose(const Subject &subject, Steps steps, Proposals &proposals) {
 
 Proposals scalarPairs(const Subject &subject) {
   Proposals proposals;
+  std::size_t tried = 0;
   for (std::uint32_t i = 0; i < subject.size(); ++i)
-    for (std::uint32_t j = i + 1; j < subject.size() && isScalar(subject, i); ++j)
-      if (isAlike(subject, {{i, j}}) && proposals.size() < kMostProposals)
+    for (std::uint32_t j = i + 1; j < std::min(subject.size(), i + kMostApart); ++j)
+      if (isAlike(subject, {{i, j}}) && proposals.size() < kMostProposals && tried++ < kMostTried)
         propose(subject, {Step{{i, j}}}, proposals);
   return proposals;
 }

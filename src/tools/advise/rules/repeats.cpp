@@ -10,6 +10,8 @@ namespace arbiter::tools::advise {
 
 namespace {
 
+constexpr const char *kDead = "dead-work";
+
 using fp::ir::File;
 using fp::ir::Instruction;
 using fp::ir::Opcode;
@@ -145,13 +147,24 @@ Proposals copies(const Subject &subject) {
 }
 
 Proposals deadWork(const Subject &subject) {
+  std::vector<std::uint32_t> dead;
+  for (std::uint32_t i = 0; i < subject.size(); ++i)
+    if (!subject.flow().live(i))
+      dead.push_back(i);
   Proposals proposals;
-  for (std::uint32_t i = 0; i < subject.size(); ++i) {
-    if (subject.flow().live(i))
-      continue;
+  Draft all(subject);
+  for (const std::uint32_t each : dead)
+    all.remove(each);
+  // Each by itself only where they are few enough to be looked at.
+  constexpr std::size_t kFew = 16;
+  if (dead.size() > 1)
+    proposals.push_back(
+        all.about(dead.front(), dead.back(), kDead,
+                  "nothing reads what " + std::to_string(dead.size()) + " instructions compute"));
+  for (std::size_t i = 0; i < dead.size() && dead.size() <= kFew; ++i) {
     Draft draft(subject);
-    draft.remove(i);
-    proposals.push_back(draft.about(i, "dead-work", "nothing reads what this computes"));
+    draft.remove(dead[i]);
+    proposals.push_back(draft.about(dead[i], kDead, "nothing reads what this computes"));
   }
   return proposals;
 }

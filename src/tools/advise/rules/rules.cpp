@@ -24,6 +24,7 @@ constexpr Rule kRules[] = {
     {"needless-copy", "MOV whose source could be read, or its destination written", copies},
     {"dead-work", "work that nothing reads", deadWork},
     {"multiply-add", "MUL whose result is added to something", multiplyAdd},
+    {"homogeneous-dot-product", "DP3 and a w that is added", homogeneousProducts},
     {"linear-blend", "LRP as differences and products", blends},
     {"operand-without-effect", "operands that change nothing", identities},
     {"sample-earlier", "samples that begin a node without need", earlySamples},

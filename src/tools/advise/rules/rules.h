@@ -47,6 +47,7 @@ struct Rule {
 [[nodiscard]] Proposals dotProducts(const Subject &subject);
 // forms.cpp
 [[nodiscard]] Proposals multiplyAdd(const Subject &subject);
+[[nodiscard]] Proposals homogeneousProducts(const Subject &subject);
 [[nodiscard]] Proposals blends(const Subject &subject);
 [[nodiscard]] Proposals identities(const Subject &subject);
 // samples.cpp
