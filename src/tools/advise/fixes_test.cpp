@@ -35,7 +35,7 @@ std::string read(const fs::path &path) {
 
 std::vector<std::string> programs() {
   std::vector<std::string> texts;
-  for (const char *folder : {"demos/programs", "src/fp_compiler/testdata/valid"})
+  for (const char *folder : {"demos/programs", "demos/gallery", "src/fp_compiler/testdata/valid"})
     for (const auto &entry : fs::directory_iterator(fs::path(ARBITER_SOURCE_ROOT) / folder)) {
       const std::string ending = entry.path().extension();
       const std::string text = ending == ".fp" || ending == ".vp" ? read(entry.path()) : "";
