@@ -16,8 +16,8 @@ TEMP t, u;
 MUL t, fragment.color, 3.0;
 MAX t, t, 0.0;
 MIN t, t, 1.0;
-RCP u.x, program.local[0].x;
-SGE u, fragment.color, u.x;
+MUL u, program.local[0], program.local[2];
+SGE u, fragment.color, u;
 MUL result.color, u, t;
 END
 """
@@ -88,7 +88,7 @@ class Actions(Session):
 
     def test_advice_is_disabled_with_its_reason(self):
         self.client.open(URI, NAIVE)
-        found = [a for a in self.actions(NAIVE, 'RCP u.x') if 'disabled' in a]
+        found = [a for a in self.actions(NAIVE, 'MUL u') if 'disabled' in a]
         self.assertEqual(len(found), 1, found)
         self.assertIn('program.local[1]', found[0]['disabled']['reason'])
         self.assertNotIn('edit', found[0])
@@ -121,7 +121,7 @@ class Actions(Session):
     def test_follows_the_profile_and_the_text(self):
         self.client.open(URI, NAIVE)
         self.assertNotIn('dead-work', {each['rule'] for each in self.advice()})
-        dead = NAIVE.replace('RCP', 'MOV u, t;\nRCP')
+        dead = NAIVE.replace('MUL u', 'MOV u, t;\nMUL u')
         self.client.open(URI, dead)
         self.assertNotIn('needless-copy', {each['rule'] for each in self.advice()})
         self.client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'host'}})
