@@ -21,9 +21,12 @@ constexpr std::size_t kFew = 8;
 
 CheckedFile checkOne(const std::string &path, const CheckArguments &arguments,
                      const fp::hw::Profile &profile) {
-  return checkFile(
-      path, arguments.language,
-      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce, profile);
+  const fp::LimitPolicy policy =
+      arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
+  CheckedFile file = checkFile(path, arguments.language, policy, profile);
+  if (arguments.advise)
+    addAdvice(file, path, arguments.fix, policy);
+  return file;
 }
 
 void print(const std::string &text) { std::fwrite(text.data(), 1, text.size(), stdout); }
@@ -113,10 +116,10 @@ int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
 /// Every file under every card.
 int checkCards(const CheckArguments &arguments) {
   if (arguments.profiles.size() != 1 || arguments.compare || arguments.gauges != "auto" ||
-      (arguments.json && arguments.brief) ||
+      arguments.advise || (arguments.json && arguments.brief) ||
       (arguments.why && (arguments.json || arguments.brief))) {
-    complain("--profile all takes no other profile, no --compare and no --gauges, and one of "
-             "--brief, --why and --json");
+    complain("--profile all takes no other profile, no --compare, no --gauges and no --advise, and "
+             "one of --brief, --why and --json");
     return kExitUsage;
   }
   const FoundFiles found = findFiles(arguments.files);
@@ -191,6 +194,11 @@ int check(const CheckArguments &arguments) {
       return kExitUsage;
     }
     profiles.push_back(std::move(profile).value());
+  }
+  if (arguments.fix &&
+      std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {
+    complain("--fix writes files: standard input is none");
+    return kExitUsage;
   }
   if (profiles.size() != 1 && !arguments.compare) {
     complain("--profile twice is for --compare");

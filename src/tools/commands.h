@@ -26,6 +26,8 @@ struct CheckArguments {
   bool brief = false; ///< first lines of diagnostics only, no counts
   bool why = false;   ///< every reason, for every file
   bool compare = false;
+  bool advise = false;            ///< what would make the counts fall
+  bool fix = false;               ///< and do it, in the files
   std::vector<std::string> files; ///< and folders
 };
 [[nodiscard]] int check(const CheckArguments &arguments);

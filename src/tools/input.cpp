@@ -3,10 +3,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "util/file.h"
 
 namespace arbiter::tools {
 
@@ -52,6 +55,32 @@ std::string writeOutput(const std::string &name, std::string_view bytes) {
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   good = std::fflush(file.get()) == 0 && good;
   return good ? std::string() : name + ": " + std::strerror(errno);
+}
+
+std::string replaceFile(const std::string &name, std::string_view bytes) {
+  const auto fault = [&] { return name + ": " + std::strerror(errno); };
+  std::error_code error;
+  const fs::path path = fs::canonical(name, error);
+  if (error)
+    return name + ": " + error.message();
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0)
+    return fault();
+  if (!S_ISREG(status.st_mode))
+    return name + ": no regular file";
+  std::string temporary = path.string() + ".XXXXXX";
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0)
+    return fault();
+  const bool good = writeAll(descriptor, bytes) &&
+                    ::fchmod(descriptor, status.st_mode & 07777) == 0 && ::fsync(descriptor) == 0;
+  const std::string reason = good ? "" : fault();
+  ::close(descriptor);
+  if (good && std::rename(temporary.c_str(), path.c_str()) == 0)
+    return {};
+  const std::string last = good ? fault() : reason;
+  ::unlink(temporary.c_str());
+  return last;
 }
 
 bool isSameFile(const std::string &a, const std::string &b) {

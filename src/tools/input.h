@@ -18,6 +18,11 @@ struct FileError {
 /// \returns an empty string, or "name: reason".
 [[nodiscard]] std::string writeOutput(const std::string &name, std::string_view bytes);
 
+/// Gives a file that exists new content in one step: who reads it meanwhile, or is interrupted, has
+/// the old bytes or the new ones. The file behind a symbolic link is meant; its mode stays.
+/// \returns an empty string, or "name: reason".
+[[nodiscard]] std::string replaceFile(const std::string &name, std::string_view bytes);
+
 /// Both name one file, or one path where there is none yet; "-" is only itself.
 [[nodiscard]] bool isSameFile(const std::string &a, const std::string &b);
 

@@ -40,11 +40,21 @@ void addCheck(CLI::App &app, CheckArguments &check) {
       command->add_flag("--brief", check.brief, "one line a diagnostic, no counts");
   CLI::Option *why = command->add_flag(
       "--why", check.why, "every reason, texture node, dependent read and cost, for every file");
+  CLI::Option *advise = command->add_flag(
+      "--advise", check.advise,
+      "what would cost less on the profile's card: each compiled, and run beside the program");
+  CLI::Option *fix = command
+                         ->add_flag("--fix", check.fix,
+                                    "make every such change of --advise that the program alone "
+                                    "decides, in the files")
+                         ->needs(advise);
   command
       ->add_flag("--compare", check.compare,
                  "two files side by side, or one under two profiles (--profile twice)")
       ->excludes(brief)
-      ->excludes(why);
+      ->excludes(why)
+      ->excludes(advise)
+      ->excludes(fix);
   command
       ->add_option("--gauges", check.gauges,
                    "auto: blocks on a UTF-8 terminal; always: into a file too, and a table for "
@@ -64,6 +74,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
                   "  arbiter check --profile nv30 --json *.fp *.vp\n"
                   "  arbiter check shaders/ game.capture/\n"
                   "  arbiter check --profile all shaders/\n"
+                  "  arbiter check --advise shader.fp\n"
                   "  arbiter check --compare before.fp after.fp\n"
                   "  arbiter check --compare --profile r300 --profile nv30 shader.fp\n"
                   "  arbiter check --profile r300-catalyst-2004 - < shader.fp");

@@ -48,6 +48,8 @@ FILES = {
                    'MUL result.color, a, 0.0;\nEND\n',
     'wasteful.fp': '!!ARBfp1.0\nTEMP a, b;\nMUL b, fragment.color, 2.0;\nMOV a, fragment.color;\n'
                    'ADD a, a, a;\nMOV result.color, a;\nEND\n',
+    'naive.fp': '!!ARBfp1.0\nTEMP a;\nMUL a, fragment.color, 3.0;\nMAX a, a, 0.0;\n'
+                'MIN result.color, a, 1.0;\nEND\n',
     'bad.fp': '!!ARBfp1.0\nMOV result.color, q;\nEND\n',
     'good.vp': '!!ARBvp1.0\nMOV result.position, vertex.position;\n'
                'MUL result.color, vertex.color, program.local[1];\nEND\n',
@@ -99,7 +101,7 @@ NO_EFFECT = {
 OPERANDS = {
     'check': [['good.fp'], ['dependent.fp'], ['long.fp'], ['bad.fp'], ['good.vp'], ['good.atifs'],
               ['huge.fp'], ['huge.vp'], ['.'], ['none.fp'], ['good.fp', 'dependent.fp'],
-              ['good.vp', 'long.fp'], ['good.fp', 'huge.fp']],
+              ['good.vp', 'long.fp'], ['good.fp', 'huge.fp'], ['naive.fp']],
     'compile': [['good.fp'], ['long.fp'], ['infinite.fp'], ['wasteful.fp'], ['bad.fp'], ['good.vp'],
                 ['two.vp'], ['good.atifs']],
     'draw': [['good.fp'], ['good.vp', 'dependent.fp'], ['bad.fp']],

@@ -41,6 +41,14 @@ void addPanel(const std::string &path, CheckedFile &file) {
     file.status = FileStatus::Invalid;
 }
 
+void checkText(const std::string &path, CheckedFile &file, fp::LimitPolicy policy) {
+  file.result = fp::checkProgram(file.language, file.text, {file.limits, policy});
+  file.status = !file.result.ok()                ? FileStatus::Invalid
+                : !file.result.underNativeLimits ? FileStatus::OverNative
+                                                 : FileStatus::Valid;
+  addPanel(path, file);
+}
+
 } // namespace
 
 CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
@@ -56,13 +64,27 @@ CheckedFile checkFile(const std::string &path, const std::string &language, fp::
   file.text = std::move(input).value();
   file.language = chooseLanguage(language, file.text);
   file.limits = limitsOf(profile, file.language);
-  file.result = fp::checkProgram(file.language, file.text, {file.limits, policy});
-  if (!file.result.ok())
-    file.status = FileStatus::Invalid;
-  else if (!file.result.underNativeLimits)
-    file.status = FileStatus::OverNative;
-  addPanel(path, file);
+  checkText(path, file, policy);
   return file;
+}
+
+void addAdvice(CheckedFile &file, const std::string &path, bool fix, fp::LimitPolicy policy) {
+  if (file.status == FileStatus::Unreadable)
+    return;
+  const advise::Setting setting{file.language, file.limits};
+  if (fix && file.counted()) {
+    file.fixed = advise::applyAll(file.text, setting);
+    if (!file.fixed->applied.empty()) {
+      if (const std::string fault = replaceFile(path, file.fixed->text); !fault.empty()) {
+        file.status = FileStatus::Unreadable;
+        file.fault = fault;
+        return;
+      }
+      file.text = file.fixed->text;
+      checkText(path, file, policy);
+    }
+  }
+  file.advice = advise::advise(file.text, setting);
 }
 
 const fp::hw::NativeReport &CheckedFile::native() const {

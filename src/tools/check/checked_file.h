@@ -6,6 +6,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
+#include "tools/advise/advise.h"
 
 /// One file that `arbiter check` looked at, as data for every way to show it.
 namespace arbiter::tools {
@@ -24,6 +25,9 @@ public:
   std::string fault; ///< Unreadable: why
   fp::CheckResult result;
   fp::Limits limits; ///< of its language under the profile
+  /// Where it was asked for: what there is to be said, and what was changed before that.
+  std::optional<std::vector<advise::Advice>> advice;
+  std::optional<advise::Fixed> fixed;
 
   /// There is a program, and it has counts.
   [[nodiscard]] bool counted() const {
@@ -45,5 +49,9 @@ private:
 /// \param language "auto", or a name of languageRows()
 [[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
                                     fp::LimitPolicy policy, const fp::hw::Profile &profile);
+
+/// Fills `advice`.
+/// \param fix before that, every fix is made: in `text`, which is checked anew, and in the file
+void addAdvice(CheckedFile &file, const std::string &path, bool fix, fp::LimitPolicy policy);
 
 } // namespace arbiter::tools

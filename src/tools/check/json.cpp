@@ -3,6 +3,7 @@
 #include <GL/arbiter.h>
 
 #include "fp_compiler/resources.h"
+#include "tools/advise/show.h"
 #include "tools/check/source_text.h"
 #include "tools/language.h"
 #include "util/hash.h"
@@ -193,6 +194,14 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
   if (file.counted()) {
     json.key("native");
     NativeWriter(json, file, source).write();
+  }
+  if (file.fixed) {
+    json.key("fixed");
+    advise::writeFixed(json, *file.fixed);
+  }
+  if (file.advice) {
+    json.key("advice");
+    advise::writeAdvice(json, file.text, *file.advice);
   }
   json.endObject();
 }

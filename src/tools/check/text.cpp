@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "fp_compiler/resources.h"
+#include "tools/advise/show.h"
 #include "tools/check/why.h"
 
 namespace arbiter::tools {
@@ -76,12 +77,45 @@ std::string table(const CheckedFile &file, const Why &why, const TextOptions &op
   return text;
 }
 
+const std::vector<advise::Advice> &adviceOf(const CheckedFile &file) {
+  static const std::vector<advise::Advice> kNone;
+  return file.advice ? *file.advice : kNone;
+}
+
+/// "file: 3 fixes made: ALU 40 -> 31", and what they were.
+std::string fixedText(const CheckedFile &file) {
+  if (!file.fixed)
+    return "";
+  const std::size_t count = file.fixed->applied.size();
+  std::string text =
+      shown(file.name) + ": " + std::to_string(count) + (count == 1 ? " fix made" : " fixes made");
+  if (count != 0)
+    text += ": " + advise::changeText(file.fixed->before, file.fixed->after);
+  text += "\n";
+  for (const advise::Advice &advice : file.fixed->applied)
+    text += "  " + advice.message + " [" + advice.rule +
+            "]: " + advise::changeText(advice.before, advice.after) + "\n";
+  return text;
+}
+
+std::string adviceText(const CheckedFile &file) {
+  std::string text;
+  for (const advise::Advice &advice : adviceOf(file))
+    text += advise::fullText(shown(file.name), file.text, advice);
+  if (file.advice && file.counted() && text.empty())
+    text = shown(file.name) + ": no advice\n";
+  return text;
+}
+
 } // namespace
 
 std::string briefText(const CheckedFile &file) {
   std::string text;
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics)
     text += fp::renderLine(shown(file.name), file.text, diagnostic) + "\n";
+  text += fixedText(file);
+  for (const advise::Advice &advice : adviceOf(file))
+    text += advise::lineText(shown(file.name), file.text, advice);
   return text;
 }
 
@@ -100,7 +134,7 @@ std::string verdict(const CheckedFile &file, const fp::hw::Profile &profile) {
 
 std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
                      const TextOptions &options) {
-  std::string text;
+  std::string text = fixedText(file);
   for (const fp::Diagnostic &diagnostic : file.result.diagnostics) {
     text += fp::render(shown(file.name), file.text, diagnostic);
     if (text.back() != '\n')
@@ -115,9 +149,11 @@ std::string fullText(const CheckedFile &file, const fp::hw::Profile &profile,
   const Why why(file, options.style, options.why);
   text += table(file, why, options) + why.headline();
   if (options.why)
-    return text + why.nodes() + why.chain() + why.cycles() + why.costs();
+    text += why.nodes() + why.chain() + why.cycles() + why.costs();
   // The count of indirections is one number for a shape: show the shape.
-  return isOver(file, &fp::ResourceCounts::texIndirections) ? text + why.chain() : text;
+  else if (isOver(file, &fp::ResourceCounts::texIndirections))
+    text += why.chain();
+  return text + adviceText(file);
 }
 
 } // namespace arbiter::tools

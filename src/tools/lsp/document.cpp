@@ -45,7 +45,7 @@ Document::Document(std::string uri, std::string languageId, std::string text, En
 }
 
 void Document::setText(std::string text) {
-  m_analysis.reset(); // it views the text
+  forget(); // what is known views the text
   m_text = std::move(text);
   m_map = TextMap(m_text, m_encoding);
   changed = true;
@@ -100,6 +100,16 @@ const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   if (check.ok() && made.language != Language::AtiFragment)
     made.native = fp::hw::explainNative(*check.program, check.counts, made.limits);
   return made;
+}
+
+const std::vector<advise::Advice> &Document::advice(const fp::hw::Profile &profile) {
+  if (!m_advice) {
+    const Analysis &known = analysis(profile);
+    m_advice = std::make_unique<std::vector<advise::Advice>>();
+    if (known.inspection.check.ok())
+      *m_advice = advise::advise(m_text, {known.language, known.limits});
+  }
+  return *m_advice;
 }
 
 } // namespace arbiter::tools::lsp

@@ -7,6 +7,7 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/inspect.h"
+#include "tools/advise/advise.h"
 #include "tools/lsp/text_map.h"
 
 namespace arbiter::tools::lsp {
@@ -33,7 +34,10 @@ public:
   /// \returns false if it is neither; the text is then as it was.
   bool change(const Json &change);
   /// The limits or the model of another profile hold.
-  void forget() { m_analysis.reset(); }
+  void forget() {
+    m_analysis.reset();
+    m_advice.reset();
+  }
 
   [[nodiscard]] const std::string &uri() const { return m_uri; }
   [[nodiscard]] const std::string &text() const { return m_text; }
@@ -43,6 +47,9 @@ public:
   [[nodiscard]] const TextMap &map() const { return m_map; }
   /// Made when it is first asked for after a change or forget(), by the profile of that moment.
   [[nodiscard]] const Analysis &analysis(const fp::hw::Profile &profile);
+
+  /// Likewise; made when it is first asked for, as it costs far more than all the rest.
+  [[nodiscard]] const std::vector<advise::Advice> &advice(const fp::hw::Profile &profile);
 
   std::int64_t version = 0;
   bool changed = true; ///< since its diagnostics were published
@@ -57,6 +64,7 @@ private:
   std::string m_text;
   TextMap m_map;
   std::unique_ptr<Analysis> m_analysis;
+  std::unique_ptr<std::vector<advise::Advice>> m_advice;
 };
 
 } // namespace arbiter::tools::lsp

@@ -20,6 +20,9 @@ Json capabilities(Encoding encoding) {
       {"renameProvider", {{"prepareProvider", true}}},
       {"documentSymbolProvider", true},
       {"inlayHintProvider", true},
+      {"codeActionProvider",
+       {{"codeActionKinds", Json::array({"quickfix", "refactor.rewrite"})},
+        {"resolveProvider", true}}},
       {"semanticTokensProvider", {{"legend", semanticLegend()}, {"full", true}}},
   };
 }
@@ -32,6 +35,8 @@ Server::Reply Server::initialize(const Json &params) {
       std::find(offered->begin(), offered->end(), Json("utf-8")) != offered->end())
     m_encoding = Encoding::Utf8;
   m_refreshesHints = trueAt(params, {"capabilities", "workspace", "inlayHint", "refreshSupport"});
+  m_showsDisabled =
+      trueAt(params, {"capabilities", "textDocument", "codeAction", "disabledSupport"});
   if (const Json *settings = member(params, {"initializationOptions"}))
     useProfile(*settings);
   m_state = State::Running;

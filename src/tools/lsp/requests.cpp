@@ -1,3 +1,4 @@
+#include "tools/lsp/actions.h"
 #include "tools/lsp/server.h"
 
 #include <algorithm>
@@ -144,18 +145,26 @@ Server::Reply Server::symbolsOf(const Json &params) {
   return documentSymbols(viewOf(*document));
 }
 
+/// The bytes of the parameters' range.
+std::optional<fp::Span> Server::rangeOf(const Document &document, const Json &params) {
+  const Json *start = member(params, {"range", "start"});
+  const Json *end = member(params, {"range", "end"});
+  const auto from = start ? document.map().offset(*start) : std::nullopt;
+  const auto to = end ? document.map().offset(*end) : std::nullopt;
+  if (!from || !to)
+    return std::nullopt;
+  return fp::Span{*from, *to};
+}
+
 Server::Reply Server::inlayHintsOf(const Json &params) {
   Document *document = find(params);
   if (!document)
     return noDocument();
-  const Json *start = member(params, {"range", "start"});
-  const Json *end = member(params, {"range", "end"});
-  const auto from = start ? document->map().offset(*start) : std::nullopt;
-  const auto to = end ? document->map().offset(*end) : std::nullopt;
-  if (!from || !to)
+  const std::optional<fp::Span> span = rangeOf(*document, params);
+  if (!span)
     return noPosition();
-  Json hints = inlayHints(viewOf(*document), {*from, *to});
-  for (Json &value : m_traces.hints(*document, {*from, *to}))
+  Json hints = inlayHints(viewOf(*document), *span);
+  for (Json &value : m_traces.hints(*document, *span))
     hints.push_back(std::move(value));
   return hints;
 }
@@ -191,6 +200,39 @@ Server::Reply Server::traceOf(const Json &params) {
   if (!trace)
     return RpcError{kRequestFailed, trace.error().message};
   return std::move(trace).value();
+}
+
+Server::Reply Server::codeActionsOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  const std::optional<fp::Span> span = rangeOf(*document, params);
+  if (!span)
+    return noPosition();
+  ActionRequest request{*span, {}, m_showsDisabled};
+  if (const Json *only = member(params, {"context", "only"}); only && only->is_array())
+    for (const Json &kind : *only)
+      if (kind.is_string())
+        request.only.push_back(kind.get<std::string>());
+  return codeActions(viewOf(*document), document->advice(m_profile), request);
+}
+
+/// The action with its edit, if it is one of ours that has none yet.
+Server::Reply Server::resolveAction(const Json &action) {
+  const std::string *uri = stringAt(action, {"data", "uri"});
+  const auto found = uri ? m_documents.find(*uri) : m_documents.end();
+  if (found == m_documents.end())
+    return noDocument();
+  Json resolved = action;
+  resolved["edit"] = everyFix(viewOf(found->second));
+  return resolved;
+}
+
+Server::Reply Server::adviceOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return noDocument();
+  return adviceList(viewOf(*document), document->advice(m_profile));
 }
 
 Server::Reply Server::semanticTokensOf(const Json &params) {

@@ -50,6 +50,9 @@ const Server::RequestRow Server::kRequests[] = {
     {"textDocument/inlayHint", &Server::inlayHintsOf},
     {"textDocument/semanticTokens/full", &Server::semanticTokensOf},
     {"arbiter/trace", &Server::traceOf},
+    {"textDocument/codeAction", &Server::codeActionsOf},
+    {"codeAction/resolve", &Server::resolveAction},
+    {"arbiter/advice", &Server::adviceOf},
 };
 
 const Server::NotificationRow Server::kNotifications[] = {

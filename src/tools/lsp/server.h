@@ -57,6 +57,8 @@ private:
   void closed(const Json &params);
   void publish(Document &document);
   Document *find(const Json &params);
+  [[nodiscard]] static std::optional<fp::Span> rangeOf(const Document &document,
+                                                       const Json &params);
   [[nodiscard]] View viewOf(Document &document) {
     return {document, document.analysis(m_profile), m_profile};
   }
@@ -73,6 +75,9 @@ private:
   Reply inlayHintsOf(const Json &params);
   Reply semanticTokensOf(const Json &params);
   Reply traceOf(const Json &params);
+  Reply codeActionsOf(const Json &params);
+  Reply resolveAction(const Json &action);
+  Reply adviceOf(const Json &params);
 
   struct RequestRow;
   struct NotificationRow;
@@ -85,6 +90,7 @@ private:
   fp::hw::Profile m_profile;
   Encoding m_encoding = Encoding::Utf16;
   bool m_refreshesHints = false; ///< the client knows workspace/inlayHint/refresh
+  bool m_showsDisabled = false;  ///< the client shows code actions that are disabled
   State m_state = State::New;
   bool m_wasShutDown = false;
   bool m_gone = false; ///< what is written is not read any more

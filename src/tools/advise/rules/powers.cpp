@@ -1,0 +1,88 @@
+#include <array>
+
+#include "fp_compiler/ir/reads.h"
+#include "tools/advise/ranges.h"
+#include "tools/advise/rules/rules.h"
+
+/// POW is LG2, MUL and EX2: an exponent that is a small number is products or a reciprocal.
+namespace arbiter::tools::advise {
+
+namespace {
+
+using fp::ir::Opcode;
+
+constexpr const char *kRule = "power-by-products";
+
+std::string scalarText(Opcode op, const std::string &destination, const std::string &operand) {
+  return statementText(op, false, destination, {operand});
+}
+
+std::string product(bool saturate, const std::string &destination, const std::string &a,
+                    const std::string &b) {
+  return statementText(Opcode::Mul, saturate, destination, {a, b});
+}
+
+/// The statement that takes POW's place, and those before it, which write \p scratch.
+struct Replacement {
+  std::vector<std::string> before;
+  std::string statement;
+};
+
+std::optional<Replacement> replacementOf(float exponent, const std::string &base,
+                                         const std::string &destination, bool saturate,
+                                         const std::string &scratch) {
+  const std::string x = scratch + ".x";
+  const std::string temporary = "TEMP " + scratch;
+  if (exponent == 1.0f)
+    return Replacement{{}, statementText(Opcode::Mov, saturate, destination, {base})};
+  if (exponent == 2.0f)
+    return Replacement{{}, product(saturate, destination, base, base)};
+  if (exponent == 3.0f)
+    return Replacement{{temporary, product(false, x, base, base)},
+                       product(saturate, destination, x, base)};
+  if (exponent == 4.0f)
+    return Replacement{{temporary, product(false, x, base, base)},
+                       product(saturate, destination, x, x)};
+  if (exponent == 0.5f)
+    return Replacement{{temporary, scalarText(Opcode::Rsq, x, base)},
+                       statementText(Opcode::Rcp, saturate, destination, {x})};
+  if (exponent == -1.0f)
+    return Replacement{{}, statementText(Opcode::Rcp, saturate, destination, {base})};
+  if (exponent == -0.5f)
+    return Replacement{{}, statementText(Opcode::Rsq, saturate, destination, {base})};
+  return std::nullopt;
+}
+
+} // namespace
+
+Proposals powers(const Subject &subject) {
+  Proposals proposals;
+  for (std::uint32_t i = 0; i < subject.size(); ++i) {
+    const fp::ir::Instruction &instruction = subject.at(i);
+    if (instruction.op != Opcode::Pow)
+      continue;
+    const std::optional<float> exponent = subject.number(i, 1, 0);
+    const auto base = subject.spelled(i, 0, 1, true);
+    if (!exponent || !base)
+      continue;
+    const auto made = replacementOf(*exponent, *base, subject.destination(i),
+                                    instruction.dst.saturate, subject.fresh("power"));
+    if (!made)
+      continue;
+    Draft draft(subject);
+    if (!made->before.empty())
+      draft.insert(i, made->before);
+    draft.replace(i, made->statement);
+    Proposal proposal = draft.about(i, kRule,
+                                    "POW is LG2, MUL and EX2; the exponent " +
+                                        numberText(*exponent) + " is less work",
+                                    Nearness::Rounding);
+    // POW of a base below zero is 0.
+    if (!rangeOf(subject, i, 0, 1).notNegative())
+      proposal.condition = "the base " + *base + " is never below zero";
+    proposals.push_back(std::move(proposal));
+  }
+  return proposals;
+}
+
+} // namespace arbiter::tools::advise

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/advise/advise.h"
+#include "util/json.h"
+
+/// Advice as text and as JSON.
+namespace arbiter::tools::advise {
+
+/// Lines that edits change: what stands there, and what will.
+struct Change {
+  std::uint32_t line = 1; ///< the first, from 1
+  std::vector<std::string> old, now;
+};
+[[nodiscard]] std::vector<Change> changesOf(std::string_view text, const Edits &edits);
+
+/// "file:line:column: note: message [rule]: ALU 4 -> 1"
+[[nodiscard]] std::string lineText(std::string_view file, std::string_view text,
+                                   const Advice &advice);
+/// That line, the source line with a caret, then the changed lines with - and +; of advice what the
+/// application would do, and what must hold.
+[[nodiscard]] std::string fullText(std::string_view file, std::string_view text,
+                                   const Advice &advice);
+
+/// The value of "advice": an array, described in arbiter(1).
+void writeAdvice(JsonWriter &json, std::string_view text, const std::vector<Advice> &advice);
+/// The value of "fixed".
+void writeFixed(JsonWriter &json, const Fixed &fixed);
+
+} // namespace arbiter::tools::advise
