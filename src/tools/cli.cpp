@@ -77,6 +77,10 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return compile(arguments.compile);
   if (app.got_subcommand("draw"))
     return draw(arguments.draw, argv);
+  if (app.got_subcommand("ctl"))
+    return controlProcess(arguments.ctl);
+  if (app.got_subcommand("render"))
+    return render(arguments.render, argv);
   if (app.got_subcommand("lsp"))
     return serve(arguments.lsp);
   if (app.got_subcommand("cache"))

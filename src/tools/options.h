@@ -17,6 +17,8 @@ struct Arguments {
   ReportArguments report;
   ProfilesArguments profiles;
   CacheArguments cache;
+  CtlArguments ctl;
+  RenderArguments render;
   LspArguments lsp;
 };
 
