@@ -88,7 +88,7 @@ TEST(Message, SurvivesAnyBytes) {
   std::mt19937 random(1);
   const std::string alphabet = "{}[]\",:0123456789.eE+-\\utfnaslr\x01\xff jsonrpc2.0methodid";
   const std::string seed = R"({"jsonrpc":"2.0","id":1,"method":"program.set","params":{"id":"a"}})";
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 10000; ++i) {
     std::string text = i % 2 == 0 ? seed : std::string();
     for (std::size_t edits = random() % 12; edits > 0; --edits) {
       const char byte = alphabet[random() % alphabet.size()];
@@ -99,8 +99,7 @@ TEST(Message, SurvivesAnyBytes) {
         text[at] = byte;
     }
     const auto request = requestOf(text);
-    if (!request)
-      EXPECT_TRUE(request.error().code == kNoJson || request.error().code == kNoRequest);
+    EXPECT_TRUE(request || request.error().code == kNoJson || request.error().code == kNoRequest);
   }
 }
 

@@ -168,7 +168,7 @@ TEST_F(Served, WhoSendsTooMuchIsCutOffAndNobodyElse) {
 TEST_F(Served, WhoReadsNothingIsCutOff) {
   auto raw = connectTo(m_path);
   const std::string line = requestLine(1, "echo", {{"text", std::string(1 << 20, 'x')}});
-  for (int i = 0; i < 64; ++i)
+  for (int i = 0; i < 24; ++i)
     if (send(raw.value().get(), line.data(), line.size(), MSG_NOSIGNAL) < 0)
       break;
   awaitClients(0);
@@ -182,8 +182,9 @@ TEST_F(Served, SurvivesHostileBytesAndDescriptors) {
     const auto folder = std::filesystem::directory_iterator("/proc/self/fd");
     return std::distance(begin(folder), end(folder));
   };
+  ASSERT_TRUE(good.call("echo", Json::object(), 10s)); // it is accepted
   const auto before = descriptors();
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 100; ++round) {
     auto raw = connectTo(m_path);
     ASSERT_TRUE(raw);
     std::string bytes = round % 3 == 0 ? requestLine(1, "echo", Json::object()) : std::string();
