@@ -367,7 +367,8 @@ class Hostile(Controlled):
 
 class Windows(Controlled):
     """PAINTER draws yellow: white texels times (1, 1, 0)."""
-    OPTIONS = ((), ('--backend', 'host'))
+    # Of the layer, and of PAINTER.
+    CASES = (((), ()), (('--backend', 'host'), ('-1', 'fbo')))
 
     @classmethod
     def setUpClass(cls):
@@ -384,12 +385,11 @@ class Windows(Controlled):
         self.assertEqual([line for line in output.seen if line.startswith(('state', 'error'))], [])
 
     def test_frames_and_textures(self):
-        for more in self.OPTIONS:
-            for words in ((), ('-1', 'fbo')):
-                with self.subTest(options=more, words=words), \
-                        self.painting(*words, options=('--control', *more)) as output:
-                    self.assertTrue(output.waits_for('middle 255 255 0'))
-                    self.look_and_paint(output)
+        for more, words in self.CASES:
+            with self.subTest(options=more, words=words), \
+                    self.painting(*words, options=('--control', *more)) as output:
+                self.assertTrue(output.waits_for('middle 255 255 0'))
+                self.look_and_paint(output)
 
     def look_and_paint(self, output):
         png, mine = self.folder / 'frame.png', self.folder / 'mine.png'
@@ -430,20 +430,17 @@ class Windows(Controlled):
             self.assertEqual(pixels(png)[1][60][400:404], b'\xff\0\0\xff')
 
     def test_figures_are_in_the_frame(self):
-        for more in self.OPTIONS:
-            for words in ((), ('-1', 'fbo')):
-                with self.subTest(options=more, words=words), \
-                        self.painting(*words, options=('--hud', *more)) as output:
-                    self.assertTrue(output.waits_for('middle 255 255 0'))
-                    end = time.monotonic() + PATIENCE
-                    while time.monotonic() < end:
-                        output.waits_for('', 0.2)
-                        counts = [int(line.split()[1]) for line in output.seen
-                                  if line.startswith('shown')]
-                        if counts and counts[-1] > 1000:
-                            break
-                    self.assertGreater(counts[-1], 1000, 'no figures')
-                    self.unchanged(output)
+        for more, words in self.CASES:
+            with self.subTest(options=more, words=words), \
+                    self.painting(*words, options=('--hud', *more)) as output:
+                self.assertTrue(output.waits_for('middle 255 255 0'))
+                end, counts = time.monotonic() + PATIENCE, []
+                while time.monotonic() < end and not (counts and counts[-1] > 1000):
+                    output.waits_for('', 0.1)
+                    counts = [int(line.split()[1]) for line in output.seen
+                              if line.startswith('shown')]
+                self.assertGreater(counts[-1], 1000, 'no figures')
+                self.unchanged(output)
         with self.painting(options=()) as output:
             self.assertTrue(output.waits_for('shown 0'), 'without --hud there are none')
 
