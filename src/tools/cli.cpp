@@ -81,6 +81,10 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return debugPixel(arguments.debug);
   if (app.got_subcommand(kDrawsVerb))
     return drawForDebugger();
+  if (app.got_subcommand("ctl"))
+    return controlProcess(arguments.ctl);
+  if (app.got_subcommand("render"))
+    return render(arguments.render, argv);
   if (app.got_subcommand("lsp"))
     return serve(arguments.lsp);
   if (app.got_subcommand("cache"))

@@ -60,6 +60,8 @@ struct LayerArguments {
   std::string hostVendor;
   std::string capture; ///< a folder that exists when the command starts
   std::string replace; ///< likewise
+  bool control = false;
+  bool hud = false;
 };
 
 struct RunArguments {
@@ -137,6 +139,29 @@ struct DebugArguments {
 inline constexpr const char *kDrawsVerb = "debug-draws";
 /// The process that draws for debugPixel(): draws/server.h on descriptor 0.
 [[nodiscard]] int drawForDebugger();
+struct RenderArguments {
+  LayerArguments layer;
+  std::string folder = "."; ///< that names in documents begin from
+  int descriptor = -1;      ///< of a connected socket; -1: listen
+  bool bare = false;        ///< without the layer
+  bool inLayer = false;     ///< this is the process that the layer was preloaded into
+};
+/// Draws documents for the process at the other end of a socket (docs/control.md).
+/// \param argv the whole command line, to be executed again under the layer
+[[nodiscard]] int render(const RenderArguments &arguments, const std::vector<std::string> &argv);
+
+struct CtlArguments {
+  int process = 0; ///< 0: the only one that listens
+  bool json = false;
+  std::string output;
+  double timeout = 5;             ///< seconds that an answer may take
+  double holdSeconds = 0;         ///< 0: until this process is ended
+  std::vector<std::string> words; ///< the action and its operands
+};
+/// Talks to a process that was started under control.
+[[nodiscard]] int controlProcess(const CtlArguments &arguments);
+/// The actions, a line each, for the help.
+[[nodiscard]] std::string ctlActions();
 
 struct CacheArguments {
   bool clear = false;

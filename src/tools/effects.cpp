@@ -74,7 +74,7 @@ std::string withoutEffect(const CLI::App &verb) {
     if (verb.get_name() == row.verb)
       if (std::string fault = withoutEffect(verb, row); !fault.empty())
         return fault;
-  if (verb.get_name() == "draw")
+  if (verb.get_name() == "draw" || verb.get_name() == "render")
     return layerWithoutEffect(verb, "--bare");
   if (verb.get_name() == "capture")
     return layerWithoutEffect(verb, "--index-only");

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <unistd.h>
 
+#include "control/address.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
 #include "util/flags.h"
@@ -111,6 +112,9 @@ std::string whyNotFollowed(const std::vector<Assignment> &environment) {
       warnings);
   if (!warnings.empty())
     return warnings.front().substr(0, warnings.front().rfind("; ignored"));
+  if (parsed.control)
+    if (const auto folder = control::socketFolder(); !folder)
+      return folder.error().message;
   for (const std::string &path : {parsed.statsPath, parsed.logPath})
     if (!path.empty())
       if (std::string fault = whyNotWritable(path); !fault.empty())
@@ -184,6 +188,10 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
       return LaunchError{arguments.replace + ": no such folder"};
     environment.push_back({ARBITER_ENV_REPLACE, absolutePath(arguments.replace)});
   }
+  if (arguments.control)
+    environment.push_back({ARBITER_ENV_CONTROL, "1"});
+  if (arguments.hud)
+    environment.push_back({ARBITER_ENV_HUD, "1"});
   if (!arguments.log.empty())
     environment.push_back({ARBITER_ENV_LOG, absoluteLog(arguments.log)});
   if (!arguments.debug.empty())

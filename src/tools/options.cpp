@@ -148,6 +148,11 @@ void addLayer(CLI::App &command, LayerArguments &layer) {
   command.add_option("--replace", layer.replace,
                      "a folder of texts named by hash (as capture writes them) that are loaded in "
                      "place of the application's, and again when a file changes");
+  command.add_flag("--control", layer.control,
+                   "let arbiter ctl and the builder look at the programs and change them while it "
+                   "runs");
+  command.add_flag("--hud", layer.hud,
+                   "show frame time, draws by path and programs over native limits in each frame");
   command.add_option("--host-vendor", layer.hostVendor,
                      "the GL vendor under the layer, as libglvnd names it (mesa, nvidia)");
   command.add_option("--library", layer.library, "the layer's library, where it is not beside us");
@@ -373,6 +378,55 @@ void addCache(CLI::App &app, CacheArguments &cache) {
                   "Examples:\n  arbiter cache\n  arbiter cache --clear");
 }
 
+void addCtl(CLI::App &app, CtlArguments &ctl) {
+  CLI::App *command = app.add_subcommand(
+      "ctl", "Look at the programs of a process under arbiter run --control, and change them:\n"
+             "arbiter ctl [OPTIONS] ACTION [OPERANDS...]");
+  command->add_option("--pid", ctl.process, "the process; needed where several listen")
+      ->check(CLI::Range(1, 1 << 22));
+  command->add_flag("--json", ctl.json, "print answers as they came");
+  command->add_option("-o,--output", ctl.output, "the file that frame, texture and get write");
+  command->add_option("--timeout", ctl.timeout, "seconds that an answer may take")
+      ->check(CLI::Range(0.001, 3600.0))
+      ->capture_default_str();
+  command
+      ->add_option("--for", ctl.holdSeconds,
+                   "end after so many seconds; by default what an action changed is held until "
+                   "this is ended")
+      ->check(CLI::Range(0.001, 86400.0));
+  command->add_option("ACTION", ctl.words, "list: the processes that listen; or an action below")
+      ->required();
+  command->footer("Actions:\n" + ctlActions() +
+                  "  -                           actions from standard input, a line each\n"
+                  "What set, param, paint, enable and disable change is undone when this ends; set "
+                  "follows its file meanwhile.\n"
+                  "Exit code: 0; 1 usage, no such process, or no answer; 2 a text is not valid.\n"
+                  "Examples:\n"
+                  "  arbiter run --control -- ./game &\n"
+                  "  arbiter ctl programs\n"
+                  "  arbiter ctl frame -o frame.png\n"
+                  "  arbiter ctl set 0c51f6.fp water.fp");
+}
+
+void addRender(CLI::App &app, RenderArguments &render) {
+  CLI::App *command = app.add_subcommand(
+      "render", "Draw documents for another process, which sends them through a socket");
+  addLayer(*command, render.layer);
+  command->add_option("--folder", render.folder, "where files that a document names lie")
+      ->capture_default_str();
+  command
+      ->add_option("--fd", render.descriptor,
+                   "serve the connected socket of this number, and end with it; without, listen "
+                   "and print where")
+      ->check(CLI::Range(0, 1048576));
+  command->add_flag("--bare", render.bare, "without the layer: the host's own implementation");
+  command->add_flag("--in-layer", render.inLayer)->group(""); // what render passes to itself
+  command->footer("The builder starts it. The messages are those of docs/control.md; frames go "
+                  "through shared memory.\n"
+                  "Exit code: 0 the client is gone; 1 usage, or no socket; 4 no GL.\n"
+                  "Example:\n  arbiter render --folder shaders");
+}
+
 void addLsp(CLI::App &app, LspArguments &lsp) {
   CLI::App *command = app.add_subcommand(
       "lsp", "A language server for editors, on standard input and output (LSP 3.17)");
@@ -396,6 +450,8 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addReport(app, arguments.report);
   addProfiles(app, arguments.profiles);
   addCache(app, arguments.cache);
+  addCtl(app, arguments.ctl);
+  addRender(app, arguments.render);
   addLsp(app, arguments.lsp);
   app.add_subcommand(kDrawsVerb, "")->group("");
 }

@@ -18,6 +18,8 @@ struct Arguments {
   ReportArguments report;
   ProfilesArguments profiles;
   CacheArguments cache;
+  CtlArguments ctl;
+  RenderArguments render;
   LspArguments lsp;
 };
 

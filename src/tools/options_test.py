@@ -72,6 +72,11 @@ VALUES = {
     ('*', '--replace'): ['@texts'],
     ('*', '--host-vendor'): ['mesa'],
     ('*', '--library'): ['@library'],
+    ('ctl', '--pid'): ['4194303'],
+    ('ctl', '--timeout'): ['0.5'],
+    ('ctl', '--for'): ['0.5'],
+    ('render', '--folder'): ['texts'],
+    ('render', '--fd'): ['1000'],
     ('draw', '--size'): ['16x8'],
     ('draw', '--texture'): ['0=checker', '0=noise'],
     ('draw', '--local'): ['0=1,0.5', 'fp:0=0.25,1,0,1'],
@@ -113,6 +118,9 @@ OPERANDS = {
     'stats': [['none.json'], ['none/none-%p.json']],
     'cache': [[]],
     'lsp': [[]],
+    'ctl': [['list'], ['programs'], ['nothing'], ['get'], ['-']],
+    # A descriptor that is none: a renderer that listens runs on.
+    'render': [['--fd', '1001']],
 }
 # Statuses of the command that is run beside those of the verb.
 BESIDE = {'run': {126, 127}, 'capture': {126, 127}}

@@ -202,6 +202,14 @@ void readCache(Reader &reader, Settings &result) {
       readNumber(reader, Env::CacheMaxMb, 1, 65536, result.cacheMaxMegabytes);
 }
 
+/// 1 or 0; false where there is none.
+bool readSwitch(Reader &reader, Env variable) {
+  const std::string_view value = reader.read(variable);
+  if (!value.empty() && value != "0" && value != "1")
+    reader.warn(variable, "expected 0 or 1, not " + quoted(value));
+  return value == "1";
+}
+
 /// The name becomes part of a library's file name (libGLX_NAME.so.0), so it may not leave it.
 void readHostVendor(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::HostVendor);
@@ -259,6 +267,8 @@ Settings parseSettings(const std::function<const char *(const char *)> &lookup,
   result.threads = readNumber(reader, Env::Threads, 1, 64, 0);
   result.extensionsMaxYear = readNumber(reader, Env::ExtensionsMaxYear, 1992, 9999, 0);
   result.extensionsMaxLength = readNumber(reader, Env::ExtensionsMaxLength, 1, 1u << 20, 0);
+  result.control = readSwitch(reader, Env::Control);
+  result.hud = readSwitch(reader, Env::Hud);
   result.capturePath = reader.read(Env::Capture);
   result.replacePath = reader.read(Env::Replace);
   result.statsPath = reader.read(Env::Stats);

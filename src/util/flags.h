@@ -63,6 +63,8 @@ struct Settings {
   std::string jitLibrary;  ///< empty: the one beside the layer's own library
   std::string hostOsmesa;  ///< empty: the one the front was built for
   std::uint32_t debug = 0; ///< one bit a DebugFlag
+  bool control = false;    ///< clients may connect (state/control)
+  bool hud = false;        ///< figures in each frame (state/hud)
 
   [[nodiscard]] bool has(DebugFlag flag) const { return (debug >> unsigned(flag) & 1u) != 0; }
 };

@@ -29,7 +29,9 @@ REPORT = "state/report"
 MIRROR = "state/mirror"
 RESIDENCY = "state/residency"
 RASTER_DRAW = "state/raster_draw"
-STATE = {CORE, SHARE, PROGRAMS, LISTS, HOST_DRAW, REPORT, MIRROR, RESIDENCY, RASTER_DRAW}
+CONTROL = "state/control"
+HUD = "state/hud"
+STATE = {CONTROL, HUD, CORE, SHARE, PROGRAMS, LISTS, HOST_DRAW, REPORT, MIRROR, RESIDENCY, RASTER_DRAW}
 
 # Of rooms that do not lie in each other: which ones a room includes.
 ALLOWED = {
@@ -74,6 +76,9 @@ ALLOWED = {
     "state/handlers": STATE,
     MIRROR: {CORE},
     RESIDENCY: {CORE, SHARE, MIRROR},
+    # What watches drawing stands above what draws, which knows hooks of it (core/control_hooks.h).
+    CONTROL: {CORE, SHARE, PROGRAMS, HOST_DRAW, REPORT, MIRROR, RASTER_DRAW, HUD},
+    HUD: {CORE, SHARE, MIRROR, RASTER_DRAW, CONTROL},
     # Words and panels come first; textures and meshes are made of them; the document has all.
     "scene": set(),
     "scene/panel": set(),

@@ -8,8 +8,10 @@
 #include "fp_compiler/ati/limits.h"
 #include "host/host_table.h"
 #include "host/null_host.h"
+#include "state/control/begin.h"
 #include "state/core/active_profile.h"
 #include "state/core/context.h"
+#include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
 #include "state/host_draw/clip_planes.h"
@@ -312,6 +314,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   if (context && !context->initialised) {
     initialiseWhole(*context);
     noteProgress(*context);
+    beginWatching();
   } else if (context && context->group->hasGarbage() && !context->listMode)
     collectGarbage(*context);
   if (!context)
@@ -362,6 +365,8 @@ void frameEnd(Context *context) {
   withinMemory(*context, "SwapBuffers", [&] {
     captureFrame(*context);
     ++context->frames;
+    if (const ControlHooks *const hooks = controlHooks()) [[unlikely]]
+      hooks->frameEnds(*context);
     if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())
       forgetEarlyLists(*context);
     noteProgress(*context);

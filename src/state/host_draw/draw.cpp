@@ -6,6 +6,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
@@ -78,7 +79,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kShared;
   if (context.softwarePossible)
     bits |= attention::kSoftware;
-  if (needsLayer && replacing() && context.frames == 0)
+  // A client may switch a program on again, too.
+  if ((needsLayer ? replacing() : controlled()) && context.frames == 0 && !context.passThrough)
     bits |= attention::kWatch;
   return bits;
 }
@@ -116,8 +118,13 @@ void install(Context &context) {
 
 void select(Context &context) {
   captureLeave(context);
+  const ControlHooks *const hooks = controlHooks();
+  if (hooks) [[unlikely]]
+    hooks->programsLeave(context);
   install(context);
   captureEnter(context);
+  if (hooks) [[unlikely]]
+    hooks->programsEnter(context);
 }
 
 /// Another context loaded a program, or set a local parameter, that draws here use.
@@ -133,6 +140,9 @@ void refreshEffective(Context &context) {
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
     context.attention |= attention::kProgram;
+  if ((context.attention & attention::kWatch) != 0)
+    if (const ControlHooks *const hooks = controlHooks())
+      hooks->beforeDraw(context);
   if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
     refreshReplacements(context);
   if ((context.attention & attention::kProgram) != 0)

@@ -10,6 +10,7 @@
 #include "state/host_draw/linked_program.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/programs/program_edits.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -46,7 +47,7 @@ struct EffectivePrograms {
 EffectivePrograms enabledRows(const Context &context) {
   const auto ifEnabled = [&](Target target) {
     const ProgramTarget &row = context.row(target);
-    return row.enabled ? &row : nullptr;
+    return row.enabled && !isSwitchedOff(context, row) ? &row : nullptr;
   };
   EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));

@@ -5,11 +5,17 @@
 #include "state/core/context.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/programs/program_edits.h"
 
 namespace arbiter::state {
 
 Vec4 currentValue(Context &context, const ProgramTarget &row, const fp::ir::Parameter &parameter) {
   Vec4 value{};
+  if (anyHeld()) [[unlikely]]
+    if (const bool env = parameter.kind == fp::ir::ParameterKind::Env;
+        env || parameter.kind == fp::ir::ParameterKind::Local)
+      if (const auto held = findHeld(context, row, env, parameter.index))
+        return *held;
   switch (parameter.kind) {
   case fp::ir::ParameterKind::Constant:
     return parameter.constant;

@@ -145,6 +145,8 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
     context.errorPosition = -1;
     context.errorString.clear();
   }
+  if (controlled())
+    noteLoadedText(object, compiled->hash);
   context.group->setCompiled(object, std::move(compiled));
   if (row.bound.get() == &object)
     invalidateProgram(context);

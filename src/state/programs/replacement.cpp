@@ -9,10 +9,31 @@
 
 namespace arbiter::state {
 
+namespace {
+
+/// A client's text; it was checked when it came.
+std::optional<Replacement> findEdit(Target target, const std::string &name,
+                                    const fp::CompileOptions &options) {
+  Replacement replacement;
+  if (!ProgramEdits::instance().text(name, replacement.text))
+    return std::nullopt;
+  replacement.result = fp::checkProgram(infoOf(target).language, replacement.text, options);
+  if (!replacement.result.ok()) // in a context of other limits
+    return std::nullopt;
+  return replacement;
+}
+
+} // namespace
+
 std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
                                            const fp::CompileOptions &options) {
-  ReplacementFolder &folder = *ReplacementFolder::instance();
   const std::string name = textFileName(target, hash);
+  if (controlled())
+    if (std::optional<Replacement> edit = findEdit(target, name, options))
+      return edit;
+  if (!ReplacementFolder::instance())
+    return std::nullopt;
+  ReplacementFolder &folder = *ReplacementFolder::instance();
   Replacement replacement;
   if (!folder.read(name, replacement.text))
     return std::nullopt;
@@ -40,38 +61,38 @@ std::optional<Replacement> findReplacement(Target target, const Hash128 &hash,
 
 namespace {
 
-void reload(Context &context, ProgramObject &object, std::uint64_t since) {
-  const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
-  if (!old ||
-      !ReplacementFolder::instance()->changedSince(textFileName(object.target, old->hash), since))
-    return;
+void reload(Context &context, ProgramObject &object, const CompiledProgram &old) {
   const ProgramTarget &row = context.row(object.target);
-  const auto replacement = findReplacement(object.target, old->hash, compileOptions(row));
-  if (replacement && (!replacement->result.ok() || replacement->text == old->replacement))
+  const auto replacement = findReplacement(object.target, old.hash, compileOptions(row));
+  if (replacement && (!replacement->result.ok() || replacement->text == old.replacement))
     return;
-  const fp::Compilation own = compileText(context, row, old->text);
+  if (!replacement && !old.replaced())
+    return;
+  const fp::Compilation own = compileText(context, row, old.text);
   std::shared_ptr<const CompiledProgram> fresh =
-      compileProgram(context, object.target, old->text, own, replacement ? &*replacement : nullptr);
+      compileProgram(context, object.target, old.text, own, replacement ? &*replacement : nullptr);
   if (!fresh) {
     logError("state", "%s is gone and the application's own text is not valid; the last one stays",
-             textFileName(object.target, old->hash).c_str());
+             textFileName(object.target, old.hash).c_str());
     return;
   }
   if (!replacement)
     logInfo("state", "%s holds no other text: the application's own is back",
-            textFileName(object.target, old->hash).c_str());
+            textFileName(object.target, old.hash).c_str());
   context.group->setCompiled(object, std::move(fresh));
   if (row.bound.get() == &object)
     invalidateProgram(context);
-  dropVariants(context, *old);
+  dropVariants(context, old);
 }
 
-} // namespace
+/// Calls `see(object, compiled)` for each object with a program.
+template <typename See> void forEachProgram(Context &context, See see) {
+  for (const std::shared_ptr<ProgramObject> &object : context.group->objects())
+    if (const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(*object))
+      see(*object, *old);
+}
 
-void refreshReplacements(Context &context) {
-  if (!replacing() || context.passThrough || context.listMode != 0)
-    return;
-  ReplacementFolder &folder = *ReplacementFolder::instance();
+void refreshFromFolder(Context &context, ReplacementFolder &folder) {
   folder.poll();
   const std::uint64_t now = folder.generation();
   if (context.group->replacementsSeen.load(std::memory_order_relaxed) == now)
@@ -80,8 +101,44 @@ void refreshReplacements(Context &context) {
   const std::uint64_t since = context.group->replacementsSeen.exchange(now);
   if (since == now)
     return;
-  for (const std::shared_ptr<ProgramObject> &object : context.group->objects())
-    reload(context, *object, since);
+  forEachProgram(context, [&](ProgramObject &object, const CompiledProgram &old) {
+    if (folder.changedSince(textFileName(object.target, old.hash), since))
+      reload(context, object, old);
+  });
+}
+
+/// Each context sees for itself: values that are held are its own matter. What another one of the
+/// group has compiled already is not compiled again.
+void refreshFromEdits(Context &context) {
+  ProgramEdits &edits = ProgramEdits::instance();
+  const std::uint64_t now = edits.generation();
+  const std::uint64_t since = edits.seenBy(context, now);
+  if (since == now)
+    return;
+  for (ProgramTarget &row : context.targets) {
+    ++row.envVersion; // values are gathered anew
+    context.attention |= row.parameterBits;
+  }
+  invalidateProgram(context); // one may be switched off
+  forEachProgram(context, [&](ProgramObject &object, const CompiledProgram &old) {
+    if (edits.changedSince(textFileName(object.target, old.hash), since))
+      reload(context, object, old);
+  });
+}
+
+} // namespace
+
+void noteLoadedText(const ProgramObject &object, const Hash128 &hash) {
+  ProgramEdits::instance().noteLoad(textFileName(object.target, hash));
+}
+
+void refreshReplacements(Context &context) {
+  if (!replacing() || context.passThrough || context.listMode != 0)
+    return;
+  if (ReplacementFolder *const folder = ReplacementFolder::instance())
+    refreshFromFolder(context, *folder);
+  if (controlled())
+    refreshFromEdits(context);
 }
 
 } // namespace arbiter::state

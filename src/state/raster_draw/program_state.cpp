@@ -8,6 +8,7 @@
 #include "fp_compiler/ir/ir.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/programs/program_edits.h"
 
 namespace arbiter::state::software {
 
@@ -129,6 +130,11 @@ bool ProgramValues::update(Context &context, const GenerationCounter &clock,
     if (!(now == m_versions)) {
       m_versions = now;
       changed = updateParameters(*target);
+      if (anyHeld()) [[unlikely]]
+        for (const bool env : {true, false})
+          for (const Indexed &parameter : env ? m_env : m_local)
+            if (const auto value = findHeld(context, *target, env, parameter.index))
+              changed |= set(parameter.row, *value);
     }
   }
   const std::uint32_t groups = clock.changedSince(m_seen) & m_groups;

@@ -4,12 +4,26 @@
 
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/resources.h"
+#include "state/report/format_name.h"
 
 namespace arbiter::state {
 
 namespace {
 
-/// "RGBA8" for the formats of the time, else the number.
+void writeTexture(JsonWriter &json, const TextureUse &use) {
+  json.beginObject();
+  json.key("unit").value(unsigned(use.unit)).key("target").value(fp::ir::targetText(use.target));
+  json.key("name").value(use.name);
+  json.key("width").value(use.width).key("height").value(use.height).key("depth").value(use.depth);
+  json.key("format").value(formatName(use.format)).key("enabled").beginArray();
+  for (std::size_t i = 0; i < std::size(kFixedTargets); ++i)
+    if (use.enabled >> i & 1)
+      json.value(kFixedTargets[i].name);
+  json.endArray().endObject();
+}
+
+} // namespace
+
 std::string formatName(GLint format) {
   struct Name {
     GLenum format;
@@ -63,20 +77,6 @@ std::string formatName(GLint format) {
   std::snprintf(text, sizeof text, "0x%04X", unsigned(format));
   return text;
 }
-
-void writeTexture(JsonWriter &json, const TextureUse &use) {
-  json.beginObject();
-  json.key("unit").value(unsigned(use.unit)).key("target").value(fp::ir::targetText(use.target));
-  json.key("name").value(use.name);
-  json.key("width").value(use.width).key("height").value(use.height).key("depth").value(use.depth);
-  json.key("format").value(formatName(use.format)).key("enabled").beginArray();
-  for (std::size_t i = 0; i < std::size(kFixedTargets); ++i)
-    if (use.enabled >> i & 1)
-      json.value(kFixedTargets[i].name);
-  json.endArray().endObject();
-}
-
-} // namespace
 
 std::vector<const char *> optionNames(const fp::ir::Options &options) {
   std::vector<const char *> names;

@@ -1,0 +1,86 @@
+#include "state/control/begin.h"
+
+#include <utility>
+
+#include "state/control/session.h"
+#include "state/core/context.h"
+#include "state/core/control_hooks.h"
+#include "state/core/memory.h"
+#include "state/host_draw/linked_program.h"
+#include "state/hud/hud.h"
+#include "state/programs/program_edits.h"
+#include "util/flags.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// Commands of the layer's own are possible.
+bool isOpen(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
+
+/// Draws that took the path of an effective program, on the host or by the rasterizer.
+std::uint64_t drawsOf(const Context &context, std::size_t path) {
+  return context.draws[path] + context.draws[std::size_t(Path::Rasterizer)];
+}
+
+void programsLeave(Context &context) {
+  if (remote::Session *const session = remote::Session::instance(); session && session->isBusy())
+    session->tallies().end(context.serial,
+                           [&](std::size_t path) { return drawsOf(context, path); });
+}
+
+void programsEnter(Context &context) {
+  remote::Session *const session = remote::Session::instance();
+  if (!session || !session->isBusy() || !context.linkedProgram)
+    return;
+  remote::Tallies::Begun begun;
+  const auto stages = context.linkedProgram->stages();
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    if (const CompiledProgram *const compiled = stages[i]->compiled)
+      begun.programs[i] = textFileName(compiled->target, compiled->hash);
+  begun.path = std::size_t(context.path);
+  begun.drawsBefore = drawsOf(context, begun.path);
+  begun.since = remote::nowNanoseconds();
+  session->tallies().begin(context.serial, std::move(begun));
+}
+
+void frameEnds(Context &context) {
+  if (remote::Session *const session = remote::Session::instance()) {
+    session->noteActivity(true);
+    if (session->isBusy() && isOpen(context)) [[unlikely]] {
+      programsLeave(context);
+      session->frameEnded();
+      session->serve(context);
+      session->lendFrame(context);
+      programsEnter(context);
+    }
+  } else if (controlled()) {
+    remote::Session::begin(); // in a child of a fork
+  }
+  if (settings().hud && isOpen(context))
+    hud::draw(context);
+}
+
+/// Contexts that end frames answer, if there are any.
+void beforeDraw(Context &context) {
+  remote::Session *const session = remote::Session::instance();
+  if (!session || session->endsFrames())
+    return;
+  session->noteActivity(false);
+  if (session->isBusy() && isOpen(context)) [[unlikely]]
+    session->serve(context);
+}
+
+constexpr ControlHooks kHooks = {frameEnds, beforeDraw, programsLeave, programsEnter};
+
+} // namespace
+
+void beginWatching() {
+  if (!controlled() && !settings().hud)
+    return;
+  if (controlled())
+    remote::Session::begin();
+  g_controlHooks.store(&kHooks, std::memory_order_release);
+}
+
+} // namespace arbiter::state

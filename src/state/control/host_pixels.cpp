@@ -1,0 +1,302 @@
+#include "state/control/host_pixels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/context_state.h"
+
+namespace arbiter::state::remote {
+
+namespace {
+
+constexpr std::array<GLenum, 8> kPack = {
+    GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,   GL_PACK_ROW_LENGTH,  GL_PACK_IMAGE_HEIGHT,
+    GL_PACK_SKIP_ROWS,  GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_PACK_ALIGNMENT};
+constexpr std::array<GLenum, 8> kUnpack = {
+    GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST,   GL_UNPACK_ROW_LENGTH,  GL_UNPACK_IMAGE_HEIGHT,
+    GL_UNPACK_SKIP_ROWS,  GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT};
+constexpr std::array<GLenum, 10> kTransfer = {
+    GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE,
+    GL_RED_BIAS,  GL_GREEN_BIAS,  GL_BLUE_BIAS,  GL_ALPHA_BIAS,  GL_DEPTH_BIAS};
+
+GLint get(const host::HostTable &host, GLenum name) {
+  GLint value = 0;
+  host.GetIntegerv(name, &value);
+  return value;
+}
+
+/// What a frame's or a texture's picture may take at most.
+constexpr std::int64_t kMaxPixels = std::int64_t(64) << 20;
+
+/// The mean of each square of `step` pixels a side.
+Picture shrunk(const Picture &from, int step) {
+  Picture to = {from.width / step, from.height / step, {}};
+  to.width = std::max(to.width, 1);
+  to.height = std::max(to.height, 1);
+  to.bytes.resize(std::size_t(to.width) * std::size_t(to.height) * 4);
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x)
+      for (std::size_t c = 0; c < 4; ++c) {
+        std::uint32_t sum = 0, count = 0;
+        for (int v = y * step; v < std::min((y + 1) * step, from.height); ++v)
+          for (int u = x * step; u < std::min((x + 1) * step, from.width); ++u, ++count)
+            sum += from.bytes[(std::size_t(v) * std::size_t(from.width) + std::size_t(u)) * 4 + c];
+        to.bytes[(std::size_t(y) * std::size_t(to.width) + std::size_t(x)) * 4 + c] =
+            std::uint8_t((sum + count / 2) / std::max(count, 1u));
+      }
+  return to;
+}
+
+/// The host has all pixels then.
+void bringHostUpToDate(Context &context) {
+  if (context.software)
+    context.software->residency.synchronise("a client of control");
+}
+
+/// The window's framebuffer is read from, its back buffer where there is one.
+class WindowRead {
+public:
+  explicit WindowRead(Context &context) : m_context(context), m_host(*context.host) {
+    // Whether there is a back buffer is told of the framebuffer that is drawn to.
+    if (context.caps.framebufferObjects) {
+      m_read = bind(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING);
+      m_draw = bind(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING);
+    }
+    m_buffer = get(m_host, GL_READ_BUFFER);
+    m_host.ReadBuffer(get(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
+    context.dirty |= software::dirty::kFramebuffer;
+  }
+  ~WindowRead() {
+    m_context.dirty |= software::dirty::kFramebuffer;
+    m_host.ReadBuffer(GLenum(m_buffer));
+    if (m_read != 0)
+      m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, GLuint(m_read));
+    if (m_draw != 0)
+      m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(m_draw));
+  }
+  WindowRead(const WindowRead &) = delete;
+  WindowRead &operator=(const WindowRead &) = delete;
+
+private:
+  /// The window's; \returns what was bound.
+  GLint bind(GLenum target, GLenum query) {
+    const GLint bound = get(m_host, query);
+    if (bound != 0)
+      m_host.BindFramebufferEXT(target, 0);
+    return bound;
+  }
+
+  Context &m_context;
+  const host::HostTable &m_host;
+  GLint m_read = 0, m_draw = 0, m_buffer = 0;
+};
+
+/// A unit is active while it lives.
+class ActiveUnit {
+public:
+  ActiveUnit(const host::HostTable &host, GLuint unit)
+      : m_host(host), m_previous(get(host, GL_ACTIVE_TEXTURE)) {
+    m_host.ActiveTexture(GL_TEXTURE0 + unit);
+  }
+  ~ActiveUnit() { m_host.ActiveTexture(GLenum(m_previous)); }
+  ActiveUnit(const ActiveUnit &) = delete;
+  ActiveUnit &operator=(const ActiveUnit &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLint m_previous;
+};
+
+GLint levelParameter(const host::HostTable &host, GLenum image, GLint level, GLenum name) {
+  GLint value = 0;
+  host.GetTexLevelParameteriv(image, level, name, &value);
+  return value;
+}
+
+} // namespace
+
+Picture reduced(Picture picture, int maxWidth, int maxHeight) {
+  const auto stepsFor = [](int size, int most) {
+    return most <= 0 || size <= most ? 1 : (size + most - 1) / most;
+  };
+  const int step = std::max(stepsFor(picture.width, maxWidth), stepsFor(picture.height, maxHeight));
+  return step == 1 ? std::move(picture) : shrunk(picture, step);
+}
+
+PlainTransfer::PlainTransfer(Context &context, Way way)
+    : m_context(context), m_errors(*context.host, context.pendingError), m_way(way) {
+  const host::HostTable &host = *context.host;
+  const auto &names = way == Way::Pack ? kPack : kUnpack;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    m_store[i] = get(host, names[i]);
+    host.PixelStorei(names[i], i + 1 == names.size() ? 1 : 0);
+  }
+  if (context.caps.pixelBuffers) {
+    const bool pack = way == Way::Pack;
+    m_buffer = get(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
+    if (m_buffer != 0)
+      host.BindBuffer(pack ? GL_PIXEL_PACK_BUFFER : GL_PIXEL_UNPACK_BUFFER, 0);
+  }
+  for (std::size_t i = 0; i < kTransfer.size(); ++i) {
+    host.GetFloatv(kTransfer[i], &m_transfer[i]);
+    host.PixelTransferf(kTransfer[i], i < 5 ? 1.0f : 0.0f);
+  }
+  m_mapColor = get(host, GL_MAP_COLOR);
+  host.PixelTransferi(GL_MAP_COLOR, 0);
+  context.dirty |= software::dirty::kPixelStore;
+}
+
+PlainTransfer::~PlainTransfer() {
+  const host::HostTable &host = *m_context.host;
+  const auto &names = m_way == Way::Pack ? kPack : kUnpack;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    host.PixelStorei(names[i], m_store[i]);
+  if (m_buffer != 0)
+    host.BindBuffer(m_way == Way::Pack ? GL_PIXEL_PACK_BUFFER : GL_PIXEL_UNPACK_BUFFER,
+                    GLuint(m_buffer));
+  for (std::size_t i = 0; i < kTransfer.size(); ++i)
+    host.PixelTransferf(kTransfer[i], m_transfer[i]);
+  host.PixelTransferi(GL_MAP_COLOR, m_mapColor);
+  m_context.dirty |= software::dirty::kPixelStore;
+}
+
+bool drawableSize(const Context &context, int &width, int &height) {
+  const software::Drawable &drawable = context.drawable;
+  width = drawable.width;
+  height = drawable.height;
+  if (drawable.kind == software::Drawable::Kind::None)
+    return false;
+  return drawable.size ? drawable.size(drawable, width, height, false) : width > 0 && height > 0;
+}
+
+Picture readDrawable(Context &context, const char *&why) {
+  Picture picture;
+  if (context.passThrough || !context.caps.compatibility) {
+    why = "OpenGL ES and core profiles are passed through: there is no picture of them";
+    return picture;
+  }
+  if (!drawableSize(context, picture.width, picture.height) ||
+      std::int64_t(picture.width) * picture.height > kMaxPixels) {
+    why = "the size of what is drawn to is not known";
+    return {};
+  }
+  picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
+  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  HostErrorScope errors(*context.host, context.pendingError);
+  {
+    const WindowRead window(context);
+    if (context.software &&
+        context.software->residency.readPixels(0, 0, picture.width, picture.height, GL_RGBA,
+                                               GL_UNSIGNED_BYTE, picture.bytes.data()))
+      return picture;
+    bringHostUpToDate(context);
+    context.host->ReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                             picture.bytes.data());
+  }
+  if (!errors.failed())
+    return picture;
+  why = "the host refuses to read the frame";
+  return {};
+}
+
+const std::array<TextureTarget, 5> &textureTargets() {
+  static constexpr std::array<TextureTarget, 5> kTargets = {{
+      {"1D", GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D, GL_TEXTURE_1D},
+      {"2D", GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_2D},
+      {"3D", GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_3D},
+      {"CUBE", GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_CUBE_MAP_POSITIVE_X},
+      {"RECT", GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_RECTANGLE},
+  }};
+  return kTargets;
+}
+
+std::vector<BoundTexture> boundTextures(Context &context) {
+  std::vector<BoundTexture> found;
+  if (context.passThrough || !context.caps.compatibility)
+    return found;
+  const host::HostTable &host = *context.host;
+  const HostErrorScope errors(host, context.pendingError);
+  const auto &targets = textureTargets();
+  for (GLint unit = 0; unit < context.caps.maxTextureImageUnits; ++unit) {
+    const ActiveUnit active(host, GLuint(unit));
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (targets[i].target == GL_TEXTURE_RECTANGLE && !context.caps.textureRectangle)
+        continue;
+      BoundTexture texture = {get(host, targets[i].query), GLuint(unit), i};
+      if (texture.name == 0)
+        continue;
+      texture.width = levelParameter(host, targets[i].image, 0, GL_TEXTURE_WIDTH);
+      texture.height = levelParameter(host, targets[i].image, 0, GL_TEXTURE_HEIGHT);
+      texture.depth = levelParameter(host, targets[i].image, 0, GL_TEXTURE_DEPTH);
+      texture.format = levelParameter(host, targets[i].image, 0, GL_TEXTURE_INTERNAL_FORMAT);
+      found.push_back(texture);
+    }
+  }
+  return found;
+}
+
+Picture readTexture(Context &context, const BoundTexture &texture, const char *&why) {
+  const std::int64_t pixels =
+      std::int64_t(texture.width) * std::max(texture.height, 1) * std::max(texture.depth, 1);
+  if (pixels <= 0 || pixels > kMaxPixels) {
+    why = pixels <= 0 ? "the texture has no image" : "the texture is too large";
+    return {};
+  }
+  bringHostUpToDate(context);
+  const host::HostTable &host = *context.host;
+  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  HostErrorScope errors(host, context.pendingError);
+  Picture picture = {texture.width, std::max(texture.height, 1), {}};
+  picture.bytes.resize(std::size_t(pixels) * 4);
+  {
+    const ActiveUnit active(host, texture.unit);
+    host.GetTexImage(textureTargets()[texture.target].image, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     picture.bytes.data());
+  }
+  picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
+  if (!errors.failed())
+    return picture;
+  why = "its format holds no colours";
+  return {};
+}
+
+bool writeTexture(Context &context, const BoundTexture &texture, const Picture &picture,
+                  const char *&why) {
+  const TextureTarget &target = textureTargets()[texture.target];
+  if (target.target != GL_TEXTURE_2D && target.target != GL_TEXTURE_RECTANGLE) {
+    why = "only two-dimensional textures can be replaced";
+    return false;
+  }
+  if (picture.width != texture.width || picture.height != texture.height) {
+    why = "the image has another size than the texture";
+    return false;
+  }
+  const host::HostTable &host = *context.host;
+  const ActiveUnit active(host, texture.unit);
+  if (context.software) // its pixels are the host's from here on
+    context.software->residency.textureRedefined(target.target);
+  context.dirty |= software::dirty::kTextureBindings;
+  const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+  HostErrorScope errors(host, context.pendingError);
+  Picture level = picture;
+  for (GLint i = 0;; ++i) {
+    host.TexSubImage2D(target.target, i, 0, 0, level.width, level.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                       level.bytes.data());
+    const bool last = (level.width == 1 && level.height == 1) ||
+                      target.target == GL_TEXTURE_RECTANGLE ||
+                      levelParameter(host, target.target, i + 1, GL_TEXTURE_WIDTH) !=
+                          std::max(level.width / 2, 1);
+    if (last)
+      break;
+    level = shrunk(level, 2);
+  }
+  if (!errors.failed())
+    return true;
+  why = "the host refuses the image for the texture's format";
+  return false;
+}
+
+} // namespace arbiter::state::remote

@@ -1,0 +1,41 @@
+#include "state/control/known_programs.h"
+
+#include "state/core/context.h"
+#include "state/programs/program_edits.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state::remote {
+
+std::map<std::string, KnownProgram> knownPrograms(Session &session, const Context &context) {
+  std::map<std::string, KnownProgram> programs;
+  for (const std::shared_ptr<ShareGroup> &group : session.groups())
+    for (const std::shared_ptr<ProgramObject> &object : group->objects()) {
+      const std::shared_ptr<const CompiledProgram> compiled = group->compiledOf(*object);
+      if (!compiled || *infoOf(object->target).extension == '\0')
+        continue;
+      const std::string id = textFileName(object->target, compiled->hash);
+      KnownProgram &program = programs[id];
+      const ProgramTarget &row = context.row(object->target);
+      const bool bound = row.bound == object;
+      if (program.objects++ == 0 || bound) {
+        program.compiled = compiled;
+        program.object = object;
+      }
+      program.id = id;
+      program.target = object->target;
+      program.bound |= bound;
+      program.effective |= bound && row.enabled && !isSwitchedOff(context, row);
+    }
+  return programs;
+}
+
+std::optional<KnownProgram> findProgram(Session &session, const Context &context,
+                                        const std::string &id) {
+  std::map<std::string, KnownProgram> programs = knownPrograms(session, context);
+  const auto found = programs.find(id);
+  if (found == programs.end())
+    return std::nullopt;
+  return std::move(found->second);
+}
+
+} // namespace arbiter::state::remote

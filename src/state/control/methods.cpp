@@ -1,0 +1,95 @@
+#include "state/control/methods.h"
+
+#include <GL/arbiter.h>
+#include <algorithm>
+#include <exception>
+#include <unistd.h>
+
+#include "state/core/context.h"
+#include "state/core/host_errors.h"
+#include "util/own_exception.h"
+
+namespace arbiter::state::remote {
+
+namespace {
+
+#define ARBITER_TEXT_OF(x) #x
+#define ARBITER_TEXT(x) ARBITER_TEXT_OF(x)
+constexpr const char *kVersion = ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
+    ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
+
+constexpr Method kMethods[] = {
+    {"program.list", programList},
+    {"program.get", programGet},
+    {"program.set", programSet, true},
+    {"program.reset", programReset, true},
+    {"program.enable", programEnable, true},
+    {"param.list", paramList},
+    {"param.set", paramSet, true},
+    {"param.reset", paramReset, true},
+    {"texture.list", textureList},
+    {"texture.get", textureGet},
+    {"texture.set", textureSet, true},
+    {"texture.reset", textureReset, true},
+    {"frame.want", frameWant},
+    {"stats", stats},
+};
+
+const Method *findMethod(std::string_view name) {
+  const auto *const found = std::find_if(std::begin(kMethods), std::end(kMethods),
+                                         [&](const Method &row) { return name == row.name; });
+  return found == std::end(kMethods) ? nullptr : found;
+}
+
+} // namespace
+
+bool isMethod(std::string_view name) { return findMethod(name) != nullptr; }
+
+wire::Json helloAnswer(const std::string &program) {
+  wire::Json methods = wire::Json::array({"hello", "ping", "frame.release"});
+  for (const Method &row : kMethods)
+    methods.push_back(row.name);
+  return wire::Json::object({{"protocol", wire::kProtocol},
+                             {"server", "layer"},
+                             {"version", kVersion},
+                             {"pid", getpid()},
+                             {"program", program},
+                             {"methods", std::move(methods)}});
+}
+
+wire::Answer answerRequest(Session &session, Context &context, wire::ClientId client,
+                           const wire::Request &request) {
+  const Method *const method = findMethod(request.method);
+  if (!method)
+    return wire::Fault{wire::kNoMethod, "there is no such method", {}};
+  try {
+    if (context.passThrough)
+      return wire::Fault{wire::kNotPossible,
+                         "OpenGL ES and core profiles are passed through: nothing is known of them",
+                         {}};
+    if (method->writes)
+      if (std::optional<wire::Fault> fault = session.becomeWriter(client))
+        return std::move(*fault);
+    const HostErrorScope errors(*context.host, context.pendingError);
+    Call call = {session, context, client, wire::Params(request.params)};
+    return method->answer(call);
+  } catch (const std::exception &error) {
+    passOn(error);
+    return wire::Fault{wire::kTooBusy, "the process has no memory for it", {}};
+  }
+}
+
+wire::Answer frameWant(Call &call) {
+  const auto every = std::uint32_t(call.params.integer("every", 0, 1'000'000, 1));
+  const int width = int(call.params.integer("width", 0, wire::kMaxFrameSide, 0));
+  const int height = int(call.params.integer("height", 0, wire::kMaxFrameSide, 0));
+  if (!call.params.ok())
+    return call.params.fault();
+  int w = 0, h = 0;
+  if (every != 0 && (!drawableSize(call.context, w, h) || call.context.frames == 0))
+    return wire::Fault{wire::kNotPossible, "this context shows no frames", {}};
+  call.session.wantFrames(call.client, every, width, height);
+  return wire::Json::object();
+}
+
+} // namespace arbiter::state::remote

@@ -1,0 +1,140 @@
+// What control and the figures in the frame reckon without a host.
+#include "state/control/tallies.h"
+
+#include <gtest/gtest.h>
+
+#include "state/control/host_pixels.h"
+#include "state/hud/font.h"
+#include "state/hud/hud_text.h"
+#include "state/programs/program_edits.h"
+
+namespace arbiter::state {
+namespace {
+
+using remote::FrameTimes;
+using remote::Picture;
+using remote::Tallies;
+
+TEST(Tallies, CountDrawsOfEachProgram) {
+  Tallies tallies;
+  tallies.begin(1, {{"a.vp", "b.fp"}, 10, 0, remote::nowNanoseconds()});
+  tallies.end(1, [](std::size_t) { return std::uint64_t(13); });
+  tallies.end(1, [](std::size_t) { return std::uint64_t(99); }); // it has ended
+  tallies.begin(2, {{"", "b.fp"}, 5, 0, remote::nowNanoseconds()});
+  tallies.end(2, [](std::size_t) { return std::uint64_t(6); });
+  const auto all = tallies.all();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all.at("a.vp").draws, 3u);
+  EXPECT_EQ(all.at("b.fp").draws, 4u);
+  tallies.clear();
+  EXPECT_TRUE(tallies.all().empty());
+}
+
+TEST(FrameTimes, AreOfTheLastFrames) {
+  FrameTimes times;
+  EXPECT_EQ(times.mean(), 0);
+  std::int64_t now = 1'000'000'000;
+  times.frameEnded(now);
+  EXPECT_EQ(times.count(), 0u) << "one end is no time";
+  times.frameEnded(now += 50'000'000);
+  for (int i = 0; i < 63; ++i)
+    times.frameEnded(now += 10'000'000);
+  EXPECT_DOUBLE_EQ(times.worst(), 50);
+  times.frameEnded(now += 20'000'000); // the first one is out
+  EXPECT_DOUBLE_EQ(times.last(), 20);
+  EXPECT_DOUBLE_EQ(times.worst(), 20);
+  EXPECT_NEAR(times.mean(), (63 * 10 + 20) / 64.0, 1e-9);
+}
+
+TEST(Picture, IsMadeSmallerByMeans) {
+  Picture picture = {4, 2, {}};
+  for (int i = 0; i < 8; ++i)
+    for (int c = 0; c < 4; ++c)
+      picture.bytes.push_back(std::uint8_t(i % 4 < 2 ? 10 : 20 + i));
+  const Picture same = remote::reduced(picture, 4, 0);
+  EXPECT_EQ(same.bytes, picture.bytes);
+  const Picture half = remote::reduced(picture, 2, 0);
+  EXPECT_EQ(half.width, 2);
+  EXPECT_EQ(half.height, 1);
+  EXPECT_EQ(half.bytes[0], 10);
+  EXPECT_EQ(half.bytes[4], (22 + 23 + 26 + 27 + 2) / 4);
+  const Picture narrow = remote::reduced({1, 9, std::vector<std::uint8_t>(36, 7)}, 3, 3);
+  EXPECT_EQ(narrow.height, 3);
+  EXPECT_EQ(narrow.bytes[0], 7);
+}
+
+TEST(Hud, WritesLettersBottomRowFirst) {
+  const Picture picture = hud::pictureOf({"I"}, 1);
+  const auto ink = [&](int x, int y) {
+    return picture.bytes[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4] > 128;
+  };
+  int rows = 0;
+  for (int y = 0; y < picture.height; ++y)
+    rows += ink(2 + 2, y); // the stem
+  EXPECT_EQ(rows, hud::kGlyphHeight);
+  EXPECT_FALSE(ink(0, 0));
+  // L has its bar below.
+  const Picture l = hud::pictureOf({"L"}, 1);
+  const auto inkOfL = [&](int x, int y) {
+    return l.bytes[(std::size_t(y) * std::size_t(l.width) + std::size_t(x)) * 4] > 128;
+  };
+  EXPECT_TRUE(inkOfL(2 + 4, l.height - 2 - hud::kGlyphHeight));
+  EXPECT_FALSE(inkOfL(2 + 4, l.height - 2 - 1));
+}
+
+TEST(Hud, HasALetterForAllThatIsSaid) {
+  hud::Figures figures;
+  figures.last = 16.7;
+  figures.draws = {{"host-glsl", 3}, {"rasterizer", 120}};
+  figures.programs = 5;
+  const std::vector<std::string> lines = hud::linesOf(figures);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[1], "host-glsl 3  rasterizer 120");
+  for (const std::string &line : lines)
+    for (const char letter : line) {
+      int ink = 0;
+      for (int row = 0; row < hud::kGlyphHeight; ++row)
+        ink |= hud::glyphRow(letter, row);
+      EXPECT_TRUE(letter == ' ' || ink != 0) << letter;
+    }
+}
+
+TEST(ProgramEdits, TellWhatChangedSince) {
+  ProgramEdits &edits = ProgramEdits::instance();
+  const std::uint64_t before = edits.generation();
+  edits.setText("a.fp", "text");
+  edits.setEnabled("b.fp", false);
+  EXPECT_TRUE(edits.changedSince("a.fp", before));
+  EXPECT_TRUE(edits.changedSince("b.fp", before));
+  EXPECT_FALSE(edits.changedSince("c.fp", before));
+  EXPECT_TRUE(edits.isOff("b.fp"));
+  EXPECT_TRUE(edits.anyOff());
+  const std::uint64_t now = edits.generation();
+  EXPECT_FALSE(edits.changedSince("a.fp", now));
+  edits.clear();
+  EXPECT_TRUE(edits.changedSince("a.fp", now)) << "undoing is a change";
+  std::string text;
+  EXPECT_FALSE(edits.text("a.fp", text));
+  EXPECT_FALSE(edits.anyOff());
+}
+
+TEST(ProgramEdits, HoldValues) {
+  ProgramEdits &edits = ProgramEdits::instance();
+  HeldValue value;
+  value.index = 2;
+  value.program = "a.fp";
+  value.hash = hashBytes("a");
+  value.value = {1, 2, 3, 4};
+  edits.hold(value);
+  value.value = {5, 6, 7, 8};
+  edits.hold(value);
+  EXPECT_EQ(edits.held(Target::Fragment, false, 2, hashBytes("a")), value.value);
+  EXPECT_FALSE(edits.held(Target::Fragment, false, 2, hashBytes("b")));
+  EXPECT_FALSE(edits.held(Target::Fragment, true, 2, hashBytes("a")));
+  EXPECT_FALSE(edits.held(Target::Vertex, false, 2, hashBytes("a")));
+  EXPECT_EQ(edits.letGo([](const HeldValue &) { return true; }), 1u);
+  EXPECT_FALSE(edits.anyHeld());
+}
+
+} // namespace
+} // namespace arbiter::state

@@ -1,0 +1,217 @@
+// texture.*: what is bound to the units where the frame ends.
+#include <algorithm>
+
+#include "control/base64.h"
+#include "host/host_table.h"
+#include "state/control/methods.h"
+#include "state/core/context.h"
+#include "state/core/unit_scope.h"
+#include "state/report/format_name.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state::remote {
+
+namespace {
+
+using wire::Json;
+
+Session::OwnImage *ownImageOf(Session &session, const Context &context, GLint name) {
+  auto &images = session.ownImages();
+  const auto found = std::find_if(images.begin(), images.end(), [&](const auto &image) {
+    return image.texture.name == name && image.group.lock() == context.group;
+  });
+  return found == images.end() ? nullptr : &*found;
+}
+
+/// The texture that `name` and, where it is given, `target` say.
+std::optional<BoundTexture> findTexture(Call &call) {
+  const auto name = GLint(call.params.integer("name", 1, INT32_MAX));
+  const std::string target = call.params.text("target", "");
+  if (!call.params.ok())
+    return std::nullopt;
+  for (const BoundTexture &texture : boundTextures(call.context))
+    if (texture.name == name && (target.empty() || target == textureTargets()[texture.target].word))
+      return texture;
+  return std::nullopt;
+}
+
+wire::Fault notFound(const Call &call) {
+  if (!call.params.ok())
+    return call.params.fault();
+  return {wire::kUnknownName, "no such texture is bound where the frame ends", {}};
+}
+
+Json imageJson(const Picture &picture) {
+  return Json::object({{"width", picture.width},
+                       {"height", picture.height},
+                       {"rgba", wire::toBase64(picture.bytes)}});
+}
+
+std::optional<Picture> imageOf(Call &call) {
+  static const Json s_none = Json::object();
+  const Json *const object = call.params.object("image");
+  wire::Params image(object ? *object : s_none);
+  Picture picture;
+  picture.width = int(image.integer("width", 1, wire::kMaxFrameSide));
+  picture.height = int(image.integer("height", 1, wire::kMaxFrameSide));
+  auto bytes = wire::fromBase64(image.text("rgba"));
+  if (!image.ok() || !bytes ||
+      bytes->size() != std::size_t(picture.width) * std::size_t(picture.height) * 4) {
+    call.params.refuse("image", "has width, height and rgba, base64 of four bytes a pixel");
+    return std::nullopt;
+  }
+  picture.bytes = std::move(*bytes);
+  return picture;
+}
+
+/// Bytes hold all that the texture does.
+bool holdsBytes(Context &context, const BoundTexture &texture) {
+  const UnitScope unit(*context.host, texture.unit);
+  const GLenum image = textureTargets()[texture.target].image;
+  for (const GLenum size :
+       {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE,
+        GL_TEXTURE_LUMINANCE_SIZE, GL_TEXTURE_INTENSITY_SIZE}) {
+    GLint bits = 0;
+    context.host->GetTexLevelParameteriv(image, 0, size, &bits);
+    if (bits > 8)
+      return false;
+  }
+  GLint compressed = 0;
+  context.host->GetTexLevelParameteriv(image, 0, GL_TEXTURE_COMPRESSED, &compressed);
+  return compressed == 0;
+}
+
+/// Binds the texture to unit 0 where no unit has it, and puts that binding back.
+class Rebound {
+public:
+  Rebound(Context &context, BoundTexture &texture) : m_host(*context.host) {
+    const auto bound = boundTextures(context);
+    const auto found = std::find_if(bound.begin(), bound.end(), [&](const BoundTexture &other) {
+      return other.name == texture.name && other.target == texture.target;
+    });
+    if (found != bound.end()) {
+      texture.unit = found->unit;
+      return;
+    }
+    texture.unit = 0;
+    m_target = textureTargets()[texture.target].target;
+    const UnitScope unit(m_host, 0);
+    m_host.GetIntegerv(textureTargets()[texture.target].query, &m_before);
+    m_host.BindTexture(m_target, GLuint(texture.name));
+  }
+  ~Rebound() {
+    if (m_target == 0)
+      return;
+    const UnitScope unit(m_host, 0);
+    m_host.BindTexture(m_target, GLuint(m_before));
+  }
+  Rebound(const Rebound &) = delete;
+  Rebound &operator=(const Rebound &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLenum m_target = 0;
+  GLint m_before = 0;
+};
+
+/// The application's image again, unless the application has given the texture another since.
+void putBack(Context &context, const Session::OwnImage &image) {
+  if (!context.host->IsTexture(GLuint(image.texture.name)))
+    return;
+  BoundTexture texture = image.texture;
+  const Rebound rebound(context, texture);
+  const char *why = nullptr;
+  if (readTexture(context, texture, why).bytes == image.written.bytes)
+    (void)writeTexture(context, texture, image.own, why);
+}
+
+} // namespace
+
+void putBackStale(Context &context, std::vector<Session::OwnImage> &images) {
+  std::erase_if(images, [&](const Session::OwnImage &image) {
+    const std::shared_ptr<ShareGroup> group = image.group.lock();
+    if (!image.stale || (group && group != context.group))
+      return false;
+    if (group)
+      putBack(context, image);
+    return true;
+  });
+}
+
+wire::Answer textureList(Call &call) {
+  Json rows = Json::array();
+  for (const BoundTexture &texture : boundTextures(call.context))
+    rows.push_back({{"name", texture.name},
+                    {"unit", texture.unit},
+                    {"target", textureTargets()[texture.target].word},
+                    {"width", texture.width},
+                    {"height", texture.height},
+                    {"depth", texture.depth},
+                    {"format", formatName(texture.format)},
+                    {"changed", ownImageOf(call.session, call.context, texture.name) != nullptr}});
+  return Json::object({{"textures", std::move(rows)}});
+}
+
+wire::Answer textureGet(Call &call) {
+  constexpr int kUsual = 128, kMost = 512;
+  const int size = int(call.params.integer("size", 1, kMost, kUsual));
+  const std::optional<BoundTexture> texture = findTexture(call);
+  if (!texture || !call.params.ok())
+    return notFound(call);
+  const char *why = nullptr;
+  Picture picture = readTexture(call.context, *texture, why);
+  if (picture.bytes.empty())
+    return wire::Fault{wire::kNotPossible, why, {}};
+  return Json::object({{"name", texture->name},
+                       {"target", textureTargets()[texture->target].word},
+                       {"width", texture->width},
+                       {"height", texture->height},
+                       {"image", imageJson(reduced(std::move(picture), size, size))}});
+}
+
+wire::Answer textureSet(Call &call) {
+  const std::optional<BoundTexture> texture = findTexture(call);
+  if (!texture)
+    return notFound(call);
+  std::optional<Picture> picture = imageOf(call);
+  if (!picture)
+    return call.params.fault();
+  const char *why = "only formats of 8 bits a component can be replaced";
+  if (!holdsBytes(call.context, *texture))
+    return wire::Fault{wire::kNotPossible, why, {}};
+  Session::OwnImage *image = ownImageOf(call.session, call.context, texture->name);
+  Picture own;
+  if (!image) {
+    own = readTexture(call.context, *texture, why);
+    if (own.bytes.empty())
+      return wire::Fault{wire::kNotPossible, why, {}};
+  }
+  if (!writeTexture(call.context, *texture, *picture, why))
+    return wire::Fault{wire::kNotPossible, why, {}};
+  if (!image) {
+    call.session.ownImages().push_back({*texture, std::move(own), {}, call.context.group, false});
+    image = &call.session.ownImages().back();
+  }
+  image->stale = false;
+  // As it is held: a format of fewer components has fewer of the picture's.
+  image->written = readTexture(call.context, *texture, why);
+  return Json::object();
+}
+
+wire::Answer textureReset(Call &call) {
+  const bool one = call.params.has("name");
+  const auto name = GLint(call.params.integer("name", 1, INT32_MAX, 1));
+  if (!call.params.ok())
+    return call.params.fault();
+  std::size_t count = 0;
+  for (Session::OwnImage &image : call.session.ownImages()) {
+    if (one && image.texture.name != name)
+      continue;
+    image.stale = true;
+    ++count;
+  }
+  putBackStale(call.context, call.session.ownImages());
+  return Json::object({{"count", count}});
+}
+
+} // namespace arbiter::state::remote

@@ -1,0 +1,27 @@
+#pragma once
+#include <atomic>
+
+/// Where what watches the application's drawing is called: state/control and state/hud. They stand
+/// above the rooms that draw; what these know of them is here.
+namespace arbiter::state {
+
+class Context;
+
+struct ControlHooks {
+  /// A frame ends, and is not shown yet. The context is current.
+  void (*frameEnds)(Context &context);
+  /// Before a draw of a context that has ended no frame.
+  void (*beforeDraw)(Context &context);
+  /// Other programs, or none, may be chosen next; those that draws now use have been chosen.
+  void (*programsLeave)(Context &context);
+  void (*programsEnter)(Context &context);
+};
+
+/// Null, for good, in a process that is not watched.
+inline constinit std::atomic<const ControlHooks *> g_controlHooks{nullptr};
+
+[[nodiscard]] inline const ControlHooks *controlHooks() {
+  return g_controlHooks.load(std::memory_order_acquire);
+}
+
+} // namespace arbiter::state

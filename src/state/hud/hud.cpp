@@ -1,0 +1,227 @@
+#include "state/hud/hud.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
+#include "host/host_table.h"
+#include "state/control/host_pixels.h"
+#include "state/control/tallies.h"
+#include "state/core/context.h"
+#include "state/core/unit_scope.h"
+#include "state/hud/hud_text.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/context_state.h"
+#include "state/share/share_group.h"
+#include "util/log.h"
+
+namespace arbiter::state::hud {
+
+namespace {
+
+using remote::Picture;
+
+/// Names that no application makes, as residency's are (residency_host.h).
+constexpr GLuint kOurTexture = 0xFFFFFFFBu, kOurFramebuffer = 0xFFFFFFFBu;
+
+GLint get(const host::HostTable &host, GLenum name) {
+  GLint value = 0;
+  host.GetIntegerv(name, &value);
+  return value;
+}
+
+/// What the figures of a context are reckoned from.
+struct Counters {
+  std::array<std::uint64_t, kPathCount> draws{}; ///< at the end of the last frame
+  remote::FrameTimes times;
+  bool refused = false; ///< by the host: they are not tried again
+};
+
+/// By the context's serial. Never freed: contexts may draw after static destructors began.
+struct AllCounters {
+  std::mutex mutex;
+  std::unordered_map<std::uint32_t, std::shared_ptr<Counters>> of;
+};
+
+std::shared_ptr<Counters> countersOf(const Context &context) {
+  constexpr std::size_t kMost = 64; // contexts come and go
+  static auto *const s_all = new AllCounters;
+  const std::lock_guard lock(s_all->mutex);
+  if (s_all->of.size() > kMost)
+    s_all->of.clear();
+  std::shared_ptr<Counters> &counters = s_all->of[context.serial];
+  if (!counters)
+    counters = std::make_shared<Counters>();
+  return counters;
+}
+
+Figures figuresOf(Context &context, Counters &counters) {
+  counters.times.frameEnded(remote::nowNanoseconds());
+  Figures figures;
+  figures.last = counters.times.last();
+  figures.mean = counters.times.mean();
+  figures.worst = counters.times.worst();
+  for (std::size_t i = 0; i < counters.draws.size(); ++i) {
+    const std::uint64_t now = context.draws[i], before = std::exchange(counters.draws[i], now);
+    if (now != before)
+      figures.draws.push_back({pathName(Path(i)), now - before});
+  }
+  for (const std::shared_ptr<ProgramObject> &object : context.group->objects())
+    if (const auto compiled = context.group->compiledOf(*object)) {
+      ++figures.programs;
+      figures.overNative += compiled->underNativeLimits ? 0u : 1u;
+    }
+  return figures;
+}
+
+/// Over the lower left corner of what the rasterizer holds. False: bytes of another kind.
+bool write(const swrast::Image &image, const Picture &picture) {
+  using abi::From;
+  if (image.format.layout != abi::Layout::U8x4)
+    return false;
+  const int height = std::min(picture.height, image.height);
+  const int width = std::min(picture.width, image.width);
+  int stored[4] = {-1, -1, -1, -1}; // the byte of each component
+  for (int c = 0; c < 4; ++c)
+    if (const From from = image.format.swizzle[std::size_t(c)]; from <= From::C3)
+      stored[c] = int(from);
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t *to = image.pixel(0, y);
+    const std::uint8_t *from =
+        picture.bytes.data() + std::size_t(y) * std::size_t(picture.width) * 4;
+    for (int x = 0; x < width; ++x, to += 4, from += 4)
+      for (int c = 0; c < 4; ++c)
+        if (stored[c] >= 0)
+          to[stored[c]] = from[c];
+  }
+  return true;
+}
+
+/// The picture as a texture of the layer's.
+void upload(Context &context, const Picture &picture) {
+  const host::HostTable &host = *context.host;
+  const remote::PlainTransfer plain(context, remote::PlainTransfer::Way::Unpack);
+  const UnitScope unit(host, 0);
+  const GLint before = get(host, GL_TEXTURE_BINDING_2D);
+  host.BindTexture(GL_TEXTURE_2D, kOurTexture);
+  host.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, picture.bytes.data());
+  host.BindTexture(GL_TEXTURE_2D, GLuint(before));
+}
+
+/// The window's back buffer is what is drawn to, while it lives.
+class WindowDraw {
+public:
+  explicit WindowDraw(Context &context) : m_context(context), m_host(*context.host) {
+    if (context.caps.framebufferObjects) {
+      m_framebuffer = get(m_host, GL_DRAW_FRAMEBUFFER_BINDING);
+      if (m_framebuffer != 0)
+        m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, 0);
+    }
+    m_buffer = get(m_host, GL_DRAW_BUFFER);
+    m_host.DrawBuffer(get(m_host, GL_DOUBLEBUFFER) != 0 ? GL_BACK : GL_FRONT);
+    context.dirty |= software::dirty::kFramebuffer;
+  }
+  ~WindowDraw() {
+    m_host.DrawBuffer(GLenum(m_buffer));
+    if (m_framebuffer != 0)
+      m_host.BindFramebufferEXT(GL_DRAW_FRAMEBUFFER, GLuint(m_framebuffer));
+    m_context.dirty |= software::dirty::kFramebuffer;
+  }
+  WindowDraw(const WindowDraw &) = delete;
+  WindowDraw &operator=(const WindowDraw &) = delete;
+
+private:
+  Context &m_context;
+  const host::HostTable &m_host;
+  GLint m_framebuffer = 0, m_buffer = 0;
+};
+
+/// The layer's texture is what is read, and blits are plain, while it lives.
+class BlitState {
+public:
+  explicit BlitState(Context &context)
+      : m_host(*context.host), m_read(get(m_host, GL_READ_FRAMEBUFFER_BINDING)),
+        m_scissor(m_host.IsEnabled(GL_SCISSOR_TEST)),
+        m_srgb(context.caps.srgbFramebuffer ? m_host.IsEnabled(GL_FRAMEBUFFER_SRGB)
+                                            : GLboolean(GL_FALSE)) {
+    m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, kOurFramebuffer);
+    m_host.FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                kOurTexture, 0);
+    m_host.ReadBuffer(GL_COLOR_ATTACHMENT0);
+    if (m_scissor)
+      m_host.Disable(GL_SCISSOR_TEST);
+    if (m_srgb)
+      m_host.Disable(GL_FRAMEBUFFER_SRGB);
+  }
+  ~BlitState() {
+    m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, GLuint(m_read));
+    if (m_scissor)
+      m_host.Enable(GL_SCISSOR_TEST);
+    if (m_srgb)
+      m_host.Enable(GL_FRAMEBUFFER_SRGB);
+  }
+  BlitState(const BlitState &) = delete;
+  BlitState &operator=(const BlitState &) = delete;
+
+private:
+  const host::HostTable &m_host;
+  GLint m_read;
+  GLboolean m_scissor, m_srgb;
+};
+
+/// The window is what is drawn to. False: the host refused.
+bool blit(Context &context, const Picture &picture) {
+  if (!context.caps.framebufferObjects)
+    return false;
+  HostErrorScope errors(*context.host, context.pendingError);
+  upload(context, picture);
+  {
+    const BlitState state(context);
+    context.host->BlitFramebuffer(0, 0, picture.width, picture.height, 0, 0, picture.width,
+                                  picture.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  return !errors.failed();
+}
+
+/// Where the rasterizer's pixels are what will be shown. False: the host's are, or will be.
+bool writeHere(Context &context, const Picture &picture) {
+  if (!context.software || !context.hostIsBehind)
+    return false;
+  software::Residency &residency = context.software->residency;
+  const char *reason = nullptr;
+  const software::DrawTargets *const targets = residency.describeTargets(reason);
+  if (!targets || !targets->color[0] || !targets->isWindow)
+    return false;
+  const swrast::Rect rect = {0, 0, std::min(picture.width, targets->width),
+                             std::min(picture.height, targets->height)};
+  return residency.acquireTargets(rect, false, false) && write(*targets->color[0], picture);
+}
+
+} // namespace
+
+void draw(Context &context) {
+  const std::shared_ptr<Counters> counters = countersOf(context);
+  if (context.passThrough || counters->refused)
+    return;
+  constexpr int kLarge = 480; // pixels: letters are twice as high from there on
+  int width = 0, height = 0;
+  if (!remote::drawableSize(context, width, height))
+    return;
+  const Picture picture =
+      pictureOf(linesOf(figuresOf(context, *counters)), height >= kLarge ? 2 : 1);
+  const WindowDraw window(context);
+  if (writeHere(context, picture))
+    return;
+  if (context.software)
+    context.software->residency.hostTakesTargets("figures in the frame");
+  if (blit(context, picture))
+    return;
+  counters->refused = true;
+  logWarn("hud", "the host does not draw the figures (a multisampled window?)");
+}
+
+} // namespace arbiter::state::hud

@@ -1,0 +1,97 @@
+// `arbiter render`: documents drawn for another process.
+#include <GL/arbiter.h>
+#include <charconv>
+#include <cstdio>
+#include <dlfcn.h>
+#include <thread>
+#include <unistd.h>
+
+#include "control/address.h"
+#include "tools/commands.h"
+#include "tools/draw/surface.h"
+#include "tools/input.h"
+#include "tools/launch.h"
+#include "tools/render/methods.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+/// The socket that the arguments ask for.
+std::unique_ptr<control::Server> openServer(const RenderArguments &arguments, std::string &fault) {
+  if (arguments.descriptor >= 0)
+    return control::Server::connected(control::Descriptor(arguments.descriptor));
+  const auto folder = control::socketFolder();
+  if (!folder) {
+    fault = folder.error().message;
+    return nullptr;
+  }
+  const std::string path =
+      folder.value() + "/" + control::socketName(getpid(), control::Kind::Renderer);
+  auto listening = control::listenAt(path);
+  if (!listening) {
+    fault = listening.error().message;
+    return nullptr;
+  }
+  std::printf("%s\n", path.c_str());
+  std::fflush(stdout);
+  return control::Server::listening(std::move(listening.value()), path);
+}
+
+std::string withSlash(const std::string &folder) {
+  return folder.empty() || folder.ends_with('/') ? folder : folder + "/";
+}
+
+int renderHere(const RenderArguments &arguments) {
+  std::string fault;
+  const std::unique_ptr<control::Server> server = openServer(arguments, fault);
+  if (!server) {
+    complain(fault.empty() ? "no more descriptors" : fault);
+    return kExitUsage;
+  }
+  RenderService service(*server);
+  std::thread socket([&] {
+    server->run(service);
+    service.endService();
+  });
+  // GL is opened while the client is greeted.
+  Surface surface;
+  const char *const step = surface.open(16, 16);
+  if (!step)
+    RenderLoop(service, withSlash(arguments.folder)).run();
+  else
+    complain(step);
+  server->stop();
+  socket.join();
+  return step ? kExitInternal : kExitOk;
+}
+
+} // namespace
+
+int render(const RenderArguments &arguments, const std::vector<std::string> &argv) {
+  if (arguments.bare)
+    return renderHere(arguments);
+  if (arguments.inLayer) {
+    if (::dlopen(ARBITER_PRELOAD_LIBRARY, RTLD_NOLOAD | RTLD_LAZY) == nullptr) {
+      complain("the layer was not loaded into this process");
+      return kExitInternal;
+    }
+    return renderHere(arguments);
+  }
+  const auto files = findLayer(arguments.layer.library);
+  if (!files) {
+    complain(files.error().message);
+    return kExitUsage;
+  }
+  const auto environment = layerEnvironment(files.value(), arguments.layer);
+  if (!environment) {
+    complain(environment.error().message);
+    return kExitUsage;
+  }
+  std::vector<std::string> command = argv;
+  command[0] = "/proc/self/exe"; // argv[0] may be relative to a PATH of another time
+  command.insert(command.begin() + 2, "--in-layer");
+  return execute(environment.value(), command);
+}
+
+} // namespace arbiter::tools

@@ -1,0 +1,53 @@
+#pragma once
+#include <chrono>
+#include <span>
+
+#include "tools/render/player.h"
+#include "tools/render/service.h"
+
+namespace arbiter::tools {
+
+/// What the thread that draws answers.
+[[nodiscard]] std::span<const char *const> renderMethods();
+
+/// Draws what clients ask for, until they are gone.
+class RenderLoop {
+public:
+  RenderLoop(RenderService &service, std::string folder)
+      : m_service(service), m_player(std::move(folder)) {}
+  void run();
+
+private:
+  using Clock = std::chrono::steady_clock;
+  struct Row {
+    const char *name;
+    control::Answer (RenderLoop::*answer)(const RenderService::Waiting &, control::Params &);
+  };
+  friend std::span<const char *const> renderMethods();
+  static std::span<const Row> rows();
+
+  [[nodiscard]] control::Answer answerTo(const RenderService::Waiting &waiting);
+  control::Answer set(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer param(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer pause(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer step(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer time(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer frame(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer size(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer camera(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer bench(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer want(const RenderService::Waiting &waiting, control::Params &params);
+
+  [[nodiscard]] bool plays() const { return !m_paused && m_player.isAnimated(); }
+  void drawFrame();
+
+  RenderService &m_service;
+  Player m_player;
+  bool m_paused = false;
+  bool m_changed = false; ///< a frame is to be drawn
+  std::int64_t m_number = 0;
+  double m_milliseconds = 0; ///< of the last frame
+  Clock::time_point m_next;  ///< frame, while it plays
+};
+
+} // namespace arbiter::tools
