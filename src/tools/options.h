@@ -18,6 +18,7 @@ struct Arguments {
   ProfilesArguments profiles;
   CacheArguments cache;
   LspArguments lsp;
+  BuilderArguments builder;
 };
 
 /// The group, in help, of the options that verbs which load the layer share.

@@ -100,6 +100,7 @@ OPERANDS = {
     'stats': [['none.json'], ['none/none-%p.json']],
     'cache': [[]],
     'lsp': [[]],
+    'builder': [['good.fp', 'bad.fp']],  # too many: what is taken opens a window
 }
 # Statuses of the command that is run beside those of the verb.
 BESIDE = {'run': {126, 127}, 'capture': {126, 127}}

@@ -27,7 +27,7 @@ ALLOWED = {
     "dispatch": {"state", "fp_compiler", "swrast", "host", "util", "public"},
     "interposer": {"dispatch", "state", "fp_compiler", "swrast", "host", "util", "public"},
     "tools": {"fp_compiler", "swrast", "util", "public"},
-    "builder": {"fp_compiler", "swrast", "util", "public"},
+    "builder": {"fp_compiler", "scene", "util", "public"},
     "demos": {"public"},
     "public": set(),
     "precompiled": {"precompiled"},  # given to libraries by the build, included by no source

@@ -49,6 +49,7 @@ const Server::RequestRow Server::kRequests[] = {
     {"textDocument/documentSymbol", &Server::symbolsOf},
     {"textDocument/inlayHint", &Server::inlayHintsOf},
     {"textDocument/semanticTokens/full", &Server::semanticTokensOf},
+    {"arbiter/report", &Server::reportOf},
 };
 
 const Server::NotificationRow Server::kNotifications[] = {

@@ -72,6 +72,9 @@ private:
   Reply inlayHintsOf(const Json &params);
   Reply semanticTokensOf(const Json &params);
 
+  // report.cpp
+  Reply reportOf(const Json &params);
+
   struct RequestRow;
   struct NotificationRow;
   static const RequestRow kRequests[];

@@ -37,7 +37,7 @@ void addReasons(const QJsonArray &reasons, QList<Gauge> &gauges) {
 void addLines(const QJsonArray &instructions, QMap<int, LineCost> &lines) {
   for (const QJsonValue &instruction : instructions) {
     LineCost &cost = lines[instruction[u"end_line"].toInt(1)];
-    cost.slots += instruction[u"slots"].toDouble();
+    cost.slotCount += instruction[u"slots"].toDouble();
     cost.textures += instruction[u"textures"].toInt();
     cost.node = std::max(cost.node, instruction[u"node"].toInt());
     cost.gone = cost.gone && instruction[u"gone"].toBool();

@@ -20,7 +20,7 @@ struct Gauge {
 
 /// What one line of the text costs on the card.
 struct LineCost {
-  double slots = 0;
+  double slotCount = 0;
   int textures = 0;
   int node = 0;
   bool gone = true; ///< the compiler leaves all of it out

@@ -3,6 +3,8 @@
 #include <QImage>
 #include <QJsonObject>
 #include <QObject>
+#include <array>
+#include <optional>
 
 #include "builder/model/language/problem.h"
 

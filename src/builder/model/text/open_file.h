@@ -18,6 +18,7 @@ public:
   ~OpenFile() override;
 
   [[nodiscard]] Document &document() { return m_document; }
+  [[nodiscard]] const Document &document() const { return m_document; }
   /// Absolute; empty of a document that was never saved.
   [[nodiscard]] const QString &path() const { return m_path; }
   /// "twirl.fp", or "untitled".
