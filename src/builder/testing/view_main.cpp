@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <csignal>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@ int main(int argc, char **argv) {
   std::signal(SIGPIPE, SIG_IGN);
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
+  QTemporaryDir settings; // the user's own stay as they are
+  qputenv("XDG_CONFIG_HOME", settings.path().toLocal8Bit());
   QApplication application(argc, argv);
   QStandardPaths::setTestModeEnabled(true);
   arbiter::builder::applyScheme(application, arbiter::builder::Scheme::Light);
