@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QTemporaryFile>
 #include <QUrl>
+#include <memory>
 
 #include "builder/model/render/control_renderer.h"
 #include "builder/model/render/draw_renderer.h"
@@ -52,7 +54,7 @@ Workbench::Workbench(Places places, QObject *parent)
     : QObject(parent), m_places(std::move(places)), m_file(m_places.journals),
       m_lsp(m_places.arbiter), m_session(factoriesOf(m_places.arbiter), m_places.held),
       m_other(factoriesOf(m_places.arbiter), {}), m_parameters(m_file.document()),
-      m_debugTool(m_places.arbiter) {
+      m_debugTool(m_places.arbiter), m_watchTool(m_places.arbiter) {
   m_redraw.setSingleShot(true);
   m_redraw.setInterval(0);
   connect(&m_redraw, &QTimer::timeout, this, &Workbench::draw);
@@ -133,7 +135,7 @@ void Workbench::sliderMoved(int line, int component, double) {
   live.value[std::size_t(moved.components[component].index)] =
       m_parameters.value(line, component);
   const bool animated = !moved.animation.isEmpty();
-  if (moved.space == u"attrib" || animated || m_otherOptions || !m_session.setParameter(live))
+  if (animated || m_otherOptions || !m_session.setParameter(live))
     m_redraw.start();
 }
 
@@ -241,6 +243,28 @@ void Workbench::debugPixel(QPoint pixel) {
                                                   : result.complaint);
   });
   Q_EMIT pictureChanged(); // its mark
+}
+
+void Workbench::watchRow(int row) {
+  if (row < 0 || row >= m_trace.rows().size() || !m_pixel)
+    return;
+  const TraceRow &traced = m_trace.rows()[row];
+  const QString what = QStringLiteral("%1@%2").arg(traced.destination).arg(traced.line);
+  auto file = std::make_shared<QTemporaryFile>();
+  if (traced.destination.isEmpty() || !file->open())
+    return;
+  m_watchTool.run({QStringLiteral("debug"), QStringLiteral("@"), QStringLiteral("--pixel"),
+                   QStringLiteral("%1,%2").arg(m_pixel->x()).arg(m_pixel->y()),
+                   QStringLiteral("--watch"), what, QStringLiteral("-o"), file->fileName()},
+                  scene(), [this, file, what](const ToolResult &result) {
+                    QImage image;
+                    if (!image.load(file->fileName(), "PNG"))
+                      return Q_EMIT notice(tr("%1 cannot be shown: %2").arg(what, result.complaint));
+                    m_otherOptions.reset();
+                    m_pinned = image.convertToFormat(QImage::Format_RGBA8888);
+                    m_pinnedName = what;
+                    Q_EMIT pinnedChanged();
+                  });
 }
 
 void Workbench::pin() {

@@ -66,6 +66,9 @@ public:
   /// Traces a pixel of the picture: from the left, from the bottom.
   void debugPixel(QPoint pixel);
   [[nodiscard]] std::optional<QPoint> debuggedPixel() const { return m_pixel; }
+  /// Makes A of a register's values after a row of the trace, over the whole picture: [0,1] is black
+  /// to white.
+  void watchRow(int row);
 
   /// Takes the newest picture as A; what is drawn from here on is B. Its text and options are kept.
   void pin();
@@ -107,6 +110,7 @@ private:
   Parameters m_parameters;
   Trace m_trace;
   ToolRun m_debugTool;
+  ToolRun m_watchTool;
   QTimer m_redraw; ///< one draw for what changes in one turn of the event loop
 
   QList<Problem> m_ofLanguage, m_ofRenderer, m_problems;

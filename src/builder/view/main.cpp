@@ -64,8 +64,8 @@ int main(int argc, char **argv) {
     window.restoreLayout();
   if (!parser.positionalArguments().isEmpty())
     window.openPath(parser.positionalArguments().constFirst());
+  window.bench().start(); // first: its processes start while the window is laid out
   window.show();
-  window.bench().start();
   window.showPanel(parser.isSet(panel)                        ? parser.value(panel)
                    : parser.positionalArguments().isEmpty() ? QObject::tr("Gallery")
                                                             : QObject::tr("Program"));

@@ -1,6 +1,7 @@
 #include "builder/model/panels/tool_run.h"
 
 #include <QJsonDocument>
+#include <QRegularExpression>
 
 #include "builder/model/render/work_folder.h"
 

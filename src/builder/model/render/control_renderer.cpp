@@ -172,7 +172,7 @@ void ControlRenderer::event(const QString &method, const QJsonObject &params) {
       kill(); // a renderer that breaks the protocol is none
   } else if (method == u"frame") {
     const auto image = m_buffer.picture(params);
-    m_client->notify(QStringLiteral("frame.release"), {{"slot", params[u"slot"]}});
+    m_client->notify(QStringLiteral("frame.release"), {{"serial", params[u"serial"]}, {"slot", params[u"slot"]}});
     if (image)
       Q_EMIT drew({*image, m_revisions.value(params[u"revision"].toInteger()), params[u"number"].toInteger(),
                  params[u"time"].toDouble(), params[u"milliseconds"].toDouble()});

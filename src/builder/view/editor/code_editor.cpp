@@ -1,6 +1,7 @@
 #include "builder/view/editor/code_editor.h"
 
 #include <QFontDatabase>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QTextBlock>

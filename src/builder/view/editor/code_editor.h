@@ -3,6 +3,8 @@
 
 #include "builder/model/workbench.h"
 
+class QHelpEvent;
+
 namespace arbiter::builder {
 
 class Completer;
@@ -35,7 +37,6 @@ public:
   void setTracedLine(int line);
   void refreshColours();
 
-  void paintGutter(QPaintEvent *event);
   [[nodiscard]] int gutterWidth() const;
 
 Q_SIGNALS:

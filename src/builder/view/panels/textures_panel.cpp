@@ -1,6 +1,7 @@
 #include "builder/view/panels/textures_panel.h"
 
 #include <QBoxLayout>
+#include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
@@ -10,6 +11,7 @@
 #include <QSpinBox>
 #include <QTemporaryFile>
 #include <QToolButton>
+#include <memory>
 
 namespace arbiter::builder {
 

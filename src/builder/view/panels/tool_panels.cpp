@@ -121,6 +121,10 @@ int AdvicePanel::take(const QJsonObject &json) {
   for (const QJsonValue &each : file[u"advice"].toArray()) {
     Proposal proposal;
     proposal.title = each[u"message"].toString();
+    if (const QString what = each[u"application"].toString(); !what.isEmpty())
+      proposal.title += tr(", if the application %1").arg(what);
+    if (const QString what = each[u"condition"].toString(); !what.isEmpty())
+      proposal.title += tr(", if %1").arg(what);
     proposal.line = each[u"range"][u"line"].toInt(each[u"line"].toInt(1));
     proposal.saves = costText(each[u"before"]);
     proposal.why = costText(each[u"after"]);

@@ -1,9 +1,11 @@
 // The window's menus and keys.
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -121,8 +123,8 @@ void MainWindow::addChoice(QMenu *menu, const QString &title, const QStringList 
 
 void MainWindow::buildChoices(QMenu *menu) {
   QStringList profiles{QStringLiteral("r300")};
-  for (const auto &profile : fp::hw::builtinProfiles()) {
-    const QString name = QString::fromUtf8(profile.name.data(), qsizetype(profile.name.size()));
+  for (const std::string_view builtin : fp::hw::builtinNames()) {
+    const QString name = QString::fromUtf8(builtin.data(), qsizetype(builtin.size()));
     if (name != profiles.first())
       profiles << name;
   }
@@ -148,11 +150,18 @@ void MainWindow::buildPanelMenu(QMenu *menu) {
   // Held, A is shown alone.
   auto *held = new QShortcut(QKeySequence(tr("Ctrl+B")), this);
   held->setAutoRepeat(false);
-  connect(held, &QShortcut::activated, this, [this] {
-    static bool shown = false;
-    shown = !shown;
-    m_picture->view().setShowsOther(shown);
-  });
+  connect(held, &QShortcut::activated, this, [this] { m_picture->view().setShowsOther(true); });
+  qApp->installEventFilter(this);
+}
+
+/// A key that is let go ends what holding it shows.
+bool MainWindow::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() == QEvent::KeyRelease) {
+    const auto *key = static_cast<QKeyEvent *>(event);
+    if (!key->isAutoRepeat() && (key->key() == Qt::Key_B || key->key() == Qt::Key_Control))
+      m_picture->view().setShowsOther(false);
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 /// A list of every action, narrowed by what is typed.

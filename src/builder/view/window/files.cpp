@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "builder/view/editor/code_editor.h"
 #include "builder/view/window/main_window.h"
