@@ -1,8 +1,8 @@
 #include "builder/model/workbench.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QTemporaryFile>
 #include <QUrl>
 #include <memory>
@@ -28,12 +28,18 @@ QString firstThatExists(const QStringList &paths) {
   return {};
 }
 
+/// Of the XDG base directory specification; Qt 6.4 has no name for it.
+QString stateFolder() {
+  const QString home = qEnvironmentVariable("XDG_STATE_HOME");
+  return (home.startsWith(u'/') ? home : QDir::homePath() + QStringLiteral("/.local/state")) +
+         QStringLiteral("/arbiter-builder");
+}
+
 } // namespace
 
 Places Places::standard() {
   const QString here = QCoreApplication::applicationDirPath();
-  const QString state = QStandardPaths::writableLocation(QStandardPaths::GenericStateLocation) +
-                        QStringLiteral("/arbiter-builder");
+  const QString state = stateFolder();
   Places places;
   places.arbiter = qEnvironmentVariable("ARBITER_COMMAND");
   if (places.arbiter.isEmpty())
