@@ -30,6 +30,7 @@ ComparePanel::ComparePanel(Workbench &bench, PictureView &picture)
   row->addWidget(difference);
   m_figures = new QLabel;
   m_figures->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_figures->setWordWrap(true);
   layout->addLayout(row);
   layout->addWidget(m_figures);
   layout->addStretch();

@@ -63,6 +63,7 @@ MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
 QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {
   auto *dock = new QDockWidget(name, this);
   dock->setObjectName(name);
+  widget->setMinimumSize(120, 60); // a long label inside does not make the window wider
   dock->setWidget(widget);
   addDockWidget(area, dock);
   m_docks << dock;
