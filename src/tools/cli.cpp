@@ -87,6 +87,8 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return render(arguments.render, argv);
   if (app.got_subcommand("lsp"))
     return serve(arguments.lsp);
+  if (app.got_subcommand("builder"))
+    return builder(arguments.builder);
   if (app.got_subcommand("cache"))
     return cache(arguments.cache);
   if (app.got_subcommand("profiles"))

@@ -174,6 +174,12 @@ struct LspArguments {
 /// A language server on standard input and output (lsp/server.h).
 [[nodiscard]] int serve(const LspArguments &arguments);
 
+struct BuilderArguments {
+  std::string document; ///< a program or a folder; empty: none
+};
+/// Becomes the window's process, `arbiter-builder`, which is beside this command.
+[[nodiscard]] int builder(const BuilderArguments &arguments);
+
 struct ProfilesArguments {
   std::string name; ///< empty: list all
 };

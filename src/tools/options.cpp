@@ -437,6 +437,18 @@ void addLsp(CLI::App &app, LspArguments &lsp) {
                   "Exit code: 0 after shutdown and exit; 1 otherwise.");
 }
 
+void addBuilder(CLI::App &app, BuilderArguments &builder) {
+  CLI::App *command = app.add_subcommand(
+      "builder", "Open the Shader Builder's window: write programs, see them drawn, step through them");
+  command->add_option("DOCUMENT", builder.document, "a program, or a folder; without one, the gallery");
+  command->footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
+                  "says what it has.\n"
+                  "Exit code: that of the window; 1 where arbiter-builder is not installed.\n"
+                  "Examples:\n"
+                  "  arbiter builder\n"
+                  "  arbiter builder shader.fp");
+}
+
 } // namespace
 
 void addVerbs(CLI::App &app, Arguments &arguments) {
@@ -454,6 +466,7 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addRender(app, arguments.render);
   addLsp(app, arguments.lsp);
   app.add_subcommand(kDrawsVerb, "")->group("");
+  addBuilder(app, arguments.builder);
 }
 
 } // namespace arbiter::tools

@@ -21,6 +21,7 @@ struct Arguments {
   CtlArguments ctl;
   RenderArguments render;
   LspArguments lsp;
+  BuilderArguments builder;
 };
 
 /// The group, in help, of the options that verbs which load the layer share.

@@ -121,6 +121,7 @@ OPERANDS = {
     'ctl': [['list'], ['programs'], ['nothing'], ['get'], ['-']],
     # A descriptor that is none: a renderer that listens runs on.
     'render': [['--fd', '1001']],
+    'builder': [['good.fp', 'bad.fp']],  # too many: what is taken opens a window
 }
 # Statuses of the command that is run beside those of the verb.
 BESIDE = {'run': {126, 127}, 'capture': {126, 127}}

@@ -67,6 +67,28 @@ class Panels(Session):
         self.assertIn('turns away', self.hover(text, 'back'))
 
 
+class Report(Session):
+    def report(self, uri=URI):
+        return self.client.request('arbiter/report', {'textDocument': {'uri': uri}})
+
+    def test_is_that_of_check(self):
+        self.client.open(URI, PROGRAM)
+        report = self.report()
+        self.assertEqual(report['status'], 'valid')
+        self.assertEqual(report['profile'], 'r300')
+        self.assertEqual(report['bytes'], len(PROGRAM.encode()))
+        self.assertGreater(report['counts']['alu_instructions']['native_limit'], 0)
+        self.assertEqual(len(report['native']['instructions']),
+                         report['counts']['instructions']['used'])
+
+    def test_of_a_wrong_text_has_no_counts(self):
+        self.client.open(URI, PROGRAM.replace('END', 'ENDE'))
+        report = self.report()
+        self.assertEqual(report['status'], 'invalid')
+        self.assertNotIn('counts', report)
+        self.assertTrue(report['diagnostics'])
+
+
 class Completion(Session):
     def test_statements(self):
         found = self.complete('!!ARBfp1.0\nTEMP a;\n|')

@@ -53,6 +53,7 @@ const Server::RequestRow Server::kRequests[] = {
     {"textDocument/codeAction", &Server::codeActionsOf},
     {"codeAction/resolve", &Server::resolveAction},
     {"arbiter/advice", &Server::adviceOf},
+    {"arbiter/report", &Server::reportOf},
 };
 
 const Server::NotificationRow Server::kNotifications[] = {

@@ -79,6 +79,9 @@ private:
   Reply resolveAction(const Json &action);
   Reply adviceOf(const Json &params);
 
+  // report.cpp
+  Reply reportOf(const Json &params);
+
   struct RequestRow;
   struct NotificationRow;
   static const RequestRow kRequests[];

@@ -1,0 +1,224 @@
+#include "builder/model/render/control_renderer.h"
+
+#include <QDir>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "builder/model/text/edit.h"
+
+namespace arbiter::builder {
+
+namespace {
+
+constexpr int kChildDescriptor = 3;
+/// What the command says of a verb or an option that it does not know.
+constexpr int kExitUsage = 1;
+constexpr int kNice = 5;
+constexpr qint64 kKeptRevisions = 64;
+
+QStringList argumentsOf(const RenderOptions &options, const QString &folder) {
+  QStringList words{QStringLiteral("render"), QStringLiteral("--fd"),
+                    QString::number(kChildDescriptor), QStringLiteral("--folder"),
+                    folder.isEmpty() ? QStringLiteral(".") : folder};
+  const auto add = [&](const char *name, const QString &value) {
+    if (!value.isEmpty())
+      words << QString::fromLatin1(name) << value;
+  };
+  add("--profile", options.profile);
+  add("--numerics", options.numerics);
+  add("--backend", options.backend);
+  if (options.bare)
+    words << QStringLiteral("--bare");
+  return words;
+}
+
+/// A diagnostic of the renderer's, whose places are bytes.
+Problem problemOf(const QJsonValue &json, const QByteArray &bytes) {
+  Problem problem;
+  const QString severity = json[u"severity"].toString();
+  problem.severity = severity == u"error"     ? Severity::Error
+                     : severity == u"warning" ? Severity::Warning
+                                              : Severity::Note;
+  problem.code = json[u"id"].toString();
+  problem.message = json[u"message"].toString();
+  problem.hint = json[u"hint"].toString();
+  problem.file = json[u"file"].toString();
+  const auto offset = [&](const char *key) {
+    return QString::fromUtf8(bytes.left(json[QLatin1StringView(key)].toInteger())).size();
+  };
+  problem.begin = offset("begin");
+  problem.end = std::max(problem.begin, offset("end"));
+  problem.line = json[u"line"].toInt(1);
+  problem.column = json[u"column"].toInt(1);
+  return problem;
+}
+
+} // namespace
+
+ControlRenderer::~ControlRenderer() {
+  if (!m_process)
+    return;
+  m_process->disconnect(this);
+  m_client.reset(); // it ends when its client does
+  m_process->kill();
+  m_process->waitForFinished(1000);
+}
+
+void ControlRenderer::start(const RenderOptions &options, const QString &folder) {
+  int pair[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0) {
+    Q_EMIT ended(tr("no socket for a renderer"));
+    return;
+  }
+  m_client = std::make_unique<ControlClient>(pair[0]);
+  m_process = new QProcess(this);
+  m_process->setStandardErrorFile(QProcess::nullDevice());
+  m_process->setStandardOutputFile(QProcess::nullDevice());
+  const int theirs = pair[1];
+  const pid_t parent = ::getpid();
+  // Between fork and exec: calls alone that are safe there.
+  m_process->setChildProcessModifier([theirs, parent] {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent)
+      ::_exit(1);
+    ::setpriority(PRIO_PROCESS, 0, ::getpriority(PRIO_PROCESS, 0) + kNice);
+    if (theirs == kChildDescriptor) // dup2() would keep its close-on-exec
+      ::fcntl(theirs, F_SETFD, 0);
+    else
+      ::dup2(theirs, kChildDescriptor);
+  });
+  connect(m_process, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
+    if (!m_greeted && status == QProcess::NormalExit && code == kExitUsage)
+      Q_EMIT unsupported();
+    else
+      finish(status == QProcess::CrashExit ? tr("the renderer was stopped by a signal")
+                                           : tr("the renderer ended with code %1").arg(code));
+  });
+  connect(m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart)
+      finish(tr("%1 cannot be started").arg(m_program));
+  });
+  connect(m_client.get(), &ControlClient::event, this, &ControlRenderer::event);
+  m_process->start(m_program, argumentsOf(options, folder));
+  ::close(theirs);
+  m_client->call(QStringLiteral("hello"), {{"client", "arbiter-builder"}},
+                 [this](const QJsonObject &result, const QJsonObject &) {
+                   m_greeted = m_greeted || !result.isEmpty();
+                 });
+  m_client->call(QStringLiteral("frame.want"), {{"every", 1}});
+}
+
+void ControlRenderer::finish(const QString &why) {
+  if (!m_process)
+    return;
+  m_process->disconnect(this);
+  m_process->deleteLater();
+  m_process = nullptr;
+  if (m_client)
+    m_client.release()->deleteLater(); // one of its signals may be what led here
+  Q_EMIT ended(why);
+}
+
+void ControlRenderer::kill() {
+  if (m_process)
+    m_process->kill();
+}
+
+void ControlRenderer::draw(const Scene &scene) {
+  if (!m_client)
+    return;
+  QJsonObject files;
+  for (auto file = scene.files.cbegin(); file != scene.files.cend(); ++file)
+    files[file.key()] = file.value();
+  // The same text may be sent twice, and the protocol's revisions must grow.
+  m_revisions.insert(++m_sent, scene.revision);
+  m_revisions.remove(m_sent - kKeptRevisions);
+  m_client->call(QStringLiteral("scene.set"),
+                 {{"text", scene.text},
+                  {"revision", m_sent},
+                  {"name", scene.name},
+                  {"files", files}},
+                 [this, scene](const QJsonObject &result, const QJsonObject &error) {
+                   answer(result, error, scene);
+                 });
+}
+
+void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error,
+                             const Scene &scene) {
+  if (result.isEmpty() && error.isEmpty())
+    return; // gone; ended() says so
+  SceneAnswer answer;
+  answer.revision = scene.revision;
+  answer.ok = result[u"ok"].toBool();
+  answer.superseded = result[u"superseded"].toBool();
+  answer.animated = result[u"animated"].toBool();
+  answer.milliseconds = result[u"milliseconds"].toDouble();
+  const QByteArray bytes = scene.text.toUtf8();
+  for (const QJsonValue &each : result[u"diagnostics"].toArray())
+    answer.problems.append(problemOf(each, bytes));
+  if (!error.isEmpty())
+    answer.problems.append(
+        {Severity::Error, QStringLiteral("renderer"), error[u"message"].toString(), {}, {}, 0, 0});
+  Q_EMIT answered(answer);
+}
+
+void ControlRenderer::event(const QString &method, const QJsonObject &params) {
+  if (method == u"frame.buffer") {
+    if (!m_buffer.map(m_client->takeDescriptor(), params))
+      kill(); // a renderer that breaks the protocol is none
+  } else if (method == u"frame") {
+    const auto image = m_buffer.picture(params);
+    m_client->notify(QStringLiteral("frame.release"), {{"serial", params[u"serial"]}, {"slot", params[u"slot"]}});
+    if (image)
+      Q_EMIT drew({*image, m_revisions.value(params[u"revision"].toInteger()), params[u"number"].toInteger(),
+                 params[u"time"].toDouble(), params[u"milliseconds"].toDouble()});
+  } else if (method == u"busy") {
+    Q_EMIT busy(params[u"milliseconds"].toDouble());
+  }
+}
+
+bool ControlRenderer::setParameter(const LiveValue &live) {
+  if (!m_client)
+    return false;
+  QJsonArray value;
+  for (const auto &component : live.value)
+    value.append(component ? QJsonValue(*component) : QJsonValue());
+  m_client->call(QStringLiteral("scene.param"), {{"stage", live.stage},
+                                                 {"kind", live.kind},
+                                                 {"index", live.index},
+                                                 {"value", value}});
+  return true;
+}
+
+void ControlRenderer::setPaused(bool paused) {
+  if (m_client)
+    m_client->call(QStringLiteral("scene.pause"), {{"paused", paused}});
+}
+
+void ControlRenderer::step(double seconds) {
+  if (m_client)
+    m_client->call(QStringLiteral("scene.step"), {{"seconds", seconds}});
+}
+
+void ControlRenderer::setCamera(double yaw, double pitch, double distance) {
+  if (m_client)
+    m_client->call(QStringLiteral("scene.camera"),
+                   {{"yaw", yaw}, {"pitch", pitch}, {"distance", distance}});
+}
+
+bool ControlRenderer::bench(int frames) {
+  if (!m_client)
+    return false;
+  m_client->call(QStringLiteral("scene.bench"), {{"frames", frames}},
+                 [this](const QJsonObject &result, const QJsonObject &) {
+                   Q_EMIT benched(result[u"frames"].toInt(), result[u"milliseconds"].toDouble(),
+                                result[u"median"].toDouble());
+                 });
+  return true;
+}
+
+} // namespace arbiter::builder

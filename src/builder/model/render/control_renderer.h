@@ -1,0 +1,45 @@
+#pragma once
+#include <QProcess>
+#include <memory>
+
+#include "builder/model/render/control_client.h"
+#include "builder/model/render/frame_buffer.h"
+#include "builder/model/render/renderer.h"
+
+namespace arbiter::builder {
+
+/// `arbiter render`, over a socket that it is started with (docs/control.md).
+class ControlRenderer : public Renderer {
+  Q_OBJECT
+public:
+  ControlRenderer(QString program, QObject *parent = nullptr)
+      : Renderer(parent), m_program(std::move(program)) {}
+  ~ControlRenderer() override;
+
+  void start(const RenderOptions &options, const QString &folder) override;
+  void draw(const Scene &scene) override;
+  bool setParameter(const LiveValue &value) override;
+  void setPaused(bool paused) override;
+  void step(double seconds) override;
+  void setCamera(double yaw, double pitch, double distance) override;
+  bool bench(int frames) override;
+  void kill() override;
+  [[nodiscard]] qint64 processId() const override {
+    return m_process ? m_process->processId() : 0;
+  }
+
+private:
+  void finish(const QString &why);
+  void event(const QString &method, const QJsonObject &params);
+  void answer(const QJsonObject &result, const QJsonObject &error, const Scene &scene);
+
+  QString m_program;
+  QProcess *m_process = nullptr;
+  std::unique_ptr<ControlClient> m_client;
+  FrameBuffer m_buffer;
+  bool m_greeted = false; ///< it has answered: it is a renderer
+  qint64 m_sent = 0;      ///< scenes; their numbers on the wire
+  QHash<qint64, qint64> m_revisions; ///< the document's of those
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,240 @@
+#include "builder/model/render/session.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace arbiter::builder {
+
+namespace {
+
+constexpr int kPatienceMilliseconds = 10000;
+constexpr int kTickMilliseconds = 100;
+constexpr qint64 kBusyMilliseconds = 300; ///< what takes longer is said
+constexpr int kMaxBackOff = 2000;
+constexpr qsizetype kMaxHeld = 1000;
+
+QByteArray hashOf(const Scene &scene) {
+  return QCryptographicHash::hash(scene.text.toUtf8(), QCryptographicHash::Sha256).toHex();
+}
+
+} // namespace
+
+RendererSession::RendererSession(QList<Factory> factories, const QString &memory, QObject *parent)
+    : QObject(parent), m_factories(std::move(factories)), m_memory(memory) {
+  m_patience.setSingleShot(true);
+  m_patience.setInterval(kPatienceMilliseconds);
+  connect(&m_patience, &QTimer::timeout, this, &RendererSession::stop);
+  m_tick.setInterval(kTickMilliseconds);
+  connect(&m_tick, &QTimer::timeout, this, [this] {
+    if (m_underWay && m_since.elapsed() > kBusyMilliseconds)
+      Q_EMIT busy(double(m_since.elapsed()));
+  });
+  m_restart.setSingleShot(true);
+  connect(&m_restart, &QTimer::timeout, this, [this] {
+    startRenderer();
+    sendNext();
+  });
+  QFile file(m_memory);
+  if (!m_memory.isEmpty() && file.open(QIODevice::ReadOnly))
+    for (const QByteArray &line : file.read(kMaxHeld * 65).split('\n'))
+      if (line.size() == 64)
+        m_held.insert(line);
+}
+
+RendererSession::~RendererSession() {
+  if (m_renderer)
+    m_renderer->disconnect(this);
+}
+
+void RendererSession::startRenderer() {
+  if (m_renderer || m_factories.isEmpty())
+    return;
+  m_renderer = m_factories.first()(this);
+  connect(m_renderer, &Renderer::drew, this, &RendererSession::takeFrame);
+  connect(m_renderer, &Renderer::answered, this, &RendererSession::take);
+  connect(m_renderer, &Renderer::benched, this, &RendererSession::benched);
+  connect(m_renderer, &Renderer::ended, this, &RendererSession::ended);
+  connect(m_renderer, &Renderer::unsupported, this, [this] {
+    m_factories.removeFirst();
+    m_renderer->disconnect(this);
+    m_renderer->deleteLater();
+    m_renderer = nullptr;
+    if (!m_waiting)
+      m_waiting = m_underWay;
+    m_underWay.reset();
+    startRenderer();
+    sendNext();
+  });
+  m_renderer->start(m_options, m_folder);
+  if (m_paused)
+    m_renderer->setPaused(true);
+}
+
+void RendererSession::want(const Scene &scene) {
+  m_waiting = scene;
+  sendNext();
+}
+
+void RendererSession::setOptions(const RenderOptions &options) {
+  if (options == m_options)
+    return;
+  m_options = options;
+  if (!m_waiting)
+    m_waiting = m_underWay ? m_underWay : m_lastGoodScene;
+  m_underWay.reset();
+  if (m_renderer) {
+    m_renderer->disconnect(this);
+    m_renderer->kill();
+    m_renderer->deleteLater();
+    m_renderer = nullptr;
+  }
+  sendNext();
+}
+
+void RendererSession::sendNext() {
+  if (m_underWay || !m_waiting || m_restart.isActive())
+    return;
+  const Scene scene = *m_waiting;
+  if (m_held.contains(hashOf(scene))) {
+    m_waiting.reset();
+    return hold(scene, tr("this program stopped the renderer"));
+  }
+  if (m_renderer && scene.folder != m_folder) { // it looks for files in the folder of its start
+    m_renderer->disconnect(this);
+    m_renderer->kill();
+    m_renderer->deleteLater();
+    m_renderer = nullptr;
+  }
+  m_folder = scene.folder;
+  startRenderer();
+  if (!m_renderer || m_underWay)
+    return;
+  m_underWay = scene;
+  m_waiting.reset();
+  setState(State::Drawing);
+  m_since.start();
+  m_patience.start();
+  m_tick.start();
+  m_renderer->draw(scene);
+}
+
+void RendererSession::takeFrame(const Frame &frame) {
+  m_lastGood = frame;
+  Q_EMIT drew(frame);
+}
+
+void RendererSession::take(const SceneAnswer &answer) {
+  if (!m_underWay || answer.revision != m_underWay->revision)
+    return;
+  m_patience.stop();
+  m_tick.stop();
+  if (answer.ok) {
+    m_lastGoodScene = m_underWay;
+    m_suspect.clear();
+    m_restarts = 0;
+  }
+  m_underWay.reset();
+  setState(State::Idle);
+  Q_EMIT answered(answer);
+  sendNext();
+}
+
+void RendererSession::ended(const QString &why) {
+  m_patience.stop();
+  m_tick.stop();
+  if (m_renderer) {
+    m_renderer->disconnect(this);
+    m_renderer->deleteLater();
+    m_renderer = nullptr;
+  }
+  const std::optional<Scene> scene = std::exchange(m_underWay, std::nullopt);
+  if (scene) {
+    const QByteArray hash = hashOf(*scene);
+    // Once may be another's doing: an administrator's, or the kernel's that needs memory.
+    if (hash == m_suspect)
+      hold(*scene, tr("this program stopped the renderer (%1)").arg(why));
+    else if (!m_waiting)
+      m_waiting = scene;
+    m_suspect = hash;
+  }
+  if (!m_waiting && m_state != State::Held)
+    m_waiting = m_lastGoodScene;
+  ++m_restarts;
+  m_restart.start(m_restarts <= 2 ? 0 : std::min(kMaxBackOff, 50 << std::min(m_restarts, 5)));
+  Q_EMIT restarted(why);
+}
+
+void RendererSession::stop() {
+  if (!m_underWay)
+    return;
+  const Scene scene = *std::exchange(m_underWay, std::nullopt);
+  m_patience.stop();
+  m_tick.stop();
+  m_renderer->disconnect(this);
+  m_renderer->kill();
+  m_renderer->deleteLater();
+  m_renderer = nullptr;
+  hold(scene, tr("this program did not draw in %1 s").arg(double(m_since.elapsed()) / 1000, 0, 'f', 1));
+  sendNext();
+}
+
+void RendererSession::hold(const Scene &scene, const QString &why) {
+  m_held.insert(hashOf(scene));
+  remember();
+  if (m_waiting && m_waiting->revision > scene.revision)
+    return; // it has changed meanwhile
+  setState(State::Held);
+  Q_EMIT held(scene.revision, why);
+  m_lastHeld = scene;
+}
+
+void RendererSession::drawAnyway() {
+  if (m_state != State::Held || !m_lastHeld)
+    return;
+  m_held.remove(hashOf(*m_lastHeld));
+  m_suspect.clear();
+  remember();
+  setState(State::Idle);
+  want(*m_lastHeld);
+}
+
+void RendererSession::remember() {
+  if (m_memory.isEmpty())
+    return;
+  QDir().mkpath(QFileInfo(m_memory).absolutePath());
+  QSaveFile file(m_memory);
+  if (!file.open(QIODevice::WriteOnly))
+    return;
+  qsizetype count = 0;
+  for (const QByteArray &hash : m_held)
+    if (++count <= kMaxHeld)
+      file.write(hash + '\n');
+  file.commit();
+}
+
+bool RendererSession::setParameter(const LiveValue &value) {
+  return m_renderer && m_renderer->setParameter(value);
+}
+
+void RendererSession::setPaused(bool paused) {
+  m_paused = paused;
+  if (m_renderer)
+    m_renderer->setPaused(paused);
+}
+
+void RendererSession::step(double seconds) {
+  if (m_renderer)
+    m_renderer->step(seconds);
+}
+
+void RendererSession::setCamera(double yaw, double pitch, double distance) {
+  if (m_renderer)
+    m_renderer->setCamera(yaw, pitch, distance);
+}
+
+bool RendererSession::bench(int frames) { return m_renderer && m_renderer->bench(frames); }
+
+} // namespace arbiter::builder

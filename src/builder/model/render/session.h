@@ -1,0 +1,95 @@
+#pragma once
+#include <QElapsedTimer>
+#include <QSet>
+#include <QTimer>
+#include <functional>
+#include <optional>
+
+#include "builder/model/render/renderer.h"
+
+namespace arbiter::builder {
+
+/// Draws the newest scene, whatever becomes of the process that draws. One scene is under way at a
+/// time; of those that come meanwhile the newest is next. A process that ends is started anew. A
+/// text that ended it twice, or kept it from answering for long, is held: it is not drawn again
+/// until it changes or drawAnyway() is said, today or when the file is opened next.
+class RendererSession : public QObject {
+  Q_OBJECT
+public:
+  enum class State { Idle, Drawing, Held };
+  using Factory = std::function<Renderer *(QObject *parent)>;
+
+  /// \param factories the kinds of renderer, the best first: the next is taken where one is not
+  /// installed
+  /// \param memory the file that remembers held texts; empty: none
+  RendererSession(QList<Factory> factories, const QString &memory, QObject *parent = nullptr);
+  ~RendererSession() override;
+
+  /// The newest scene.
+  void want(const Scene &scene);
+  void setOptions(const RenderOptions &options);
+  [[nodiscard]] const RenderOptions &options() const { return m_options; }
+  bool setParameter(const LiveValue &value);
+  void setPaused(bool paused);
+  [[nodiscard]] bool isPaused() const { return m_paused; }
+  void step(double seconds);
+  void setCamera(double yaw, double pitch, double distance);
+  bool bench(int frames);
+
+  /// Ends what is under way: its text is held.
+  void stop();
+  /// Draws the held text all the same.
+  void drawAnyway();
+
+  [[nodiscard]] State state() const { return m_state; }
+  [[nodiscard]] const Frame &lastGood() const { return m_lastGood; }
+  [[nodiscard]] std::optional<Scene> lastGoodScene() const { return m_lastGoodScene; }
+  [[nodiscard]] qint64 processId() const { return m_renderer ? m_renderer->processId() : 0; }
+  [[nodiscard]] int restarts() const { return m_restarts; }
+
+  void setPatience(int milliseconds) { m_patience.setInterval(milliseconds); }
+
+Q_SIGNALS:
+  void drew(const arbiter::builder::Frame &frame);
+  void answered(const arbiter::builder::SceneAnswer &answer);
+  void benched(int frames, double milliseconds, double median);
+  /// A scene takes long: so many milliseconds so far.
+  void busy(double milliseconds);
+  /// This revision is held; the text says why.
+  void held(qint64 revision, const QString &why);
+  void restarted(const QString &why);
+
+private:
+  void startRenderer();
+  void sendNext();
+  void ended(const QString &why);
+  void take(const SceneAnswer &answer);
+  void takeFrame(const Frame &frame);
+  void hold(const Scene &scene, const QString &why);
+  void setState(State state) { m_state = state; }
+  void remember();
+
+  QList<Factory> m_factories;
+  QString m_memory;
+  Renderer *m_renderer = nullptr;
+  RenderOptions m_options;
+  QString m_folder; ///< that the renderer was started with
+
+  std::optional<Scene> m_waiting;  ///< the newest, not sent yet
+  std::optional<Scene> m_underWay; ///< sent, not answered
+  std::optional<Scene> m_lastHeld;
+  std::optional<Scene> m_lastGoodScene;
+  Frame m_lastGood;
+  State m_state = State::Idle;
+  bool m_paused = false;
+
+  QSet<QByteArray> m_held; ///< hashes of texts
+  QByteArray m_suspect;    ///< of the text that ended the renderer last
+  int m_restarts = 0;
+  QElapsedTimer m_since;   ///< the scene under way was sent
+  QTimer m_patience;
+  QTimer m_tick;
+  QTimer m_restart;
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,41 @@
+#include "builder/model/render/work_folder.h"
+
+#include <QDir>
+#include <QFile>
+
+namespace arbiter::builder {
+
+namespace {
+
+/// Of a folder with more entries only these are linked; a document of so many files is none.
+constexpr int kMaxLinks = 2000;
+
+void write(const QString &path, const QString &text) {
+  QFile::remove(path); // it may be a link, whose file is not to be written
+  QFile file(path);
+  if (file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+    file.write(text.toUtf8());
+}
+
+} // namespace
+
+QString layOut(const Scene &scene, const QString &folder) {
+  const QDir source(scene.folder.isEmpty() ? QDir::currentPath() : scene.folder);
+  const QDir target(folder);
+  int links = 0;
+  for (const QFileInfo &entry :
+       source.entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
+    const QString name = target.filePath(entry.fileName());
+    if (!QFileInfo::exists(name) && ++links <= kMaxLinks)
+      QFile::link(entry.absoluteFilePath(), name);
+  }
+  for (auto file = scene.files.cbegin(); file != scene.files.cend(); ++file)
+    if (!file.key().contains(u'/'))
+      write(target.filePath(file.key()), file.value());
+  const QString name = scene.name.isEmpty() ? QStringLiteral("untitled.fp") : scene.name;
+  const QString path = target.filePath(QFileInfo(name).fileName());
+  write(path, scene.text);
+  return path;
+}
+
+} // namespace arbiter::builder

@@ -1,0 +1,130 @@
+#pragma once
+#include <QObject>
+
+#include "builder/model/language/gauges.h"
+#include "builder/model/language/lsp_client.h"
+#include "builder/model/panels/parameters.h"
+#include "builder/model/panels/tool_run.h"
+#include "builder/model/panels/trace.h"
+#include "builder/model/panels/words.h"
+#include "builder/model/render/compare.h"
+#include "builder/model/render/session.h"
+#include "builder/model/text/open_file.h"
+
+namespace arbiter::builder {
+
+/// Where the window finds things.
+struct Places {
+  QString arbiter;  ///< the command
+  QString journals; ///< a folder
+  QString held;     ///< the file that remembers texts that stopped the renderer
+  QString gallery;  ///< a folder of documents; empty: none
+
+  /// Beside the executable, in its build tree or installation, and in the user's folder of state.
+  [[nodiscard]] static Places standard();
+};
+
+/// How the picture stands to the text.
+enum class PictureState {
+  None,    ///< nothing is drawn yet
+  Newest,  ///< it is the text's
+  Waiting, ///< the text's is on its way
+  Wrong,   ///< the text is wrong; an older one is drawn
+  Held,    ///< the text stopped the renderer; an older one is drawn
+};
+
+/// One document with all that works on it: the window without widgets.
+class Workbench : public QObject {
+  Q_OBJECT
+public:
+  explicit Workbench(Places places, QObject *parent = nullptr);
+
+  [[nodiscard]] const Places &places() const { return m_places; }
+  [[nodiscard]] OpenFile &file() { return m_file; }
+  [[nodiscard]] Document &document() { return m_file.document(); }
+  [[nodiscard]] LspClient &language() { return m_lsp; }
+  [[nodiscard]] RendererSession &renderer() { return m_session; }
+  /// The picture that the newest is compared with, drawn in another process.
+  [[nodiscard]] RendererSession &other() { return m_other; }
+  [[nodiscard]] Parameters &parameters() { return m_parameters; }
+  [[nodiscard]] Trace &trace() { return m_trace; }
+
+  /// Starts the language server and draws. Call it once, with the document open or not.
+  void start();
+  void setProfile(const QString &profile);
+  void setNumerics(const QString &numerics);
+  void setBackend(const QString &backend);
+
+  [[nodiscard]] const QList<Problem> &problems() const { return m_problems; }
+  [[nodiscard]] const Report &report() const { return m_report; }
+  [[nodiscard]] PictureState pictureState() const { return m_pictureState; }
+  [[nodiscard]] const QImage &picture() const { return m_frame.image; }
+  [[nodiscard]] const Frame &frame() const { return m_frame; }
+  /// "revision 41 is wrong; revision 40 is drawn"
+  [[nodiscard]] QString statusText() const;
+
+  /// Traces a pixel of the picture: from the left, from the bottom.
+  void debugPixel(QPoint pixel);
+  [[nodiscard]] std::optional<QPoint> debuggedPixel() const { return m_pixel; }
+  /// Makes A of a register's values after a row of the trace, over the whole picture: [0,1] is black
+  /// to white.
+  void watchRow(int row);
+
+  /// Takes the newest picture as A; what is drawn from here on is B. Its text and options are kept.
+  void pin();
+  void unpin();
+  [[nodiscard]] bool isPinned() const { return !m_pinned.isNull(); }
+  [[nodiscard]] const QImage &pinned() const { return m_pinned; }
+  /// Draws the text with other options as A, at each change.
+  void compareWith(const RenderOptions &options);
+  [[nodiscard]] const QString &pinnedName() const { return m_pinnedName; }
+
+  /// The document as it is drawn, with held sliders where they are.
+  [[nodiscard]] Scene scene() const;
+
+Q_SIGNALS:
+  void problemsChanged();
+  void reportChanged();
+  void pictureChanged();
+  void pinnedChanged();
+  void statusChanged();
+  void traceFailed(const QString &why);
+  /// For a message to the user.
+  void notice(const QString &message);
+
+private:
+  void edited();
+  void draw();
+  void sliderMoved(int line, int component, double value);
+  void diagnosed(qint64 revision, const QList<Problem> &problems);
+  void answered(const SceneAnswer &answer);
+  void setState(PictureState state);
+  void mergeProblems();
+  [[nodiscard]] QString uri() const;
+
+  Places m_places;
+  OpenFile m_file;
+  LspClient m_lsp;
+  RendererSession m_session;
+  RendererSession m_other;
+  Parameters m_parameters;
+  Trace m_trace;
+  ToolRun m_debugTool;
+  ToolRun m_watchTool;
+  QTimer m_redraw; ///< one draw for what changes in one turn of the event loop
+
+  QList<Problem> m_ofLanguage, m_ofRenderer, m_problems;
+  Report m_report;
+  Frame m_frame;
+  PictureState m_pictureState = PictureState::None;
+  QString m_why; ///< of Held
+  double m_busy = 0;
+  std::optional<QPoint> m_pixel;
+  QImage m_pinned;
+  QString m_pinnedName;
+  std::optional<RenderOptions> m_otherOptions;
+  qint64 m_drawNumber = 0;              ///< of scenes; held sliders draw one revision many times
+  QHash<qint64, qint64> m_revisionOf;   ///< the document's revision by draw number
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Pictures of the window's views, light and dark, at one and two pixels a unit.
+
+usage: screenshots.py ARBITER_BUILDER GALLERY [--quick] [--out FOLDER]
+
+Every picture must have the size that its scale asks for, and show more than one colour; those of one
+view in light and dark must differ. --quick takes one of each kind. Without --out they are thrown away.
+"""
+import argparse
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+WRONG = ('MAD offset, offset, magnitude.x', 'MAD offset, ofset, magnitude.x')
+# (name, document, what is replaced in it, panel, pixel to debug)
+SHOTS = [
+    ('picture', 'twirl.fp', None, 'Parameters', ''),
+    ('error', 'twirl.fp', WRONG, 'Problems', ''),
+    ('debug', 'twirl.fp', None, 'Debug', '200,300'),
+    ('textures', 'twirl.fp', None, 'Textures', ''),
+    ('words', 'twirl.fp', None, 'Words', ''),
+    ('native', 'lighting_4_all.fp', None, 'Native', ''),
+    ('advice', 'life.fp', None, 'Advice', ''),
+    ('compare', 'gooch.fp', None, 'Compare', ''),
+    ('bench', 'gooch.fp', None, 'Bench', ''),
+    ('gallery', None, None, 'Gallery', ''),
+]
+KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
+
+
+def size_of(png):
+    """(width, height) of a PNG, and whether it has more than one colour."""
+    data = png.read_bytes()
+    assert data[:8] == b'\x89PNG\r\n\x1a\n', png
+    size = struct.unpack('>II', data[16:24])
+    at, packed = 8, b''
+    while at < len(data):
+        length, kind = struct.unpack('>I4s', data[at:at + 8])
+        if kind == b'IDAT':
+            packed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    return size, len(set(zlib.decompress(packed)[::7])) > 8
+
+
+def shoot(arguments, shot, colours, scale, png, folder):
+    name, document, change, panel, pixel = shot
+    words = [arguments.builder, '--screenshot', str(png), '--colours', colours, '--panel', panel]
+    if pixel:
+        words += ['--pixel', pixel]
+    if document:
+        text = (arguments.gallery / document).read_text()
+        if change:
+            assert change[0] in text, (name, change)
+            path = folder / document
+            path.write_text(text.replace(*change))
+        else:
+            path = arguments.gallery / document
+        words += ['--', str(path)]
+    environment = dict(os.environ, QT_QPA_PLATFORM='offscreen', QT_SCALE_FACTOR=str(scale),
+                       XDG_CONFIG_HOME=str(folder / 'config'), XDG_STATE_HOME=str(folder / 'state'),
+                       XDG_CACHE_HOME=str(folder / 'cache'), ARBITER_GALLERY=str(arguments.gallery))
+    environment.pop('DISPLAY', None)
+    return subprocess.run(words, env=environment, timeout=120, capture_output=True, text=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument('builder')
+    parser.add_argument('gallery', type=pathlib.Path)
+    parser.add_argument('--quick', action='store_true')
+    parser.add_argument('--out', type=pathlib.Path)
+    parser.add_argument('--only')
+    arguments = parser.parse_args()
+    failed = 0
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        out = arguments.out or folder
+        out.mkdir(parents=True, exist_ok=True)
+        shots = [shot for shot in SHOTS if arguments.only in (None, shot[0])]
+        for shot in shots[:2] if arguments.quick else shots:
+            before = None
+            for colours, scale in KINDS[::3] if arguments.quick else KINDS:
+                png = out / f'{shot[0]}-{colours}-{scale}x.png'
+                done = shoot(arguments, shot, colours, scale, png, folder)
+                fault = None
+                if done.returncode != 0 or not png.exists():
+                    fault = f'status {done.returncode}: {done.stderr[-400:]}'
+                else:
+                    size, colourful = size_of(png)
+                    if size != (1280 * scale, 800 * scale):
+                        fault = f'size {size}'
+                    elif not colourful:
+                        fault = 'one colour'
+                    elif png.read_bytes() == before:
+                        fault = 'light and dark are one'
+                    before = png.read_bytes()
+                failed += fault is not None
+                print(f'{png.name}: {fault or "ok"}', flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,30 @@
+#pragma once
+#include <QHash>
+#include <QRegularExpression>
+#include <QSyntaxHighlighter>
+
+#include "builder/model/panels/words.h"
+
+namespace arbiter::builder {
+
+/// Colours a program's words, by the compiler's tables. Names are what no table has.
+class Highlighter : public QSyntaxHighlighter {
+public:
+  explicit Highlighter(QTextDocument *document);
+
+  /// The colours have changed.
+  void refresh();
+
+protected:
+  void highlightBlock(const QString &text) override;
+
+private:
+  void panelLine(const QString &text, qsizetype begin);
+  [[nodiscard]] qsizetype word(const QString &text, qsizetype begin);
+  [[nodiscard]] qsizetype number(const QString &text, qsizetype begin);
+
+  QHash<QString, WordKind> m_words;
+  QHash<QString, WordKind> m_panel;
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,74 @@
+#pragma once
+#include <QPlainTextEdit>
+#include <QWidget>
+#include <functional>
+
+#include "builder/model/workbench.h"
+#include "builder/view/panels/table.h"
+
+class QLabel;
+class QPushButton;
+
+namespace arbiter::builder {
+
+/// What the compiler makes of the program on the profile's card, as `arbiter compile --emit native`
+/// says; or as another of its outputs.
+class NativePanel : public QWidget {
+public:
+  explicit NativePanel(Workbench &bench);
+
+  void refresh();
+
+protected:
+  void showEvent(QShowEvent *event) override;
+
+private:
+  Workbench &m_bench;
+  ToolRun m_tool;
+  QPlainTextEdit *m_text;
+  QString m_emit = QStringLiteral("native");
+};
+
+/// What would make the program cheaper, as `arbiter check --advise --json` says: each with what it
+/// saves; Return applies it.
+class AdvicePanel : public QWidget {
+public:
+  explicit AdvicePanel(Workbench &bench);
+
+  void refresh();
+  /// Takes the document of the command. \returns the number of proposals
+  int take(const QJsonObject &json);
+
+protected:
+  void showEvent(QShowEvent *event) override;
+
+private:
+  struct Proposal {
+    QString title, saves, why;
+    int line = 1;
+    QList<Edit> edits; ///< the last first
+  };
+  void apply(int row);
+
+  Workbench &m_bench;
+  ToolRun m_tool;
+  QLabel *m_summary;
+  Table *m_table;
+  QList<Proposal> m_proposals;
+  qint64 m_revision = -1; ///< that the proposals are of
+};
+
+/// How fast the document is drawn.
+class BenchPanel : public QWidget {
+public:
+  explicit BenchPanel(Workbench &bench);
+
+  void run();
+
+private:
+  Workbench &m_bench;
+  QPushButton *m_run;
+  Table *m_table;
+};
+
+} // namespace arbiter::builder

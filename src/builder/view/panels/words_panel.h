@@ -1,0 +1,31 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+
+#include "builder/model/panels/words.h"
+#include "builder/view/panels/table.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace arbiter::builder {
+
+/// The words of the languages, made of the compiler's tables: searched, read, and put into the text.
+class WordsPanel : public QWidget {
+public:
+  explicit WordsPanel(std::function<void(const QString &)> insert);
+
+  /// Shows what is known of a word.
+  void lookUp(const QString &word);
+
+private:
+  void search(const QString &text);
+  void showDetail();
+
+  QList<Word> m_found;
+  QLineEdit *m_search;
+  Table *m_table;
+  QLabel *m_detail;
+};
+
+} // namespace arbiter::builder

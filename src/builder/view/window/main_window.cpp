@@ -1,0 +1,225 @@
+#include "builder/view/window/main_window.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+
+#include "builder/view/editor/code_editor.h"
+#include "builder/view/panels/compare_panel.h"
+#include "builder/view/panels/debug_panel.h"
+#include "builder/view/panels/gallery.h"
+#include "builder/view/panels/gauges_bar.h"
+#include "builder/view/panels/parameters_panel.h"
+#include "builder/view/panels/problems_panel.h"
+#include "builder/view/panels/textures_panel.h"
+#include "builder/view/panels/tool_panels.h"
+#include "builder/view/panels/words_panel.h"
+#include "builder/view/picture/picture_panel.h"
+#include "builder/view/picture/picture_view.h"
+#include "builder/view/theme.h"
+
+namespace arbiter::builder {
+
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr int kNoticeMilliseconds = 8000;
+
+} // namespace
+
+MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
+  setObjectName(QStringLiteral("MainWindow"));
+  setDockNestingEnabled(true);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setWindowIcon(applicationIcon());
+  buildPanels();
+  buildMenus();
+  buildStatus();
+  resize(1280, 800);
+  arrange();
+  m_madeLayout = saveState(kLayoutVersion);
+  connect(&m_bench, &Workbench::statusChanged, this, [this] { showStatus(); });
+  connect(&m_bench, &Workbench::notice, this, [this](const QString &text) { notice(text); });
+  connect(&m_bench.document(), &Document::stateChanged, this, [this] { showTitle(); });
+  connect(&m_bench.file(), &OpenFile::pathChanged, this, [this] { showTitle(); });
+  connect(&m_bench.file(), &OpenFile::conflict, this,
+          [this](const QString &theirs) { askConflict(theirs); });
+  connect(&m_bench.file(), &OpenFile::merged, this, [this] {
+    notice(tr("%1 was changed by another program; the change is here too (Ctrl+Z takes it back)")
+               .arg(m_bench.file().name()));
+  });
+  connect(&m_bench.file(), &OpenFile::fileRemoved, this, [this] {
+    notice(tr("%1 is gone; saving writes it anew").arg(m_bench.file().path()));
+  });
+  showTitle();
+  showStatus();
+}
+
+QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {
+  auto *dock = new QDockWidget(name, this);
+  dock->setObjectName(name);
+  widget->setMinimumSize(120, 60); // a long label inside does not make the window wider
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  m_docks << dock;
+  return dock;
+}
+
+void MainWindow::buildPanels() {
+  m_editor = new CodeEditor(m_bench);
+  auto *text = new QWidget;
+  auto *layout = new QVBoxLayout(text);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(new GaugesBar(m_bench));
+  layout->addWidget(m_editor, 1);
+  m_picture = new PicturePanel(m_bench);
+  const auto goTo = [this](qsizetype offset) {
+    m_editor->goTo(offset);
+    m_editor->setFocus();
+  };
+  m_problems = new ProblemsPanel(m_bench, goTo);
+  m_debug = new DebugPanel(m_bench);
+  m_words = new WordsPanel([this](const QString &word) {
+    m_editor->textCursor().insertText(word);
+    m_editor->setFocus();
+  });
+  m_gallery = new Gallery(m_bench, [this](const QString &path) { openCopy(path); });
+  addPanel(tr("Program"), text, Qt::LeftDockWidgetArea);
+  addPanel(tr("Picture"), m_picture, Qt::RightDockWidgetArea);
+  addPanel(tr("Parameters"), new ParametersPanel(m_bench), Qt::RightDockWidgetArea);
+  addPanel(tr("Textures"), new TexturesPanel(m_bench), Qt::RightDockWidgetArea);
+  addPanel(tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+  addPanel(tr("Debug"), m_debug, Qt::BottomDockWidgetArea);
+  addPanel(tr("Advice"), new AdvicePanel(m_bench), Qt::BottomDockWidgetArea);
+  addPanel(tr("Native"), new NativePanel(m_bench), Qt::BottomDockWidgetArea);
+  addPanel(tr("Compare"), new ComparePanel(m_bench, m_picture->view()), Qt::BottomDockWidgetArea);
+  addPanel(tr("Bench"), new BenchPanel(m_bench), Qt::BottomDockWidgetArea);
+  addPanel(tr("Words"), m_words, Qt::BottomDockWidgetArea);
+  addPanel(tr("Gallery"), m_gallery, Qt::BottomDockWidgetArea);
+  connect(&m_bench.trace(), &Trace::moved, this, [this](int row) {
+    const auto &rows = m_bench.trace().rows();
+    m_editor->setTracedLine(row >= 0 && row < rows.size() ? rows[row].line : 0);
+  });
+  connect(&m_picture->view(), &PictureView::pixelPicked, this, [this] {
+    m_docks[5]->raise();
+  });
+  connect(m_editor, &CodeEditor::lineClicked, this,
+          [this](int line) { m_bench.trace().runToLine(line); });
+  connect(&m_bench, &Workbench::problemsChanged, this, [this] {
+    const int count = int(m_bench.problems().size());
+    m_docks[4]->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems %1").arg(count));
+  });
+}
+
+void MainWindow::arrange() {
+  for (QDockWidget *dock : m_docks) {
+    dock->setFloating(false);
+    dock->show();
+  }
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  splitDockWidget(m_docks[1], m_docks[2], Qt::Vertical);
+  tabifyDockWidget(m_docks[2], m_docks[3]);
+  for (int i = 5; i < m_docks.size(); ++i)
+    tabifyDockWidget(m_docks[4], m_docks[i]);
+  m_docks[2]->raise();
+  m_docks[4]->raise();
+  resizeDocks({m_docks[0], m_docks[1]}, {640, 640}, Qt::Horizontal);
+  resizeDocks({m_docks[1], m_docks[2]}, {420, 150}, Qt::Vertical);
+  resizeDocks({m_docks[0], m_docks[4]}, {570, 190}, Qt::Vertical);
+}
+
+void MainWindow::buildStatus() {
+  m_status = new QLabel;
+  m_place = new QLabel(QStringLiteral("1:1"));
+  m_choice = new QLabel;
+  statusBar()->addWidget(m_status, 1);
+  statusBar()->addPermanentWidget(m_choice);
+  statusBar()->addPermanentWidget(m_place);
+  connect(m_editor, &CodeEditor::placeChanged, this, [this](int line, int column) {
+    m_place->setText(QStringLiteral("%1:%2").arg(line).arg(column));
+  });
+}
+
+void MainWindow::showStatus() {
+  m_status->setText(m_bench.statusText());
+  QPalette palette = this->palette();
+  const PictureState state = m_bench.pictureState();
+  if (state == PictureState::Wrong || state == PictureState::Held)
+    palette.setColor(QPalette::WindowText, colours().error);
+  m_status->setPalette(palette);
+  const RenderOptions &options = m_bench.renderer().options();
+  m_choice->setText(QStringList{options.profile.isEmpty() ? QStringLiteral("r300") : options.profile,
+                                options.numerics.isEmpty() ? QStringLiteral("host")
+                                                           : options.numerics,
+                                options.backend.isEmpty() ? QStringLiteral("auto")
+                                                          : options.backend}
+                        .join(QStringLiteral(" · ")));
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(QStringLiteral("%1[*] - Shader Builder").arg(m_bench.file().name()));
+  setWindowModified(m_bench.document().isModified());
+  m_docks[0]->setWindowTitle(m_bench.file().name() +
+                             (m_bench.document().isModified() ? QStringLiteral("*") : QString()));
+}
+
+void MainWindow::notice(const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); }
+
+QStringList MainWindow::panelNames() const {
+  QStringList names;
+  for (const QDockWidget *dock : m_docks)
+    names << dock->objectName();
+  return names;
+}
+
+void MainWindow::showPanel(const QString &name) {
+  for (QDockWidget *dock : m_docks) {
+    if (dock->objectName() != name)
+      continue;
+    dock->show();
+    dock->raise();
+    if (QWidget *inside = dock->widget()) {
+      QWidget *first = inside->focusPolicy() == Qt::NoFocus ? inside->nextInFocusChain() : inside;
+      while (first && first != inside && (first->focusPolicy() == Qt::NoFocus || !first->isVisible()))
+        first = first->nextInFocusChain();
+      if (name == tr("Program"))
+        first = m_editor;
+      if (first)
+        first->setFocus();
+    }
+  }
+}
+
+void MainWindow::setScheme(const QString &name) {
+  applyScheme(*qApp, schemeNamed(name));
+  QSettings().setValue(QStringLiteral("scheme"), name);
+  m_editor->refreshColours();
+  showStatus();
+  Q_EMIT m_bench.problemsChanged();
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event) {
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("layout"), saveState(kLayoutVersion));
+  event->accept();
+}
+
+} // namespace arbiter::builder

@@ -1,0 +1,88 @@
+#pragma once
+#include <QMainWindow>
+
+#include "builder/model/workbench.h"
+
+class QActionGroup;
+class QLabel;
+
+namespace arbiter::builder {
+
+class CodeEditor;
+class DebugPanel;
+class Gallery;
+class PicturePanel;
+class ProblemsPanel;
+class WordsPanel;
+
+/// The window: every panel a dock, all actions in menus with keys.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+public:
+  explicit MainWindow(Places places);
+
+  [[nodiscard]] Workbench &bench() { return m_bench; }
+  [[nodiscard]] CodeEditor &editor() { return *m_editor; }
+  [[nodiscard]] PicturePanel &picture() { return *m_picture; }
+
+  /// Opens a program, or the gallery of a folder. A complaint is shown.
+  void openPath(const QString &path);
+  void openText(const QString &text);
+  /// What processes that ended left behind is opened, or refused, as the user says.
+  void offerRecovery();
+  /// Brings a panel to the front by its name ("Debug") and gives it the focus.
+  void showPanel(const QString &name);
+  [[nodiscard]] QStringList panelNames() const;
+  void setScheme(const QString &name);
+  /// As it was when the window was closed last; else as it is made.
+  void restoreLayout();
+
+protected:
+  void closeEvent(QCloseEvent *event) override;
+  bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+  void buildPanels();
+  QDockWidget *addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area);
+  void arrange();
+
+  // actions.cpp
+  void buildMenus();
+  QAction *add(QMenu *menu, const QString &text, const QKeySequence &keys,
+               const std::function<void()> &action);
+  void buildChoices(QMenu *menu);
+  void addChoice(QMenu *menu, const QString &title, const QStringList &values,
+                 const std::function<void(const QString &)> &chosen);
+  void buildPanelMenu(QMenu *menu);
+  void anyAction();
+  void bindKeys();
+
+  // files.cpp
+  void newFile();
+  void openFile();
+  bool save();
+  bool saveAs();
+  bool mayDiscard();
+  void openCopy(const QString &path);
+  void exportPicture();
+  void askConflict(const QString &theirs);
+
+  void showStatus();
+  void showTitle();
+  void notice(const QString &text);
+  void buildStatus();
+
+  Workbench m_bench;
+  CodeEditor *m_editor = nullptr;
+  PicturePanel *m_picture = nullptr;
+  ProblemsPanel *m_problems = nullptr;
+  DebugPanel *m_debug = nullptr;
+  WordsPanel *m_words = nullptr;
+  Gallery *m_gallery = nullptr;
+  QList<QDockWidget *> m_docks;
+  QList<QAction *> m_actions;
+  QLabel *m_status = nullptr, *m_place = nullptr, *m_choice = nullptr;
+  QByteArray m_madeLayout;
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,218 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QListWidget>
+#include <QSlider>
+#include <QTest>
+#include <csignal>
+
+#include "builder/testing/model_test.h"
+#include "builder/view/editor/code_editor.h"
+#include "builder/view/picture/picture_panel.h"
+#include "builder/view/picture/picture_view.h"
+#include "builder/view/theme.h"
+#include "builder/view/window/main_window.h"
+
+namespace arbiter::builder {
+
+using testing::serve;
+using testing::waitFor;
+
+namespace {
+
+const QString kText = QStringLiteral("!!ARBfp1.0\n"
+                                     "#@ size 64 64\n"
+                                     "#@ local[0].x \"red\" = 0.25 in 0..1\n"
+                                     "PARAM red = program.local[0];\n"
+                                     "MOV result.color, {0, 0, 0, 1};\n"
+                                     "MOV result.color.x, red.x;\n"
+                                     "END\n");
+
+/// The window with a document, as a user has it before them.
+class Window : public ::testing::Test {
+protected:
+  Window() {
+    Places places = Places::standard();
+    places.journals = m_folder.filePath(QStringLiteral("journals"));
+    places.held = {};
+    window = std::make_unique<MainWindow>(places);
+    window->show();
+    window->bench().start();
+  }
+
+  Document &document() { return window->bench().document(); }
+  CodeEditor &editor() { return window->editor(); }
+  PictureView &picture() { return window->picture().view(); }
+  [[nodiscard]] QColor middle() {
+    const QImage &image = window->bench().picture();
+    return image.isNull() ? QColor() : image.pixelColor(image.width() / 2, image.height() / 2);
+  }
+  bool drawsNewest() {
+    return waitFor([&] { return window->bench().pictureState() == PictureState::Newest; });
+  }
+  void open(const QString &text) {
+    window->openText(text);
+    ASSERT_TRUE(drawsNewest()) << window->bench().statusText().toStdString();
+  }
+  [[nodiscard]] int squiggles() {
+    int count = 0;
+    for (const auto &mark : editor().extraSelections())
+      count += mark.format.underlineStyle() == QTextCharFormat::WaveUnderline;
+    return count;
+  }
+
+  QTemporaryDir m_folder;
+  std::unique_ptr<MainWindow> window;
+};
+
+} // namespace
+
+/// The whole way: type a mistake, see it marked and the picture stay, mend it, move the slider, see
+/// the pixels change, take it back.
+TEST_F(Window, TypeBreakMendSlide) {
+  open(kText);
+  EXPECT_EQ(middle().red(), 64);
+  editor().setFocus();
+  editor().goTo(kText.indexOf(QStringLiteral("red.x;")) + 3);
+  QTest::keyClicks(&editor(), QStringLiteral("d"));
+  EXPECT_TRUE(document().text().contains(QStringLiteral("redd.x")));
+  ASSERT_TRUE(waitFor([&] { return squiggles() > 0; }));
+  ASSERT_TRUE(waitFor([&] { return window->bench().pictureState() == PictureState::Wrong; }));
+  EXPECT_EQ(middle().red(), 64) << "the last good picture is gone";
+  EXPECT_EQ(editor().textCursor().position(), kText.indexOf(QStringLiteral("red.x;")) + 4);
+  QTest::keyClick(&editor(), Qt::Key_Backspace);
+  ASSERT_TRUE(waitFor([&] { return squiggles() == 0; }));
+  ASSERT_TRUE(drawsNewest());
+  auto *slider = window->findChild<QSlider *>(QStringLiteral("slider-0-0"));
+  ASSERT_NE(slider, nullptr);
+  slider->setSliderDown(true);
+  slider->setValue(1000);
+  ASSERT_TRUE(waitFor([&] { return middle().red() == 255; }));
+  EXPECT_EQ(document().text(), kText) << "a slider that is held changed the text";
+  slider->setSliderDown(false);
+  EXPECT_TRUE(document().text().contains(QStringLiteral("= 1 in 0..1")));
+  document().undo();
+  ASSERT_TRUE(waitFor([&] { return middle().red() == 64; }));
+  EXPECT_EQ(document().text(), kText);
+}
+
+TEST_F(Window, ARendererKilledWhileTypingLosesNoCharacter) {
+  open(kText);
+  editor().setFocus();
+  editor().goTo(kText.size());
+  QString typed;
+  for (int i = 0; i < 50; ++i) {
+    const QString word = QStringLiteral("# %1 ").arg(i);
+    QTest::keyClicks(&editor(), word);
+    typed += word;
+    if (const qint64 process = window->bench().renderer().processId(); process > 0 && i % 5 == 0)
+      ::kill(pid_t(process), SIGKILL);
+  }
+  EXPECT_EQ(document().text(), kText + typed);
+  EXPECT_EQ(editor().toPlainText(), kText + typed);
+  EXPECT_TRUE(drawsNewest());
+}
+
+TEST_F(Window, WhatOthersChangeIsShownAndTheCursorStays) {
+  open(kText);
+  editor().goTo(20);
+  document().replace(kText.size(), 0, QString::fromUtf8("# \xf0\x9f\x8e\xa8\xc2\xa0x\n"), Origin::Outside,
+                     QStringLiteral("outside"));
+  EXPECT_EQ(editor().textCursor().position(), 20);
+  QTest::keyClicks(&editor(), QStringLiteral(" "));
+  EXPECT_TRUE(document().text().endsWith(QString::fromUtf8("# \xf0\x9f\x8e\xa8\xc2\xa0x\n")))
+      << "a space that does not break became another";
+  document().undo();
+  document().undo();
+  EXPECT_EQ(document().text(), kText);
+  EXPECT_EQ(editor().toPlainText(), kText);
+}
+
+TEST_F(Window, CompletionIsTakenByKeys) {
+  open(kText);
+  window->activateWindow();
+  editor().setFocus();
+  editor().goTo(kText.indexOf(QStringLiteral("END")));
+  QTest::keyClicks(&editor(), QStringLiteral("RSQ"));
+  auto *list = editor().findChild<QListWidget *>();
+  ASSERT_NE(list, nullptr);
+  QTest::keyClick(&editor(), Qt::Key_Backspace);
+  editor().complete();
+  ASSERT_TRUE(waitFor([&] { return list->isVisible() && list->currentItem(); }));
+  EXPECT_TRUE(list->currentItem()->text().startsWith(QStringLiteral("RS")));
+  QTest::keyClick(&editor(), Qt::Key_Return);
+  EXPECT_TRUE(document().text().contains(QStringLiteral("RSQ"))) << document().text().toStdString();
+}
+
+TEST_F(Window, ProblemsAreListedAndGoneTo) {
+  open(kText);
+  document().replace(kText.indexOf(QStringLiteral("END")), 0, QStringLiteral("BAD x;\n"),
+                     Origin::Tool, QStringLiteral("edit"));
+  ASSERT_TRUE(waitFor([&] { return !window->bench().problems().isEmpty(); }));
+  editor().goTo(0);
+  editor().goToProblem(true);
+  EXPECT_EQ(editor().textCursor().blockNumber() + 1, window->bench().problems()[0].line);
+  auto *dock = window->findChild<QDockWidget *>(QStringLiteral("Problems"));
+  EXPECT_EQ(dock->windowTitle(), QStringLiteral("Problems %1").arg(window->bench().problems().size()));
+}
+
+TEST_F(Window, EveryPanelIsReachedByKeysAndKeepsItsPlace) {
+  open(kText);
+  for (const QString &name : window->panelNames()) {
+    window->showPanel(name);
+    auto *dock = window->findChild<QDockWidget *>(name);
+    ASSERT_NE(dock, nullptr);
+    EXPECT_TRUE(waitFor([&] { return dock->widget()->isVisible(); }, 5000)) << name.toStdString();
+  }
+  QStringList keys;
+  for (QAction *action : window->findChildren<QAction *>())
+    if (!action->shortcut().isEmpty()) {
+      EXPECT_FALSE(keys.contains(action->shortcut().toString()))
+          << action->shortcut().toString().toStdString() << " has two meanings";
+      keys << action->shortcut().toString();
+    }
+  EXPECT_GT(keys.size(), 25);
+}
+
+TEST(PictureView, APixelOfTheWidgetIsAPixelOfThePicture) {
+  PictureView view;
+  QImage image(8, 4, QImage::Format_RGBA8888);
+  image.fill(Qt::black);
+  image.setPixelColor(5, 0, Qt::red); // GL's topmost row, y 3
+  view.setPicture(image);
+  for (const QSize size : {QSize(100, 100), QSize(333, 217), QSize(41, 90)})
+    for (const double zoom : {0.0, 1.0, 3.0}) {
+      view.resize(size);
+      view.setZoom(zoom);
+      for (int x = 0; x < 8; ++x)
+        for (int y = 0; y < 4; ++y) {
+          const QRectF box = view.rectOf({x, y});
+          EXPECT_EQ(view.pixelAt(box.center()), QPoint(x, y));
+          EXPECT_EQ(view.pixelAt(box.topLeft() + QPointF(0.01, 0.01)), QPoint(x, y));
+        }
+      EXPECT_EQ(view.pixelAt({-1, -1}), std::nullopt);
+    }
+  EXPECT_EQ(view.colourAt({5, 3}), QColor(Qt::red));
+  QPoint picked(-1, -1);
+  QObject::connect(&view, &PictureView::pixelPicked, [&](QPoint pixel) { picked = pixel; });
+  view.show();
+  QTest::mouseClick(&view, Qt::LeftButton, {}, view.rectOf({5, 3}).center().toPoint());
+  EXPECT_EQ(picked, QPoint(5, 3));
+  QTest::keyClick(&view, Qt::Key_Left);
+  EXPECT_EQ(picked, QPoint(3, 2)) << "without a mark, from the middle";
+}
+
+TEST(Theme, TextsHaveTheContrastOfTheGuideline) {
+  for (const Scheme scheme : {Scheme::Light, Scheme::Dark}) {
+    applyScheme(*qApp, scheme);
+    const Colours &c = colours();
+    for (const QColor &text : {c.text, c.dim, c.error, c.warning, c.note, c.opcode, c.keyword,
+                               c.option, c.binding, c.name, c.parameter, c.number, c.comment, c.panel})
+      for (const QColor &ground : {c.background, c.line, c.traced})
+        EXPECT_GE(contrast(text, ground), ground == c.traced ? 4.0 : 4.5)
+            << text.name().toStdString() << " on " << ground.name().toStdString();
+  }
+  applyScheme(*qApp, Scheme::Light);
+}
+
+} // namespace arbiter::builder

@@ -1,0 +1,42 @@
+#include <filesystem>
+
+#include "tools/commands.h"
+#include "tools/input.h"
+#include "tools/launch.h"
+
+namespace arbiter::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the command, as installed; or where a build tree has it.
+std::string findWindow() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error)
+    return {};
+  const fs::path here = self.parent_path();
+  for (const fs::path &place :
+       {here / "arbiter-builder", here.parent_path() / "builder" / "view" / "arbiter-builder"})
+    if (fs::exists(place, error))
+      return place.string();
+  return {};
+}
+
+} // namespace
+
+int builder(const BuilderArguments &arguments) {
+  const std::string window = findWindow();
+  if (window.empty()) {
+    complain("arbiter-builder is not installed beside this command; it is built where Qt 6 is "
+             "(qt6-base-dev)");
+    return kExitUsage;
+  }
+  std::vector<std::string> command = {window};
+  if (!arguments.document.empty())
+    command.insert(command.end(), {"--", arguments.document});
+  return execute({}, command);
+}
+
+} // namespace arbiter::tools

@@ -1,0 +1,33 @@
+#include "tools/check/json.h"
+#include "tools/language.h"
+#include "tools/lsp/server.h"
+#include "util/json.h"
+
+namespace arbiter::tools::lsp {
+
+namespace {
+constexpr int kInvalidParams = -32602;
+}
+
+/// What `arbiter check --json` says of the file, for an editor's gauges: counts against limits, and
+/// why the native ones are what they are.
+Server::Reply Server::reportOf(const Json &params) {
+  Document *document = find(params);
+  if (!document)
+    return RpcError{kInvalidParams, "no open document of this URI"};
+  CheckedFile file;
+  file.name = document->uri();
+  file.text = document->text();
+  file.language = document->analysis(m_profile).language;
+  file.limits = limitsOf(m_profile, file.language);
+  file.result = fp::checkProgram(file.language, file.text, {file.limits, fp::LimitPolicy::Enforce});
+  if (!file.result.ok())
+    file.status = FileStatus::Invalid;
+  else if (!file.result.underNativeLimits)
+    file.status = FileStatus::OverNative;
+  JsonWriter json;
+  writeFile(json, file, &m_profile);
+  return Json::parse(json.take(), nullptr, false);
+}
+
+} // namespace arbiter::tools::lsp
