@@ -77,7 +77,7 @@ protected:
   }
   /// Until the server has seen that clients are gone.
   void awaitClients(int count) {
-    for (int i = 0; i < 1000 && m_echo.clients != count; ++i)
+    for (int i = 0; i < 6000 && m_echo.clients != count; ++i)
       std::this_thread::sleep_for(10ms);
     EXPECT_EQ(m_echo.clients, count);
   }

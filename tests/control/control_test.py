@@ -358,6 +358,12 @@ class Hostile(Controlled):
                 self.assertEqual([row['enabled'] for row in self.programs()
                                   if row['id'] == program], [False])
             self.assertTrue(output.waits_for('0 255 0'))
+            with Raw(path) as raw:  # TICKER loads its text again and again
+                self.assertGreaterEqual(raw.call('ping')['result']['idle'], 0)
+                line = raw.line()
+                while line.get('method') != 'program.loaded':
+                    line = raw.line()
+                self.assertEqual(line['params'], {'id': program})
 
     def test_the_socket_goes_with_the_process(self):
         with self.running(TICKER, 'fragment', '30') as output:
