@@ -64,10 +64,10 @@ void frameEnds(Context &context) {
 /// Contexts that end frames answer, if there are any.
 void beforeDraw(Context &context) {
   remote::Session *const session = remote::Session::instance();
-  if (!session || session->endsFrames())
+  if (!session || !session->isBusy()) [[likely]] // by each of its draws
     return;
   session->noteActivity(false);
-  if (session->isBusy() && isOpen(context)) [[unlikely]]
+  if (!session->endsFrames() && isOpen(context))
     session->serve(context);
 }
 

@@ -112,6 +112,8 @@ void refreshFromFolder(Context &context, ReplacementFolder &folder) {
 void refreshFromEdits(Context &context) {
   ProgramEdits &edits = ProgramEdits::instance();
   const std::uint64_t now = edits.generation();
+  if (now == 0) [[likely]] // no client ever changed anything
+    return;
   const std::uint64_t since = edits.seenBy(context, now);
   if (since == now)
     return;
