@@ -243,6 +243,27 @@ class Render(unittest.TestCase):
                     r.call('ping')
             r.close()
 
+    def test_what_is_no_socket_is_said(self):
+        result = subprocess.run([ARBITER, 'render', '--fd', '1', *self.OPTIONS],
+                                env=plain(), capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn('--fd 1: is no connected socket', result.stderr)
+
+    def test_it_listens_where_it_prints(self):
+        process = subprocess.Popen([ARBITER, 'render', *self.OPTIONS], text=True,
+                                   env=plain(XDG_RUNTIME_DIR=str(self.folder)),
+                                   stdout=subprocess.PIPE)
+        path = process.stdout.readline().strip()
+        self.assertEqual(path, f'{self.folder}/arbiter/{process.pid}.render.sock')
+        with socket.socket(socket.AF_UNIX) as client:
+            client.settimeout(PATIENCE)
+            client.connect(path)
+            client.sendall(b'{"jsonrpc": "2.0", "id": 1, "method": "ping"}\n')
+            self.assertIn(b'"busy"', client.recv(4096))
+        process.terminate()
+        process.wait(PATIENCE)
+        process.stdout.close()
+
 
 class Bare(Render):
     """The host's own implementation, as the B of A and B."""

@@ -19,8 +19,14 @@ namespace {
 
 /// The socket that the arguments ask for.
 std::unique_ptr<control::Server> openServer(const RenderArguments &arguments, std::string &fault) {
-  if (arguments.descriptor >= 0)
-    return control::Server::connected(control::Descriptor(arguments.descriptor));
+  if (arguments.descriptor >= 0) {
+    pid_t peer = 0;
+    if (control::isOwnPeer(arguments.descriptor, peer))
+      return control::Server::connected(control::Descriptor(arguments.descriptor));
+    fault = "--fd " + std::to_string(arguments.descriptor) +
+            ": is no connected socket whose other end is this user's";
+    return nullptr;
+  }
   const auto folder = control::socketFolder();
   if (!folder) {
     fault = folder.error().message;
