@@ -158,8 +158,12 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   answer.animated = result[u"animated"].toBool();
   answer.milliseconds = result[u"milliseconds"].toDouble();
   const QByteArray bytes = scene.text.toUtf8();
-  for (const QJsonValue &each : result[u"diagnostics"].toArray())
-    answer.problems.append(problemOf(each, bytes));
+  for (const QJsonValue &each : result[u"diagnostics"].toArray()) {
+    Problem problem = problemOf(each, bytes);
+    if (problem.file == scene.name)
+      problem.file.clear(); // the text itself
+    answer.problems.append(problem);
+  }
   if (!error.isEmpty())
     answer.problems.append(
         {Severity::Error, QStringLiteral("renderer"), error[u"message"].toString(), {}, {}, 0, 0});
