@@ -43,8 +43,8 @@ Places Places::standard() {
   Places places;
   places.arbiter = qEnvironmentVariable("ARBITER_COMMAND");
   if (places.arbiter.isEmpty())
-    places.arbiter = firstThatExists({here + QStringLiteral("/arbiter"),
-                                      here + QStringLiteral("/../../tools/arbiter")});
+    places.arbiter = firstThatExists(
+        {here + QStringLiteral("/arbiter"), here + QStringLiteral("/../../tools/arbiter")});
   if (places.arbiter.isEmpty())
     places.arbiter = QStringLiteral("arbiter");
   places.journals = state + QStringLiteral("/journals");
@@ -84,9 +84,8 @@ Workbench::Workbench(Places places, QObject *parent)
     m_why = why;
     setState(PictureState::Held);
   });
-  connect(&m_session, &RendererSession::restarted, this, [this](const QString &why) {
-    Q_EMIT notice(tr("%1; it is started anew").arg(why));
-  });
+  connect(&m_session, &RendererSession::restarted, this,
+          [this](const QString &why) { Q_EMIT notice(tr("%1; it is started anew").arg(why)); });
   connect(&m_other, &RendererSession::drew, this, [this](const Frame &frame) {
     m_pinned = frame.image;
     Q_EMIT pinnedChanged();
@@ -138,8 +137,7 @@ void Workbench::sliderMoved(int line, int component, double) {
   live.index = moved.index;
   if (languageOf(document().text()) == fp::ir::Language::ArbVertex)
     live.stage = QStringLiteral("vertex");
-  live.value[std::size_t(moved.components[component].index)] =
-      m_parameters.value(line, component);
+  live.value[std::size_t(moved.components[component].index)] = m_parameters.value(line, component);
   const bool animated = !moved.animation.isEmpty();
   if (animated || m_otherOptions || !m_session.setParameter(live))
     m_redraw.start();
@@ -244,9 +242,9 @@ void Workbench::debugPixel(QPoint pixel) {
   m_debugTool.run(words, scene(), [this](const ToolResult &result) {
     if (result.finished && m_trace.take(result.json()))
       return;
-    Q_EMIT traceFailed(result.complaint.isEmpty() ? tr("the debugger ended with code %1")
-                                                        .arg(result.code)
-                                                  : result.complaint);
+    Q_EMIT traceFailed(result.complaint.isEmpty()
+                           ? tr("the debugger ended with code %1").arg(result.code)
+                           : result.complaint);
   });
   Q_EMIT pictureChanged(); // its mark
 }
@@ -265,7 +263,8 @@ void Workbench::watchRow(int row) {
                   scene(), [this, file, what](const ToolResult &result) {
                     QImage image;
                     if (!image.load(file->fileName(), "PNG"))
-                      return Q_EMIT notice(tr("%1 cannot be shown: %2").arg(what, result.complaint));
+                      return Q_EMIT notice(
+                          tr("%1 cannot be shown: %2").arg(what, result.complaint));
                     m_otherOptions.reset();
                     m_pinned = image.convertToFormat(QImage::Format_RGBA8888);
                     m_pinnedName = what;

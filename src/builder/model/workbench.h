@@ -66,8 +66,8 @@ public:
   /// Traces a pixel of the picture: from the left, from the bottom.
   void debugPixel(QPoint pixel);
   [[nodiscard]] std::optional<QPoint> debuggedPixel() const { return m_pixel; }
-  /// Makes A of a register's values after a row of the trace, over the whole picture: [0,1] is black
-  /// to white.
+  /// Makes A of a register's values after a row of the trace, over the whole picture: [0,1] is
+  /// black to white.
   void watchRow(int row);
 
   /// Takes the newest picture as A; what is drawn from here on is B. Its text and options are kept.
@@ -123,8 +123,8 @@ private:
   QImage m_pinned;
   QString m_pinnedName;
   std::optional<RenderOptions> m_otherOptions;
-  qint64 m_drawNumber = 0;              ///< of scenes; held sliders draw one revision many times
-  QHash<qint64, qint64> m_revisionOf;   ///< the document's revision by draw number
+  qint64 m_drawNumber = 0;            ///< of scenes; held sliders draw one revision many times
+  QHash<qint64, qint64> m_revisionOf; ///< the document's revision by draw number
 };
 
 } // namespace arbiter::builder

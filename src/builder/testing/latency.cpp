@@ -1,6 +1,6 @@
-// How long the window takes, in milliseconds: from its start to the first picture, from a key to the
-// squiggle, from a key to the new pixels, from a slider to the new pixels. Pixels count when the
-// picture's widget has painted them.
+// How long the window takes, in milliseconds: from its start to the first picture, from a key to
+// the squiggle, from a key to the new pixels, from a slider to the new pixels. Pixels count when
+// the picture's widget has painted them.
 //   QT_QPA_PLATFORM=offscreen ARBITER_COMMAND=.../arbiter builder_latency [TURNS]
 #include <QApplication>
 #include <QElapsedTimer>
@@ -33,7 +33,8 @@ QString program(int instructions) {
                                 "TEMP t;\nMOV t, fragment.texcoord[0];\n");
   for (int i = 0; i < instructions - 4; ++i)
     text += QStringLiteral("MAD t, t, 0.99, fragment.texcoord[0].yxwz;\n");
-  return text + QStringLiteral("MUL t, t, 0.0;\nADD t, t, tone;\nADD result.color, t, red.x;\nEND\n");
+  return text +
+         QStringLiteral("MUL t, t, 0.0;\nADD t, t, tone;\nADD result.color, t, red.x;\nEND\n");
 }
 
 void print(const char *what, std::vector<double> times) {

@@ -38,9 +38,10 @@ int main(int argc, char **argv) {
                                QStringLiteral("[FILE|FOLDER]"));
   const QCommandLineOption scheme(QStringLiteral("colours"), QObject::tr("system, light or dark"),
                                   QStringLiteral("SCHEME"));
-  const QCommandLineOption shot(QStringLiteral("screenshot"),
-                                QObject::tr("write a picture of the window when it has drawn, and end"),
-                                QStringLiteral("PNG"));
+  const QCommandLineOption shot(
+      QStringLiteral("screenshot"),
+      QObject::tr("write a picture of the window when it has drawn, and end"),
+      QStringLiteral("PNG"));
   const QCommandLineOption panel(QStringLiteral("panel"),
                                  QObject::tr("the panel to bring to the front"),
                                  QStringLiteral("NAME"));
@@ -55,8 +56,9 @@ int main(int argc, char **argv) {
     return fail(QObject::tr("one document at a time"));
 
   QSettings settings;
-  const QString colours = parser.isSet(scheme) ? parser.value(scheme)
-                                               : settings.value(QStringLiteral("scheme")).toString();
+  const QString colours = parser.isSet(scheme)
+                              ? parser.value(scheme)
+                              : settings.value(QStringLiteral("scheme")).toString();
   applyScheme(application, schemeNamed(colours));
   MainWindow window(Places::standard());
   const bool shooting = parser.isSet(shot);
@@ -66,7 +68,7 @@ int main(int argc, char **argv) {
     window.openPath(parser.positionalArguments().constFirst());
   window.bench().start(); // first: its processes start while the window is laid out
   window.show();
-  window.showPanel(parser.isSet(panel)                        ? parser.value(panel)
+  window.showPanel(parser.isSet(panel)                      ? parser.value(panel)
                    : parser.positionalArguments().isEmpty() ? QObject::tr("Gallery")
                                                             : QObject::tr("Program"));
   if (shooting)

@@ -41,7 +41,7 @@ Colours darkColours() {
   c.text = QColor(0xe3e6ea);
   c.dim = QColor(0x9aa4af);
   c.line = QColor(0x24282f);
-  c.traced = QColor(0x4a4216);
+  c.traced = QColor(0x3b3510);
   c.error = QColor(0xff8a80);
   c.warning = QColor(0xffc46b);
   c.note = QColor(0x8cc3ff);
@@ -102,8 +102,7 @@ double luminance(const QColor &color) {
 const Colours &colours() { return current(); }
 
 void applyScheme(QApplication &application, Scheme scheme) {
-  static const bool desktopIsDark =
-      application.palette().color(QPalette::Window).lightness() < 128;
+  static const bool desktopIsDark = application.palette().color(QPalette::Window).lightness() < 128;
   const bool dark = scheme == Scheme::Dark || (scheme == Scheme::System && desktopIsDark);
   current() = dark ? darkColours() : lightColours();
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -9,7 +9,7 @@ namespace arbiter::builder {
 enum class Scheme { System, Light, Dark };
 
 /// The colours of what Qt's palette has none for. Texts have a contrast of 4.5 or more on the
-/// editor's background, in both schemes; view/theme_test.cpp counts it.
+/// editor's background, in both schemes; view/window/window_test.cpp counts it.
 struct Colours {
   bool dark = false;
   QColor background, text, dim; ///< of the editor

@@ -14,9 +14,13 @@ void addGauges(const QJsonObject &counts, QList<Gauge> &gauges) {
     if (!counts.contains(name))
       continue;
     const QJsonValue count = counts[name];
-    gauges.append({name, QString::fromLatin1(row.title), count[u"used"].toInt(),
-                   count[u"limit"].toInt(), count[u"native_used"].toInt(),
-                   count[u"native_limit"].toInt(), {}});
+    gauges.append({name,
+                   QString::fromLatin1(row.title),
+                   count[u"used"].toInt(),
+                   count[u"limit"].toInt(),
+                   count[u"native_used"].toInt(),
+                   count[u"native_limit"].toInt(),
+                   {}});
   }
 }
 

@@ -37,8 +37,8 @@ struct NodeLine {
 struct Report {
   QString status; ///< "valid", "invalid", "over_native"
   QString profile;
-  QList<Gauge> gauges;        ///< empty of a program that does not load
-  QMap<int, LineCost> lines;  ///< by line, from 1
+  QList<Gauge> gauges;       ///< empty of a program that does not load
+  QMap<int, LineCost> lines; ///< by line, from 1
   QList<NodeLine> nodes;
   double cycles = 0; ///< a fragment; 0 where the card has no model
   QString bound;     ///< the unit that decides them

@@ -49,8 +49,9 @@ TEST(LspMessages, AreCutWhereTheirHeadersSay) {
     all += messages.take(QByteArray(1, c));
   ASSERT_EQ(all.size(), 2);
   EXPECT_EQ(all[1][u"b"].toInt(), 2);
-  for (const QByteArray &bad : {QByteArray("Content-Length: -5\r\n\r\n"), QByteArray("X: y\r\n\r\n"),
-                                QByteArray("Content-Length: 99999999999\r\n\r\n"), QByteArray(5000, 'x')}) {
+  for (const QByteArray &bad :
+       {QByteArray("Content-Length: -5\r\n\r\n"), QByteArray("X: y\r\n\r\n"),
+        QByteArray("Content-Length: 99999999999\r\n\r\n"), QByteArray(5000, 'x')}) {
     LspMessages broken;
     EXPECT_TRUE(broken.take(bad).isEmpty());
     EXPECT_TRUE(broken.broken()) << bad.left(40).constData();

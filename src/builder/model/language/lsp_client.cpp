@@ -45,8 +45,7 @@ void LspClient::start() {
   m_messages.clear();
   connect(m_process, &QProcess::readyReadStandardOutput, this, &LspClient::read);
   connect(m_process, &QProcess::bytesWritten, this, &LspClient::sendText);
-  connect(m_process, &QProcess::finished, this,
-          [this] { ended(tr("the language server ended")); });
+  connect(m_process, &QProcess::finished, this, [this] { ended(tr("the language server ended")); });
   connect(m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart)
       ended(tr("%1 cannot be started: problems are not shown").arg(m_program));
@@ -57,12 +56,13 @@ void LspClient::start() {
   QJsonObject options;
   if (!m_profile.isEmpty())
     options[u"profile"] = m_profile;
-  call(QStringLiteral("initialize"),
-       {{"processId", QCoreApplication::applicationPid()},
-        {"rootUri", QJsonValue()},
-        {"capabilities", QJsonObject()},
-        {"initializationOptions", options}},
-       [this](const QJsonValue &result) { initialized(result.toObject()); }, -1);
+  call(
+      QStringLiteral("initialize"),
+      {{"processId", QCoreApplication::applicationPid()},
+       {"rootUri", QJsonValue()},
+       {"capabilities", QJsonObject()},
+       {"initializationOptions", options}},
+      [this](const QJsonValue &result) { initialized(result.toObject()); }, -1);
   m_watchdog.start();
 }
 
@@ -217,9 +217,10 @@ void LspClient::ended(const QString &why) {
     m_restart.start();
   else
     m_heldRevision = m_revision;
-  Q_EMIT troubled(again     ? tr("%1; it is started anew").arg(why)
-                : started ? tr("%1 by this text; it is started anew when the text changes").arg(why)
-                          : why);
+  Q_EMIT troubled(again ? tr("%1; it is started anew").arg(why)
+                  : started
+                      ? tr("%1 by this text; it is started anew when the text changes").arg(why)
+                      : why);
 }
 
 } // namespace arbiter::builder

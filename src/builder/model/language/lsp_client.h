@@ -11,9 +11,9 @@
 
 namespace arbiter::builder {
 
-/// One text in the hands of a language server, `arbiter lsp`, in a process of its own. A server that
-/// ends, or answers nothing for long, is started anew with the newest text; one that ends by the same
-/// text time and again is given that text no more until it changes.
+/// One text in the hands of a language server, `arbiter lsp`, in a process of its own. A server
+/// that ends, or answers nothing for long, is started anew with the newest text; one that ends by
+/// the same text time and again is given that text no more until it changes.
 class LspClient : public QObject {
   Q_OBJECT
 public:

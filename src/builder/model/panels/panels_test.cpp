@@ -11,13 +11,13 @@ namespace arbiter::builder {
 
 namespace {
 
-const QString kText =
-    QString::fromUtf8("!!ARBfp1.0\n"
-                      "# gr\xc3\xb6\xc3\x9f" "er\n"
-                      "#@ local[0].x \"amount\" = 0.5 in 0..2 animate sine 5s\n"
-                      "#@ local[1] \"tint\" = 1 0.5 0.25 1 colour\n"
-                      "#@ texture 0 = checker 64 64 cells 4, nearest, edge\n"
-                      "MOV result.color, program.local[0];\nEND\n");
+const QString kText = QString::fromUtf8("!!ARBfp1.0\n"
+                                        "# gr\xc3\xb6\xc3\x9f"
+                                        "er\n"
+                                        "#@ local[0].x \"amount\" = 0.5 in 0..2 animate sine 5s\n"
+                                        "#@ local[1] \"tint\" = 1 0.5 0.25 1 colour\n"
+                                        "#@ texture 0 = checker 64 64 cells 4, nearest, edge\n"
+                                        "MOV result.color, program.local[0];\nEND\n");
 
 } // namespace
 

@@ -98,8 +98,7 @@ QString Parameters::numberText(double value) {
 
 void Parameters::drag(int line, int component, double value) {
   if (line < 0 || line >= m_lines.size() || component < 0 ||
-      component >= m_lines[line].components.size() ||
-      m_lines[line].components[component].at < 0)
+      component >= m_lines[line].components.size() || m_lines[line].components[component].at < 0)
     return;
   const auto held = std::find_if(m_held.begin(), m_held.end(), [&](const Held &each) {
     return each.line == line && each.component == component;

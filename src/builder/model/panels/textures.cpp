@@ -8,7 +8,9 @@ namespace arbiter::builder {
 
 namespace {
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
 
 TextureLine lineOf(const scene::TextureSpec &spec, const QString &all, const UtfMap &map) {
   TextureLine line;

@@ -12,7 +12,7 @@ struct TextureLine {
   QString source; ///< as the text has it: "twirl 512 512 radius 0.47 turn 4.5"
   QString filter, wrap;
   bool isFile = false;
-  int line = 1; ///< in the text, from 1
+  int line = 1;                 ///< in the text, from 1
   qsizetype begin = 0, end = 0; ///< of the whole clause, in UTF-16 units
 };
 

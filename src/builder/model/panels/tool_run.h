@@ -24,8 +24,8 @@ struct ToolResult {
   [[nodiscard]] QJsonObject json() const;
 };
 
-/// One command of `arbiter` at a time, in a process of its own: a new one takes the place of one that
-/// runs. One that takes too long, or writes too much, is ended.
+/// One command of `arbiter` at a time, in a process of its own: a new one takes the place of one
+/// that runs. One that takes too long, or writes too much, is ended.
 class ToolRun : public QObject {
   Q_OBJECT
 public:

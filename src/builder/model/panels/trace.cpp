@@ -118,9 +118,8 @@ QList<std::pair<QString, TraceValue>> Trace::registers() const {
   QList<std::pair<QString, TraceValue>> all;
   for (int i = m_current; i >= 0; --i) {
     const TraceRow &row = m_rows[i];
-    const bool seen = std::any_of(all.cbegin(), all.cend(), [&](const auto &each) {
-      return each.first == row.destination;
-    });
+    const bool seen = std::any_of(all.cbegin(), all.cend(),
+                                  [&](const auto &each) { return each.first == row.destination; });
     if (!row.destination.isEmpty() && row.value.known && !seen)
       all.append({row.destination, row.value});
   }

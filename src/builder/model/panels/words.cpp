@@ -12,7 +12,9 @@ namespace {
 using fp::ir::Language;
 namespace reference = fp::reference;
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
 
 QString signatureOf(fp::ir::Opcode op, const fp::ir::OpInfo &info) {
   QStringList operands;
@@ -52,16 +54,28 @@ void add(QList<Word> &all, Word word) {
 void addEntries(QList<Word> &all, WordKind kind, std::span<const reference::Entry> entries,
                 bool fragment) {
   for (const reference::Entry &entry : entries)
-    add(all, {kind, text(entry.word), text(entry.word), {}, text(entry.doc), text(entry.section),
-              fragment, !fragment});
+    add(all, {kind,
+              text(entry.word),
+              text(entry.word),
+              {},
+              text(entry.doc),
+              text(entry.section),
+              fragment,
+              !fragment});
 }
 
 void addBindings(QList<Word> &all, Language language) {
   const bool fragment = language == Language::ArbFragment;
   for (const reference::Binding &binding : reference::bindings(language)) {
     const QString path = QString::fromStdString(binding.path());
-    add(all, {WordKind::Binding, path, path + QStringLiteral("  ") + text(binding.components), {},
-              text(binding.doc), text(binding.section), fragment, !fragment});
+    add(all, {WordKind::Binding,
+              path,
+              path + QStringLiteral("  ") + text(binding.components),
+              {},
+              text(binding.doc),
+              text(binding.section),
+              fragment,
+              !fragment});
   }
 }
 

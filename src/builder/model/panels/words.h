@@ -25,8 +25,8 @@ struct Word {
 /// All words of the ARB languages and of `#@` lines, made of the tables that the parser is made of.
 [[nodiscard]] const QList<Word> &allWords();
 
-/// The words that a search finds, the best first: words that begin with it, then those that have it,
-/// then those whose meaning has it. All of them for an empty one.
+/// The words that a search finds, the best first: words that begin with it, then those that have
+/// it, then those whose meaning has it. All of them for an empty one.
 [[nodiscard]] QList<Word> searchWords(const QString &search);
 
 /// The language that a text's header names; fragment programs' without one.

@@ -137,14 +137,12 @@ void ControlRenderer::draw(const Scene &scene) {
   // The same text may be sent twice, and the protocol's revisions must grow.
   m_revisions.insert(++m_sent, scene.revision);
   m_revisions.remove(m_sent - kKeptRevisions);
-  m_client->call(QStringLiteral("scene.set"),
-                 {{"text", scene.text},
-                  {"revision", m_sent},
-                  {"name", scene.name},
-                  {"files", files}},
-                 [this, scene](const QJsonObject &result, const QJsonObject &error) {
-                   answer(result, error, scene);
-                 });
+  m_client->call(
+      QStringLiteral("scene.set"),
+      {{"text", scene.text}, {"revision", m_sent}, {"name", scene.name}, {"files", files}},
+      [this, scene](const QJsonObject &result, const QJsonObject &error) {
+        answer(result, error, scene);
+      });
 }
 
 void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error,
@@ -158,8 +156,12 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   answer.animated = result[u"animated"].toBool();
   answer.milliseconds = result[u"milliseconds"].toDouble();
   const QByteArray bytes = scene.text.toUtf8();
-  for (const QJsonValue &each : result[u"diagnostics"].toArray())
-    answer.problems.append(problemOf(each, bytes));
+  for (const QJsonValue &each : result[u"diagnostics"].toArray()) {
+    Problem problem = problemOf(each, bytes);
+    if (problem.file == scene.name)
+      problem.file.clear(); // the text itself
+    answer.problems.append(problem);
+  }
   if (!error.isEmpty())
     answer.problems.append(
         {Severity::Error, QStringLiteral("renderer"), error[u"message"].toString(), {}, {}, 0, 0});
@@ -172,10 +174,12 @@ void ControlRenderer::event(const QString &method, const QJsonObject &params) {
       kill(); // a renderer that breaks the protocol is none
   } else if (method == u"frame") {
     const auto image = m_buffer.picture(params);
-    m_client->notify(QStringLiteral("frame.release"), {{"serial", params[u"serial"]}, {"slot", params[u"slot"]}});
+    m_client->notify(QStringLiteral("frame.release"),
+                     {{"serial", params[u"serial"]}, {"slot", params[u"slot"]}});
     if (image)
-      Q_EMIT drew({*image, m_revisions.value(params[u"revision"].toInteger()), params[u"number"].toInteger(),
-                 params[u"time"].toDouble(), params[u"milliseconds"].toDouble()});
+      Q_EMIT drew({*image, m_revisions.value(params[u"revision"].toInteger()),
+                   params[u"number"].toInteger(), params[u"time"].toDouble(),
+                   params[u"milliseconds"].toDouble()});
   } else if (method == u"busy") {
     Q_EMIT busy(params[u"milliseconds"].toDouble());
   }
@@ -187,10 +191,9 @@ bool ControlRenderer::setParameter(const LiveValue &live) {
   QJsonArray value;
   for (const auto &component : live.value)
     value.append(component ? QJsonValue(*component) : QJsonValue());
-  m_client->call(QStringLiteral("scene.param"), {{"stage", live.stage},
-                                                 {"kind", live.kind},
-                                                 {"index", live.index},
-                                                 {"value", value}});
+  m_client->call(
+      QStringLiteral("scene.param"),
+      {{"stage", live.stage}, {"kind", live.kind}, {"index", live.index}, {"value", value}});
   return true;
 }
 
@@ -216,7 +219,7 @@ bool ControlRenderer::bench(int frames) {
   m_client->call(QStringLiteral("scene.bench"), {{"frames", frames}},
                  [this](const QJsonObject &result, const QJsonObject &) {
                    Q_EMIT benched(result[u"frames"].toInt(), result[u"milliseconds"].toDouble(),
-                                result[u"median"].toDouble());
+                                  result[u"median"].toDouble());
                  });
   return true;
 }

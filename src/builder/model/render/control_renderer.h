@@ -24,9 +24,7 @@ public:
   void setCamera(double yaw, double pitch, double distance) override;
   bool bench(int frames) override;
   void kill() override;
-  [[nodiscard]] qint64 processId() const override {
-    return m_process ? m_process->processId() : 0;
-  }
+  [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }
 
 private:
   void finish(const QString &why);
@@ -37,8 +35,8 @@ private:
   QProcess *m_process = nullptr;
   std::unique_ptr<ControlClient> m_client;
   FrameBuffer m_buffer;
-  bool m_greeted = false; ///< it has answered: it is a renderer
-  qint64 m_sent = 0;      ///< scenes; their numbers on the wire
+  bool m_greeted = false;            ///< it has answered: it is a renderer
+  qint64 m_sent = 0;                 ///< scenes; their numbers on the wire
   QHash<qint64, qint64> m_revisions; ///< the document's of those
 };
 

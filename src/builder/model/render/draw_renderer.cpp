@@ -82,16 +82,20 @@ void DrawRenderer::finished(int code, QProcess::ExitStatus status) {
   answer.ok = code == 0 && image.load(file);
   QFile::remove(file);
   if (!answer.ok) {
-    const QString message = complaint.isEmpty()
-                                ? tr("`arbiter draw` ended with code %1").arg(code)
-                                : complaint.section(u'\n', 0, 0);
+    const QString message = complaint.isEmpty() ? tr("`arbiter draw` ended with code %1").arg(code)
+                                                : complaint.section(u'\n', 0, 0);
     // What the compiler says of an invalid program the language server says too, with its place.
     if (code != kExitInvalid)
-      answer.problems.append(
-          {Severity::Error, QStringLiteral("draw"), message, complaint.section(u'\n', 1), {}, 0, 0});
+      answer.problems.append({Severity::Error,
+                              QStringLiteral("draw"),
+                              message,
+                              complaint.section(u'\n', 1),
+                              {},
+                              0,
+                              0});
   } else {
     Q_EMIT drew({image.convertToFormat(QImage::Format_RGBA8888), answer.revision, 0, 0,
-               answer.milliseconds});
+                 answer.milliseconds});
   }
   Q_EMIT answered(answer);
 }

@@ -19,9 +19,7 @@ public:
   void start(const RenderOptions &options, const QString &folder) override;
   void draw(const Scene &scene) override;
   void kill() override;
-  [[nodiscard]] qint64 processId() const override {
-    return m_process ? m_process->processId() : 0;
-  }
+  [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }
 
 private:
   void finished(int code, QProcess::ExitStatus status);

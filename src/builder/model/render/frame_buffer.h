@@ -5,9 +5,9 @@
 
 namespace arbiter::builder {
 
-/// The shared memory that a renderer or the layer puts pictures into (docs/control.md): slots of one
-/// size, rows of RGBA bytes, the bottom row first. What its sizes say is held against the memory's
-/// own: nothing is read outside it, and memory that could shrink is refused.
+/// The shared memory that a renderer or the layer puts pictures into (docs/control.md): slots of
+/// one size, rows of RGBA bytes, the bottom row first. What its sizes say is held against the
+/// memory's own: nothing is read outside it, and memory that could shrink is refused.
 class FrameBuffer {
 public:
   FrameBuffer() = default;

@@ -169,8 +169,8 @@ TEST(Session, WhereThereIsNoRendererTheNextKindIsTaken) {
 }
 
 TEST(FrameBuffer, RefusesMemoryThatIsNotWhatTheEventSays) {
-  const QJsonObject good{{"width", 4}, {"height", 2}, {"stride", 16}, {"slots", 3},
-                         {"slot_bytes", 32}, {"serial", 1}};
+  const QJsonObject good{{"width", 4}, {"height", 2},      {"stride", 16},
+                         {"slots", 3}, {"slot_bytes", 32}, {"serial", 1}};
   const auto memory = [](qint64 bytes, bool sealed) {
     const int descriptor = ::memfd_create("test", MFD_CLOEXEC | MFD_ALLOW_SEALING);
     EXPECT_EQ(::ftruncate(descriptor, bytes), 0);

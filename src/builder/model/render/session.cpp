@@ -177,7 +177,8 @@ void RendererSession::stop() {
   m_renderer->kill();
   m_renderer->deleteLater();
   m_renderer = nullptr;
-  hold(scene, tr("this program did not draw in %1 s").arg(double(m_since.elapsed()) / 1000, 0, 'f', 1));
+  hold(scene,
+       tr("this program did not draw in %1 s").arg(double(m_since.elapsed()) / 1000, 0, 'f', 1));
   sendNext();
 }
 

@@ -86,7 +86,7 @@ private:
   QSet<QByteArray> m_held; ///< hashes of texts
   QByteArray m_suspect;    ///< of the text that ended the renderer last
   int m_restarts = 0;
-  QElapsedTimer m_since;   ///< the scene under way was sent
+  QElapsedTimer m_since; ///< the scene under way was sent
   QTimer m_patience;
   QTimer m_tick;
   QTimer m_restart;

@@ -49,7 +49,9 @@ public:
 
   [[nodiscard]] bool canUndo() const { return m_done > 0; }
   [[nodiscard]] bool canRedo() const { return m_done < m_steps.size(); }
-  [[nodiscard]] QString undoName() const { return canUndo() ? m_steps[m_done - 1].name : QString(); }
+  [[nodiscard]] QString undoName() const {
+    return canUndo() ? m_steps[m_done - 1].name : QString();
+  }
   [[nodiscard]] QString redoName() const { return canRedo() ? m_steps[m_done].name : QString(); }
   void undo();
   void redo();

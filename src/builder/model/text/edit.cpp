@@ -12,8 +12,7 @@ Edit difference(const QString &before, const QString &after) {
   if (begin > 0 && before[begin - 1].isHighSurrogate())
     --begin;
   qsizetype end = 0;
-  while (end < shorter - begin &&
-         before[before.size() - 1 - end] == after[after.size() - 1 - end])
+  while (end < shorter - begin && before[before.size() - 1 - end] == after[after.size() - 1 - end])
     ++end;
   if (end > 0 && before[before.size() - end].isLowSurrogate())
     --end;

@@ -26,8 +26,8 @@ struct LineColumn {
 /// The line and column of an offset; offsets beyond the text are its end.
 [[nodiscard]] LineColumn placeOf(const QString &text, qsizetype offset);
 
-/// The offset of a line and character, both from 0 as the protocol counts. Beyond a line's end it is
-/// that end, beyond the last line the text's.
+/// The offset of a line and character, both from 0 as the protocol counts. Beyond a line's end it
+/// is that end, beyond the last line the text's.
 [[nodiscard]] qsizetype offsetOf(const QString &text, qint64 line, qint64 character);
 
 } // namespace arbiter::builder

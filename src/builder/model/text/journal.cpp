@@ -94,9 +94,8 @@ Result<QString, FileFault> Journal::begin(const QString &path, const QString &te
 }
 
 bool Journal::record(const Edit &edit) {
-  return m_descriptor >= 0 && write(line({{"at", edit.at},
-                                          {"removed", edit.removed.size()},
-                                          {"added", edit.added}}));
+  return m_descriptor >= 0 &&
+         write(line({{"at", edit.at}, {"removed", edit.removed.size()}, {"added", edit.added}}));
 }
 
 bool Journal::write(const QByteArray &text) {
@@ -130,7 +129,8 @@ void Journal::close() {
 QList<Recovered> Journal::recoverable(const QString &folder) {
   QList<Recovered> all;
   const QDir dir(folder);
-  for (const QString &name : dir.entryList({QStringLiteral("*.journal")}, QDir::Files, QDir::Time)) {
+  for (const QString &name :
+       dir.entryList({QStringLiteral("*.journal")}, QDir::Files, QDir::Time)) {
     const QString file = dir.filePath(name);
     if (isHeld(file))
       continue;

@@ -35,8 +35,7 @@ std::vector<qsizetype> partners(const QStringList &base, const QStringList &othe
     ++begin;
   }
   qsizetype tail = 0;
-  while (tail < shorter - begin &&
-         base[base.size() - 1 - tail] == other[other.size() - 1 - tail]) {
+  while (tail < shorter - begin && base[base.size() - 1 - tail] == other[other.size() - 1 - tail]) {
     result[std::size_t(base.size() - 1 - tail)] = other.size() - 1 - tail;
     ++tail;
   }
@@ -73,15 +72,15 @@ Merge mergeTexts(const QString &baseText, const QString &mineText, const QString
     return {mineText, 0};
   if (mineText == baseText)
     return {theirsText, 0};
-  const QStringList base = linesOf(baseText), mine = linesOf(mineText), theirs = linesOf(theirsText);
+  const QStringList base = linesOf(baseText), mine = linesOf(mineText),
+                    theirs = linesOf(theirsText);
   const std::vector<qsizetype> inMine = partners(base, mine), inTheirs = partners(base, theirs);
   Merge merge;
   qsizetype b = 0, m = 0, t = 0;
   while (b < base.size() || m < mine.size() || t < theirs.size()) {
     // Up to the next line that all three have.
     qsizetype next = b;
-    while (next < base.size() &&
-           (inMine[std::size_t(next)] < m || inTheirs[std::size_t(next)] < t))
+    while (next < base.size() && (inMine[std::size_t(next)] < m || inTheirs[std::size_t(next)] < t))
       ++next;
     const bool atEnd = next >= base.size();
     const qsizetype mineEnd = atEnd ? mine.size() : inMine[std::size_t(next)];

@@ -1,7 +1,7 @@
 #include <QFile>
 #include <random>
-#include <unistd.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "builder/model/text/merge.h"
 #include "builder/model/text/open_file.h"
@@ -109,14 +109,16 @@ TEST(Document, RandomEditsAreUndoneAndRedoneExactly) {
 
 TEST(Merge, TakesBothSidesAndFindsConflicts) {
   const QString base = QStringLiteral("a\nb\nc\nd\n");
-  const Merge both = mergeTexts(base, QStringLiteral("A\nb\nc\nd\n"), QStringLiteral("a\nb\nc\nD\ne\n"));
+  const Merge both =
+      mergeTexts(base, QStringLiteral("A\nb\nc\nd\n"), QStringLiteral("a\nb\nc\nD\ne\n"));
   EXPECT_EQ(both.conflicts, 0);
   EXPECT_EQ(both.text, QStringLiteral("A\nb\nc\nD\ne\n"));
   const Merge conflict =
       mergeTexts(base, QStringLiteral("a\nX\nc\nd\n"), QStringLiteral("a\nY\nc\nd\n"));
   EXPECT_EQ(conflict.conflicts, 1);
   EXPECT_EQ(conflict.text, QStringLiteral("a\nX\nc\nd\n"));
-  const Merge removed = mergeTexts(base, QStringLiteral("a\nc\nd\n"), QStringLiteral("a\nb\nc\nd\nz\n"));
+  const Merge removed =
+      mergeTexts(base, QStringLiteral("a\nc\nd\n"), QStringLiteral("a\nb\nc\nd\nz\n"));
   EXPECT_EQ(removed.text, QStringLiteral("a\nc\nd\nz\n"));
 }
 
@@ -124,9 +126,11 @@ TEST(TextFile, KeepsLineEndsAndEncoding) {
   const TextFile dos = decodeText("!!ARBfp1.0\r\nEND\r\n");
   EXPECT_EQ(dos.text, QStringLiteral("!!ARBfp1.0\nEND\n"));
   EXPECT_EQ(encodeText(dos.text, dos.format), "!!ARBfp1.0\r\nEND\r\n");
-  const TextFile latin = decodeText("# gr\xf6\xdf" "er\n");
+  const TextFile latin = decodeText("# gr\xf6\xdf"
+                                    "er\n");
   EXPECT_TRUE(latin.format.latin1);
-  EXPECT_EQ(encodeText(latin.text, latin.format), "# gr\xf6\xdf" "er\n");
+  EXPECT_EQ(encodeText(latin.text, latin.format), "# gr\xf6\xdf"
+                                                  "er\n");
   EXPECT_EQ(encodeText(QString::fromUtf8("\xe2\x82\xac"), latin.format), "\xe2\x82\xac")
       << "a letter that Latin-1 has not is not lost";
 }
@@ -176,7 +180,8 @@ TEST(Journal, HostileFilesAreNoFault) {
   const QByteArray head = "{\"journal\":1,\"path\":\"/x\",\"text\":\"abc\"}\n";
   for (const QByteArray &rest :
        {QByteArray("{\"at\":-1,\"removed\":0}\n"), QByteArray("{\"at\":1,\"removed\":99}\n"),
-        QByteArray("{\"at\":9e18,\"removed\":9e18}\n"), QByteArray("[]\n"), QByteArray("\0\xff\n", 3)}) {
+        QByteArray("{\"at\":9e18,\"removed\":9e18}\n"), QByteArray("[]\n"),
+        QByteArray("\0\xff\n", 3)}) {
     write(folder.filePath(QStringLiteral("h.journal")), head + rest);
     EXPECT_TRUE(Journal::recoverable(folder.path()).isEmpty()) << rest.constData();
   }
@@ -202,19 +207,21 @@ TEST(OpenFile, SavesAllOrNothingAndKeepsNoJournal) {
 TEST(OpenFile, OutsideChangesAreMergedAsOneStep) {
   QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("a.fp"));
-  write(file, "one\ntwo\nthree\n");
+  write(file, "one\ntwo\nthree\nfour\nfive\n");
   OpenFile open(folder.filePath(QStringLiteral("j")));
   ASSERT_TRUE(open.open(file).ok());
   open.document().replace(0, 3, QStringLiteral("ONE"), Origin::Typing);
   // As most editors save: another file takes the name.
-  write(file + QStringLiteral(".tmp"), "one\ntwo\nTHREE\n");
+  write(file + QStringLiteral(".tmp"), "one\ntwo\nthree\nfour\nFIVE\n");
   ASSERT_EQ(::rename(qPrintable(file + QStringLiteral(".tmp")), qPrintable(file)), 0);
-  ASSERT_TRUE(waitFor([&] { return open.document().text() == QStringLiteral("ONE\ntwo\nTHREE\n"); }));
+  ASSERT_TRUE(waitFor(
+      [&] { return open.document().text() == QStringLiteral("ONE\ntwo\nthree\nfour\nFIVE\n"); }));
   // And once more: the watcher has not lost the file with its first name.
-  write(file, "one\n2\nTHREE\n");
-  ASSERT_TRUE(waitFor([&] { return open.document().text() == QStringLiteral("ONE\n2\nTHREE\n"); }));
+  write(file, "one\ntwo\n3\nfour\nFIVE\n");
+  ASSERT_TRUE(waitFor(
+      [&] { return open.document().text() == QStringLiteral("ONE\ntwo\n3\nfour\nFIVE\n"); }));
   open.document().undo();
-  EXPECT_EQ(open.document().text(), QStringLiteral("ONE\ntwo\nTHREE\n"));
+  EXPECT_EQ(open.document().text(), QStringLiteral("ONE\ntwo\nthree\nfour\nFIVE\n"));
 }
 
 TEST(OpenFile, AConflictAsksAndChangesNothing) {

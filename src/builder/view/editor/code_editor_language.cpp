@@ -27,19 +27,18 @@ QString richText(const QString &markdown) {
 
 void CodeEditor::complete() {
   const qsizetype begin = wordBegin();
-  m_bench.language().request(
-      QStringLiteral("textDocument/completion"), textCursor().position(), {},
-      [this, begin](const QJsonValue &result) {
-        const QJsonArray items =
-            result.isArray() ? result.toArray() : result[u"items"].toArray();
-        if (hasFocus() && wordBegin() == begin)
-          m_completer->show(items, begin);
-      });
+  m_bench.language().request(QStringLiteral("textDocument/completion"), textCursor().position(), {},
+                             [this, begin](const QJsonValue &result) {
+                               const QJsonArray items =
+                                   result.isArray() ? result.toArray() : result[u"items"].toArray();
+                               if (hasFocus() && wordBegin() == begin)
+                                 m_completer->show(items, begin);
+                             });
 }
 
 void CodeEditor::goToDefinition() {
-  m_bench.language().request(QStringLiteral("textDocument/definition"), textCursor().position(),
-                             {}, [this](const QJsonValue &result) {
+  m_bench.language().request(QStringLiteral("textDocument/definition"), textCursor().position(), {},
+                             [this](const QJsonValue &result) {
                                const QJsonValue range = result[u"range"];
                                if (range.isObject())
                                  goTo(offsetAt(text(), range[u"start"]));
@@ -60,7 +59,8 @@ void CodeEditor::renameName() {
       [this, old, name](const QJsonValue &result) {
         const QJsonObject changes = result[u"changes"].toObject();
         if (changes.isEmpty()) {
-          Q_EMIT m_bench.notice(tr("%1 cannot become %2: the name is reserved or taken").arg(old, name));
+          Q_EMIT m_bench.notice(
+              tr("%1 cannot become %2: the name is reserved or taken").arg(old, name));
           return;
         }
         applyEdits(changes.begin().value().toArray(), tr("rename %1").arg(old));
@@ -84,18 +84,18 @@ void CodeEditor::fixHere() {
   const LineColumn place = placeOf(text(), textCursor().position());
   const QJsonObject here{{"line", place.line - 1}, {"character", 0}};
   const QJsonObject end{{"line", place.line}, {"character", 0}};
-  m_bench.language().request(
-      QStringLiteral("textDocument/codeAction"), -1,
-      {{"range", QJsonObject{{"start", here}, {"end", end}}},
-       {"context", QJsonObject{{"diagnostics", QJsonArray()}}}},
-      [this](const QJsonValue &result) {
-        const QJsonValue action = result[0];
-        const QJsonObject changes = action[u"edit"][u"changes"].toObject();
-        if (changes.isEmpty())
-          Q_EMIT m_bench.notice(tr("no fix is known for this line"));
-        else
-          applyEdits(changes.begin().value().toArray(), action[u"title"].toString());
-      });
+  m_bench.language().request(QStringLiteral("textDocument/codeAction"), -1,
+                             {{"range", QJsonObject{{"start", here}, {"end", end}}},
+                              {"context", QJsonObject{{"diagnostics", QJsonArray()}}}},
+                             [this](const QJsonValue &result) {
+                               const QJsonValue action = result[0];
+                               const QJsonObject changes = action[u"edit"][u"changes"].toObject();
+                               if (changes.isEmpty())
+                                 Q_EMIT m_bench.notice(tr("no fix is known for this line"));
+                               else
+                                 applyEdits(changes.begin().value().toArray(),
+                                            action[u"title"].toString());
+                             });
 }
 
 void CodeEditor::hover(QHelpEvent *event) {

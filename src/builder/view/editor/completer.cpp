@@ -36,13 +36,13 @@ void Completer::show(const QJsonArray &items, qsizetype wordBegin) {
   for (const QJsonValue &item : items) {
     const QString label = item[u"label"].toString();
     const QString detail = item[u"detail"].toString();
-    auto *row = new QListWidgetItem(detail.isEmpty() ? label : label + QStringLiteral("   ") + detail);
+    auto *row =
+        new QListWidgetItem(detail.isEmpty() ? label : label + QStringLiteral("   ") + detail);
     const QString edit = item[u"textEdit"][u"newText"].toString();
     const QString insert = item[u"insertText"].toString();
     row->setData(kInsertRole, !edit.isEmpty() ? edit : !insert.isEmpty() ? insert : label);
-    row->setToolTip(item[u"documentation"].isObject()
-                        ? item[u"documentation"][u"value"].toString()
-                        : item[u"documentation"].toString());
+    row->setToolTip(item[u"documentation"].isObject() ? item[u"documentation"][u"value"].toString()
+                                                      : item[u"documentation"].toString());
     addItem(row);
   }
   narrow();

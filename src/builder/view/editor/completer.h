@@ -6,7 +6,8 @@ namespace arbiter::builder {
 
 class CodeEditor;
 
-/// The list of what may stand at the cursor, as the language server says; narrowed by what is typed.
+/// The list of what may stand at the cursor, as the language server says; narrowed by what is
+/// typed.
 class Completer : public QListWidget {
 public:
   explicit Completer(CodeEditor &editor);

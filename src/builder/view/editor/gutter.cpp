@@ -77,7 +77,8 @@ void Gutter::paintEvent(QPaintEvent *event) {
       painter.setBrush(problem.severity == Severity::Error     ? c.error
                        : problem.severity == Severity::Warning ? c.warning
                                                                : c.note);
-      painter.drawRoundedRect(QRectF(2, box.top() + 2, 5, m_editor.fontMetrics().height() - 4), 2, 2);
+      painter.drawRoundedRect(QRectF(2, box.top() + 2, 5, m_editor.fontMetrics().height() - 4), 2,
+                              2);
       break;
     }
   }

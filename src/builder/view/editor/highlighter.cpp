@@ -70,8 +70,8 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
       while (chain < text.size() && inWord(text[chain]))
         ++chain;
       setFormat(int(end), int(chain - end), colours().binding);
-      const qsizetype close = chain < text.size() && text[chain] == u'[' ? text.indexOf(u']', chain)
-                                                                         : qsizetype(-1);
+      const qsizetype close =
+          chain < text.size() && text[chain] == u'[' ? text.indexOf(u']', chain) : qsizetype(-1);
       if (close < 0)
         break;
       for (qsizetype i = chain; i < close;)
@@ -89,10 +89,9 @@ qsizetype Highlighter::word(const QString &text, qsizetype begin) {
 qsizetype Highlighter::number(const QString &text, qsizetype begin) {
   qsizetype end = begin;
   bool exponent = false;
-  while (end < text.size() &&
-         (text[end].isDigit() || text[end] == u'.' ||
-          (!exponent && (text[end] == u'e' || text[end] == u'E')) ||
-          (exponent && (text[end] == u'+' || text[end] == u'-')))) {
+  while (end < text.size() && (text[end].isDigit() || text[end] == u'.' ||
+                               (!exponent && (text[end] == u'e' || text[end] == u'E')) ||
+                               (exponent && (text[end] == u'+' || text[end] == u'-')))) {
     exponent = text[end] == u'e' || text[end] == u'E';
     ++end;
   }

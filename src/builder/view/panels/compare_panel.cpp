@@ -17,9 +17,9 @@ ComparePanel::ComparePanel(Workbench &bench, PictureView &picture)
   auto *row = new QHBoxLayout;
   m_with = new QComboBox;
   m_with->setAccessibleName(tr("What A is"));
-  m_with->addItems({tr("A: nothing"), tr("A: the picture as it is now"), tr("A: with fp24 arithmetic"),
-                    tr("A: by the host's shaders"), tr("A: by the rasterizer"),
-                    tr("A: by the host alone, without the layer")});
+  m_with->addItems({tr("A: nothing"), tr("A: the picture as it is now"),
+                    tr("A: with fp24 arithmetic"), tr("A: by the host's shaders"),
+                    tr("A: by the rasterizer"), tr("A: by the host alone, without the layer")});
   auto *difference = new QCheckBox(tr("&Difference, eight times as bright"));
   auto *split = new QSlider(Qt::Horizontal);
   split->setRange(0, 1000);
@@ -75,8 +75,9 @@ void ComparePanel::choose(int index) {
 
 void ComparePanel::showFigures() {
   if (!m_bench.isPinned()) {
-    m_figures->setText(tr("Choose what the picture is compared with. Shift and the left button move "
-                          "the split; Ctrl+B, held, shows A alone."));
+    m_figures->setText(
+        tr("Choose what the picture is compared with. Shift and the left button move "
+           "the split; Ctrl+B, held, shows A alone."));
     return;
   }
   const Comparison figures = compare(m_bench.pinned(), m_bench.picture());
@@ -85,13 +86,14 @@ void ComparePanel::showFigures() {
   else if (figures.equal())
     m_figures->setText(tr("A (%1) and B are equal in every pixel").arg(m_bench.pinnedName()));
   else
-    m_figures->setText(tr("A (%1) and B differ in %2 of %3 pixels, at most by %4/255, at pixel %5, %6")
-                           .arg(m_bench.pinnedName())
-                           .arg(figures.pixels)
-                           .arg(qint64(m_bench.picture().width()) * m_bench.picture().height())
-                           .arg(figures.worst)
-                           .arg(figures.worstAt.x())
-                           .arg(m_bench.picture().height() - 1 - figures.worstAt.y()));
+    m_figures->setText(
+        tr("A (%1) and B differ in %2 of %3 pixels, at most by %4/255, at pixel %5, %6")
+            .arg(m_bench.pinnedName())
+            .arg(figures.pixels)
+            .arg(qint64(m_bench.picture().width()) * m_bench.picture().height())
+            .arg(figures.worst)
+            .arg(figures.worstAt.x())
+            .arg(m_bench.picture().height() - 1 - figures.worstAt.y()));
 }
 
 } // namespace arbiter::builder

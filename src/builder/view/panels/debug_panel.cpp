@@ -60,8 +60,7 @@ DebugPanel::DebugPanel(Workbench &bench) : m_bench(bench) {
   connect(&trace, &Trace::moved, this, [this](int row) { showRow(row); });
   connect(m_rows, &QTableWidget::currentCellChanged, this,
           [this](int row) { m_bench.trace().moveTo(row); });
-  connect(m_rows, &QTableWidget::cellActivated, this,
-          [this](int row) { m_bench.watchRow(row); });
+  connect(m_rows, &QTableWidget::cellActivated, this, [this](int row) { m_bench.watchRow(row); });
   m_rows->setToolTip(tr("Return shows the register that a row wrote over the whole picture, as A"));
   connect(&bench, &Workbench::traceFailed, this,
           [this](const QString &why) { m_verdict->setText(why); });

@@ -47,8 +47,7 @@ QList<Entry> documentsIn(const QString &folder) {
 /// Where a document's picture is kept: by its path and time.
 QString cacheOf(const QString &path) {
   const QFileInfo file(path);
-  const QByteArray key =
-      (path + file.lastModified().toString(Qt::ISODateWithMs)).toUtf8();
+  const QByteArray key = (path + file.lastModified().toString(Qt::ISODateWithMs)).toUtf8();
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) +
                          QStringLiteral("/arbiter-builder/gallery");
   QDir().mkpath(folder);
@@ -63,8 +62,7 @@ QIcon iconOf(const QImage &image) {
   if (!image.isNull()) {
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const QImage small =
-        image.scaled(kSide, kSide, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const QImage small = image.scaled(kSide, kSide, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     painter.fillRect(QRect((kSide - small.width()) / 2, (kSide - small.height()) / 2, small.width(),
                            small.height()),
                      Qt::black);
@@ -122,7 +120,8 @@ void Gallery::nextPicture() {
              [this, row, cache](const ToolResult &) {
                if (QImage image; item(row) && image.load(cache))
                  item(row)->setIcon(iconOf(image));
-               QMetaObject::invokeMethod(this, [this] { nextPicture(); }, Qt::QueuedConnection);
+               QMetaObject::invokeMethod(
+                   this, [this] { nextPicture(); }, Qt::QueuedConnection);
              });
 }
 

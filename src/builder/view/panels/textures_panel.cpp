@@ -29,7 +29,8 @@ QIcon iconOf(const QImage &image) {
     QPainter painter(&pixmap);
     for (int y = 0; y < kSide; y += 8)
       for (int x = 0; x < kSide; x += 8)
-        painter.fillRect(x, y, 8, 8, (x + y) / 8 % 2 ? QColor(0x70, 0x70, 0x70) : QColor(0x98, 0x98, 0x98));
+        painter.fillRect(x, y, 8, 8,
+                         (x + y) / 8 % 2 ? QColor(0x70, 0x70, 0x70) : QColor(0x98, 0x98, 0x98));
   }
   return pixmap;
 }
@@ -113,7 +114,8 @@ void TexturesPanel::nextThumbnail() {
                  if (m_lines[i].source == source && m_list->item(i))
                    m_list->item(i)->setIcon(iconOf(m_thumbnails[source]));
                // Behind the run that ends here.
-               QMetaObject::invokeMethod(this, [this] { nextThumbnail(); }, Qt::QueuedConnection);
+               QMetaObject::invokeMethod(
+                   this, [this] { nextThumbnail(); }, Qt::QueuedConnection);
              });
 }
 

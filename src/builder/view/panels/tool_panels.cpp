@@ -110,7 +110,8 @@ void AdvicePanel::refresh() {
     const int count = take(result.json());
     m_summary->setText(count == 0 ? tr("Nothing would make this program cheaper on its card.")
                                   : tr("%n way(s) to make the program cheaper; Return applies one "
-                                       "that is a change of the text.", nullptr, count));
+                                       "that is a change of the text.",
+                                       nullptr, count));
   });
 }
 
@@ -131,8 +132,8 @@ int AdvicePanel::take(const QJsonObject &json) {
     for (const QJsonValue &edit : each[u"edits"].toArray()) {
       const qsizetype begin = map.unit(std::uint32_t(edit[u"begin"].toInteger()));
       const qsizetype end = map.unit(std::uint32_t(edit[u"end"].toInteger()));
-      proposal.edits.prepend({begin, m_bench.document().text().mid(begin, end - begin),
-                              edit[u"text"].toString()});
+      proposal.edits.prepend(
+          {begin, m_bench.document().text().mid(begin, end - begin), edit[u"text"].toString()});
     }
     m_proposals << proposal;
   }
@@ -183,9 +184,9 @@ BenchPanel::BenchPanel(Workbench &bench) : m_bench(bench) {
                              .simplified());
             m_table->put(0, 2, QString::number(frames));
             m_table->put(0, 3, QString::number(median, 'f', 3));
-            m_table->put(0, 4, milliseconds > 0
-                                   ? QString::number(frames * 1000.0 / milliseconds, 'f', 0)
-                                   : QString());
+            m_table->put(0, 4,
+                         milliseconds > 0 ? QString::number(frames * 1000.0 / milliseconds, 'f', 0)
+                                          : QString());
           });
 }
 

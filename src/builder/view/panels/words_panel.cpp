@@ -24,8 +24,8 @@ WordsPanel::WordsPanel(std::function<void(const QString &)> insert) {
   m_search->setPlaceholderText(tr("Search instructions, bindings, options and #@ words"));
   m_search->setClearButtonEnabled(true);
   m_search->setAccessibleName(tr("Search words"));
-  m_table = new Table({tr("Word"), tr("Kind"), tr("Programs"), tr("Meaning"), tr("Formula"),
-                       tr("Section")});
+  m_table = new Table(
+      {tr("Word"), tr("Kind"), tr("Programs"), tr("Meaning"), tr("Formula"), tr("Section")});
   m_table->setAccessibleName(tr("Words"));
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);

@@ -10,7 +10,8 @@ class QLineEdit;
 
 namespace arbiter::builder {
 
-/// The words of the languages, made of the compiler's tables: searched, read, and put into the text.
+/// The words of the languages, made of the compiler's tables: searched, read, and put into the
+/// text.
 class WordsPanel : public QWidget {
 public:
   explicit WordsPanel(std::function<void(const QString &)> insert);

@@ -37,10 +37,11 @@ PicturePanel::PicturePanel(Workbench &bench) : m_bench(bench) {
   connect(m_view, &PictureView::pixelPicked, this,
           [this](QPoint pixel) { m_bench.debugPixel(pixel); });
   connect(m_view, &PictureView::pixelHovered, this, [this](QPoint pixel, const QColor &colour) {
-    m_pixel->setText(tr("%1, %2  #%3")
-                         .arg(pixel.x())
-                         .arg(pixel.y())
-                         .arg(QString::number(colour.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
+    m_pixel->setText(
+        tr("%1, %2  #%3")
+            .arg(pixel.x())
+            .arg(pixel.y())
+            .arg(QString::number(colour.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
   });
   connect(m_view, &PictureView::dragged, this, [this](QPointF delta) {
     constexpr double kTurn = 3.14159265;

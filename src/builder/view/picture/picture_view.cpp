@@ -67,8 +67,8 @@ double PictureView::zoom() const {
 /// Whole factors, then their inverses: 1/2, 1, 2, 3, ...
 void PictureView::zoomBy(int steps) {
   const double now = zoom();
-  const double next = now < 1 || (now <= 1 && steps < 0) ? now * std::pow(2.0, steps)
-                                                         : std::round(now) + steps;
+  const double next =
+      now < 1 || (now <= 1 && steps < 0) ? now * std::pow(2.0, steps) : std::round(now) + steps;
   setZoom(std::max(1.0 / 16, next));
 }
 
@@ -115,8 +115,8 @@ std::optional<QPoint> PictureView::pixelAt(QPointF place) const {
 QRectF PictureView::rectOf(QPoint pixel) const {
   const QRectF area = target();
   const double scale = area.width() / std::max(1, m_image.width());
-  return {area.left() + pixel.x() * scale,
-          area.top() + (m_image.height() - 1 - pixel.y()) * scale, scale, scale};
+  return {area.left() + pixel.x() * scale, area.top() + (m_image.height() - 1 - pixel.y()) * scale,
+          scale, scale};
 }
 
 QColor PictureView::colourAt(QPoint pixel) const {
@@ -149,8 +149,8 @@ void PictureView::paintEvent(QPaintEvent *) {
     painter.setClipRect(area);
     painter.fillRect(area, QColor(0x80, 0x80, 0x80));
     for (double y = area.top(); y < area.bottom(); y += kCheck)
-      for (double x = area.left() + (int((y - area.top()) / kCheck) % 2) * kCheck;
-           x < area.right(); x += 2 * kCheck)
+      for (double x = area.left() + (int((y - area.top()) / kCheck) % 2) * kCheck; x < area.right();
+           x += 2 * kCheck)
         painter.fillRect(QRectF(x, y, kCheck, kCheck), QColor(0x98, 0x98, 0x98));
     painter.restore();
   }

@@ -6,8 +6,8 @@
 namespace arbiter::builder {
 
 /// Shows a picture, whole pixels at whole zooms. The one place that knows how pixels lie in the
-/// widget: everything else speaks of the picture's own pixels, from the left and, as GL counts, from
-/// the bottom.
+/// widget: everything else speaks of the picture's own pixels, from the left and, as GL counts,
+/// from the bottom.
 class PictureView : public QWidget {
   Q_OBJECT
 public:

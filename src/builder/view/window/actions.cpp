@@ -50,7 +50,8 @@ void MainWindow::buildMenus() {
   edit->addSeparator();
   add(edit, tr("&Complete word"), QKeySequence(tr("Ctrl+Space")), [this] { m_editor->complete(); });
   add(edit, tr("Re&name..."), QKeySequence(tr("F2")), [this] { m_editor->renameName(); });
-  add(edit, tr("Go to &definition"), QKeySequence(tr("F12")), [this] { m_editor->goToDefinition(); });
+  add(edit, tr("Go to &definition"), QKeySequence(tr("F12")),
+      [this] { m_editor->goToDefinition(); });
   add(edit, tr("Next &problem"), QKeySequence(tr("F8")), [this] { m_editor->goToProblem(true); });
   add(edit, tr("Pre&vious problem"), QKeySequence(tr("Shift+F8")),
       [this] { m_editor->goToProblem(false); });
@@ -63,22 +64,21 @@ void MainWindow::buildMenus() {
   add(scene, tr("One &frame"), QKeySequence(tr("Ctrl+.")), [this] { m_picture->step(); });
   add(scene, tr("&Stop drawing this text"), QKeySequence(tr("Ctrl+Shift+C")),
       [this] { m_bench.renderer().stop(); });
-  add(scene, tr("Picture as its own &window"), QKeySequence(tr("F11")), [this] {
-    m_docks[1]->setFloating(!m_docks[1]->isFloating());
-  });
+  add(scene, tr("Picture as its own &window"), QKeySequence(tr("F11")),
+      [this] { m_docks[1]->setFloating(!m_docks[1]->isFloating()); });
 
   QMenu *debug = menuBar()->addMenu(tr("&Debug"));
   add(debug, tr("&Pixel at the mark"), QKeySequence(tr("Ctrl+D")), [this] {
     const QSize size = m_bench.picture().size();
-    m_bench.debugPixel(m_bench.debuggedPixel().value_or(QPoint(size.width() / 2, size.height() / 2)));
+    m_bench.debugPixel(
+        m_bench.debuggedPixel().value_or(QPoint(size.width() / 2, size.height() / 2)));
     m_docks[5]->raise();
     m_picture->view().setFocus(); // arrow keys move the mark
   });
   add(debug, tr("Step &forward"), QKeySequence(tr("F10")), [this] { m_bench.trace().step(1); });
   add(debug, tr("Step &back"), QKeySequence(tr("Shift+F10")), [this] { m_bench.trace().step(-1); });
-  add(debug, tr("Run to &cursor"), QKeySequence(tr("Ctrl+F10")), [this] {
-    m_bench.trace().runToLine(m_editor->textCursor().blockNumber() + 1);
-  });
+  add(debug, tr("Run to &cursor"), QKeySequence(tr("Ctrl+F10")),
+      [this] { m_bench.trace().runToLine(m_editor->textCursor().blockNumber() + 1); });
   add(debug, tr("Next &NaN"), QKeySequence(tr("F7")), [this] {
     if (!m_bench.trace().nextFlag(QStringLiteral("nan")))
       notice(tr("no instruction makes a NaN at this pixel"));
@@ -179,9 +179,10 @@ void MainWindow::anyAction() {
       const QString text = m_actions[i]->text().remove(u'&');
       if (!text.contains(search->text(), Qt::CaseInsensitive))
         continue;
-      auto *item = new QListWidgetItem(
-          text + QStringLiteral("    ") +
-              m_actions[i]->shortcut().toString(QKeySequence::NativeText), list);
+      auto *item =
+          new QListWidgetItem(text + QStringLiteral("    ") +
+                                  m_actions[i]->shortcut().toString(QKeySequence::NativeText),
+                              list);
       item->setData(Qt::UserRole, i);
     }
     list->setCurrentRow(0);
@@ -198,8 +199,8 @@ void MainWindow::anyAction() {
 void MainWindow::bindKeys() {
   QStringList names;
   for (const QAction *action : m_actions)
-    names << QStringLiteral("%1  [%2]").arg(QString(action->text()).remove(u'&'),
-                                            action->shortcut().toString());
+    names << QStringLiteral("%1  [%2]")
+                 .arg(QString(action->text()).remove(u'&'), action->shortcut().toString());
   bool ok = false;
   const QString name = QInputDialog::getItem(this, tr("Keys"), tr("Action:"), names, 0, false, &ok);
   if (!ok)

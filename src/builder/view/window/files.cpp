@@ -17,9 +17,7 @@ constexpr const char *kNewText = "!!ARBfp1.0\n"
                                  "MOV result.color, fragment.texcoord[0];\n"
                                  "END\n";
 
-QString filter() {
-  return QObject::tr("Programs (*.fp *.vp *.atifs);;All files (*)");
-}
+QString filter() { return QObject::tr("Programs (*.fp *.vp *.atifs);;All files (*)"); }
 
 /// The document of a folder: the file of its name, else main.fp, else its first program.
 QString documentOf(const QString &folder) {
@@ -95,7 +93,8 @@ bool MainWindow::mayDiscard() {
   if (!m_bench.document().isModified())
     return true;
   const auto answer = QMessageBox::question(
-      this, tr("Unsaved changes"), tr("%1 has changes that are not saved.").arg(m_bench.file().name()),
+      this, tr("Unsaved changes"),
+      tr("%1 has changes that are not saved.").arg(m_bench.file().name()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save)
     return save();
@@ -113,10 +112,10 @@ void MainWindow::exportPicture() {
 }
 
 void MainWindow::askConflict(const QString &theirs) {
-  QMessageBox box(QMessageBox::Warning, tr("Changed twice"),
-                  tr("Another program changed the same lines of %1 as you did.")
-                      .arg(m_bench.file().name()),
-                  QMessageBox::NoButton, this);
+  QMessageBox box(
+      QMessageBox::Warning, tr("Changed twice"),
+      tr("Another program changed the same lines of %1 as you did.").arg(m_bench.file().name()),
+      QMessageBox::NoButton, this);
   QAbstractButton *mine = box.addButton(tr("&Keep mine"), QMessageBox::AcceptRole);
   QAbstractButton *other = box.addButton(tr("&Take the file's"), QMessageBox::DestructiveRole);
   box.setDefaultButton(qobject_cast<QPushButton *>(mine));

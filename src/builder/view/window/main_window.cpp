@@ -53,9 +53,8 @@ MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
     notice(tr("%1 was changed by another program; the change is here too (Ctrl+Z takes it back)")
                .arg(m_bench.file().name()));
   });
-  connect(&m_bench.file(), &OpenFile::fileRemoved, this, [this] {
-    notice(tr("%1 is gone; saving writes it anew").arg(m_bench.file().path()));
-  });
+  connect(&m_bench.file(), &OpenFile::fileRemoved, this,
+          [this] { notice(tr("%1 is gone; saving writes it anew").arg(m_bench.file().path())); });
   showTitle();
   showStatus();
 }
@@ -106,9 +105,7 @@ void MainWindow::buildPanels() {
     const auto &rows = m_bench.trace().rows();
     m_editor->setTracedLine(row >= 0 && row < rows.size() ? rows[row].line : 0);
   });
-  connect(&m_picture->view(), &PictureView::pixelPicked, this, [this] {
-    m_docks[5]->raise();
-  });
+  connect(&m_picture->view(), &PictureView::pixelPicked, this, [this] { m_docks[5]->raise(); });
   connect(m_editor, &CodeEditor::lineClicked, this,
           [this](int line) { m_bench.trace().runToLine(line); });
   connect(&m_bench, &Workbench::problemsChanged, this, [this] {
@@ -155,12 +152,11 @@ void MainWindow::showStatus() {
     palette.setColor(QPalette::WindowText, colours().error);
   m_status->setPalette(palette);
   const RenderOptions &options = m_bench.renderer().options();
-  m_choice->setText(QStringList{options.profile.isEmpty() ? QStringLiteral("r300") : options.profile,
-                                options.numerics.isEmpty() ? QStringLiteral("host")
-                                                           : options.numerics,
-                                options.backend.isEmpty() ? QStringLiteral("auto")
-                                                          : options.backend}
-                        .join(QStringLiteral(" · ")));
+  m_choice->setText(
+      QStringList{options.profile.isEmpty() ? QStringLiteral("r300") : options.profile,
+                  options.numerics.isEmpty() ? QStringLiteral("host") : options.numerics,
+                  options.backend.isEmpty() ? QStringLiteral("auto") : options.backend}
+          .join(QStringLiteral(" · ")));
 }
 
 void MainWindow::showTitle() {
@@ -170,7 +166,9 @@ void MainWindow::showTitle() {
                              (m_bench.document().isModified() ? QStringLiteral("*") : QString()));
 }
 
-void MainWindow::notice(const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); }
+void MainWindow::notice(const QString &text) {
+  statusBar()->showMessage(text, kNoticeMilliseconds);
+}
 
 QStringList MainWindow::panelNames() const {
   QStringList names;
@@ -187,7 +185,8 @@ void MainWindow::showPanel(const QString &name) {
     dock->raise();
     if (QWidget *inside = dock->widget()) {
       QWidget *first = inside->focusPolicy() == Qt::NoFocus ? inside->nextInFocusChain() : inside;
-      while (first && first != inside && (first->focusPolicy() == Qt::NoFocus || !first->isVisible()))
+      while (first && first != inside &&
+             (first->focusPolicy() == Qt::NoFocus || !first->isVisible()))
         first = first->nextInFocusChain();
       if (name == tr("Program"))
         first = m_editor;
