@@ -113,7 +113,6 @@ class Bare(Temporary):
                 ('#@ texture 0 = none.png', '2:16', 'none.png'),
                 ('#@ texture 0 = sky', '2:16', 'samples texture[0] as 2D, and this is a cube map'),
                 ('#@ vertex none.vp', '2:11', 'none.vp'),
-                ('#@ texture 31 = noise', '2:12', 'texture image units'),
                 ('#@ local[900] = 1', '2:4', 'local parameters'),
                 ('#@ mesh shells count 64 of sphere parts 512', '2:9', 'vertices'),
                 ('#@ texture 0 = picture q', '2:24', 'no pass draws into a target')):
@@ -135,6 +134,11 @@ class Bare(Temporary):
 
 class Layered(Bare):
     words = ()
+
+    def test_units_are_the_profiles(self):
+        result = self.draw(self.path('a.fp', SAMPLE.format('#@ profile r300\n#@ texture 31 = noise')))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('a.fp:3:12: error: texture 31: there are 16 texture image units', result.stderr)
 
     def test_its_profile_and_numerics_hold(self):
         long = 'TEMP a;\nMOV a, fragment.color;\n' + 'ADD a, a, a;\n' * 70 + 'MOV result.color, a;\nEND\n'
