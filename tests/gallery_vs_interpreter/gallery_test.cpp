@@ -54,7 +54,7 @@ constexpr Case kCases[] = {
     {"shadow_map.fp", 0, "96x96", 2, 0.002},
     {"shadow_volume.fp", 0, "96x96", 2, 0.002},
     {"skinning.fp", 40, "96x96", 3, 0.001},
-    {"twirl.fp", 10, "96x96", 2, 0},
+    {"twirl.fp", 10, "96x96", 2, 0.001},
 };
 
 struct Difference {
