@@ -31,6 +31,9 @@ public:
   [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
   void close();
 
+  /// Takes what has come, without waiting.
+  void read();
+
   /// The descriptor that came with the last event, for the receiver to own; -1 without one.
   [[nodiscard]] int takeDescriptor();
 
@@ -39,7 +42,6 @@ Q_SIGNALS:
   void closed();
 
 private:
-  void read();
   void receive(const QByteArray &line);
   void send(QJsonObject message);
   void flush();

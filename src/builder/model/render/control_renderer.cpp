@@ -92,6 +92,8 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
       ::dup2(theirs, kChildDescriptor);
   });
   connect(m_process, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
+    if (m_client)
+      m_client->read(); // its last answers may lie there still
     if (!m_greeted && status == QProcess::NormalExit && code == kExitUsage)
       Q_EMIT unsupported();
     else

@@ -26,6 +26,8 @@ public:
   void kill() override;
   [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }
 
+  [[nodiscard]] bool wasReady() const override { return m_greeted; }
+
 private:
   void finish(const QString &why);
   void event(const QString &method, const QJsonObject &params);

@@ -72,6 +72,8 @@ public:
   /// Ends the process at once.
   virtual void kill() = 0;
   [[nodiscard]] virtual qint64 processId() const = 0;
+  /// False of a process that ended before it could draw anything: no text is at fault then.
+  [[nodiscard]] virtual bool wasReady() const { return true; }
 
 Q_SIGNALS:
   void drew(const arbiter::builder::Frame &frame);

@@ -145,6 +145,7 @@ void RendererSession::take(const SceneAnswer &answer) {
 void RendererSession::ended(const QString &why) {
   m_patience.stop();
   m_tick.stop();
+  const bool wasReady = m_renderer && m_renderer->wasReady();
   if (m_renderer) {
     m_renderer->disconnect(this);
     m_renderer->deleteLater();
@@ -154,11 +155,12 @@ void RendererSession::ended(const QString &why) {
   if (scene) {
     const QByteArray hash = hashOf(*scene);
     // Once may be another's doing: an administrator's, or the kernel's that needs memory.
-    if (hash == m_suspect)
+    if (wasReady && hash == m_suspect)
       hold(*scene, tr("this program stopped the renderer (%1)").arg(why));
     else if (!m_waiting)
       m_waiting = scene;
-    m_suspect = hash;
+    if (wasReady)
+      m_suspect = hash;
   }
   if (!m_waiting && m_state != State::Held)
     m_waiting = m_lastGoodScene;

@@ -12,7 +12,7 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kSide = 88; ///< a row of pictures and names fits the panel as it is at first
 constexpr int kMaxDocuments = 200;
 constexpr int kPathRole = Qt::UserRole;
 
@@ -77,7 +77,7 @@ Gallery::Gallery(Workbench &bench, std::function<void(const QString &)> open)
     : m_bench(bench), m_tool(bench.places().arbiter) {
   setViewMode(IconMode);
   setIconSize({kSide, kSide});
-  setGridSize({kSide + 28, kSide + 48});
+  setGridSize({kSide + 68, kSide + 44});
   setResizeMode(Adjust);
   setMovement(Static);
   setWordWrap(true);
