@@ -17,16 +17,19 @@ namespace arbiter::tools {
 
 namespace {
 
-/// The socket that the arguments ask for.
+/// What is wrong with --fd; empty: nothing.
+std::string descriptorFault(const RenderArguments &arguments) {
+  pid_t peer = 0;
+  if (arguments.descriptor < 0 || control::isOwnPeer(arguments.descriptor, peer))
+    return {};
+  return "--fd " + std::to_string(arguments.descriptor) +
+         ": is no connected socket whose other end is this user's";
+}
+
+/// The socket that the arguments ask for. Requires: no descriptorFault().
 std::unique_ptr<control::Server> openServer(const RenderArguments &arguments, std::string &fault) {
-  if (arguments.descriptor >= 0) {
-    pid_t peer = 0;
-    if (control::isOwnPeer(arguments.descriptor, peer))
-      return control::Server::connected(control::Descriptor(arguments.descriptor));
-    fault = "--fd " + std::to_string(arguments.descriptor) +
-            ": is no connected socket whose other end is this user's";
-    return nullptr;
-  }
+  if (arguments.descriptor >= 0)
+    return control::Server::connected(control::Descriptor(arguments.descriptor));
   const auto folder = control::socketFolder();
   if (!folder) {
     fault = folder.error().message;
@@ -75,6 +78,10 @@ int renderHere(const RenderArguments &arguments) {
 } // namespace
 
 int render(const RenderArguments &arguments, const std::vector<std::string> &argv) {
+  if (const std::string fault = descriptorFault(arguments); !fault.empty()) {
+    complain(fault);
+    return kExitUsage;
+  }
   if (arguments.bare)
     return renderHere(arguments);
   if (arguments.inLayer) {

@@ -145,7 +145,8 @@ void RendererSession::take(const SceneAnswer &answer) {
 void RendererSession::ended(const QString &why) {
   m_patience.stop();
   m_tick.stop();
-  const bool wasReady = m_renderer && m_renderer->wasReady();
+  // Where no process ever got ready or drew, GL is at fault, and no text.
+  const bool drawsHere = m_lastGoodScene || (m_renderer && m_renderer->wasReady());
   if (m_renderer) {
     m_renderer->disconnect(this);
     m_renderer->deleteLater();
@@ -155,11 +156,11 @@ void RendererSession::ended(const QString &why) {
   if (scene) {
     const QByteArray hash = hashOf(*scene);
     // Once may be another's doing: an administrator's, or the kernel's that needs memory.
-    if (wasReady && hash == m_suspect)
+    if (drawsHere && hash == m_suspect)
       hold(*scene, tr("this program stopped the renderer (%1)").arg(why));
     else if (!m_waiting)
       m_waiting = scene;
-    if (wasReady)
+    if (drawsHere)
       m_suspect = hash;
   }
   if (!m_waiting && m_state != State::Held)
