@@ -439,14 +439,17 @@ void addLsp(CLI::App &app, LspArguments &lsp) {
 
 void addBuilder(CLI::App &app, BuilderArguments &builder) {
   CLI::App *command = app.add_subcommand(
-      "builder", "Open the Shader Builder's window: write programs, see them drawn, step through them");
-  command->add_option("DOCUMENT", builder.document, "a program, or a folder; without one, the gallery");
-  command->footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
-                  "says what it has.\n"
-                  "Exit code: that of the window; 1 where arbiter-builder is not installed.\n"
-                  "Examples:\n"
-                  "  arbiter builder\n"
-                  "  arbiter builder shader.fp");
+      "builder",
+      "Open the Shader Builder's window: write programs, see them drawn, step through them");
+  command->add_option("DOCUMENT", builder.document,
+                      "a program, or a folder; without one, the gallery");
+  command->footer(
+      "The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
+      "says what it has.\n"
+      "Exit code: that of the window; 1 where arbiter-builder is not installed.\n"
+      "Examples:\n"
+      "  arbiter builder\n"
+      "  arbiter builder shader.fp");
 }
 
 } // namespace
