@@ -285,7 +285,7 @@ class Hostile(Controlled):
                 self.assertTrue(each.waits_for('0 255 0'))
             pids = [output.process.pid, other.process.pid]
             listed = self.ctl('list').stdout
-            self.assertEqual(sorted(int(n) for n in re.findall(r'^ *(\d+) +layer +ticker',
+            self.assertEqual(sorted(int(n) for n in re.findall(r'^ *(\d+) +layer +\S*ticker',
                                                                listed, re.M)), sorted(pids))
             self.assertIn('--pid', self.ctl('programs', code=1).stderr)
             self.ctl('--pid', pids[0], 'programs')
