@@ -73,7 +73,8 @@ private:
   bool m_seen = false;
 };
 
-void measure(int turns) {
+/// What did not come within the time that tests wait; null: all was measured.
+const char *measure(int turns) {
   QTemporaryDir folder;
   QElapsedTimer since;
   since.start();
@@ -86,7 +87,7 @@ void measure(int turns) {
   window.show();
   Painted painted(window.picture().view());
   if (!painted.waits([](QColor) { return true; }))
-    return;
+    return "a first picture";
   print("start to first picture", {double(since.nsecsElapsed()) / 1e6});
   CodeEditor &editor = window.editor();
   Workbench &bench = window.bench();
@@ -104,7 +105,7 @@ void measure(int turns) {
     const char key = char('2' + turn % 7);
     QTest::keyClick(&editor, key);
     if (!painted.waits([&](QColor c) { return c.green() != before; }))
-      return;
+      return "the pixels of a key";
     pixels.push_back(millisecondsOf());
     waitFor([&] { return bench.pictureState() == PictureState::Newest; });
   }
@@ -129,10 +130,11 @@ void measure(int turns) {
     since.restart();
     red->setValue(turn % 2 ? 200 : 900);
     if (!painted.waits([&](QColor c) { return c.red() != before; }))
-      return;
+      return "the pixels of a slider";
     slider.push_back(millisecondsOf());
   }
   print("slider to pixels", slider);
+  return nullptr;
 }
 
 } // namespace
@@ -145,5 +147,9 @@ int main(int argc, char **argv) {
   QApplication application(argc, argv);
   QStandardPaths::setTestModeEnabled(true);
   arbiter::builder::applyScheme(application, arbiter::builder::Scheme::Light);
-  arbiter::builder::measure(argc > 1 ? std::max(1, QString::fromLocal8Bit(argv[1]).toInt()) : 50);
+  const char *const missing = arbiter::builder::measure(
+      argc > 1 ? std::max(1, QString::fromLocal8Bit(argv[1]).toInt()) : 50);
+  if (missing)
+    std::fprintf(stderr, "builder_latency: never came: %s\n", missing);
+  return missing ? 1 : 0;
 }
