@@ -122,7 +122,7 @@ TEST_F(Served, IsFoundAndDeadOnesGo) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].process, getpid());
   EXPECT_FALSE(std::filesystem::exists(dead));
-  EXPECT_FALSE(listenAt(m_path)) << "somebody listens there";
+  EXPECT_FALSE(listenAt(m_path)) << "a server listens there";
 }
 
 TEST_F(Served, LendsFrames) {

@@ -39,7 +39,7 @@ public:
   void wantFrames(control::ClientId client, std::uint32_t every);
   /// Some client wants frames, and has a slot for one.
   [[nodiscard]] bool wantsFrame(int width, int height);
-  /// Where the next frame's pixels go; null: nobody wants one. Until lend().
+  /// Where the next frame's pixels go; null: none is wanted. Until lend().
   [[nodiscard]] std::uint8_t *beginFrame(int width, int height);
   void lend(control::Json params);
   /// A request is at work from now on, or none is.

@@ -5,11 +5,7 @@
 
 namespace arbiter::state::software {
 
-namespace {
-
-/// Vertices of a primitive where primitives of the mode may follow each other in one; 0: they may
-/// not.
-std::uint32_t independent(GLenum mode) {
+std::uint32_t independentVertices(GLenum mode) {
   switch (mode) {
   case GL_POINTS:
     return 1;
@@ -23,6 +19,8 @@ std::uint32_t independent(GLenum mode) {
     return 0;
   }
 }
+
+namespace {
 
 bool isUniform(const ImmediateRecorder &recorder) {
   for (unsigned i = 1; i < recorder.slotCount(); ++i)
@@ -74,7 +72,7 @@ std::unique_ptr<Geometry> geometryOf(const ImmediateRecorder &recorder, bool fro
 }
 
 bool append(Geometry &to, const ImmediateRecorder &recorder, bool fromArrays) {
-  const std::uint32_t size = independent(to.mode);
+  const std::uint32_t size = independentVertices(to.mode);
   constexpr std::uint32_t kMost = 1u << 24;
   if (size == 0 || recorder.mode() != to.mode || fromArrays != to.fromArrays || !to.uniform ||
       !isUniform(recorder) || recorder.slotCount() != to.slotCount ||

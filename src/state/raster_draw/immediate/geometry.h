@@ -15,6 +15,10 @@
 /// where they are from call to call.
 namespace arbiter::state::software {
 
+/// Vertices of a primitive where primitives of the mode may follow each other in one; 0: they may
+/// not, as they share vertices.
+[[nodiscard]] std::uint32_t independentVertices(GLenum mode);
+
 /// One or more primitives of one mode, or the beginning of one: a list may leave it open, or go on
 /// in it with a command that is no vertex (CallList). An attribute that was not set in the list
 /// when its vertex was made has the value that is current when the list is called.

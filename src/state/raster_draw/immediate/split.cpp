@@ -5,6 +5,7 @@
 #include "state/core/memory.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
 
@@ -12,24 +13,8 @@ namespace arbiter::state::software {
 
 namespace {
 
-/// Vertices of a primitive that shares none with the next; 0: of a mode whose primitives do.
-std::uint32_t verticesOf(GLenum mode) {
-  switch (mode) {
-  case GL_POINTS:
-    return 1;
-  case GL_LINES:
-    return 2;
-  case GL_TRIANGLES:
-    return 3;
-  case GL_QUADS:
-    return 4;
-  default:
-    return 0;
-  }
-}
-
 bool endsHere(const ImmediateRecorder &recorder) {
-  const std::uint32_t vertices = verticesOf(recorder.mode());
+  const std::uint32_t vertices = independentVertices(recorder.mode());
   return recorder.count() == 0 || (vertices != 0 && recorder.count() % vertices == 0);
 }
 
