@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "fp_compiler/compiler.h"
+#include "fp_compiler/hw/profile.h"
 #include "scene/document.h"
 
 namespace arbiter::scene {
@@ -29,6 +30,7 @@ public:
   Assembler(Document &document, const ReadText &read) : m_document(document), m_read(read) {}
 
   void run() {
+    readProfile();
     addPass(0);
     // A copy: files grow meanwhile.
     const std::vector<Name> further = m_document.panel().then;
@@ -43,6 +45,26 @@ public:
   }
 
 private:
+  /// Names were looked at with the line.
+  void readProfile() {
+    ProgramFile &main = m_document.files[0];
+    Name &name = main.panel.profile;
+    if (!fp::hw::isProfileFile(name.text))
+      return;
+    const std::string path = m_document.profile();
+    const auto text = m_read(path);
+    std::string fault;
+    if (!text)
+      fault = text.error().message;
+    else if (const auto profile = fp::hw::parseProfile(text.value(), path); !profile)
+      fault = profile.error().message;
+    if (fault.empty())
+      return;
+    complain(main, name.span, "panel-file", std::move(fault),
+             "arbiter profiles NAME prints a profile to begin from");
+    name = {};
+  }
+
   /// The number of a file that a line of another one names; -1 after a complaint.
   int add(int from, const Name &name) {
     const std::string path = m_document.folder + name.text;

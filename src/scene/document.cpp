@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "fp_compiler/hw/profile.h"
+
 namespace arbiter::scene {
+
+std::string profileOf(const Panel &panel, const std::string &folder) {
+  return fp::hw::isProfileFile(panel.profile.text) ? folder + panel.profile.text
+                                                   : panel.profile.text;
+}
 
 bool Document::ok() const {
   return std::all_of(files.begin(), files.end(),

@@ -11,6 +11,11 @@
 /// A document: one program text with its panel, and the files beside it that the panel names.
 namespace arbiter::scene {
 
+/// The profile that a panel names, as hw::loadProfile() takes it; empty: none. A file of one is
+/// looked for in the document's folder.
+/// \param folder as Document::folder
+[[nodiscard]] std::string profileOf(const Panel &panel, const std::string &folder);
+
 struct ProgramFile {
   std::string name; ///< as it is shown: the folder and the name, or "<stdin>"
   std::string text;
@@ -54,6 +59,7 @@ public:
   [[nodiscard]] bool clears(std::size_t pass) const;
   /// The parameters of one of the pass's programs.
   [[nodiscard]] std::vector<ParameterRow> rows(const Pass &pass, int file, double seconds) const;
+  [[nodiscard]] std::string profile() const { return profileOf(panel(), folder); }
   /// A unit whose image is the last frame's picture, in any pass.
   [[nodiscard]] bool hasFeedback() const;
 };

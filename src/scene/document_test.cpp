@@ -79,6 +79,32 @@ TEST(Document, WrongLinesAreToldInTheFileThatHasThem) {
   EXPECT_FALSE(document.ok());
 }
 
+TEST(Document, AProfileIsANameOrAFileBesideIt) {
+  const auto files =
+      from({{"d/mine.toml", "inherits = 'nv30'\n"}, {"d/bad.toml", "inherits = 3\n"}});
+  const auto made = [&](const std::string &name) {
+    return assemble("d/x.fp", "!!ARBfp1.0\n#@ profile " + name + "\nEND\n", files);
+  };
+  EXPECT_EQ(made("nv30").profile(), "nv30");
+  EXPECT_EQ(made("mine.toml").profile(), "d/mine.toml");
+  EXPECT_TRUE(made("mine.toml").ok());
+  for (const auto &[name, said] :
+       {std::pair<const char *, const char *>{"bad.toml", "d/bad.toml:1:"},
+        {"none.toml", "d/none.toml: No such file"},
+        {"\"../up.toml\"", "leads out of the document's folder"}}) {
+    const Document document = made(name);
+    EXPECT_FALSE(document.ok()) << name;
+    ASSERT_EQ(document.panel().diagnostics.size(), 1u) << name;
+    EXPECT_THAT(document.panel().diagnostics[0].message, HasSubstr(said));
+    EXPECT_EQ(document.panel().diagnostics[0].span.begin, 22u) << name;
+  }
+  const Document unknown = made("nv31");
+  EXPECT_TRUE(unknown.ok()) << "a word without a meaning is kept";
+  EXPECT_EQ(unknown.profile(), "");
+  ASSERT_EQ(unknown.panel().diagnostics.size(), 1u);
+  EXPECT_EQ(unknown.panel().diagnostics[0].severity, fp::Severity::Warning);
+}
+
 TEST(Document, AFolderIsOpenedByItsProgram) {
   namespace fs = std::filesystem;
   std::string folder = (fs::temp_directory_path() / "arbiter-document-XXXXXX").string();

@@ -9,21 +9,20 @@
 #include "tools/check/text.h"
 #include "tools/commands.h"
 #include "tools/input.h"
+#include "tools/profile_choice.h"
 
 namespace arbiter::tools {
 
 namespace {
 
-using Profiles = std::vector<fp::hw::Profile>;
-
 /// More files than this are a list of what is wrong and a summary, not a table for each.
 constexpr std::size_t kFew = 8;
 
 CheckedFile checkOne(const std::string &path, const CheckArguments &arguments,
-                     const fp::hw::Profile &profile) {
+                     ProfileChoice &profiles) {
   const fp::LimitPolicy policy =
       arguments.limits == "report" ? fp::LimitPolicy::Report : fp::LimitPolicy::Enforce;
-  CheckedFile file = checkFile(path, arguments.language, policy, profile);
+  CheckedFile file = checkFile(path, arguments.language, policy, profiles);
   if (arguments.advise)
     addAdvice(file, path, arguments.fix, policy);
   return file;
@@ -34,11 +33,14 @@ void print(const std::string &text) { std::fwrite(text.data(), 1, text.size(), s
 /// One document for all files.
 class JsonReport {
 public:
-  explicit JsonReport(const fp::hw::Profile &profile) {
+  explicit JsonReport(const fp::hw::Profile &profile) : m_profile(profile) {
     writeHead(m_json.beginObject(), profile);
     m_json.key("files").beginArray();
   }
-  void add(const CheckedFile &file) { writeFile(m_json, file); }
+  void add(const CheckedFile &file) {
+    const bool another = file.profile != nullptr && file.profile->name != m_profile.name;
+    writeFile(m_json, file, another ? file.profile : nullptr);
+  }
   void end(const Summary &summary) {
     m_json.endArray().key("summary");
     summary.write(m_json);
@@ -46,6 +48,7 @@ public:
   }
 
 private:
+  const fp::hw::Profile &m_profile;
   JsonWriter m_json;
 };
 
@@ -60,7 +63,8 @@ public:
         m_full(!m_brief && (!m_many || arguments.why || arguments.gauges == "always")) {}
 
   [[nodiscard]] std::string of(const CheckedFile &file) const {
-    return m_full ? fullText(file, m_profile, m_options) : briefText(file);
+    return m_full ? fullText(file, file.profile ? *file.profile : m_profile, m_options)
+                  : briefText(file);
   }
   void end(const Summary &summary) const {
     if (m_brief || !m_several)
@@ -79,7 +83,7 @@ private:
   bool m_full;
 };
 
-int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
+int checkAll(const CheckArguments &arguments, ProfileChoice &profiles) {
   const FoundFiles found = findFiles(arguments.files);
   Summary summary(arguments.brief ? Summary::Detail::Counts : Summary::Detail::Tables);
   Progress progress(found.paths.size());
@@ -91,11 +95,11 @@ int checkAll(const CheckArguments &arguments, const fp::hw::Profile &profile) {
     summary.addFault();
     report(fault);
   }
-  JsonReport json(profile);
-  const TextReport text(arguments, found, profile);
+  JsonReport json(profiles.common());
+  const TextReport text(arguments, found, profiles.common());
   for (std::size_t i = 0; i < found.paths.size(); ++i) {
     progress.at(i);
-    CheckedFile file = checkOne(found.paths[i], arguments, profile);
+    CheckedFile file = checkOne(found.paths[i], arguments, profiles);
     summary.add(file);
     if (file.status == FileStatus::Unreadable)
       report(file.fault);
@@ -153,8 +157,8 @@ int afterPrinting(int code) {
   return kExitUsage;
 }
 
-/// Two files under one profile, or one under two.
-int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
+/// Two files under one profile each, or one under two.
+int compareTwo(const CheckArguments &arguments, std::vector<ProfileChoice> &profiles) {
   if (arguments.files.size() + profiles.size() != 3) {
     complain("--compare takes two files, or one file and --profile twice");
     return kExitUsage;
@@ -167,13 +171,14 @@ int compareTwo(const CheckArguments &arguments, const Profiles &profiles) {
   std::vector<Side> sides;
   Summary summary(Summary::Detail::Counts);
   for (std::size_t i = 0; i < 2; ++i) {
-    const fp::hw::Profile &profile = profiles[profiles.size() == 2 ? i : 0];
+    ProfileChoice &choice = profiles[profiles.size() == 2 ? i : 0];
     CheckedFile file =
-        checkOne(arguments.files[arguments.files.size() == 2 ? i : 0], arguments, profile);
+        checkOne(arguments.files[arguments.files.size() == 2 ? i : 0], arguments, choice);
     summary.add(file);
     if (file.status == FileStatus::Unreadable)
       complain(shown(file.fault));
-    sides.push_back({std::move(file), &profile});
+    const fp::hw::Profile *const profile = file.profile ? file.profile : &choice.common();
+    sides.push_back({std::move(file), profile});
   }
   const Comparison comparison(sides[0], sides[1]);
   print(arguments.json ? comparison.json() : comparison.text(styleOf(arguments.gauges)));
@@ -186,14 +191,14 @@ int check(const CheckArguments &arguments) {
   const auto &names = arguments.profiles;
   if (std::find(names.begin(), names.end(), kAllCards) != names.end())
     return afterPrinting(checkCards(arguments));
-  Profiles profiles;
-  for (const std::string &name : arguments.profiles) {
-    auto profile = fp::hw::loadProfile(name);
-    if (!profile) {
-      complain(profile.error().message);
+  std::vector<ProfileChoice> profiles;
+  for (const std::string &name : names.empty() ? std::vector<std::string>{""} : names) {
+    auto choice = ProfileChoice::make(name);
+    if (!choice) {
+      complain(choice.error().message);
       return kExitUsage;
     }
-    profiles.push_back(std::move(profile).value());
+    profiles.push_back(std::move(choice).value());
   }
   if (arguments.fix &&
       std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {

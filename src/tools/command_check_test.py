@@ -84,6 +84,31 @@ class Check(Temporary):
         self.assertIn('over the API limit', result.stdout)
         self.assertEqual(arbiter('check', '--profile', 'host', '-', text=alu(65)).returncode, 0)
 
+    def test_the_panel_names_the_profile(self):
+        """In the order of `arbiter draw`: what was asked for, the panel, the environment."""
+        long_one = alu(70).replace('\n', '\n#@ profile nv30\n', 1)
+        path = self.path('long.fp', long_one)
+        short = self.path('short.fp', GOOD)
+        result = arbiter('check', path)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn('within the native limits of nv30', result.stdout)
+        self.assertEqual(arbiter('check', '-', text=long_one).returncode, 0)
+        self.assertEqual(arbiter('check', '--profile', 'r300', path).returncode, 2)
+        self.assertEqual(arbiter('check', path, ARBITER_PROFILE='r300').returncode, 0)
+        both = arbiter('check', path, short)
+        self.assertIn('2 files under nv30, r300: 2 valid', both.stdout)
+        report = json.loads(arbiter('check', '--json', path, short).stdout)
+        self.assertEqual(report['profile']['name'], 'r300')
+        self.assertEqual([file.get('profile') for file in report['files']], ['nv30', None])
+        emitted = arbiter('compile', '--emit', 'ir', path)
+        self.assertEqual(emitted.returncode, 0, emitted.stderr)
+        self.path('mine.toml', 'inherits = "nv30"\n')
+        beside = self.path('beside.fp', long_one.replace('nv30', 'mine.toml'))
+        self.assertEqual(arbiter('check', beside).returncode, 0)
+        broken = arbiter('check', '--brief', self.path('b.fp', long_one.replace('nv30', 'no.toml')))
+        self.assertEqual(broken.returncode, 2)
+        self.assertRegex(broken.stdout, r'b\.fp:2:12: error: .*no\.toml.*\[panel-file\]')
+
     def test_profile_from_environment_and_file(self):
         self.assertIn('limits of i915', arbiter('check', '-', text=GOOD,
                                                 ARBITER_PROFILE='i915').stdout)

@@ -158,8 +158,8 @@ class Layered(Bare):
         self.assertEqual(result.returncode, 0, 'from standard input too: ' + result.stderr)
         document = self.path('d.fp', '!!ARBfp1.0\n#@ size 2 2, profile nowhere\n' + long)
         result = self.draw(document)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn('nowhere', result.stderr)
+        self.assertEqual(result.returncode, 2, 'a word without a meaning: the default holds')
+        self.assertIn('d.fp:2:22: warning: this profile is unknown', result.stderr)
 
 
 class Check(Temporary):

@@ -11,6 +11,7 @@
 #include "tools/input.h"
 #include "tools/language.h"
 #include "tools/machine_code.h"
+#include "tools/profile_choice.h"
 
 namespace arbiter::tools {
 
@@ -96,9 +97,9 @@ int compile(const CompileArguments &arguments) {
     complain(arguments.output + ": is the program itself");
     return kExitUsage;
   }
-  const auto profile = fp::hw::loadProfile(arguments.profile);
-  if (!profile) {
-    complain(profile.error().message);
+  auto profiles = ProfileChoice::make(arguments.profile);
+  if (!profiles) {
+    complain(profiles.error().message);
     return kExitUsage;
   }
   const auto input = readInput(arguments.file);
@@ -109,7 +110,9 @@ int compile(const CompileArguments &arguments) {
   const std::string &text = input.value();
   std::string emitted;
   if (arguments.emit != "tokens") {
-    const int code = emitProgram(text, arguments, profile.value(), emitted);
+    const int code = emitProgram(
+        text, arguments,
+        profiles.value().of(arguments.file == "-" ? std::string() : arguments.file, text), emitted);
     if (code != kExitOk)
       return code;
   } else if (text.size() > fp::kMaxTextBytes) {

@@ -10,6 +10,9 @@ namespace arbiter::tools {
 namespace {
 
 constexpr const char *kProfileHelp = "a profile's name (arbiter profiles), or a TOML file";
+constexpr const char *kChosenProfileHelp =
+    "a profile's name (arbiter profiles), or a TOML file; by default the one that a text's panel "
+    "names, else ARBITER_PROFILE's, else r300";
 
 void addLanguage(CLI::App &command, std::string &language) {
   command
@@ -22,13 +25,12 @@ void addLanguage(CLI::App &command, std::string &language) {
 void addCheck(CLI::App &app, CheckArguments &check) {
   CLI::App *command = app.add_subcommand(
       "check", "Check programs: errors with line and column, counts against limits");
-  check.profiles = {settings().profile}; // ARBITER_PROFILE, or the default
   command
       ->add_option("--profile", check.profiles,
-                   std::string(kProfileHelp) + "; all: every card, a row a file, a column a card")
+                   std::string(kChosenProfileHelp) +
+                       "; all: every card, a row a file, a column a card")
       ->allow_extra_args(false)
-      ->take_all()
-      ->capture_default_str();
+      ->take_all();
   command
       ->add_option("--limits", check.limits,
                    "a program over the API limits: enforce: invalid; report: a warning")
@@ -82,8 +84,7 @@ void addCheck(CLI::App &app, CheckArguments &check) {
 
 void addCompile(CLI::App &app, CompileArguments &compile) {
   CLI::App *command = app.add_subcommand("compile", "Show what the compiler makes of a program");
-  compile.profile = settings().profile;
-  command->add_option("--profile", compile.profile, kProfileHelp)->capture_default_str();
+  command->add_option("--profile", compile.profile, kChosenProfileHelp);
   command
       ->add_option("--emit", compile.emit,
                    "tokens, ir (checked program), assembly (plain text), glsl (1.20), native "
@@ -430,8 +431,7 @@ void addRender(CLI::App &app, RenderArguments &render) {
 void addLsp(CLI::App &app, LspArguments &lsp) {
   CLI::App *command = app.add_subcommand(
       "lsp", "A language server for editors, on standard input and output (LSP 3.17)");
-  lsp.profile = settings().profile;
-  command->add_option("--profile", lsp.profile, kProfileHelp)->capture_default_str();
+  command->add_option("--profile", lsp.profile, kChosenProfileHelp);
   command->footer("An editor starts it; docs/editors.md says how. The profile can be changed while "
                   "it runs, by the setting arbiter.profile.\n"
                   "Exit code: 0 after shutdown and exit; 1 otherwise.");

@@ -239,6 +239,8 @@ void Workbench::debugPixel(QPoint pixel) {
                     QStringLiteral("%1,%2").arg(pixel.x()).arg(pixel.y())};
   if (const QString &profile = m_session.options().profile; !profile.isEmpty())
     words << QStringLiteral("--profile") << profile;
+  if (const QString &numerics = m_session.options().numerics; !numerics.isEmpty())
+    words << QStringLiteral("--numerics") << numerics;
   m_debugTool.run(words, scene(), [this](const ToolResult &result) {
     if (result.finished && m_trace.take(result.json()))
       return;

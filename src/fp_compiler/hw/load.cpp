@@ -44,11 +44,15 @@ bool readFile(const char *path, std::string &text) {
 
 } // namespace
 
+bool isProfileFile(std::string_view nameOrPath) {
+  return nameOrPath.find('/') != std::string_view::npos || nameOrPath.ends_with(".toml");
+}
+
 Result<Profile, ProfileError> loadProfile(std::string_view nameOrPath) {
   try {
     if (const Profile *builtin = findBuiltin(nameOrPath))
       return *builtin;
-    if (nameOrPath.find('/') == std::string_view::npos && !nameOrPath.ends_with(".toml"))
+    if (!isProfileFile(nameOrPath))
       return ProfileError{unknownProfile(nameOrPath)};
     const std::string path(nameOrPath);
     std::string text;

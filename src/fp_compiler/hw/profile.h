@@ -120,7 +120,10 @@ inline constexpr std::string_view kDefaultProfile = "r300";
 /// \returns nullptr for a name that is not built in. Valid for the life of the process.
 [[nodiscard]] const Profile *findBuiltin(std::string_view name);
 
-/// A built-in name, or the path of a TOML file: anything with a slash or ending in ".toml".
+/// A path: anything with a slash or ending in ".toml". All else is a name.
+[[nodiscard]] bool isProfileFile(std::string_view nameOrPath);
+
+/// A built-in name, or the path of a TOML file by isProfileFile().
 /// Never throws; an unknown name's error lists the known ones.
 [[nodiscard]] Result<Profile, ProfileError> loadProfile(std::string_view nameOrPath);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "fp_compiler/hw/profile.h"
 #include "fp_compiler/numerics.h"
 #include "scene/panel/reader.h"
 
@@ -26,6 +27,23 @@ bool readNumerics(Reader &reader) {
   name = {};
   return reader.warning(span, "panel-word", "these numerics are unknown and have no effect",
                         "one of host, legacy, fp24");
+}
+
+bool readProfile(Reader &reader) {
+  Name &name = reader.panel().profile;
+  if (!reader.file("a profile's name", name)) {
+    name = {};
+    return false;
+  }
+  if (fp::hw::isProfileFile(name.text) || fp::hw::findBuiltin(name.text) != nullptr)
+    return true;
+  std::string known = "one of";
+  for (const std::string_view each : fp::hw::builtinNames())
+    known.append(known == "one of" ? " " : ", ").append(each);
+  const fp::Span span = name.span;
+  name = {};
+  return reader.warning(span, "panel-word", "this profile is unknown and has no effect",
+                        known + ", or a TOML file");
 }
 
 bool readDepth(Reader &reader) {
@@ -145,7 +163,7 @@ bool readSetting(Reader &reader, Setting setting, std::uint32_t begin) {
   case Setting::Title:
     return reader.name("a title", panel.title);
   case Setting::Profile:
-    return reader.name("a profile's name", panel.profile);
+    return readProfile(reader);
   case Setting::Numerics:
     return readNumerics(reader);
   case Setting::Size:

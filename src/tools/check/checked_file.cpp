@@ -41,6 +41,19 @@ void addPanel(const std::string &path, CheckedFile &file) {
     file.status = FileStatus::Invalid;
 }
 
+/// \returns false if there is nothing to check
+bool readFile(const std::string &path, CheckedFile &file) {
+  file.name = path == "-" ? "<stdin>" : path;
+  auto input = readInput(path);
+  if (!input) {
+    file.status = FileStatus::Unreadable;
+    file.fault = input.error().message;
+    return false;
+  }
+  file.text = std::move(input).value();
+  return true;
+}
+
 void checkText(const std::string &path, CheckedFile &file, fp::LimitPolicy policy) {
   file.result = fp::checkProgram(file.language, file.text, {file.limits, policy});
   file.status = !file.result.ok()                ? FileStatus::Invalid
@@ -49,22 +62,29 @@ void checkText(const std::string &path, CheckedFile &file, fp::LimitPolicy polic
   addPanel(path, file);
 }
 
+void judge(const std::string &path, const std::string &language, fp::LimitPolicy policy,
+           const fp::hw::Profile &profile, CheckedFile &file) {
+  file.language = chooseLanguage(language, file.text);
+  file.profile = &profile;
+  file.limits = limitsOf(profile, file.language);
+  checkText(path, file, policy);
+}
+
 } // namespace
 
 CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
                       const fp::hw::Profile &profile) {
   CheckedFile file;
-  file.name = path == "-" ? "<stdin>" : path;
-  auto input = readInput(path);
-  if (!input) {
-    file.status = FileStatus::Unreadable;
-    file.fault = input.error().message;
-    return file;
-  }
-  file.text = std::move(input).value();
-  file.language = chooseLanguage(language, file.text);
-  file.limits = limitsOf(profile, file.language);
-  checkText(path, file, policy);
+  if (readFile(path, file))
+    judge(path, language, policy, profile, file);
+  return file;
+}
+
+CheckedFile checkFile(const std::string &path, const std::string &language, fp::LimitPolicy policy,
+                      ProfileChoice &profiles) {
+  CheckedFile file;
+  if (readFile(path, file))
+    judge(path, language, policy, profiles.of(path == "-" ? std::string() : path, file.text), file);
   return file;
 }
 

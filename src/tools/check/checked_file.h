@@ -7,6 +7,7 @@
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/hw/profile.h"
 #include "tools/advise/advise.h"
+#include "tools/profile_choice.h"
 
 /// One file that `arbiter check` looked at, as data for every way to show it.
 namespace arbiter::tools {
@@ -24,7 +25,8 @@ public:
   FileStatus status = FileStatus::Valid;
   std::string fault; ///< Unreadable: why
   fp::CheckResult result;
-  fp::Limits limits; ///< of its language under the profile
+  const fp::hw::Profile *profile = nullptr; ///< that it was judged by; of who had it checked
+  fp::Limits limits;                        ///< of its language under the profile
   /// Where it was asked for: what there is to be said, and what was changed before that.
   std::optional<std::vector<advise::Advice>> advice;
   std::optional<advise::Fixed> fixed;
@@ -49,6 +51,9 @@ private:
 /// \param language "auto", or a name of languageRows()
 [[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
                                     fp::LimitPolicy policy, const fp::hw::Profile &profile);
+/// The same under the profile that is chosen by its text.
+[[nodiscard]] CheckedFile checkFile(const std::string &path, const std::string &language,
+                                    fp::LimitPolicy policy, ProfileChoice &profiles);
 
 /// Fills `advice`.
 /// \param fix before that, every fix is made: in `text`, which is checked anew, and in the file

@@ -57,6 +57,8 @@ const fp::ResourceRow *overRow(const CheckedFile &file) {
 } // namespace
 
 void Summary::add(const CheckedFile &file) {
+  if (file.profile != nullptr)
+    m_profiles.insert(file.profile->name);
   ++m_counts[std::size_t(file.status)];
   if (m_detail == Detail::Counts)
     return;
@@ -111,8 +113,12 @@ std::string Summary::line(const fp::hw::Profile &profile) const {
   std::size_t total = 0;
   for (const std::size_t each : m_counts)
     total += each;
+  std::string names;
+  for (const std::string &each : m_profiles)
+    names += (names.empty() ? "" : ", ") + each;
   std::string text = std::to_string(total) + (total == 1 ? " file" : " files") + " under " +
-                     profile.name + ": " + std::to_string(count(FileStatus::Valid)) + " valid";
+                     (names.empty() ? profile.name : names) + ": " +
+                     std::to_string(count(FileStatus::Valid)) + " valid";
   const auto add = [&](FileStatus status, const char *what) {
     if (count(status) != 0)
       text += ", " + std::to_string(count(status)) + " " + what;

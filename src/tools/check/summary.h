@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ public:
   /// A folder that could not be searched, or had nothing in it: an unreadable operand.
   void addFault() { ++m_faults; }
 
-  /// "4 files under r300: 2 valid, 1 over the native limits, 1 invalid"
+  /// "4 files under r300: 2 valid, 1 over the native limits, 1 invalid"; under others too where
+  /// panels name them.
   [[nodiscard]] std::string line(const fp::hw::Profile &profile) const;
   /// The tables; empty if there is nothing to put into them.
   [[nodiscard]] std::string tables(const Style &style) const;
@@ -60,6 +62,7 @@ private:
   Detail m_detail;
   std::array<std::size_t, 4> m_counts = {}; ///< by FileStatus
   std::size_t m_faults = 0;
+  std::set<std::string> m_profiles;                    ///< names of those that files were judged by
   std::array<std::size_t, kLanguages> m_programs = {}; ///< with counts, by ir::Language
   std::array<std::array<Fullest, kResources>, kLanguages> m_fullest;
   std::vector<Misfit> m_misfits;

@@ -2,7 +2,7 @@
 
 #include "fp_compiler/back/assembly/assembly.h"
 #include "tools/language.h"
-#include "util/flags.h"
+#include "tools/profile_choice.h"
 
 namespace arbiter::tools::debug {
 
@@ -44,10 +44,7 @@ std::optional<SessionError> Session::read(const SessionOptions &options) {
   if (options.pass < 1 || std::size_t(options.pass) > passes)
     return usage("--pass " + std::to_string(options.pass) + ": " + options.path + " has " +
                  (passes == 1 ? "one pass" : std::to_string(passes) + " passes"));
-  const std::string &named = m_document.panel().profile.text;
-  const auto profile = fp::hw::loadProfile(!options.profile.empty() ? options.profile
-                                           : !named.empty()         ? named
-                                                                    : settings().profile);
+  const auto profile = fp::hw::loadProfile(profileName(options.profile, m_document));
   if (!profile)
     return usage(profile.error().message);
   m_profile = profile.value();

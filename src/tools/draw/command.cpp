@@ -163,19 +163,21 @@ bool keepInput(std::string &text) {
 
 /// The document's profile and numerics, where the command line has none.
 bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
-  scene::Panel panel;
+  scene::Document document;
   if (std::find(arguments.files.begin(), arguments.files.end(), "-") != arguments.files.end()) {
     std::string text;
     if (!keepInput(text))
       return false;
-    panel = scene::parsePanel(text);
-  } else if (auto document = scene::loadDocument(arguments.files.front())) {
-    panel = document.value().panel();
+    document = scene::assemble("", std::move(text), scene::readText);
+  } else if (auto loaded = scene::loadDocument(arguments.files.front())) {
+    document = std::move(loaded).value();
+  } else {
+    return true; // the process that draws says so
   }
   if (layer.profile.empty())
-    layer.profile = panel.profile.text;
+    layer.profile = document.profile();
   if (layer.numerics.empty())
-    layer.numerics = panel.numerics.text;
+    layer.numerics = document.panel().numerics.text;
   return true;
 }
 

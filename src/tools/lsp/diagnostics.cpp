@@ -3,6 +3,7 @@
 #include "fp_compiler/resources.h"
 #include "scene/document.h"
 #include "tools/lsp/answers.h"
+#include "tools/lsp/uri.h"
 
 namespace arbiter::tools::lsp {
 
@@ -120,29 +121,6 @@ void addNative(const View &view, Json &all) {
       if (reason.resource == row.member && reasons++ < kMaxReasons)
         all.push_back(ofReason(view, reason, over));
   }
-}
-
-int hexDigit(char digit) {
-  return digit >= '0' && digit <= '9'   ? digit - '0'
-         : digit >= 'a' && digit <= 'f' ? digit - 'a' + 10
-         : digit >= 'A' && digit <= 'F' ? digit - 'A' + 10
-                                        : -1;
-}
-
-/// The path of a file's URI (RFC 3986); empty for any other.
-std::string pathOf(std::string_view uri) {
-  constexpr std::string_view kScheme = "file://";
-  std::string path;
-  if (!uri.starts_with(kScheme) || uri.size() == kScheme.size() || uri[kScheme.size()] != '/')
-    return path;
-  uri.remove_prefix(kScheme.size());
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-    const int low = high < 0 ? -1 : hexDigit(uri[i + 2]);
-    path += low < 0 ? uri[i] : char(16 * high + low);
-    i += low < 0 ? 0 : 2;
-  }
-  return path;
 }
 
 } // namespace

@@ -54,23 +54,25 @@ Server::Reply Server::shutdown(const Json &) {
   return Json();
 }
 
-/// Takes {"profile": name or path}, by itself or as the member "arbiter". False if nothing changed.
+/// Takes {"profile": name or path}, by itself or as the member "arbiter"; an empty name is as at
+/// the start. False if nothing changed.
 bool Server::useProfile(const Json &settings) {
   const std::string *name = stringAt(settings, {"arbiter", "profile"});
   if (!name)
     name = stringAt(settings, {"profile"});
-  if (!name || name->empty())
+  if (!name || *name == m_profiles.asked())
     return false;
-  auto profile = fp::hw::loadProfile(*name);
-  if (!profile) {
+  auto profiles = name->empty() ? Result<ProfileChoice, fp::hw::ProfileError>(m_startProfiles)
+                                : ProfileChoice::make(*name);
+  if (!profiles) {
     constexpr int kError = 1;
     sendNotification("window/showMessage",
-                     {{"type", kError}, {"message", "arbiter: " + profile.error().message}});
+                     {{"type", kError}, {"message", "arbiter: " + profiles.error().message}});
     return false;
   }
   for (auto &[uri, document] : m_documents)
     document.forget();
-  m_profile = std::move(profile).value();
+  m_profiles = std::move(profiles).value();
   return true;
 }
 

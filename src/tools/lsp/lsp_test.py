@@ -254,6 +254,24 @@ class Diagnostics(Session):
         message = self.client.wait(lambda m: m.get('method') == 'window/showMessage')
         self.assertIn('r3', message['params']['message'])
 
+    def test_the_panel_names_the_profile(self):
+        lines = 'TEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
+        client = serve()
+        self.addCleanup(client.drop)
+        client.initialize()
+        self.assertEqual(client.open(URI, '!!ARBfp1.0\n#@ profile nv30\n' + lines), [])
+        report = client.request('arbiter/report', {'textDocument': {'uri': URI}})
+        self.assertEqual((report['profile'], report['status']), ('nv30', 'valid'))
+        client.change(URI, 2, {'text': '!!ARBfp1.0\n' + lines})
+        self.assertTrue(client.diagnostics(URI)['diagnostics'])
+        # What an editor asks for goes before the panel, until it asks no more.
+        client.change(URI, 3, {'text': '!!ARBfp1.0\n#@ profile nv30\n' + lines})
+        self.assertEqual(client.diagnostics(URI)['diagnostics'], [])
+        client.notify('workspace/didChangeConfiguration', {'settings': {'profile': 'r300'}})
+        self.assertTrue(client.diagnostics(URI)['diagnostics'])
+        client.notify('workspace/didChangeConfiguration', {'settings': {'profile': ''}})
+        self.assertEqual(client.diagnostics(URI)['diagnostics'], [])
+
     def test_texts_that_are_not_whole(self):
         found = self.client.open(URI, 'TEMP a;\nMOV a, b;\n')
         self.assertEqual([d['code'] for d in found],

@@ -18,15 +18,17 @@ Server::Reply Server::reportOf(const Json &params) {
   CheckedFile file;
   file.name = document->uri();
   file.text = document->text();
-  file.language = document->analysis(m_profile).language;
-  file.limits = limitsOf(m_profile, file.language);
+  const fp::hw::Profile &profile = profileOf(*document);
+  file.language = document->analysis(profile).language;
+  file.profile = &profile;
+  file.limits = limitsOf(profile, file.language);
   file.result = fp::checkProgram(file.language, file.text, {file.limits, fp::LimitPolicy::Enforce});
   if (!file.result.ok())
     file.status = FileStatus::Invalid;
   else if (!file.result.underNativeLimits)
     file.status = FileStatus::OverNative;
   JsonWriter json;
-  writeFile(json, file, &m_profile);
+  writeFile(json, file, &profile);
   return Json::parse(json.take(), nullptr, false);
 }
 

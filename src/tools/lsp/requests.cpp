@@ -194,6 +194,7 @@ Server::Reply Server::traceOf(const Json &params) {
       int(std::clamp<std::int64_t>(integerAt(params, {"frame"}).value_or(0), 0, 100000));
   if (against && *against == "host")
     question.backend = debug::Backend::Host;
+  question.profile = m_profiles.asked();
   auto trace = m_traces.ask(*document, question);
   if (m_refreshesHints)
     send({{"jsonrpc", "2.0"}, {"id", m_nextId++}, {"method", "workspace/inlayHint/refresh"}});
@@ -214,7 +215,7 @@ Server::Reply Server::codeActionsOf(const Json &params) {
     for (const Json &kind : *only)
       if (kind.is_string())
         request.only.push_back(kind.get<std::string>());
-  return codeActions(viewOf(*document), document->advice(m_profile), request);
+  return codeActions(viewOf(*document), document->advice(profileOf(*document)), request);
 }
 
 /// The action with its edit, if it is one of ours that has none yet.
@@ -232,7 +233,7 @@ Server::Reply Server::adviceOf(const Json &params) {
   Document *document = find(params);
   if (!document)
     return noDocument();
-  return adviceList(viewOf(*document), document->advice(m_profile));
+  return adviceList(viewOf(*document), document->advice(profileOf(*document)));
 }
 
 Server::Reply Server::semanticTokensOf(const Json &params) {

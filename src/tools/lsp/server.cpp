@@ -63,8 +63,8 @@ const Server::NotificationRow Server::kNotifications[] = {
     {"workspace/didChangeConfiguration", &Server::configurationChanged},
 };
 
-Server::Server(Transport &transport, fp::hw::Profile profile)
-    : m_transport(transport), m_profile(std::move(profile)) {}
+Server::Server(Transport &transport, ProfileChoice profiles)
+    : m_transport(transport), m_startProfiles(profiles), m_profiles(std::move(profiles)) {}
 
 int Server::run() {
   while (m_state != State::Exited && !m_gone) {
@@ -203,14 +203,14 @@ void Server::publishChanged() {
 namespace arbiter::tools {
 
 int serve(const LspArguments &arguments) {
-  auto profile = fp::hw::loadProfile(arguments.profile);
-  if (!profile) {
-    complain(profile.error().message);
+  auto profiles = ProfileChoice::make(arguments.profile);
+  if (!profiles) {
+    complain(profiles.error().message);
     return kExitUsage;
   }
   std::signal(SIGPIPE, SIG_IGN); // a client that goes is an error of write()
   lsp::Transport transport(STDIN_FILENO, STDOUT_FILENO);
-  const int code = lsp::Server(transport, std::move(profile).value()).run();
+  const int code = lsp::Server(transport, std::move(profiles).value()).run();
   if (code != kExitOk)
     complain("the input ended without shutdown and exit");
   return code;

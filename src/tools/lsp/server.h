@@ -9,6 +9,8 @@
 #include "tools/lsp/answers.h"
 #include "tools/lsp/trace.h"
 #include "tools/lsp/transport.h"
+#include "tools/lsp/uri.h"
+#include "tools/profile_choice.h"
 
 namespace arbiter::tools::lsp {
 
@@ -23,7 +25,8 @@ struct RpcError {
 /// go out when nothing waits, so that a burst of edits costs one check.
 class Server {
 public:
-  Server(Transport &transport, fp::hw::Profile profile);
+  /// \param profiles as the command line has them; a client's settings may ask for another
+  Server(Transport &transport, ProfileChoice profiles);
 
   /// Serves until `exit` or the end of the input. \returns the exit code: 0 after `shutdown`,
   /// else 1.
@@ -60,7 +63,11 @@ private:
   [[nodiscard]] static std::optional<fp::Span> rangeOf(const Document &document,
                                                        const Json &params);
   [[nodiscard]] View viewOf(Document &document) {
-    return {document, document.analysis(m_profile), m_profile};
+    const fp::hw::Profile &profile = profileOf(document);
+    return {document, document.analysis(profile), profile};
+  }
+  [[nodiscard]] const fp::hw::Profile &profileOf(const Document &document) {
+    return m_profiles.of(pathOf(document.uri()), document.text());
   }
   /// The reply of `handler`, called with the view and the offset that the parameters name.
   template <typename Handler> Reply atPosition(const Json &params, Handler handler);
@@ -90,7 +97,8 @@ private:
   enum class State : std::uint8_t { New, Running, ShutDown, Exited };
 
   Transport &m_transport;
-  fp::hw::Profile m_profile;
+  const ProfileChoice m_startProfiles;
+  ProfileChoice m_profiles;
   Encoding m_encoding = Encoding::Utf16;
   bool m_refreshesHints = false; ///< the client knows workspace/inlayHint/refresh
   bool m_showsDisabled = false;  ///< the client shows code actions that are disabled

@@ -2,18 +2,11 @@
 
 #include "tools/debug/trace/numbers.h"
 #include "tools/debug/trace/text.h"
+#include "tools/lsp/uri.h"
 
 namespace arbiter::tools::lsp {
 
 namespace {
-
-int digitOf(char c) {
-  if (c >= '0' && c <= '9')
-    return c - '0';
-  if (c >= 'a' && c <= 'f')
-    return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
 
 constexpr int kHintDigits = 4;
 
@@ -29,27 +22,16 @@ std::string hintOf(const debug::Row &row) {
 
 } // namespace
 
-std::string pathOf(const std::string &uri) {
-  constexpr std::string_view kScheme = "file://";
-  if (!uri.starts_with(kScheme))
-    return uri;
-  std::string path;
-  for (std::size_t i = kScheme.size(); i < uri.size(); ++i) {
-    const bool escape =
-        uri[i] == '%' && i + 2 < uri.size() && digitOf(uri[i + 1]) >= 0 && digitOf(uri[i + 2]) >= 0;
-    path += escape ? char(digitOf(uri[i + 1]) * 16 + digitOf(uri[i + 2])) : uri[i];
-    i += escape ? 2 : 0;
-  }
-  return path;
-}
-
 Result<Json, Refusal> Traces::ask(const Document &document, const TraceQuestion &question) {
   Traced &traced = m_traces[document.uri()];
   const TraceQuestion &last = traced.question;
   if (!traced.session || traced.version != document.version || last.pass != question.pass ||
-      last.frame != question.frame || last.backend != question.backend) {
+      last.frame != question.frame || last.backend != question.backend ||
+      last.profile != question.profile) {
     debug::SessionOptions options;
-    options.path = pathOf(document.uri());
+    const std::string path = pathOf(document.uri());
+    options.path = path.empty() ? document.uri() : path;
+    options.profile = question.profile;
     options.text = document.text();
     options.pass = question.pass;
     options.frame = question.frame;

@@ -14,6 +14,7 @@ struct TraceQuestion {
   int x = 0, y = 0; ///< from the lower left
   int pass = 1, frame = 0;
   debug::Backend backend = debug::Backend::Swrast;
+  std::string profile; ///< that was asked for; empty: by the document, or the user
 };
 
 /// The traces of open documents: the last one of each, and the process that drew it.
@@ -42,8 +43,5 @@ private:
 
   std::map<std::string, Traced> m_traces; ///< by URI
 };
-
-/// The path of a file: URI; other URIs as they are.
-[[nodiscard]] std::string pathOf(const std::string &uri);
 
 } // namespace arbiter::tools::lsp

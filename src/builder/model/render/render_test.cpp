@@ -67,6 +67,31 @@ TEST(Session, ShowsWhatTheTextSaysTheTopRowFirst) {
   EXPECT_EQ(it.last.image.pixelColor(0, 1), QColor(Qt::white)) << "GL's first row is the lowest";
 }
 
+TEST(Session, TheRendererHasTheProfileAndNumericsOfTheDocumentUnlessOthersWereChosen) {
+  Session it;
+  it.session.want(scene(QStringLiteral("started with"), 1));
+  ASSERT_TRUE(it.draws(1));
+  EXPECT_EQ(it.last.image.pixelColor(0, 0), QColor(0, 0, 0));
+  const QString named = QStringLiteral("started with\n#@ profile nv30, numerics fp24\n");
+  it.session.want(scene(named, 2));
+  ASSERT_TRUE(it.draws(2));
+  EXPECT_EQ(it.last.image.pixelColor(0, 0), QColor(255, 255, 0));
+  EXPECT_EQ(it.session.effectiveOptions().profile, QStringLiteral("nv30"));
+  const qint64 process = it.session.processId();
+  it.session.want(scene(named + QStringLiteral("# more\n"), 3));
+  ASSERT_TRUE(it.draws(3));
+  EXPECT_EQ(it.session.processId(), process) << "the same profile starts nothing anew";
+  it.session.setOptions({QStringLiteral("i915"), {}, {}, false});
+  it.session.want(scene(named, 4));
+  ASSERT_TRUE(it.draws(4));
+  EXPECT_EQ(it.last.image.pixelColor(0, 0), QColor(0, 255, 0)) << "the chosen one holds";
+  it.session.setOptions({});
+  it.session.want(scene(QStringLiteral("started with"), 5));
+  ASSERT_TRUE(it.draws(5));
+  EXPECT_EQ(it.last.image.pixelColor(0, 0), QColor(0, 0, 0));
+  EXPECT_EQ(it.held, -1);
+}
+
 TEST(Session, AWrongTextKeepsTheLastPicture) {
   Session it;
   it.session.want(scene(QStringLiteral("colour 102030"), 1));

@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include "scene/document.h"
+
 namespace arbiter::builder {
 
 namespace {
@@ -18,6 +20,23 @@ constexpr qsizetype kMaxHeld = 1000;
 
 QByteArray hashOf(const Scene &scene) {
   return QCryptographicHash::hash(scene.text.toUtf8(), QCryptographicHash::Sha256).toHex();
+}
+
+} // namespace
+
+namespace {
+
+/// What a person did not choose is as the document's panel says.
+RenderOptions optionsOf(const Scene &scene, RenderOptions options) {
+  const scene::Panel panel = scene::parsePanel(scene.text.toStdString());
+  QString folder = scene.folder;
+  if (!folder.isEmpty() && !folder.endsWith(u'/'))
+    folder += u'/';
+  if (options.profile.isEmpty() && !options.bare)
+    options.profile = QString::fromStdString(scene::profileOf(panel, folder.toStdString()));
+  if (options.numerics.isEmpty() && !options.bare)
+    options.numerics = QString::fromStdString(panel.numerics.text);
+  return options;
 }
 
 } // namespace
@@ -68,7 +87,7 @@ void RendererSession::startRenderer() {
     startRenderer();
     sendNext();
   });
-  m_renderer->start(m_options, m_folder);
+  m_renderer->start(m_started, m_folder);
   if (m_paused)
     m_renderer->setPaused(true);
 }
@@ -85,13 +104,17 @@ void RendererSession::setOptions(const RenderOptions &options) {
   if (!m_waiting)
     m_waiting = m_underWay ? m_underWay : m_lastGoodScene;
   m_underWay.reset();
-  if (m_renderer) {
-    m_renderer->disconnect(this);
-    m_renderer->kill();
-    m_renderer->deleteLater();
-    m_renderer = nullptr;
-  }
+  dropRenderer();
   sendNext();
+}
+
+void RendererSession::dropRenderer() {
+  if (!m_renderer)
+    return;
+  m_renderer->disconnect(this);
+  m_renderer->kill();
+  m_renderer->deleteLater();
+  m_renderer = nullptr;
 }
 
 void RendererSession::sendNext() {
@@ -102,13 +125,13 @@ void RendererSession::sendNext() {
     m_waiting.reset();
     return hold(scene, tr("this program stopped the renderer"));
   }
-  if (m_renderer && scene.folder != m_folder) { // it looks for files in the folder of its start
-    m_renderer->disconnect(this);
-    m_renderer->kill();
-    m_renderer->deleteLater();
-    m_renderer = nullptr;
-  }
+  // A renderer keeps what it was started with: the folder that names begin from, and the layer's
+  // profile and numerics.
+  const RenderOptions options = optionsOf(scene, m_options);
+  if (scene.folder != m_folder || options != m_started)
+    dropRenderer();
   m_folder = scene.folder;
+  m_started = options;
   startRenderer();
   if (!m_renderer || m_underWay)
     return;
@@ -176,10 +199,7 @@ void RendererSession::stop() {
   const Scene scene = *std::exchange(m_underWay, std::nullopt);
   m_patience.stop();
   m_tick.stop();
-  m_renderer->disconnect(this);
-  m_renderer->kill();
-  m_renderer->deleteLater();
-  m_renderer = nullptr;
+  dropRenderer();
   hold(scene,
        tr("this program did not draw in %1 s").arg(double(m_since.elapsed()) / 1000, 0, 'f', 1));
   sendNext();

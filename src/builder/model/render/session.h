@@ -29,6 +29,8 @@ public:
   void want(const Scene &scene);
   void setOptions(const RenderOptions &options);
   [[nodiscard]] const RenderOptions &options() const { return m_options; }
+  /// What is drawn with: options(), and the document's where those are empty.
+  [[nodiscard]] const RenderOptions &effectiveOptions() const { return m_started; }
   bool setParameter(const LiveValue &value);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return m_paused; }
@@ -61,6 +63,7 @@ Q_SIGNALS:
 
 private:
   void startRenderer();
+  void dropRenderer();
   void sendNext();
   void ended(const QString &why);
   void take(const SceneAnswer &answer);
@@ -73,7 +76,8 @@ private:
   QString m_memory;
   Renderer *m_renderer = nullptr;
   RenderOptions m_options;
-  QString m_folder; ///< that the renderer was started with
+  QString m_folder;        ///< that the renderer was started with
+  RenderOptions m_started; ///< likewise; m_options, and the document's where those are empty
 
   std::optional<Scene> m_waiting;  ///< the newest, not sent yet
   std::optional<Scene> m_underWay; ///< sent, not answered

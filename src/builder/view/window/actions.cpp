@@ -20,6 +20,7 @@
 #include "builder/view/picture/picture_view.h"
 #include "builder/view/window/main_window.h"
 #include "fp_compiler/hw/profile.h"
+#include "fp_compiler/numerics.h"
 
 namespace arbiter::builder {
 
@@ -122,16 +123,18 @@ void MainWindow::addChoice(QMenu *menu, const QString &title, const QStringList 
 }
 
 void MainWindow::buildChoices(QMenu *menu) {
-  QStringList profiles{QStringLiteral("r300")};
-  for (const std::string_view builtin : fp::hw::builtinNames()) {
-    const QString name = QString::fromUtf8(builtin.data(), qsizetype(builtin.size()));
-    if (name != profiles.first())
-      profiles << name;
-  }
+  const QString own = tr("as the document says");
+  const auto chosen = [own](const QString &name) { return name == own ? QString() : name; };
+  QStringList profiles{own};
+  for (const std::string_view builtin : fp::hw::builtinNames())
+    profiles << QString::fromUtf8(builtin.data(), qsizetype(builtin.size()));
   addChoice(menu, tr("&Profile"), profiles,
-            [this](const QString &name) { m_bench.setProfile(name); });
-  addChoice(menu, tr("&Numerics"), {tr("host"), QStringLiteral("legacy"), QStringLiteral("fp24")},
-            [this](const QString &name) { m_bench.setNumerics(name); });
+            [this, chosen](const QString &name) { m_bench.setProfile(chosen(name)); });
+  QStringList numerics{own};
+  for (const std::string_view name : fp::kNumericsNames)
+    numerics << QString::fromUtf8(name.data(), qsizetype(name.size()));
+  addChoice(menu, tr("&Numerics"), numerics,
+            [this, chosen](const QString &name) { m_bench.setNumerics(chosen(name)); });
   addChoice(menu, tr("&Back end"),
             {QStringLiteral("auto"), QStringLiteral("host"), QStringLiteral("swrast")},
             [this](const QString &name) { m_bench.setBackend(name); });

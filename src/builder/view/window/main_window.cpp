@@ -22,6 +22,7 @@
 #include "builder/view/picture/picture_panel.h"
 #include "builder/view/picture/picture_view.h"
 #include "builder/view/theme.h"
+#include "util/flags.h"
 
 namespace arbiter::builder {
 
@@ -151,12 +152,12 @@ void MainWindow::showStatus() {
   if (state == PictureState::Wrong || state == PictureState::Held)
     palette.setColor(QPalette::WindowText, colours().error);
   m_status->setPalette(palette);
-  const RenderOptions &options = m_bench.renderer().options();
-  m_choice->setText(
-      QStringList{options.profile.isEmpty() ? QStringLiteral("r300") : options.profile,
-                  options.numerics.isEmpty() ? QStringLiteral("host") : options.numerics,
-                  options.backend.isEmpty() ? QStringLiteral("auto") : options.backend}
-          .join(QStringLiteral(" · ")));
+  const RenderOptions &options = m_bench.renderer().effectiveOptions();
+  m_choice->setText(QStringList{
+      options.profile.isEmpty() ? QString::fromStdString(settings().profile) : options.profile,
+      options.numerics.isEmpty() ? QStringLiteral("host") : options.numerics,
+      options.backend.isEmpty() ? QStringLiteral("auto") : options.backend}
+                        .join(QStringLiteral(" · ")));
 }
 
 void MainWindow::showTitle() {
