@@ -1,7 +1,8 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
-#include "tools/options.h"
+#include "tools/options/options.h"
 
 /// An option that has no effect is a mistake in the command line: reported, not ignored.
 namespace arbiter::tools {
