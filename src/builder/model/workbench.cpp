@@ -5,8 +5,12 @@
 #include <QFileInfo>
 #include <QTemporaryFile>
 #include <QUrl>
+#include <algorithm>
 #include <memory>
+#include <utility>
 
+#include "builder/model/panels/scene_settings.h"
+#include "builder/model/panels/textures.h"
 #include "builder/model/render/control_renderer.h"
 #include "builder/model/render/draw_renderer.h"
 
@@ -33,6 +37,23 @@ QString stateFolder() {
   const QString home = qEnvironmentVariable("XDG_STATE_HOME");
   return (home.startsWith(u'/') ? home : QDir::homePath() + QStringLiteral("/.local/state")) +
          QStringLiteral("/arbiter-builder");
+}
+
+/// GL says nothing of it: the picture is black, and the text is right.
+Problem problemOf(const UnsetUnit &unset, const QString &text) {
+  Problem problem;
+  problem.severity = Severity::Warning;
+  problem.code = QStringLiteral("unset-texture");
+  problem.message =
+      QObject::tr("texture[%1] has no image here: its samples are black").arg(unset.unit);
+  problem.hint =
+      QObject::tr("choose one in Textures, or write #@ texture %1 = checker").arg(unset.unit);
+  problem.begin = unset.begin;
+  problem.end = unset.end;
+  const LineColumn place = placeOf(text, unset.begin);
+  problem.line = place.line;
+  problem.column = place.column;
+  return problem;
 }
 
 } // namespace
@@ -110,6 +131,10 @@ void Workbench::edited() {
 Scene Workbench::scene() const {
   Scene scene;
   scene.text = m_parameters.liveText();
+  if (m_turn)
+    for (const Edit &edit :
+         builder::turnCamera(scene.text, m_turn->yaw, m_turn->pitch, m_turn->distance))
+      scene.text.replace(edit.at, edit.removed.size(), edit.added);
   scene.name = m_file.path().isEmpty() ? QStringLiteral("untitled.fp") : m_file.name();
   scene.folder = m_file.folder();
   return scene;
@@ -141,6 +166,35 @@ void Workbench::sliderMoved(int line, int component, double) {
   const bool animated = !moved.animation.isEmpty();
   if (animated || m_otherOptions || !m_session.setParameter(live))
     m_redraw.start();
+}
+
+bool Workbench::turnCamera(double yaw, double pitch, double distance) {
+  const SceneSettings settings = sceneOf(document().text());
+  if (settings.camera != u"orbit")
+    return false;
+  double lowest = -90, highest = 90; // how far it may turn up and down from the text's
+  for (const ArgumentValue &each : settings.cameraArguments)
+    if (each.name == u"pitch") {
+      lowest -= each.value;
+      highest -= each.value;
+    }
+  Turn turn = m_turn.value_or(Turn{});
+  turn.yaw += yaw;
+  turn.pitch = std::clamp(turn.pitch + pitch, lowest, highest);
+  turn.distance = std::clamp(turn.distance * distance, 1e-3, 1e3);
+  m_turn = turn;
+  m_redraw.start();
+  return true;
+}
+
+void Workbench::releaseCamera() {
+  if (!m_turn)
+    return;
+  const Turn turn = *std::exchange(m_turn, std::nullopt);
+  const QList<Edit> edits =
+      builder::turnCamera(document().text(), turn.yaw, turn.pitch, turn.distance);
+  if (!edits.isEmpty())
+    document().apply(edits, tr("turn the camera"));
 }
 
 void Workbench::diagnosed(qint64 revision, const QList<Problem> &problems) {
@@ -187,6 +241,8 @@ void Workbench::mergeProblems() {
     if (!said)
       all.append(problem);
   }
+  for (const UnsetUnit &unset : unsetUnits(document().text()))
+    all.append(problemOf(unset, document().text()));
   m_problems = all;
   Q_EMIT problemsChanged();
 }
