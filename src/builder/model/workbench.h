@@ -107,6 +107,7 @@ private:
   void setState(PictureState state);
   void mergeProblems();
   [[nodiscard]] QString uri() const;
+  [[nodiscard]] QStringList debugWords(QPoint pixel) const;
   struct Turn {
     double yaw = 0, pitch = 0, distance = 1;
   };

@@ -1,6 +1,8 @@
 #pragma once
+#include <QAction>
 #include <QTest>
 #include <memory>
+#include <stdexcept>
 
 #include "builder/testing/model_test.h"
 #include "builder/view/editor/code_editor.h"
@@ -17,6 +19,14 @@ inline const QString kText = QStringLiteral("!!ARBfp1.0\n"
                                             "MOV result.color, {0, 0, 0, 1};\n"
                                             "MOV result.color.x, red.x;\n"
                                             "END\n");
+
+/// The action of that name, as a menu or a key runs it.
+inline void runAction(MainWindow &window, const char *name) {
+  for (QAction *action : window.findChildren<QAction *>())
+    if (action->text().remove(u'&') == QLatin1StringView(name))
+      return action->trigger();
+  FAIL() << "no action " << name;
+}
 
 /// The window with a document, as a user has it before them: the processes are real.
 class Window : public ::testing::Test {

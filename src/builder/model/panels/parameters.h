@@ -55,7 +55,7 @@ public:
   /// Makes the range of the sliders another, or writes the first one. Requires low < high.
   void setRange(int line, double low, double high);
   /// Makes the animation another, takes it away (an empty word) or writes the first one.
-  /// \param motion one of motions() \param seconds of its period, > 0
+  /// \param motion one of motionsOf() \param seconds of its period, > 0
   void setMotion(int line, const QString &motion, double seconds);
   /// A line for one more local parameter, that no other line has: "local[3].x".
   void add();

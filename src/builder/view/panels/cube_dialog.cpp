@@ -92,7 +92,8 @@ CubeDialog::CubeDialog(Workbench &bench, int unit, QWidget *parent)
     for (const Clause &each : clausesOf(text))
       if (each.word == u"texture" &&
           each.value.startsWith(QStringLiteral("%1 = cube ").arg(unit))) {
-        const QStringList names = each.value.section(u"cube ", 1).split(u' ', Qt::SkipEmptyParts);
+        const QStringList names =
+            each.value.section(QStringLiteral("cube "), 1).split(u' ', Qt::SkipEmptyParts);
         for (std::size_t i = 0; i < kFaces && qsizetype(i) < names.size(); ++i)
           m_names[i]->setText(QString(names[qsizetype(i)]).remove(u'"'));
       }

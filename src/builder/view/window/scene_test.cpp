@@ -2,6 +2,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -229,6 +231,18 @@ TEST_F(Window, ATextureIsPickedGeneratedAndSampled) {
             QStringLiteral("a b-2.png"))
       << "the document's own file would be lost";
   EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("a b-2.png"))));
+}
+
+TEST_F(Window, UnitsHaveTheirImagesSmall) {
+  open(QString(kText).replace(QStringLiteral("PARAM"),
+                              QStringLiteral("#@ texture 1 = constant r 0 g 1 b 0\nPARAM")));
+  auto *dock = window->findChild<QDockWidget *>(QStringLiteral("Textures"));
+  auto *list = dock->widget()->findChild<QListWidget *>();
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("unit 1: constant r 0 g 1 b 0")));
+  EXPECT_TRUE(waitFor([&] {
+    return list->item(0)->icon().pixmap(64, 64).toImage().pixelColor(32, 32) == QColor(Qt::green);
+  }));
 }
 
 TEST_F(Window, ACubeOfSixFilesIsPicked) {

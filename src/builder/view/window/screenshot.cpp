@@ -25,7 +25,7 @@ bool isSettled(Workbench &bench, bool traced) {
 
 } // namespace
 
-void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel) {
+void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel, bool small) {
   auto *timer = new QTimer(&window);
   auto since = std::make_shared<QElapsedTimer>();
   auto settled = std::make_shared<QElapsedTimer>();
@@ -47,7 +47,10 @@ void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel
     if (!late && settled->elapsed() < kSettle)
       return;
     timer->stop();
-    const bool written = window.grab().save(png, "PNG");
+    QImage image = window.grab().toImage();
+    if (small)
+      image = image.convertToFormat(QImage::Format_Indexed8, Qt::AvoidDither);
+    const bool written = image.save(png, "PNG", small ? 0 : -1); // 0: packed best
     QApplication::exit(written && !late ? 0 : 1);
   });
   timer->start(50);

@@ -142,6 +142,15 @@ TEST(Theme, TextsHaveTheContrastOfTheGuideline) {
       for (const QColor &ground : {c.background, c.line, c.traced})
         EXPECT_GE(contrast(text, ground), 4.5)
             << text.name().toStdString() << " on " << ground.name().toStdString();
+    const QPalette palette = qApp->palette();
+    for (const QColor &text : {c.text, c.dim, c.error, c.warning, c.note, c.good, c.amber,
+                               palette.color(QPalette::PlaceholderText)})
+      EXPECT_GE(contrast(text, palette.color(QPalette::Window)), 4.5)
+          << text.name().toStdString() << " on the window's ground";
+    EXPECT_GE(
+        contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
+        4.5);
+    EXPECT_GE(contrast(palette.color(QPalette::ButtonText), palette.color(QPalette::Button)), 4.5);
   }
   applyScheme(*qApp, Scheme::Light);
 }
