@@ -1,4 +1,4 @@
-// With options/ all that knows CLI11: the command line becomes the structures of
+// With options/verb.cpp all that knows CLI11: the command line becomes the structures of
 // commands.h.
 #include <CLI/CLI.hpp>
 #include <GL/arbiter.h>

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
 #include "tools/options/options.h"
+#include "tools/options/verb.h"
 
 /// An option that has no effect is a mistake in the command line: reported, not ignored.
 namespace arbiter::tools {
@@ -32,53 +32,55 @@ constexpr Row kRows[] = {
     {"debug", "--against", "--stage", " vertex "},
 };
 
-bool isGiven(const CLI::Option *option) { return option && option->count() != 0; }
+using AllSaid = std::vector<Said>;
 
-/// The value given, or the default; empty where there is none.
-std::string valueOf(const CLI::Option &option) {
-  const std::string value =
-      option.results().empty() ? option.get_default_str() : option.results().front();
-  return " " + value + " ";
+const Said *find(const AllSaid &all, const char *name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Said &each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
-std::string withoutEffect(const CLI::App &verb, const Row &row) {
-  const CLI::Option *const beside = verb.get_option_no_throw(row.beside);
-  if (!isGiven(verb.get_option_no_throw(row.option)))
-    return {};
-  if (row.unless && isGiven(verb.get_option_no_throw(row.unless)))
+bool isGiven(const AllSaid &all, const char *name) {
+  const Said *const said = find(all, name);
+  return said && said->given;
+}
+
+std::string withoutEffect(const AllSaid &all, const Row &row) {
+  if (!isGiven(all, row.option) || (row.unless && isGiven(all, row.unless)))
     return {};
   if (row.values.empty())
-    return isGiven(beside) ? std::string(row.option) + " has no effect with " + row.beside
-                           : std::string();
-  const std::string value = valueOf(*beside);
-  if (row.values.find(value) == std::string_view::npos)
+    return isGiven(all, row.beside) ? std::string(row.option) + " has no effect with " + row.beside
+                                    : std::string();
+  const std::string value = " " + find(all, row.beside)->value;
+  if (row.values.find(value + " ") == std::string_view::npos)
     return {};
-  return std::string(row.option) + " has no effect with " + row.beside +
-         value.substr(0, value.size() - 1) +
+  return std::string(row.option) + " has no effect with " + row.beside + value +
          (row.unless ? std::string(" but beside ") + row.unless : std::string());
 }
 
 /// Where the layer is not loaded, none of its options has an effect.
-std::string layerWithoutEffect(const CLI::App &verb, const char *without) {
-  if (!isGiven(verb.get_option_no_throw(without)))
+std::string layerWithoutEffect(const AllSaid &all, const char *without) {
+  if (!isGiven(all, without))
     return {};
-  for (const CLI::Option *option : verb.get_options())
-    if (option->get_group() == kLayerGroup && isGiven(option))
-      return option->get_name() + " has no effect with " + without;
+  for (const Said &said : all)
+    if (said.group == kLayerGroup && said.given)
+      return said.name + " has no effect with " + without;
   return {};
 }
 
 } // namespace
 
 std::string withoutEffect(const CLI::App &verb) {
+  const AllSaid all = saidOf(verb);
+  const std::string name = nameOf(verb);
   for (const Row &row : kRows)
-    if (verb.get_name() == row.verb)
-      if (std::string fault = withoutEffect(verb, row); !fault.empty())
+    if (name == row.verb)
+      if (std::string fault = withoutEffect(all, row); !fault.empty())
         return fault;
-  if (verb.get_name() == "draw" || verb.get_name() == "render")
-    return layerWithoutEffect(verb, "--bare");
-  if (verb.get_name() == "capture")
-    return layerWithoutEffect(verb, "--index-only");
+  if (name == "draw" || name == "render")
+    return layerWithoutEffect(all, "--bare");
+  if (name == "capture")
+    return layerWithoutEffect(all, "--index-only");
   return {};
 }
 

@@ -1,7 +1,5 @@
 #include "tools/options/options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "tools/options/verbs.h"
 
 namespace arbiter::tools {
@@ -20,7 +18,7 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addCtl(app, arguments.ctl);
   addRender(app, arguments.render);
   addLsp(app, arguments.lsp);
-  app.add_subcommand(kDrawsVerb, "")->group("");
+  Verb(app, kDrawsVerb, "").hide();
   addBuilder(app, arguments.builder);
 }
 

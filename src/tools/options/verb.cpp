@@ -74,4 +74,17 @@ void Verb::group(const std::string &name, std::size_t first) {
     options[i]->group(name);
 }
 
+void Verb::hide() { m_app->group(""); }
+
+std::vector<Said> saidOf(const CLI::App &verb) {
+  std::vector<Said> all;
+  for (const CLI::Option *option : verb.get_options())
+    all.push_back(
+        {option->get_name(), option->get_group(), option->count() != 0,
+         option->results().empty() ? option->get_default_str() : option->results().front()});
+  return all;
+}
+
+std::string nameOf(const CLI::App &verb) { return verb.get_name(); }
+
 } // namespace arbiter::tools

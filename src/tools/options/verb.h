@@ -63,8 +63,21 @@ public:
   /// Those from that one on stand in a group of help.
   void group(const std::string &name, std::size_t first);
 
+  /// Not in help.
+  void hide();
+
 private:
   CLI::App *m_app;
 };
+
+/// What a command line that is parsed says of one option of a verb.
+struct Said {
+  std::string name;  ///< "--why"
+  std::string group; ///< of help
+  bool given = false;
+  std::string value; ///< the first one, or the default
+};
+[[nodiscard]] std::vector<Said> saidOf(const CLI::App &verb);
+[[nodiscard]] std::string nameOf(const CLI::App &verb);
 
 } // namespace arbiter::tools

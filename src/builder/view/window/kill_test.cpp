@@ -89,6 +89,7 @@ TEST_F(Window, ARendererThatIsStoppedIsReplaced) {
     expected.insert(kText.indexOf(QStringLiteral("PARAM")), typist.typed());
     EXPECT_EQ(text(), expected);
     EXPECT_GT(typist.typed().size(), 5);
+    EXPECT_LT(typist.slowest(), 1000) << "a key waited for the renderer";
   }
   QTest::keyClick(&editor(), 'x');
   ASSERT_TRUE(drawsNewest()) << bench().statusText().toStdString();
@@ -119,7 +120,7 @@ TEST(Editor, KilledWhileTypingKeepsEveryCharacterInTheJournal) {
     const QString all = Typist::text(typed);
     EXPECT_TRUE(left[0].text.startsWith(all))
         << left[0].text.size() << " of " << typed << " characters";
-    EXPECT_LE(left[0].text.size(), typed + 1) << "more than was typed";
+    EXPECT_LE(left[0].text.size(), typed + 20) << "more than was typed, and not said yet";
     Journal::discard(left[0]);
     EXPECT_TRUE(Journal::recoverable(folder.path()).isEmpty());
   }
