@@ -59,6 +59,8 @@ QWidget *PicturePanel::buildBar() {
   auto *layout = new QHBoxLayout(bar);
   layout->setContentsMargins(6, 2, 6, 2);
   m_facts = new QLabel;
+  m_facts->setMinimumWidth( // it changes with each frame, and moves nothing
+      fontMetrics().horizontalAdvance(QStringLiteral("8192\u00d78192  1000.0 ms")));
   m_pixel = new QLabel;
   m_pixel->setForegroundRole(QPalette::PlaceholderText);
   auto *smaller = button(QStringLiteral("\u2212"), tr("Smaller"));

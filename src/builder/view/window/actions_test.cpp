@@ -1,6 +1,7 @@
 // What keys and menus do, with the language server and the renderer at work.
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <utility>
 
 #include "builder/view/editor/code_editor.h"
 #include "builder/view/panels/compare_panel.h"
@@ -58,6 +59,15 @@ MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
           [this] { notice(tr("%1 is gone; saving writes it anew").arg(m_bench.file().path())); });
   showTitle();
   showStatus();
+}
+
+MainWindow::~MainWindow() {
+  hide();
+  m_bench.disconnect(this);
+  m_bench.document().disconnect(this);
+  m_bench.file().disconnect(this);
+  m_bench.trace().disconnect(this);
+  qDeleteAll(std::exchange(m_docks, {}));
 }
 
 QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {

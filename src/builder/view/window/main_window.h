@@ -20,6 +20,8 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
   explicit MainWindow(Places places);
+  /// Panels go before what they show.
+  ~MainWindow() override;
 
   [[nodiscard]] Workbench &bench() { return m_bench; }
   [[nodiscard]] CodeEditor &editor() { return *m_editor; }

@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include "builder/model/panels/textures.h"
 #include "builder/testing/window_test.h"
 #include "builder/view/panels/beside.h"
 #include "builder/view/panels/cube_dialog.h"
