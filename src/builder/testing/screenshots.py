@@ -33,12 +33,12 @@ SHOTS = [
     ('gallery', None, None, 'Gallery', ''),
 ]
 # Those of the pages: the same, with colours and size.
-PAGES = [
-    ('window', 'twirl.fp', None, 'Parameters', '', 'light', (1280, 800)),
-    ('error', 'twirl.fp', WRONG, 'Problems', '', 'light', (960, 600)),
-    ('debug', 'twirl.fp', None, 'Debug', '200,300', 'dark', (1120, 700)),
-    ('scene', 'gooch.fp', None, 'Scene', '', 'light', (960, 640)),
-    ('gallery', None, None, 'Gallery', '', 'dark', (960, 640)),
+PAGES = [  # pictures of few colours pack well
+    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 560)),
+    ('error', 'cartoon.fp', ('DP3 normal.w, ', 'DP3 normel.w, '), 'Problems', '', 'light', (900, 560)),
+    ('debug', 'cartoon.fp', None, 'Debug', '250,300', 'dark', (890, 540)),
+    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 560)),
+    ('gallery', None, None, 'Gallery', '', 'dark', (900, 520)),
 ]
 LARGEST = 100 * 1024  # bytes
 KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]

@@ -46,7 +46,7 @@ int main(int argc, char **argv) {
                                 QObject::tr("the window's size for a picture; 1280x800 without"),
                                 QStringLiteral("WxH"));
   const QCommandLineOption small(QStringLiteral("small"),
-                                 QObject::tr("a picture of 256 colours, for a page"));
+                                 QObject::tr("a picture of few colours, for a page"));
   const QCommandLineOption panel(QStringLiteral("panel"),
                                  QObject::tr("the panel to bring to the front"),
                                  QStringLiteral("NAME"));
