@@ -35,8 +35,7 @@ SHOTS = [
 # Those of the pages: the same, with colours and size.
 PAGES = [  # pictures of few colours pack well
     ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 560)),
-    ('error', 'cartoon.fp', ('DP3 normal.w, ', 'DP3 normel.w, '), 'Problems', '', 'light', (900, 560)),
-    ('debug', 'cartoon.fp', None, 'Debug', '250,300', 'dark', (890, 540)),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (980, 700)),
     ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 560)),
     ('gallery', None, None, 'Gallery', '', 'dark', (900, 520)),
 ]
