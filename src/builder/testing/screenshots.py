@@ -35,7 +35,7 @@ SHOTS = [
 # Those of the pages: the same, with colours and size.
 PAGES = [  # pictures of few colours pack well
     ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 560)),
-    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (980, 700)),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 620)),
     ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 560)),
     ('gallery', None, None, 'Gallery', '', 'dark', (900, 520)),
 ]

@@ -11,7 +11,7 @@ namespace arbiter::builder {
 class NumberBox : public QDoubleSpinBox {
 public:
   NumberBox(double low, double high, const QString &name) {
-    setDecimals(6);
+    setDecimals(9);
     setRange(low, high);
     setStepType(AdaptiveDecimalStepType);
     setKeyboardTracking(false);
