@@ -1,10 +1,11 @@
-// With options.cpp and effects.cpp all that knows CLI11: the command line becomes the structures of
+// With options/verb.cpp all that knows CLI11: the command line becomes the structures of
 // commands.h.
+#include <CLI/CLI.hpp>
 #include <GL/arbiter.h>
 #include <algorithm>
 
 #include "tools/input.h"
-#include "tools/options.h"
+#include "tools/options/options.h"
 #include "util/suggest.h"
 
 namespace arbiter::tools {

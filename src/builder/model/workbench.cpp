@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QTemporaryFile>
 #include <QUrl>
-#include <memory>
+#include <algorithm>
+#include <utility>
 
+#include "builder/model/panels/scene_settings.h"
+#include "builder/model/panels/textures.h"
 #include "builder/model/render/control_renderer.h"
 #include "builder/model/render/draw_renderer.h"
 
@@ -33,6 +35,23 @@ QString stateFolder() {
   const QString home = qEnvironmentVariable("XDG_STATE_HOME");
   return (home.startsWith(u'/') ? home : QDir::homePath() + QStringLiteral("/.local/state")) +
          QStringLiteral("/arbiter-builder");
+}
+
+/// GL says nothing of it: the picture is black, and the text is right.
+Problem problemOf(const UnsetUnit &unset, const QString &text) {
+  Problem problem;
+  problem.severity = Severity::Warning;
+  problem.code = QStringLiteral("unset-texture");
+  problem.message =
+      QObject::tr("texture[%1] has no image here: its samples are black").arg(unset.unit);
+  problem.hint =
+      QObject::tr("choose one in Textures, or write #@ texture %1 = checker").arg(unset.unit);
+  problem.begin = unset.begin;
+  problem.end = unset.end;
+  const LineColumn place = placeOf(text, unset.begin);
+  problem.line = place.line;
+  problem.column = place.column;
+  return problem;
 }
 
 } // namespace
@@ -110,6 +129,10 @@ void Workbench::edited() {
 Scene Workbench::scene() const {
   Scene scene;
   scene.text = m_parameters.liveText();
+  if (m_turn)
+    for (const Edit &edit :
+         builder::turnCamera(scene.text, m_turn->yaw, m_turn->pitch, m_turn->distance))
+      scene.text.replace(edit.at, edit.removed.size(), edit.added);
   scene.name = m_file.path().isEmpty() ? QStringLiteral("untitled.fp") : m_file.name();
   scene.folder = m_file.folder();
   return scene;
@@ -141,6 +164,35 @@ void Workbench::sliderMoved(int line, int component, double) {
   const bool animated = !moved.animation.isEmpty();
   if (animated || m_otherOptions || !m_session.setParameter(live))
     m_redraw.start();
+}
+
+bool Workbench::turnCamera(double yaw, double pitch, double distance) {
+  const SceneSettings settings = sceneOf(document().text());
+  if (settings.camera != u"orbit")
+    return false;
+  double lowest = -90, highest = 90; // how far it may turn up and down from the text's
+  for (const ArgumentValue &each : settings.cameraArguments)
+    if (each.name == u"pitch") {
+      lowest -= each.value;
+      highest -= each.value;
+    }
+  Turn turn = m_turn.value_or(Turn{});
+  turn.yaw += yaw;
+  turn.pitch = std::clamp(turn.pitch + pitch, lowest, highest);
+  turn.distance = std::clamp(turn.distance * distance, 1e-3, 1e3);
+  m_turn = turn;
+  m_redraw.start();
+  return true;
+}
+
+void Workbench::releaseCamera() {
+  if (!m_turn)
+    return;
+  const Turn turn = *std::exchange(m_turn, std::nullopt);
+  const QList<Edit> edits =
+      builder::turnCamera(document().text(), turn.yaw, turn.pitch, turn.distance);
+  if (!edits.isEmpty())
+    document().apply(edits, tr("turn the camera"));
 }
 
 void Workbench::diagnosed(qint64 revision, const QList<Problem> &problems) {
@@ -187,6 +239,8 @@ void Workbench::mergeProblems() {
     if (!said)
       all.append(problem);
   }
+  for (const UnsetUnit &unset : unsetUnits(document().text()))
+    all.append(problemOf(unset, document().text()));
   m_problems = all;
   Q_EMIT problemsChanged();
 }
@@ -230,77 +284,6 @@ void Workbench::setBackend(const QString &backend) {
   RenderOptions options = m_session.options();
   options.backend = backend;
   m_session.setOptions(options);
-}
-
-void Workbench::debugPixel(QPoint pixel) {
-  m_pixel = pixel;
-  QStringList words{QStringLiteral("debug"), QStringLiteral("@"), QStringLiteral("--json"),
-                    QStringLiteral("--pixel"),
-                    QStringLiteral("%1,%2").arg(pixel.x()).arg(pixel.y())};
-  if (const QString &profile = m_session.options().profile; !profile.isEmpty())
-    words << QStringLiteral("--profile") << profile;
-  if (const QString &numerics = m_session.options().numerics; !numerics.isEmpty())
-    words << QStringLiteral("--numerics") << numerics;
-  m_debugTool.run(words, scene(), [this](const ToolResult &result) {
-    if (result.finished && m_trace.take(result.json()))
-      return;
-    Q_EMIT traceFailed(result.complaint.isEmpty()
-                           ? tr("the debugger ended with code %1").arg(result.code)
-                           : result.complaint);
-  });
-  Q_EMIT pictureChanged(); // its mark
-}
-
-void Workbench::watchRow(int row) {
-  if (row < 0 || row >= m_trace.rows().size() || !m_pixel)
-    return;
-  const TraceRow &traced = m_trace.rows()[row];
-  const QString what = QStringLiteral("%1@%2").arg(traced.destination).arg(traced.line);
-  auto file = std::make_shared<QTemporaryFile>();
-  if (traced.destination.isEmpty() || !file->open())
-    return;
-  m_watchTool.run({QStringLiteral("debug"), QStringLiteral("@"), QStringLiteral("--pixel"),
-                   QStringLiteral("%1,%2").arg(m_pixel->x()).arg(m_pixel->y()),
-                   QStringLiteral("--watch"), what, QStringLiteral("-o"), file->fileName()},
-                  scene(), [this, file, what](const ToolResult &result) {
-                    QImage image;
-                    if (!image.load(file->fileName(), "PNG"))
-                      return Q_EMIT notice(
-                          tr("%1 cannot be shown: %2").arg(what, result.complaint));
-                    m_otherOptions.reset();
-                    m_pinned = image.convertToFormat(QImage::Format_RGBA8888);
-                    m_pinnedName = what;
-                    Q_EMIT pinnedChanged();
-                  });
-}
-
-void Workbench::pin() {
-  m_otherOptions.reset();
-  m_pinned = m_frame.image;
-  m_pinnedName = tr("revision %1").arg(m_frame.revision);
-  Q_EMIT pinnedChanged();
-}
-
-void Workbench::unpin() {
-  m_otherOptions.reset();
-  m_pinned = {};
-  Q_EMIT pinnedChanged();
-}
-
-void Workbench::compareWith(const RenderOptions &options) {
-  m_otherOptions = options;
-  m_other.setOptions(options);
-  QStringList parts;
-  for (const QString &part : {options.profile, options.numerics, options.backend})
-    if (!part.isEmpty())
-      parts << part;
-  if (options.bare)
-    parts << tr("the host alone");
-  m_pinnedName = parts.join(u' ');
-  Scene wanted = scene();
-  wanted.revision = ++m_drawNumber;
-  m_revisionOf.insert(m_drawNumber, document().revision());
-  m_other.want(wanted);
 }
 
 } // namespace arbiter::builder

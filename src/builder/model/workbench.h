@@ -79,8 +79,14 @@ public:
   void compareWith(const RenderOptions &options);
   [[nodiscard]] const QString &pinnedName() const { return m_pinnedName; }
 
-  /// The document as it is drawn, with held sliders where they are.
+  /// The document as it is drawn, with held sliders and a held camera where they are.
   [[nodiscard]] Scene scene() const;
+
+  /// Turns an orbiting camera by so many degrees more, its distance times the factor. The picture
+  /// follows, the text does not until releaseCamera(). \returns false where there is no such camera
+  bool turnCamera(double yaw, double pitch, double distance = 1);
+  /// The camera is let go: the text has where it is, as one undo step.
+  void releaseCamera();
 
 Q_SIGNALS:
   void problemsChanged();
@@ -101,6 +107,10 @@ private:
   void setState(PictureState state);
   void mergeProblems();
   [[nodiscard]] QString uri() const;
+  [[nodiscard]] QStringList debugWords(QPoint pixel) const;
+  struct Turn {
+    double yaw = 0, pitch = 0, distance = 1;
+  };
 
   Places m_places;
   OpenFile m_file;
@@ -122,6 +132,7 @@ private:
   std::optional<QPoint> m_pixel;
   QImage m_pinned;
   QString m_pinnedName;
+  std::optional<Turn> m_turn; ///< of a held camera, from where the text has it
   std::optional<RenderOptions> m_otherOptions;
   qint64 m_drawNumber = 0;            ///< of scenes; held sliders draw one revision many times
   QHash<qint64, qint64> m_revisionOf; ///< the document's revision by draw number

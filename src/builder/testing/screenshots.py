@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Pictures of the window's views, light and dark, at one and two pixels a unit.
 
-usage: screenshots.py ARBITER_BUILDER GALLERY [--quick] [--out FOLDER]
+usage: screenshots.py ARBITER_BUILDER GALLERY [--quick | --pages] [--out FOLDER]
 
 Every picture must have the size that its scale asks for, and show more than one colour; those of one
-view in light and dark must differ. --quick takes one of each kind. Without --out they are thrown away.
+view in light and dark must differ. --quick takes one of each kind. --pages takes those that the
+documentation shows (docs/pictures), which have at most 100 KB each; with --out docs/pictures they are
+made anew. Without --out pictures are thrown away.
 """
 import argparse
 import os
@@ -22,6 +24,7 @@ SHOTS = [
     ('error', 'twirl.fp', WRONG, 'Problems', ''),
     ('debug', 'twirl.fp', None, 'Debug', '200,300'),
     ('textures', 'twirl.fp', None, 'Textures', ''),
+    ('scene', 'gooch.fp', None, 'Scene', ''),
     ('words', 'twirl.fp', None, 'Words', ''),
     ('native', 'lighting_4_all.fp', None, 'Native', ''),
     ('advice', 'life.fp', None, 'Advice', ''),
@@ -29,6 +32,14 @@ SHOTS = [
     ('bench', 'gooch.fp', None, 'Bench', ''),
     ('gallery', None, None, 'Gallery', ''),
 ]
+# Those of the pages: the same, with colours and size.
+PAGES = [  # pictures of few colours pack well
+    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 560)),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 620)),
+    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 560)),
+    ('gallery', None, None, 'Gallery', '', 'dark', (900, 520)),
+]
+LARGEST = 100 * 1024  # bytes
 KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
 
 
@@ -46,9 +57,9 @@ def size_of(png):
     return size, len(set(zlib.decompress(packed)[::7])) > 8
 
 
-def shoot(arguments, shot, colours, scale, png, folder):
+def shoot(arguments, shot, colours, scale, png, folder, more=()):
     name, document, change, panel, pixel = shot
-    words = [arguments.builder, '--screenshot', str(png), '--colours', colours, '--panel', panel]
+    words = [arguments.builder, '--screenshot', str(png), '--colours', colours, '--panel', panel, *more]
     if pixel:
         words += ['--pixel', pixel]
     if document:
@@ -67,11 +78,29 @@ def shoot(arguments, shot, colours, scale, png, folder):
     return subprocess.run(words, env=environment, timeout=120, capture_output=True, text=True)
 
 
+def take_pages(arguments, out, folder):
+    """The documentation's pictures; returns how many failed."""
+    failed = 0
+    for *shot, colours, size in PAGES:
+        png = out / f'{shot[0]}.png'
+        done = shoot(arguments, shot, colours, 1, png, folder, ['--small', '--size', '%dx%d' % size])
+        if done.returncode != 0 or not png.exists():
+            fault = f'status {done.returncode}: {done.stderr[-400:]}'
+        elif size_of(png)[0] != size:
+            fault = f'size {size_of(png)[0]}'
+        else:
+            fault = png.stat().st_size > LARGEST and f'{png.stat().st_size} bytes'
+        failed += bool(fault)
+        print(f'{png.name}: {fault or "ok"}', flush=True)
+    return failed
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument('builder')
     parser.add_argument('gallery', type=pathlib.Path)
     parser.add_argument('--quick', action='store_true')
+    parser.add_argument('--pages', action='store_true')
     parser.add_argument('--out', type=pathlib.Path)
     parser.add_argument('--only')
     arguments = parser.parse_args()
@@ -80,6 +109,8 @@ def main():
         folder = pathlib.Path(temporary)
         out = arguments.out or folder
         out.mkdir(parents=True, exist_ok=True)
+        if arguments.pages:
+            return 1 if take_pages(arguments, out, folder) else 0
         shots = [shot for shot in SHOTS if arguments.only in (None, shot[0])]
         for shot in shots[:2] if arguments.quick else shots:
             before = None

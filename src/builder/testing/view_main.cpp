@@ -4,6 +4,7 @@
 #include <csignal>
 #include <gtest/gtest.h>
 
+#include "builder/testing/typist.h"
 #include "builder/view/theme.h"
 
 int main(int argc, char **argv) {
@@ -15,6 +16,8 @@ int main(int argc, char **argv) {
   QApplication application(argc, argv);
   QStandardPaths::setTestModeEnabled(true);
   arbiter::builder::applyScheme(application, arbiter::builder::Scheme::Light);
+  if (argc == 3 && QByteArray(argv[1]) == "--type-into") // what Editor.Killed... starts
+    return arbiter::builder::testing::typeForEver(QString::fromLocal8Bit(argv[2]));
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -42,12 +42,17 @@ int main(int argc, char **argv) {
       QStringLiteral("screenshot"),
       QObject::tr("write a picture of the window when it has drawn, and end"),
       QStringLiteral("PNG"));
+  const QCommandLineOption size(QStringLiteral("size"),
+                                QObject::tr("the window's size for a picture; 1280x800 without"),
+                                QStringLiteral("WxH"));
+  const QCommandLineOption small(QStringLiteral("small"),
+                                 QObject::tr("a picture of few colours, for a page"));
   const QCommandLineOption panel(QStringLiteral("panel"),
                                  QObject::tr("the panel to bring to the front"),
                                  QStringLiteral("NAME"));
   const QCommandLineOption pixel(QStringLiteral("pixel"), QObject::tr("the pixel to debug"),
                                  QStringLiteral("X,Y"));
-  parser.addOptions({scheme, shot, panel, pixel});
+  parser.addOptions({scheme, shot, size, small, panel, pixel});
   if (!parser.parse(QApplication::arguments()))
     return fail(parser.errorText());
   if (parser.isSet(QStringLiteral("help")))
@@ -64,6 +69,8 @@ int main(int argc, char **argv) {
   const bool shooting = parser.isSet(shot);
   if (!shooting)
     window.restoreLayout();
+  else if (const QStringList sides = parser.value(size).split(u'x'); sides.size() == 2)
+    window.resize(sides[0].toInt(), sides[1].toInt());
   if (!parser.positionalArguments().isEmpty())
     window.openPath(parser.positionalArguments().constFirst());
   window.bench().start(); // first: its processes start while the window is laid out
@@ -72,7 +79,7 @@ int main(int argc, char **argv) {
                    : parser.positionalArguments().isEmpty() ? QObject::tr("Gallery")
                                                             : QObject::tr("Program"));
   if (shooting)
-    takeScreenshot(window, parser.value(shot), parser.value(pixel));
+    takeScreenshot(window, parser.value(shot), parser.value(pixel), parser.isSet(small));
   else
     QMetaObject::invokeMethod(&window, &MainWindow::offerRecovery, Qt::QueuedConnection);
   return QApplication::exec();

@@ -55,6 +55,7 @@ ParameterLine lineOf(const scene::Parameter &parameter, const UtfMap &map, const
   const auto &space = scene::rowOf(parameter.space).word;
   line.space = QString::fromUtf8(space.data(), qsizetype(space.size()));
   line.index = int(parameter.first);
+  line.rows = int(parameter.count);
   line.label = QString::fromStdString(parameter.label.text);
   if (line.label.isEmpty())
     line.label = QStringLiteral("%1[%2]").arg(line.space).arg(line.index);
@@ -68,6 +69,10 @@ ParameterLine lineOf(const scene::Parameter &parameter, const UtfMap &map, const
     guessRange(line);
   line.colour = parameter.colour && line.components.size() >= 3;
   line.animation = animationText(parameter);
+  if (parameter.animation) {
+    line.motion = line.animation.section(u' ', 0, 0);
+    line.period = parameter.animation->period.value;
+  }
   line.line = placeOf(text, map.unit(parameter.span.begin)).line;
   return line;
 }

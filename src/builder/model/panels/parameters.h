@@ -20,6 +20,7 @@ struct Component {
 struct ParameterLine {
   QString space; ///< "local", "env" or "attrib"
   int index = 0;
+  int rows = 1;  ///< indexes that it has: more than one is a matrix
   QString label; ///< as the text calls it, or "local[0]"
   QList<Component> components;
   double low = 0, high = 1; ///< of the slider
@@ -27,6 +28,8 @@ struct ParameterLine {
   bool colour = false; ///< shown as one
   bool fixed = false;  ///< made by a word (rotate, camera): no slider
   QString animation;   ///< "sine 5s"; empty: none
+  QString motion;      ///< "sine"; empty: none
+  double period = 5;   ///< seconds of it
   int line = 1;        ///< in the text, from 1
 };
 
@@ -49,6 +52,15 @@ public:
   [[nodiscard]] double value(int line, int component) const;
   /// Sets at once, as one step; several components (a colour) too.
   void set(int line, const QList<double> &values);
+  /// Makes the range of the sliders another, or writes the first one. Requires low < high.
+  void setRange(int line, double low, double high);
+  /// Makes the animation another, takes it away (an empty word) or writes the first one.
+  /// \param motion one of motionsOf() \param seconds of its period, > 0
+  void setMotion(int line, const QString &motion, double seconds);
+  /// A line for one more local parameter, that no other line has: "local[3].x".
+  void add();
+  /// The words of animations, without "turn" unless the line's value has x, y and z.
+  [[nodiscard]] QStringList motionsOf(int line) const;
   /// The document's text with the held values in place of its own.
   [[nodiscard]] QString liveText() const;
 

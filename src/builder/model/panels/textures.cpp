@@ -1,7 +1,10 @@
 #include "builder/model/panels/textures.h"
 
+#include <QRegularExpression>
+#include <QSet>
+
+#include "builder/model/panels/clauses.h"
 #include "builder/model/panels/utf_map.h"
-#include "scene/edit.h"
 #include "scene/panel/panel.h"
 
 namespace arbiter::builder {
@@ -10,20 +13,6 @@ namespace {
 
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), qsizetype(view.size()));
-}
-
-TextureLine lineOf(const scene::TextureSpec &spec, const QString &all, const UtfMap &map) {
-  TextureLine line;
-  line.unit = int(spec.unit);
-  line.begin = map.unit(spec.span.begin);
-  line.end = map.unit(spec.span.end);
-  const QString clause = all.mid(line.begin, line.end - line.begin);
-  line.source = clause.section(u'=', 1).section(u',', 0, 0).trimmed();
-  line.filter = text(scene::rowOf(spec.filter.value).word);
-  line.wrap = text(scene::rowOf(spec.wrap.value).word);
-  line.isFile = spec.source.generator.value == scene::Generator::File;
-  line.line = placeOf(all, line.begin).line;
-  return line;
 }
 
 bool standsAlone(scene::Generator generator) {
@@ -40,6 +29,21 @@ bool standsAlone(scene::Generator generator) {
   default:
     return true;
   }
+}
+
+TextureLine lineOf(const scene::TextureSpec &spec, const QString &all, const UtfMap &map) {
+  TextureLine line;
+  line.unit = int(spec.unit);
+  line.begin = map.unit(spec.span.begin);
+  line.end = map.unit(spec.span.end);
+  const QString clause = all.mid(line.begin, line.end - line.begin);
+  line.source = clause.section(u'=', 1).section(u',', 0, 0).trimmed();
+  line.filter = text(scene::rowOf(spec.filter.value).word);
+  line.wrap = text(scene::rowOf(spec.wrap.value).word);
+  line.isFile = spec.source.generator.value == scene::Generator::File;
+  line.hasSides = line.isFile || standsAlone(spec.source.generator.value);
+  line.line = placeOf(all, line.begin).line;
+  return line;
 }
 
 } // namespace
@@ -72,11 +76,57 @@ Edit setTexture(const QString &all, int unit, const QString &source) {
       end = line.end;
     return {equals + 1, all.mid(equals + 1, end - equals - 1), u' ' + source};
   }
+  return addClause(all, QStringLiteral("texture %1 = %2").arg(unit).arg(source), {});
+}
+
+QStringList samplerWords(Sampler kind) {
+  QStringList words;
+  const auto rows =
+      kind == Sampler::Filter ? scene::wordsOf<scene::Filter>() : scene::wordsOf<scene::Wrap>();
+  for (const scene::WordRow &row : rows)
+    words << text(row.word);
+  return words;
+}
+
+Edit setSampler(const QString &all, int unit, Sampler kind, const QString &word) {
   const UtfMap map(all);
-  const std::string words = QStringLiteral("texture %1 = %2").arg(unit).arg(source).toStdString();
-  const scene::Edit added = scene::addLine(map.bytes(), words);
-  const qsizetype begin = map.unit(added.span.begin), end = map.unit(added.span.end);
-  return {begin, all.mid(begin, end - begin), QString::fromStdString(added.text)};
+  const scene::Panel panel = scene::parsePanel(map.bytes());
+  for (const scene::TextureSpec &spec : panel.textures) {
+    if (int(spec.unit) != unit)
+      continue;
+    const fp::Span written = kind == Sampler::Filter ? spec.filter.span : spec.wrap.span;
+    if (written.begin == written.end)
+      return {map.unit(spec.span.end), {}, QStringLiteral(", ") + word};
+    const qsizetype begin = map.unit(written.begin), end = map.unit(written.end);
+    return {begin, all.mid(begin, end - begin), word};
+  }
+  return {};
+}
+
+QList<UnsetUnit> unsetUnits(const QString &all) {
+  if (!all.trimmed().startsWith(QStringLiteral("!!ARBfp")))
+    return {};
+  QSet<int> known;
+  for (const TextureLine &line : texturesOf(all))
+    known.insert(line.unit);
+  static const QRegularExpression kComment(QStringLiteral("#[^\n]*"));
+  static const QRegularExpression kUnit(QStringLiteral("\\btexture\\s*\\[\\s*(\\d{1,2})\\s*\\]"));
+  QString code = all;
+  for (auto each = kComment.globalMatch(all); each.hasNext();) { // the places stay
+    const QRegularExpressionMatch comment = each.next();
+    code.replace(comment.capturedStart(), comment.capturedLength(),
+                 QString(comment.capturedLength(), u' '));
+  }
+  QList<UnsetUnit> unset;
+  for (auto each = kUnit.globalMatch(code); each.hasNext();) {
+    const QRegularExpressionMatch match = each.next();
+    const int unit = match.captured(1).toInt();
+    if (known.contains(unit))
+      continue;
+    known.insert(unit);
+    unset.append({unit, match.capturedStart(), match.capturedEnd()});
+  }
+  return unset;
 }
 
 QString thumbnailDocument(const QString &source, int side) {

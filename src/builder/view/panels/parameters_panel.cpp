@@ -2,12 +2,17 @@
 
 #include <QBoxLayout>
 #include <QColorDialog>
-#include <QDoubleSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <cmath>
+
+#include "builder/view/panels/flow_row.h"
+#include "builder/view/panels/number_box.h"
 
 namespace arbiter::builder {
 
@@ -49,7 +54,7 @@ ParametersPanel::ParametersPanel(Workbench &bench) : m_bench(bench) {
 QList<ParametersPanel::Shape> ParametersPanel::shapes() const {
   QList<Shape> all;
   for (const ParameterLine &line : m_bench.parameters().lines()) {
-    Shape shape{line.label, {}, line.low, line.high, line.colour, line.animation};
+    Shape shape{line.label, {}, line.colour, line.fixed};
     for (const Component &component : line.components)
       shape.components << (component.at >= 0 ? component.index : -1);
     all << shape;
@@ -80,6 +85,9 @@ void ParametersPanel::build() {
   const int count = int(m_bench.parameters().lines().size());
   for (int line = 0; line < count; ++line)
     addLine(line, layout);
+  auto *more = new QPushButton(tr("&Add a parameter"));
+  more->setObjectName(QStringLiteral("add-parameter"));
+  connect(more, &QPushButton::clicked, this, [this] { m_bench.parameters().add(); });
   if (count == 0) {
     auto *hint = new QLabel(tr("No parameters yet. A line such as\n\n"
                                "#@ local[0].x \"amount\" = 0.5 in 0..1\n\n"
@@ -88,11 +96,16 @@ void ParametersPanel::build() {
     hint->setWordWrap(true);
     layout->addWidget(hint);
   }
+  layout->addSpacing(4);
+  layout->addWidget(more, 0, Qt::AlignLeft);
   layout->addStretch();
+  if (QWidget *old = takeWidget())
+    old->deleteLater(); // one of its signals may be what led here
   setWidget(inside);
+  showValues();
 }
 
-QWidget *ParametersPanel::head(int line) {
+QWidget *ParametersPanel::head(int line, QWidget *settings) {
   const ParameterLine &parameter = m_bench.parameters().lines()[line];
   auto *row = new QWidget;
   auto *layout = new QHBoxLayout(row);
@@ -105,26 +118,93 @@ QWidget *ParametersPanel::head(int line) {
   auto *where = new QLabel(QStringLiteral("%1[%2]").arg(parameter.space).arg(parameter.index));
   where->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(where);
-  if (!parameter.animation.isEmpty())
-    layout->addWidget(new QLabel(parameter.animation));
+  auto *animation = new QLabel;
+  layout->addWidget(animation);
+  m_refresh <<
+      [this, animation, line] { animation->setText(m_bench.parameters().lines()[line].animation); };
   layout->addStretch();
-  if (parameter.colour) {
-    auto *button = new QPushButton(tr("Colour..."));
-    button->setAccessibleName(tr("Colour of %1").arg(parameter.label));
-    const auto paint = [this, button, line] {
-      QPixmap swatch(24, 12);
-      swatch.fill(colourOf(m_bench.parameters(), line));
-      button->setIcon(swatch);
-    };
-    paint();
-    m_refresh << paint;
-    connect(button, &QPushButton::clicked, this, [this, line, button] {
-      const QColor picked = QColorDialog::getColor(colourOf(m_bench.parameters(), line), button);
-      if (picked.isValid())
-        m_bench.parameters().set(line, {picked.redF(), picked.greenF(), picked.blueF()});
+  if (parameter.colour)
+    addColour(line, layout);
+  if (settings) {
+    auto *open = new QToolButton;
+    open->setText(tr("Range..."));
+    open->setAutoRaise(true);
+    open->setCheckable(true);
+    open->setFocusPolicy(Qt::StrongFocus);
+    open->setToolTip(tr("Range and animation"));
+    open->setAccessibleName(tr("Range and animation of %1").arg(parameter.label));
+    open->setObjectName(QStringLiteral("settings-%1").arg(line));
+    const QString key = parameter.label;
+    connect(open, &QToolButton::toggled, this, [this, settings, key](bool on) {
+      settings->setVisible(on);
+      if (on)
+        m_opened.insert(key);
+      else
+        m_opened.remove(key);
     });
-    layout->addWidget(button);
+    settings->setVisible(false);
+    open->setChecked(m_opened.contains(key));
+    layout->addWidget(open);
   }
+  return row;
+}
+
+void ParametersPanel::addColour(int line, QBoxLayout *layout) {
+  auto *button = new QPushButton(tr("Colour..."));
+  button->setAccessibleName(tr("Colour of %1").arg(m_bench.parameters().lines()[line].label));
+  m_refresh << [this, button, line] {
+    QPixmap swatch(24, 12);
+    swatch.fill(colourOf(m_bench.parameters(), line));
+    button->setIcon(swatch);
+  };
+  connect(button, &QPushButton::clicked, this, [this, line, button] {
+    const QColor picked = QColorDialog::getColor(colourOf(m_bench.parameters(), line), button);
+    if (picked.isValid())
+      m_bench.parameters().set(line, {picked.redF(), picked.greenF(), picked.blueF()});
+  });
+  layout->addWidget(button);
+}
+
+/// Range, and how the value moves by itself: each change is an edit of the line.
+QWidget *ParametersPanel::settingsRow(int line) {
+  const QString label = m_bench.parameters().lines()[line].label;
+  auto *row = new FlowRow;
+  auto *low = new NumberBox(-kWide, kWide, tr("Low end of %1").arg(label));
+  auto *high = new NumberBox(-kWide, kWide, tr("High end of %1").arg(label));
+  auto *motion = new QComboBox;
+  auto *period = new NumberBox(0.001, 86400, tr("Period of %1 in seconds").arg(label));
+  low->setObjectName(QStringLiteral("low-%1").arg(line));
+  high->setObjectName(QStringLiteral("high-%1").arg(line));
+  motion->setObjectName(QStringLiteral("motion-%1").arg(line));
+  period->setObjectName(QStringLiteral("period-%1").arg(line));
+  motion->setAccessibleName(tr("Animation of %1").arg(label));
+  motion->addItem(tr("still"));
+  motion->addItems(m_bench.parameters().motionsOf(line));
+  row->add({new QLabel(tr("from")), low, new QLabel(tr("to")), high});
+  row->add({motion, new QLabel(tr("in")), period, new QLabel(tr("s"))});
+  m_refresh << [this, line, low, high, motion, period] {
+    const ParameterLine &now = m_bench.parameters().lines()[line];
+    const QSignalBlocker a(low), b(high), c(period);
+    low->setValue(now.low);
+    high->setValue(now.high);
+    motion->setCurrentIndex(std::max(0, motion->findText(now.motion)));
+    period->setValue(now.period);
+    period->setEnabled(!now.motion.isEmpty());
+  };
+  const auto range = [this, line, low, high] {
+    if (low->value() < high->value())
+      m_bench.parameters().setRange(line, low->value(), high->value());
+    else
+      showValues(); // back to what holds
+  };
+  connect(low, &QDoubleSpinBox::valueChanged, this, range);
+  connect(high, &QDoubleSpinBox::valueChanged, this, range);
+  const auto move = [this, line, motion, period] {
+    m_bench.parameters().setMotion(
+        line, motion->currentIndex() == 0 ? QString() : motion->currentText(), period->value());
+  };
+  connect(motion, &QComboBox::activated, this, move);
+  connect(period, &QDoubleSpinBox::valueChanged, this, move);
   return row;
 }
 
@@ -141,22 +221,19 @@ QWidget *ParametersPanel::sliderRow(int line, int component) {
   slider->setPageStep(kSteps / 20);
   slider->setAccessibleName(QStringLiteral("%1.%2").arg(parameter.label, letter));
   slider->setObjectName(QStringLiteral("slider-%1-%2").arg(line).arg(component));
-  slider->setToolTip(tr("%1 to %2").arg(parameter.low).arg(parameter.high));
-  auto *number = new QDoubleSpinBox;
-  number->setRange(-kWide, kWide);
-  number->setDecimals(4);
-  number->setSingleStep((parameter.high - parameter.low) / 100);
-  number->setKeyboardTracking(false);
-  number->setAccessibleName(tr("%1.%2 as a number").arg(parameter.label, letter));
+  slider->installEventFilter(this);
+  auto *number = new NumberBox(-kWide, kWide, tr("%1.%2 as a number").arg(parameter.label, letter));
+  number->setObjectName(QStringLiteral("number-%1-%2").arg(line).arg(component));
   layout->addWidget(slider, 1);
   layout->addWidget(number);
   const auto show = [this, slider, number, line, component] {
     const Parameters &all = m_bench.parameters();
+    const ParameterLine &now = all.lines()[line];
     const QSignalBlocker a(slider), b(number);
-    slider->setValue(stepOf(all.value(line, component), all.lines()[line]));
+    slider->setToolTip(tr("%1 to %2").arg(now.low).arg(now.high));
+    slider->setValue(stepOf(all.value(line, component), now));
     number->setValue(all.value(line, component));
   };
-  show();
   m_refresh << show;
   connect(slider, &QSlider::valueChanged, this, [this, slider, number, line, component](int step) {
     Parameters &all = m_bench.parameters();
@@ -178,14 +255,24 @@ QWidget *ParametersPanel::sliderRow(int line, int component) {
 }
 
 void ParametersPanel::addLine(int line, QVBoxLayout *layout) {
-  layout->addWidget(head(line));
   const ParameterLine &parameter = m_bench.parameters().lines()[line];
+  QWidget *settings = parameter.fixed ? nullptr : settingsRow(line);
+  layout->addWidget(head(line, settings));
   if (parameter.fixed) {
     layout->addWidget(new QLabel(tr("made by its word in line %1").arg(parameter.line)));
     return;
   }
   for (int component = 0; component < parameter.components.size(); ++component)
     layout->addWidget(sliderRow(line, component));
+  layout->addWidget(settings);
+}
+
+/// A slider that the wheel passes over while the panel is scrolled stays.
+bool ParametersPanel::eventFilter(QObject *watched, QEvent *event) {
+  if (event->type() != QEvent::Wheel || static_cast<QWidget *>(watched)->hasFocus())
+    return QScrollArea::eventFilter(watched, event);
+  event->ignore();
+  return true;
 }
 
 } // namespace arbiter::builder

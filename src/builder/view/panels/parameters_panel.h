@@ -1,25 +1,29 @@
 #pragma once
 #include <QScrollArea>
+#include <QSet>
+#include <functional>
 
 #include "builder/model/workbench.h"
 
+class QBoxLayout;
 class QVBoxLayout;
 
 namespace arbiter::builder {
 
-/// A slider a component of each `#@` parameter, with its number, its range and its animation; a
-/// colour is picked. What is dragged is drawn at once and written when it is let go.
+/// A slider a component of each `#@` parameter, with its number; a colour is picked. A row below
+/// has its range and its animation. What is dragged is drawn at once and written when it is let go.
 class ParametersPanel : public QScrollArea {
 public:
   explicit ParametersPanel(Workbench &bench);
+
+protected:
+  bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
   struct Shape {
     QString label;
     QList<int> components;
-    double low = 0, high = 1;
-    bool colour = false;
-    QString animation;
+    bool colour = false, fixed = false;
     bool operator==(const Shape &) const = default;
   };
   void read();
@@ -27,12 +31,15 @@ private:
   void showValues();
   void addLine(int line, QVBoxLayout *layout);
   QWidget *sliderRow(int line, int component);
-  QWidget *head(int line);
+  QWidget *head(int line, QWidget *settings);
+  QWidget *settingsRow(int line);
+  void addColour(int line, QBoxLayout *layout);
   [[nodiscard]] QList<Shape> shapes() const;
 
   Workbench &m_bench;
   QList<Shape> m_shapes;
   QList<std::function<void()>> m_refresh; ///< a widget's value, from the model
+  QSet<QString> m_opened;                 ///< labels of parameters whose settings are shown
 };
 
 } // namespace arbiter::builder

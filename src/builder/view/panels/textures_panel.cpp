@@ -1,7 +1,7 @@
 #include "builder/view/panels/textures_panel.h"
 
 #include <QBoxLayout>
-#include <QDir>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
@@ -12,6 +12,11 @@
 #include <QTemporaryFile>
 #include <QToolButton>
 #include <memory>
+
+#include "builder/model/panels/clauses.h"
+#include "builder/view/panels/beside.h"
+#include "builder/view/panels/cube_dialog.h"
+#include "builder/view/panels/flow_row.h"
 
 namespace arbiter::builder {
 
@@ -40,32 +45,39 @@ QIcon iconOf(const QImage &image) {
 TexturesPanel::TexturesPanel(Workbench &bench) : m_bench(bench), m_tool(bench.places().arbiter) {
   auto *layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
-  auto *row = new QHBoxLayout;
   auto *label = new QLabel(tr("&Unit"));
   m_unit = new QSpinBox;
   m_unit->setRange(0, kUnits - 1);
   label->setBuddy(m_unit);
+  m_unit->setObjectName(QStringLiteral("texture-unit"));
   auto *file = new QPushButton(tr("&File..."));
+  file->setObjectName(QStringLiteral("texture-file"));
+  auto *cube = new QPushButton(tr("Cu&be..."));
+  cube->setObjectName(QStringLiteral("texture-cube"));
+  cube->setToolTip(tr("A cube map of six files"));
   auto *generate = new QToolButton;
   generate->setText(tr("&Generate"));
   generate->setPopupMode(QToolButton::InstantPopup);
   generate->setFocusPolicy(Qt::StrongFocus);
   auto *menu = new QMenu(generate);
-  for (const GeneratorWord &word : generators())
-    connect(menu->addAction(word.word + QStringLiteral(" - ") + word.meaning), &QAction::triggered,
-            this, [this, word] { setSource(word.word + QStringLiteral(" 256 256")); });
+  menu->setObjectName(QStringLiteral("texture-generators"));
+  fillMenu(menu);
   generate->setMenu(menu);
-  for (QWidget *widget : {static_cast<QWidget *>(label), static_cast<QWidget *>(m_unit),
-                          static_cast<QWidget *>(file), static_cast<QWidget *>(generate)})
-    row->addWidget(widget);
-  row->addStretch();
+  m_filter = samplerBox(Sampler::Filter, "texture-filter");
+  m_wrap = samplerBox(Sampler::Wrap, "texture-wrap");
+  auto *row = new FlowRow;
+  row->add({label, m_unit});
+  row->add({file, cube, generate});
+  row->add({m_filter, m_wrap});
   m_list = new QListWidget;
   m_list->setIconSize({kSide, kSide});
   m_list->setAccessibleName(tr("Texture units"));
   m_list->setWordWrap(true);
-  layout->addLayout(row);
+  layout->addWidget(row);
   layout->addWidget(m_list, 1);
   connect(file, &QPushButton::clicked, this, [this] { chooseFile(); });
+  connect(cube, &QPushButton::clicked, this, [this] { chooseCube(); });
+  connect(m_unit, &QSpinBox::valueChanged, this, [this] { showSampler(); });
   connect(m_list, &QListWidget::currentRowChanged, this, [this](int at) {
     if (at >= 0 && at < m_lines.size())
       m_unit->setValue(m_lines[at].unit);
@@ -92,7 +104,63 @@ void TexturesPanel::read() {
   if (lines.isEmpty())
     m_list->addItem(tr("No textures yet: choose a unit, then a file or a generator."));
   m_list->setCurrentRow(current);
+  showSampler();
   nextThumbnail();
+}
+
+/// Every generator that needs nothing, the cube maps, and those that begin from the unit's image.
+void TexturesPanel::fillMenu(QMenu *menu) {
+  const auto add = [&](const QString &title, const std::function<QString()> &source) {
+    connect(menu->addAction(title), &QAction::triggered, this,
+            [this, source] { setSource(source()); });
+  };
+  for (const GeneratorWord &word : generators())
+    add(word.word + QStringLiteral(" - ") + word.meaning,
+        [word] { return word.word + QStringLiteral(" 256 256"); });
+  for (const char *cube : {"sky 128", "normalise 64"}) {
+    const QString source = QString::fromLatin1(cube);
+    add(tr("%1 - a cube map").arg(source.section(u' ', 0, 0)), [source] { return source; });
+  }
+  menu->addSeparator();
+  const auto inner = [this](const QString &otherwise) {
+    const TextureLine *line = lineOfUnit();
+    return line && line->hasSides ? line->source : otherwise;
+  };
+  add(tr("normals of the unit's heights"), [inner] {
+    return QStringLiteral("normals strength 2 of ") + inner(QStringLiteral("bumps 256 256"));
+  });
+  add(tr("feedback: the last frame, at first the unit's image"),
+      [inner] { return QStringLiteral("feedback of ") + inner(QStringLiteral("noise 256 256")); });
+}
+
+QComboBox *TexturesPanel::samplerBox(Sampler kind, const char *name) {
+  auto *box = new QComboBox;
+  box->setObjectName(QLatin1StringView(name));
+  box->setAccessibleName(kind == Sampler::Filter ? tr("Filter") : tr("Wrap"));
+  box->addItems(samplerWords(kind));
+  connect(box, &QComboBox::textActivated, this, [this, kind](const QString &word) {
+    const Edit edit = setSampler(m_bench.document().text(), unit(), kind, word);
+    if (edit.removed != edit.added)
+      m_bench.document().apply({edit}, tr("unit %1: %2").arg(unit()).arg(word));
+  });
+  return box;
+}
+
+const TextureLine *TexturesPanel::lineOfUnit() const {
+  for (const TextureLine &line : m_lines)
+    if (line.unit == unit())
+      return &line;
+  return nullptr;
+}
+
+void TexturesPanel::showSampler() {
+  const TextureLine *line = lineOfUnit();
+  m_filter->setEnabled(line);
+  m_wrap->setEnabled(line);
+  if (!line)
+    return;
+  m_filter->setCurrentText(line->filter);
+  m_wrap->setCurrentText(line->wrap);
 }
 
 void TexturesPanel::nextThumbnail() {
@@ -126,15 +194,18 @@ void TexturesPanel::setSource(const QString &source) {
   m_bench.document().apply({edit}, tr("texture of unit %1").arg(unit()));
 }
 
-/// A file beside the document is named as such; another by its whole path.
 void TexturesPanel::chooseFile() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Image of unit %1").arg(unit()),
-                                                    m_bench.file().folder(),
-                                                    tr("Images (*.png *.jpg *.jpeg *.dds)"));
-  if (path.isEmpty())
-    return;
-  const QString relative = QDir(m_bench.file().folder()).relativeFilePath(path);
-  setSource(u'"' + (relative.startsWith(u"../") ? path : relative) + u'"');
+                                                    m_bench.file().folder(), imageFilter());
+  const QString name = path.isEmpty() ? QString() : nameBeside(this, m_bench, path);
+  if (!name.isEmpty())
+    setSource(quotedName(name));
+}
+
+void TexturesPanel::chooseCube() {
+  CubeDialog dialog(m_bench, unit(), this);
+  if (dialog.exec() == QDialog::Accepted)
+    setSource(dialog.source());
 }
 
 } // namespace arbiter::builder

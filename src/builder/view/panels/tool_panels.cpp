@@ -172,6 +172,9 @@ BenchPanel::BenchPanel(Workbench &bench) : m_bench(bench) {
   layout->addLayout(row);
   layout->addWidget(m_table, 1);
   connect(m_run, &QPushButton::clicked, this, [this] { run(); });
+  m_run->setObjectName(QStringLiteral("bench-run"));
+  connect(&bench.renderer(), &RendererSession::restarted, this,
+          [this] { m_run->setEnabled(true); }); // what ran went with the process
   connect(&bench.renderer(), &RendererSession::benched, this,
           [this](int frames, double milliseconds, double median) {
             m_run->setEnabled(true);

@@ -34,6 +34,7 @@ PicturePanel::PicturePanel(Workbench &bench) : m_bench(bench) {
   layout->addWidget(m_view, 1);
   connect(&bench, &Workbench::pictureChanged, this, [this] { showPicture(); });
   connect(&bench, &Workbench::statusChanged, this, [this] { showState(); });
+  connect(&bench.file(), &OpenFile::pathChanged, this, [this] { m_judged = 0; });
   connect(m_view, &PictureView::pixelPicked, this,
           [this](QPoint pixel) { m_bench.debugPixel(pixel); });
   connect(m_view, &PictureView::pixelHovered, this, [this](QPoint pixel, const QColor &colour) {
@@ -43,11 +44,13 @@ PicturePanel::PicturePanel(Workbench &bench) : m_bench(bench) {
             .arg(pixel.y())
             .arg(QString::number(colour.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
   });
-  connect(m_view, &PictureView::dragged, this, [this](QPointF delta) {
-    constexpr double kTurn = 3.14159265;
-    m_camera += QPointF(-delta.x(), delta.y()) * kTurn;
-    m_bench.renderer().setCamera(m_camera.x(), std::clamp(m_camera.y(), -1.5, 1.5), 1);
+  connect(m_view, &PictureView::dragged, this, [this](QPointF delta, double distance) {
+    constexpr double kTurn = 180; // degrees from one side to the other
+    if (!m_bench.turnCamera(-delta.x() * kTurn, delta.y() * kTurn, distance))
+      Q_EMIT m_bench.notice(
+          tr("nothing turns: the document has no orbiting camera (Scene, Camera)"));
   });
+  connect(m_view, &PictureView::dragEnded, this, [this] { m_bench.releaseCamera(); });
   showState();
 }
 
@@ -56,6 +59,8 @@ QWidget *PicturePanel::buildBar() {
   auto *layout = new QHBoxLayout(bar);
   layout->setContentsMargins(6, 2, 6, 2);
   m_facts = new QLabel;
+  m_facts->setMinimumWidth( // it changes with each frame, and moves nothing
+      fontMetrics().horizontalAdvance(QStringLiteral("8192\u00d78192  1000.0 ms")));
   m_pixel = new QLabel;
   m_pixel->setForegroundRole(QPalette::PlaceholderText);
   auto *smaller = button(QStringLiteral("\u2212"), tr("Smaller"));
@@ -73,8 +78,7 @@ QWidget *PicturePanel::buildBar() {
   connect(larger, &QToolButton::clicked, m_view, [this] { m_view->zoomBy(1); });
   connect(fit, &QToolButton::clicked, m_view, [this] { m_view->setZoom(0); });
   connect(real, &QToolButton::clicked, m_view, [this] { m_view->setZoom(1); });
-  connect(m_pause, &QToolButton::clicked, this,
-          [this](bool on) { m_bench.renderer().setPaused(on); });
+  connect(m_pause, &QToolButton::toggled, this, [this] { applyPause(); });
   connect(one, &QToolButton::clicked, this, [this] { step(); });
   return bar;
 }
@@ -99,9 +103,32 @@ QWidget *PicturePanel::buildBanner() {
   return m_banner;
 }
 
-void PicturePanel::togglePause() {
-  m_pause->toggle();
-  m_bench.renderer().setPaused(m_pause->isChecked());
+void PicturePanel::togglePause() { m_pause->toggle(); }
+
+void PicturePanel::applyPause() { m_bench.renderer().setPaused(m_pause->isChecked() || !m_seen); }
+
+void PicturePanel::showEvent(QShowEvent *event) {
+  QWidget::showEvent(event);
+  m_seen = true;
+  applyPause();
+}
+
+void PicturePanel::hideEvent(QHideEvent *event) {
+  QWidget::hideEvent(event);
+  m_seen = false;
+  applyPause();
+}
+
+/// Of a document that was just opened: one that would keep a core busy waits for Ctrl+P.
+void PicturePanel::judgeSpeed(const Frame &frame) {
+  constexpr int kFrames = 3; // the first ones have more to do
+  if (m_judged >= kFrames || frame.time <= 0 || m_pause->isChecked())
+    return;
+  if (++m_judged < kFrames || frame.milliseconds < m_slow)
+    return;
+  m_pause->setChecked(true);
+  Q_EMIT m_bench.notice(tr("a frame takes %1 ms: the animation is paused (Ctrl+P, Ctrl+.)")
+                            .arg(frame.milliseconds, 0, 'f', 0));
 }
 
 void PicturePanel::step() {
@@ -111,6 +138,7 @@ void PicturePanel::step() {
 
 void PicturePanel::showPicture() {
   const Frame &frame = m_bench.frame();
+  judgeSpeed(frame);
   m_view->setPicture(frame.image);
   m_view->setMark(m_bench.debuggedPixel());
   if (!frame.image.isNull())

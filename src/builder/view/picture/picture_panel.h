@@ -12,7 +12,7 @@ namespace arbiter::builder {
 class PictureView;
 
 /// The picture with what rules it: zoom, pause, single steps; and above it what is said of a text
-/// that is held.
+/// that is held. What is not seen is paused.
 class PicturePanel : public QWidget {
 public:
   explicit PicturePanel(Workbench &bench);
@@ -20,8 +20,16 @@ public:
   [[nodiscard]] PictureView &view() { return *m_view; }
   void togglePause();
   void step();
+  /// A document that is opened, and whose frames take longer than this, begins paused.
+  void setSlow(double milliseconds) { m_slow = milliseconds; }
+
+protected:
+  void showEvent(QShowEvent *event) override;
+  void hideEvent(QHideEvent *event) override;
 
 private:
+  void applyPause();
+  void judgeSpeed(const Frame &frame);
   void showPicture();
   void showState();
   QWidget *buildBar();
@@ -32,8 +40,9 @@ private:
   QLabel *m_facts, *m_pixel, *m_heldWhy;
   QToolButton *m_pause;
   QWidget *m_banner;
-  QPointF m_camera; ///< yaw, pitch, from where the document has it
-  bool m_turned = false;
+  bool m_seen = true; ///< what is hidden, behind a tab or in a minimised window, does not move
+  double m_slow = 250;
+  int m_judged = 0; ///< moving frames of the document that were quick or slow
 };
 
 } // namespace arbiter::builder

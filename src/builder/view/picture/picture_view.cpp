@@ -14,7 +14,8 @@ namespace arbiter::builder {
 
 namespace {
 constexpr double kMaxZoom = 64;
-constexpr int kCheck = 8; ///< side of the squares behind transparent pixels
+constexpr double kCloser = 0.9; ///< a turn of the wheel
+constexpr int kCheck = 8;       ///< side of the squares behind transparent pixels
 } // namespace
 
 PictureView::PictureView(QWidget *parent) : QWidget(parent) {
@@ -212,7 +213,7 @@ void PictureView::mouseMoveEvent(QMouseEvent *event) {
     m_pan += delta;
     update();
   } else if (event->buttons() & Qt::RightButton) {
-    Q_EMIT dragged({delta.x() / std::max(1, width()), delta.y() / std::max(1, height())});
+    Q_EMIT dragged({delta.x() / std::max(1, width()), delta.y() / std::max(1, height())}, 1);
   } else if ((event->buttons() & Qt::LeftButton) && (event->modifiers() & Qt::ShiftModifier)) {
     const QRectF area = target();
     setSplit((event->position().x() - area.left()) / std::max(1.0, area.width()));
@@ -222,13 +223,59 @@ void PictureView::mouseMoveEvent(QMouseEvent *event) {
     Q_EMIT pixelHovered(*pixel, colourAt(*pixel));
 }
 
+void PictureView::mouseReleaseEvent(QMouseEvent *event) {
+  if (event->button() == Qt::RightButton)
+    Q_EMIT dragEnded();
+}
+
 void PictureView::wheelEvent(QWheelEvent *event) {
-  if (event->angleDelta().y() != 0)
-    zoomBy(event->angleDelta().y() > 0 ? 1 : -1);
+  const double turns = event->angleDelta().y() / 120.0;
+  if (turns == 0)
+    return;
+  const bool holds = event->buttons() & Qt::RightButton;
+  if (!holds && !(event->modifiers() & Qt::ControlModifier))
+    return zoomBy(turns > 0 ? 1 : -1);
+  Q_EMIT dragged({}, std::pow(kCloser, turns));
+  if (!holds)
+    Q_EMIT dragEnded();
+}
+
+/// Shift and an arrow key turn the camera, Shift and page keys bring it closer or away.
+bool PictureView::turnByKey(int key) {
+  constexpr double kStep = 1.0 / 36; // five degrees
+  QPointF by;
+  double distance = 1;
+  switch (key) {
+  case Qt::Key_Left:
+    by = {-kStep, 0};
+    break;
+  case Qt::Key_Right:
+    by = {kStep, 0};
+    break;
+  case Qt::Key_Up:
+    by = {0, -kStep};
+    break;
+  case Qt::Key_Down:
+    by = {0, kStep};
+    break;
+  case Qt::Key_PageUp:
+    distance = kCloser;
+    break;
+  case Qt::Key_PageDown:
+    distance = 1 / kCloser;
+    break;
+  default:
+    return false;
+  }
+  Q_EMIT dragged(by, distance);
+  Q_EMIT dragEnded();
+  return true;
 }
 
 /// Arrow keys move the marked pixel; plus, minus and 0 zoom.
 void PictureView::keyPressEvent(QKeyEvent *event) {
+  if ((event->modifiers() & Qt::ShiftModifier) && turnByKey(event->key()))
+    return;
   QPoint by;
   switch (event->key()) {
   case Qt::Key_Left:

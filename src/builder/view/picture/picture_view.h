@@ -46,19 +46,24 @@ public:
 Q_SIGNALS:
   void pixelPicked(QPoint pixel);
   void pixelHovered(QPoint pixel, QColor colour);
-  void dragged(QPointF delta); ///< with the right button: for a camera; fractions of the widget
+  /// For a camera: with the right button or Shift and an arrow key, in fractions of the widget; and
+  /// closer, by the wheel meanwhile or with Ctrl, by a factor of the distance.
+  void dragged(QPointF delta, double distance);
+  void dragEnded();
   void splitChanged(double split);
 
 protected:
   void paintEvent(QPaintEvent *event) override;
   void mousePressEvent(QMouseEvent *event) override;
   void mouseMoveEvent(QMouseEvent *event) override;
+  void mouseReleaseEvent(QMouseEvent *event) override;
   void wheelEvent(QWheelEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
 
 private:
   [[nodiscard]] QRectF target() const;
   [[nodiscard]] QImage shown() const;
+  bool turnByKey(int key);
   void paintMark(QPainter &painter);
   void paintSplit(QPainter &painter);
 

@@ -2,23 +2,21 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QDialog>
 #include <QDockWidget>
 #include <QInputDialog>
+#include <QJsonArray>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
 #include <QShortcut>
-#include <QVBoxLayout>
 
 #include "builder/view/editor/code_editor.h"
 #include "builder/view/panels/words_panel.h"
 #include "builder/view/picture/picture_panel.h"
 #include "builder/view/picture/picture_view.h"
 #include "builder/view/window/main_window.h"
+#include "builder/view/window/pick.h"
 #include "fp_compiler/hw/profile.h"
 #include "fp_compiler/numerics.h"
 
@@ -42,6 +40,8 @@ void MainWindow::buildMenus() {
   add(file, tr("&Save"), QKeySequence::Save, [this] { save(); });
   add(file, tr("Save &as..."), QKeySequence::SaveAs, [this] { saveAs(); });
   add(file, tr("&Export picture..."), QKeySequence(tr("Ctrl+E")), [this] { exportPicture(); });
+  add(file, tr("Export se&quence..."), QKeySequence(tr("Ctrl+Shift+E")),
+      [this] { exportSequence(); });
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
@@ -53,6 +53,7 @@ void MainWindow::buildMenus() {
   add(edit, tr("Re&name..."), QKeySequence(tr("F2")), [this] { m_editor->renameName(); });
   add(edit, tr("Go to &definition"), QKeySequence(tr("F12")),
       [this] { m_editor->goToDefinition(); });
+  add(edit, tr("Go to na&me..."), QKeySequence(tr("Ctrl+Shift+O")), [this] { goToName(); });
   add(edit, tr("Next &problem"), QKeySequence(tr("F8")), [this] { m_editor->goToProblem(true); });
   add(edit, tr("Pre&vious problem"), QKeySequence(tr("Shift+F8")),
       [this] { m_editor->goToProblem(false); });
@@ -66,14 +67,14 @@ void MainWindow::buildMenus() {
   add(scene, tr("&Stop drawing this text"), QKeySequence(tr("Ctrl+Shift+C")),
       [this] { m_bench.renderer().stop(); });
   add(scene, tr("Picture as its own &window"), QKeySequence(tr("F11")),
-      [this] { m_docks[1]->setFloating(!m_docks[1]->isFloating()); });
+      [this] { dock(tr("Picture"))->setFloating(!dock(tr("Picture"))->isFloating()); });
 
   QMenu *debug = menuBar()->addMenu(tr("&Debug"));
   add(debug, tr("&Pixel at the mark"), QKeySequence(tr("Ctrl+D")), [this] {
     const QSize size = m_bench.picture().size();
     m_bench.debugPixel(
         m_bench.debuggedPixel().value_or(QPoint(size.width() / 2, size.height() / 2)));
-    m_docks[5]->raise();
+    dock(tr("Debug"))->raise();
     m_picture->view().setFocus(); // arrow keys move the mark
   });
   add(debug, tr("Step &forward"), QKeySequence(tr("F10")), [this] { m_bench.trace().step(1); });
@@ -149,7 +150,7 @@ void MainWindow::buildPanelMenu(QMenu *menu) {
   addChoice(menu, tr("&Colours"),
             {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")},
             [this](const QString &name) { setScheme(name); });
-  add(menu, tr("Panels as at &first"), {}, [this] { restoreState(m_madeLayout, 1); });
+  add(menu, tr("Panels as at &first"), {}, [this] { restoreState(m_madeLayout, kLayoutVersion); });
   // Held, A is shown alone.
   auto *held = new QShortcut(QKeySequence(tr("Ctrl+B")), this);
   held->setAutoRepeat(false);
@@ -169,34 +170,34 @@ bool MainWindow::eventFilter(QObject *watched, QEvent *event) {
 
 /// A list of every action, narrowed by what is typed.
 void MainWindow::anyAction() {
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Any action"));
-  auto *layout = new QVBoxLayout(&dialog);
-  auto *search = new QLineEdit;
-  auto *list = new QListWidget;
-  layout->addWidget(search);
-  layout->addWidget(list);
-  const auto fill = [&] {
-    list->clear();
-    for (int i = 0; i < m_actions.size(); ++i) {
-      const QString text = m_actions[i]->text().remove(u'&');
-      if (!text.contains(search->text(), Qt::CaseInsensitive))
-        continue;
-      auto *item =
-          new QListWidgetItem(text + QStringLiteral("    ") +
-                                  m_actions[i]->shortcut().toString(QKeySequence::NativeText),
-                              list);
-      item->setData(Qt::UserRole, i);
-    }
-    list->setCurrentRow(0);
-  };
-  fill();
-  connect(search, &QLineEdit::textChanged, &dialog, fill);
-  connect(search, &QLineEdit::returnPressed, &dialog, &QDialog::accept);
-  connect(list, &QListWidget::itemActivated, &dialog, &QDialog::accept);
-  dialog.resize(420, 360);
-  if (dialog.exec() == QDialog::Accepted && list->currentItem())
-    m_actions[list->currentItem()->data(Qt::UserRole).toInt()]->trigger();
+  QStringList names;
+  for (const QAction *action : m_actions)
+    names << QString(action->text()).remove(u'&') + QStringLiteral("    ") +
+                 action->shortcut().toString(QKeySequence::NativeText);
+  if (const int at = pickFrom(names, tr("Any action"), this); at >= 0)
+    m_actions[at]->trigger();
+}
+
+/// Those that the text declares, and where.
+void MainWindow::goToName() {
+  m_bench.language().request(
+      QStringLiteral("textDocument/documentSymbol"), -1, {}, [this](const QJsonValue &result) {
+        QStringList names;
+        QList<QJsonValue> places;
+        for (const QJsonValue &symbol : result.toArray()) {
+          names << symbol[u"name"].toString() + QStringLiteral("    ") +
+                       symbol[u"detail"].toString();
+          places << symbol[u"selectionRange"][u"start"];
+        }
+        if (names.isEmpty())
+          return notice(tr("the text declares no names"));
+        const int at = pickFrom(names, tr("Go to name"), this);
+        if (at < 0)
+          return;
+        m_editor->goTo(offsetOf(m_bench.document().text(), places[at][u"line"].toInteger(),
+                                places[at][u"character"].toInteger()));
+        m_editor->setFocus();
+      });
 }
 
 void MainWindow::bindKeys() {

@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "builder/view/editor/code_editor.h"
+#include "builder/view/window/export_dialog.h"
 #include "builder/view/window/main_window.h"
 
 namespace arbiter::builder {
@@ -109,6 +110,18 @@ void MainWindow::exportPicture() {
   if (!path.isEmpty())
     notice(m_bench.picture().save(path, "PNG") ? tr("%1 is written").arg(path)
                                                : tr("%1 cannot be written").arg(path));
+}
+
+void MainWindow::exportSequence() {
+  ExportDialog dialog(m_bench, this);
+  dialog.exec();
+}
+
+void MainWindow::openInstead(const QString &path) {
+  if (!mayDiscard())
+    return;
+  openPath(path);
+  showPanel(tr("Program"));
 }
 
 void MainWindow::askConflict(const QString &theirs) {

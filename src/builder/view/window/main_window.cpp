@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <utility>
 
 #include "builder/view/editor/code_editor.h"
 #include "builder/view/panels/compare_panel.h"
@@ -16,6 +17,7 @@
 #include "builder/view/panels/gauges_bar.h"
 #include "builder/view/panels/parameters_panel.h"
 #include "builder/view/panels/problems_panel.h"
+#include "builder/view/panels/scene_panel.h"
 #include "builder/view/panels/textures_panel.h"
 #include "builder/view/panels/tool_panels.h"
 #include "builder/view/panels/words_panel.h"
@@ -28,7 +30,6 @@ namespace arbiter::builder {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;
 constexpr int kNoticeMilliseconds = 8000;
 
 } // namespace
@@ -58,6 +59,15 @@ MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
           [this] { notice(tr("%1 is gone; saving writes it anew").arg(m_bench.file().path())); });
   showTitle();
   showStatus();
+}
+
+MainWindow::~MainWindow() {
+  hide();
+  m_bench.disconnect(this);
+  m_bench.document().disconnect(this);
+  m_bench.file().disconnect(this);
+  m_bench.trace().disconnect(this);
+  qDeleteAll(std::exchange(m_docks, {}));
 }
 
 QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {
@@ -94,6 +104,8 @@ void MainWindow::buildPanels() {
   addPanel(tr("Picture"), m_picture, Qt::RightDockWidgetArea);
   addPanel(tr("Parameters"), new ParametersPanel(m_bench), Qt::RightDockWidgetArea);
   addPanel(tr("Textures"), new TexturesPanel(m_bench), Qt::RightDockWidgetArea);
+  addPanel(tr("Scene"), new ScenePanel(m_bench, [this](const QString &path) { openInstead(path); }),
+           Qt::RightDockWidgetArea);
   addPanel(tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
   addPanel(tr("Debug"), m_debug, Qt::BottomDockWidgetArea);
   addPanel(tr("Advice"), new AdvicePanel(m_bench), Qt::BottomDockWidgetArea);
@@ -106,31 +118,44 @@ void MainWindow::buildPanels() {
     const auto &rows = m_bench.trace().rows();
     m_editor->setTracedLine(row >= 0 && row < rows.size() ? rows[row].line : 0);
   });
-  connect(&m_picture->view(), &PictureView::pixelPicked, this, [this] { m_docks[5]->raise(); });
+  connect(&m_picture->view(), &PictureView::pixelPicked, this,
+          [this] { dock(tr("Debug"))->raise(); });
   connect(m_editor, &CodeEditor::lineClicked, this,
           [this](int line) { m_bench.trace().runToLine(line); });
   connect(&m_bench, &Workbench::problemsChanged, this, [this] {
     const int count = int(m_bench.problems().size());
-    m_docks[4]->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems %1").arg(count));
+    dock(tr("Problems"))
+        ->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems %1").arg(count));
   });
 }
 
+QDockWidget *MainWindow::dock(const QString &name) const {
+  for (QDockWidget *each : m_docks)
+    if (each->objectName() == name)
+      return each;
+  return nullptr;
+}
+
 void MainWindow::arrange() {
-  for (QDockWidget *dock : m_docks) {
-    dock->setFloating(false);
-    dock->show();
+  for (QDockWidget *each : m_docks) {
+    each->setFloating(false);
+    each->show();
   }
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  splitDockWidget(m_docks[1], m_docks[2], Qt::Vertical);
-  tabifyDockWidget(m_docks[2], m_docks[3]);
-  for (int i = 5; i < m_docks.size(); ++i)
-    tabifyDockWidget(m_docks[4], m_docks[i]);
-  m_docks[2]->raise();
-  m_docks[4]->raise();
-  resizeDocks({m_docks[0], m_docks[1]}, {640, 640}, Qt::Horizontal);
-  resizeDocks({m_docks[1], m_docks[2]}, {420, 150}, Qt::Vertical);
-  resizeDocks({m_docks[0], m_docks[4]}, {570, 190}, Qt::Vertical);
+  QDockWidget *const program = dock(tr("Program")), *const picture = dock(tr("Picture"));
+  QDockWidget *const parameters = dock(tr("Parameters")), *const problems = dock(tr("Problems"));
+  splitDockWidget(picture, parameters, Qt::Vertical);
+  for (const QString &name : {tr("Textures"), tr("Scene")})
+    tabifyDockWidget(parameters, dock(name));
+  for (QDockWidget *each : m_docks)
+    if (each != problems && dockWidgetArea(each) == Qt::BottomDockWidgetArea)
+      tabifyDockWidget(problems, each);
+  parameters->raise();
+  problems->raise();
+  resizeDocks({program, picture}, {640, 640}, Qt::Horizontal);
+  resizeDocks({picture, parameters}, {420, 150}, Qt::Vertical);
+  resizeDocks({program, problems}, {570, 190}, Qt::Vertical);
 }
 
 void MainWindow::buildStatus() {

@@ -20,6 +20,8 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
   explicit MainWindow(Places places);
+  /// Panels go before what they show.
+  ~MainWindow() override;
 
   [[nodiscard]] Workbench &bench() { return m_bench; }
   [[nodiscard]] CodeEditor &editor() { return *m_editor; }
@@ -32,6 +34,8 @@ public:
   void offerRecovery();
   /// Brings a panel to the front by its name ("Debug") and gives it the focus.
   void showPanel(const QString &name);
+  /// Opens a file in the place of the document, when unsaved text is kept or given up.
+  void openInstead(const QString &path);
   [[nodiscard]] QStringList panelNames() const;
   void setScheme(const QString &name);
   /// As it was when the window was closed last; else as it is made.
@@ -42,9 +46,12 @@ protected:
   bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+  static constexpr int kLayoutVersion = 2; ///< of the panels that there are
+
   void buildPanels();
   QDockWidget *addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area);
   void arrange();
+  [[nodiscard]] QDockWidget *dock(const QString &name) const;
 
   // actions.cpp
   void buildMenus();
@@ -55,6 +62,7 @@ private:
                  const std::function<void(const QString &)> &chosen);
   void buildPanelMenu(QMenu *menu);
   void anyAction();
+  void goToName();
   void bindKeys();
 
   // files.cpp
@@ -65,6 +73,7 @@ private:
   bool mayDiscard();
   void openCopy(const QString &path);
   void exportPicture();
+  void exportSequence();
   void askConflict(const QString &theirs);
 
   void showStatus();

@@ -23,9 +23,20 @@ bool isSettled(Workbench &bench, bool traced) {
   return drawn && told && (!traced || !bench.trace().rows().isEmpty());
 }
 
+/// 32 shades a channel, and no alpha: what is nearly flat becomes flat, and packs well.
+QImage withFewColours(const QImage &image) {
+  QImage few = image.convertToFormat(QImage::Format_RGB888);
+  for (int y = 0; y < few.height(); ++y) {
+    uchar *const row = few.scanLine(y);
+    for (int x = 0; x < 3 * few.width(); ++x)
+      row[x] = uchar((row[x] * 31 + 127) / 255 * 255 / 31);
+  }
+  return few;
+}
+
 } // namespace
 
-void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel) {
+void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel, bool small) {
   auto *timer = new QTimer(&window);
   auto since = std::make_shared<QElapsedTimer>();
   auto settled = std::make_shared<QElapsedTimer>();
@@ -47,7 +58,10 @@ void takeScreenshot(MainWindow &window, const QString &png, const QString &pixel
     if (!late && settled->elapsed() < kSettle)
       return;
     timer->stop();
-    const bool written = window.grab().save(png, "PNG");
+    QImage image = window.grab().toImage();
+    if (small)
+      image = withFewColours(image);
+    const bool written = image.save(png, "PNG", small ? 0 : -1); // 0: packed best
     QApplication::exit(written && !late ? 0 : 1);
   });
   timer->start(50);

@@ -1,71 +1,17 @@
 #include <QAction>
 #include <QDockWidget>
-#include <QFile>
 #include <QListWidget>
 #include <QSlider>
 #include <QTest>
-#include <csignal>
 
-#include "builder/testing/model_test.h"
-#include "builder/view/editor/code_editor.h"
-#include "builder/view/picture/picture_panel.h"
-#include "builder/view/picture/picture_view.h"
+#include "builder/testing/window_test.h"
 #include "builder/view/theme.h"
-#include "builder/view/window/main_window.h"
 
 namespace arbiter::builder {
 
-using testing::serve;
+using testing::kText;
 using testing::waitFor;
-
-namespace {
-
-const QString kText = QStringLiteral("!!ARBfp1.0\n"
-                                     "#@ size 64 64\n"
-                                     "#@ local[0].x \"red\" = 0.25 in 0..1\n"
-                                     "PARAM red = program.local[0];\n"
-                                     "MOV result.color, {0, 0, 0, 1};\n"
-                                     "MOV result.color.x, red.x;\n"
-                                     "END\n");
-
-/// The window with a document, as a user has it before them.
-class Window : public ::testing::Test {
-protected:
-  Window() {
-    Places places = Places::standard();
-    places.journals = m_folder.filePath(QStringLiteral("journals"));
-    places.held = {};
-    window = std::make_unique<MainWindow>(places);
-    window->show();
-    window->bench().start();
-  }
-
-  Document &document() { return window->bench().document(); }
-  CodeEditor &editor() { return window->editor(); }
-  PictureView &picture() { return window->picture().view(); }
-  [[nodiscard]] QColor middle() {
-    const QImage &image = window->bench().picture();
-    return image.isNull() ? QColor() : image.pixelColor(image.width() / 2, image.height() / 2);
-  }
-  bool drawsNewest() {
-    return waitFor([&] { return window->bench().pictureState() == PictureState::Newest; });
-  }
-  void open(const QString &text) {
-    window->openText(text);
-    ASSERT_TRUE(drawsNewest()) << window->bench().statusText().toStdString();
-  }
-  [[nodiscard]] int squiggles() {
-    int count = 0;
-    for (const auto &mark : editor().extraSelections())
-      count += mark.format.underlineStyle() == QTextCharFormat::WaveUnderline;
-    return count;
-  }
-
-  QTemporaryDir m_folder;
-  std::unique_ptr<MainWindow> window;
-};
-
-} // namespace
+using testing::Window;
 
 /// The whole way: type a mistake, see it marked and the picture stay, mend it, move the slider, see
 /// the pixels change, take it back.
@@ -94,23 +40,6 @@ TEST_F(Window, TypeBreakMendSlide) {
   document().undo();
   ASSERT_TRUE(waitFor([&] { return middle().red() == 64; }));
   EXPECT_EQ(document().text(), kText);
-}
-
-TEST_F(Window, ARendererKilledWhileTypingLosesNoCharacter) {
-  open(kText);
-  editor().setFocus();
-  editor().goTo(kText.size());
-  QString typed;
-  for (int i = 0; i < 50; ++i) {
-    const QString word = QStringLiteral("# %1 ").arg(i);
-    QTest::keyClicks(&editor(), word);
-    typed += word;
-    if (const qint64 process = window->bench().renderer().processId(); process > 0 && i % 5 == 0)
-      ::kill(pid_t(process), SIGKILL);
-  }
-  EXPECT_EQ(document().text(), kText + typed);
-  EXPECT_EQ(editor().toPlainText(), kText + typed);
-  EXPECT_TRUE(drawsNewest());
 }
 
 TEST_F(Window, WhatOthersChangeIsShownAndTheCursorStays) {
@@ -213,6 +142,15 @@ TEST(Theme, TextsHaveTheContrastOfTheGuideline) {
       for (const QColor &ground : {c.background, c.line, c.traced})
         EXPECT_GE(contrast(text, ground), 4.5)
             << text.name().toStdString() << " on " << ground.name().toStdString();
+    const QPalette palette = qApp->palette();
+    for (const QColor &text : {c.text, c.dim, c.error, c.warning, c.note, c.good, c.amber,
+                               palette.color(QPalette::PlaceholderText)})
+      EXPECT_GE(contrast(text, palette.color(QPalette::Window)), 4.5)
+          << text.name().toStdString() << " on the window's ground";
+    EXPECT_GE(
+        contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
+        4.5);
+    EXPECT_GE(contrast(palette.color(QPalette::ButtonText), palette.color(QPalette::Button)), 4.5);
   }
   applyScheme(*qApp, Scheme::Light);
 }

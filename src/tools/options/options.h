@@ -1,7 +1,11 @@
 #pragma once
-#include <CLI/CLI.hpp>
+#include <string>
 
 #include "tools/commands.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 /// The verbs of `arbiter` with their options, as CLI11 has them.
 namespace arbiter::tools {

@@ -1,0 +1,53 @@
+#pragma once
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "builder/model/render/session.h"
+
+namespace arbiter::builder {
+
+/// Which frames of a document become files.
+struct SequenceRequest {
+  QString folder; ///< made if it is not there
+  QString name;   ///< "twirl": twirl-0000.png, twirl-0001.png, ...
+  int first = 0;
+  int frames = 1;
+  double rate = 60; ///< frames a second, as the document has it
+};
+
+/// Draws frames of a document into PNG files, one after another, by a renderer of its own: the
+/// window's goes on. Frame N is the picture of `arbiter draw --frame N`.
+class SequenceExport : public QObject {
+  Q_OBJECT
+public:
+  /// \param arbiter the command
+  explicit SequenceExport(QString arbiter, QObject *parent = nullptr);
+
+  void start(const Scene &scene, const RenderOptions &options, const SequenceRequest &request);
+  /// What is written stays.
+  void cancel();
+  [[nodiscard]] bool isRunning() const { return m_session != nullptr; }
+  [[nodiscard]] int written() const { return m_written; }
+  /// The file of a frame.
+  [[nodiscard]] static QString fileOf(const SequenceRequest &request, int frame);
+  void setPatience(int milliseconds) { m_patience.setInterval(milliseconds); }
+
+Q_SIGNALS:
+  void progressed(int written, int frames);
+  /// It is over. \param complaint why not all are written; empty: they are, or it was cancelled
+  void finished(const QString &complaint);
+
+private:
+  void take(const Frame &frame);
+  void answered(const SceneAnswer &answer);
+  void end(const QString &complaint);
+
+  QString m_arbiter;
+  std::unique_ptr<RendererSession> m_session;
+  SequenceRequest m_request;
+  int m_written = 0;
+  QTimer m_patience; ///< for each frame
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,179 @@
+// What is drawn, when, and what is said of its pixels.
+#include <QDockWidget>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "builder/testing/window_test.h"
+
+namespace arbiter::builder {
+
+using testing::kText;
+using testing::runAction;
+using testing::serve;
+using testing::waitFor;
+using testing::Window;
+
+/// A pixel is clicked, its instructions stepped through both ways; the verdict is the picture's
+/// own.
+TEST_F(Window, APixelIsPickedAndStepped) {
+  open(kText);
+  QTest::mouseClick(&picture(), Qt::LeftButton, {}, picture().rectOf({10, 50}).center().toPoint());
+  Trace &trace = bench().trace();
+  ASSERT_TRUE(waitFor([&] { return !trace.rows().isEmpty(); }));
+  EXPECT_EQ(bench().debuggedPixel(), QPoint(10, 50));
+  EXPECT_TRUE(trace.isEqual()) << trace.verdict().toStdString();
+  ASSERT_EQ(trace.rows().size(), 2);
+  trace.moveTo(0);
+  runAction(*window, "Step forward");
+  EXPECT_EQ(trace.current(), 1);
+  EXPECT_EQ(trace.rows()[1].value.color().red(), 64) << "the vector as a colour";
+  runAction(*window, "Step back");
+  EXPECT_EQ(trace.current(), 0);
+  editor().goTo(text().indexOf(QStringLiteral("MOV result.color.x")));
+  runAction(*window, "Run to cursor");
+  EXPECT_EQ(trace.current(), 1);
+  QTest::keyClick(&picture(), Qt::Key_Up);
+  EXPECT_EQ(bench().debuggedPixel(), QPoint(10, 51));
+}
+
+TEST_F(Window, TheNextNaNIsFoundByF7) {
+  QString nan = kText;
+  nan.replace(QStringLiteral("MOV result.color.x, red.x;"),
+              QStringLiteral("TEMP t;\nMOV t, red;\nRSQ t.y, -red.x;\nRCP t.z, t.w;\n"
+                             "MUL t.z, t.z, t.w;\nMOV result.color.x, red.x;"));
+  open(nan);
+  bench().debugPixel({1, 1});
+  Trace &trace = bench().trace();
+  ASSERT_TRUE(waitFor([&] { return trace.rows().size() >= 6; }));
+  trace.moveTo(0);
+  runAction(*window, "Next NaN");
+  EXPECT_TRUE(trace.rows()[trace.current()].flags.contains(QStringLiteral("nan")))
+      << "at line " << trace.rows()[trace.current()].line;
+}
+
+TEST_F(Window, ThePixelOfAPausedFrameIsThatFrames) {
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 2s")));
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.3; }));
+  runAction(*window, "Pause");
+  serve(200);
+  const int red = middle().red();
+  ASSERT_NE(red, 64);
+  bench().debugPixel({32, 32});
+  ASSERT_TRUE(waitFor([&] { return bench().trace().rows().size() == 2; }));
+  EXPECT_EQ(bench().trace().rows()[1].value.color().red(), red);
+  EXPECT_TRUE(bench().trace().isEqual()) << bench().trace().verdict().toStdString();
+}
+
+TEST_F(Window, ARegisterIsSeenOverTheWholePicture) {
+  open(kText);
+  bench().debugPixel({3, 3});
+  ASSERT_TRUE(waitFor([&] { return !bench().trace().rows().isEmpty(); }));
+  bench().watchRow(0);
+  ASSERT_TRUE(waitFor([&] { return bench().isPinned(); }));
+  EXPECT_EQ(bench().pinned().size(), QSize(64, 64));
+  EXPECT_EQ(bench().pinned().pixelColor(32, 32).red(), 0) << "before the second instruction";
+  EXPECT_EQ(middle().red(), 64);
+}
+
+TEST_F(Window, AnAnimationPausesAndGoesFrameByFrame) {
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s")));
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.1; })) << "it does not move";
+  runAction(*window, "Pause");
+  serve(200); // what was under way
+  const double paused = bench().frame().time;
+  serve(300);
+  EXPECT_EQ(bench().frame().time, paused);
+  runAction(*window, "One frame");
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > paused; }));
+  EXPECT_NEAR(bench().frame().time, paused + 1.0 / 60, 1e-3);
+  runAction(*window, "Pause");
+  EXPECT_TRUE(waitFor([&] { return bench().frame().time > paused + 0.1; }));
+}
+
+TEST_F(Window, AnEditDoesNotRestartTheAnimation) {
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 9s")));
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.5; }));
+  editor().goTo(text().size());
+  QTest::keyClicks(&editor(), QStringLiteral("# a"));
+  const qint64 newest = document().revision();
+  ASSERT_TRUE(waitFor([&] { return bench().frame().revision == newest; }));
+  EXPECT_GT(bench().frame().time, 0.5);
+}
+
+TEST_F(Window, WhatStandsStillOrIsHiddenDrawsNothing) {
+  open(kText);
+  serve(200);
+  qint64 number = bench().frame().number;
+  serve(400);
+  EXPECT_EQ(bench().frame().number, number) << "a still document was drawn again";
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s")));
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.1; }));
+  window->hide();
+  serve(200);
+  number = bench().frame().number;
+  serve(400);
+  EXPECT_EQ(bench().frame().number, number) << "what is not seen was drawn";
+  window->show();
+  EXPECT_TRUE(waitFor([&] { return bench().frame().number > number + 3; }));
+}
+
+TEST_F(Window, ASlowDocumentBeginsPaused) {
+  window->picture().setSlow(0); // any is
+  QString said;
+  QObject::connect(&bench(), &Workbench::notice, [&](const QString &text) { said = text; });
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s")));
+  ASSERT_TRUE(waitFor([&] { return bench().renderer().isPaused(); }));
+  EXPECT_TRUE(said.contains(QStringLiteral("paused"))) << said.toStdString();
+}
+
+/// A stays while B is typed.
+TEST_F(Window, ThePinnedPictureStaysWhileTheTextChanges) {
+  open(kText);
+  runAction(*window, "Pin the picture as A");
+  document().replace(text().indexOf(QStringLiteral("0.25")), 4, QStringLiteral("1"), Origin::Tool,
+                     QStringLiteral("edit"));
+  ASSERT_TRUE(waitFor([&] { return middle().red() == 255; }));
+  EXPECT_EQ(bench().pinned().pixelColor(32, 32).red(), 64);
+  const Comparison figures = compare(bench().pinned(), bench().picture());
+  EXPECT_EQ(figures.pixels, 64 * 64);
+  EXPECT_EQ(figures.worst, 191);
+  RenderOptions fp24 = bench().renderer().options();
+  fp24.numerics = QStringLiteral("fp24");
+  bench().compareWith(fp24);
+  ASSERT_TRUE(waitFor([&] {
+    return bench().isPinned() && bench().pinned().pixelColor(32, 32).red() == 255;
+  })) << "A is drawn by another process, with each change";
+}
+
+TEST_F(Window, TheBenchSaysHowLongAFrameTakes) {
+  open(kText);
+  window->showPanel(QStringLiteral("Bench"));
+  auto &button = find<QPushButton>("bench-run");
+  button.click();
+  EXPECT_FALSE(button.isEnabled());
+  auto *dock = window->findChild<QDockWidget *>(QStringLiteral("Bench"));
+  auto *table = dock->widget()->findChild<QTableWidget *>();
+  ASSERT_TRUE(waitFor([&] { return table->rowCount() == 1; }));
+  EXPECT_GT(table->item(0, 3)->text().toDouble(), 0);
+  EXPECT_TRUE(button.isEnabled());
+}
+
+/// Nothing says why a picture is black, but this.
+TEST_F(Window, AUnitWithoutAnImageIsSaid) {
+  const QString sampling =
+      QStringLiteral("!!ARBfp1.0\n#@ size 16 16\n# texture[7] is none\nTEMP t;\n"
+                     "TEX result.color, fragment.texcoord[0], texture[ 3 ], 2D;\nEND\n");
+  open(sampling);
+  ASSERT_TRUE(waitFor([&] { return !bench().problems().isEmpty(); }));
+  ASSERT_EQ(bench().problems().size(), 1);
+  const Problem &problem = bench().problems()[0];
+  EXPECT_EQ(problem.severity, Severity::Warning);
+  EXPECT_TRUE(problem.message.startsWith(QStringLiteral("texture[3] has no image")));
+  EXPECT_EQ(problem.line, 5);
+  document().replace(11, 0, QStringLiteral("#@ texture 3 = constant r 1 g 0 b 0\n"), Origin::Tool,
+                     QStringLiteral("edit"));
+  EXPECT_TRUE(waitFor([&] { return bench().problems().isEmpty(); }));
+  EXPECT_TRUE(waitFor([&] { return middle() == QColor(Qt::red); }));
+}
+
+} // namespace arbiter::builder

@@ -1,0 +1,44 @@
+#pragma once
+#include <QDialog>
+
+#include "builder/model/panels/sequence.h"
+#include "builder/model/workbench.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace arbiter::builder {
+
+/// Exports frames of the document as PNG files: which, where to; then how far it is. Closing it
+/// stops what runs.
+class ExportDialog : public QDialog {
+public:
+  explicit ExportDialog(Workbench &bench, QWidget *parent = nullptr);
+
+protected:
+  void reject() override;
+
+private:
+  void build();
+  void begin();
+  void ended(const QString &complaint);
+  void setRunning(bool running);
+  void browse();
+  [[nodiscard]] SequenceRequest request() const;
+
+  Workbench &m_bench;
+  SequenceExport m_export;
+  double m_rate = 60; ///< frames a second, of the document
+  QSpinBox *m_first, *m_frames;
+  QDoubleSpinBox *m_seconds;
+  QLineEdit *m_folder, *m_name;
+  QProgressBar *m_progress;
+  QLabel *m_state;
+  QPushButton *m_start, *m_close, *m_browse;
+};
+
+} // namespace arbiter::builder

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <string_view>
+
+#include "tools/options/options.h"
+#include "tools/options/verb.h"
+
+/// An option that has no effect is a mistake in the command line: reported, not ignored.
+namespace arbiter::tools {
+
+namespace {
+
+/// `option` does nothing where `beside` was given, or has one of `values`.
+struct Row {
+  const char *verb, *option, *beside;
+  std::string_view values = {}; ///< between spaces; empty: any, if it was given
+  const char *unless = nullptr; ///< an option that gives it an effect again
+};
+constexpr Row kRows[] = {
+    {"check", "--brief", "--json"},
+    {"check", "--why", "--json"},
+    {"check", "--gauges", "--json"},
+    {"check", "--why", "--brief"},
+    {"check", "--gauges", "--brief"},
+    {"check", "--gauges", "--compare"},
+    {"compile", "--profile", "--emit", " tokens "},
+    {"compile", "--language", "--emit", " tokens "},
+    {"compile", "--optimise", "--emit", " tokens glsl native llvm machine "},
+    {"compile", "--numerics", "--emit", " tokens native "},
+    {"compile", "--numerics", "--emit", " ir assembly ", "--optimise"},
+    {"debug", "--line", "--json"},
+    {"debug", "--watch", "--stage", " vertex "},
+    {"debug", "--against", "--stage", " vertex "},
+};
+
+using AllSaid = std::vector<Said>;
+
+const Said *find(const AllSaid &all, const char *name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Said &each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool isGiven(const AllSaid &all, const char *name) {
+  const Said *const said = find(all, name);
+  return said && said->given;
+}
+
+std::string withoutEffect(const AllSaid &all, const Row &row) {
+  if (!isGiven(all, row.option) || (row.unless && isGiven(all, row.unless)))
+    return {};
+  if (row.values.empty())
+    return isGiven(all, row.beside) ? std::string(row.option) + " has no effect with " + row.beside
+                                    : std::string();
+  const std::string value = " " + find(all, row.beside)->value;
+  if (row.values.find(value + " ") == std::string_view::npos)
+    return {};
+  return std::string(row.option) + " has no effect with " + row.beside + value +
+         (row.unless ? std::string(" but beside ") + row.unless : std::string());
+}
+
+/// Where the layer is not loaded, none of its options has an effect.
+std::string layerWithoutEffect(const AllSaid &all, const char *without) {
+  if (!isGiven(all, without))
+    return {};
+  for (const Said &said : all)
+    if (said.group == kLayerGroup && said.given)
+      return said.name + " has no effect with " + without;
+  return {};
+}
+
+} // namespace
+
+std::string withoutEffect(const CLI::App &verb) {
+  const AllSaid all = saidOf(verb);
+  const std::string name = nameOf(verb);
+  for (const Row &row : kRows)
+    if (name == row.verb)
+      if (std::string fault = withoutEffect(all, row); !fault.empty())
+        return fault;
+  if (name == "draw" || name == "render")
+    return layerWithoutEffect(all, "--bare");
+  if (name == "capture")
+    return layerWithoutEffect(all, "--index-only");
+  return {};
+}
+
+} // namespace arbiter::tools

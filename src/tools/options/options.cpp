@@ -1,0 +1,25 @@
+#include "tools/options/options.h"
+
+#include "tools/options/verbs.h"
+
+namespace arbiter::tools {
+
+void addVerbs(CLI::App &app, Arguments &arguments) {
+  addCheck(app, arguments.check);
+  addCompile(app, arguments.compile);
+  addDraw(app, arguments.draw);
+  addDebug(app, arguments.debug);
+  addRun(app, arguments.run);
+  addStats(app, arguments.stats);
+  addCapture(app, arguments.capture);
+  addReport(app, arguments.report);
+  addProfiles(app, arguments.profiles);
+  addCache(app, arguments.cache);
+  addCtl(app, arguments.ctl);
+  addRender(app, arguments.render);
+  addLsp(app, arguments.lsp);
+  Verb(app, kDrawsVerb, "").hide();
+  addBuilder(app, arguments.builder);
+}
+
+} // namespace arbiter::tools
