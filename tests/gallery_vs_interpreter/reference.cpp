@@ -162,7 +162,7 @@ void Reference::drawPass(std::size_t index, double seconds) {
   Surface &surface = targetOf(pass);
   if (m_document.clears(index))
     clear(surface, panel.state);
-  const auto mesh = scene::buildMesh(m_document.meshOf(pass));
+  const auto mesh = scene::buildMesh(m_document.meshOf(pass), m_document.folder);
   const VertexStage vertexStage(m_document, pass, seconds);
   FragmentStage fragmentStage(m_document, pass, seconds);
   for (const scene::TextureSpec &spec : panel.textures)

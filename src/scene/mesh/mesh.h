@@ -36,7 +36,11 @@ struct MeshError {
 inline constexpr double kMaxVertices = 2097152;
 
 /// Shapes one after another, each scaled and moved to its place. No shape at all: a quad.
-[[nodiscard]] Result<Mesh, MeshError> buildMesh(const std::vector<ShapeSpec> &shapes);
+/// \param folder of the document, where its files are; with a slash behind it, or empty. An
+/// absolute
+///        name, which a panel never has, is taken as it is.
+[[nodiscard]] Result<Mesh, MeshError> buildMesh(const std::vector<ShapeSpec> &shapes,
+                                                const std::string &folder);
 
 /// Texture coordinates of a set, from what the vertex has.
 [[nodiscard]] glm::vec4 coordinateOf(const MeshVertex &vertex, const CoordinateSpec &spec);

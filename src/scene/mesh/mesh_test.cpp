@@ -11,7 +11,7 @@ namespace {
 Mesh meshOf(const std::string &words) {
   const Panel panel = parsePanel("#@ mesh " + words + "\n");
   EXPECT_TRUE(panel.diagnostics.empty()) << words;
-  auto mesh = buildMesh(panel.mesh);
+  auto mesh = buildMesh(panel.mesh, "");
   EXPECT_TRUE(mesh) << words;
   return mesh ? std::move(mesh).value() : Mesh{};
 }
@@ -100,7 +100,7 @@ TEST(Mesh, AVolumeIsClosed) {
 
 TEST(Mesh, TooManyVerticesAreAnErrorBeforeTheyAreMade) {
   const Panel panel = parsePanel("#@ mesh shells count 64 of sphere parts 512\n");
-  const auto mesh = buildMesh(panel.mesh);
+  const auto mesh = buildMesh(panel.mesh, "");
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().span, panel.mesh[0].shape.span);
 }
@@ -108,7 +108,7 @@ TEST(Mesh, TooManyVerticesAreAnErrorBeforeTheyAreMade) {
 TEST(Mesh, CoordinatesAreWhatIsAsked) {
   const Panel panel =
       parsePanel("#@ mesh cylinder\n#@ texcoord 0 = st 0.5 0.25, texcoord 1 = extra\n");
-  const MeshVertex vertex = buildMesh(panel.mesh).value().vertices.front();
+  const MeshVertex vertex = buildMesh(panel.mesh, "").value().vertices.front();
   EXPECT_EQ(coordinateOf(vertex, panel.coordinates[0]), glm::vec4(0.5f, 0.25f, 0, 1));
   EXPECT_EQ(coordinateOf(vertex, panel.coordinates[1]), glm::vec4(1, 0, 0, 1))
       << "the lower bone's";

@@ -45,6 +45,7 @@ struct ShapeSpec {
   Arguments arguments;
   std::array<Number, 3> at = {}; ///< where its middle is, behind the scale
   Number scale{1, {}};
+  Name file;                 ///< of File
   std::vector<ShapeSpec> of; ///< one for shells and volume, else none
 
   [[nodiscard]] double argument(std::string_view name) const {
@@ -112,7 +113,7 @@ struct TextureSource {
   Chosen<Generator> generator;
   Arguments arguments;
   Number width{256, {}}, height{256, {}}; ///< texels; of a cube map the width
-  std::vector<Name> files;                ///< of File one, of Cube six
+  std::vector<Name> files;                ///< of File one, of Cube six, or one DDS
   Name target;                            ///< of Picture and DepthOf
   std::vector<TextureSource> of;          ///< of Normals and Feedback; may be empty
 

@@ -17,8 +17,15 @@ bool readPlace(Reader &reader, ShapeSpec &spec) {
   return true;
 }
 
+bool readKind(Reader &reader, ShapeSpec &spec) {
+  if (!isFile(reader.peek()))
+    return reader.word("shape", spec.shape);
+  spec.shape = {Shape::File, reader.peek().span};
+  return reader.file("the file of a mesh", spec.file);
+}
+
 bool readShape(Reader &reader, int nesting, ShapeSpec &spec) {
-  if (!reader.word("shape", spec.shape))
+  if (!readKind(reader, spec))
     return false;
   const WordRow &row = rowOf(spec.shape.value);
   Reader::defaults(row, spec.arguments);

@@ -22,16 +22,17 @@ bool takesSize(Generator generator) {
   }
 }
 
-bool isFile(const Token &token) {
-  return token.kind == TokenKind::String ||
-         (token.kind == TokenKind::Word && token.text.find('.') != std::string_view::npos);
-}
-
 bool readFiles(Reader &reader, std::size_t count, TextureSource &source) {
   while (source.files.size() < count)
     if (!reader.file("the file of an image", source.files.emplace_back()))
       return false;
   return true;
+}
+
+/// Six files, or one with all faces.
+bool readFaces(Reader &reader, TextureSource &source) {
+  const std::string_view first = reader.peek().text;
+  return readFiles(reader, first.ends_with(".dds") || first.ends_with(".DDS") ? 1 : kFaces, source);
 }
 
 bool readSize(Reader &reader, TextureSource &source) {
@@ -77,7 +78,7 @@ bool readSource(Reader &reader, int nesting, TextureSource &source) {
   const WordRow &row = rowOf(generator);
   Reader::defaults(row, source.arguments);
   if (generator == Generator::Cube)
-    return readFiles(reader, kFaces, source);
+    return readFaces(reader, source);
   if (generator == Generator::Picture || generator == Generator::DepthOf)
     return reader.name("the name of a target", source.target);
   if (takesSize(generator) && !readSize(reader, source))

@@ -28,6 +28,12 @@ struct Token {
   fp::Span digits() const { return {span.begin, span.end - (seconds ? 1 : 0)}; }
 };
 
+/// Whether it names a file and is no word of a table: a string, or a word with a dot.
+[[nodiscard]] inline bool isFile(const Token &token) {
+  return token.kind == TokenKind::String ||
+         (token.kind == TokenKind::Word && token.text.find('.') != std::string_view::npos);
+}
+
 /// The tokens of text[begin, end), with an End behind them.
 [[nodiscard]] std::vector<Token> tokenise(std::string_view text, fp::Span line);
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "scene/texture/generators.h"
+#include "scene/texture/read_image.h"
 
 namespace arbiter::scene {
 
@@ -11,26 +12,48 @@ namespace {
 
 using Images = Result<std::vector<Image>, TextureError>;
 
-Images readFiles(const TextureSource &source, const std::string &folder) {
-  std::vector<Image> images;
-  for (const Name &file : source.files) {
-    // A panel has no absolute names; a command line may.
-    const std::string path = file.text.starts_with('/') ? file.text : folder + file.text;
-    std::error_code error;
-    // A pipe could keep the reader waiting for ever.
-    if (!std::filesystem::is_regular_file(path, error))
-      return TextureError{file.span,
-                          path + ": " + (error ? error.message() : "is no regular file")};
-    const auto picture = readPng(path);
-    if (!picture)
-      return TextureError{file.span, picture.error().message};
-    images.emplace_back(picture.value());
-    const Image &image = images.back();
-    if (images.size() > 1 || source.generator.value == Generator::Cube)
-      if (image.width != images.front().width || image.height != image.width)
-        return TextureError{file.span, file.text + ": the faces of a cube are squares of one size"};
-  }
+std::string pathOf(const Name &file, const std::string &folder) {
+  // A panel has no absolute names; a command line may.
+  return file.text.starts_with('/') ? file.text : folder + file.text;
+}
+
+Images readFile(const Name &file, const std::string &folder, Rows rows) {
+  const std::string path = pathOf(file, folder);
+  std::error_code error;
+  // A pipe could keep the reader waiting for ever.
+  if (!std::filesystem::is_regular_file(path, error))
+    return TextureError{file.span, path + ": " + (error ? error.message() : "is no regular file")};
+  auto images = readImage(path, rows);
+  if (!images)
+    return TextureError{file.span, images.error().message};
+  return std::move(images).value();
+}
+
+Images readFlat(const Name &file, const std::string &folder) {
+  Images images = readFile(file, folder, Rows::BottomFirst);
+  if (images && images.value().size() != 1)
+    return TextureError{file.span, file.text + ": has the faces of a cube map; 'cube " + file.text +
+                                       "' is one"};
   return images;
+}
+
+Images readCube(const TextureSource &source, const std::string &folder) {
+  std::vector<Image> faces;
+  for (const Name &file : source.files) {
+    Images images = readFile(file, folder, Rows::TopFirst);
+    if (!images)
+      return images;
+    if (images.value().size() != 6 / source.files.size())
+      return TextureError{file.span, file.text + (images.value().size() == 1
+                                                      ? ": has no faces of a cube map"
+                                                      : ": is a whole cube map, and not a face")};
+    for (Image &image : images.value()) {
+      faces.push_back(std::move(image));
+      if (faces.back().width != faces.front().width || faces.back().height != faces.back().width)
+        return TextureError{file.span, file.text + ": the faces of a cube are squares of one size"};
+    }
+  }
+  return faces;
 }
 
 /// Generators of one image from their arguments alone.
@@ -83,8 +106,9 @@ Images feedback(const TextureSource &source, const std::string &folder, int widt
 Images makeSized(const TextureSource &source, const std::string &folder, int width, int height) {
   switch (source.generator.value) {
   case Generator::File:
+    return readFlat(source.files.front(), folder);
   case Generator::Cube:
-    return readFiles(source, folder);
+    return readCube(source, folder);
   case Generator::Normalise:
     return makeNormalise(width);
   case Generator::Sky:

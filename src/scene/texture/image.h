@@ -20,6 +20,7 @@ struct Image {
   int height = 0;
   int bits = 8;
   std::vector<std::uint16_t> texels; ///< 0 to most()
+  std::vector<Image> smaller;        ///< levels 1 and on, of a file that has them
 
   [[nodiscard]] float most() const { return bits == 16 ? 65535.0f : 255.0f; }
   /// A texel in [0,1].

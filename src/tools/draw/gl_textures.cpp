@@ -1,5 +1,7 @@
 #include "tools/draw/gl_textures.h"
 
+#include <algorithm>
+
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "scene/texture/generate.h"
@@ -40,7 +42,7 @@ bool isRendered(Generator generator) {
   return generator == Generator::Picture || generator == Generator::DepthOf;
 }
 
-void uploadImage(GLenum target, const Image &image) {
+void uploadLevel(GLenum target, GLint level, const Image &image) {
   const bool wide = image.bits == 16;
   const GLint format = wide ? GL_RGBA16 : GL_RGBA8;
   std::vector<std::uint8_t> narrow;
@@ -49,9 +51,23 @@ void uploadImage(GLenum target, const Image &image) {
   const void *texels = wide ? static_cast<const void *>(image.texels.data()) : narrow.data();
   const GLenum type = wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
   if (target == GL_TEXTURE_1D)
-    glTexImage1D(target, 0, format, image.width, 0, GL_RGBA, type, texels);
+    glTexImage1D(target, level, format, image.width, 0, GL_RGBA, type, texels);
   else
-    glTexImage2D(target, 0, format, image.width, image.height, 0, GL_RGBA, type, texels);
+    glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, type, texels);
+}
+
+void uploadImage(GLenum target, const Image &image, std::size_t smaller) {
+  uploadLevel(target, 0, image);
+  for (std::size_t i = 0; i < smaller; ++i)
+    uploadLevel(target, GLint(i) + 1, image.smaller[i]);
+}
+
+/// Levels that all faces have of their own.
+std::size_t smallerOf(const std::vector<Image> &images) {
+  std::size_t count = images.front().smaller.size();
+  for (const Image &image : images)
+    count = std::min(count, image.smaller.size());
+  return count;
 }
 
 GLint wrapOf(const scene::TextureSpec &spec, GLenum target) {
@@ -141,11 +157,17 @@ std::optional<RenderError> Textures::upload(const scene::Document &document, Uni
   glActiveTexture(GL_TEXTURE0 + unit.number);
   glBindTexture(unit.target, unit.name);
   setParameters(unit);
+  const bool mipmaps =
+      unit.spec->filter.value == scene::Filter::Mipmap && unit.target != GL_TEXTURE_RECTANGLE;
+  const std::size_t smaller = mipmaps ? smallerOf(images.value()) : 0;
   for (std::size_t i = 0; i < images.value().size(); ++i)
     uploadImage(unit.target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i)
                                                    : unit.target,
-                images.value()[i]);
-  if (unit.spec->filter.value == scene::Filter::Mipmap && unit.target != GL_TEXTURE_RECTANGLE)
+                images.value()[i], smaller);
+  // A file may have the first of the smaller levels and not all.
+  if (smaller > 0)
+    glTexParameteri(unit.target, GL_TEXTURE_MAX_LEVEL, GLint(smaller));
+  else if (mipmaps)
     glGenerateMipmap(unit.target);
   glBindTexture(unit.target, 0);
   return std::nullopt;

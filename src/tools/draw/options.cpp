@@ -42,14 +42,18 @@ std::string applySize(const std::string &text, Panel &panel) {
 }
 
 std::string applyMesh(const std::string &name, Drawing &drawing) {
-  const auto shape = scene::findWord<scene::Shape>(name);
-  if (!shape || name == "shells" || name == "volume")
-    return "--mesh " + name + ": is no shape; arbiter(7) lists them";
-  if (*shape == scene::Shape::Grid && drawing.document.passes.front().vertex < 0)
+  // A file is one of the working folder and not of the document's.
+  const auto shape = scene::findWord<scene::Shape>(name).value_or(scene::Shape::File);
+  if (name == "shells" || name == "volume")
+    return "--mesh " + name + ": is made of another shape; a document says of which";
+  if (shape == scene::Shape::Grid && drawing.document.passes.front().vertex < 0)
     return "--mesh grid has no effect without a vertex program: it looks as the quad";
   scene::ShapeSpec spec;
-  spec.shape = {*shape, {}};
-  const auto rows = scene::rowOf(*shape).arguments();
+  spec.shape = {shape, {}};
+  std::error_code error;
+  if (shape == scene::Shape::File)
+    spec.file = {std::filesystem::absolute(name, error).string(), {}};
+  const auto rows = scene::rowOf(shape).arguments();
   for (std::size_t i = 0; i < rows.size(); ++i)
     spec.arguments.numbers[i] = {rows[i].fallback, {}};
   panelOf(drawing).mesh = {spec};

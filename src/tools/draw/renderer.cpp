@@ -118,7 +118,7 @@ std::optional<RenderError> Renderer::Parts::load() {
 }
 
 std::optional<RenderError> Renderer::Parts::loadMesh(const Pass &pass) {
-  const auto mesh = scene::buildMesh(document.meshOf(pass));
+  const auto mesh = scene::buildMesh(document.meshOf(pass), document.folder);
   if (!mesh)
     return RenderError{RenderError::Kind::Panel, mesh.error().message, std::size_t(pass.panel), -1,
                        mesh.error().span};

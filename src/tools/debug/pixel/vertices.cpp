@@ -230,7 +230,7 @@ std::vector<Vec4> attributesOf(const VertexStage &stage, const scene::MeshVertex
 
 Result<TracedTriangle, DebugError> traceTriangle(const VertexStage &stage, Drawer &drawer, int x,
                                                  int y) {
-  const auto mesh = scene::buildMesh(stage.document.meshOf(stage.pass));
+  const auto mesh = scene::buildMesh(stage.document.meshOf(stage.pass), stage.document.folder);
   if (!mesh)
     return DebugError{mesh.error().message};
   auto parameters = Parameters(stage, drawer).read(x, y);
