@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "scene/document.h"
+#include "scene/owner.h"
 
 namespace arbiter::scene {
 
@@ -32,6 +33,51 @@ std::string mainOf(const fs::path &folder) {
     }
   return count == 1 ? only : std::string();
 }
+
+bool lacksTarget(const Panel &panel) {
+  return std::any_of(panel.diagnostics.begin(), panel.diagnostics.end(),
+                     [](const auto &each) { return std::string_view(each.id) == "panel-target"; });
+}
+
+/// Complains of images and meshes that are not there; what is in them is read when they are drawn.
+class FileSearch {
+public:
+  FileSearch(const std::string &path, Panel &panel)
+      : m_folder(fs::path(path).parent_path()), m_panel(panel) {}
+
+  void run() {
+    for (const TextureSpec &texture : m_panel.textures)
+      look(texture.source);
+    for (const ShapeSpec &shape : m_panel.mesh)
+      look(shape);
+  }
+
+private:
+  void look(const TextureSource &source) {
+    for (const Name &file : source.files)
+      look(file);
+    for (const TextureSource &inner : source.of)
+      look(inner);
+  }
+  void look(const ShapeSpec &shape) {
+    look(shape.file);
+    for (const ShapeSpec &inner : shape.of)
+      look(inner);
+  }
+  void look(const Name &file) {
+    std::error_code error;
+    if (!file.written() || fs::is_regular_file(m_folder / file.text, error) ||
+        m_panel.diagnostics.size() >= kMaxPanelDiagnostics)
+      return;
+    m_panel.diagnostics.push_back(
+        {fp::Severity::Error, "panel-file", file.span,
+         (m_folder / file.text).string() + ": " + (error ? error.message() : "is no regular file"),
+         "files of a document lie beside it"});
+  }
+
+  const fs::path m_folder;
+  Panel &m_panel;
+};
 
 } // namespace
 
@@ -66,8 +112,14 @@ Result<Document, DocumentError> loadDocument(const std::string &path) {
 
 std::vector<fp::Diagnostic> checkPanel(const std::string &path, const std::string &text) {
   Panel panel = parsePanel(text);
-  if (panel.written && !path.empty())
+  if (panel.written && !path.empty()) {
     panel = assemble(path, text, readText).panel();
+    // A further pass names targets that only its document has.
+    if (lacksTarget(panel))
+      if (auto inDocument = panelInItsDocument(path, text))
+        panel = std::move(*inDocument);
+    FileSearch(path, panel).run();
+  }
   std::stable_sort(panel.diagnostics.begin(), panel.diagnostics.end(),
                    [](const auto &a, const auto &b) { return a.span.begin < b.span.begin; });
   return std::move(panel.diagnostics);

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "tools/commands.h"
+#include "tools/gallery.h"
 #include "tools/input.h"
 #include "tools/launch.h"
 
@@ -31,6 +32,10 @@ int builder(const BuilderArguments &arguments) {
   if (window.empty()) {
     complain("arbiter-builder is not installed beside this command; it is built where Qt 6 is "
              "(qt6-base-dev)");
+    return kExitUsage;
+  }
+  if (const auto path = documentPath(arguments.document); !path) {
+    complain(path.error().message);
     return kExitUsage;
   }
   std::vector<std::string> command = {window};

@@ -33,6 +33,11 @@ def sixty(seed, wrong=None):
             'TEMP a, b;\n' + '\n'.join(lines) + '\nADD result.color, a, b;\nEND\n')
 
 
+# Programs, and their instruction with another constant: where it makes a difference, which that of a
+# MAX need not.
+PLANTED = ((1, 7), (2, 31), (3, 58))
+
+
 class Debug(Temporary):
     def debug(self, document, *options, pixel='5,3', status=0):
         result = arbiter('debug', document, '--pixel', pixel, *options)
@@ -67,18 +72,18 @@ class Debug(Temporary):
         self.assertEqual(self.trace(document, '--from-top', pixel='5,4')['pixel'], [5, 3])
 
     def test_planted_constants_are_found(self):
-        for seed, wrong in ((1, 7), (2, 31), (3, 58)):
+        host = ('--profile', 'host')  # the r300 has 32 parameters
+        for seed, wrong in PLANTED:
             right = self.path('right.fp', sixty(seed))
             mistaken = self.path('wrong.fp', sixty(seed, wrong))
-            host = ('--profile', 'host')  # the r300 has 32 parameters
             trace = self.trace(mistaken, *host, '--against', right, status=5)
             self.assertEqual(len(trace['rows']), 60)
             first = trace['against']['first']
             self.assertEqual(first['line'], wrong + 5, trace['summary'])
             self.assertIn('operand', first['cause'])
-            text = self.debug(mistaken, *host, '--against', right, status=5)
-            self.assertIn(f'first at line {wrong + 5}: ', text)
-            self.assertIn('equal', self.debug(right, *host, '--against', right))
+        text = self.debug(mistaken, *host, '--against', right, status=5)
+        self.assertIn(f'first at line {wrong + 5}: ', text)
+        self.assertIn('equal', self.debug(right, *host, '--against', right))
 
     def test_verdicts_of_everyone_who_draws(self):
         document = self.path('simple.fp', SIMPLE)
@@ -147,6 +152,30 @@ class Debug(Temporary):
             self.assertTrue(vertex['rows'])
         self.assertIn('no vertex program', self.debug(self.path('a.fp', SIMPLE), '--stage', 'vertex',
                                                       status=1))
+
+    def test_state_that_vertex_programs_alone_have(self):
+        rows = ('state.texgen[0].eye.s', 'state.texgen[1].object.t', 'state.texgen[0].object.q',
+                'state.point.size', 'state.point.attenuation', 'state.clip[0].plane')
+        self.path('rows.vp', '!!ARBvp1.0\nMOV result.position, vertex.position;\n' + ''.join(
+            f'MOV result.texcoord[{i}], {row};\n' for i, row in enumerate(rows)) + 'END\n')
+        document = self.path('rows.fp', '!!ARBfp1.0\n#@ size 8 8, vertex rows.vp\nTEMP a;\n'
+                             'MOV a, fragment.texcoord[0];\n' + ''.join(
+                                 f'ADD a, a, fragment.texcoord[{i}];\n' for i in range(1, len(rows))) +
+                             'MOV result.color, a;\nEND\n')
+        drawn = {each['name']: each['value'] for each in self.trace(document)['attributes']}
+        self.assertEqual(drawn['fragment.texcoord[0]'], [1, 0, 0, 0], 'the plane of GL')
+        self.assertEqual(drawn['fragment.texcoord[3]'][:2], [1, 0])
+        for vertex in self.trace(document, '--stage', 'vertex')['vertices']:
+            traced = {each['name']: each['value'] for each in vertex['results']}
+            for i in range(len(rows)):
+                self.assertEqual(traced[f'result.texcoord[{i}]'], drawn[f'fragment.texcoord[{i}]'], rows[i])
+
+    def test_an_ati_shader(self):
+        trace = self.trace(GALLERY / 'ati_bumps.fp', pixel='256,330')
+        self.assertTrue(trace['verdict']['equal'], trace['summary'])
+        self.assertEqual([row['texel']['unit'] for row in trace['rows'] if 'texel' in row], [1, 2, 3])
+        self.assertGreater(max(trace['rows'][-1]['value']), 0.1)
+        self.assertIn('host drew', self.debug(GALLERY / 'ati_bumps.fp', '--against', 'host', pixel='256,330'))
 
     def test_what_cannot_be(self):
         document = self.path('simple.fp', SIMPLE)

@@ -6,7 +6,7 @@ usage: command_document_test.py ARBITER FAKE_LAYER SOURCE_ROOT [unittest argumen
 import json
 import os
 import pathlib
-import re
+import struct
 import subprocess
 
 import command_session
@@ -72,6 +72,49 @@ class Bare(Temporary):
         self.path('b.fp', SHOW.format('#@ keep, blend add\n#@ local[0] = 0 0.2 0 0'))
         document = self.path('a.fp', SHOW.format('#@ size 2 2, then b.fp\n#@ local[0] = 0.2 0.4 0.6 1'))
         self.assertEqual(self.pixel(document), [51, 153, 153, 255])
+
+    def test_smaller_levels_are_the_files(self):
+        # Red of 8x8 texels, and below it a green and two blue levels.
+        header = bytearray(128)
+        header[0:4] = b'DDS '
+        for at, value in ((4, 124), (12, 8), (16, 8), (28, 4), (76, 32), (80, 0x41), (88, 32),
+                          (92, 0xFF), (96, 0xFF00), (100, 0xFF0000), (104, 0xFF000000)):
+            struct.pack_into('<I', header, at, value)
+        levels = b'\xff\0\0\xff' * 64 + b'\0\xff\0\xff' * 16 + b'\0\0\xff\xff' * 5
+        self.path('a.dds').write_bytes(bytes(header) + levels)
+        for side, colour in ((8, [255, 0, 0, 255]), (4, [0, 255, 0, 255]), (2, [0, 0, 255, 255])):
+            document = self.path('a.fp', SAMPLE.format(f'#@ size {side} {side}\n#@ texture 0 = a.dds, mipmap'))
+            self.assertEqual(self.pixel(document), colour, side)
+        document = self.path('a.fp', SAMPLE.format('#@ size 2 2\n#@ texture 0 = a.dds, linear'))
+        self.assertEqual(self.pixel(document), [255, 0, 0, 255], 'without the word the first level')
+
+    def test_a_mesh_from_a_file(self):
+        # A triangle of the left lower half; its texture coordinates are red and green.
+        mesh = self.path('a.obj', 'v 3 3 0\nv 5 3 0\nv 3 5 0\nvt 1 0\nvt 1 0\nvt 1 0\nf 1/1 2/2 3/3\n')
+        text = '!!ARBfp1.0\n#@ size 8 8, {}\nMOV result.color, fragment.texcoord[0];\nEND\n'
+        for document, options in ((self.path('a.fp', text.format('mesh a.obj fit 1')), ()),
+                                  (self.path('b.fp', text.format('mesh a.obj at -4 -4 0')), ())):
+            _, _, rows = self.pixels(document, *options)
+            self.assertEqual(list(rows[6][4:8]), [255, 0, 0, 255])
+            self.assertEqual(list(rows[1][24:28]), [0, 0, 0, 0])
+        small = self.path('c.obj', mesh.read_text().replace('3', '-1').replace('5', '1'))
+        _, _, rows = self.pixels(self.path('c.fp', text.format('mesh cube')), '--mesh', small)
+        self.assertEqual((list(rows[6][4:8]), list(rows[1][24:28])), ([255, 0, 0, 255], [0, 0, 0, 0]))
+        self.path('a.obj', 'v 0 0 0\nf 1 2 3\n')
+        result = self.draw(document)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r'b\.fp:2:18: error: .*a\.obj: face 1 names vertex 2 of 1')
+
+    def test_the_gallery_by_name(self):
+        small = ('--size', '16x16')
+        path = self.pixels(ROOT / 'demos' / 'gallery' / 'twirl.fp', *small)
+        self.assertEqual(self.pixels('gallery:twirl', *small), path)
+        for name, said in (('twir', 'did you mean gallery:twirl?'), ('zzzzzzzz', 'it has ati_bumps, '),
+                           ('../gallery/twirl', 'no such document'), ('', 'no such document')):
+            result = self.draw('gallery:' + name)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn(said, result.stderr)
+        self.assertNotIn('fur_fins', self.draw('gallery:zzzzzzzz').stderr, 'that is a pass of fur')
 
     def test_feedback_counts_frames(self):
         text = ('!!ARBfp1.0\n#@ size 4 4\n#@ texture 0 = feedback of constant r 0.2 g 0 b 0, nearest\n'
@@ -179,14 +222,38 @@ class Check(Temporary):
         self.path('b.fp', SHOW.format(''))
         self.assertEqual(arbiter('check', document).returncode, 0)
 
+    def test_images_and_meshes_are_looked_for(self):
+        document = self.path('a.fp', SAMPLE.format('#@ mesh shells count 2 of none.obj\n'
+                                                   '#@ texture 0 = normals strength 1 of none.png'))
+        result = arbiter('check', document)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stdout, r'a\.fp:2:27: error: .*/none\.obj: .*\[panel-file\]')
+        self.assertRegex(result.stdout, r'a\.fp:3:38: error: .*/none\.png: .*\[panel-file\]')
+
+    def test_a_part_is_checked_with_its_document(self):
+        part = self.path('part.fp', SAMPLE.format('#@ texture 0 = picture drawn, vertex part.vp'))
+        vertex = self.path('part.vp', '!!ARBvp1.0\n#@ env[0..3] = camera drawn\n'
+                                      'MOV result.position, vertex.position;\nEND\n')
+        alone = arbiter('check', part)
+        self.assertEqual(alone.returncode, 2)
+        self.assertIn("no pass draws into a target 'drawn'", alone.stdout)
+        # Another document, which names it and has no such target, is not the one.
+        self.path('a.fp', SHOW.format('#@ then part.fp'))
+        self.assertEqual(arbiter('check', part).returncode, 2)
+        main = self.path('main.fp', SHOW.format('#@ target drawn 4 4, then part.fp'))
+        for file in (part, vertex, main):
+            result = arbiter('check', file)
+            self.assertEqual((result.returncode, 'panel' in result.stdout), (0, False), result.stdout)
+        part.write_text(part.read_text().replace('picture drawn', 'picture drawm'))
+        result = arbiter('check', part)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no pass draws into a target 'drawm'", result.stdout)
+        self.assertIn('there is drawn', result.stdout)
+
     def test_the_gallery_is_right(self):
         files = sorted((ROOT / 'demos' / 'gallery').glob('*.?p'))
-        # A pass is checked with the document that draws it: alone it has none of the targets.
-        passes = {name for file in files
-                  for name in re.findall(r'^#@.*\b(?:then|vertex) ([\w.]+)', file.read_text(), re.M)}
-        documents = [file for file in files if file.name not in passes]
-        self.assertGreaterEqual(len(documents), 20)
-        result = arbiter('check', '--json', *documents)
+        self.assertGreaterEqual(len(files), 30)
+        result = arbiter('check', '--json', *files)
         for file in json.loads(result.stdout)['files']:
             self.assertEqual((file['diagnostics'], file['status']), ([], 'valid'),
                              pathlib.Path(file['file']).name)

@@ -53,6 +53,19 @@ class Installed(unittest.TestCase):
         draws = json.loads(stats.read_text())['draws']
         self.assertEqual(draws['host_glsl'] + draws['rasterizer'], 1)
 
+    def test_the_gallery_is_there_and_known_by_name(self):
+        folder = self.prefix / 'share' / 'arbiter' / 'gallery'
+        picture = pathlib.Path(self.folder.name) / 'fur.png'
+        arbiter = self.prefix / 'bin' / 'arbiter'
+        said = json.loads(self.run_it(arbiter, 'draw', 'gallery:fur', '--size', '32x32', '--json', '-o', picture))
+        self.assertEqual(pathlib.Path(said['document']).resolve(), (folder / 'fur.fp').resolve(),
+                         'not one of the source tree')
+        self.assertEqual(said['passes'], 2)
+        files = sorted(folder.glob('*.?p'))
+        self.assertGreaterEqual(len(files), 30)
+        self.run_it(arbiter, 'check', '--brief', *files, 'gallery:shadow_map')
+        self.run_it(arbiter, 'debug', 'gallery:twirl', '--pixel', '9,9')
+
     def test_pkg_config_leads_to_the_files(self):
         self.assertTrue(pathlib.Path(self.package('--variable=preload')).is_file())
         self.assertTrue((pathlib.Path(self.package('--variable=osmesadir')) / 'libOSMesa.so.8')

@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "fp_compiler/ati/limits.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/hw/profile.h"
 
@@ -23,7 +24,10 @@ glm::vec4 vector(const ir::Vec4 &value) { return glm::make_vec4(value.data()); }
 
 ir::Program compiled(const scene::ProgramFile &file) {
   const fp::hw::Profile &widest = *fp::hw::findBuiltin("host");
-  const auto &limits = file.language == ir::Language::ArbVertex ? widest.vertex : widest.fragment;
+  const auto limits = file.language == ir::Language::ArbVertex ? widest.vertex
+                      : file.language == ir::Language::AtiFragment
+                          ? fp::ati::limitsOf(widest.fragment)
+                          : widest.fragment;
   auto result = fp::checkProgram(file.language, file.text, {limits, fp::LimitPolicy::Report});
   if (!result.ok()) {
     std::fputs(fp::renderAll(file.name, file.text, result.diagnostics).c_str(), stderr);

@@ -72,7 +72,7 @@ int main(int argc, char **argv) {
   else if (const QStringList sides = parser.value(size).split(u'x'); sides.size() == 2)
     window.resize(sides[0].toInt(), sides[1].toInt());
   if (!parser.positionalArguments().isEmpty())
-    window.openPath(parser.positionalArguments().constFirst());
+    window.openNamed(parser.positionalArguments().constFirst());
   window.bench().start(); // first: its processes start while the window is laid out
   window.show();
   window.showPanel(parser.isSet(panel)                      ? parser.value(panel)

@@ -24,6 +24,8 @@ double verticesOf(const ShapeSpec &spec) {
     return 4 * count;
   case Shape::Shells:
     return count * verticesOf(spec.of.front());
+  case Shape::Fins:
+    return 6 * parts * verticesOf(spec.of.front());
   case Shape::Volume:
     return 6 * verticesOf(spec.of.front());
   default:
@@ -91,13 +93,15 @@ private:
     const auto inner = make(spec.of.front());
     if (!inner)
       return inner;
-    const bool shells = spec.shape.value == Shape::Shells;
-    const auto count = int(spec.argument("count"));
-    const double most = shells ? double(count) * double(inner.value().vertices.size())
-                               : double(inner.value().indices.size());
-    if (most > kMaxVertices)
+    const auto count = int(spec.argument("count")), parts = int(spec.argument("parts"));
+    const auto vertices = double(inner.value().vertices.size()),
+               corners = double(inner.value().indices.size());
+    const bool shells = spec.shape.value == Shape::Shells, fins = spec.shape.value == Shape::Fins;
+    if ((shells ? count * vertices : fins ? 2 * (parts + 1) * corners : corners) > kMaxVertices)
       return tooMany(spec);
-    return shells ? makeShells(inner.value(), count) : makeVolume(inner.value());
+    return shells ? makeShells(inner.value(), count)
+           : fins ? makeFins(inner.value(), parts)
+                  : makeVolume(inner.value());
   }
 
   static Mesh makeAlone(const ShapeSpec &spec) {

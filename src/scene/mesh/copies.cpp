@@ -1,8 +1,10 @@
 // Meshes that are made of another one.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "scene/mesh/shapes.h"
 
@@ -19,6 +21,42 @@ Place placeOf(const glm::vec3 &position) {
   return {std::lround(position.x * kSteps), std::lround(position.y * kSteps),
           std::lround(position.z * kSteps)};
 }
+
+class FinBuilder {
+public:
+  FinBuilder(const Mesh &mesh, int parts) : m_mesh(mesh), m_parts(std::uint32_t(parts)) {}
+
+  Mesh run() {
+    for (std::size_t i = 0; i < m_mesh.indices.size(); ++i) {
+      const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+      add(m_mesh.vertices[m_mesh.indices[i]], m_mesh.vertices[m_mesh.indices[next]]);
+    }
+    return std::move(m_fins);
+  }
+
+private:
+  /// Faces share their edges, and each has one fin.
+  void add(const MeshVertex &a, const MeshVertex &b) {
+    const Place from = placeOf(a.position), to = placeOf(b.position);
+    if (from == to || !m_edges.insert(std::minmax(from, to)).second)
+      return;
+    const auto first = std::uint32_t(m_fins.vertices.size());
+    for (std::uint32_t layer = 0; layer <= m_parts; ++layer)
+      for (const MeshVertex *const end : {&a, &b}) {
+        m_fins.vertices.push_back(*end);
+        m_fins.vertices.back().extra = {float(layer) / float(m_parts), end == &b ? 1.0f : 0.0f, 0,
+                                        1};
+      }
+    for (std::uint32_t layer = 0; layer < m_parts; ++layer)
+      for (const std::uint32_t corner : {0, 1, 3, 0, 3, 2})
+        m_fins.indices.push_back(first + 2 * layer + corner);
+  }
+
+  const Mesh &m_mesh;
+  const std::uint32_t m_parts;
+  Mesh m_fins;
+  std::set<std::pair<Place, Place>> m_edges;
+};
 
 class VolumeBuilder {
 public:
@@ -87,6 +125,8 @@ Mesh makeShells(const Mesh &mesh, int count) {
   }
   return shells;
 }
+
+Mesh makeFins(const Mesh &mesh, int parts) { return FinBuilder(mesh, parts).run(); }
 
 Mesh makeVolume(const Mesh &mesh) { return VolumeBuilder(mesh).run(); }
 

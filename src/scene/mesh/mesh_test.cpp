@@ -74,6 +74,16 @@ TEST(Mesh, ShellsCountFromInsideOut) {
   EXPECT_EQ(mesh.vertices[11].extra.x, 1);
 }
 
+/// A cube has 12 edges and a diagonal in each of its six faces.
+TEST(Mesh, FinsStandInEachEdgeOnce) {
+  const Mesh mesh = meshOf("fins parts 3 of cube");
+  ASSERT_EQ(mesh.vertices.size(), 18u * 2 * 4);
+  EXPECT_EQ(mesh.indices.size(), 18u * 3 * 6);
+  EXPECT_EQ(mesh.vertices[0].extra, glm::vec4(0, 0, 0, 1));
+  EXPECT_EQ(mesh.vertices[7].extra, glm::vec4(1, 1, 0, 1));
+  EXPECT_EQ(mesh.vertices[0].position, mesh.vertices[6].position) << "before they are raised";
+}
+
 /// Every edge of a volume is shared by two triangles that run along it opposite ways, also across
 /// the sphere's seam and at its poles: so it has no hole, however its faces move.
 TEST(Mesh, AVolumeIsClosed) {

@@ -44,7 +44,7 @@ std::string applySize(const std::string &text, Panel &panel) {
 std::string applyMesh(const std::string &name, Drawing &drawing) {
   // A file is one of the working folder and not of the document's.
   const auto shape = scene::findWord<scene::Shape>(name).value_or(scene::Shape::File);
-  if (name == "shells" || name == "volume")
+  if (name == "shells" || name == "fins" || name == "volume")
     return "--mesh " + name + ": is made of another shape; a document says of which";
   if (shape == scene::Shape::Grid && drawing.document.passes.front().vertex < 0)
     return "--mesh grid has no effect without a vertex program: it looks as the quad";
@@ -167,7 +167,7 @@ std::string applyTexture(const std::string &text, Drawing &drawing) {
   GivenOption given{Kind::Texture, "--texture " + text, 0, {}};
   const std::size_t mark = text.find('=');
   if (mark == std::string::npos || !readNumber(std::string_view(text).substr(0, mark), given.index))
-    return given.option + ": expected N=IMG.png, N=checker or N=noise";
+    return given.option + ": expected N=IMG (a PNG, JPEG or DDS file), N=checker or N=noise";
   for (const GivenOption &other : drawing.given)
     if (other.kind == Kind::Texture && other.index == given.index)
       return "--texture " + std::to_string(given.index) + " is given twice";

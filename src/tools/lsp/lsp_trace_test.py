@@ -47,6 +47,9 @@ class Trace(Session):
                                     'text': '0.5'})
         self.assertEqual(self.hints(), [], 'those were of another text')
         self.assertEqual(self.trace(5, 3)['rows'][0]['value'][1], 3.5 / 8 * 0.5)
+        self.assertIn('16x8', self.client.failure('arbiter/trace', {**DOCUMENT, 'pixel': [16, 0]})['message'])
+        self.assertEqual(self.hints(), [], 'those were of another pixel')
+        self.assertEqual(self.trace(5, 3)['rows'][0]['value'][1], 3.5 / 8 * 0.5)
         self.assertIsNone(self.client.request('arbiter/trace', {**DOCUMENT, 'pixel': None}))
         self.assertEqual(self.hints(), [])
 

@@ -47,8 +47,11 @@ Result<Json, Refusal> Traces::ask(const Document &document, const TraceQuestion 
   traced.question = question;
   auto findings = debug::findingsOf(*traced.session, question.x, question.y);
   if (!findings) {
-    forget(document.uri());
-    return Refusal{findings.error().message};
+    const Refusal refusal{findings.error().message};
+    traced.findings = {}; // those of another pixel
+    if (!traced.session->isAlive())
+      forget(document.uri());
+    return refusal;
   }
   traced.findings = std::move(findings).value();
   traced.findings.pass = question.pass;

@@ -43,6 +43,13 @@ void MainWindow::openPath(const QString &path) {
     notice(opened.error().message);
 }
 
+void MainWindow::openNamed(const QString &name) {
+  const QString scheme = QStringLiteral("gallery:");
+  if (!name.startsWith(scheme))
+    return openPath(name);
+  openCopy(QStringLiteral("%1/%2.fp").arg(m_bench.places().gallery, name.mid(scheme.size())));
+}
+
 void MainWindow::openText(const QString &text) { m_bench.file().openText(text); }
 
 void MainWindow::newFile() {

@@ -29,6 +29,8 @@ public:
 
   /// Opens a program, or the gallery of a folder. A complaint is shown.
   void openPath(const QString &path);
+  /// The same, but for "gallery:NAME", of which a copy is opened.
+  void openNamed(const QString &name);
   void openText(const QString &text);
   /// What processes that ended left behind is opened, or refused, as the user says.
   void offerRecovery();

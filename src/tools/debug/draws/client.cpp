@@ -162,4 +162,17 @@ Result<std::array<int, 3>, DebugError> DrawClient::textureSize(unsigned unit,
   return size;
 }
 
+Result<DrawClient::Vec4, DebugError> DrawClient::vertexState(const fp::ir::StateRef &state) {
+  const auto answer = ask({{"state", int(state.item)}, {"index", state.index}, {"row", state.row}});
+  if (!answer)
+    return answer.error();
+  Vec4 value = {};
+  const auto found = answer.value().find("value");
+  if (found != answer.value().end() && found->is_array() && found->size() == value.size())
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if ((*found)[i].is_number())
+        value[i] = (*found)[i].get<float>();
+  return value;
+}
+
 } // namespace arbiter::tools::debug

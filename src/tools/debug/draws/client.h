@@ -34,6 +34,9 @@ public:
   picture(const Region &region) override;
   [[nodiscard]] Result<std::array<int, 3>, DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) override;
+  [[nodiscard]] Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) override;
+  /// False once the process has ended, or did not answer.
+  [[nodiscard]] bool isAlive() const { return m_channel != nullptr; }
   /// Ends the process and waits for it.
   void close();
 

@@ -51,6 +51,8 @@ private:
       return picture(request["picture"]);
     if (request.contains("texture"))
       return texture(request);
+    if (request.contains("state"))
+      return state(request);
     return failure("no such request");
   }
 
@@ -103,6 +105,21 @@ private:
       return failure("no such texture");
     const auto size = m_drawer->textureSize(unsigned(unit), fp::ir::TexTarget(target));
     return size ? Answer{{{"size", size.value()}}, {}} : failure(size.error().message);
+  }
+
+  Answer state(const Json &request) {
+    using fp::ir::StateItem;
+    fp::ir::StateRef state;
+    const int item = integer(request, "state"), index = integer(request, "index");
+    const int row = integer(request, "row");
+    if (item < int(StateItem::TexGenEye) || item > int(StateItem::PointAttenuation) || index < 0 ||
+        index > 255 || row < 0 || row > 3)
+      return failure("no such state of vertex programs");
+    state.item = StateItem(item);
+    state.index = std::uint8_t(index);
+    state.row = std::uint8_t(row);
+    const auto value = m_drawer->vertexState(state);
+    return value ? Answer{{{"value", value.value()}}, {}} : failure(value.error().message);
   }
 
   Channel &m_channel;

@@ -22,6 +22,7 @@ public:
   picture(const Region &region) override;
   [[nodiscard]] Result<std::array<int, 3>, DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) override;
+  [[nodiscard]] Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) override;
 
 private:
   explicit FrameDrawer(std::unique_ptr<Subject> subject) : m_subject(std::move(subject)) {}

@@ -36,6 +36,9 @@ public:
   /// where there is none.
   [[nodiscard]] virtual Result<std::array<int, 3>, DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) = 0;
+  /// A row of GL's state that vertex programs alone can read: state.texgen, state.clip,
+  /// state.point.
+  [[nodiscard]] virtual Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) = 0;
 };
 
 /// What float targets are cleared to: no program's value.

@@ -75,9 +75,16 @@ public:
     std::vector<std::size_t> states;
     for (std::size_t i = 0; i < m_values.size(); ++i) {
       const fp::ir::Parameter &parameter = m_stage.program.parameters[i];
-      if (parameter.kind == fp::ir::ParameterKind::State &&
-          !isOfVertexProgramsAlone(parameter.state))
-        states.push_back(i);
+      if (parameter.kind == fp::ir::ParameterKind::State) {
+        if (!isOfVertexProgramsAlone(parameter.state)) {
+          states.push_back(i);
+        } else {
+          const auto value = m_drawer.vertexState(parameter.state);
+          if (!value)
+            return value.error();
+          m_values[i] = value.value();
+        }
+      }
       for (const scene::ParameterRow &row : rows)
         if (isRow(parameter, row))
           m_values[i] = row.value;

@@ -34,7 +34,7 @@ struct VertexStage {
 /// The triangle whose corners lie around the pixel's centre and that the depth test and culling
 /// leave (the last one drawn where there is no depth test). Triangles that reach behind the eye are
 /// not found. Rows of GL's state are drawn by \p drawer as fragment programs read them; those that
-/// only vertex programs have are zero. Errors: no such triangle; the drawer's; the mesh's.
+/// only vertex programs have it is asked for. Errors: no such triangle; the drawer's; the mesh's.
 [[nodiscard]] Result<TracedTriangle, DebugError> traceTriangle(const VertexStage &stage,
                                                                Drawer &drawer, int x, int y);
 

@@ -23,6 +23,11 @@ public:
     return std::array<int, 3>{64, 32, 1};
   }
 
+  /// (what kind, which one, the row, 0.5)
+  [[nodiscard]] Result<Vec4, DebugError> vertexState(const fp::ir::StateRef &state) override {
+    return Vec4{float(state.item), float(state.index), float(state.row), 0.5f};
+  }
+
   /// program.local[N] and all others: (N, 0.5, -1, 2) unless this says otherwise.
   std::function<Vec4(const fp::ir::Parameter &)> parameter;
   /// Changes results, as a host that is wrong does.

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "util/result.h"
+
+namespace arbiter::tools {
+
+inline constexpr const char *kGalleryScheme = "gallery:";
+
+struct GalleryError {
+  std::string message;
+};
+
+/// What a command line names: `gallery:twirl` is the document twirl.fp of the gallery that was
+/// installed with this command (or of the folder that ARBITER_GALLERY names, or of the build's
+/// source tree); any other name is itself. Errors: no gallery, no document of that name.
+[[nodiscard]] Result<std::string, GalleryError> documentPath(const std::string &name);
+
+} // namespace arbiter::tools

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Traces of the pixel debugger against the bits that the rasterizer drew, pixel by pixel.
+
+usage: run.py --build BUILD [--count N] [--seed S] [--json FILE] [--latency]
+
+Half of the traces are of the gallery's documents, every pass of them at several frames, half of generated
+programs on a quad and on a torus. A trace is what the interpreter makes of the pixel's inputs; the
+rasterizer's colour must be that to the bit (NaNs are equal), or both must discard; where the pass neither
+blends nor is masked, the 8 bits of the picture must be the trace's too. Each document is first traced by
+a command of its own, which says whether the rasterizer drew everything itself; further pixels are asked of
+the language server. The times of both are printed; --latency fails where they are beyond what is asked of
+the debugger (50 ms in the middle, 150 ms of 99 in 100).
+"""
+import argparse
+import json
+import math
+import os
+import pathlib
+import random
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / 'src' / 'tools' / 'lsp'))
+sys.path.insert(0, str(ROOT / 'tests' / 'clients'))
+from lsp_client import Client  # noqa: E402
+from plain_environment import plain  # noqa: E402
+
+MOST_TRIES = 60  # for a pixel that the document covers
+PIXELS_OF_PROGRAM = 20
+ASKED = {'median': 0.050, 'p99': 0.150}
+
+
+class Subject:
+    """A pass of a document at a frame."""
+
+    def __init__(self, name, path, text, drawn=1, frame=0):
+        self.name, self.path, self.text = name, path, text
+        self.number, self.frame = drawn, frame
+        size = re.search(r'\bsize (\d+) (\d+)', text)
+        self.size = (int(size[1]), int(size[2])) if size else (512, 512)
+
+    def describe(self, pixel):
+        return f'{self.name}, pass {self.number}, frame {self.frame}, pixel {pixel[0]},{pixel[1]}'
+
+
+class Times:
+    def __init__(self):
+        self.all = []
+
+    def line(self, what):
+        return f'{what}: {self.median * 1e3:.1f} ms median, {self.p99 * 1e3:.1f} ms p99 of {len(self.all)}'
+
+    @property
+    def median(self):
+        return statistics.median(self.all) if self.all else 0.0
+
+    @property
+    def p99(self):
+        return sorted(self.all)[math.ceil(0.99 * len(self.all)) - 1] if self.all else 0.0
+
+    def good(self):
+        return self.median <= ASKED['median'] and self.p99 <= ASKED['p99']
+
+
+def is_opaque(text):
+    """The picture has the fragment's own colour."""
+    return not re.search(r'^#@.*\b(blend (?!off)|colour off)', text, re.MULTILINE)
+
+
+def faults(trace, opaque):
+    verdict = trace['verdict']
+    if verdict['drawn'] is None or trace['discarded']:
+        return [] if verdict['equal'] and verdict['drawn'] is None else ['one of the two discards']
+    found = [] if verdict['bits_equal'] else ['other bits']
+    results = {each['name']: each for each in trace['results']}
+    colour = results.get('result.color') or results.get('result.color[0]')
+    if opaque and colour and 'mask' not in colour and verdict['picture'] != verdict['interpreter']:
+        found.append(f'the picture has {verdict["picture"]}, the trace {verdict["interpreter"]}')
+    return found
+
+
+class Suite:
+    def __init__(self, build, seed):
+        self.arbiter = str(build / 'src' / 'tools' / 'arbiter')
+        self.random = random.Random(seed)
+        self.process_times, self.request_times = Times(), Times()
+        self.traces = self.discarded = 0
+        self.failures = []
+        self.client = Client([self.arbiter, 'lsp'])
+        self.client.initialize()
+        self.version = 0
+
+    def fail(self, subject, pixel, text):
+        self.failures.append(subject.describe(pixel) + ': ' + text)
+        print(self.failures[-1], flush=True)
+
+    def count(self, subject, pixel, trace, opaque):
+        self.traces += 1
+        self.discarded += trace['discarded']
+        for fault in faults(trace, opaque):
+            self.fail(subject, pixel, fault + '; ' + trace['verdict']['line'])
+
+    def pixel(self, subject):
+        return [self.random.randrange(subject.size[0]), self.random.randrange(subject.size[1])]
+
+    def one_command(self, subject):
+        """A pixel that is covered, traced by a process of its own. None: there is none."""
+        for _ in range(MOST_TRIES):
+            pixel = self.pixel(subject)
+            begin = time.monotonic()
+            done = subprocess.run(
+                [self.arbiter, 'debug', str(subject.path), '--pixel', '%d,%d' % tuple(pixel), '--json',
+                 '--pass', str(subject.number), '--frame', str(subject.frame)],
+                capture_output=True, text=True, env=plain(), timeout=300)
+            if 'covers this pixel' in done.stderr:
+                continue
+            took = time.monotonic() - begin
+            if done.returncode not in (0, 5):
+                self.fail(subject, pixel, done.stderr)
+                return None
+            self.process_times.all.append(took)
+            trace = json.loads(done.stdout)
+            if trace['note']:
+                self.fail(subject, pixel, trace['note'])
+            self.count(subject, pixel, trace, is_opaque(subject.text))
+            return pixel
+        self.fail(subject, pixel, f'none of {MOST_TRIES} pixels is covered')
+        return None
+
+    def ask(self, uri, subject, pixel):
+        begin = time.monotonic()
+        answer = self.client.response(self.client.ask('arbiter/trace', {
+            'textDocument': {'uri': uri}, 'pixel': pixel, 'pass': subject.number, 'frame': subject.frame}))
+        return answer, time.monotonic() - begin
+
+    def further(self, subject, main, first, count):
+        """More pixels of the same pass, as an editor asks for them."""
+        uri = main.as_uri()
+        self.client.open(uri, main.read_text())
+        self.ask(uri, subject, first)  # starts the process that draws
+        opaque = is_opaque(subject.text)
+        done = tries = 0
+        while done < count and tries < count * MOST_TRIES:
+            tries += 1
+            pixel = self.pixel(subject)
+            answer, took = self.ask(uri, subject, pixel)
+            if 'error' in answer:
+                if 'covers this pixel' not in answer['error']['message']:
+                    self.fail(subject, pixel, answer['error']['message'])
+                    break
+                # What covers nothing ends the session; the next request starts another.
+                self.ask(uri, subject, first)
+                continue
+            done += 1
+            self.request_times.all.append(took)
+            self.count(subject, pixel, answer['result'], opaque)
+        self.client.notify('textDocument/didClose', {'textDocument': {'uri': uri}})
+
+    def run(self, subject, main, count):
+        first = self.one_command(subject)
+        if first is not None and count > 1:
+            self.further(subject, main, first, count - 1)
+
+
+def gallery(build, chooser):
+    """(Subject, the document's file) of every pass."""
+    folder = ROOT / 'demos' / 'gallery'
+    for main in sorted(folder.glob('*.fp')):
+        text = main.read_text()
+        if not re.search(r'^#@.*\btitle\b', text, re.MULTILINE):
+            continue  # a further pass of another one
+        names = [main.name] + re.findall(r'\bthen ([\w.-]+)', text)
+        for number, name in enumerate(names, 1):
+            own = (folder / name).read_text()
+            target = re.search(r'\btarget \w+ (\d+) (\d+)', own)
+            size = re.search(r'\bsize (\d+) (\d+)', text)
+            subject = Subject(main.name, main, own, number,
+                              chooser.randrange(6 if 'feedback' in text else 60))
+            if target or size:
+                subject.size = tuple(int(each) for each in (target or size).groups())
+            yield subject, main
+
+
+def programs(build, seed, count, folder):
+    texts = json.loads(subprocess.run(
+        [str(build / 'tests/traces_vs_rasterizer/spell_programs'), str(seed), str(count)],
+        capture_output=True, text=True, check=True).stdout)
+    for i, text in enumerate(texts):
+        path = folder / f'program_{seed + i}.fp'
+        path.write_text(text)
+        yield Subject(path.name, path, text), path
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
+    parser.add_argument('--build', type=pathlib.Path, required=True)
+    parser.add_argument('--count', type=int, default=10000)
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--json', type=pathlib.Path)
+    parser.add_argument('--keep', type=pathlib.Path, help='a folder for the generated programs')
+    parser.add_argument('--latency', action='store_true', help='times beyond what is asked fail')
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
+    os.environ.update(plain())
+    suite = Suite(build, arguments.seed)
+    with tempfile.TemporaryDirectory(prefix='arbiter-traces-') as made:
+        folder = arguments.keep or pathlib.Path(made)
+        folder.mkdir(parents=True, exist_ok=True)
+        passes = list(gallery(build, suite.random))
+        each = math.ceil(arguments.count / 2 / len(passes))
+        for subject, document in passes:
+            suite.run(subject, document, each)
+        left = arguments.count - suite.traces
+        generated = math.ceil(left / PIXELS_OF_PROGRAM)
+        for subject, document in programs(build, arguments.seed * 1000, generated, folder):
+            suite.run(subject, document, math.ceil(left / generated))
+    suite.client.leave()
+    print(f'{suite.traces} traces of {len(passes)} passes and {generated} programs, '
+          f'{suite.discarded} discarded: {len(suite.failures)} differ from what the rasterizer drew')
+    print(suite.process_times.line('in a process of its own'))
+    print(suite.request_times.line('a further request'))
+    slow = arguments.latency and not (suite.process_times.good() and suite.request_times.good())
+    if arguments.json:
+        arguments.json.write_text(json.dumps({
+            'name': 'traces', 'passed': suite.traces - len(suite.failures), 'failed': len(suite.failures),
+            'failures': suite.failures,
+            'process': [suite.process_times.median, suite.process_times.p99],
+            'request': [suite.request_times.median, suite.request_times.p99]}, indent=1) + '\n')
+    enough = suite.traces >= arguments.count
+    if not enough:
+        print(f'{arguments.count} traces were asked for')
+    return 0 if enough and not suite.failures and not slow else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
