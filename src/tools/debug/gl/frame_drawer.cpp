@@ -6,6 +6,10 @@ namespace arbiter::tools::debug {
 
 namespace {
 
+/// A pixel's probes are the same programs as another's, but for those of coordinates that only the
+/// other arithmetic arrives at: those are the pixel's own.
+constexpr std::size_t kMostPrograms = 128;
+
 /// All of the state that a draw of ours changes, and the framebuffer, which no attribute group has.
 class Restored {
 public:
@@ -124,25 +128,34 @@ std::string FrameDrawer::load(const std::string &text) {
     glDisable(kTextFragmentShaderAti);
     glEnable(GL_FRAGMENT_PROGRAM_ARB);
   }
-  if (m_loaded == text) {
-    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+  if (const auto known = m_programs.find(text); known != m_programs.end()) {
+    glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, known->second);
     return {};
   }
-  m_loaded.clear();
-  glDeleteProgramsARB(1, &m_program);
-  glGenProgramsARB(1, &m_program);
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, m_program);
+  if (m_programs.size() >= kMostPrograms)
+    forgetPrograms();
+  GLuint program = 0;
+  glGenProgramsARB(1, &program);
+  m_programs[text] = program;
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, program);
   for (const auto &[index, value] : m_locals)
     glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, index, value.data());
   glProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, GLsizei(text.size()),
                      text.data());
-  if (glGetError() == GL_NO_ERROR) {
-    m_loaded = text;
+  if (glGetError() == GL_NO_ERROR)
     return {};
-  }
   const auto *const words =
       reinterpret_cast<const char *>(glGetString(GL_PROGRAM_ERROR_STRING_ARB));
-  return std::string("a program that shows values was refused: ") + (words ? words : "no reason");
+  const std::string fault = words ? words : "no reason";
+  m_programs.erase(text);
+  glDeleteProgramsARB(1, &program);
+  return "a program that shows values was refused: " + fault;
+}
+
+void FrameDrawer::forgetPrograms() {
+  for (const auto &[text, program] : m_programs)
+    glDeleteProgramsARB(1, &program);
+  m_programs.clear();
 }
 
 /// The document's own program again; no attribute group is sure to hold it.
@@ -163,8 +176,8 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
     return DebugError{std::move(fault)};
   }
   // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
-  const std::string fault =
-      m_target.bind(region.x + region.width, region.y + region.height, targets);
+  FloatTarget &target = m_targets[targets];
+  const std::string fault = target.bind(region.x + region.width, region.y + region.height, targets);
   if (!fault.empty())
     return DebugError{fault};
   glEnable(GL_SCISSOR_TEST);
@@ -175,9 +188,9 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
   } else {
     m_subject->clear();
   }
-  m_target.clear();
+  target.clear();
   m_subject->drawMesh();
-  auto values = m_target.read(region);
+  auto values = target.read(region);
   unload();
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);

@@ -30,15 +30,16 @@ private:
   void keepPicture();
   void keepDepths();
   std::string load(const std::string &text);
+  void forgetPrograms();
   void unload();
 
   std::unique_ptr<Subject> m_subject;
-  FloatTarget m_target, m_before; ///< `m_before`: depth and stencil that the draw finds
-  bool m_keepsTarget = false;     ///< the draw's pass does not begin with an empty target
-  GLuint m_document = 0;          ///< the document's program object; 0: an ATI shader
+  std::map<std::size_t, FloatTarget> m_targets; ///< by their number of colours
+  FloatTarget m_before;                         ///< depth and stencil that the draw finds
+  bool m_keepsTarget = false; ///< the draw's pass does not begin with an empty target
+  GLuint m_document = 0;      ///< the document's program object; 0: an ATI shader
   std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters that are not zero
-  GLuint m_program = 0;                          ///< of the last text that shows values
-  std::string m_loaded;                          ///< that text
+  std::map<std::string, GLuint> m_programs;      ///< of texts that show values
   std::vector<std::array<std::uint8_t, 4>> m_picture;
 };
 
