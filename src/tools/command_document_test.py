@@ -103,7 +103,7 @@ class Bare(Temporary):
         self.path('a.obj', 'v 0 0 0\nf 1 2 3\n')
         result = self.draw(document)
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stderr, r'b\.fp:2:18: error: .*a\.obj: face 1 names vertex 2 of 1')
+        self.assertRegex(result.stderr, r'b\.fp:2:19: error: .*a\.obj: face 1 names vertex 2 of 1')
 
     def test_the_gallery_by_name(self):
         small = ('--size', '16x16')
@@ -238,12 +238,13 @@ class Check(Temporary):
         self.assertEqual(alone.returncode, 2)
         self.assertIn("no pass draws into a target 'drawn'", alone.stdout)
         # Another document, which names it and has no such target, is not the one.
-        self.path('a.fp', SHOW.format('#@ then part.fp'))
+        other = self.path('a.fp', SHOW.format('#@ then part.fp'))
         self.assertEqual(arbiter('check', part).returncode, 2)
         main = self.path('main.fp', SHOW.format('#@ target drawn 4 4, then part.fp'))
         for file in (part, vertex, main):
             result = arbiter('check', file)
             self.assertEqual((result.returncode, 'panel' in result.stdout), (0, False), result.stdout)
+        other.unlink()
         part.write_text(part.read_text().replace('picture drawn', 'picture drawm'))
         result = arbiter('check', part)
         self.assertEqual(result.returncode, 2)

@@ -41,7 +41,7 @@ constexpr Case kCases[] = {
     {"brightness_contrast.fp", 0, "96x96", 3, 0},
     {"cartoon.fp", 0, "96x96", 2, 0.002},
     {"edges.fp", 0, "96x96", 6, 0},
-    {"fur.fp", 0, "96x96", 2, 0.006},
+    {"fur.fp", 0, "96x96", 2, 0.012},
     {"gooch.fp", 30, "96x96", 2, 0.001},
     {"life.fp", 6, nullptr, 0, 0},
     {"life_reduced.fp", 6, nullptr, 0, 0},

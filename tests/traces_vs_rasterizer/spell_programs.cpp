@@ -1,10 +1,10 @@
 // usage: spell_programs SEED COUNT
 // Prints generated fragment programs as documents, a JSON array of texts: a mesh, values for the
 // parameters that the program reads and images for the units whose kind documents have.
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "fp_compiler/testing/random.h"
 
@@ -34,14 +34,12 @@ std::string panelOf(const ir::Program &program, std::uint64_t seed) {
   std::string panel = "\n#@ profile host, size 16 16\n";
   panel +=
       seed % 2 ? "#@ mesh torus parts 12, camera orbit pitch 40 distance 2\n" : "#@ mesh quad\n";
-  std::vector<ir::Parameter> seen;
+  std::set<std::pair<ir::ParameterKind, unsigned>> seen; // a row may have several entries
   for (const ir::Parameter &parameter : program.parameters) {
     const bool named =
         parameter.kind == ir::ParameterKind::Local || parameter.kind == ir::ParameterKind::Env;
-    if (named && std::find(seen.begin(), seen.end(), parameter) == seen.end()) {
-      seen.push_back(parameter);
+    if (named && seen.insert({parameter.kind, parameter.index}).second)
       panel += parameterLine(parameter, random);
-    }
   }
   return panel + kTextures;
 }

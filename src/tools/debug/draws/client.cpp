@@ -137,10 +137,14 @@ std::optional<DebugError> DrawClient::open(const Json &what) {
   return {};
 }
 
-Result<std::vector<Drawer::Vec4>, DebugError>
-DrawClient::draw(const std::string &text, std::size_t targets, const Region &region) {
-  return askItems<Vec4>({{"draw", text}, {"targets", targets}, {"region", regionJson(region)}},
-                        targets * pixelsOf(region));
+Result<std::vector<Drawer::Vec4>, DebugError> DrawClient::draw(const std::string &text,
+                                                               std::size_t targets,
+                                                               const Region &region,
+                                                               const std::vector<Vec4> &locals) {
+  Json request = {{"draw", text}, {"targets", targets}, {"region", regionJson(region)}};
+  if (!locals.empty())
+    request["locals"] = locals;
+  return askItems<Vec4>(request, targets * pixelsOf(region));
 }
 
 Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>

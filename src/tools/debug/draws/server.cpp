@@ -9,6 +9,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kMostLocals = 16;
+
 struct Answer {
   Json json;
   std::vector<std::uint8_t> bytes;
@@ -85,13 +87,34 @@ private:
     return {Json::object(), {bytes, bytes + drawn.value().size() * sizeof(Item)}};
   }
 
+  /// At most kMostLocals rows of four numbers.
+  static std::optional<std::vector<Drawer::Vec4>> localsOf(const Json &json) {
+    if (!json.is_array() || json.size() > kMostLocals)
+      return {};
+    std::vector<Drawer::Vec4> locals;
+    for (const Json &row : json) {
+      if (!row.is_array() || row.size() != 4)
+        return {};
+      Drawer::Vec4 &value = locals.emplace_back();
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (!row[i].is_number())
+          return {};
+        value[i] = row[i].get<float>();
+      }
+    }
+    return locals;
+  }
+
   Answer draw(const Json &request) {
     const auto region = regionOf(request.value("region", Json()));
     const int targets = integer(request, "targets");
     if (!region || targets < 1 || targets > int(kMostTargets))
       return failure("a region outside the picture, or a wrong number of targets");
+    const auto locals = localsOf(request.value("locals", Json::array()));
+    if (!locals)
+      return failure("no values of local parameters");
     return itemsOf(
-        m_drawer->draw(request["draw"].get<std::string>(), std::size_t(targets), *region));
+        m_drawer->draw(request["draw"].get<std::string>(), std::size_t(targets), *region, *locals));
   }
 
   Answer picture(const Json &request) {

@@ -167,8 +167,10 @@ void FrameDrawer::unload() {
   glEnable(kTextFragmentShaderAti);
 }
 
-Result<std::vector<Drawer::Vec4>, DebugError>
-FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &region) {
+Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::string &text,
+                                                                std::size_t targets,
+                                                                const Region &region,
+                                                                const std::vector<Vec4> &locals) {
   const Restored restored;
   m_subject->setPlainState();
   if (std::string fault = load(text); !fault.empty()) {
@@ -176,6 +178,8 @@ FrameDrawer::draw(const std::string &text, std::size_t targets, const Region &re
     return DebugError{std::move(fault)};
   }
   // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
+  for (std::size_t i = 0; i < locals.size(); ++i)
+    glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, GLuint(i), locals[i].data());
   FloatTarget &target = m_targets[targets];
   const std::string fault = target.bind(region.x + region.width, region.y + region.height, targets);
   if (!fault.empty())

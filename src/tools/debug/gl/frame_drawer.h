@@ -17,7 +17,8 @@ public:
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] std::array<int, 2> size() const override { return m_subject->size(); }
   [[nodiscard]] Result<std::vector<Vec4>, DebugError>
-  draw(const std::string &text, std::size_t targets, const Region &region) override;
+  draw(const std::string &text, std::size_t targets, const Region &region,
+       const std::vector<Vec4> &locals = {}) override;
   [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
   picture(const Region &region) override;
   [[nodiscard]] Result<std::array<int, 3>, DebugError>

@@ -165,20 +165,15 @@ Program showOperands(const Program &program, const std::vector<fp::ir::Operand> 
   return Cutter(program, operands.size(), fragments).withOperands(operands);
 }
 
-Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget target, bool biased,
-                   int x, int y, const std::array<fp::ir::Vec4, 4> &coordinates) {
+Program sampleQuad(const Program &program, std::uint8_t unit, fp::ir::TexTarget target,
+                   bool biased) {
   Builder b;
   b.options().shadow = program.options.shadow;
-  const auto constant = [&](const fp::ir::Vec4 &v) { return b.constant(v[0], v[1], v[2], v[3]); };
   const auto side = b.temporary(), lower = b.temporary(), upper = b.temporary();
   // Below zero in the left, and in the lower, pixels.
-  b.op(
-      Opcode::Sub, side,
-      {b.attribute(fp::ir::AttributeKind::Position), b.constant(float(x) + 1, float(y) + 1, 0, 0)});
-  b.op(Opcode::Cmp, lower,
-       {side.read().swz("x"), constant(coordinates[0]), constant(coordinates[1])});
-  b.op(Opcode::Cmp, upper,
-       {side.read().swz("x"), constant(coordinates[2]), constant(coordinates[3])});
+  b.op(Opcode::Sub, side, {b.attribute(fp::ir::AttributeKind::Position), b.local(4)});
+  b.op(Opcode::Cmp, lower, {side.read().swz("x"), b.local(0), b.local(1)});
+  b.op(Opcode::Cmp, upper, {side.read().swz("x"), b.local(2), b.local(3)});
   b.op(Opcode::Cmp, lower, {side.read().swz("y"), lower.read(), upper.read()});
   b.tex(biased ? Opcode::Txb : Opcode::Tex, b.color(), lower.read(), unit, target);
   return b.take();

@@ -44,11 +44,11 @@ struct Probe {
                                            const std::vector<fp::ir::Operand> &operands,
                                            Fragments fragments = Fragments::Covered);
 
-/// A program that samples at four coordinates, one a pixel of the 2x2 quad whose lower left pixel
-/// is (x, y), so that its level of detail is theirs. `coordinates` are lower left, lower right,
-/// upper left, upper right; w is TXB's bias.
+/// A program that samples at four coordinates, one a pixel of a 2x2 quad, so that its level of
+/// detail is theirs. They are local parameters, so that every pixel is drawn with the same program:
+/// 0 to 3 of the lower left, lower right, upper left, upper right pixel, with TXB's bias in w; 4 is
+/// the middle of the quad in window pixels.
 [[nodiscard]] fp::ir::Program sampleQuad(const fp::ir::Program &program, std::uint8_t unit,
-                                         fp::ir::TexTarget target, bool biased, int x, int y,
-                                         const std::array<fp::ir::Vec4, 4> &coordinates);
+                                         fp::ir::TexTarget target, bool biased);
 
 } // namespace arbiter::tools::debug

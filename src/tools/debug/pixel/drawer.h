@@ -25,10 +25,12 @@ public:
   [[nodiscard]] virtual std::array<int, 2> size() const = 0;
   /// Draws to floats, without blending; depth is tested as the document says.
   /// \param text a fragment program that writes `targets` colours
+  /// \param locals finite values of its first local parameters, where those are not the document's
   /// \returns targets * height * width values, the lowest row first; uncovered() where the document
   /// draws nothing
   [[nodiscard]] virtual Result<std::vector<Vec4>, DebugError>
-  draw(const std::string &text, std::size_t targets, const Region &region) = 0;
+  draw(const std::string &text, std::size_t targets, const Region &region,
+       const std::vector<Vec4> &locals = {}) = 0;
   /// The pixels of the document's own picture, as 8-bit RGBA.
   [[nodiscard]] virtual Result<std::vector<std::array<std::uint8_t, 4>>, DebugError>
   picture(const Region &region) = 0;

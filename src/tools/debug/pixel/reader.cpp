@@ -100,11 +100,12 @@ std::optional<DebugError> PixelReader::chooseFragments() {
 }
 
 Result<std::vector<Quad>, DebugError> PixelReader::drawQuads(const Program &program,
-                                                             std::size_t targets) {
+                                                             std::size_t targets,
+                                                             const std::vector<Vec4> &locals) {
   // The picture's edge may cut the quad; what lies outside is as if nothing covered it.
   const auto [width, height] = m_drawer.size();
   const Region region{m_x, m_y, std::min(2, width - m_x), std::min(2, height - m_y)};
-  auto drawn = m_drawer.draw(fp::emitAssembly(program), targets, region);
+  auto drawn = m_drawer.draw(fp::emitAssembly(program), targets, region, locals);
   if (!drawn)
     return drawn.error();
   const auto pixels = std::size_t(region.width * region.height);
@@ -263,8 +264,10 @@ Vec4 PixelReader::sampleAt(const fp::ir::Sample &sample, bool biased, const Acce
     }
     coordinates[lane][3] = sample.bias;
   }
-  const auto quads = drawQuads(
-      sampleQuad(m_program, sample.unit, sample.target, biased, m_x, m_y, coordinates), 1);
+  std::vector<Vec4> locals(coordinates.begin(), coordinates.end());
+  locals.push_back({float(m_x) + 1, float(m_y) + 1, 0, 0});
+  const auto quads =
+      drawQuads(sampleQuad(m_program, sample.unit, sample.target, biased), 1, locals);
   if (!quads) {
     m_failure = quads.error();
     return {};

@@ -45,7 +45,8 @@ private:
   std::optional<DebugError> drawProbes(const std::vector<std::size_t> &rows);
   /// Quads of a program's colours.
   Result<std::vector<Quad>, DebugError> drawQuads(const fp::ir::Program &program,
-                                                  std::size_t targets);
+                                                  std::size_t targets,
+                                                  const std::vector<Vec4> &locals = {});
   std::optional<float> levelOf(const fp::ir::Instruction &instruction, const Access &access);
   Vec4 texel(std::size_t index, const fp::ir::Sample &sample, fp::Numerics numerics);
   Vec4 sampleAt(const fp::ir::Sample &sample, bool biased, const Access &access);

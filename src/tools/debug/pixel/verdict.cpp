@@ -124,6 +124,26 @@ std::string drawnText(const Verdict &verdict) {
   return picture;
 }
 
+/// A program's colours in one pixel, of which the whole 2x2 quad is drawn, as where the trace's
+/// inputs come from.
+Result<std::vector<Vec4>, DebugError> drawPixel(Drawer &drawer, const std::string &text,
+                                                std::size_t targets, int x, int y) {
+  const auto [width, height] = drawer.size();
+  const int left = x & ~1, bottom = y & ~1;
+  const Region quad{left, bottom, std::min(2, width - left), std::min(2, height - bottom)};
+  const auto pixels = std::size_t(quad.width * quad.height);
+  const auto drawn = drawer.draw(text, targets, quad);
+  if (!drawn)
+    return drawn.error();
+  if (drawn.value().size() != targets * pixels)
+    return DebugError{drawer.name() + " drew another number of pixels than was asked for"};
+  std::vector<Vec4> values;
+  for (std::size_t t = 0; t < targets; ++t)
+    values.push_back(
+        drawn.value()[t * pixels + std::size_t((y - bottom) * quad.width + (x - left))]);
+  return values;
+}
+
 /// The interpreter's side, and the drawer's fragment and picture.
 Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, int x, int y) {
   Verdict verdict;
@@ -135,10 +155,10 @@ Result<Verdict, DebugError> compareColors(Drawer &drawer, const Trace &trace, in
     return picture.error();
   if (!picture.value().empty())
     verdict.picture = picture.value()[0];
-  const auto fragment = drawer.draw("", 1, pixel);
+  const auto fragment = drawPixel(drawer, "", 1, x, y);
   if (!fragment)
     return fragment.error();
-  if (!fragment.value().empty() && fragment.value()[0] != uncovered())
+  if (fragment.value()[0] != uncovered())
     verdict.drawn = fragment.value()[0];
   const Named *const color = colorOf(trace);
   if (!color || !verdict.drawn || verdict.isDiscarded)
@@ -157,11 +177,8 @@ Result<std::vector<Vec4>, DebugError> drawRows(Drawer &drawer, const Program &pr
   std::vector<Probe> probes;
   for (const std::size_t row : rows)
     probes.push_back({Probe::Kind::Value, row});
-  auto drawn = drawer.draw(fp::emitAssembly(cutProgram(program, probes, fragments)), probes.size(),
-                           Region{x, y, 1, 1});
-  if (drawn && drawn.value().size() != rows.size())
-    return DebugError{drawer.name() + " drew another number of pixels than was asked for"};
-  return drawn;
+  return drawPixel(drawer, fp::emitAssembly(cutProgram(program, probes, fragments)), probes.size(),
+                   x, y);
 }
 
 Result<Verdict, DebugError> judge(Drawer &drawer, const Program &program, const Trace &trace, int x,

@@ -38,8 +38,10 @@ fp::ir::Vec4 texelAt(const fp::ir::Sample &sample) {
           at[0] * at[1] + 0.125f * float(sample.unit), 1.0f};
 }
 
-Result<std::vector<Drawer::Vec4>, DebugError>
-FakeDrawer::draw(const std::string &text, std::size_t targets, const Region &region) {
+Result<std::vector<Drawer::Vec4>, DebugError> FakeDrawer::draw(const std::string &text,
+                                                               std::size_t targets,
+                                                               const Region &region,
+                                                               const std::vector<Vec4> &locals) {
   ++drawn;
   const fp::CheckResult result = check(text.empty() ? m_text : text);
   if (!result.ok())
@@ -56,7 +58,13 @@ FakeDrawer::draw(const std::string &text, std::size_t targets, const Region &reg
         attributes.push_back(attributeAt(attribute, x, y, m_width, m_height));
       fp::ir::Inputs inputs;
       inputs.attributes = attributes;
-      inputs.parameter = parameter ? parameter : plainParameter;
+      inputs.parameter = [&](const fp::ir::Parameter &wanted) {
+        const bool given =
+            wanted.kind == fp::ir::ParameterKind::Local && wanted.index < locals.size();
+        return given       ? locals[wanted.index]
+               : parameter ? parameter(wanted)
+                           : plainParameter(wanted);
+      };
       inputs.texture = texelAt;
       inputs.result = wrong;
       const fp::ir::Evaluation end = fp::ir::evaluate(program, inputs);
