@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "tools/commands.h"
-#include "tools/gallery.h"
+#include "tools/draw/gallery.h"
 #include "tools/input.h"
 #include "tools/launch.h"
 

@@ -8,7 +8,9 @@ constexpr int kMaxNesting = 3;        ///< of "of"
 constexpr std::size_t kMaxParts = 16; ///< joined by "and"
 constexpr double kFar = 1000;
 
-bool holdsShape(Shape shape) { return shape == Shape::Shells || shape == Shape::Fins || shape == Shape::Volume; }
+bool holdsShape(Shape shape) {
+  return shape == Shape::Shells || shape == Shape::Fins || shape == Shape::Volume;
+}
 
 bool readPlace(Reader &reader, ShapeSpec &spec) {
   for (Number &component : spec.at)

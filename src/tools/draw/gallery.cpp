@@ -1,4 +1,4 @@
-#include "tools/gallery.h"
+#include "tools/draw/gallery.h"
 
 #include <algorithm>
 #include <cstdlib>
