@@ -64,7 +64,8 @@ public:
   /// The corners of the pixel's triangle. Errors: the pass has no vertex program, and those of
   /// traceTriangle().
   [[nodiscard]] Result<TracedTriangle, DebugError> vertices(int x, int y);
-  /// Whether further pixels can be asked for: an error may be of the pixel, or the end of who draws.
+  /// Whether further pixels can be asked for: an error may be of the pixel, or the end of who
+  /// draws.
   [[nodiscard]] bool isAlive() const { return m_drawer->isAlive(); }
   /// Ends the process that draws. \returns what is to be said of who drew, or nothing
   [[nodiscard]] std::string end();
