@@ -32,13 +32,14 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
   addLayer(verb, draw.layer);
   verb.option("--size", draw.size, "WxH in pixels, in place of the document's or of 512x512");
   verb.option("--texture", draw.textures,
-              "N=IMG.png, N=checker or N=noise: the 2D texture of unit N (repeatable)")
+              "N=IMG (a PNG, JPEG or DDS file), N=checker or N=noise: the 2D texture of unit N "
+              "(repeatable)")
       .repeatable();
   verb.option(
           "--mesh", draw.mesh,
-          "what carries the programs, in place of the document's or of a quad; a grid is 64x64 of "
-          "them, for vertex programs to bend")
-      .oneOf(
+          "what carries the programs, in place of the document's or of a quad: a shape, or an OBJ "
+          "file; a grid is 64x64 quads, for vertex programs to bend")
+      .oneOfOrFile(
           {"quad", "grid", "plane", "cube", "sphere", "torus", "cylinder", "knot", "billboards"});
   const auto addValues = [&](const char *name, std::vector<std::string> &values, const char *help) {
     verb.option(name, values, help).repeatable();
@@ -67,8 +68,9 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
           "FILE", draw.files,
           "a document: a program text (!!ARBfp1.0, !!ARBvp1.0, !!ATIfs1.0) whose lines that begin "
           "with #@ say what it is drawn with, or a folder of one; or a program of vertices and "
-          "one of fragments; - is standard input")
+          "one of fragments; gallery:NAME is a document of the gallery; - is standard input")
       .required()
+      .documents()
       .count(1, 2);
   verb.footer("The mesh fills the picture; every texture coordinate set runs from 0 to 1 with "
               "y up, the primary colour is (s, t, 0, 1). A stage without a program is fixed "
@@ -78,7 +80,7 @@ void addDraw(CLI::App &app, DrawArguments &draw) {
               "Exit code: 0 drawn; 1 usage or a file; 2 the program or its panel is invalid; "
               "4 no GL.\n"
               "Examples:\n"
-              "  arbiter draw twirl.fp --frame 30 -o out.png\n"
+              "  arbiter draw gallery:twirl --frame 30 -o out.png\n"
               "  arbiter draw shader.fp -o out.png\n"
               "  arbiter draw --mesh grid waves.vp water.fp --local vp:0=0.5 -o out.png\n"
               "  arbiter draw --texture 0=photo.png --local 0=0.5,1,0,0 shader.fp -o out.png\n"
@@ -108,8 +110,9 @@ void addDebug(CLI::App &app, DebugArguments &debug) {
       .oneOf({"host", "legacy", "fp24"});
   verb.option("--library", debug.library, "the layer's library, where it is not beside us");
   verb.option("FILE", debug.document,
-              "a document: a program text, or a folder with one; - is standard input")
-      .required();
+              "a document: a program text, or a folder with one; gallery:NAME; - is standard input")
+      .required()
+      .documents();
   verb.footer("Exit code: 0 equal; 1 usage, a file, or nothing covers the pixel; 2 the program "
               "is invalid; 4 no GL, or a fault; 5 a comparison found a difference, or --break a "
               "row.\n"

@@ -48,9 +48,11 @@ void addCheck(CLI::App &app, CheckArguments &check) {
               "each of many files; never: numbers alone")
       .oneOf({"auto", "always", "never"})
       .showDefault();
-  verb.option("FILE", check.files,
-              "program texts, or folders of them and of captures; - is standard input")
-      .required();
+  verb.option(
+          "FILE", check.files,
+          "program texts, or folders of them and of captures; gallery:NAME; - is standard input")
+      .required()
+      .documents();
   verb.footer("Up to eight files get a table each; more, or a folder, the lines of what is "
               "wrong and a summary.\n"
               "Exit code: 0 valid; 1 usage, or a file cannot be read; 2 invalid; 3 valid but "

@@ -58,13 +58,16 @@ void addLsp(CLI::App &app, LspArguments &lsp) {
 void addBuilder(CLI::App &app, BuilderArguments &builder) {
   Verb verb(app, "builder",
             "Open the Shader Builder's window: write programs, see them drawn, step through them");
-  verb.option("DOCUMENT", builder.document, "a program, or a folder; without one, the gallery");
+  verb.option("DOCUMENT", builder.document,
+              "a program, or a folder; gallery:NAME opens a copy of a document of the gallery; "
+              "without one, the gallery itself");
   verb.footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
               "says what it has.\n"
               "Exit code: that of the window; 1 where arbiter-builder is not installed.\n"
               "Examples:\n"
               "  arbiter builder\n"
-              "  arbiter builder shader.fp");
+              "  arbiter builder shader.fp\n"
+              "  arbiter builder gallery:twirl");
 }
 
 } // namespace arbiter::tools

@@ -2,10 +2,26 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/draw/gallery.h"
+
 namespace arbiter::tools {
 
 Option Option::oneOf(std::vector<std::string> words) const {
   return Option(m_option->check(CLI::IsMember(std::move(words))));
+}
+
+Option Option::oneOfOrFile(std::vector<std::string> words) const {
+  return Option(m_option->check(CLI::IsMember(std::move(words)) | CLI::ExistingFile));
+}
+
+Option Option::documents() const {
+  const auto path = [](std::string &name) {
+    const auto found = documentPath(name);
+    if (found)
+      name = found.value();
+    return found ? std::string() : found.error().message;
+  };
+  return Option(m_option->transform(CLI::Validator(path, "")));
 }
 
 Option Option::range(int low, int high) const {

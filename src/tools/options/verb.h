@@ -19,6 +19,10 @@ public:
   [[nodiscard]] CLI::Option *get() const { return m_option; }
   /// One of these words.
   Option oneOf(std::vector<std::string> words) const;
+  /// One of these words, or a file that is there.
+  Option oneOfOrFile(std::vector<std::string> words) const;
+  /// Files, of which `gallery:NAME` is one of the gallery's.
+  Option documents() const;
   Option range(int low, int high) const;
   Option range(double low, double high) const;
   /// A number over 0.
