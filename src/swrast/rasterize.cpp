@@ -39,7 +39,7 @@ DrawStatistics drawFewTriangles(const Draw &draw, std::vector<Shape> &shapes,
   const RasterState &state = draw.state;
   const auto take = [&](const Triangle &triangle, Shape &shape) {
     shape.stippled = state.polygonStipple != nullptr;
-    makePlanes(state, draw.plan, triangle, state.offsetFill, shape.left, shape.bottom,
+    makePlanes(state, draw.plan, triangle, state.offsetFill, shape.originX, shape.originY,
                shape.primitive);
     shapes.push_back(shape);
   };

@@ -131,7 +131,7 @@ void Chunk::addShape(const Shape &shape, std::uint32_t inputs, bool hides) {
 void Chunk::makeShape(const Draw &draw, const Triangle &triangle, Shape &shape) {
   const RasterState &state = draw.state;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, draw.plan, triangle, state.offsetFill, shape.left, shape.bottom,
+  makePlanes(state, draw.plan, triangle, state.offsetFill, shape.originX, shape.originY,
              shape.primitive);
   addShape(shape, draw.shading.inputCount, draw.shading.opaque && !shape.stippled);
 }

@@ -84,7 +84,8 @@ void Emitter::shadeSmall(const PlanePlan &plan, const Triangle &triangle, const 
   m_stippled = m_state.polygonStipple != nullptr;
   m_isRow = !m_packs && wantsRows(bounds.right - bounds.left);
   const auto planes = [&] {
-    makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.left, bounds.bottom, m_small);
+    makePlanes(m_state, plan, triangle, m_state.offsetFill, bounds.originX, bounds.originY,
+               m_small);
   };
   if (m_isRow) {
     planes();

@@ -42,17 +42,17 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
     resolve();
   Storage &own = *m_storage;
   Pending &next = own.pending[m_pending];
-  next.gradients = gradientsOf(m_state, triangle.corner, origin.left, origin.bottom);
+  next.gradients = gradientsOf(m_state, triangle.corner, origin.originX, origin.originY);
   next.depth = makeDepthPlane(m_state, triangle, next.gradients, m_state.offsetFill);
   abi::Block *const left = own.blocks + m_blocks;
-  const std::uint32_t seen = m_test(own.tile, next.depth, origin.left, origin.bottom,
+  const std::uint32_t seen = m_test(own.tile, next.depth, origin.originX, origin.originY,
                                     m_owner + m_pending + 1, blocks, count, left);
   if (seen == 0)
     return;
   next.plan = &plan;
   next.triangle = triangle;
-  next.originX = origin.left;
-  next.originY = origin.bottom;
+  next.originX = origin.originX;
+  next.originY = origin.originY;
   next.count = seen;
   if (!m_shading.replaces) {
     shade(next, 0, left);

@@ -71,7 +71,7 @@ public:
 
   /// \param tile what is drawn of a tile. False where there is no function, or no memory.
   [[nodiscard]] bool begin(const Rect &tile);
-  /// \param origin pixel that the planes are exact at
+  /// \param origin its origin is the pixel that the planes are exact at
   /// \param blocks what of the triangle, which is not clipped, lies in the tile; of 4x4 pixels
   void add(const PlanePlan &plan, const Triangle &triangle, const Bounds &origin,
            const abi::Block *blocks, std::uint32_t count);

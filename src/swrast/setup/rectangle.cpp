@@ -119,6 +119,8 @@ bool findRectangle(const RasterState &state, Topology topology, const Vertices &
   const int right = pixelFrom(std::max(corner[0].fixedX, corner[2].fixedX));
   const int bottom = pixelFrom(std::min(corner[0].fixedY, corner[2].fixedY));
   const int top = pixelFrom(std::max(corner[0].fixedY, corner[2].fixedY));
+  rectangle.left = left;
+  rectangle.bottom = bottom;
   rectangle.pixels =
       intersect(intersect({left, bottom, right - left, top - bottom}, state.clip), viewport.pixels);
   return true;
@@ -191,10 +193,11 @@ bool shapeOfRectangle(const RasterState &state, const Shading &shading, Topology
   shape.bottom = rectangle.pixels.y;
   shape.right = rectangle.pixels.x + rectangle.pixels.width;
   shape.top = rectangle.pixels.y + rectangle.pixels.height;
+  shape.setOrigin(rectangle.left, rectangle.bottom);
   shape.edgeCount = 0;
   shape.stippled = state.polygonStipple != nullptr;
-  makePlanes(state, PlanePlan(shading, vertices), triangle, state.offsetFill, shape.left,
-             shape.bottom, shape.primitive);
+  makePlanes(state, PlanePlan(shading, vertices), triangle, state.offsetFill, shape.originX,
+             shape.originY, shape.primitive);
   return true;
 }
 

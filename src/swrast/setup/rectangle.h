@@ -14,7 +14,8 @@ struct Rectangle {
   std::uint32_t otherOf[2] = {}; ///< which of the corners they are copies of
   WindowVertex corner[4];
   bool backFacing = false;
-  Rect pixels; ///< clipped
+  std::int32_t left = 0, bottom = 0; ///< pixels, not clipped
+  Rect pixels;                       ///< clipped
 };
 /// Whether the draw is one axis-aligned rectangle that is drawn filled and is not culled; then
 /// `rectangle` says which.

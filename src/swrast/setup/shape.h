@@ -15,6 +15,15 @@ struct Edge {
 
 struct Bounds {
   std::int32_t left = 0, bottom = 0, right = 0, top = 0; ///< pixels, half open, clipped
+  /// The pixel at which planes are exact: values round the same wherever the scissor cuts (rule 2
+  /// of appendix A of OpenGL 2.1), so that a second pass finds the depths of the first.
+  std::int32_t originX = 0, originY = 0;
+  /// \param left, bottom the region's, not clipped. Outside the image on its left planes begin at
+  /// its side.
+  void setOrigin(std::int32_t left, std::int32_t bottom) {
+    originX = std::max(left, 0);
+    originY = std::max(bottom, 0);
+  }
 };
 
 /// A convex region of pixels and what it is shaded with.
@@ -50,8 +59,10 @@ struct Shape : Bounds {
     minY = std::min(minY, corner[i].fixedY);
     maxY = std::max(maxY, corner[i].fixedY);
   }
-  bounds.left = std::max(clip.x, pixelFrom(minX));
-  bounds.bottom = std::max(clip.y, pixelFrom(minY));
+  const std::int32_t left = pixelFrom(minX), bottom = pixelFrom(minY);
+  bounds.setOrigin(left, bottom);
+  bounds.left = std::max(clip.x, left);
+  bounds.bottom = std::max(clip.y, bottom);
   // A right or an upper edge is outside itself, but not a corner that a left edge ends in.
   bounds.right = std::min(clip.x + clip.width, (maxX >> kSubpixelBits) + 1);
   bounds.top = std::min(clip.y + clip.height, (maxY >> kSubpixelBits) + 1);

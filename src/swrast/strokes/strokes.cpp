@@ -270,7 +270,7 @@ void Strokes::addTriangle(const Draw &draw, std::uint32_t number) {
     Shape shape;
     const auto take = [&](const Triangle &part, Shape &filled) {
       filled.stippled = state.polygonStipple != nullptr;
-      makePlanes(state, draw.plan, part, state.offsetFill, filled.left, filled.bottom,
+      makePlanes(state, draw.plan, part, state.offsetFill, filled.originX, filled.originY,
                  filled.primitive);
       nextShape() = filled;
       keepShape(draw);
