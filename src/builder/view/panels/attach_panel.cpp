@@ -59,6 +59,7 @@ AttachPanel::AttachPanel(Attachment &attachment) : m_attachment(attachment) {
   m_textures->setAccessibleName(tr("Textures of the application"));
   m_textures->setIconSize({64, 64});
   m_tabs = new QTabWidget;
+  m_tabs->setAccessibleName(tr("Of the chosen program"));
   m_tabs->addTab(m_text, tr("Te&xt"));
   m_tabs->addTab(m_values, tr("P&arameters"));
   m_tabs->addTab(m_textures, tr("Text&ures"));
