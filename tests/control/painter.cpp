@@ -6,7 +6,11 @@
 //   state NAME       a value of GL's that it did not set to what it is after a frame
 //   error N          of GL
 //
-//   painter [FRAMES [fbo]]   fbo: a framebuffer object stays bound, also where frames end
+//   painter [FRAMES [fbo|depth]]
+//
+// fbo: a framebuffer object stays bound, also where frames end. depth: three quads by arrays, of
+// which depth decides: the left half, far; the whole window, near; the whole window, between the
+// two.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -165,6 +169,37 @@ void drawFrame() {
   glEnd();
 }
 
+void drawQuad(float left, float depth, bool byElements) {
+  const std::array<float, 12> corners = {left, -1, depth, 1,    -1, depth,
+                                         1,    1,  depth, left, 1,  depth};
+  const std::array<GLushort, 4> order = {0, 1, 2, 3};
+  glVertexPointer(3, GL_FLOAT, 0, corners.data());
+  if (byElements)
+    glDrawElements(GL_QUADS, 4, GL_UNSIGNED_SHORT, order.data());
+  else
+    glDrawArrays(GL_QUADS, 0, 4);
+}
+
+void drawDepths() {
+  glViewport(0, 0, kWidth, kHeight);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glProgramEnvParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 3, 1, 1, 1, 1);
+  glEnable(GL_DEPTH_TEST);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 1, 0, 0, 1);
+  glScissor(0, 0, kWidth / 2, kHeight);
+  glEnable(GL_SCISSOR_TEST);
+  drawQuad(-1, 0.75f, false);
+  glDisable(GL_SCISSOR_TEST);
+  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 1, 1, 0, 1);
+  drawQuad(-1, 0.25f, true);
+  glProgramLocalParameter4fARB(GL_FRAGMENT_PROGRAM_ARB, 0, 0, 0, 1, 1);
+  drawQuad(-1, 0.5f, false);
+  glDisableClientState(GL_VERTEX_ARRAY);
+  glDisable(GL_DEPTH_TEST);
+}
+
 /// Prints a line where it is another than that of its kind before.
 void say(std::string &last, const std::string &line) {
   if (line == last)
@@ -201,6 +236,7 @@ std::string shown() {
 int main(int argc, char **argv) {
   const long frames = argc > 1 ? std::atol(argv[1]) : -1;
   const bool framebuffer = argc > 2 && std::strcmp(argv[2], "fbo") == 0;
+  const bool depth = argc > 2 && std::strcmp(argv[2], "depth") == 0;
   if (!openWindow()) {
     std::puts("no window");
     return 1;
@@ -213,7 +249,7 @@ int main(int argc, char **argv) {
   std::string lastMiddle, lastShown, lastState;
   for (long frame = 0; frame != frames; ++frame) {
     setPlainState();
-    drawFrame();
+    depth ? drawDepths() : drawFrame();
     say(lastMiddle, middle());
     setOddState(framebuffer, GLuint(name), buffers);
     const Values before = valuesNow();

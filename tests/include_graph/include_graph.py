@@ -31,7 +31,7 @@ ALLOWED = {
                    "public"},
     "scene": {"fp_compiler", "util"},
     "tools": {"control", "scene", "fp_compiler", "swrast", "util", "public"},
-    "builder": {"fp_compiler", "scene", "util", "public"},
+    "builder": {"control", "fp_compiler", "scene", "util", "public"},
     "demos": {"public"},
     "public": set(),
     "precompiled": {"precompiled"},  # given to libraries by the build, included by no source

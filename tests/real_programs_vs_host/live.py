@@ -56,7 +56,7 @@ def main() -> int:
     return 0
 
 
-def _clip(path: Path) -> Path:
+def clip(path: Path) -> Path:
     """A second of a still gradient of all colours."""
     width, height = SIZE
     luma = bytes(40 + (x * 150 // width + y // 4) % 180 for y in range(height) for x in range(width))
@@ -69,20 +69,20 @@ def _clip(path: Path) -> Path:
 
 def _steps(arbiter: Path, out: Path) -> None:
     folder = out / "mplayer.capture"
-    clip = _clip(out / "still.y4m")
+    still = clip(out / "still.y4m")
     with session.XServer(out / "screen") as server:
         environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": server.display}
         for name in ("WAYLAND_DISPLAY", "XAUTHORITY"):
             environment.pop(name, None)
         with open(out / "capture.log", "wb") as log:
-            subprocess.run([arbiter, "capture", "-o", folder, "--", *PLAYER, "-frames", "5", clip],
+            subprocess.run([arbiter, "capture", "-o", folder, "--", *PLAYER, "-frames", "5", still],
                            env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
                            timeout=120, check=False)
         program = _captured(folder)
         own = program.read_bytes()
         with open(out / "run.log", "wb") as log:
             player = subprocess.Popen([arbiter, "run", "--replace", folder, "--", *PLAYER,
-                                       "-loop", "0", clip], env=environment,
+                                       "-loop", "0", still], env=environment,
                                       stdin=subprocess.DEVNULL, stdout=log, stderr=log)
             try:
                 _edit(server, program, own, out)
@@ -108,20 +108,20 @@ def _captured(folder: Path) -> Path:
 
 
 def _edit(server: session.XServer, program: Path, own: bytes, out: Path) -> None:
-    before = _wait(server, lambda shot: not shot.is_blank(), "nothing was drawn")
+    before = wait(server, lambda shot: not shot.is_blank(), "nothing was drawn")
     picture.write_png(out / "before.png", before)
     _put(program, b"!!ARBfp1.0\nTEMP y;\nTEX y, fragment.texcoord[0], texture[0], 2D;\n"
                   b"SUB result.color, {1, 1, 1, 1}, y;\nEND\n")
-    after = _wait(server, lambda shot: picture.compare(shot, before).mean > 10,
+    after = wait(server, lambda shot: picture.compare(shot, before).mean > 10,
                   "the edit does not change the picture")
     picture.write_png(out / "after.png", after)
     _put(program, b"!!ARBfp1.0\nMOV result.color, nothing;\nEND\n")
     for _ in range(5):
         time.sleep(0.3)
-        _wait(server, lambda shot: not shot.is_blank() and picture.compare(shot, after).identical,
+        wait(server, lambda shot: not shot.is_blank() and picture.compare(shot, after).identical,
               "a wrong edit changes the picture")
     _put(program, own)
-    _wait(server, lambda shot: picture.compare(shot, before).identical,
+    wait(server, lambda shot: picture.compare(shot, before).identical,
           "the own text does not bring the picture back")
 
 
@@ -136,7 +136,7 @@ def _shot(server: session.XServer) -> picture.Picture:
     return server.screen().crop(*SIZE)
 
 
-def _wait(server: session.XServer, good, problem: str) -> picture.Picture:
+def wait(server: session.XServer, good, problem: str) -> picture.Picture:
     """The first picture that is good and still the same a moment later."""
     end = time.monotonic() + 60
     while time.monotonic() < end:

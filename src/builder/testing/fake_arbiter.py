@@ -7,6 +7,7 @@ signal, "hang" never answers, "slow" takes 0.3 s.
 """
 import fcntl
 import json
+import mmap
 import os
 import re
 import signal
@@ -16,7 +17,7 @@ import time
 
 WIDTH, HEIGHT = 4, 2
 STRIDE = WIDTH * 4
-SLOT = STRIDE * HEIGHT
+SLOT = mmap.PAGESIZE  # as a slot of so few pixels is
 F_ADD_SEALS, SEALS = 1033, 0x2 | 0x4  # against shrinking and growing
 
 

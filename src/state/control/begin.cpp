@@ -25,8 +25,9 @@ std::uint64_t drawsOf(const Context &context, std::size_t path) {
 
 void programsLeave(Context &context) {
   if (remote::Session *const session = remote::Session::instance(); session && session->isBusy())
-    session->tallies().end(context.serial,
-                           [&](std::size_t path) { return drawsOf(context, path); });
+    session->tallies().end(
+        context.serial, [&](std::size_t path) { return drawsOf(context, path); },
+        context.draws[std::size_t(Path::Rasterizer)]);
 }
 
 void programsEnter(Context &context) {
@@ -40,6 +41,7 @@ void programsEnter(Context &context) {
       begun.programs[i] = textFileName(compiled->target, compiled->hash);
   begun.path = std::size_t(context.path);
   begun.drawsBefore = drawsOf(context, begun.path);
+  begun.rasterizedBefore = context.draws[std::size_t(Path::Rasterizer)];
   begun.since = remote::nowNanoseconds();
   session->tallies().begin(context.serial, std::move(begun));
 }
@@ -49,6 +51,8 @@ void frameEnds(Context &context) {
     session->noteActivity(true);
     if (session->isBusy() && isOpen(context)) [[unlikely]] {
       programsLeave(context);
+      if (g_observed.load(std::memory_order_relaxed) != nullptr)
+        session->endObservation(context);
       session->frameEnded();
       session->serve(context);
       session->lendFrame(context);

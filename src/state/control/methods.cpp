@@ -32,6 +32,12 @@ constexpr Method kMethods[] = {
     {"texture.set", textureSet, true},
     {"texture.reset", textureReset, true},
     {"frame.want", frameWant},
+    {"frame.measure", frameMeasure},
+    {"pixel.pick", pixelPick},
+    {"pixel.hold", pixelHold},
+    {"pixel.draw", nothingHeld},
+    {"pixel.texture", nothingHeld},
+    {"pixel.release", nothingHeld},
     {"stats", stats},
 };
 
@@ -57,8 +63,13 @@ wire::Json helloAnswer(const std::string &program) {
                              {"methods", std::move(methods)}});
 }
 
-wire::Answer answerRequest(Session &session, Context &context, wire::ClientId client,
-                           const wire::Request &request) {
+bool isMethodOfHold(std::string_view name) {
+  const Method *const method = findMethod(name);
+  return method && method->answer == nothingHeld;
+}
+
+std::optional<wire::Answer> answerRequest(Session &session, Context &context, wire::ClientId client,
+                                          const wire::Request &request) {
   const Method *const method = findMethod(request.method);
   if (!method)
     return wire::Fault{wire::kNoMethod, "there is no such method", {}};
@@ -71,8 +82,11 @@ wire::Answer answerRequest(Session &session, Context &context, wire::ClientId cl
       if (std::optional<wire::Fault> fault = session.becomeWriter(client))
         return std::move(*fault);
     const HostErrorScope errors(*context.host, context.pendingError);
-    Call call = {session, context, client, wire::Params(request.params)};
-    return method->answer(call);
+    Call call = {session, context, request, client, wire::Params(request.params)};
+    wire::Answer answer = method->answer(call);
+    if (call.later)
+      return std::nullopt;
+    return answer;
   } catch (const std::exception &error) {
     passOn(error);
     return wire::Fault{wire::kTooBusy, "the process has no memory for it", {}};

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,10 @@ namespace arbiter::state::remote {
 struct Call {
   Session &session;
   Context &context;
+  const wire::Request &request;
   wire::ClientId client;
   wire::Params params;
+  bool later = false; ///< what is returned is no answer yet: Session::observe() sees to one
 };
 
 /// A method that the application's thread answers.
@@ -28,9 +31,19 @@ struct Method {
 [[nodiscard]] bool isMethod(std::string_view name);
 /// Of hello. Any thread.
 [[nodiscard]] wire::Json helloAnswer(const std::string &program);
-/// Raises no GL error. What finds no memory is a fault.
-[[nodiscard]] wire::Answer answerRequest(Session &session, Context &context, wire::ClientId client,
-                                         const wire::Request &request);
+/// Raises no GL error. What finds no memory is a fault. Nothing: it is answered later.
+[[nodiscard]] std::optional<wire::Answer> answerRequest(Session &session, Context &context,
+                                                        wire::ClientId client,
+                                                        const wire::Request &request);
+/// A request about the draw that is held.
+[[nodiscard]] bool isMethodOfHold(std::string_view name);
+/// Its answer. Within the hold, on its thread.
+[[nodiscard]] wire::Answer answerOfHold(DrawObserver &observer, const Redraw &redraw,
+                                        const wire::Request &request);
+/// What the client is told of the draw that is held for it from now on.
+[[nodiscard]] wire::Json heldJson(DrawObserver &observer, const ObservedDraw &draw);
+/// Of a frame that has ended.
+[[nodiscard]] wire::Answer observedAnswer(const DrawObserver &observer, std::uint64_t frame);
 
 // The methods, by file.
 [[nodiscard]] wire::Answer programList(Call &call);
@@ -46,6 +59,10 @@ struct Method {
 [[nodiscard]] wire::Answer textureSet(Call &call);
 [[nodiscard]] wire::Answer textureReset(Call &call);
 [[nodiscard]] wire::Answer frameWant(Call &call);
+[[nodiscard]] wire::Answer frameMeasure(Call &call);
+[[nodiscard]] wire::Answer pixelPick(Call &call);
+[[nodiscard]] wire::Answer pixelHold(Call &call);
+[[nodiscard]] wire::Answer nothingHeld(Call &call);
 [[nodiscard]] wire::Answer stats(Call &call);
 
 /// Puts back what can be put back now of the images that are to be, and forgets them. Images that

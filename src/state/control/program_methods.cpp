@@ -50,6 +50,7 @@ Json rowJson(Call &call, const KnownProgram &program,
   addCounts(row, compiled.counts, compiled.nativeCounts, compiled.underNativeLimits);
   const auto tally = tallies.find(program.id);
   row["draws"] = tally == tallies.end() ? 0 : tally->second.draws;
+  row["rasterizer_draws"] = tally == tallies.end() ? 0 : tally->second.rasterized;
   row["milliseconds"] = tally == tallies.end() ? 0.0 : double(tally->second.nanoseconds) * 1e-6;
   return row;
 }

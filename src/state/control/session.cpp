@@ -11,6 +11,7 @@
 #include "control/address.h"
 #include "state/control/methods.h"
 #include "state/core/context.h"
+#include "state/core/control_hooks.h"
 #include "state/programs/program_edits.h"
 #include "state/share/share_group.h"
 #include "util/log.h"
@@ -90,6 +91,7 @@ void Session::begin() {
 void Session::afterFork() {
   if (Session *const parents = s_instance.exchange(nullptr))
     parents->m_server->closeAfterFork();
+  g_observed = nullptr; // a frame that the parent looks at
   g_tried = false;
 }
 
@@ -129,6 +131,7 @@ void Session::disconnected(wire::ClientId client) {
     m_undo = true; // by a thread that draws
   }
   updateBusy();
+  m_arrived.notify_all();
 }
 
 wire::Json Session::ping() const {
@@ -174,6 +177,7 @@ void Session::received(wire::ClientId client, wire::Request request) {
     const std::lock_guard lock(m_mutex);
     if (m_waiting.size() < kMaxWaiting) {
       m_waiting.push_back({client, std::move(request), Clock::now()});
+      m_arrived.notify_all();
       return;
     }
   }
@@ -294,6 +298,18 @@ void Session::frameEnded() {
     m_times.frameEnded(nowNanoseconds());
 }
 
+/// All but what a thread that holds a draw waits for.
+std::deque<Session::Waiting> Session::takeWaiting() {
+  const std::lock_guard lock(m_mutex);
+  std::deque<Waiting> taken, left;
+  for (Waiting &each : m_waiting) {
+    const bool isOfHold = m_holder == each.client && isMethodOfHold(each.request.method);
+    (isOfHold ? left : taken).push_back(std::move(each));
+  }
+  m_waiting = std::move(left);
+  return taken;
+}
+
 void Session::serve(Context &context) {
   const std::unique_lock serving(m_serving, std::try_to_lock);
   if (!serving) // another thread is at it
@@ -301,80 +317,13 @@ void Session::serve(Context &context) {
   const NoCancel scope;
   join(context);
   undo(context);
-  std::deque<Waiting> waiting;
-  {
-    const std::lock_guard lock(m_mutex);
-    waiting.swap(m_waiting);
-  }
-  for (const Waiting &each : waiting) {
-    const wire::Answer answer = answerRequest(*this, context, each.client, each.request);
-    if (each.request.wantsAnswer)
-      m_server->send(each.client, wire::answerLine(each.request.id, answer));
+  for (const Waiting &each : takeWaiting()) {
+    const std::optional<wire::Answer> answer =
+        answerRequest(*this, context, each.client, each.request);
+    if (each.request.wantsAnswer && answer)
+      m_server->send(each.client, wire::answerLine(each.request.id, *answer));
   }
   tellLoaded();
-}
-
-// --- Frames ---
-
-void Session::wantFrames(wire::ClientId client, std::uint32_t every, int width, int height) {
-  const std::lock_guard lock(m_mutex);
-  const auto found = m_clients.find(client);
-  if (found == m_clients.end())
-    return;
-  found->second.every = every;
-  found->second.width = width;
-  found->second.height = height;
-  found->second.seen = 0;
-}
-
-void Session::lendFrame(Context &context) {
-  struct Wish {
-    wire::ClientId id;
-    int width, height;
-  };
-  std::vector<Wish> wishes;
-  {
-    const std::lock_guard lock(m_mutex);
-    for (auto &[id, client] : m_clients)
-      if (client.every != 0 && client.seen++ % client.every == 0 &&
-          !(client.ring && client.ring->isFull()))
-        wishes.push_back({id, client.width, client.height});
-  }
-  if (wishes.empty())
-    return;
-  const char *why = nullptr;
-  const Picture picture = readDrawable(context, why);
-  if (picture.bytes.empty())
-    return;
-  for (const Wish &wish : wishes)
-    lend(wish.id, reduced(picture, wish.width, wish.height), context);
-}
-
-void Session::lend(wire::ClientId id, const Picture &picture, const Context &context) {
-  const std::lock_guard lock(m_mutex);
-  const auto found = m_clients.find(id);
-  if (found == m_clients.end())
-    return;
-  Client &client = found->second;
-  const wire::FrameLayout *layout = client.ring ? &client.ring->layout() : nullptr;
-  if (!layout || layout->width != picture.width || layout->height != picture.height) {
-    client.ring = wire::FrameRing::make(picture.width, picture.height);
-    if (!client.ring)
-      return;
-    layout = &client.ring->layout();
-    ++client.serial;
-    m_server->send(id, wire::bufferLine(*layout, client.serial), client.ring->share());
-  }
-  const int slot = client.ring->take();
-  if (slot < 0)
-    return;
-  std::memcpy(client.ring->pixels(slot), picture.bytes.data(), picture.bytes.size());
-  m_server->send(id, wire::eventLine("frame", wire::Json::object({{"serial", client.serial},
-                                                                  {"slot", slot},
-                                                                  {"number", frames()},
-                                                                  {"width", picture.width},
-                                                                  {"height", picture.height},
-                                                                  {"context", context.serial}})));
 }
 
 } // namespace arbiter::state::remote

@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "control/frames.h"
 #include "control/server.h"
+#include "state/control/draw_observer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 
@@ -22,7 +24,6 @@ class ShareGroup;
 
 namespace remote {
 
-namespace wire = arbiter::control;
 using Clock = std::chrono::steady_clock;
 
 /// The process's side of control: the clients, what they wait for, and what they have changed. A
@@ -49,6 +50,9 @@ public:
   void serve(Context &context);
   /// Gives clients that want it the frame that is about to be shown.
   void lendFrame(Context &context);
+  /// The frame has ended that the context's observer looked at, if there is one: its client is
+  /// answered.
+  void endObservation(Context &context);
 
   // --- For the methods, within serve() ---
 
@@ -58,6 +62,9 @@ public:
   [[nodiscard]] std::int64_t &revisionOf(const std::string &id) { return m_revisions[id]; }
   [[nodiscard]] std::vector<std::shared_ptr<ShareGroup>> groups();
   void wantFrames(wire::ClientId client, std::uint32_t every, int width, int height);
+  /// The context's next frame is looked at; its request is answered at that frame's end, or, of a
+  /// Hold, at its draw. A fault where one is looked at already.
+  [[nodiscard]] std::optional<wire::Fault> observe(Context &context, Observation wish);
   [[nodiscard]] Tallies &tallies() { return m_tallies; }
   [[nodiscard]] const FrameTimes &frameTimes() const { return m_times; }
   [[nodiscard]] std::uint64_t frames() const { return m_frames.load(std::memory_order_relaxed); }
@@ -103,6 +110,9 @@ private:
   void join(Context &context);
   void undo(Context &context);
   void tellLoaded();
+  [[nodiscard]] std::deque<Waiting> takeWaiting();
+  void hold(DrawObserver &observer, const ObservedDraw &draw, const Redraw &redraw);
+  [[nodiscard]] std::optional<Waiting> nextOfHold(wire::ClientId client, Clock::time_point until);
   void lend(wire::ClientId id, const Picture &picture, const Context &context);
 
   static std::atomic<Session *> s_instance;
@@ -116,6 +126,10 @@ private:
   bool m_undo = false, m_hasStale = false;
   int m_nextBusy = 0; ///< ms at which the next `busy` is said
   std::vector<std::weak_ptr<ShareGroup>> m_groups;
+  std::unique_ptr<DrawObserver> m_observer; ///< of the context that is observed
+  Clock::time_point m_observedSince;
+  std::optional<wire::ClientId> m_holder; ///< whose draw is held: a thread waits for its requests
+  std::condition_variable m_arrived;      ///< a request, or the end of a client
 
   std::atomic<bool> m_busy{false};
   std::atomic<std::uint64_t> m_frames{0};

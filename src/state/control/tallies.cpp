@@ -12,7 +12,7 @@ void Tallies::begin(std::uint32_t context, Begun begun) {
 }
 
 /// Under the lock.
-void Tallies::add(const Begun &begun, std::uint64_t draws) {
+void Tallies::add(const Begun &begun, std::uint64_t draws, std::uint64_t rasterized) {
   const std::uint64_t count = draws - begun.drawsBefore;
   if (count == 0)
     return;
@@ -22,6 +22,7 @@ void Tallies::add(const Begun &begun, std::uint64_t draws) {
       continue;
     ProgramTally &tally = m_programs[program];
     tally.draws += count;
+    tally.rasterized += rasterized - begun.rasterizedBefore;
     tally.nanoseconds += time;
   }
 }

@@ -22,9 +22,14 @@ TEST(Tallies, CountDrawsOfEachProgram) {
   tallies.end(1, [](std::size_t) { return std::uint64_t(99); }); // it has ended
   tallies.begin(2, {{"", "b.fp"}, 5, 0, remote::nowNanoseconds()});
   tallies.end(2, [](std::size_t) { return std::uint64_t(6); });
+  tallies.begin(3, {{"", "c.fp"}, 20, 0, remote::nowNanoseconds(), 7});
+  tallies.end(
+      3, [](std::size_t) { return std::uint64_t(25); }, 9);
   const auto all = tallies.all();
-  ASSERT_EQ(all.size(), 2u);
+  ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all.at("a.vp").draws, 3u);
+  EXPECT_EQ(all.at("c.fp").draws, 5u);
+  EXPECT_EQ(all.at("c.fp").rasterized, 2u) << "the host drew three of the five";
   EXPECT_EQ(all.at("b.fp").draws, 4u);
   tallies.clear();
   EXPECT_TRUE(tallies.all().empty());

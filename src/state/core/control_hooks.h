@@ -20,6 +20,10 @@ struct ControlHooks {
 /// Null, for good, in a process that is not watched.
 inline constinit std::atomic<const ControlHooks *> g_controlHooks{nullptr};
 
+/// The context whose draws of this frame are looked at one by one, for which they are all the
+/// host's; null mostly.
+inline constinit std::atomic<const Context *> g_observed{nullptr};
+
 [[nodiscard]] inline const ControlHooks *controlHooks() {
   return g_controlHooks.load(std::memory_order_acquire);
 }

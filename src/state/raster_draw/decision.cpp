@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "state/core/context.h"
+#include "state/core/control_hooks.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/path_choice.h"
 #include "state/lists/list_compiler.h"
@@ -18,6 +19,8 @@ namespace {
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
   if (context.listMode != 0) [[unlikely]]
     return Fallback::List;
+  if (g_observed.load(std::memory_order_relaxed) == &context) [[unlikely]]
+    return Fallback::Query;
   if (!context.linkedProgram) {
     // Fixed function alone is the rasterizer's too, once a program has been drawn.
     if (context.path == Path::HostAssembly && !applicationShades(context))

@@ -55,6 +55,9 @@ int listTextures(Session &session, const Words &words);
 int getTexture(Session &session, const Words &words);
 int setTexture(Session &session, const Words &words);
 int takeFrame(Session &session, const Words &words);
+int pickDraws(Session &session, const Words &words);
+int tracePixel(Session &session, const Words &words);
+int measureFrame(Session &session, const Words &words);
 int showStats(Session &session, const Words &words);
 
 } // namespace arbiter::tools::ctl

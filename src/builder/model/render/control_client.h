@@ -1,23 +1,23 @@
 #pragma once
-#include <QByteArray>
 #include <QHash>
+#include <QImage>
 #include <QJsonObject>
-#include <QList>
 #include <QObject>
 #include <QSocketNotifier>
 #include <functional>
 #include <memory>
 
+namespace arbiter::control {
+class Client;
+}
+
 namespace arbiter::builder {
 
-/// A connected socket that speaks the protocol of docs/control.md: JSON-RPC 2.0, a message a line,
-/// descriptors beside them. A side that sends too long a line, or a descriptor that is not asked
-/// for, is hung up on.
+/// The client of docs/control.md (src/control) in Qt's event loop, with Qt's JSON. A side that
+/// sends what cannot be understood is hung up on.
 class ControlClient : public QObject {
   Q_OBJECT
 public:
-  static constexpr qsizetype kMaxLine = 4 << 20;
-
   /// \param descriptor owned from here on
   explicit ControlClient(int descriptor, QObject *parent = nullptr);
   ~ControlClient() override;
@@ -28,32 +28,27 @@ public:
   using Answer = std::function<void(const QJsonObject &result, const QJsonObject &error)>;
   void call(const QString &method, const QJsonObject &params, Answer answer = {});
   void notify(const QString &method, const QJsonObject &params);
-  [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
+  [[nodiscard]] bool isOpen() const { return m_client != nullptr; }
   void close();
 
-  /// Takes what has come, without waiting.
+  /// Takes what has come, without waiting. Pictures are told before events, and those before
+  /// answers.
   void read();
-
-  /// The descriptor that came with the last event, for the receiver to own; -1 without one.
-  [[nodiscard]] int takeDescriptor();
 
 Q_SIGNALS:
   void event(const QString &method, const QJsonObject &params);
+  /// A copy of the newest picture, the top row first; it has been released.
+  void frame(const QImage &image, const QJsonObject &params);
   void closed();
 
 private:
-  void receive(const QByteArray &line);
-  void send(QJsonObject message);
-  void flush();
-  void hangUp();
+  void takeFrame();
+  void watchWriting();
 
-  int m_descriptor;
+  std::unique_ptr<control::Client> m_client; ///< null: closed
   QSocketNotifier m_readable;
   QSocketNotifier m_writable;
-  QByteArray m_in, m_out;
-  QList<int> m_descriptors;
-  QHash<qint64, Answer> m_waiting;
-  qint64 m_nextId = 1;
+  QHash<quint64, Answer> m_waiting;
 };
 
 } // namespace arbiter::builder

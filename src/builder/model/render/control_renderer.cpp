@@ -105,6 +105,9 @@ void ControlRenderer::start(const RenderOptions &options, const QString &folder)
       finish(tr("%1 cannot be started").arg(m_program));
   });
   connect(m_client.get(), &ControlClient::event, this, &ControlRenderer::event);
+  connect(m_client.get(), &ControlClient::frame, this, &ControlRenderer::takeFrame);
+  // A renderer that breaks the protocol is none; one that has ended says so itself.
+  connect(m_client.get(), &ControlClient::closed, this, &ControlRenderer::kill);
   m_process->start(m_program, argumentsOf(options, folder));
   ::close(theirs);
   m_client->call(QStringLiteral("hello"), {{"client", "arbiter-builder"}},
@@ -171,20 +174,14 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
 }
 
 void ControlRenderer::event(const QString &method, const QJsonObject &params) {
-  if (method == u"frame.buffer") {
-    if (!m_buffer.map(m_client->takeDescriptor(), params))
-      kill(); // a renderer that breaks the protocol is none
-  } else if (method == u"frame") {
-    const auto image = m_buffer.picture(params);
-    m_client->notify(QStringLiteral("frame.release"),
-                     {{"serial", params[u"serial"]}, {"slot", params[u"slot"]}});
-    if (image)
-      Q_EMIT drew({*image, m_revisions.value(params[u"revision"].toInteger()),
-                   params[u"number"].toInteger(), params[u"time"].toDouble(),
-                   params[u"milliseconds"].toDouble()});
-  } else if (method == u"busy") {
+  if (method == u"busy")
     Q_EMIT busy(params[u"milliseconds"].toDouble());
-  }
+}
+
+void ControlRenderer::takeFrame(const QImage &image, const QJsonObject &params) {
+  Q_EMIT drew({image, m_revisions.value(params[u"revision"].toInteger()),
+               params[u"number"].toInteger(), params[u"time"].toDouble(),
+               params[u"milliseconds"].toDouble()});
 }
 
 bool ControlRenderer::setParameter(const LiveValue &live) {

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "builder/model/render/control_client.h"
-#include "builder/model/render/frame_buffer.h"
 #include "builder/model/render/renderer.h"
 
 namespace arbiter::builder {
@@ -31,12 +30,12 @@ public:
 private:
   void finish(const QString &why);
   void event(const QString &method, const QJsonObject &params);
+  void takeFrame(const QImage &image, const QJsonObject &params);
   void answer(const QJsonObject &result, const QJsonObject &error, const Scene &scene);
 
   QString m_program;
   QProcess *m_process = nullptr;
   std::unique_ptr<ControlClient> m_client;
-  FrameBuffer m_buffer;
   bool m_greeted = false;            ///< it has answered: it is a renderer
   qint64 m_sent = 0;                 ///< scenes; their numbers on the wire
   QHash<qint64, qint64> m_revisions; ///< the document's of those

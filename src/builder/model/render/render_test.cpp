@@ -1,8 +1,6 @@
 #include <QFile>
 #include <QPointer>
 #include <csignal>
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -10,7 +8,6 @@
 #include "builder/model/render/control_client.h"
 #include "builder/model/render/control_renderer.h"
 #include "builder/model/render/draw_renderer.h"
-#include "builder/model/render/frame_buffer.h"
 #include "builder/model/render/session.h"
 #include "builder/model/render/work_folder.h"
 #include "builder/testing/model_test.h"
@@ -193,36 +190,6 @@ TEST(Session, WhereThereIsNoRendererTheNextKindIsTaken) {
   EXPECT_TRUE(second);
 }
 
-TEST(FrameBuffer, RefusesMemoryThatIsNotWhatTheEventSays) {
-  const QJsonObject good{{"width", 4}, {"height", 2},      {"stride", 16},
-                         {"slots", 3}, {"slot_bytes", 32}, {"serial", 1}};
-  const auto memory = [](qint64 bytes, bool sealed) {
-    const int descriptor = ::memfd_create("test", MFD_CLOEXEC | MFD_ALLOW_SEALING);
-    EXPECT_EQ(::ftruncate(descriptor, bytes), 0);
-    if (sealed)
-      ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW);
-    return descriptor;
-  };
-  FrameBuffer buffer;
-  EXPECT_TRUE(buffer.map(memory(96, true), good));
-  EXPECT_TRUE(buffer.picture({{"serial", 1}, {"slot", 2}}));
-  EXPECT_FALSE(buffer.picture({{"serial", 2}, {"slot", 0}})) << "of another buffer";
-  for (const QJsonObject &frame :
-       {QJsonObject{{"serial", 1}, {"slot", 3}}, QJsonObject{{"serial", 1}, {"slot", -1}},
-        QJsonObject{{"serial", 1}, {"slot", 0}, {"width", 5}},
-        QJsonObject{{"serial", 1}, {"slot", 0}, {"height", 1e18}}, QJsonObject{}})
-    EXPECT_FALSE(buffer.picture(frame));
-  EXPECT_FALSE(buffer.map(memory(96, false), good)) << "it could shrink while it is read";
-  EXPECT_FALSE(buffer.map(memory(95, true), good));
-  EXPECT_FALSE(buffer.map(-1, good));
-  for (const char *key : {"width", "height", "stride", "slots", "slot_bytes"})
-    for (const double value : {-1.0, 0.0, 1e9, 9e18}) {
-      QJsonObject bad = good;
-      bad[QLatin1StringView(key)] = value;
-      EXPECT_FALSE(buffer.map(memory(96, true), bad)) << key << " " << value;
-    }
-}
-
 TEST(ControlClient, SurvivesWhateverTheOtherSideSends) {
   const auto feed = [](const QByteArray &bytes) {
     int pair[2];
@@ -248,7 +215,7 @@ TEST(ControlClient, SurvivesWhateverTheOtherSideSends) {
   feed("\n\n{}\n[]\n\"x\"\n{\"id\":1}\n{\"id\":99,\"result\":{}}\n{\"method\":5}\n");
   feed("\xff\xfe\0\n");
   feed(QByteArray(2000, '[') + '\n');
-  feed(QByteArray(ControlClient::kMaxLine + 100, 'x'));
+  feed(QByteArray((4 << 20) + 100, 'x'));
 }
 
 TEST(Compare, FindsTheWorstPixel) {

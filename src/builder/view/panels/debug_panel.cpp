@@ -61,7 +61,10 @@ DebugPanel::DebugPanel(Workbench &bench) : m_bench(bench) {
   connect(&trace, &Trace::moved, this, [this](int row) { showRow(row); });
   connect(m_rows, &QTableWidget::currentCellChanged, this,
           [this](int row) { m_bench.trace().moveTo(row); });
-  connect(m_rows, &QTableWidget::cellActivated, this, [this](int row) { m_bench.watchRow(row); });
+  connect(m_rows, &QTableWidget::cellActivated, this, [this](int row) {
+    if (!m_applicationPixel)
+      m_bench.watchRow(row);
+  });
   m_rows->setToolTip(tr("Return shows the register that a row wrote over the whole picture, as A"));
   connect(&bench, &Workbench::traceFailed, this,
           [this](const QString &why) { m_verdict->setText(why); });
@@ -75,7 +78,7 @@ void DebugPanel::fill() {
   if (!trace.secondNumerics().isEmpty())
     m_rows->horizontalHeaderItem(kSecond)->setText(trace.secondNumerics());
   QString head;
-  if (const auto pixel = m_bench.debuggedPixel())
+  if (const auto pixel = m_applicationPixel ? m_applicationPixel : m_bench.debuggedPixel())
     head = tr("Pixel %1, %2: ").arg(pixel->x()).arg(pixel->y());
   m_verdict->setText(head + (trace.isDiscarded() ? tr("discarded by KIL. ") : QString()) +
                      trace.verdict());

@@ -13,6 +13,13 @@ namespace arbiter::builder {
 class DebugPanel : public QWidget {
 public:
   explicit DebugPanel(Workbench &bench);
+  /// The trace is of this pixel of an application; nothing: of one of the document's.
+  void setApplicationPixel(std::optional<QPoint> pixel) {
+    if (m_applicationPixel == pixel)
+      return;
+    m_applicationPixel = pixel;
+    fill();
+  }
 
 private:
   void fill();
@@ -20,6 +27,7 @@ private:
   void fillRegisters();
 
   Workbench &m_bench;
+  std::optional<QPoint> m_applicationPixel;
   QLabel *m_verdict;
   Table *m_rows;
   Table *m_registers;

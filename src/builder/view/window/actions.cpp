@@ -11,7 +11,9 @@
 #include <QSettings>
 #include <QShortcut>
 
+#include "builder/model/attach/attachment.h"
 #include "builder/view/editor/code_editor.h"
+#include "builder/view/panels/attach_panel.h"
 #include "builder/view/panels/words_panel.h"
 #include "builder/view/picture/picture_panel.h"
 #include "builder/view/picture/picture_view.h"
@@ -90,6 +92,19 @@ void MainWindow::buildMenus() {
   add(compare, tr("&Pin the picture as A"), QKeySequence(tr("Ctrl+Shift+A")),
       [this] { m_bench.pin(); });
   add(compare, tr("&Unpin"), {}, [this] { m_bench.unpin(); });
+
+  QMenu *attach = menuBar()->addMenu(tr("&Attach"));
+  add(attach, tr("&To an application..."), QKeySequence(tr("Ctrl+Shift+T")), [this] {
+    showPanel(tr("Attach"));
+    m_attach->listProcesses();
+  });
+  add(attach, tr("&Attach or detach"), QKeySequence(tr("Ctrl+Shift+D")), [this] {
+    showPanel(tr("Attach"));
+    m_attach->attachOrDetach();
+  });
+  add(attach, tr("&Measure a frame"), {}, [this] { m_attachment->measure(); });
+  add(attach, tr("&Put the text back"), {}, [this] { m_attachment->putBack(); });
+  add(attach, tr("&Export replacements..."), {}, [this] { m_attach->askExport(); });
 
   buildPanelMenu(menuBar()->addMenu(tr("&View")));
   QMenu *help = menuBar()->addMenu(tr("&Help"));

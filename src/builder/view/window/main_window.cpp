@@ -10,7 +10,10 @@
 #include <QStatusBar>
 #include <utility>
 
+#include "builder/model/attach/attachment.h"
 #include "builder/view/editor/code_editor.h"
+#include "builder/view/panels/attach_panel.h"
+#include "builder/view/panels/attached_text.h"
 #include "builder/view/panels/compare_panel.h"
 #include "builder/view/panels/debug_panel.h"
 #include "builder/view/panels/gallery.h"
@@ -34,7 +37,9 @@ constexpr int kNoticeMilliseconds = 8000;
 
 } // namespace
 
-MainWindow::MainWindow(Places places) : m_bench(std::move(places)) {
+MainWindow::MainWindow(Places places)
+    : m_bench(std::move(places)),
+      m_attachment(std::make_unique<Attachment>(m_bench.places().arbiter)) {
   setObjectName(QStringLiteral("MainWindow"));
   setDockNestingEnabled(true);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -67,6 +72,7 @@ MainWindow::~MainWindow() {
   m_bench.document().disconnect(this);
   m_bench.file().disconnect(this);
   m_bench.trace().disconnect(this);
+  m_attachment->disconnect(this);
   qDeleteAll(std::exchange(m_docks, {}));
 }
 
@@ -114,10 +120,7 @@ void MainWindow::buildPanels() {
   addPanel(tr("Bench"), new BenchPanel(m_bench), Qt::BottomDockWidgetArea);
   addPanel(tr("Words"), m_words, Qt::BottomDockWidgetArea);
   addPanel(tr("Gallery"), m_gallery, Qt::BottomDockWidgetArea);
-  connect(&m_bench.trace(), &Trace::moved, this, [this](int row) {
-    const auto &rows = m_bench.trace().rows();
-    m_editor->setTracedLine(row >= 0 && row < rows.size() ? rows[row].line : 0);
-  });
+  buildAttachment();
   connect(&m_picture->view(), &PictureView::pixelPicked, this,
           [this] { dock(tr("Debug"))->raise(); });
   connect(m_editor, &CodeEditor::lineClicked, this,
@@ -136,6 +139,38 @@ QDockWidget *MainWindow::dock(const QString &name) const {
   return nullptr;
 }
 
+/// A pixel of an application is shown where one of the document's is, and marked in its own text.
+void MainWindow::buildAttachment() {
+  m_attach = new AttachPanel(*m_attachment);
+  addPanel(tr("Attach"), m_attach, Qt::RightDockWidgetArea);
+  Trace &trace = m_bench.trace();
+  connect(m_attachment.get(), &Attachment::traced, this, [this, &trace](const QJsonObject &json) {
+    m_takesTrace = true;
+    m_debug->setApplicationPixel(m_attachment->tracedPixel());
+    trace.take(json);
+    m_takesTrace = false;
+  });
+  connect(&trace, &Trace::changed, this, [this] {
+    m_tracesApplication = m_takesTrace;
+    if (!m_takesTrace)
+      m_debug->setApplicationPixel({});
+  });
+  connect(m_attachment.get(), &Attachment::attachedChanged, this, [this, &trace] {
+    if (m_tracesApplication)
+      trace.clear();
+  });
+  connect(&trace, &Trace::moved, this, [this, &trace](int row) {
+    const auto &rows = trace.rows();
+    const int line = row >= 0 && row < rows.size() ? rows[row].line : 0;
+    m_editor->setTracedLine(m_tracesApplication ? 0 : line);
+    m_attach->text().setTracedLine(m_tracesApplication ? line : 0);
+  });
+  connect(m_attachment.get(), &Attachment::troubled, this,
+          [this](const QString &why) { notice(why); });
+  connect(&m_attach->picture(), &PictureView::pixelPicked, this,
+          [this] { dock(tr("Debug"))->raise(); });
+}
+
 void MainWindow::arrange() {
   for (QDockWidget *each : m_docks) {
     each->setFloating(false);
@@ -151,6 +186,8 @@ void MainWindow::arrange() {
   for (QDockWidget *each : m_docks)
     if (each != problems && dockWidgetArea(each) == Qt::BottomDockWidgetArea)
       tabifyDockWidget(problems, each);
+  tabifyDockWidget(picture, dock(tr("Attach")));
+  picture->raise();
   parameters->raise();
   problems->raise();
   resizeDocks({program, picture}, {640, 640}, Qt::Horizontal);

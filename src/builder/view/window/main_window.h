@@ -8,6 +8,8 @@ class QLabel;
 
 namespace arbiter::builder {
 
+class AttachPanel;
+class Attachment;
 class CodeEditor;
 class DebugPanel;
 class Gallery;
@@ -26,6 +28,10 @@ public:
   [[nodiscard]] Workbench &bench() { return m_bench; }
   [[nodiscard]] CodeEditor &editor() { return *m_editor; }
   [[nodiscard]] PicturePanel &picture() { return *m_picture; }
+  [[nodiscard]] AttachPanel &attachPanel() { return *m_attach; }
+  [[nodiscard]] Attachment &attachment() { return *m_attachment; }
+  /// The trace of the workbench is of the application's program, not of the document.
+  [[nodiscard]] bool tracesApplication() const { return m_tracesApplication; }
 
   /// Opens a program, or the gallery of a folder. A complaint is shown.
   void openPath(const QString &path);
@@ -48,9 +54,10 @@ protected:
   bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-  static constexpr int kLayoutVersion = 2; ///< of the panels that there are
+  static constexpr int kLayoutVersion = 3; ///< of the panels that there are
 
   void buildPanels();
+  void buildAttachment();
   QDockWidget *addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area);
   void arrange();
   [[nodiscard]] QDockWidget *dock(const QString &name) const;
@@ -84,9 +91,12 @@ private:
   void buildStatus();
 
   Workbench m_bench;
+  std::unique_ptr<Attachment> m_attachment;
+  bool m_takesTrace = false, m_tracesApplication = false;
   CodeEditor *m_editor = nullptr;
   PicturePanel *m_picture = nullptr;
   ProblemsPanel *m_problems = nullptr;
+  AttachPanel *m_attach = nullptr;
   DebugPanel *m_debug = nullptr;
   WordsPanel *m_words = nullptr;
   Gallery *m_gallery = nullptr;

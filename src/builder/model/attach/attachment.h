@@ -1,0 +1,115 @@
+#pragma once
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "builder/model/attach/attached.h"
+#include "builder/model/language/problem.h"
+#include "builder/model/panels/tool_run.h"
+#include "builder/model/render/control_client.h"
+
+namespace arbiter::builder {
+
+/// A running application that is looked at and changed through its socket. Nothing of the
+/// application outlives detach(): it undoes all that was changed, as the end of this process does.
+class Attachment : public QObject {
+  Q_OBJECT
+public:
+  /// \param arbiter the command, for pixels (`arbiter ctl trace`)
+  explicit Attachment(const QString &arbiter, QObject *parent = nullptr);
+  ~Attachment() override;
+
+  /// A complaint is told by troubled().
+  void attach(const ListeningProcess &process);
+  void detach();
+  [[nodiscard]] bool isAttached() const { return m_client != nullptr; }
+  [[nodiscard]] const ListeningProcess &process() const { return m_process; }
+
+  /// Lists are read again while this is on: where they are seen.
+  void setWatched(bool watched);
+  void refresh();
+
+  [[nodiscard]] const QList<AttachedProgram> &programs() const { return m_programs; }
+  [[nodiscard]] const QList<AttachedParameter> &parameters() const { return m_parameters; }
+  [[nodiscard]] const QList<AttachedTexture> &textures() const { return m_textures; }
+  [[nodiscard]] const QImage &picture() const { return m_picture; }
+
+  // --- One program ---
+
+  /// Its text is told by textCame().
+  void select(const QString &id);
+  [[nodiscard]] const QString &selected() const { return m_selected; }
+  /// The application's own text of the selected program.
+  [[nodiscard]] const QString &ownText() const { return m_ownText; }
+  /// The application draws with the text from its next frame on, if it is right: judged() says. The
+  /// newest wins: one that waits when another comes is not sent.
+  void setText(const QString &text);
+  /// What the application said of the last text that it was sent.
+  [[nodiscard]] const QList<Problem> &problems() const { return m_problems; }
+  [[nodiscard]] bool isRight() const { return m_right; }
+  /// The application's own text again.
+  void putBack();
+  void setEnabled(bool enabled);
+  void setParameter(const QString &name, const std::array<double, 4> &value);
+  void letGo(const QString &name);
+
+  // --- The whole ---
+
+  /// Pixels and time of each program in the next frame.
+  void measure();
+  /// Every text as it is drawn with, for `arbiter run --replace FOLDER`; told by exported().
+  void exportTo(const QString &folder);
+  /// Traces a pixel of the frame, from the left and from the bottom.
+  void tracePixel(QPoint pixel);
+  /// Of the last trace.
+  [[nodiscard]] std::optional<QPoint> tracedPixel() const { return m_pixel; }
+
+Q_SIGNALS:
+  void attachedChanged();
+  void programsChanged();
+  void parametersChanged();
+  void texturesChanged();
+  void pictureChanged();
+  /// The selected program's text, as it is drawn with.
+  void textCame(const QString &text);
+  void judged();
+  void exported(const QString &folder, int programs);
+  /// A document of `arbiter ctl trace --json`.
+  void traced(const QJsonObject &json);
+  void busy(double milliseconds);
+  /// For a message to the user.
+  void troubled(const QString &why);
+
+private:
+  using Take = std::function<void(const QJsonObject &result)>;
+  void ask(const QString &method, const QJsonObject &params, Take take);
+  void takePrograms(const QJsonObject &answer);
+  void takeTextures(const QJsonObject &answer);
+  void takeVerdict(const QJsonObject &answer, const QString &text);
+  void sendText();
+  void exportNext(const QString &folder, QStringList left, int done);
+  void lost(const QString &why);
+
+  ToolRun m_tracer;
+  std::unique_ptr<ControlClient> m_client;
+  ListeningProcess m_process;
+  QTimer m_again;
+  QList<AttachedProgram> m_programs;
+  QList<AttachedParameter> m_parameters;
+  QList<AttachedTexture> m_textures;
+  QImage m_picture;
+  QString m_selected, m_ownText;
+  QList<Problem> m_problems;
+  bool m_right = true;
+  std::optional<QString> m_waiting; ///< a text that is sent when the one before is answered
+  bool m_sending = false;
+  qint64 m_revision = 0;
+  int m_round = 0;
+  std::optional<QPoint> m_pixel;
+  QHash<QString, MeasuredCost> m_measured;
+};
+
+} // namespace arbiter::builder

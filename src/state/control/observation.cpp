@@ -1,0 +1,102 @@
+// Frames that are looked at draw by draw, and a draw at which the application stops for a client.
+#include <algorithm>
+#include <utility>
+
+#include "state/control/methods.h"
+#include "state/control/session.h"
+#include "state/core/context.h"
+#include "util/thread.h"
+
+namespace arbiter::state::remote {
+
+namespace {
+
+/// For so long an application stops for a client that asks for nothing.
+constexpr std::chrono::seconds kPatience{2};
+/// A context that ends no frame for so long is not waited for.
+constexpr std::chrono::seconds kGivenUp{10};
+/// A context that ends none for so long, while another one does, may be gone: players make a new
+/// one where their film begins again.
+constexpr std::chrono::milliseconds kMoved{500};
+
+} // namespace
+
+std::optional<wire::Fault> Session::observe(Context &context, Observation wish) {
+  const std::lock_guard lock(m_mutex);
+  if (m_observer && (m_holder || Clock::now() - m_observedSince < kGivenUp))
+    return wire::Fault{wire::kTooBusy, "a frame is looked at for another request", {}};
+  (void)m_observer.release(); // its context may be gone, or may draw again: it stays for it
+  m_observedSince = Clock::now();
+  m_observer =
+      std::make_unique<DrawObserver>(context, std::move(wish),
+                                     [this](DrawObserver &frame, const ObservedDraw &draw,
+                                            const Redraw &redraw) { hold(frame, draw, redraw); });
+  return std::nullopt;
+}
+
+void Session::endObservation(Context &context) {
+  const NoCancel scope;
+  std::unique_ptr<DrawObserver> observer;
+  std::optional<Observation> moved;
+  {
+    const std::lock_guard lock(m_mutex);
+    if (!m_observer)
+      return;
+    if (&m_observer->context() == &context) {
+      observer = std::move(m_observer);
+    } else if (!m_holder && Clock::now() - m_observedSince > kMoved) {
+      moved = m_observer->wish();
+      (void)m_observer.release(); // its context may draw again: it stays for it
+    }
+  }
+  if (moved)
+    (void)observe(context, std::move(*moved));
+  if (!observer)
+    return;
+  const Observation &wish = observer->wish();
+  if (wish.wantsAnswer && !observer->wasHeld())
+    m_server->send(wish.client, wire::answerLine(wish.id, observedAnswer(*observer, frames())));
+}
+
+/// The client's next request about the draw; nothing where it is gone, or asks for none.
+std::optional<Session::Waiting> Session::nextOfHold(wire::ClientId client,
+                                                    Clock::time_point until) {
+  std::unique_lock lock(m_mutex);
+  const auto find = [&] {
+    return std::find_if(m_waiting.begin(), m_waiting.end(), [&](const Waiting &each) {
+      return each.client == client && isMethodOfHold(each.request.method);
+    });
+  };
+  const auto isGone = [&] { return m_clients.find(client) == m_clients.end(); };
+  m_arrived.wait_until(lock, until, [&] { return isGone() || find() != m_waiting.end(); });
+  const auto found = find();
+  if (isGone() || found == m_waiting.end())
+    return std::nullopt;
+  Waiting next = std::move(*found);
+  m_waiting.erase(found);
+  return next;
+}
+
+void Session::hold(DrawObserver &observer, const ObservedDraw &draw, const Redraw &redraw) {
+  const NoCancel scope;
+  const Observation &wish = observer.wish();
+  {
+    const std::lock_guard lock(m_mutex);
+    m_holder = wish.client;
+  }
+  m_server->send(wish.client, wire::answerLine(wish.id, heldJson(observer, draw)));
+  bool held = true;
+  while (held) {
+    const auto next = nextOfHold(wish.client, Clock::now() + kPatience);
+    if (!next)
+      break;
+    const wire::Answer answer = answerOfHold(observer, redraw, next->request);
+    if (next->request.wantsAnswer)
+      m_server->send(wish.client, wire::answerLine(next->request.id, answer));
+    held = next->request.method != "pixel.release";
+  }
+  const std::lock_guard lock(m_mutex);
+  m_holder.reset();
+}
+
+} // namespace arbiter::state::remote

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+
+#include "tools/ctl/connection.h"
+#include "tools/debug/pixel/drawer.h"
+
+namespace arbiter::tools::ctl {
+
+/// A draw of an application that stops before it for this client (pixel.hold), as the debugger
+/// wants one: other programs are drawn with in place of the draw's own. The application goes on
+/// when it is destroyed.
+class HeldDrawer : public debug::Drawer {
+public:
+  /// \param held the answer to pixel.hold
+  /// \param picture what the draw's own program made of the pixel
+  HeldDrawer(Connection &connection, const wire::Json &held, std::array<std::uint8_t, 4> picture);
+  ~HeldDrawer() override;
+  HeldDrawer(const HeldDrawer &) = delete;
+  HeldDrawer &operator=(const HeldDrawer &) = delete;
+
+  [[nodiscard]] std::string name() const override { return "host"; }
+  [[nodiscard]] std::array<int, 2> size() const override { return m_size; }
+  [[nodiscard]] Result<std::vector<Vec4>, debug::DebugError>
+  draw(const std::string &text, std::size_t targets, const debug::Region &region) override;
+  /// Of each pixel that one that it was made with.
+  [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, debug::DebugError>
+  picture(const debug::Region &region) override;
+  [[nodiscard]] Result<std::array<int, 3>, debug::DebugError>
+  textureSize(unsigned unit, fp::ir::TexTarget target) override;
+
+private:
+  Connection &m_connection;
+  std::array<int, 2> m_size = {};
+  std::array<std::uint8_t, 4> m_picture = {};
+};
+
+} // namespace arbiter::tools::ctl
