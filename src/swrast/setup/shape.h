@@ -18,11 +18,11 @@ struct Bounds {
   /// The pixel at which planes are exact: values round the same wherever the scissor cuts (rule 2
   /// of appendix A of OpenGL 2.1), so that a second pass finds the depths of the first.
   std::int32_t originX = 0, originY = 0;
-  /// \param left, bottom the region's, not clipped. Outside the image on its left planes begin at
-  /// its side.
-  void setOrigin(std::int32_t left, std::int32_t bottom) {
-    originX = std::max(left, 0);
-    originY = std::max(bottom, 0);
+  /// \param x, y the region's lower left pixel, not clipped; of what begins outside the image on
+  /// that side planes begin at its edge.
+  void setOrigin(std::int32_t x, std::int32_t y) {
+    originX = std::max(x, 0);
+    originY = std::max(y, 0);
   }
 };
 

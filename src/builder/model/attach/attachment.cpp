@@ -16,25 +16,6 @@ constexpr int kThumbnail = 96;       ///< pixels a side
 constexpr int kImagesEach = 6;       ///< of lists, one has new thumbnails
 constexpr qint64 kMostTextures = 64; ///< thumbnails
 
-Problem problemFrom(const QJsonObject &json, const QByteArray &bytes) {
-  Problem problem;
-  const QString severity = json[u"severity"].toString();
-  problem.severity = severity == u"error"     ? Severity::Error
-                     : severity == u"warning" ? Severity::Warning
-                                              : Severity::Note;
-  problem.code = json[u"id"].toString();
-  problem.message = json[u"message"].toString();
-  problem.hint = json[u"hint"].toString();
-  const auto offset = [&](QLatin1StringView key) {
-    return QString::fromUtf8(bytes.left(json[key].toInteger())).size();
-  };
-  problem.begin = offset(QLatin1StringView("begin"));
-  problem.end = std::max(problem.begin, offset(QLatin1StringView("end")));
-  problem.line = json[u"line"].toInt(1);
-  problem.column = json[u"column"].toInt(1);
-  return problem;
-}
-
 QString drawnText(const QJsonObject &program) {
   return program[u"edit"].isString() ? program[u"edit"].toString() : program[u"text"].toString();
 }
@@ -240,7 +221,7 @@ void Attachment::takeVerdict(const QJsonObject &answer, const QString &text) {
   const QByteArray bytes = text.toUtf8();
   m_problems.clear();
   for (const QJsonValue &each : answer[u"diagnostics"].toArray())
-    m_problems.append(problemFrom(each.toObject(), bytes));
+    m_problems.append(problemOfControl(each.toObject(), bytes));
   m_right = answer[u"ok"].toBool();
   Q_EMIT judged();
 }

@@ -42,6 +42,26 @@ QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text) {
   return all;
 }
 
+Problem problemOfControl(const QJsonValue &json, const QByteArray &bytes) {
+  Problem problem;
+  const QString severity = json[u"severity"].toString();
+  problem.severity = severity == u"error"     ? Severity::Error
+                     : severity == u"warning" ? Severity::Warning
+                                              : Severity::Note;
+  problem.code = json[u"id"].toString();
+  problem.message = json[u"message"].toString();
+  problem.hint = json[u"hint"].toString();
+  problem.file = json[u"file"].toString();
+  const auto offset = [&](QLatin1StringView key) {
+    return QString::fromUtf8(bytes.left(json[key].toInteger())).size();
+  };
+  problem.begin = offset(QLatin1StringView("begin"));
+  problem.end = std::max(problem.begin, offset(QLatin1StringView("end")));
+  problem.line = json[u"line"].toInt(1);
+  problem.column = json[u"column"].toInt(1);
+  return problem;
+}
+
 qsizetype nextProblem(const QList<Problem> &problems, qsizetype from, bool forward) {
   qsizetype best = -1, round = -1;
   const auto before = [&](qsizetype a, qsizetype b) {

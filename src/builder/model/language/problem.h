@@ -1,5 +1,7 @@
 #pragma once
+#include <QByteArray>
 #include <QJsonArray>
+#include <QJsonValue>
 #include <QList>
 #include <QString>
 
@@ -23,6 +25,10 @@ struct Problem {
 /// Diagnostic[] of the protocol, about \p text. Whatever its shape, nothing fails: what cannot be
 /// read has an empty range at the text's begin.
 [[nodiscard]] QList<Problem> problemsOf(const QJsonArray &diagnostics, const QString &text);
+
+/// A diagnostic of the control protocol (docs/control.md), whose places are bytes of `bytes`. As
+/// above, nothing fails.
+[[nodiscard]] Problem problemOfControl(const QJsonValue &json, const QByteArray &bytes);
 
 /// The problem to go to from a place: the next one behind it, or before it, and round at the ends.
 /// -1 where there is none.

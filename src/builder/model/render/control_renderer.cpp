@@ -36,27 +36,6 @@ QStringList argumentsOf(const RenderOptions &options, const QString &folder) {
   return words;
 }
 
-/// A diagnostic of the renderer's, whose places are bytes.
-Problem problemOf(const QJsonValue &json, const QByteArray &bytes) {
-  Problem problem;
-  const QString severity = json[u"severity"].toString();
-  problem.severity = severity == u"error"     ? Severity::Error
-                     : severity == u"warning" ? Severity::Warning
-                                              : Severity::Note;
-  problem.code = json[u"id"].toString();
-  problem.message = json[u"message"].toString();
-  problem.hint = json[u"hint"].toString();
-  problem.file = json[u"file"].toString();
-  const auto offset = [&](const char *key) {
-    return QString::fromUtf8(bytes.left(json[QLatin1StringView(key)].toInteger())).size();
-  };
-  problem.begin = offset("begin");
-  problem.end = std::max(problem.begin, offset("end"));
-  problem.line = json[u"line"].toInt(1);
-  problem.column = json[u"column"].toInt(1);
-  return problem;
-}
-
 } // namespace
 
 ControlRenderer::~ControlRenderer() {
@@ -162,7 +141,7 @@ void ControlRenderer::answer(const QJsonObject &result, const QJsonObject &error
   answer.milliseconds = result[u"milliseconds"].toDouble();
   const QByteArray bytes = scene.text.toUtf8();
   for (const QJsonValue &each : result[u"diagnostics"].toArray()) {
-    Problem problem = problemOf(each, bytes);
+    Problem problem = problemOfControl(each, bytes);
     if (problem.file == scene.name)
       problem.file.clear(); // the text itself
     answer.problems.append(problem);
@@ -204,12 +183,6 @@ void ControlRenderer::setPaused(bool paused) {
 void ControlRenderer::step(double seconds) {
   if (m_client)
     m_client->call(QStringLiteral("scene.step"), {{"seconds", seconds}});
-}
-
-void ControlRenderer::setCamera(double yaw, double pitch, double distance) {
-  if (m_client)
-    m_client->call(QStringLiteral("scene.camera"),
-                   {{"yaw", yaw}, {"pitch", pitch}, {"distance", distance}});
 }
 
 bool ControlRenderer::bench(int frames) {

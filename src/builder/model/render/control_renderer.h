@@ -20,7 +20,6 @@ public:
   bool setParameter(const LiveValue &value) override;
   void setPaused(bool paused) override;
   void step(double seconds) override;
-  void setCamera(double yaw, double pitch, double distance) override;
   bool bench(int frames) override;
   void kill() override;
   [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }

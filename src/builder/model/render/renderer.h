@@ -66,7 +66,6 @@ public:
   virtual bool setParameter(const LiveValue &) { return false; }
   virtual void setPaused(bool) {}
   virtual void step(double /*seconds*/) {}
-  virtual void setCamera(double /*yaw*/, double /*pitch*/, double /*distance*/) {}
   /// So many frames as fast as they go; answered by benched(), where that is offered.
   virtual bool bench(int /*frames*/) { return false; }
   /// Ends the process at once.

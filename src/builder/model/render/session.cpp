@@ -254,11 +254,6 @@ void RendererSession::step(double seconds) {
     m_renderer->step(seconds);
 }
 
-void RendererSession::setCamera(double yaw, double pitch, double distance) {
-  if (m_renderer)
-    m_renderer->setCamera(yaw, pitch, distance);
-}
-
 bool RendererSession::bench(int frames) { return m_renderer && m_renderer->bench(frames); }
 
 } // namespace arbiter::builder

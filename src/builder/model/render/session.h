@@ -35,7 +35,6 @@ public:
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return m_paused; }
   void step(double seconds);
-  void setCamera(double yaw, double pitch, double distance);
   bool bench(int frames);
 
   /// Ends what is under way: its text is held.
