@@ -30,8 +30,8 @@ GLint get(const host::HostTable &host, GLenum name) {
 /// A program stands in for the fragment program that draws use, while it lives.
 class ProgramSwap {
 public:
-  ProgramSwap(Context &context, std::shared_ptr<const CompiledProgram> compiled)
-      : m_context(context), m_compiled(std::move(compiled)) {
+  ProgramSwap(Context &context, const DrawProbe::Wish &wish)
+      : m_context(context), m_compiled(wish.program) {
     ProgramTarget &row = context.row(Target::Fragment);
     auto object = std::make_shared<ProgramObject>(0, Target::Fragment);
     object->compiled = m_compiled;
@@ -39,11 +39,14 @@ public:
     for (std::uint32_t i = 0; anyHeld() && i < object->locals.size(); ++i)
       if (const auto held = findHeld(context, row, false, i))
         object->locals[i].store(*held);
+    m_valid = wish.locals.size() <= object->locals.size();
+    for (std::size_t i = 0; m_valid && i < wish.locals.size(); ++i)
+      object->locals[i].store(wish.locals[i]);
     m_bound = std::exchange(row.bound, std::move(object));
     for (std::size_t i = 0; i < m_enabled.size(); ++i)
       m_enabled[i] = std::exchange(context.row(kFragments[i]).enabled, i == 0);
     invalidateProgram(context);
-    m_valid = validate(context) && context.linkedProgram;
+    m_valid = m_valid && validate(context) && context.linkedProgram;
   }
   ~ProgramSwap() {
     m_context.row(Target::Fragment).bound = std::move(m_bound);
@@ -221,7 +224,7 @@ Result<std::vector<Vec4>, std::string> DrawProbe::draw(const Redraw &redraw, con
   if (!scissor(r))
     return values;
   if (wish.program) {
-    const ProgramSwap swap(m_context, wish.program);
+    const ProgramSwap swap(m_context, wish);
     if (!swap.isValid())
       return std::string("the host refuses a program that shows values");
     redraw(m_host);

@@ -38,7 +38,8 @@ public:
     std::size_t targets = 1;
     Vec4 clear{};                                   ///< where nothing is drawn
     std::shared_ptr<const CompiledProgram> program; ///< null: the application's own
-    bool alphaTest = false; ///< as the application has it; else fragments pass
+    std::vector<Vec4> locals; ///< of `program`: its first local parameters, where not the draw's
+    bool alphaTest = false;   ///< as the application has it; else fragments pass
   };
 
   /// \param host the functions that draw (not those that are observed)

@@ -1,6 +1,8 @@
 // pixel.*: the draws that give a pixel its colour, and what one of them computes there.
 // frame.measure: pixels and time of each draw of a frame.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 #include "control/base64.h"
@@ -101,6 +103,24 @@ Json byProgram(const DrawObserver &observer) {
   return programs;
 }
 
+/// Four floats each, as base64. Refused: another length, and what is no number.
+std::vector<Vec4> localsOf(wire::Params &params) {
+  std::vector<Vec4> locals;
+  if (!params.has("locals"))
+    return locals;
+  const auto bytes = wire::fromBase64(params.text("locals"));
+  if (!bytes || bytes->size() % sizeof(Vec4) != 0) {
+    params.refuse("locals", "is base64 of four floats each");
+    return locals;
+  }
+  locals.resize(bytes->size() / sizeof(Vec4));
+  std::memcpy(static_cast<void *>(locals.data()), bytes->data(), bytes->size());
+  for (const Vec4 &value : locals)
+    if (!std::all_of(value.begin(), value.end(), [](float each) { return std::isfinite(each); }))
+      params.refuse("locals", "are finite numbers");
+  return locals;
+}
+
 wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params &params) {
   int width = 0, height = 0;
   (void)drawableSize(observer.context(), width, height);
@@ -111,6 +131,7 @@ wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params
   wish.region.y = int(params.integer("y", 0, std::max(height - 1, 0)));
   wish.region.width = int(params.integer("width", 1, kMostPixels, 1));
   wish.region.height = int(params.integer("height", 1, kMostPixels, 1));
+  wish.locals = localsOf(params);
   if (params.has("clear"))
     params.floats("clear", wish.clear.data(), 4);
   if (!params.ok())

@@ -45,15 +45,16 @@ HeldDrawer::HeldDrawer(Connection &connection, const Json &held,
 HeldDrawer::~HeldDrawer() { m_connection.client().notify("pixel.release"); }
 
 Result<std::vector<HeldDrawer::Vec4>, DebugError>
-HeldDrawer::draw(const std::string &text, std::size_t targets, const debug::Region &region) {
+HeldDrawer::draw(const std::string &text, std::size_t targets, const debug::Region &region,
+                 const std::vector<Vec4> &locals) {
   const Vec4 clear = debug::uncovered();
-  const auto answer = m_connection.ask("pixel.draw", {{"text", text},
-                                                      {"targets", targets},
-                                                      {"x", region.x},
-                                                      {"y", region.y},
-                                                      {"width", region.width},
-                                                      {"height", region.height},
-                                                      {"clear", clear}});
+  Json request = {{"text", text},  {"targets", targets},    {"x", region.x},
+                  {"y", region.y}, {"width", region.width}, {"height", region.height},
+                  {"clear", clear}};
+  if (!locals.empty())
+    request["locals"] = wire::toBase64(
+        {reinterpret_cast<const std::uint8_t *>(locals.data()), locals.size() * sizeof(Vec4)});
+  const auto answer = m_connection.ask("pixel.draw", std::move(request));
   if (!answer)
     return DebugError{answer.error().message};
   wire::Params params(answer.value());
@@ -84,6 +85,10 @@ Result<std::array<int, 3>, DebugError> HeldDrawer::textureSize(unsigned unit,
   for (std::size_t i = 0; i < size.size(); ++i)
     size[i] = (*found)[i].is_number_integer() ? (*found)[i].get<int>() : 0;
   return size;
+}
+
+Result<HeldDrawer::Vec4, DebugError> HeldDrawer::vertexState(const fp::ir::StateRef &) {
+  return DebugError{"the vertex stage of an application's draw is not traced"};
 }
 
 } // namespace arbiter::tools::ctl

@@ -21,12 +21,15 @@ public:
   [[nodiscard]] std::string name() const override { return "host"; }
   [[nodiscard]] std::array<int, 2> size() const override { return m_size; }
   [[nodiscard]] Result<std::vector<Vec4>, debug::DebugError>
-  draw(const std::string &text, std::size_t targets, const debug::Region &region) override;
+  draw(const std::string &text, std::size_t targets, const debug::Region &region,
+       const std::vector<Vec4> &locals = {}) override;
   /// Of each pixel that one that it was made with.
   [[nodiscard]] Result<std::vector<std::array<std::uint8_t, 4>>, debug::DebugError>
   picture(const debug::Region &region) override;
   [[nodiscard]] Result<std::array<int, 3>, debug::DebugError>
   textureSize(unsigned unit, fp::ir::TexTarget target) override;
+  /// Always an error: fragments alone are traced in an application.
+  [[nodiscard]] Result<Vec4, debug::DebugError> vertexState(const fp::ir::StateRef &state) override;
 
 private:
   Connection &m_connection;

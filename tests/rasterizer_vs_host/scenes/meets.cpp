@@ -2,8 +2,8 @@
 // triangles and matrices, drawn twice: once to fill the depths, and once more, white, where depths
 // are equal. The two passes transform in ways of their own (fixed function, a vertex program with
 // the invariant option, by DP4, by DPH, by MUL and MAD) and give their vertices in ways of their
-// own. Whether they meet is the host's to say: the records are the second pass's pixels.
-// run_meets.py compares.
+// own, and half of the second passes are under a scissor. Whether they meet is the host's to say:
+// the records are the second pass's pixels. run_meets.py compares.
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -88,6 +88,7 @@ public:
   void make(std::uint64_t seed) {
     m_random = Random(seed);
     m_random.bits();
+    m_boxes = Random(seed + 1000);
     m_mode = m_random.pick(kModes);
     m_corners.resize(std::size_t(m_random.between(20, 60)) * 9);
     for (float &value : m_corners)
@@ -114,9 +115,13 @@ public:
     pass(first);
     glDepthFunc(GL_EQUAL);
     glColor4f(1, 1, 1, 1);
+    const bool scissored = m_boxes.once(2);
+    if (scissored)
+      scissor();
     pass(second);
+    glDisable(GL_SCISSOR_TEST);
     record(name + (m_clipped ? "clipped, " : "") + first.name() + ", then " + second.name() +
-               takeErrors(),
+               (scissored ? " under a scissor" : "") + takeErrors(),
            readRgba(0, 0, kEdge, kEdge));
   }
 
@@ -128,6 +133,14 @@ private:
   static constexpr GLenum kModes[] = {GL_TRIANGLES,    GL_TRIANGLES, GL_TRIANGLE_STRIP,
                                       GL_TRIANGLE_FAN, GL_QUADS,     GL_LINES,
                                       GL_POINTS};
+
+  /// More than a quarter of the picture.
+  void scissor() {
+    const int left = m_boxes.between(0, kEdge / 2), bottom = m_boxes.between(0, kEdge / 2);
+    glScissor(left, bottom, m_boxes.between(kEdge / 2, kEdge - left),
+              m_boxes.between(kEdge / 2, kEdge - bottom));
+    glEnable(GL_SCISSOR_TEST);
+  }
 
   float unit() { return float(m_random.between(-4096, 4096)) / 4096; }
 
@@ -208,6 +221,7 @@ private:
   }
 
   Random m_random{0};
+  Random m_boxes = m_random; ///< of scissors: the rest of a scene is the same without them
   std::array<GLuint, kTransformCount> m_programs{};
   GLuint m_shading = 0, m_buffer = 0, m_list = 0;
   GLenum m_mode = GL_TRIANGLES;
