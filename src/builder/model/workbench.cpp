@@ -94,6 +94,7 @@ Workbench::Workbench(Places places, QObject *parent)
     m_frame = frame;
     m_frame.revision = m_revisionOf.value(frame.revision, -1);
     Q_EMIT pictureChanged();
+    followTime();
   });
   connect(&m_session, &RendererSession::busy, this, [this](double milliseconds) {
     m_busy = milliseconds;
@@ -106,9 +107,14 @@ Workbench::Workbench(Places places, QObject *parent)
   connect(&m_session, &RendererSession::restarted, this,
           [this](const QString &why) { Q_EMIT notice(tr("%1; it is started anew").arg(why)); });
   connect(&m_other, &RendererSession::drew, this, [this](const Frame &frame) {
+    m_otherIsAsked = false;
+    if (!m_otherOptions) // an earlier picture is A now
+      return;
     m_pinned = frame.image;
     Q_EMIT pinnedChanged();
+    followTime();
   });
+  connect(&m_other, &RendererSession::restarted, this, [this] { m_otherIsAsked = false; });
 }
 
 void Workbench::start() {

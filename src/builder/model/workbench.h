@@ -101,6 +101,7 @@ Q_SIGNALS:
 private:
   void edited();
   void draw();
+  void followTime();
   void sliderMoved(int line, int component, double value);
   void diagnosed(qint64 revision, const QList<Problem> &problems);
   void answered(const SceneAnswer &answer);
@@ -116,7 +117,9 @@ private:
   OpenFile m_file;
   LspClient m_lsp;
   RendererSession m_session;
-  RendererSession m_other;
+  RendererSession m_other;     ///< of A: paused, and taken to the time of each frame of B
+  bool m_otherIsAsked = false; ///< for a frame, which has not come
+  double m_otherTime = -1;     ///< of the frame that was asked for last, s
   Parameters m_parameters;
   Trace m_trace;
   ToolRun m_debugTool;

@@ -71,8 +71,21 @@ void Workbench::unpin() {
   Q_EMIT pinnedChanged();
 }
 
+/// Two renderers have two clocks: A is taken to B's time, a frame after the other.
+void Workbench::followTime() {
+  constexpr double kWithinAFrame = 1e-6; // against rounding down to the frame before
+  if (!m_otherOptions || m_otherIsAsked || m_frame.time == m_otherTime)
+    return;
+  m_otherTime = m_frame.time;
+  m_otherIsAsked = true;
+  m_other.setTime(m_frame.time + kWithinAFrame);
+}
+
 void Workbench::compareWith(const RenderOptions &options) {
   m_otherOptions = options;
+  m_other.setPaused(true);
+  m_otherIsAsked = false;
+  m_otherTime = -1;
   m_other.setOptions(options);
   QStringList parts;
   for (const QString &part : {options.profile, options.numerics, options.backend})

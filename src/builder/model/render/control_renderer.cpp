@@ -185,6 +185,11 @@ void ControlRenderer::step(double seconds) {
     m_client->call(QStringLiteral("scene.step"), {{"seconds", seconds}});
 }
 
+void ControlRenderer::setTime(double seconds) {
+  if (m_client)
+    m_client->call(QStringLiteral("scene.time"), {{"seconds", seconds}});
+}
+
 bool ControlRenderer::bench(int frames) {
   if (!m_client)
     return false;

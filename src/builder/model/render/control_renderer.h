@@ -20,6 +20,7 @@ public:
   bool setParameter(const LiveValue &value) override;
   void setPaused(bool paused) override;
   void step(double seconds) override;
+  void setTime(double seconds) override;
   bool bench(int frames) override;
   void kill() override;
   [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }

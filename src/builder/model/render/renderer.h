@@ -66,6 +66,8 @@ public:
   virtual bool setParameter(const LiveValue &) { return false; }
   virtual void setPaused(bool) {}
   virtual void step(double /*seconds*/) {}
+  /// Time of the animation from now on; paused, one frame is drawn.
+  virtual void setTime(double /*seconds*/) {}
   /// So many frames as fast as they go; answered by benched(), where that is offered.
   virtual bool bench(int /*frames*/) { return false; }
   /// Ends the process at once.

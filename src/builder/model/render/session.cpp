@@ -254,6 +254,11 @@ void RendererSession::step(double seconds) {
     m_renderer->step(seconds);
 }
 
+void RendererSession::setTime(double seconds) {
+  if (m_renderer)
+    m_renderer->setTime(seconds);
+}
+
 bool RendererSession::bench(int frames) { return m_renderer && m_renderer->bench(frames); }
 
 } // namespace arbiter::builder

@@ -35,6 +35,7 @@ public:
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return m_paused; }
   void step(double seconds);
+  void setTime(double seconds);
   bool bench(int frames);
 
   /// Ends what is under way: its text is held.

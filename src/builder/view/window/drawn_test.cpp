@@ -145,6 +145,30 @@ TEST_F(Window, ThePinnedPictureStaysWhileTheTextChanges) {
   })) << "A is drawn by another process, with each change";
 }
 
+/// Of an animation A is the frame that B is: with B's own settings there is no difference.
+TEST_F(Window, BothSidesOfAComparisonAreOfOneTime) {
+  open(QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 2s")));
+  RenderOptions host;
+  host.numerics = QStringLiteral("host");
+  bench().compareWith(host);
+  ASSERT_TRUE(waitFor([&] { return bench().isPinned() && bench().frame().time > 0.5; }));
+  runAction(*window, "Pause");
+  serve(300);
+  const auto red = [](const QImage &image) { return image.pixelColor(32, 32).red(); };
+  ASSERT_TRUE(waitFor([&] { return red(bench().pinned()) == middle().red(); }));
+  serve(300);
+  EXPECT_EQ(red(bench().pinned()), middle().red()) << "it stands still with B";
+  for (int i = 0; i < 3; ++i)
+    runAction(*window, "One frame");
+  ASSERT_TRUE(waitFor([&] { return red(bench().pinned()) == middle().red(); }));
+  bench().pin();
+  const QImage kept = bench().pinned();
+  EXPECT_EQ(red(kept), middle().red());
+  runAction(*window, "Pause");
+  serve(200);
+  EXPECT_EQ(bench().pinned(), kept) << "what drew A before draws it no more";
+}
+
 TEST_F(Window, TheBenchSaysHowLongAFrameTakes) {
   open(kText);
   window->showPanel(QStringLiteral("Bench"));

@@ -76,7 +76,7 @@ void ExportDialog::build() {
   form->addRow(tr("&First frame"), m_first);
   form->addRow(tr("F&rames"), m_frames);
   form->addRow(tr("or &seconds, at %1 frames/s").arg(m_rate), m_seconds);
-  form->addRow(tr("F&older"), where);
+  form->addRow(tr("Folder"), where);
   form->addRow(tr("&Name"), m_name);
   form->addRow(m_progress);
   form->addRow(m_state);
