@@ -30,7 +30,7 @@ Failure &failureOf(j_common_ptr info) { return *reinterpret_cast<Failure *>(info
   std::longjmp(failureOf(info).jump, 1);
 }
 
-/// Of warnings (level -1) those that leave the picture whole are none of ours.
+/// Of warnings (level -1) those that leave the picture whole do not matter.
 void warn(j_common_ptr info, int level) {
   const int code = info->err->msg_code;
   if (level < 0 && code != JWRN_EXTRANEOUS_DATA && code != JWRN_ADOBE_XFORM &&

@@ -20,8 +20,15 @@ constexpr GLuint kList = 0xFFFFFFFAu, kQuery = 0xFFFFFFFAu;
 /// Rows of one frame; those behind are counted alone.
 constexpr std::size_t kMostRows = 4096;
 
-/// Of the thread's current context, whose table was called.
-DrawObserver &observer() { return *static_cast<const ObservedTable *>(t_current->host)->observer; }
+/// Of the thread's current context, whose table was called; that is not its first one while it
+/// records a list or a primitive.
+void drawArrays(GLenum mode, GLint first, GLsizei count);
+DrawObserver &observer() {
+  const auto &context = static_cast<const Context &>(*t_current);
+  const bool isFirst = context.host->DrawArrays == drawArrays;
+  const HostTable *const table = isFirst ? context.host : context.trueHost;
+  return *static_cast<const ObservedTable *>(table)->observer;
+}
 
 // --- The functions that draw, in the order of what they take ---
 
@@ -142,15 +149,21 @@ constexpr Vec4 kUncovered = {-0x1.6a09e6p99f, 0x1.bb67aep98f, -0x1.3c6ef4p97f, 0
 
 DrawObserver::DrawObserver(Context &context, Observation wish, Held held)
     : m_context(context), m_wish(std::move(wish)), m_held(std::move(held)),
-      m_host(trueTable(*context.host)), m_table{m_host, this}, m_probe(context, m_host) {
+      m_host(trueTable(*context.host)), m_table(*new ObservedTable{m_host, this}),
+      m_probe(context, m_host) {
   setFunctions(m_table);
   context.host = &m_table;
   g_observed.store(&context, std::memory_order_relaxed);
 }
 
 DrawObserver::~DrawObserver() {
-  m_context.host = &m_host;
-  g_observed.store(nullptr, std::memory_order_relaxed);
+  const Context *own = &m_context;
+  g_observed.compare_exchange_strong(own, nullptr, std::memory_order_relaxed);
+  static_cast<HostTable &>(m_table) = m_host; // for what keeps it, as a list that is recorded
+  if (m_context.host == &m_table)
+    m_context.host = &m_host;
+  else if (m_context.trueHost != &m_table)
+    return; // another context lies where this one was
   const HostErrorScope errors(m_host, m_context.pendingError);
   if (m_madeList)
     m_host.DeleteLists(kList, 1);

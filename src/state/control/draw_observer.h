@@ -50,7 +50,8 @@ struct ObservedTable : host::HostTable {
 /// The context's thread alone uses it.
 class DrawObserver {
 public:
-  /// At a frame's end. `held` is called before the draw that a Hold is for.
+  /// At a frame's end, where the context defers nothing (Context::trueHost). `held` is called
+  /// before the draw that a Hold is for.
   using Held = std::function<void(DrawObserver &, const ObservedDraw &, const Redraw &)>;
   DrawObserver(Context &context, Observation wish, Held held);
   /// At the next: the context is as it was. It is current.
@@ -93,7 +94,8 @@ private:
   const Observation m_wish;
   const Held m_held;
   const host::HostTable &m_host; ///< the true one
-  ObservedTable m_table;
+  /// Never freed: what is made in the frame may keep it. From the frame's end it is as m_host.
+  ObservedTable &m_table;
   DrawProbe m_probe;
   std::vector<ObservedDraw> m_draws;
   std::int64_t m_count = 0, m_lists = 0;

@@ -22,6 +22,8 @@ constexpr std::chrono::milliseconds kMoved{500};
 } // namespace
 
 std::optional<wire::Fault> Session::observe(Context &context, Observation wish) {
+  if (context.trueHost && context.trueHost != context.host) // which stays set afterwards
+    return wire::Fault{wire::kTooBusy, "a list or a primitive is recorded at the frame's end", {}};
   const std::lock_guard lock(m_mutex);
   if (m_observer && (m_holder || Clock::now() - m_observedSince < kGivenUp))
     return wire::Fault{wire::kTooBusy, "a frame is looked at for another request", {}};
