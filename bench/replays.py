@@ -128,9 +128,11 @@ def steady(recording, trace, sides, folder, seconds, turns):
             short[which].append(replay(recording, trace, sides[which], folder, SETTLE))
             long[which].append(replay(recording, trace, sides[which], folder, SETTLE + loops[which]))
     found = []
-    for a, b, count in zip(short, long, loops):
+    for side, a, b, count in zip(sides, short, long, loops):
         wall = statistics.median(y.seconds - x.seconds for x, y in zip(a, b))
         processor = statistics.median(y.processor - x.processor for x, y in zip(a, b))
+        if wall <= 0 or processor <= 0:
+            raise PrepareError(f"{side.name}: {count} frames more took no longer: --seconds {seconds} is too little")
         found.append(Steady(1000 * wall / count, 1000 * processor / count, count, b[-1].stats))
     return found
 

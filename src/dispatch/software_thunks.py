@@ -95,6 +95,7 @@ def source(table):
 #include <cstring>
 #include <iterator>
 
+#include "dispatch/function_set.h"
 #include "host/lazy_functions.h"
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
@@ -144,8 +145,8 @@ void *findForSoftware(const char *name) {
 }
 
 bool isForSoftware(const void *function) {
-  return std::any_of(std::begin(kRows), std::end(kRows),
-                     [&](const Row &r) { return r.function == function; });
+  static const FunctionSet s_functions(kRows);
+  return s_functions.contains(function);
 }
 
 } // namespace arbiter::dispatch

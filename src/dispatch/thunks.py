@@ -129,6 +129,7 @@ def thunks(table, command, action, symbol):
 def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
+           '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/core/straight.h"\n#include "state/raster_draw/commands.h"\n'
@@ -174,9 +175,8 @@ EntryPoint find(const char *name) {
 }
 
 bool isOurs(const void *function) {
-  return function && (isForSoftware(function) ||
-                      std::any_of(std::begin(kRows), std::end(kRows),
-                                  [&](const Row &r) { return r.function == function; }));
+  static const FunctionSet s_functions(kRows);
+  return function && (isForSoftware(function) || s_functions.contains(function));
 }
 
 } // namespace arbiter::dispatch

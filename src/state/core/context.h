@@ -50,6 +50,8 @@ inline constexpr std::uint32_t kShared = 64;    ///< stays: another context may 
 inline constexpr std::uint32_t kList = 128;     ///< stays: a display list is being compiled
 inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may draw
 inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
+/// Stays until validate(): the host has not been given what is effective.
+inline constexpr std::uint32_t kHostPart = 1024;
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
@@ -122,9 +124,10 @@ public:
   // --- The path that draws take ---
   Path path = Path::NoProgram;
   LinkedProgram *linkedProgram = nullptr; ///< current, or null
-  std::uint64_t selections = 0;           ///< counts the choices of what is effective
-  bool rasterizes = true;                 ///< the render mode is RENDER
-  bool vertexResultsMatter = false;       ///< all of them, while RasterPos is validated
+  bool hostPartWaits = false;   ///< `linkedProgram` is the rasterizer's alone yet (path_choice.h)
+  std::uint64_t selections = 0; ///< counts the choices of what is effective
+  bool rasterizes = true;       ///< the render mode is RENDER
+  bool vertexResultsMatter = false; ///< all of them, while RasterPos is validated
   // Null in the null context alone, as `list` is.
   std::unique_ptr<LinkedProgramCache> linkedPrograms;
   std::unique_ptr<SamplerOverride> samplerOverride;

@@ -65,6 +65,8 @@ std::uint32_t stickyAttention(const Context &context) {
   std::uint32_t bits = 0;
   if (isDropped(context.path))
     bits |= attention::kInvalid;
+  if (context.hostPartWaits)
+    bits |= attention::kHostPart;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -92,11 +94,12 @@ void releaseHostProgram(Context &context) {
   context.hostProgramIsOurs = false;
 }
 
-/// Brings what is effective into the host.
-void install(Context &context) {
-  ++context.selections;
-  setPath(context, choosePath(context));
+/// Chooses what is effective, and brings it into the host.
+void install(Context &context, HostPart part) {
+  setPath(context, choosePath(context, part));
   context.attention |= attention::kParameters;
+  if (context.hostPartWaits)
+    return;
   if (context.path == Path::HostAssembly && !context.linkedProgram) {
     if (context.samplerOverride->active())
       context.samplerOverride->release(context);
@@ -116,12 +119,23 @@ void install(Context &context) {
   context.hostProgramIsOurs = true;
 }
 
-void select(Context &context) {
+/// What the host has not been given yet.
+void installHostPart(Context &context) {
+  const LinkedProgram *const before = context.linkedProgram;
+  context.attention |=
+      attention::kProgram; // until it is done: without memory the next draw chooses
+  install(context, HostPart::Now);
+  if (context.linkedProgram != before)
+    ++context.selections;
+}
+
+void select(Context &context, HostPart part) {
   captureLeave(context);
   const ControlHooks *const hooks = controlHooks();
   if (hooks) [[unlikely]]
     hooks->programsLeave(context);
-  install(context);
+  ++context.selections;
+  install(context, part);
   captureEnter(context);
   if (hooks) [[unlikely]]
     hooks->programsEnter(context);
@@ -135,7 +149,7 @@ bool changedElsewhere(const Context &context) {
 }
 
 /// What is effective, as far as that may have changed.
-void refreshEffective(Context &context) {
+void refreshEffective(Context &context, HostPart part) {
   if (context.group->hasGarbage())
     collectGarbage(context);
   if ((context.attention & attention::kShared) != 0 && changedElsewhere(context))
@@ -146,7 +160,9 @@ void refreshEffective(Context &context) {
   if ((context.attention & (attention::kProgram | attention::kWatch)) != 0)
     refreshReplacements(context);
   if ((context.attention & attention::kProgram) != 0)
-    select(context);
+    select(context, part);
+  else if (context.hostPartWaits && part == HostPart::Now)
+    installHostPart(context);
 }
 
 } // namespace
@@ -160,14 +176,15 @@ bool validatePrograms(Context &context) {
     return validate(context);
   if (known) [[likely]]
     return !isDropped(context.path);
-  refreshEffective(context);
+  // A client of the control interface is told how the programs draw.
+  refreshEffective(context, controlHooks() ? HostPart::Now : HostPart::WhenItDraws);
   context.attention =
       stickyAttention(context) | (context.attention & (attention::kList | attention::kParameters));
   return !isDropped(context.path);
 }
 
 bool validate(Context &context) {
-  refreshEffective(context);
+  refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {
     LinkedProgram &linkedProgram = *context.linkedProgram;
@@ -225,8 +242,8 @@ void afterHostList(Context &context) {
     return;
   GLint current = 0;
   context.host->GetIntegerv(GL_CURRENT_PROGRAM, &current);
-  if (context.hostProgramIsOurs && context.linkedProgram &&
-      GLuint(current) == context.linkedProgram->hostProgram)
+  // An earlier one of the layer's is, where the host waits for what is effective now.
+  if (context.hostProgramIsOurs && context.group->ownsHostProgram(GLuint(current)))
     return;
   context.hostProgramIsOurs = false;
   context.applicationProgram = GLuint(current);

@@ -149,8 +149,6 @@ bool LinkedProgramCache::buildOnAssembly(Context &context, const ProgramPair &pa
 
 void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
                                LinkedProgram &linkedProgram) {
-  linkedProgram.vertex.compiled = pair.vertex.get();
-  linkedProgram.fragment.compiled = pair.fragment.get();
   const HostErrorScope scope(*context.host, context.pendingError);
   if (pair.vertex && drawsVerticesByAssembly(context) &&
       buildOnAssembly(context, pair, linkedProgram))
@@ -186,23 +184,35 @@ void LinkedProgramCache::build(Context &context, const ProgramPair &pair,
   }
 }
 
-LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
+LinkedProgram *LinkedProgramCache::place(Context &context, const ProgramPair &pair) {
   const Key key = {pair.vertex.get(), pair.fragment.get()};
   const auto it = m_linkedPrograms.find(key);
   if (it != m_linkedPrograms.end())
     return it->second.get();
   if (m_objects.size() >= m_sweepAt)
     sweep(context);
-  std::unique_ptr<LinkedProgram> &made =
-      m_linkedPrograms[key]; // its place first: a program is costlier
+  for (const auto &compiled : {pair.vertex, pair.fragment})
+    if (compiled)
+      (void)objectsOf(compiled); // which keeps it
+  auto made = std::make_unique<LinkedProgram>();
+  made->vertex.compiled = pair.vertex.get();
+  made->fragment.compiled = pair.fragment.get();
+  return m_linkedPrograms.emplace(key, std::move(made)).first->second.get();
+}
+
+LinkedProgram *LinkedProgramCache::get(Context &context, const ProgramPair &pair) {
+  LinkedProgram *const linkedProgram = place(context, pair);
+  if (linkedProgram->built)
+    return linkedProgram;
   try {
-    made = std::make_unique<LinkedProgram>();
-    build(context, pair, *made);
-  } catch (...) {
-    m_linkedPrograms.erase(key);
+    build(context, pair, *linkedProgram);
+  } catch (...) { // no memory: it stays as it was placed
+    *linkedProgram = {.vertex = {.compiled = pair.vertex.get()},
+                      .fragment = {.compiled = pair.fragment.get()}};
     throw;
   }
-  return made.get();
+  linkedProgram->built = true;
+  return linkedProgram;
 }
 
 void LinkedProgramCache::deleteObjects(Context &context, const HostObjects &objects) {

@@ -43,6 +43,7 @@ struct AssemblyProgram {
 /// equality meet only where they do without the layer, and no GLSL computes a position as each
 /// host's own path does. Its fragment program is then linked alone, once for all of its pairs.
 struct LinkedProgram {
+  bool built = false;     ///< false: its programs are known, and the host has none of it
   bool refused = false;   ///< by the host
   GLuint hostProgram = 0; ///< of GLSL; 0: neither stage is GLSL, or the host refused it
   LinkedProgramStage vertex;
@@ -67,6 +68,8 @@ public:
   /// call, in which case the host links, and compiles what it has not compiled yet. Raises no
   /// error.
   [[nodiscard]] LinkedProgram *get(Context &context, const ProgramPair &pair);
+  /// The same, which the host is not asked for: it may not be built yet.
+  [[nodiscard]] LinkedProgram *place(Context &context, const ProgramPair &pair);
   /// The program as the host's own ARB path has it, from the text of what our compiler checked,
   /// within our limits; loaded at the first call. Each in an object of its own, for a host may not
   /// survive one that is specified again and again. Null if the host refuses it. Raises no error.

@@ -11,6 +11,7 @@
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/programs/program_edits.h"
+#include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -88,6 +89,15 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
   return context.linkedPrograms->get(context, pair);
 }
 
+/// The rasterizer may draw with the pair as it is. Where the host draws for now each draw would
+/// choose twice.
+bool mayWait(Context &context, const ProgramPair &pair) {
+  if (pair.fragment)
+    software::engage(context);
+  return context.softwarePossible && context.software->backOff.engaged() &&
+         (!pair.vertex || drawsVerticesByAssembly(context));
+}
+
 LinkedProgram *link(Context &context, const ProgramPair &pair) {
   if (pair.vertex && !drawsVerticesByAssembly(context))
     return linkGlsl(context, pair);
@@ -103,8 +113,9 @@ bool applicationShades(Context &context) {
   return applicationProgram(context) != 0 || applicationPipeline(context) != 0;
 }
 
-Path choosePath(Context &context) {
+Path choosePath(Context &context, HostPart part) {
   context.linkedProgram = nullptr;
+  context.hostPartWaits = false;
   context.stagesAreLinked = false;
   context.atiShaderEffective = false;
   for (ProgramTarget &row : context.targets)
@@ -143,6 +154,11 @@ Path choosePath(Context &context) {
                                                       : Path::ApplicationStageGlsl;
   if (isTooLongForGlsl(context, pair) && context.hostAssembly->apply(context, pair))
     return Path::HostAssembly;
+  if (part == HostPart::WhenItDraws && mayWait(context, pair)) {
+    context.linkedProgram = context.linkedPrograms->place(context, pair);
+    context.hostPartWaits = true;
+    return Path::HostGlsl;
+  }
   LinkedProgram *const linkedProgram = link(context, pair);
   if (linkedProgram->refused)
     return Path::HostRefused;
