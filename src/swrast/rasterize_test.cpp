@@ -2,28 +2,20 @@
 #include "swrast/setup/rectangle.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 #include <vector>
 
-#include "swrast/setup/assembly.h"
 #include "swrast/testing/canvas.h"
-#include "swrast/threads.h"
 
 namespace arbiter::swrast {
 namespace {
 
+using testing::addInput;
 using testing::Canvas;
 using testing::drawAll;
 using testing::WindowVertices;
-
-void addInput(Canvas &canvas, abi::Interpolation interpolation) {
-  canvas.shading.inputCount = 1;
-  canvas.shading.interpolation[0] = interpolation;
-  canvas.shading.inputComponents[0] = 1;
-}
 
 TEST(Rasterize, AScreenQuadMapsTexelsToPixelsExactly) {
   for (const int size : {1, 2, 255, 1000, 1023, 1024, 4095, 4096}) {
@@ -120,57 +112,6 @@ TEST(Rasterize, InputsAreThePlanesValues) {
 
 /// The first vertex provokes, of quads only where the convention holds for quads too
 /// (QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION). All of the paths that a quad may take agree.
-/// A draw of so many triangles, or of one rectangle, to all of the canvas or to a part.
-void drawValues(Canvas &canvas, std::uint32_t seed, int triangles, const Rect &scissor) {
-  addInput(canvas, abi::Interpolation::Linear);
-  canvas.state.clip = scissor;
-  std::mt19937 random(seed);
-  // Beyond the canvas too, and some of them small.
-  std::uniform_real_distribution<double> at(-120, 360), beside(-9, 9), value(-3, 3);
-  WindowVertices vertices(canvas);
-  if (triangles == 0) {
-    const double left = at(random), bottom = at(random), right = at(random), top = at(random);
-    for (const auto &[x, y] : {std::pair{left, bottom}, {right, bottom}, {right, top}, {left, top}})
-      vertices.add(x, y, float(x * 0.37 + y * 0.11));
-    drawAll(canvas, Topology::Quads, vertices);
-    return;
-  }
-  for (int i = 0; i < triangles; ++i) {
-    const double x = at(random), y = at(random);
-    const bool small = i % 2 == 1;
-    for (int k = 0; k < 3; ++k)
-      vertices.add(small ? x + beside(random) : at(random), small ? y + beside(random) : at(random),
-                   float(value(random)));
-  }
-  drawAll(canvas, Topology::Triangles, vertices);
-}
-
-/// OpenGL 2.1, appendix A, rule 2: a change of the scissor box has no side effects. Applications
-/// draw the depths of a scene first, and then each light's part of it with GL_EQUAL.
-TEST(Rasterize, AScissorChangesNoValueOfWhatItLeaves) {
-  for (const int lanes : {0, 4, 8, 16})
-    for (const int triangles : {0, 1, 3, 40})
-      for (std::uint32_t seed = 0; seed < 12; ++seed) {
-        const auto make = [&](const Rect &scissor) {
-          auto canvas = std::make_unique<Canvas>(240, 240);
-          if (lanes != 0)
-            canvas->useQuads(lanes);
-          drawValues(*canvas, seed, triangles, scissor);
-          return canvas;
-        };
-        const auto whole = make({0, 0, 240, 240});
-        for (const Rect &part : {Rect{7, 3, 2, 2}, Rect{65, 130, 100, 70}, Rect{0, 201, 240, 1}}) {
-          const auto cut = make(part);
-          for (int y = part.y; y < part.y + part.height; ++y)
-            for (int x = part.x; x < part.x + part.width; ++x) {
-              ASSERT_EQ(cut->at(x, y), whole->at(x, y)) << x << ' ' << y;
-              ASSERT_EQ(cut->valueAt(x, y), whole->valueAt(x, y))
-                  << x << ' ' << y << " of " << triangles << ", seed " << seed;
-            }
-        }
-      }
-}
-
 TEST(Rasterize, FlatInputsAreTheProvokingVertexs) {
   struct Case {
     Topology topology;
@@ -216,47 +157,6 @@ TEST(Rasterize, BackFacesTakeTheirOwnInputs) {
     rasterize(canvas.state, canvas.shading, Topology::Triangles, arrays, nullptr, 0, 3);
     EXPECT_EQ(canvas.valueAt(2, 2), clockwise ? 7 : 1);
   }
-}
-
-/// A draw of everything at once, on so many threads.
-void drawMixture(Canvas &canvas) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> at(-40, 340), small(-6, 6);
-  WindowVertices vertices(canvas);
-  for (int i = 0; i < 600; ++i) {
-    const double x = at(random), y = at(random);
-    for (int k = 0; k < 3; ++k) {
-      if (i % 50 == 0)
-        vertices.add(at(random), at(random), float(i + k));
-      else
-        vertices.add(x + small(random), y + small(random), float(i + k));
-    }
-  }
-  for (const Topology topology :
-       {Topology::Triangles, Topology::Lines, Topology::Points, Topology::TriangleFan})
-    drawAll(canvas, topology, vertices);
-}
-
-TEST(Rasterize, ThreadsDrawTheSamePicture) {
-  for (const bool quads : {false, true}) {
-    std::vector<std::uint32_t> counts;
-    std::vector<float> values;
-    for (const int threads : {1, 2, 4}) {
-      setThreadCount(threads);
-      Canvas canvas(300, 300);
-      addInput(canvas, abi::Interpolation::Linear);
-      if (quads)
-        canvas.useQuads(16);
-      drawMixture(canvas);
-      if (counts.empty()) {
-        counts = canvas.counts;
-        values = canvas.values; // of the last triangle on each pixel: the order is kept
-      }
-      EXPECT_EQ(counts, canvas.counts) << threads << " threads";
-      EXPECT_EQ(values, canvas.values) << threads << " threads";
-    }
-  }
-  setThreadCount(0);
 }
 
 TEST(Rasterize, WhatAnOpaqueTriangleHidesIsNotDrawn) {
@@ -368,101 +268,6 @@ TEST(Rasterize, IndicesBeyondTheVerticesAreNotDrawn) {
   EXPECT_EQ(statistics.primitives, 2u);
   for (const std::uint32_t count : canvas.counts)
     ASSERT_EQ(count, 1u);
-}
-
-/// Vertices that are made as the draw comes to them: arrays of nothing until then.
-struct MadeVertices {
-  explicit MadeVertices(const Vertices &whole) : from(whole), vertices(whole) {
-    for (int c = 0; c < 4; ++c) {
-      position[c].assign(whole.count, std::nanf(""));
-      vertices.position[c] = position[c].data();
-    }
-    input.assign(whole.count, std::nanf(""));
-    vertices.inputs[0][0] = input.data();
-    vertices.maker = this;
-    vertices.make = [](const void *maker, std::uint32_t begin, std::uint32_t end) {
-      static_cast<MadeVertices *>(const_cast<void *>(maker))->make(begin, end);
-    };
-  }
-  MadeVertices(const MadeVertices &) = delete;
-  MadeVertices &operator=(const MadeVertices &) = delete;
-
-  void make(std::uint32_t begin, std::uint32_t end) {
-    made += end - begin;
-    for (int c = 0; c < 4; ++c)
-      std::copy(from.position[c] + begin, from.position[c] + end, &position[c][begin]);
-    std::copy(from.inputs[0][0] + begin, from.inputs[0][0] + end, &input[begin]);
-  }
-  Vertices from, vertices;
-  std::vector<float> position[4], input;
-  std::atomic<std::uint32_t> made{0};
-};
-
-TEST(Rasterize, VerticesMayBeMadeAsTheDrawComesToThem) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> at(-20, 120), near(-3, 3), value(-3, 3);
-  for (const Topology topology :
-       {Topology::Points, Topology::Lines, Topology::LineStrip, Topology::Triangles,
-        Topology::TriangleStrip, Topology::Quads, Topology::QuadStrip, Topology::TriangleFan}) {
-    const std::uint32_t count = 5 * Vertices::kStretch + 7;
-    Canvas canvas(100, 100), other(100, 100);
-    WindowVertices whole(canvas);
-    double x = 50, y = 50;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (i % 12 == 0)
-        x = at(random), y = at(random);
-      whole.add(x + near(random), y + near(random), value(random));
-    }
-    for (Canvas *const each : {&canvas, &other}) {
-      addInput(*each, abi::Interpolation::Linear);
-      each->useQuads(16);
-      each->state.cullBack = true;
-    }
-    MadeVertices made(whole.get());
-    (void)rasterize(canvas.state, canvas.shading, topology, whole.get(), nullptr, 0, count);
-    (void)rasterize(other.state, other.shading, topology, made.vertices, nullptr, 0, count);
-    EXPECT_EQ(made.made.load(), count);
-    EXPECT_EQ(canvas.counts, other.counts);
-    EXPECT_EQ(canvas.values, other.values);
-  }
-}
-
-/// Of triangles of all sizes, most of them without a pixel's centre: those that are sorted into
-/// tiles are the same that are drawn one by one.
-TEST(Rasterize, ManyTrianglesAreThoseOfEach) {
-  std::mt19937 random(12);
-  std::uniform_real_distribution<double> at(-10, 74);
-  constexpr double kSizes[] = {0.0, 0.05, 0.4, 1.5, 30};
-  for (const Topology topology : {Topology::Triangles, Topology::TriangleStrip, Topology::Quads,
-                                  Topology::QuadStrip, Topology::TriangleFan, Topology::Polygon}) {
-    Canvas many(64, 64), each(64, 64);
-    WindowVertices vertices(many);
-    constexpr std::uint32_t kCount = 600;
-    double x = 0, y = 0;
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-      const double size = kSizes[i / 12 % 5];
-      if (i % 12 == 0)
-        x = at(random), y = at(random);
-      std::uniform_real_distribution<double> near(-size, size);
-      // Corners between pixels and at their centres.
-      const double dx = near(random), dy = near(random);
-      vertices.add(i % 7 == 0 ? std::floor(x) + 0.5 : x + dx, y + dy, 0);
-    }
-    for (Canvas *const canvas : {&many, &each}) {
-      canvas->useQuads(16);
-      canvas->state.cullFront = true;
-    }
-    const Vertices whole = vertices.get();
-    (void)rasterize(many.state, many.shading, topology, whole, nullptr, 0, kCount);
-    const std::uint32_t triangles = triangleCount(topology, kCount);
-    ASSERT_GT(triangles, 32u) << "few are not sorted";
-    for (std::uint32_t i = 0; i < triangles; ++i) {
-      // Quads of a draw that leaves the window are cut along their other diagonal.
-      const TriangleCorners corners = triangleAt(topology, kCount, i, false, true);
-      (void)rasterize(each.state, each.shading, Topology::Triangles, whole, corners.corner, 0, 3);
-    }
-    EXPECT_EQ(many.counts, each.counts) << "topology " << int(topology);
-  }
 }
 
 } // namespace

@@ -75,6 +75,13 @@ struct Canvas {
   Shading shading;
 };
 
+/// One input of one component.
+inline void addInput(Canvas &canvas, abi::Interpolation interpolation) {
+  canvas.shading.inputCount = 1;
+  canvas.shading.interpolation[0] = interpolation;
+  canvas.shading.inputComponents[0] = 1;
+}
+
 /// Vertices in window coordinates of a canvas, with one input of one component.
 struct WindowVertices {
   explicit WindowVertices(const Canvas &canvas) : m_canvas(canvas) {}

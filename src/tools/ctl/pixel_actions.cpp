@@ -1,6 +1,5 @@
 // A pixel of the frame: the draws that write it, and what the program of one computes there.
 // Pixels and time of each draw.
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "tools/ctl/actions.h"
 #include "tools/ctl/held_drawer.h"
 #include "tools/debug/findings.h"
+#include "tools/debug/pair.h"
 #include "tools/debug/pixel/reader.h"
 #include "tools/debug/trace/numbers.h"
 #include "tools/language.h"
@@ -26,16 +26,11 @@ struct Pixel {
   int x = 0, y = 0;
 };
 
-std::optional<Pixel> parsePixel(const std::string &word) {
-  Pixel pixel;
-  const char *const end = word.data() + word.size();
-  const auto first = std::from_chars(word.data(), end, pixel.x);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',')
+std::optional<Pixel> pixelOf(const std::string &word) {
+  const auto pair = debug::parsePair<int>(word);
+  if (!pair || pair->first < 0 || pair->second < 0)
     return {};
-  const auto second = std::from_chars(first.ptr + 1, end, pixel.y);
-  if (second.ec != std::errc() || second.ptr != end || pixel.x < 0 || pixel.y < 0)
-    return {};
-  return pixel;
+  return Pixel{pair->first, pair->second};
 }
 
 Failure noPixel(const std::string &word) {
@@ -157,7 +152,7 @@ std::array<std::uint8_t, 4> bytesOf(const std::array<float, 4> &color) {
 }
 
 Result<Json, Failure> pick(Session &session, const std::string &word) {
-  const auto pixel = parsePixel(word);
+  const auto pixel = pixelOf(word);
   if (!pixel)
     return noPixel(word);
   return session.connection.ask("pixel.pick", {{"x", pixel->x}, {"y", pixel->y}});
@@ -188,7 +183,7 @@ int tracePixel(Session &session, const Words &words) {
   const auto draw = choose(picked.value(), words.size() > 1 ? words[1] : std::string());
   if (!draw)
     return fail(draw.error());
-  const Pixel pixel = *parsePixel(words[0]);
+  const Pixel pixel = *pixelOf(words[0]);
   const auto held = session.connection.ask("pixel.hold", {{"x", pixel.x},
                                                           {"y", pixel.y},
                                                           {"draw", draw.value().number},

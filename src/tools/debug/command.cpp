@@ -1,9 +1,10 @@
-#include <charconv>
 #include <cstdio>
+#include <tuple>
 
 #include "scene/picture.h"
 #include "tools/commands.h"
 #include "tools/debug/findings.h"
+#include "tools/debug/pair.h"
 #include "tools/debug/session.h"
 #include "tools/debug/trace/condition.h"
 #include "tools/input.h"
@@ -14,15 +15,6 @@ namespace {
 
 using debug::Session;
 using debug::Trace;
-
-template <typename Number> bool readPair(std::string_view text, Number &first, Number &second) {
-  const char *const end = text.data() + text.size();
-  const auto mark = std::from_chars(text.data(), end, first);
-  if (mark.ec != std::errc() || mark.ptr == end || *mark.ptr != ',')
-    return false;
-  const auto last = std::from_chars(mark.ptr + 1, end, second);
-  return last.ec == std::errc() && last.ptr == end;
-}
 
 /// One run of the command, step by step; the first step that fails has said why.
 class Run {
@@ -82,10 +74,14 @@ private:
 
   /// The words that need no document.
   int readWords() {
-    if (!readPair(m_arguments.pixel, m_x, m_y))
+    const auto pixel = debug::parsePair<int>(m_arguments.pixel);
+    if (!pixel)
       return refuse("--pixel " + m_arguments.pixel + ": expected X,Y");
-    if (!readPair(m_arguments.range, m_low, m_high) || !(m_low < m_high))
+    std::tie(m_x, m_y) = *pixel;
+    const auto range = debug::parsePair<float>(m_arguments.range);
+    if (!range || !(range->first < range->second))
       return refuse("--range " + m_arguments.range + ": expected LOW,HIGH");
+    std::tie(m_low, m_high) = *range;
     if (!m_arguments.breakOn.empty()) {
       auto condition = debug::parseCondition(m_arguments.breakOn);
       if (!condition)

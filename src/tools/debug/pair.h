@@ -1,0 +1,24 @@
+#pragma once
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace arbiter::tools::debug {
+
+/// "X,Y": two numbers and nothing else, as options give pixels and ranges. None where it is
+/// anything else, or a number is out of its type's range.
+template <typename Number>
+[[nodiscard]] std::optional<std::pair<Number, Number>> parsePair(std::string_view text) {
+  std::pair<Number, Number> pair;
+  const char *const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, pair.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',')
+    return {};
+  const auto second = std::from_chars(first.ptr + 1, end, pair.second);
+  if (second.ec != std::errc() || second.ptr != end)
+    return {};
+  return pair;
+}
+
+} // namespace arbiter::tools::debug
