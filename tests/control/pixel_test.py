@@ -132,6 +132,10 @@ class Pixels(Painting):
                 self.assertGreater(cost['milliseconds'], 0)
                 self.assertEqual(measured['draws'][0]['fragment'], program)
                 self.assertIn(program, self.ctl('measure').stdout)
+                given = json.loads(self.ctl('stats').stdout)['software']['given_to_host']
+                self.assertNotIn('query', given, 'no query of the application counts')
+                if 'swrast' in options:
+                    self.assertEqual(given, {'observed': 2})
                 self.unchanged(output)
 
 

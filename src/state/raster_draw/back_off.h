@@ -18,6 +18,11 @@ public:
   /// False: draws are the host's for now.
   [[nodiscard]] bool engaged() const { return m_phase != Phase::TryHost && m_phase != Phase::Host; }
   void frameEnded(Frame frame, std::chrono::steady_clock::time_point now);
+  /// A frame ended that says nothing: the next one's time is counted from its end.
+  void frameIgnored(std::chrono::steady_clock::time_point now) {
+    m_before = now;
+    m_hasBefore = true;
+  }
   /// Off for good, or never in doubt (ARBITER_BACKEND=swrast).
   void setForced(bool forced) { m_forced = forced; }
 

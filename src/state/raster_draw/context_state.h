@@ -51,6 +51,7 @@ struct ContextState {
   /// it, as the engine or a program is still being made.
   bool unjudged = false;
   int unjudgedFrames = 0;    ///< in a row
+  bool observed = false;     ///< a client looks at this frame, which says nothing for that reason
   bool hostDrew = false;     ///< in this frame, for whatever reason
   bool depthsTested = false; ///< in this frame, by the rasterizer: what follows must meet them
   bool drawsPlain = true;    ///< fixed function alone: never a program

@@ -15,12 +15,18 @@ namespace arbiter::state::software {
 
 namespace {
 
+/// What a client makes the host draw is no word on what the rasterizer can.
+[[gnu::cold]] Outcome observed(Context &context) {
+  context.software->observed = true;
+  return Fallback::Observed;
+}
+
 /// decideByPath(), as a part of the functions that each draw goes through.
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
   if (context.listMode != 0) [[unlikely]]
     return Fallback::List;
   if (g_observed.load(std::memory_order_relaxed) == &context) [[unlikely]]
-    return Fallback::Query;
+    return observed(context);
   if (!context.linkedProgram) {
     // Fixed function alone is the rasterizer's too, once a program has been drawn.
     if (context.path == Path::HostAssembly && !applicationShades(context))
@@ -95,8 +101,8 @@ void giveToHost(Context &context, Fallback reason) {
   state.fellBack(reason);
   state.hostDrew = true;
   // What the rasterizer will take later, or leaves for this alone, says nothing about the frame.
-  const bool says =
-      reason != Fallback::Compiling && reason != Fallback::Mixed && reason != Fallback::BackedOff;
+  const bool says = reason != Fallback::Compiling && reason != Fallback::Mixed &&
+                    reason != Fallback::BackedOff && reason != Fallback::Observed;
   if (says)
     state.hostDraws(fallbackName(reason));
   else

@@ -20,8 +20,18 @@ std::uint64_t workOf(const ContextState &state) {
                          state.drawn + state.hostTurns);
 }
 
+/// A frame whose draws were the host's for a client's sake is as if there had been none.
+void passOver(ContextState &state) {
+  state.unjudged = state.observed = state.hostDrew = state.depthsTested = false;
+  state.hostTurns = 0;
+  state.workSeen = workOf(state);
+  state.backOff.frameIgnored(std::chrono::steady_clock::now());
+}
+
 void judge(Context &context, bool moved) {
   ContextState &state = *context.software;
+  if (state.observed)
+    return passOver(state);
   const bool plain = state.drawsPlain && !state.hostDrew && state.hostTurns == 0;
   // A frame in which nothing was drawn says nothing about the next one.
   if (workOf(state) != state.workSeen) {

@@ -144,6 +144,25 @@ TEST_F(Frame, WhatWasNotJudgedSaysNothing) {
   EXPECT_FALSE(state().wholeFrames) << "a turn of the host's is one, whatever else was drawn";
 }
 
+// A client of control looked at it: all of its draws were the host's.
+TEST_F(Frame, WhatWasObservedSaysNothing) {
+  drawnWithDepths();
+  finishFrame(context());
+  ASSERT_TRUE(state().wholeFrames);
+  for (int i = 0; i < 3; ++i) {
+    state().fellBack(Fallback::Observed);
+    state().observed = true;
+    drawnByHost(); // a list
+    finishFrame(context());
+    EXPECT_TRUE(state().wholeFrames);
+    EXPECT_TRUE(state().mayTestDepth()) << "the frame behind it is drawn as those before";
+    EXPECT_FALSE(state().observed);
+  }
+  drawnByHost();
+  finishFrame(context());
+  EXPECT_FALSE(state().wholeFrames) << "the next one is judged again";
+}
+
 TEST_F(Frame, NotEachOfAnApplicationsFramesGoesUnjudged) {
   int unjudged = 0;
   for (; state().mayGoUnjudged() && unjudged < 100; ++unjudged) {

@@ -13,6 +13,9 @@ std::array<int, 2> DocumentSubject::size() const {
 std::optional<DebugError> DocumentSubject::prepare() {
   if (const char *step = m_surface.open(m_document.width(), m_document.height()))
     return DebugError{std::string(step) + " (EGL error " + std::to_string(eglGetError()) + ")"};
+  std::string fault = m_window.bind(m_document.width(), m_document.height(), 1);
+  if (!fault.empty())
+    return DebugError{std::move(fault)};
   auto made = Renderer::make(m_document);
   if (!made) {
     const RenderError &error = made.error();

@@ -2,13 +2,14 @@
 #include <memory>
 
 #include "scene/document.h"
+#include "tools/debug/gl/draw_target.h"
 #include "tools/debug/gl/subject.h"
 #include "tools/draw/renderer.h"
 #include "tools/draw/surface.h"
 
 namespace arbiter::tools::debug {
 
-/// One pass of one frame of a document, on a surface of its own.
+/// One pass of one frame of a document, in a framebuffer object that stands for its window.
 class DocumentSubject : public Subject {
 public:
   /// \param pass from 0 \param frame from 0
@@ -26,6 +27,7 @@ private:
   const std::size_t m_pass;
   const int m_frame;
   Surface m_surface; ///< outlives the renderer
+  DrawTarget m_window{GL_RGBA8};
   std::unique_ptr<Renderer> m_renderer;
 };
 

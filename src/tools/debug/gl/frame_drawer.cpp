@@ -180,7 +180,7 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
   // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
   for (std::size_t i = 0; i < locals.size(); ++i)
     glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, GLuint(i), locals[i].data());
-  FloatTarget &target = m_targets[targets];
+  DrawTarget &target = m_targets[targets];
   const std::string fault = target.bind(region.x + region.width, region.y + region.height, targets);
   if (!fault.empty())
     return DebugError{fault};

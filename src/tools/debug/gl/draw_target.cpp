@@ -1,17 +1,17 @@
-#include "tools/debug/gl/float_target.h"
+#include "tools/debug/gl/draw_target.h"
 
 #include <algorithm>
 
 namespace arbiter::tools::debug {
 
-void FloatTarget::release() {
+void DrawTarget::release() {
   glDeleteFramebuffers(1, &m_framebuffer);
   glDeleteRenderbuffers(1, &m_depth);
   glDeleteRenderbuffers(GLsizei(m_colors.size()), m_colors.data());
   m_colors.clear();
 }
 
-std::string FloatTarget::bind(int width, int height, std::size_t targets) {
+std::string DrawTarget::bind(int width, int height, std::size_t targets) {
   if (m_width >= width && m_height >= height && m_colors.size() == targets) {
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     return {};
@@ -27,7 +27,7 @@ std::string FloatTarget::bind(int width, int height, std::size_t targets) {
   for (std::size_t i = 0; i < targets; ++i) {
     buffers.push_back(GL_COLOR_ATTACHMENT0 + GLenum(i));
     glBindRenderbuffer(GL_RENDERBUFFER, m_colors[i]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
+    glRenderbufferStorage(GL_RENDERBUFFER, m_format, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, buffers[i], GL_RENDERBUFFER, m_colors[i]);
   }
   glGenRenderbuffers(1, &m_depth);
@@ -40,11 +40,12 @@ std::string FloatTarget::bind(int width, int height, std::size_t targets) {
   if (status == GL_FRAMEBUFFER_COMPLETE)
     return {};
   m_width = 0;
-  return "this GL has no framebuffer of " + std::to_string(targets) + " float colours, " +
-         std::to_string(width) + "x" + std::to_string(height);
+  return "this GL has no framebuffer of " + std::to_string(targets) +
+         (m_format == GL_RGBA32F ? " float colours, " : " colours, ") + std::to_string(width) +
+         "x" + std::to_string(height);
 }
 
-void FloatTarget::clear() const {
+void DrawTarget::clear() const {
   GLfloat before[4];
   glGetFloatv(GL_COLOR_CLEAR_VALUE, before);
   const fp::ir::Vec4 value = uncovered();
@@ -53,7 +54,7 @@ void FloatTarget::clear() const {
   glClearColor(before[0], before[1], before[2], before[3]);
 }
 
-std::vector<fp::ir::Vec4> FloatTarget::read(const Region &region) const {
+std::vector<fp::ir::Vec4> DrawTarget::read(const Region &region) const {
   const auto pixels = std::size_t(region.width) * std::size_t(region.height);
   std::vector<fp::ir::Vec4> values(m_colors.size() * pixels);
   bindToRead();

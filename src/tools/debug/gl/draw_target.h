@@ -7,12 +7,15 @@
 
 namespace arbiter::tools::debug {
 
-/// A framebuffer of up to kMostTargets RGBA32F colours, with depth and stencil.
-class FloatTarget {
+/// A framebuffer object of up to kMostTargets colours, with depth and stencil. All that the
+/// debugger draws goes to such ones, the document's own picture too: a window's rows may lie the
+/// other way up in memory, and a depth of the same place has another last bit then.
+class DrawTarget {
 public:
-  FloatTarget() = default;
-  FloatTarget(const FloatTarget &) = delete;
-  FloatTarget &operator=(const FloatTarget &) = delete;
+  /// \param format of the colours
+  explicit DrawTarget(GLenum format = GL_RGBA32F) : m_format(format) {}
+  DrawTarget(const DrawTarget &) = delete;
+  DrawTarget &operator=(const DrawTarget &) = delete;
 
   /// Binds a framebuffer of at least that size and number of colours, made anew if need be.
   /// \returns an empty string, or why there is none
@@ -22,11 +25,13 @@ public:
   /// Every pixel of the scissor box becomes uncovered(). The clear colour is as it was.
   void clear() const;
   /// Of the bound framebuffer: targets * height * width values.
+  /// The format is one of floats.
   [[nodiscard]] std::vector<fp::ir::Vec4> read(const Region &region) const;
 
 private:
   void release();
 
+  const GLenum m_format;
   GLuint m_framebuffer = 0, m_depth = 0;
   std::vector<GLuint> m_colors;
   int m_width = 0, m_height = 0;
