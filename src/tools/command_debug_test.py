@@ -144,6 +144,45 @@ class Debug(Temporary):
             trace = self.trace(GALLERY / name, *more, pixel=pixel)
             self.assertTrue(trace['verdict']['equal'], trace['summary'])
 
+    def covered(self, document, *options, watch, pixel):
+        """The pixels that a pass has a value in, as (x, y) from the top."""
+        picture = self.path('watch.png')
+        self.debug(document, '--watch', watch, '-o', picture, *options, pixel=pixel)
+        width, height, rows = read_png(picture)
+        return {(x, y) for x in range(width) for y in range(height) if rows[y][4 * x + 3]}
+
+    def test_depths_that_must_be_equal(self):
+        """The passes before one that compares depths are drawn to the same kind of framebuffer."""
+        scene = '#@ mesh torus parts 24 at 0.1 0.2 0 and plane at 0 -0.3 0 scale 2\n'
+        document = self.path('first.fp', '!!ARBfp1.0\n#@ size 97 83, clear 0 0 0 1, camera orbit yaw 25 pitch 35 '
+                             'distance 3, then second.fp\n' + scene + 'MOV result.color, {1, 0, 0, 1};\nEND\n')
+        self.path('second.fp', '!!ARBfp1.0\n#@ keep, depth equal write off\n' + scene +
+                  'MOV result.color, {1, 1, 0, 1};\nEND\n')
+        picture = self.path('out.png')
+        self.assertEqual(arbiter('draw', document, '-o', picture).returncode, 0)
+        width, height, rows = read_png(picture)
+        drawn = {(x, y) for x in range(width) for y in range(height) if rows[y][4 * x + 1]}
+        self.assertGreater(len(drawn), width * height / 4)
+        for against in ('swrast', 'host', 'bare'):
+            found = self.covered(document, '--pass', '2', '--against', against, watch='result.color@4',
+                                 pixel='48,40')
+            self.assertEqual(found, drawn, against)
+
+    def test_a_shadow_volume(self):
+        """Where the third pass adds light its fragment is found; where the stencil shuts it out, none is."""
+        document, picture = GALLERY / 'shadow_volume.fp', self.path('out.png')
+        self.assertEqual(arbiter('draw', document, '-o', picture).returncode, 0)
+        width, height, rows = read_png(picture)
+        places = [(x, y, tuple(rows[y][4 * x:4 * x + 3])) for x in range(width) for y in range(height)]
+        unlit, sky = (51, 51, 64), (102, 115, 128)
+        for against in ('swrast', 'host', 'bare'):
+            found = self.covered(document, '--pass', '3', '--against', against, watch='result.color@17',
+                                 pixel='400,111')
+            self.assertEqual([place for place in places if place[2] not in (unlit, sky) and place[:2] not in found],
+                             [], against)
+            self.assertEqual([place for place in places if place[2] == sky and place[:2] in found], [], against)
+        self.assertIn('covers this pixel', self.debug(document, '--pass', '3', pixel='90,181', status=1))
+
     def test_vertices(self):
         trace = self.trace(GALLERY / 'skinning.fp', '--stage', 'vertex', pixel='256,256')
         self.assertEqual(len(trace['vertices']), 3)
