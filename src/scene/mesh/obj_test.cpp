@@ -1,4 +1,5 @@
 #include "scene/mesh/obj.h"
+#include "scene/testing/rounds.h"
 
 #include <cmath>
 #include <filesystem>
@@ -110,7 +111,7 @@ TEST(Obj, ChangedBytesEndSoon) {
   std::minstd_rand random(5);
   constexpr std::string_view kBytes = "vtnf/ 0123456789-.e\n\r\\\0#"
                                       "t 9/9/9\n";
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < hostileRounds(3000); ++i) {
     if (i % 60 == 0)
       text = kSquare;
     const std::size_t at = random() % text.size();

@@ -10,6 +10,7 @@
 #include <random>
 #include <unistd.h>
 
+#include "scene/testing/rounds.h"
 #include "scene/texture/dds_format.h"
 #include "scene/texture/generate.h"
 #include "scene/texture/read_image.h"
@@ -72,7 +73,7 @@ TEST(Jpeg, HostileFilesAreErrors) {
     for (std::size_t size = 0; size < whole.size() - 2; size += 1 + size / 40)
       EXPECT_FALSE(decodeJpeg(std::string_view(whole).substr(0, size))) << size;
     std::minstd_rand random(3);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < hostileRounds(400); ++i) {
       std::string changed = whole;
       for (int k = 0; k < 3; ++k)
         changed[random() % changed.size()] = char(random());
@@ -254,13 +255,32 @@ TEST(Dds, HostileFilesAreErrorsBeforeMemoryIsAskedFor) {
     ASSERT_FALSE(images) << wrong.said;
     EXPECT_THAT(images.error().message, HasSubstr(wrong.said));
   }
+}
+
+// Sizes, levels, masks and formats that do not go with the bytes behind them.
+TEST(Dds, ChangedBytesAreErrorsOrImages) {
+  const std::string texels(700, '\x5a');
+  std::string newer = coded("DX10", header(8, 8, 4)) + std::string(20, '\0');
+  put(newer, 128, 28);
+  put(newer, 132, 3);
+  put(newer, 140, 1);
+  std::string cube = plain(header(4, 4, 3));
+  put(cube, 112, 0xFE00);
+  const std::string wholes[] = {coded("DXT5", header(8, 8, 4)) + texels.substr(0, 160),
+                                coded("DXT1", header(7, 5)) + texels,
+                                plain(header(9, 3, 4)) + texels, cube + texels, newer + texels};
   std::minstd_rand random(9);
-  const std::string whole = coded("DXT5", header(8, 8, 4)) + std::string(160, '\x5a');
-  for (int i = 0; i < 3000; ++i) {
-    std::string changed = whole.substr(0, i % 2 ? whole.size() : random() % whole.size());
+  for (int i = 0; i < hostileRounds(5000); ++i) {
+    const std::string &whole = wholes[std::size_t(i) % std::size(wholes)];
+    std::string changed = whole.substr(0, random() % 2 ? whole.size() : random() % whole.size());
     for (int k = 0; k < 2 && !changed.empty(); ++k)
-      changed[random() % std::min<std::size_t>(changed.size(), 128)] = char(random());
-    (void)decodeDds(changed);
+      changed[random() % std::min<std::size_t>(changed.size(), 148)] = char(random());
+    const auto images = decodeDds(changed);
+    if (!images)
+      continue;
+    EXPECT_TRUE(images.value().size() == 1 || images.value().size() == 6);
+    for (const Image &image : images.value())
+      EXPECT_EQ(image.texels.size(), std::size_t(4) * std::size_t(image.width * image.height));
   }
 }
 
