@@ -62,7 +62,7 @@ class Hostile(Controlled):
               {'width': 1 << 30, 'height': 1, 'rgba': 'AAAA'}, [1e39, 0, 0, 0],
               'program.local[4294967296]', '\u0000')
     NAMES = ('id', 'text', 'revision', 'enabled', 'name', 'value', 'target', 'size', 'image', 'every', 'width',
-             'height', 'slot', 'serial', 'x', 'y', 'draw', 'fragment', 'targets', 'clear', 'unit')
+             'height', 'slot', 'serial', 'x', 'y', 'draw', 'fragment', 'targets', 'clear', 'unit', 'framebuffer')
     BATCH = 40  # below the number that may wait
 
     def hostile(self, rng, number):

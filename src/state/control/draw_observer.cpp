@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
 #include "state/core/control_hooks.h"
@@ -20,111 +21,6 @@ constexpr GLuint kList = 0xFFFFFFFAu, kQuery = 0xFFFFFFFAu;
 /// Rows of one frame; those behind are counted alone.
 constexpr std::size_t kMostRows = 4096;
 
-/// Of the thread's current context, whose table was called; that is not its first one while it
-/// records a list or a primitive.
-void drawArrays(GLenum mode, GLint first, GLsizei count);
-DrawObserver &observer() {
-  const auto &context = static_cast<const Context &>(*t_current);
-  const bool isFirst = context.host->DrawArrays == drawArrays;
-  const HostTable *const table = isFirst ? context.host : context.trueHost;
-  return *static_cast<const ObservedTable *>(table)->observer;
-}
-
-// --- The functions that draw, in the order of what they take ---
-
-void drawArrays(GLenum mode, GLint first, GLsizei count) {
-  observer().draw("glDrawArrays",
-                  [=](const HostTable &host) { host.DrawArrays(mode, first, count); });
-}
-
-void drawElements(GLenum mode, GLsizei count, GLenum type, const void *indices) {
-  observer().draw("glDrawElements",
-                  [=](const HostTable &host) { host.DrawElements(mode, count, type, indices); });
-}
-
-void drawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
-                       const void *indices) {
-  observer().draw("glDrawRangeElements", [=](const HostTable &host) {
-    host.DrawRangeElements(mode, start, end, count, type, indices);
-  });
-}
-
-void drawElementsBaseVertex(GLenum mode, GLsizei count, GLenum type, const void *indices,
-                            GLint base) {
-  observer().draw("glDrawElementsBaseVertex", [=](const HostTable &host) {
-    host.DrawElementsBaseVertex(mode, count, type, indices, base);
-  });
-}
-
-void drawRangeElementsBaseVertex(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
-                                 const void *indices, GLint base) {
-  observer().draw("glDrawRangeElementsBaseVertex", [=](const HostTable &host) {
-    host.DrawRangeElementsBaseVertex(mode, start, end, count, type, indices, base);
-  });
-}
-
-void drawArraysInstanced(GLenum mode, GLint first, GLsizei count, GLsizei instances) {
-  observer().draw("glDrawArraysInstanced", [=](const HostTable &host) {
-    host.DrawArraysInstanced(mode, first, count, instances);
-  });
-}
-
-void drawElementsInstanced(GLenum mode, GLsizei count, GLenum type, const void *indices,
-                           GLsizei instances) {
-  observer().draw("glDrawElementsInstanced", [=](const HostTable &host) {
-    host.DrawElementsInstanced(mode, count, type, indices, instances);
-  });
-}
-
-void multiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei draws) {
-  observer().draw("glMultiDrawArrays",
-                  [=](const HostTable &host) { host.MultiDrawArrays(mode, first, count, draws); });
-}
-
-void multiDrawElements(GLenum mode, const GLsizei *count, GLenum type, const void *const *indices,
-                       GLsizei draws) {
-  observer().draw("glMultiDrawElements", [=](const HostTable &host) {
-    host.MultiDrawElements(mode, count, type, indices, draws);
-  });
-}
-
-void rectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  observer().draw("glRectf", [=](const HostTable &host) { host.Rectf(x1, y1, x2, y2); });
-}
-
-void recti(GLint x1, GLint y1, GLint x2, GLint y2) {
-  observer().draw("glRecti", [=](const HostTable &host) { host.Recti(x1, y1, x2, y2); });
-}
-
-void callList(GLuint list) {
-  observer().list([=](const HostTable &host) { host.CallList(list); });
-}
-
-void callLists(GLsizei count, GLenum type, const void *lists) {
-  observer().list([=](const HostTable &host) { host.CallLists(count, type, lists); });
-}
-
-void begin(GLenum mode) { observer().begin(mode); }
-void end() { observer().end(); }
-
-void setFunctions(HostTable &table) {
-  table.DrawArrays = drawArrays;
-  table.DrawElements = drawElements;
-  table.DrawRangeElements = drawRangeElements;
-  table.DrawElementsBaseVertex = drawElementsBaseVertex;
-  table.DrawRangeElementsBaseVertex = drawRangeElementsBaseVertex;
-  table.DrawArraysInstanced = drawArraysInstanced;
-  table.DrawElementsInstanced = drawElementsInstanced;
-  table.MultiDrawArrays = multiDrawArrays;
-  table.MultiDrawElements = multiDrawElements;
-  table.Rectf = rectf;
-  table.Recti = recti;
-  table.CallList = callList;
-  table.CallLists = callLists;
-  table.Begin = begin;
-  table.End = end;
-}
-
 /// One that the layer has no other use for. Every host that counts pixels has it.
 template <typename Function> Function functionOf(const HostTable &host, const char *name) {
   return reinterpret_cast<Function>(host.lookup(name));
@@ -132,14 +28,23 @@ template <typename Function> Function functionOf(const HostTable &host, const ch
 
 /// Of a context that another observer was given up in, what that one had.
 const HostTable &trueTable(const HostTable &host) {
-  return host.DrawArrays == drawArrays ? static_cast<const ObservedTable &>(host).observer->host()
-                                       : host;
+  return isObserved(host) ? static_cast<const ObservedTable &>(host).observer->host() : host;
 }
 
 GLint get(const HostTable &host, GLenum name) {
   GLint value = 0;
   host.GetIntegerv(name, &value);
   return value;
+}
+
+/// Of a Pick the pixel, of a Hold the quad that programs are drawn in.
+Region watchedRegion(const Context &context, const Observation &wish) {
+  if (wish.aim != Observation::Aim::Hold)
+    return {wish.x, wish.y, 1, 1};
+  int width = 0, height = 0;
+  (void)drawableSize(context, width, height);
+  const int x = wish.x & ~1, y = wish.y & ~1;
+  return {x, y, x + 1 < width ? 2 : 1, y + 1 < height ? 2 : 1};
 }
 
 /// What nothing draws.
@@ -149,9 +54,9 @@ constexpr Vec4 kUncovered = {-0x1.6a09e6p99f, 0x1.bb67aep98f, -0x1.3c6ef4p97f, 0
 
 DrawObserver::DrawObserver(Context &context, Observation wish, Held held)
     : m_context(context), m_wish(std::move(wish)), m_held(std::move(held)),
-      m_host(trueTable(*context.host)), m_table(*new ObservedTable{m_host, this}),
-      m_probe(context, m_host) {
-  setFunctions(m_table);
+      m_serial(context.serial), m_host(trueTable(*context.host)),
+      m_table(*new ObservedTable(m_host, this)), m_probe(context, m_host),
+      m_depths(context, m_host, watchedRegion(context, m_wish)) {
   context.host = &m_table;
   g_observed.store(&context, std::memory_order_relaxed);
 }
@@ -172,10 +77,16 @@ DrawObserver::~DrawObserver() {
 }
 
 /// The draw can be made again, and more often, without the application's seeing it.
-bool DrawObserver::isObservable() {
+bool DrawObserver::isObservable(GLuint framebuffer) {
   const HostErrorScope errors(m_host, m_context.pendingError);
-  if (m_wish.aim != Observation::Aim::Measure && get(m_host, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
-    return false; // not of the window
+  if (m_wish.aim != Observation::Aim::Measure) {
+    if (framebuffer != m_wish.framebuffer)
+      return false;
+    if (get(m_host, GL_ATTRIB_STACK_DEPTH) >= m_context.caps.maxAttribStackDepth) {
+      m_trouble = "the application's attribute stack is full";
+      return false;
+    }
+  }
   if (get(m_host, GL_RENDER_MODE) != GL_RENDER)
     return false;
   GLint query = 0;
@@ -185,6 +96,39 @@ bool DrawObserver::isObservable() {
     return true;
   m_trouble = "an occlusion query of the application's counts its pixels";
   return false;
+}
+
+/// Of what the draw draws to. An object's size is not known before.
+bool DrawObserver::hasPixel() {
+  int width = 0, height = 0;
+  if (m_wish.framebuffer == 0)
+    return true; // checked by who asked
+  if (!targetSize(width, height))
+    m_trouble = "the size of the framebuffer is not known";
+  else if (m_wish.x >= width || m_wish.y >= height)
+    m_trouble = "the framebuffer is " + std::to_string(width) + "x" + std::to_string(height);
+  else
+    return true;
+  return false;
+}
+
+/// The draw reads depths or stencils of the window's, and may write them.
+bool DrawObserver::testsWindow() const {
+  if (m_wish.framebuffer != 0 || m_wish.aim == Observation::Aim::Measure)
+    return false;
+  const HasDepths has(m_host);
+  return (has.depth && m_host.IsEnabled(GL_DEPTH_TEST)) ||
+         (has.stencil && m_host.IsEnabled(GL_STENCIL_TEST));
+}
+
+GLuint DrawObserver::depthsOf(const Region &region) const {
+  return m_wish.framebuffer == 0 && m_depths.holds(region) ? m_depths.framebuffer()
+                                                           : m_wish.framebuffer;
+}
+
+bool DrawObserver::targetSize(int &width, int &height) {
+  return m_wish.framebuffer == 0 ? drawableSize(m_context, width, height)
+                                 : framebufferSize(m_context, m_host, width, height);
 }
 
 ObservedDraw DrawObserver::describe(const char *command) const {
@@ -206,6 +150,7 @@ void DrawObserver::pick(ObservedDraw draw, const Redraw &redraw) {
   DrawProbe::Wish wish;
   wish.region = {m_wish.x, m_wish.y, 1, 1};
   wish.clear = kUncovered;
+  wish.depths = depthsOf(wish.region);
   wish.alphaTest = true;
   const auto drawn = m_probe.draw(redraw, wish);
   if (!drawn)
@@ -256,38 +201,69 @@ void DrawObserver::measure(ObservedDraw draw, const Redraw &redraw) {
     m_draws.push_back(std::move(draw));
 }
 
+/// \returns whether the draw has been made
+bool DrawObserver::look(const char *command, const Redraw &redraw) {
+  using Aim = Observation::Aim;
+  const auto framebuffer =
+      m_context.caps.framebufferObjects ? GLuint(get(m_host, GL_DRAW_FRAMEBUFFER_BINDING)) : 0u;
+  ++m_framebuffers[framebuffer];
+  const bool isBehind = m_wish.aim == Aim::Hold && m_count > m_wish.draw;
+  if (isBehind || !isObservable(framebuffer))
+    return false;
+  if (m_wish.aim == Aim::Measure) {
+    measure(describe(command), redraw);
+    return true;
+  }
+  if (!hasPixel())
+    return false;
+  const bool tests = testsWindow();
+  if (std::string why = tests ? m_depths.meet() : std::string(); !why.empty()) {
+    m_trouble = std::move(why);
+    return false;
+  }
+  if (m_wish.aim == Aim::Pick)
+    pick(describe(command), redraw);
+  else if (m_count == m_wish.draw)
+    hold(describe(command), redraw);
+  if (tests && !m_wasHeld)
+    m_depths.follow(redraw);
+  return false;
+}
+
 void DrawObserver::draw(const char *command, const Redraw &redraw) {
   // The host's to record, or to refuse; or of a context that was given up (Session::observe()).
-  if (m_context.listMode != 0 || m_context.insideBeginEnd ||
+  if (m_context.listMode != 0 || m_compiling || m_context.insideBeginEnd ||
       g_observed.load(std::memory_order_relaxed) != &m_context)
     return redraw(m_host);
   ++m_count;
-  using Aim = Observation::Aim;
   bool made = false;
-  withinMemory(m_context, command, [&] {
-    if (!isObservable())
-      return;
-    if (m_wish.aim == Aim::Pick)
-      return pick(describe(command), redraw);
-    if (m_wish.aim == Aim::Hold && m_count == m_wish.draw)
-      return hold(describe(command), redraw);
-    if (m_wish.aim == Aim::Measure) {
-      made = true;
-      measure(describe(command), redraw);
-    }
-  });
+  withinMemory(m_context, command, [&] { made = look(command, redraw); });
   if (!made)
     redraw(m_host);
 }
 
 void DrawObserver::list(const Redraw &redraw) {
-  if (!m_recording && m_context.listMode == 0)
+  const bool executes = !m_recording && !m_compiling && m_context.listMode == 0;
+  if (executes && m_context.listHolds == ListHolds::Vertices)
+    return draw("glCallList", redraw);
+  if (executes && m_context.listHolds == ListHolds::Anything)
     ++m_lists;
   redraw(m_host);
 }
 
+void DrawObserver::newList(GLuint list, GLenum mode) {
+  const bool isLegal = list != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE);
+  m_compiling |= isLegal && !m_context.insideBeginEnd;
+  m_host.NewList(list, mode);
+}
+
+void DrawObserver::endList() {
+  m_compiling = false;
+  m_host.EndList();
+}
+
 void DrawObserver::begin(GLenum mode) {
-  if (m_context.listMode != 0 || m_recording || mode > GL_POLYGON)
+  if (m_context.listMode != 0 || m_compiling || m_recording || mode > GL_POLYGON)
     return m_host.Begin(mode);
   m_host.NewList(kList, GL_COMPILE);
   m_recording = m_madeList = true;

@@ -1,11 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "control/server.h"
+#include "state/control/depth_replica.h"
 #include "state/control/draw_probe.h"
+#include "state/control/observed_table.h"
 
 namespace arbiter::state::remote {
 
@@ -19,9 +22,10 @@ struct Observation {
     Measure, ///< each draw's pixels and time
   };
   Aim aim = Aim::Pick;
-  int x = 0, y = 0;      ///< of Pick and Hold: window pixels, y up
-  std::int64_t draw = 0; ///< of Hold: its number in the frame, from 1
-  std::string fragment;  ///< of Hold: whose program it is to be drawn with; empty: any
+  int x = 0, y = 0;       ///< of Pick and Hold: pixels of the framebuffer, y up
+  GLuint framebuffer = 0; ///< of Pick and Hold: the application's name; 0: the window
+  std::int64_t draw = 0;  ///< of Hold: its number in the frame, from 1
+  std::string fragment;   ///< of Hold: whose program it is to be drawn with; empty: any
   wire::ClientId client = 0;
   wire::Json id; ///< of the request that is answered when the frame has ended
   bool wantsAnswer = true;
@@ -36,13 +40,6 @@ struct ObservedDraw {
   Vec4 color{};                              ///< of Pick
   std::optional<std::uint64_t> pixels;       ///< of Measure; none: the host cannot count them
   std::int64_t nanoseconds = 0;
-};
-
-class DrawObserver;
-
-/// The host's functions, of which those that draw come to the observer.
-struct ObservedTable : host::HostTable {
-  DrawObserver *observer = nullptr;
 };
 
 /// Between two ends of frames of one context: its draws go through here. ContextHot::host is a
@@ -61,13 +58,23 @@ public:
 
   [[nodiscard]] const Observation &wish() const { return m_wish; }
   [[nodiscard]] Context &context() { return m_context; }
+  /// As Context::serial was: another context may lie where the observed one was.
+  [[nodiscard]] std::uint32_t serial() const { return m_serial; }
   [[nodiscard]] DrawProbe &probe() { return m_probe; }
+  /// Of a Hold: the framebuffer that has the depths and stencils which its draw finds there.
+  [[nodiscard]] GLuint depthsOf(const Region &region) const;
+  /// Of what the Hold's draw draws to, within the hold. False: it is not known.
+  [[nodiscard]] bool targetSize(int &width, int &height);
   /// The functions that draw.
   [[nodiscard]] const host::HostTable &host() const { return m_host; }
   /// Of what the frame had: of Pick those that write the pixel, of Measure all.
   [[nodiscard]] const std::vector<ObservedDraw> &draws() const { return m_draws; }
-  /// Draws of lists: what they hold is not known, and they cannot be repeated.
+  /// Calls of lists that may hold anything, and cannot be repeated.
   [[nodiscard]] std::int64_t lists() const { return m_lists; }
+  /// How many draws went to which framebuffer, by the application's names.
+  [[nodiscard]] const std::map<GLuint, std::int64_t> &framebuffers() const {
+    return m_framebuffers;
+  }
   [[nodiscard]] std::int64_t count() const { return m_count; }
   /// The Hold's draw came, and its request has been answered.
   [[nodiscard]] bool wasHeld() const { return m_wasHeld; }
@@ -79,12 +86,18 @@ public:
   /// A draw of the application's: looked at, and made.
   void draw(const char *command, const Redraw &redraw);
   void list(const Redraw &redraw);
+  /// The host compiles, for the application or for the layer.
+  void newList(GLuint list, GLenum mode);
+  void endList();
   /// A primitive is kept in a list of the layer's until its end is there.
   void begin(GLenum mode);
   void end();
 
 private:
-  [[nodiscard]] bool isObservable();
+  [[nodiscard]] bool isObservable(GLuint framebuffer);
+  [[nodiscard]] bool hasPixel();
+  [[nodiscard]] bool testsWindow() const;
+  [[nodiscard]] bool look(const char *command, const Redraw &redraw);
   [[nodiscard]] ObservedDraw describe(const char *command) const;
   void pick(ObservedDraw draw, const Redraw &redraw);
   void hold(const ObservedDraw &draw, const Redraw &redraw);
@@ -93,13 +106,18 @@ private:
   Context &m_context;
   const Observation m_wish;
   const Held m_held;
+  const std::uint32_t m_serial;
   const host::HostTable &m_host; ///< the true one
   /// Never freed: what is made in the frame may keep it. From the frame's end it is as m_host.
   ObservedTable &m_table;
   DrawProbe m_probe;
+  DepthReplica m_depths;
+  std::map<GLuint, std::int64_t> m_framebuffers;
   std::vector<ObservedDraw> m_draws;
   std::int64_t m_count = 0, m_lists = 0;
-  bool m_wasHeld = false, m_recording = false, m_madeList = false, m_madeQuery = false;
+  bool m_wasHeld = false, m_madeList = false, m_madeQuery = false;
+  bool m_recording = false; ///< a primitive, to a list of the layer's
+  bool m_compiling = false;
   std::string m_trouble;
 };
 

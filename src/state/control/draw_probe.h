@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 
 #include "host/host_table.h"
+#include "state/control/probe_target.h"
 #include "state/programs/program_object.h"
 #include "util/result.h"
 
@@ -21,17 +22,12 @@ namespace remote {
 /// does, and changes nothing else but pixels.
 using Redraw = std::function<void(const host::HostTable &)>;
 
-/// Pixels of the window, y up.
-struct Region {
-  int x = 0, y = 0, width = 1, height = 1;
-};
-
-/// Repeats draws to the window into colours of 32-bit floats, unblended, with the depths and
-/// stencils that the draw finds. All state is put back. The context is current, outside Begin and
-/// lists.
+/// Repeats draws into colours of 32-bit floats, unblended, with the depths and stencils that the
+/// draw finds. All state is put back. The context is current, outside Begin and lists, and its
+/// attribute stack has room for one entry.
 class DrawProbe {
 public:
-  static constexpr std::size_t kMostTargets = 4;
+  static constexpr std::size_t kMostTargets = ProbeTarget::kMostColors;
 
   struct Wish {
     Region region;
@@ -39,29 +35,24 @@ public:
     Vec4 clear{};                                   ///< where nothing is drawn
     std::shared_ptr<const CompiledProgram> program; ///< null: the application's own
     std::vector<Vec4> locals; ///< of `program`: its first local parameters, where not the draw's
+    GLuint depths = 0;        ///< the framebuffer that depths and stencils are copied from
     bool alphaTest = false;   ///< as the application has it; else fragments pass
   };
 
   /// \param host the functions that draw (not those that are observed)
-  DrawProbe(Context &context, const host::HostTable &host) : m_context(context), m_host(host) {}
-  /// The context is current.
-  ~DrawProbe();
-  DrawProbe(const DrawProbe &) = delete;
-  DrawProbe &operator=(const DrawProbe &) = delete;
+  DrawProbe(Context &context, const host::HostTable &host)
+      : m_context(context), m_host(host), m_target(context, host, ProbeTarget::Use::Values) {}
 
   /// targets * height * width values, the lowest row first. Errors: what the host refuses, in
   /// words.
   [[nodiscard]] Result<std::vector<Vec4>, std::string> draw(const Redraw &redraw, const Wish &wish);
 
 private:
-  [[nodiscard]] bool attach(const Wish &wish, GLenum depthFormat);
-  [[nodiscard]] std::string copyDepths(const Wish &wish);
-  void image(std::size_t index, int width, int height, GLenum format);
-  [[nodiscard]] bool scissor(const Region &region);
+  [[nodiscard]] std::string bindTarget(const Wish &wish);
 
   Context &m_context;
   const host::HostTable &m_host;
-  bool m_made = false;
+  ProbeTarget m_target;
 };
 
 /// A program of a client's that shows values: checked, whatever a card's limits, and ready to be

@@ -16,7 +16,7 @@ constexpr std::chrono::seconds kPatience{2};
 /// A context that ends no frame for so long is not waited for.
 constexpr std::chrono::seconds kGivenUp{10};
 /// A context that ends none for so long, while another one does, may be gone: players make a new
-/// one where their film begins again.
+/// one where their film begins again. One in whose place another lies is gone.
 constexpr std::chrono::milliseconds kMoved{500};
 
 } // namespace
@@ -44,9 +44,10 @@ void Session::endObservation(Context &context) {
     const std::lock_guard lock(m_mutex);
     if (!m_observer)
       return;
-    if (&m_observer->context() == &context) {
+    const bool isThere = &m_observer->context() == &context;
+    if (isThere && m_observer->serial() == context.serial) {
       observer = std::move(m_observer);
-    } else if (!m_holder && Clock::now() - m_observedSince > kMoved) {
+    } else if (!m_holder && (isThere || Clock::now() - m_observedSince > kMoved)) {
       moved = m_observer->wish();
       (void)m_observer.release(); // its context may draw again: it stays for it
     }

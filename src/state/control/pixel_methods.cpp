@@ -10,7 +10,6 @@
 #include "host/host_table.h"
 #include "state/control/methods.h"
 #include "state/core/context.h"
-#include "state/core/host_errors.h"
 #include "state/core/unit_scope.h"
 #include "state/share/share_group.h"
 #include "util/json.h"
@@ -31,10 +30,13 @@ Observation observationOf(Call &call, Observation::Aim aim) {
   wish.id = call.request.id;
   wish.wantsAnswer = call.request.wantsAnswer;
   int width = 0, height = 0;
-  if (drawableSize(call.context, width, height) && aim != Observation::Aim::Measure) {
-    wish.x = int(call.params.integer("x", 0, width - 1));
-    wish.y = int(call.params.integer("y", 0, height - 1));
-  }
+  if (!drawableSize(call.context, width, height) || aim == Observation::Aim::Measure)
+    return wish;
+  wish.framebuffer = GLuint(call.params.integer("framebuffer", 0, UINT32_MAX, 0));
+  if (wish.framebuffer != 0) // whose size is known where it is drawn to
+    width = height = wire::kMaxFrameSide;
+  wish.x = int(call.params.integer("x", 0, width - 1));
+  wish.y = int(call.params.integer("y", 0, height - 1));
   return wish;
 }
 
@@ -75,6 +77,14 @@ Json drawJson(const ObservedDraw &draw, Observation::Aim aim) {
     row["milliseconds"] = double(draw.nanoseconds) * 1e-6;
   }
   return row;
+}
+
+/// How many draws went where.
+Json byFramebuffer(const DrawObserver &observer) {
+  Json rows = Json::array();
+  for (const auto &[name, draws] : observer.framebuffers())
+    rows.push_back({{"framebuffer", name}, {"draws", draws}});
+  return rows;
 }
 
 /// By program, what its draws had together.
@@ -123,7 +133,7 @@ std::vector<Vec4> localsOf(wire::Params &params) {
 
 wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params &params) {
   int width = 0, height = 0;
-  (void)drawableSize(observer.context(), width, height);
+  (void)observer.targetSize(width, height);
   DrawProbe::Wish wish;
   const std::string text = params.text("text");
   wish.targets = std::size_t(params.integer("targets", 1, DrawProbe::kMostTargets, 1));
@@ -136,6 +146,7 @@ wire::Answer drawHeld(DrawObserver &observer, const Redraw &redraw, wire::Params
     params.floats("clear", wish.clear.data(), 4);
   if (!params.ok())
     return params.fault();
+  wish.depths = observer.depthsOf(wish.region);
   if (!text.empty()) { // else the draw's own
     auto program = compileProbe(observer.context(), text);
     if (!program)
@@ -206,7 +217,8 @@ Json heldJson(DrawObserver &observer, const ObservedDraw &draw) {
   answer.erase("pixels");
   answer.erase("milliseconds");
   int width = 0, height = 0;
-  (void)drawableSize(context, width, height);
+  (void)observer.targetSize(width, height);
+  answer["framebuffer"] = observer.wish().framebuffer;
   answer["width"] = width;
   answer["height"] = height;
   answer["target"] = row.info().word;
@@ -246,6 +258,7 @@ wire::Answer observedAnswer(const DrawObserver &observer, std::uint64_t frame) {
                  {"draws", std::move(draws)},
                  {"count", observer.count()},
                  {"lists", observer.lists()},
+                 {"framebuffers", byFramebuffer(observer)},
                  {"trouble", observer.trouble().empty() ? Json() : Json(observer.trouble())}};
   if (wish.aim == Aim::Measure)
     answer["programs"] = byProgram(observer);

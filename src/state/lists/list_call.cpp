@@ -5,6 +5,7 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
@@ -136,7 +137,9 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
   // RasterPos transforms a vertex, by the vertex program that the host has and its parameters.
   if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
     (void)validate(context);
+  context.listHolds = ListHolds::State;
   context.host->CallList(name);
+  context.listHolds = ListHolds::Anything;
   context.dirty |= effects.dirty;
   noteViewport(context, effects);
   noteClipPlanesChange(context);
@@ -237,10 +240,19 @@ GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
   }
 }
 
-/// What of the list the rasterizer may draw now, though it is the host's; null: the host calls it.
+/// A client looks at the frame's draws.
+bool isObserved(const Context &context) {
+  return g_observed.load(std::memory_order_relaxed) == &context;
+}
+
+/// What of the list the rasterizer may draw now, though it is the host's, or draws are looked at;
+/// null: the host calls it.
 std::shared_ptr<const DisplayList> earlyList(Context &context, GLuint name) {
-  if (!context.software || context.insideBeginEnd || !context.group->lists.hasEarly() ||
-      !software::mayDraw(context) || !software::usesRasterizer(context) ||
+  if (context.insideBeginEnd || !context.group->lists.hasEarly())
+    return nullptr;
+  if (isObserved(context))
+    return context.group->lists.findEarly(name);
+  if (!context.software || !software::mayDraw(context) || !software::usesRasterizer(context) ||
       !software::decideByPath(context).ok())
     return nullptr;
   return context.group->lists.findEarly(name);
@@ -298,7 +310,8 @@ void callListIntoHost(Context &context, GLuint name) {
 
 void callLists(Context &context, GLsizei count, GLenum type, const void *lists) {
   const DisplayListTable &known = context.group->lists;
-  const bool allHosts = known.empty() && !(context.software && known.hasEarly());
+  const bool mayBeEarly = (context.software || isObserved(context)) && known.hasEarly();
+  const bool allHosts = known.empty() && !mayBeEarly;
   if (allHosts || count < 0 || elementSize(type) == 0 || !lists) {
     if (!context.insideBeginEnd) {
       noteClipPlanesOfLists(context);

@@ -1,8 +1,10 @@
 // A pixel of the frame: the draws that write it, and what the program of one computes there.
 // Pixels and time of each draw.
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <tuple>
 
 #include "control/base64.h"
 #include "fp_compiler/compiler.h"
@@ -24,17 +26,30 @@ using wire::Json;
 
 struct Pixel {
   int x = 0, y = 0;
+  std::uint32_t framebuffer = 0; ///< the application's name; 0: the window
 };
 
-std::optional<Pixel> pixelOf(const std::string &word) {
-  const auto pair = debug::parsePair<int>(word);
+/// X,Y, or X,Y@FRAMEBUFFER.
+std::optional<Pixel> pixelOf(std::string_view word) {
+  Pixel pixel;
+  const std::size_t mark = word.find('@');
+  if (mark != std::string_view::npos) {
+    const std::string_view name = word.substr(mark + 1);
+    const auto end = std::from_chars(name.data(), name.data() + name.size(), pixel.framebuffer);
+    if (end.ec != std::errc() || end.ptr != name.data() + name.size())
+      return {};
+  }
+  const auto pair = debug::parsePair<int>(word.substr(0, mark));
   if (!pair || pair->first < 0 || pair->second < 0)
     return {};
-  return Pixel{pair->first, pair->second};
+  std::tie(pixel.x, pixel.y) = *pair;
+  return pixel;
 }
 
 Failure noPixel(const std::string &word) {
-  return {kExitUsage, "a pixel is X,Y, counted from the lower left, not " + word};
+  return {kExitUsage, "a pixel is X,Y, counted from the lower left, or X,Y@FRAMEBUFFER of one of "
+                      "the application's framebuffer objects, not " +
+                          word};
 }
 
 /// One draw of an answer of pixel.pick.
@@ -71,6 +86,22 @@ std::vector<PickedDraw> drawsOf(const Json &answer) {
   return draws;
 }
 
+/// Where else the frame draws to, and what of it is not looked into.
+std::string elsewhere(const Json &answer) {
+  std::string text;
+  const auto rows = answer.find("framebuffers");
+  if (rows != answer.end() && rows->is_array())
+    for (const Json &row : *rows)
+      if (row.is_object() && row.contains("framebuffer") && row["framebuffer"].is_number_unsigned())
+        text += (text.empty() ? "" : ", ") + row["framebuffer"].dump();
+  if (!text.empty())
+    text = "; it draws to framebuffers " + text + " (X,Y@NAME; 0 is the window)";
+  const auto lists = answer.find("lists");
+  if (lists != answer.end() && lists->is_number_integer() && *lists != 0)
+    text += "; what " + lists->dump() + " calls of display lists draw is not known";
+  return text;
+}
+
 std::string programText(const std::string &id) { return id.empty() ? "fixed function" : id; }
 
 /// The draw that is asked for, or the last one that writes the pixel.
@@ -88,7 +119,7 @@ Result<PickedDraw, Failure> choose(const Json &answer, const std::string &wanted
     const std::string trouble = nameAt(answer, "trouble");
     return Failure{kExitUsage, "no draw of the frame writes this pixel that can be looked at" +
                                    (trouble.empty() ? std::string() : " (" + trouble + ")") +
-                                   "; display lists and the application's own framebuffers cannot"};
+                                   elsewhere(answer)};
   }
   const std::string hint =
       others.empty() ? std::string() : "; draws with programs that write it: " + others;
@@ -155,7 +186,8 @@ Result<Json, Failure> pick(Session &session, const std::string &word) {
   const auto pixel = pixelOf(word);
   if (!pixel)
     return noPixel(word);
-  return session.connection.ask("pixel.pick", {{"x", pixel->x}, {"y", pixel->y}});
+  return session.connection.ask(
+      "pixel.pick", {{"x", pixel->x}, {"y", pixel->y}, {"framebuffer", pixel->framebuffer}});
 }
 
 } // namespace
@@ -186,6 +218,7 @@ int tracePixel(Session &session, const Words &words) {
   const Pixel pixel = *pixelOf(words[0]);
   const auto held = session.connection.ask("pixel.hold", {{"x", pixel.x},
                                                           {"y", pixel.y},
+                                                          {"framebuffer", pixel.framebuffer},
                                                           {"draw", draw.value().number},
                                                           {"fragment", draw.value().fragment}});
   if (!held)

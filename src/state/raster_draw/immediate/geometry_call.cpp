@@ -41,7 +41,9 @@ void drawOnHost(Context &context, const Geometry &geometry) {
       context.attribStack.depth() < std::size_t(std::max(context.caps.maxAttribStackDepth, 0));
   if (restores)
     context.host->PushAttrib(GL_CURRENT_BIT);
+  context.listHolds = ListHolds::Vertices;
   context.host->CallList(list);
+  context.listHolds = ListHolds::Anything;
   if (restores)
     context.host->PopAttrib();
   context.dirty |= dirty::kCurrent;
