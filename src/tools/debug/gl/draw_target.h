@@ -22,7 +22,7 @@ public:
   [[nodiscard]] std::string bind(int width, int height, std::size_t targets);
   /// As what is read from. Requires: bind() was successful.
   void bindToRead() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer); }
-  /// Every pixel of the scissor box becomes uncovered(). The clear colour is as it was.
+  /// Every pixel becomes uncovered(), as no scissor test is enabled. The clear colour is as it was.
   void clear() const;
   /// Of the bound framebuffer: targets * height * width values.
   /// The format is one of floats.

@@ -184,8 +184,6 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
   const std::string fault = target.bind(region.x + region.width, region.y + region.height, targets);
   if (!fault.empty())
     return DebugError{fault};
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(region.x, region.y, region.width, region.height);
   if (m_keepsTarget) {
     m_before.bindToRead();
     copyDepths(region);
@@ -193,6 +191,9 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
     m_subject->clear();
   }
   target.clear();
+  // Behind the clears: what of a framebuffer is cleared hosts draw as a quad, of a new program.
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.x, region.y, region.width, region.height);
   m_subject->drawMesh();
   auto values = target.read(region);
   unload();
