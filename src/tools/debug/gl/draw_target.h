@@ -17,15 +17,15 @@ public:
   DrawTarget(const DrawTarget &) = delete;
   DrawTarget &operator=(const DrawTarget &) = delete;
 
-  /// Binds a framebuffer of at least that size and number of colours, made anew if need be.
+  /// Binds a framebuffer of at least that size, which draws to so many colours. One object serves
+  /// all numbers: what has been drawn to before costs less to clear.
   /// \returns an empty string, or why there is none
   [[nodiscard]] std::string bind(int width, int height, std::size_t targets);
   /// As what is read from. Requires: bind() was successful.
   void bindToRead() const { glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer); }
   /// Every pixel becomes uncovered(), as no scissor test is enabled. The clear colour is as it was.
   void clear() const;
-  /// Of the bound framebuffer: targets * height * width values.
-  /// The format is one of floats.
+  /// Of the bound framebuffer: targets * height * width values. The format is one of floats.
   [[nodiscard]] std::vector<fp::ir::Vec4> read(const Region &region) const;
 
 private:
@@ -34,6 +34,7 @@ private:
   const GLenum m_format;
   GLuint m_framebuffer = 0, m_depth = 0;
   std::vector<GLuint> m_colors;
+  std::size_t m_drawn = 0; ///< colours that are drawn to, of m_colors
   int m_width = 0, m_height = 0;
 };
 

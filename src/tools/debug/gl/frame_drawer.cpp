@@ -180,8 +180,8 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
   // The framebuffer may be smaller than the viewport: what lies beyond is not drawn.
   for (std::size_t i = 0; i < locals.size(); ++i)
     glProgramLocalParameter4fvARB(GL_FRAGMENT_PROGRAM_ARB, GLuint(i), locals[i].data());
-  DrawTarget &target = m_targets[targets];
-  const std::string fault = target.bind(region.x + region.width, region.y + region.height, targets);
+  const std::string fault =
+      m_target.bind(region.x + region.width, region.y + region.height, targets);
   if (!fault.empty())
     return DebugError{fault};
   if (m_keepsTarget) {
@@ -190,12 +190,12 @@ Result<std::vector<Drawer::Vec4>, DebugError> FrameDrawer::draw(const std::strin
   } else {
     m_subject->clear();
   }
-  target.clear();
+  m_target.clear();
   // Behind the clears: what of a framebuffer is cleared hosts draw as a quad, of a new program.
   glEnable(GL_SCISSOR_TEST);
   glScissor(region.x, region.y, region.width, region.height);
   m_subject->drawMesh();
-  auto values = target.read(region);
+  auto values = m_target.read(region);
   unload();
   if (const GLenum code = glGetError(); code != GL_NO_ERROR)
     return glError(code);

@@ -35,8 +35,8 @@ private:
   void unload();
 
   std::unique_ptr<Subject> m_subject;
-  std::map<std::size_t, DrawTarget> m_targets; ///< by their number of colours
-  DrawTarget m_before;                         ///< depth and stencil that the draw finds
+  DrawTarget m_target;
+  DrawTarget m_before;        ///< depth and stencil that the draw finds
   bool m_keepsTarget = false; ///< the draw's pass does not begin with an empty target
   GLuint m_document = 0;      ///< the document's program object; 0: an ATI shader
   std::vector<std::pair<GLuint, Vec4>> m_locals; ///< its local parameters that are not zero
