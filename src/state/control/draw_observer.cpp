@@ -28,7 +28,7 @@ template <typename Function> Function functionOf(const HostTable &host, const ch
 
 /// Of a context that another observer was given up in, what that one had.
 const HostTable &trueTable(const HostTable &host) {
-  return isObserved(host) ? static_cast<const ObservedTable &>(host).observer->host() : host;
+  return isObservedTable(host) ? static_cast<const ObservedTable &>(host).observer->host() : host;
 }
 
 GLint get(const HostTable &host, GLenum name) {
@@ -244,9 +244,10 @@ void DrawObserver::draw(const char *command, const Redraw &redraw) {
 
 void DrawObserver::list(const Redraw &redraw) {
   const bool executes = !m_recording && !m_compiling && m_context.listMode == 0;
-  if (executes && m_context.listHolds == ListHolds::Vertices)
+  const ListHolds holds = g_listHolds.load(std::memory_order_relaxed);
+  if (executes && holds == ListHolds::Vertices)
     return draw("glCallList", redraw);
-  if (executes && m_context.listHolds == ListHolds::Anything)
+  if (executes && holds == ListHolds::Anything)
     ++m_lists;
   redraw(m_host);
 }

@@ -15,7 +15,7 @@ using host::HostTable;
 /// records a list or a primitive.
 DrawObserver &observer() {
   const auto &context = static_cast<const Context &>(*t_current);
-  const HostTable *const table = isObserved(*context.host) ? context.host : context.trueHost;
+  const HostTable *const table = isObservedTable(*context.host) ? context.host : context.trueHost;
   return *static_cast<const ObservedTable *>(table)->observer;
 }
 
@@ -94,6 +94,6 @@ ObservedTable::ObservedTable(const HostTable &host, DrawObserver *to)
   setFunctions(*this);
 }
 
-bool isObserved(const HostTable &table) { return table.Begin == begin; }
+bool isObservedTable(const HostTable &table) { return table.Begin == begin; }
 
 } // namespace arbiter::state::remote

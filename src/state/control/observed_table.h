@@ -12,7 +12,7 @@ struct ObservedTable : host::HostTable {
   DrawObserver *observer;
 };
 
-/// The table is an ObservedTable that is still in force.
-[[nodiscard]] bool isObserved(const host::HostTable &table);
+/// The table is an ObservedTable that is still in force (a draw observer is at its other end).
+[[nodiscard]] bool isObservedTable(const host::HostTable &table);
 
 } // namespace arbiter::state::remote

@@ -71,13 +71,6 @@ enum class Path : std::uint8_t {
 inline constexpr int kPathCount = 11;
 [[nodiscard]] const char *pathName(Path path);
 
-/// What a list of the host's holds that is called, as far as who looks at draws must know.
-enum class ListHolds : std::uint8_t {
-  Anything, ///< what the application recorded
-  State,    ///< and no draw
-  Vertices, ///< one primitive, or several alike: a draw
-};
-
 /// One GL context: what the layer keeps about it, and no more. Used by the one thread that it is
 /// current on; what other threads may touch is in the ShareGroup.
 class Context : public ContextHot {
@@ -145,8 +138,7 @@ public:
   /// (replay.h).
   const host::HostTable *trueHost = nullptr;
   std::unique_ptr<ListCompiler> list;
-  int listDepth = 0;                         ///< nested calls of lists that hold our commands
-  ListHolds listHolds = ListHolds::Anything; ///< the host's, while it is called
+  int listDepth = 0; ///< nested calls of lists that hold our commands
 
   CaptureEffective effective; ///< while there is a capture
 

@@ -137,9 +137,12 @@ void callStateList(Context &context, GLuint name, const Effects &effects) {
   // RasterPos transforms a vertex, by the vertex program that the host has and its parameters.
   if ((effects.dirty & software::dirty::kRasterPosition) != 0 && context.attention)
     (void)validate(context);
-  context.listHolds = ListHolds::State;
-  context.host->CallList(name);
-  context.listHolds = ListHolds::Anything;
+  if (isObserved(context)) [[unlikely]] {
+    const ListHoldsScope holds(ListHolds::State);
+    context.host->CallList(name);
+  } else {
+    context.host->CallList(name);
+  }
   context.dirty |= effects.dirty;
   noteViewport(context, effects);
   noteClipPlanesChange(context);
@@ -238,11 +241,6 @@ GLuint element(GLenum type, const unsigned char *bytes, GLsizei i) {
   default:
     return load<GLuint>(p);
   }
-}
-
-/// A client looks at the frame's draws.
-bool isObserved(const Context &context) {
-  return g_observed.load(std::memory_order_relaxed) == &context;
 }
 
 /// What of the list the rasterizer may draw now, though it is the host's, or draws are looked at;

@@ -4,6 +4,7 @@
 
 #include "host/handlers.h"
 #include "state/core/context.h"
+#include "state/core/control_hooks.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -30,6 +31,13 @@ GLuint hostListOf(Context &context, const Geometry &geometry) {
   });
 }
 
+void callVertices(const Context &context, GLuint list) {
+  if (!isObserved(context)) [[likely]]
+    return context.host->CallList(list);
+  const ListHoldsScope holds(ListHolds::Vertices);
+  context.host->CallList(list);
+}
+
 /// The host draws, after it was brought up to date.
 void drawOnHost(Context &context, const Geometry &geometry) {
   if (context.attention && !handlers::beginDraw(context))
@@ -41,9 +49,7 @@ void drawOnHost(Context &context, const Geometry &geometry) {
       context.attribStack.depth() < std::size_t(std::max(context.caps.maxAttribStackDepth, 0));
   if (restores)
     context.host->PushAttrib(GL_CURRENT_BIT);
-  context.listHolds = ListHolds::Vertices;
-  context.host->CallList(list);
-  context.listHolds = ListHolds::Anything;
+  callVertices(context, list);
   if (restores)
     context.host->PopAttrib();
   context.dirty |= dirty::kCurrent;
