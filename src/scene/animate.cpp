@@ -39,17 +39,6 @@ void turn(const Parameter &parameter, double seconds, std::array<double, 4> &val
   value[2] = z * std::cos(angle) - x * std::sin(angle);
 }
 
-std::array<double, 4> numbersAt(const Parameter &parameter, double seconds) {
-  std::array<double, 4> value = {};
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < 4 && next < parameter.values.size(); ++i)
-    if (parameter.mask[i])
-      value[i] = animated(parameter.values[next++].value, parameter, seconds);
-  if (parameter.animation && parameter.animation->kind.value == AnimationKind::Turn)
-    turn(parameter, seconds, value);
-  return value;
-}
-
 glm::mat4 rotationAt(const Parameter &parameter, double seconds) {
   const WordRow &row = rowOf(ValueKind::Rotate);
   const auto get = [&](const char *name) { return float(parameter.arguments.get(row, name)); };
@@ -67,7 +56,7 @@ public:
   void add(const Parameter &parameter, double seconds) {
     switch (parameter.kind.value) {
     case ValueKind::Numbers: {
-      const auto value = numbersAt(parameter, seconds);
+      const auto value = valueAt(parameter, seconds);
       for (std::size_t i = 0; i < 4; ++i)
         if (parameter.mask[i])
           row(parameter, 0).value[i] = float(value[i]);
@@ -122,6 +111,17 @@ double animated(double value, const Parameter &parameter, double seconds) {
   const double low = parameter.low.value, high = parameter.high.value;
   const double begin = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return low + (high - low) * within(kind.value, begin, seconds / period.value);
+}
+
+std::array<double, 4> valueAt(const Parameter &parameter, double seconds) {
+  std::array<double, 4> value = {};
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < 4 && next < parameter.values.size(); ++i)
+    if (parameter.mask[i])
+      value[i] = animated(parameter.values[next++].value, parameter, seconds);
+  if (parameter.animation && parameter.animation->kind.value == AnimationKind::Turn)
+    turn(parameter, seconds, value);
+  return value;
 }
 
 std::vector<ParameterRow> rowsAt(const Panel &panel, double seconds,

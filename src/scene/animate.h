@@ -13,6 +13,9 @@ namespace arbiter::scene {
 /// goes on. A value outside its range is taken to its nearer end.
 [[nodiscard]] double animated(double value, const Parameter &parameter, double seconds);
 
+/// The x, y, z and w of a parameter of numbers at a time; 0 where it has none.
+[[nodiscard]] std::array<double, 4> valueAt(const Parameter &parameter, double seconds);
+
 /// One vec4 for GL.
 struct ParameterRow {
   Setting space = Setting::Local; ///< or Env, Attrib

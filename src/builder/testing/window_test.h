@@ -1,5 +1,7 @@
 #pragma once
 #include <QAction>
+#include <QApplication>
+#include <QDialog>
 #include <QTest>
 #include <memory>
 #include <stdexcept>
@@ -26,6 +28,20 @@ inline void runAction(MainWindow &window, const char *name) {
     if (action->text().remove(u'&') == QLatin1StringView(name))
       return action->trigger();
   FAIL() << "no action " << name;
+}
+
+/// As soon as a dialog is open, \p answer gets it.
+inline void whenAsked(const std::function<void(QDialog &)> &answer) {
+  auto *timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
+    auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+    if (!dialog)
+      return;
+    timer->stop();
+    timer->deleteLater();
+    answer(*dialog);
+  });
+  timer->start(20);
 }
 
 /// The window with a document, as a user has it before them: the processes are real.

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "builder/model/panels/utf_map.h"
+#include "scene/animate.h"
 #include "scene/edit.h"
-#include "scene/panel/panel.h"
 
 namespace arbiter::builder {
 
@@ -94,6 +94,7 @@ void Parameters::read() {
   for (const scene::Parameter &parameter : panel.parameters)
     lines.append(lineOf(parameter, map, text));
   m_lines = lines;
+  m_parsed = panel.parameters;
   Q_EMIT linesChanged();
 }
 
@@ -120,6 +121,14 @@ double Parameters::value(int line, int component) const {
     if (held.line == line && held.component == component)
       return held.value;
   return m_lines[line].components[component].value;
+}
+
+double Parameters::valueAt(int line, int component, double seconds) const {
+  for (const Held &held : m_held)
+    if (held.line == line && held.component == component)
+      return held.value;
+  const auto values = scene::valueAt(m_parsed[std::size_t(line)], seconds);
+  return values[std::size_t(m_lines[line].components[component].index)];
 }
 
 /// From the last to the first, so that each finds its place.

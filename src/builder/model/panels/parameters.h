@@ -3,8 +3,10 @@
 #include <QObject>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "builder/model/text/document.h"
+#include "scene/panel/panel.h"
 
 namespace arbiter::builder {
 
@@ -50,6 +52,9 @@ public:
   [[nodiscard]] bool isHeld() const { return !m_held.isEmpty(); }
   /// The value shown: the held one, or the text's.
   [[nodiscard]] double value(int line, int component) const;
+  /// The value that is drawn with at a time of the animation: the held one, or what the text's has
+  /// become.
+  [[nodiscard]] double valueAt(int line, int component, double seconds) const;
   /// Sets at once, as one step; several components (a colour) too.
   void set(int line, const QList<double> &values);
   /// Makes the range of the sliders another, or writes the first one. Requires low < high.
@@ -85,6 +90,7 @@ private:
 
   Document &m_document;
   QList<ParameterLine> m_lines;
+  std::vector<scene::Parameter> m_parsed; ///< of each line
   QList<Held> m_held;
 };
 

@@ -30,6 +30,12 @@ QString OpenFile::name() const {
   return m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).fileName();
 }
 
+QString OpenFile::proposedName() const {
+  if (!m_path.isEmpty())
+    return name();
+  return m_proposed.isEmpty() ? QStringLiteral("untitled.fp") : m_proposed;
+}
+
 QString OpenFile::folder() const {
   return m_path.isEmpty() ? m_folder : QFileInfo(m_path).absolutePath();
 }
@@ -56,8 +62,9 @@ Result<QString, FileFault> OpenFile::open(const QString &path) {
   return absolute;
 }
 
-void OpenFile::openText(const QString &text, const QString &folder) {
+void OpenFile::openText(const QString &text, const QString &folder, const QString &proposed) {
   m_folder = folder.isEmpty() ? QDir::currentPath() : folder;
+  m_proposed = proposed;
   begin({}, {text, {}});
 }
 

@@ -23,12 +23,16 @@ public:
   [[nodiscard]] const QString &path() const { return m_path; }
   /// "twirl.fp", or "untitled".
   [[nodiscard]] QString name() const;
+  /// The file's name; of a text that was never saved the one that it may have: that of the document
+  /// it is a copy of, or "untitled.fp".
+  [[nodiscard]] QString proposedName() const;
   /// Where relative names in the text lead from.
   [[nodiscard]] QString folder() const;
 
   [[nodiscard]] Result<QString, FileFault> open(const QString &path);
-  /// A text without a file; \p folder is where it looks for what it names.
-  void openText(const QString &text, const QString &folder = {});
+  /// A text without a file; \p folder is where it looks for what it names, \p proposed the name that
+  /// it may be saved as.
+  void openText(const QString &text, const QString &folder = {}, const QString &proposed = {});
   /// What a journal kept: the file's text if there is one, then the kept one as an undo step.
   void recover(const Recovered &recovered);
   /// Writes to the file, or to another, which is the document's from then on.
@@ -61,6 +65,7 @@ private:
   TextFormat m_format;
   QString m_path;
   QString m_folder;
+  QString m_proposed;
   bool m_journals = false; ///< the journal has begun for this text
   bool m_opening = false;  ///< what changes now is no edit
 };

@@ -48,6 +48,7 @@ ParametersPanel::ParametersPanel(Workbench &bench) : m_bench(bench) {
   setFrameShape(NoFrame);
   setAccessibleName(tr("Parameters"));
   connect(&bench.parameters(), &Parameters::linesChanged, this, [this] { read(); });
+  connect(&bench, &Workbench::pictureChanged, this, [this] { followTime(); });
   build();
 }
 
@@ -75,9 +76,18 @@ void ParametersPanel::showValues() {
     refresh();
 }
 
+/// The number stays: it is the text's, where the animation begins.
+void ParametersPanel::followTime() {
+  if (!isVisible())
+    return;
+  for (const auto &follow : m_follow)
+    follow();
+}
+
 void ParametersPanel::build() {
   m_shapes = shapes();
   m_refresh.clear();
+  m_follow.clear();
   auto *inside = new QWidget;
   auto *layout = new QVBoxLayout(inside);
   layout->setContentsMargins(8, 6, 8, 6);
@@ -226,15 +236,24 @@ QWidget *ParametersPanel::sliderRow(int line, int component) {
   number->setObjectName(QStringLiteral("number-%1-%2").arg(line).arg(component));
   layout->addWidget(slider, 1);
   layout->addWidget(number);
-  const auto show = [this, slider, number, line, component] {
+  const auto place = [this, slider, line, component] {
     const Parameters &all = m_bench.parameters();
     const ParameterLine &now = all.lines()[line];
-    const QSignalBlocker a(slider), b(number);
+    const QSignalBlocker block(slider);
+    slider->setValue(stepOf(all.valueAt(line, component, m_bench.frame().time), now));
+  };
+  m_follow << [this, slider, line, place] {
+    if (!m_bench.parameters().lines()[line].animation.isEmpty() && !slider->isSliderDown())
+      place();
+  };
+  m_refresh << [this, slider, number, line, component, place] {
+    const Parameters &all = m_bench.parameters();
+    const ParameterLine &now = all.lines()[line];
+    const QSignalBlocker block(number);
     slider->setToolTip(tr("%1 to %2").arg(now.low).arg(now.high));
-    slider->setValue(stepOf(all.value(line, component), now));
+    place();
     number->setValue(all.value(line, component));
   };
-  m_refresh << show;
   connect(slider, &QSlider::valueChanged, this, [this, slider, number, line, component](int step) {
     Parameters &all = m_bench.parameters();
     all.drag(line, component, valueOf(step, all.lines()[line]));

@@ -29,6 +29,7 @@ private:
   void read();
   void build();
   void showValues();
+  void followTime();
   void addLine(int line, QVBoxLayout *layout);
   QWidget *sliderRow(int line, int component);
   QWidget *head(int line, QWidget *settings);
@@ -39,6 +40,7 @@ private:
   Workbench &m_bench;
   QList<Shape> m_shapes;
   QList<std::function<void()>> m_refresh; ///< a widget's value, from the model
+  QList<std::function<void()>> m_follow;  ///< a slider to where the animation has it
   QSet<QString> m_opened;                 ///< labels of parameters whose settings are shown
 };
 

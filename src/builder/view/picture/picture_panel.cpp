@@ -44,6 +44,7 @@ PicturePanel::PicturePanel(Workbench &bench) : m_bench(bench) {
             .arg(pixel.y())
             .arg(QString::number(colour.rgba() & 0xffffffU, 16).rightJustified(6, u'0')));
   });
+  connect(m_view, &PictureView::pixelLeft, m_pixel, &QLabel::clear);
   connect(m_view, &PictureView::dragged, this, [this](QPointF delta, double distance) {
     constexpr double kTurn = 180; // degrees from one side to the other
     if (!m_bench.turnCamera(-delta.x() * kTurn, delta.y() * kTurn, distance))
@@ -62,6 +63,7 @@ QWidget *PicturePanel::buildBar() {
   m_facts->setMinimumWidth( // it changes with each frame, and moves nothing
       fontMetrics().horizontalAdvance(QStringLiteral("8192\u00d78192  1000.0 ms")));
   m_pixel = new QLabel;
+  m_pixel->setObjectName(QStringLiteral("picture-pixel"));
   m_pixel->setForegroundRole(QPalette::PlaceholderText);
   auto *smaller = button(QStringLiteral("\u2212"), tr("Smaller"));
   auto *fit = button(tr("fit"), tr("As large as fits"));

@@ -29,7 +29,17 @@ void PictureView::setPicture(const QImage &image) {
   m_image = image;
   if (m_difference)
     m_differenceImage = compare(m_other, m_image).difference;
+  tellHovered();
   update();
+}
+
+void PictureView::tellHovered() {
+  const auto pixel = m_hover ? pixelAt(*m_hover) : std::nullopt;
+  if (pixel)
+    Q_EMIT pixelHovered(*pixel, colourAt(*pixel));
+  else if (m_toldHovered)
+    Q_EMIT pixelLeft();
+  m_toldHovered = pixel.has_value();
 }
 
 void PictureView::setOther(const QImage &image) {
@@ -56,6 +66,7 @@ void PictureView::setShowsOther(bool on) {
 void PictureView::setZoom(double zoom) {
   m_zoom = std::clamp(zoom, 0.0, kMaxZoom);
   m_pan = {};
+  tellHovered();
   update();
 }
 
@@ -219,8 +230,14 @@ void PictureView::mouseMoveEvent(QMouseEvent *event) {
     setSplit((event->position().x() - area.left()) / std::max(1.0, area.width()));
   }
   m_last = event->position();
-  if (const auto pixel = pixelAt(event->position()))
-    Q_EMIT pixelHovered(*pixel, colourAt(*pixel));
+  m_hover = event->position();
+  tellHovered();
+}
+
+void PictureView::leaveEvent(QEvent *event) {
+  QWidget::leaveEvent(event);
+  m_hover.reset();
+  tellHovered();
 }
 
 void PictureView::mouseReleaseEvent(QMouseEvent *event) {

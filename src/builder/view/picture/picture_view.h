@@ -45,7 +45,10 @@ public:
 
 Q_SIGNALS:
   void pixelPicked(QPoint pixel);
+  /// Under the mouse: when it moves, and when another picture comes.
   void pixelHovered(QPoint pixel, QColor colour);
+  /// The mouse is over no pixel any more.
+  void pixelLeft();
   /// For a camera: with the right button or Shift and an arrow key, in fractions of the widget; and
   /// closer, by the wheel meanwhile or with Ctrl, by a factor of the distance.
   void dragged(QPointF delta, double distance);
@@ -58,12 +61,14 @@ protected:
   void mouseMoveEvent(QMouseEvent *event) override;
   void mouseReleaseEvent(QMouseEvent *event) override;
   void wheelEvent(QWheelEvent *event) override;
+  void leaveEvent(QEvent *event) override;
   void keyPressEvent(QKeyEvent *event) override;
 
 private:
   [[nodiscard]] QRectF target() const;
   [[nodiscard]] QImage shown() const;
   bool turnByKey(int key);
+  void tellHovered();
   void paintMark(QPainter &painter);
   void paintSplit(QPainter &painter);
 
@@ -73,6 +78,8 @@ private:
   bool m_difference = false, m_showsOther = false, m_stale = false;
   std::optional<QPoint> m_mark;
   QPointF m_pan, m_last;
+  std::optional<QPointF> m_hover; ///< where the mouse is
+  bool m_toldHovered = false;
 };
 
 } // namespace arbiter::builder

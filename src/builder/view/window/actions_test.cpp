@@ -15,25 +15,8 @@ namespace arbiter::builder {
 using testing::kText;
 using testing::runAction;
 using testing::waitFor;
+using testing::whenAsked;
 using testing::Window;
-
-namespace {
-
-/// As soon as a dialog is open, \p answer gets it.
-void whenAsked(const std::function<void(QDialog &)> &answer) {
-  auto *timer = new QTimer(qApp);
-  QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
-    auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget());
-    if (!dialog)
-      return;
-    timer->stop();
-    timer->deleteLater();
-    answer(*dialog);
-  });
-  timer->start(20);
-}
-
-} // namespace
 
 TEST_F(Window, ANameIsRenamedEverywhereByF2) {
   open(kText);

@@ -1,6 +1,8 @@
 // What is drawn, when, and what is said of its pixels.
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QTableWidget>
 
 #include "builder/testing/window_test.h"
@@ -88,6 +90,29 @@ TEST_F(Window, AnAnimationPausesAndGoesFrameByFrame) {
   EXPECT_NEAR(bench().frame().time, paused + 1.0 / 60, 1e-3);
   runAction(*window, "Pause");
   EXPECT_TRUE(waitFor([&] { return bench().frame().time > paused + 0.1; }));
+}
+
+TEST_F(Window, TheSliderMovesWithItsAnimation) {
+  const QString moving =
+      QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 4s"));
+  open(moving);
+  window->showPanel(QStringLiteral("Parameters"));
+  auto &slider = find<QSlider>("slider-0-0");
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > 0.4; }));
+  runAction(*window, "Pause");
+  serve(200); // what was under way
+  EXPECT_GT(slider.value(), 340);
+  EXPECT_NEAR(slider.value() * 255 / 1000.0, middle().red(), 1) << "not where the picture has it";
+  EXPECT_EQ(find<QDoubleSpinBox>("number-0-0").value(), 0.25) << "it is where that begins";
+  EXPECT_EQ(text(), moving) << "what moves by itself is no edit";
+  slider.setSliderDown(true);
+  slider.setValue(100);
+  runAction(*window, "Pause");
+  const double before = bench().frame().time;
+  ASSERT_TRUE(waitFor([&] { return bench().frame().time > before + 0.2; }));
+  EXPECT_EQ(slider.value(), 100) << "it moved under the hand that holds it";
+  slider.setSliderDown(false);
+  EXPECT_TRUE(has("= 0.1 in 0..1 animate saw 4s"));
 }
 
 TEST_F(Window, AnEditDoesNotRestartTheAnimation) {

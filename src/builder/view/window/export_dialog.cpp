@@ -21,12 +21,12 @@ namespace {
 constexpr int kMaxFrames = 100000;
 } // namespace
 
-ExportDialog::ExportDialog(Workbench &bench, QWidget *parent)
+ExportDialog::ExportDialog(Workbench &bench, const QString &folder, QWidget *parent)
     : QDialog(parent), m_bench(bench), m_export(bench.places().arbiter),
       m_rate(sceneOf(bench.document().text()).rate) {
   setObjectName(QStringLiteral("export-dialog"));
   setWindowTitle(tr("Export a sequence"));
-  build();
+  build(folder);
   connect(&m_export, &SequenceExport::progressed, this, [this](int written, int frames) {
     m_progress->setMaximum(frames);
     m_progress->setValue(written);
@@ -37,7 +37,7 @@ ExportDialog::ExportDialog(Workbench &bench, QWidget *parent)
   setRunning(false);
 }
 
-void ExportDialog::build() {
+void ExportDialog::build(const QString &folder) {
   auto *form = new QFormLayout(this);
   const auto named = [](auto *widget, const char *name) {
     widget->setObjectName(QLatin1StringView(name));
@@ -51,11 +51,10 @@ void ExportDialog::build() {
   m_seconds->setRange(0.001, kMaxFrames);
   m_seconds->setDecimals(3);
   m_seconds->setSuffix(tr(" s"));
-  m_folder = named(
-      new QLineEdit(m_bench.file().path().isEmpty() ? QDir::homePath() : m_bench.file().folder()),
-      "export-folder");
+  m_folder = named(new QLineEdit(folder), "export-folder");
   m_folder->setMinimumWidth(280);
-  m_name = named(new QLineEdit(QFileInfo(m_bench.file().name()).completeBaseName()), "export-name");
+  m_name = named(new QLineEdit(QFileInfo(m_bench.file().proposedName()).completeBaseName()),
+                 "export-name");
   m_browse = new QPushButton(tr("Browse..."));
   m_progress = named(new QProgressBar, "export-progress");
   m_state = named(new QLabel, "export-state");

@@ -17,13 +17,14 @@ namespace arbiter::builder {
 /// stops what runs.
 class ExportDialog : public QDialog {
 public:
-  explicit ExportDialog(Workbench &bench, QWidget *parent = nullptr);
+  /// \param folder that is proposed
+  ExportDialog(Workbench &bench, const QString &folder, QWidget *parent = nullptr);
 
 protected:
   void reject() override;
 
 private:
-  void build();
+  void build(const QString &folder);
   void begin();
   void ended(const QString &complaint);
   void setRunning(bool running);

@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 
+#include "builder/model/panels/companions.h"
 #include "builder/view/editor/code_editor.h"
 #include "builder/view/window/export_dialog.h"
 #include "builder/view/window/main_window.h"
@@ -30,24 +32,51 @@ QString documentOf(const QString &folder) {
   return all.isEmpty() ? QString() : dir.filePath(all.first());
 }
 
+bool isWritableFolder(const QString &folder) {
+  const QFileInfo info(folder);
+  return !folder.isEmpty() && info.isDir() && info.isWritable();
+}
+
+const QString kFolderKey = QStringLiteral("folder");
+
+/// The folder of a file that the user chose is where the next dialog begins.
+void rememberFolderOf(const QString &file) {
+  QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
+}
+
 } // namespace
 
-void MainWindow::openPath(const QString &path) {
+/// The document's own folder, unless it is a copy of what is installed; then where the user was
+/// last, or is.
+QString MainWindow::userFolder() {
+  QStringList places;
+  if (!m_bench.file().path().isEmpty())
+    places << m_bench.file().folder();
+  places << QSettings().value(kFolderKey).toString() << QDir::currentPath();
+  for (const QString &place : places)
+    if (isWritableFolder(place))
+      return place;
+  return QDir::homePath();
+}
+
+bool MainWindow::openPath(const QString &path) {
   const QString file = QFileInfo(path).isDir() ? documentOf(path) : path;
   if (file.isEmpty()) {
     notice(tr("%1: no program (*.fp) in this folder").arg(path));
-    return;
+    return false;
   }
   const auto opened = m_bench.file().open(file);
   if (!opened)
     notice(opened.error().message);
+  return opened.ok();
 }
 
-void MainWindow::openNamed(const QString &name) {
+bool MainWindow::openNamed(const QString &name) {
   const QString scheme = QStringLiteral("gallery:");
   if (!name.startsWith(scheme))
     return openPath(name);
-  openCopy(QStringLiteral("%1/%2.fp").arg(m_bench.places().gallery, name.mid(scheme.size())));
+  return openCopy(
+      QStringLiteral("%1/%2.fp").arg(m_bench.places().gallery, name.mid(scheme.size())));
 }
 
 void MainWindow::openText(const QString &text) { m_bench.file().openText(text); }
@@ -63,20 +92,24 @@ void MainWindow::openFile() {
   if (!mayDiscard())
     return;
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open"), m_bench.file().folder(), filter());
-  if (!path.isEmpty())
-    openPath(path);
+      QFileDialog::getOpenFileName(this, tr("Open"), userFolder(), filter());
+  if (!path.isEmpty() && openPath(path))
+    rememberFolderOf(path);
 }
 
 /// A document of the gallery is opened as a text without a name, so that it stays as it is.
-void MainWindow::openCopy(const QString &path) {
+bool MainWindow::openCopy(const QString &path) {
   if (!mayDiscard())
-    return;
+    return false;
   const auto file = readText(path);
-  if (!file)
-    return notice(file.error().message);
-  m_bench.file().openText(file.value().text, QFileInfo(path).absolutePath());
+  if (!file) {
+    notice(file.error().message);
+    return false;
+  }
+  const QFileInfo info(path);
+  m_bench.file().openText(file.value().text, info.absolutePath(), info.fileName());
   showPanel(tr("Program"));
+  return true;
 }
 
 bool MainWindow::save() {
@@ -88,13 +121,33 @@ bool MainWindow::save() {
 }
 
 bool MainWindow::saveAs() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save as"), m_bench.file().folder(), filter());
+  const QString proposed = QDir(userFolder()).filePath(m_bench.file().proposedName());
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save as"), proposed, filter());
   if (path.isEmpty())
     return false;
+  const QString beside = takeCompanions(QFileInfo(path).absolutePath());
   const auto saved = m_bench.file().save(path);
-  notice(saved ? tr("%1 is saved").arg(saved.value()) : saved.error().message);
+  if (saved)
+    rememberFolderOf(path);
+  notice((saved ? tr("%1 is saved").arg(saved.value()) : saved.error().message) + beside);
   return saved.ok();
+}
+
+/// In another folder the document needs the files beside it that it names. Before it is saved
+/// there, so that what looks at it then finds them. \returns what is to be said of it
+QString MainWindow::takeCompanions(const QString &folder) {
+  OpenFile &file = m_bench.file();
+  if (QDir(folder) == QDir(file.folder()))
+    return {};
+  QStringList failed;
+  const QStringList names = companionsOf(file.document().text(), file.proposedName(), file.folder());
+  const QStringList copied = copyCompanions(names, file.folder(), folder, failed);
+  QString said;
+  if (!copied.isEmpty())
+    said += tr(", and beside it %1, which it names").arg(copied.join(QStringLiteral(", ")));
+  if (!failed.isEmpty())
+    said += tr("; copy %1 there, which it names").arg(failed.join(QStringLiteral(", ")));
+  return said;
 }
 
 bool MainWindow::mayDiscard() {
@@ -112,15 +165,20 @@ bool MainWindow::mayDiscard() {
 void MainWindow::exportPicture() {
   if (m_bench.picture().isNull())
     return notice(tr("there is no picture to export yet"));
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"),
-                                                    m_bench.file().folder(), tr("PNG (*.png)"));
-  if (!path.isEmpty())
-    notice(m_bench.picture().save(path, "PNG") ? tr("%1 is written").arg(path)
-                                               : tr("%1 cannot be written").arg(path));
+  const QString name = QFileInfo(m_bench.file().proposedName()).completeBaseName();
+  const QString proposed = QDir(userFolder()).filePath(name + QStringLiteral(".png"));
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Export picture"), proposed, tr("PNG (*.png)"));
+  if (path.isEmpty())
+    return;
+  const bool written = m_bench.picture().save(path, "PNG");
+  if (written)
+    rememberFolderOf(path);
+  notice(written ? tr("%1 is written").arg(path) : tr("%1 cannot be written").arg(path));
 }
 
 void MainWindow::exportSequence() {
-  ExportDialog dialog(m_bench, this);
+  ExportDialog dialog(m_bench, userFolder(), this);
   dialog.exec();
 }
 

@@ -4,7 +4,6 @@
 #include <QBoxLayout>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
 #include <QStatusBar>
@@ -27,15 +26,9 @@
 #include "builder/view/picture/picture_panel.h"
 #include "builder/view/picture/picture_view.h"
 #include "builder/view/theme.h"
-#include "util/flags.h"
+#include "builder/view/window/status_line.h"
 
 namespace arbiter::builder {
-
-namespace {
-
-constexpr int kNoticeMilliseconds = 8000;
-
-} // namespace
 
 MainWindow::MainWindow(Places places)
     : m_bench(std::move(places)),
@@ -196,31 +189,12 @@ void MainWindow::arrange() {
 }
 
 void MainWindow::buildStatus() {
-  m_status = new QLabel;
-  m_place = new QLabel(QStringLiteral("1:1"));
-  m_choice = new QLabel;
-  statusBar()->addWidget(m_status, 1);
-  statusBar()->addPermanentWidget(m_choice);
-  statusBar()->addPermanentWidget(m_place);
-  connect(m_editor, &CodeEditor::placeChanged, this, [this](int line, int column) {
-    m_place->setText(QStringLiteral("%1:%2").arg(line).arg(column));
-  });
+  m_status = new StatusLine(*statusBar(), m_bench);
+  connect(m_editor, &CodeEditor::placeChanged, m_status,
+          [this](int line, int column) { m_status->setPlace(line, column); });
 }
 
-void MainWindow::showStatus() {
-  m_status->setText(m_bench.statusText());
-  QPalette palette = this->palette();
-  const PictureState state = m_bench.pictureState();
-  if (state == PictureState::Wrong || state == PictureState::Held)
-    palette.setColor(QPalette::WindowText, colours().error);
-  m_status->setPalette(palette);
-  const RenderOptions &options = m_bench.renderer().effectiveOptions();
-  m_choice->setText(QStringList{
-      options.profile.isEmpty() ? QString::fromStdString(settings().profile) : options.profile,
-      options.numerics.isEmpty() ? QStringLiteral("host") : options.numerics,
-      options.backend.isEmpty() ? QStringLiteral("auto") : options.backend}
-                        .join(QStringLiteral(" · ")));
-}
+void MainWindow::showStatus() { m_status->showState(); }
 
 void MainWindow::showTitle() {
   setWindowTitle(QStringLiteral("%1[*] - Shader Builder").arg(m_bench.file().name()));
@@ -229,9 +203,9 @@ void MainWindow::showTitle() {
                              (m_bench.document().isModified() ? QStringLiteral("*") : QString()));
 }
 
-void MainWindow::notice(const QString &text) {
-  statusBar()->showMessage(text, kNoticeMilliseconds);
-}
+void MainWindow::notice(const QString &text) { m_status->notice(text); }
+
+QString MainWindow::lastNotice() const { return m_status->lastNotice(); }
 
 QStringList MainWindow::panelNames() const {
   QStringList names;

@@ -4,7 +4,6 @@
 #include "builder/model/workbench.h"
 
 class QActionGroup;
-class QLabel;
 
 namespace arbiter::builder {
 
@@ -15,6 +14,7 @@ class DebugPanel;
 class Gallery;
 class PicturePanel;
 class ProblemsPanel;
+class StatusLine;
 class WordsPanel;
 
 /// The window: every panel a dock, all actions in menus with keys.
@@ -33,10 +33,10 @@ public:
   /// The trace of the workbench is of the application's program, not of the document.
   [[nodiscard]] bool tracesApplication() const { return m_tracesApplication; }
 
-  /// Opens a program, or the gallery of a folder. A complaint is shown.
-  void openPath(const QString &path);
+  /// Opens a program, or the document of a folder. \returns false after showing a complaint
+  bool openPath(const QString &path);
   /// The same, but for "gallery:NAME", of which a copy is opened.
-  void openNamed(const QString &name);
+  bool openNamed(const QString &name);
   void openText(const QString &text);
   /// What processes that ended left behind is opened, or refused, as the user says.
   void offerRecovery();
@@ -46,6 +46,8 @@ public:
   void openInstead(const QString &path);
   [[nodiscard]] QStringList panelNames() const;
   void setScheme(const QString &name);
+  /// What was said last of what has just happened.
+  [[nodiscard]] QString lastNotice() const;
   /// As it was when the window was closed last; else as it is made.
   void restoreLayout();
 
@@ -80,7 +82,9 @@ private:
   bool save();
   bool saveAs();
   bool mayDiscard();
-  void openCopy(const QString &path);
+  bool openCopy(const QString &path);
+  [[nodiscard]] QString userFolder();
+  QString takeCompanions(const QString &folder);
   void exportPicture();
   void exportSequence();
   void askConflict(const QString &theirs);
@@ -102,7 +106,7 @@ private:
   Gallery *m_gallery = nullptr;
   QList<QDockWidget *> m_docks;
   QList<QAction *> m_actions;
-  QLabel *m_status = nullptr, *m_place = nullptr, *m_choice = nullptr;
+  StatusLine *m_status = nullptr; ///< the status bar's
   QByteArray m_madeLayout;
 };
 

@@ -281,7 +281,7 @@ TEST_F(Window, ASequenceIsExportedFrameByFrame) {
       QString(kText).replace(QStringLiteral("in 0..1"), QStringLiteral("in 0..1 animate saw 1s"));
   open(moving);
   QTemporaryDir folder;
-  ExportDialog dialog(bench());
+  ExportDialog dialog(bench(), m_folder.path());
   dialog.show();
   const auto child = [&](const char *name) {
     return dialog.findChild<QWidget *>(QString::fromLatin1(name));

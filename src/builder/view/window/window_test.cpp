@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QTest>
 
@@ -130,6 +131,35 @@ TEST(PictureView, APixelOfTheWidgetIsAPixelOfThePicture) {
   EXPECT_EQ(picked, QPoint(5, 3));
   QTest::keyClick(&view, Qt::Key_Left);
   EXPECT_EQ(picked, QPoint(3, 2)) << "without a mark, from the middle";
+}
+
+TEST(PictureView, TheColourUnderTheMouseIsThePicturesAsItMoves) {
+  PictureView view;
+  view.resize(100, 100);
+  QImage image(4, 4, QImage::Format_RGBA8888);
+  image.fill(Qt::red);
+  view.setPicture(image);
+  QColor told;
+  bool left = false;
+  QObject::connect(&view, &PictureView::pixelHovered,
+                   [&](QPoint, const QColor &colour) { told = colour; });
+  QObject::connect(&view, &PictureView::pixelLeft, [&] { left = true; });
+  const auto move = [&](QPointF to) {
+    QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::NoButton,
+                      Qt::NoModifier);
+    QCoreApplication::sendEvent(&view, &event);
+  };
+  move(view.rectOf({1, 2}).center());
+  EXPECT_EQ(told, QColor(Qt::red));
+  image.fill(Qt::blue);
+  view.setPicture(image);
+  EXPECT_EQ(told, QColor(Qt::blue)) << "the mouse stands still, and the picture does not";
+  EXPECT_FALSE(left);
+  move({1, 1});
+  EXPECT_TRUE(left) << "no pixel is under the mouse";
+  told = {};
+  view.setPicture(image);
+  EXPECT_FALSE(told.isValid());
 }
 
 TEST(Theme, TextsHaveTheContrastOfTheGuideline) {
