@@ -165,7 +165,7 @@ void MainWindow::buildPanelMenu(QMenu *menu) {
   addChoice(menu, tr("&Colours"),
             {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")},
             [this](const QString &name) { setScheme(name); });
-  add(menu, tr("Panels as at &first"), {}, [this] { restoreState(m_madeLayout, kLayoutVersion); });
+  add(menu, tr("Panels as at &first"), {}, [this] { arrangeAnew(); });
   // Held, A is shown alone.
   auto *held = new QShortcut(QKeySequence(tr("Ctrl+B")), this);
   held->setAutoRepeat(false);

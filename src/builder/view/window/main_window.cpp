@@ -5,8 +5,10 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "builder/model/attach/attachment.h"
@@ -29,6 +31,17 @@
 #include "builder/view/window/status_line.h"
 
 namespace arbiter::builder {
+
+namespace {
+
+// Heights in pixels of the device-independent kind.
+constexpr int kLeastInside = 60; ///< of a panel
+constexpr int kLeastBelow = 110; ///< of one below: a header, three rows and a slider
+constexpr int kBelow = 190;      ///< with its tab and title, at first: a row of the gallery
+constexpr int kAside = 150;      ///< likewise, under the picture
+constexpr int kPicture = 200;    ///< likewise, the picture
+
+} // namespace
 
 MainWindow::MainWindow(Places places)
     : m_bench(std::move(places)),
@@ -72,7 +85,8 @@ MainWindow::~MainWindow() {
 QDockWidget *MainWindow::addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area) {
   auto *dock = new QDockWidget(name, this);
   dock->setObjectName(name);
-  widget->setMinimumSize(120, 60); // a long label inside does not make the window wider
+  // A long label inside does not make the window wider.
+  widget->setMinimumSize(120, area == Qt::BottomDockWidgetArea ? kLeastBelow : kLeastInside);
   dock->setWidget(widget);
   addDockWidget(area, dock);
   m_docks << dock;
@@ -183,9 +197,34 @@ void MainWindow::arrange() {
   picture->raise();
   parameters->raise();
   problems->raise();
-  resizeDocks({program, picture}, {640, 640}, Qt::Horizontal);
-  resizeDocks({picture, parameters}, {420, 150}, Qt::Vertical);
-  resizeDocks({program, problems}, {570, 190}, Qt::Vertical);
+}
+
+/// Gives each dock, as they are at first, its part of the window: what is below and beside has
+/// enough to be read, and text and picture have the rest.
+void MainWindow::share() {
+  QDockWidget *const program = dock(tr("Program")), *const picture = dock(tr("Picture"));
+  QDockWidget *const parameters = dock(tr("Parameters")), *const problems = dock(tr("Problems"));
+  const int whole = height() - menuBar()->height() - statusBar()->height();
+  const int below = std::max(kBelow, whole * 28 / 100);
+  const int above = std::max(1, whole - below);
+  const int aside = std::max(1, std::min(std::max(kAside, above * 3 / 10), above - kPicture));
+  resizeDocks({program, picture}, {width() / 2, width() / 2}, Qt::Horizontal);
+  resizeDocks({program, problems}, {above, below}, Qt::Vertical);
+  resizeDocks({picture, parameters}, {above - aside, aside}, Qt::Vertical);
+}
+
+void MainWindow::arrangeAnew() {
+  restoreState(m_madeLayout, kLayoutVersion);
+  share();
+}
+
+/// Now it has the size that it will have, and a layout that was kept is there.
+void MainWindow::showEvent(QShowEvent *event) {
+  QMainWindow::showEvent(event);
+  if (std::exchange(m_isShared, true))
+    return;
+  layout()->activate();
+  share();
 }
 
 void MainWindow::buildStatus() {
@@ -243,8 +282,10 @@ void MainWindow::setScheme(const QString &name) {
 
 void MainWindow::restoreLayout() {
   const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
+  if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray()))
+    resize(size().boundedTo(screen()->availableSize()));
+  if (restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion))
+    m_isShared = true;
 }
 
 void MainWindow::closeEvent(QCloseEvent *event) {

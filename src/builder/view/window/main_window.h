@@ -53,6 +53,7 @@ public:
 
 protected:
   void closeEvent(QCloseEvent *event) override;
+  void showEvent(QShowEvent *event) override;
   bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -62,6 +63,8 @@ private:
   void buildAttachment();
   QDockWidget *addPanel(const QString &name, QWidget *widget, Qt::DockWidgetArea area);
   void arrange();
+  void share();
+  void arrangeAnew();
   [[nodiscard]] QDockWidget *dock(const QString &name) const;
 
   // actions.cpp
@@ -108,6 +111,7 @@ private:
   QList<QAction *> m_actions;
   StatusLine *m_status = nullptr; ///< the status bar's
   QByteArray m_madeLayout;
+  bool m_isShared = false; ///< the docks have their parts of the window
 };
 
 } // namespace arbiter::builder
