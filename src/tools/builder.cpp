@@ -39,6 +39,10 @@ int builder(const BuilderArguments &arguments) {
     return kExitUsage;
   }
   std::vector<std::string> command = {window};
+  if (!arguments.screenshot.empty())
+    command.insert(command.end(), {"--screenshot", arguments.screenshot});
+  if (!arguments.size.empty())
+    command.insert(command.end(), {"--size", arguments.size});
   if (!arguments.document.empty())
     command.insert(command.end(), {"--", arguments.document});
   return execute({}, command);

@@ -175,7 +175,9 @@ struct LspArguments {
 [[nodiscard]] int serve(const LspArguments &arguments);
 
 struct BuilderArguments {
-  std::string document; ///< a program or a folder; empty: none
+  std::string document;   ///< a program or a folder; empty: none
+  std::string screenshot; ///< the PNG of a picture of the window, which then ends; empty: it stays
+  std::string size;       ///< "WxH" of it; empty: 1280x800
 };
 /// Becomes the window's process, `arbiter-builder`, which is beside this command.
 [[nodiscard]] int builder(const BuilderArguments &arguments);

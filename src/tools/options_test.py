@@ -77,6 +77,8 @@ VALUES = {
     ('ctl', '--for'): ['0.5'],
     ('render', '--folder'): ['texts'],
     ('render', '--fd'): ['1000'],
+    ('builder', '--screenshot'): ['@png'],
+    ('builder', '--size'): ['640x480'],
     ('draw', '--size'): ['16x8'],
     ('draw', '--texture'): ['0=checker', '0=noise'],
     ('draw', '--local'): ['0=1,0.5', 'fp:0=0.25,1,0,1'],

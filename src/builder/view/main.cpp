@@ -1,9 +1,13 @@
 // arbiter-builder [FILE|FOLDER]: the window. `arbiter builder` starts it.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QRegularExpression>
 #include <QSettings>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <string_view>
 
 #include "builder/view/theme.h"
 #include "builder/view/window/main_window.h"
@@ -11,20 +15,106 @@
 
 namespace {
 
+using namespace arbiter::builder;
+
 constexpr int kExitUsage = 1;
+constexpr int kLeastSide = 320, kMostSide = 8192; ///< of a picture of the window
 
 int fail(const QString &text) {
   std::fprintf(stderr, "arbiter-builder: %s\n", text.toLocal8Bit().constData());
   return kExitUsage;
 }
 
+/// What the command line can ask for.
+struct Options {
+  QCommandLineOption scheme{QStringLiteral("colours"), QObject::tr("system, light or dark"),
+                            QStringLiteral("SCHEME")};
+  QCommandLineOption shot{QStringLiteral("screenshot"),
+                          QObject::tr("write a picture of the window when it has drawn, and end"),
+                          QStringLiteral("PNG")};
+  QCommandLineOption size{QStringLiteral("size"),
+                          QObject::tr("the window's size for a picture; 1280x800 without"),
+                          QStringLiteral("WxH")};
+  QCommandLineOption small{QStringLiteral("small"),
+                           QObject::tr("a picture of few colours, for a page")};
+  QCommandLineOption panel{QStringLiteral("panel"), QObject::tr("the panel to bring to the front"),
+                           QStringLiteral("NAME")};
+  QCommandLineOption edit{QStringLiteral("edit"),
+                          QObject::tr("for a picture: replace a piece of the text when it is drawn"),
+                          QStringLiteral("FROM=>TO")};
+  QCommandLineOption pixel{QStringLiteral("pixel"), QObject::tr("the pixel to debug"),
+                           QStringLiteral("X,Y")};
+  QCommandLineOption watch{
+      QStringLiteral("watch"),
+      QObject::tr("for a picture, with --pixel: the line whose register is shown as A"),
+      QStringLiteral("LINE")};
+  QCommandLineOption attach{QStringLiteral("attach"),
+                            QObject::tr("for a picture: the process to attach to"),
+                            QStringLiteral("PID")};
+
+  void addTo(QCommandLineParser &parser) const {
+    parser.addOptions({scheme, shot, size, small, panel, edit, pixel, watch, attach});
+  }
+};
+
+/// "1024x700"; nothing where it is no such text, or no window's size.
+std::optional<QSize> sizeOf(const QString &text) {
+  static const QRegularExpression kSize(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
+  const QRegularExpressionMatch match = kSize.match(text);
+  const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+  const bool fits = std::min(size.width(), size.height()) >= kLeastSide &&
+                    std::max(size.width(), size.height()) <= kMostSide;
+  return match.hasMatch() && fits ? std::optional(size) : std::nullopt;
+}
+
+/// Qt would abort without a display; a picture needs none.
+bool hasDisplay(int argc, char **argv) {
+  if (!qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+      !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+    return true;
+  const bool shoots = std::any_of(argv + 1, argv + argc, [](const char *word) {
+    return std::string_view(word).starts_with("--screenshot");
+  });
+  if (shoots)
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  return shoots;
+}
+
+int show(MainWindow &window, const QCommandLineParser &parser, const Options &options) {
+  const QStringList &documents = parser.positionalArguments();
+  const bool shooting = parser.isSet(options.shot);
+  const auto size = sizeOf(parser.value(options.size));
+  if (parser.isSet(options.size) && !size)
+    return fail(QObject::tr("--size %1: a size is WxH, from %2x%2 to %3x%3")
+                    .arg(parser.value(options.size))
+                    .arg(kLeastSide)
+                    .arg(kMostSide));
+  if (!shooting)
+    window.restoreLayout();
+  if (size)
+    window.resize(*size);
+  if (!documents.isEmpty() && !window.openNamed(documents.constFirst()) && shooting)
+    return fail(window.lastNotice());
+  window.bench().start(); // first: its processes start while the window is laid out
+  window.show();
+  window.showPanel(parser.isSet(options.panel) ? parser.value(options.panel)
+                   : documents.isEmpty()       ? QObject::tr("Gallery")
+                                               : QObject::tr("Program"));
+  if (shooting)
+    takeScreenshot(window, {parser.value(options.shot), parser.value(options.edit),
+                            parser.value(options.pixel), parser.value(options.watch).toInt(),
+                            parser.value(options.attach).toLongLong(),
+                            parser.isSet(options.small)});
+  else
+    QMetaObject::invokeMethod(&window, &MainWindow::offerRecovery, Qt::QueuedConnection);
+  return QApplication::exec();
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-  using namespace arbiter::builder;
   std::signal(SIGPIPE, SIG_IGN); // a child that goes is an error of a write
-  if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
-      qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) // Qt would abort
+  if (!hasDisplay(argc, argv))
     return fail(QStringLiteral("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set"));
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("arbiter-builder"));
@@ -36,51 +126,19 @@ int main(int argc, char **argv) {
   parser.addHelpOption();
   parser.addPositionalArgument(QStringLiteral("document"), QObject::tr("a program, or a folder"),
                                QStringLiteral("[FILE|FOLDER]"));
-  const QCommandLineOption scheme(QStringLiteral("colours"), QObject::tr("system, light or dark"),
-                                  QStringLiteral("SCHEME"));
-  const QCommandLineOption shot(
-      QStringLiteral("screenshot"),
-      QObject::tr("write a picture of the window when it has drawn, and end"),
-      QStringLiteral("PNG"));
-  const QCommandLineOption size(QStringLiteral("size"),
-                                QObject::tr("the window's size for a picture; 1280x800 without"),
-                                QStringLiteral("WxH"));
-  const QCommandLineOption small(QStringLiteral("small"),
-                                 QObject::tr("a picture of few colours, for a page"));
-  const QCommandLineOption panel(QStringLiteral("panel"),
-                                 QObject::tr("the panel to bring to the front"),
-                                 QStringLiteral("NAME"));
-  const QCommandLineOption pixel(QStringLiteral("pixel"), QObject::tr("the pixel to debug"),
-                                 QStringLiteral("X,Y"));
-  parser.addOptions({scheme, shot, size, small, panel, pixel});
+  const Options options;
+  options.addTo(parser);
   if (!parser.parse(QApplication::arguments()))
     return fail(parser.errorText());
   if (parser.isSet(QStringLiteral("help")))
     parser.showHelp();
   if (parser.positionalArguments().size() > 1)
     return fail(QObject::tr("one document at a time"));
-
-  QSettings settings;
-  const QString colours = parser.isSet(scheme)
-                              ? parser.value(scheme)
+  const QSettings settings;
+  const QString colours = parser.isSet(options.scheme)
+                              ? parser.value(options.scheme)
                               : settings.value(QStringLiteral("scheme")).toString();
   applyScheme(application, schemeNamed(colours));
   MainWindow window(Places::standard());
-  const bool shooting = parser.isSet(shot);
-  if (!shooting)
-    window.restoreLayout();
-  else if (const QStringList sides = parser.value(size).split(u'x'); sides.size() == 2)
-    window.resize(sides[0].toInt(), sides[1].toInt());
-  if (!parser.positionalArguments().isEmpty())
-    window.openNamed(parser.positionalArguments().constFirst());
-  window.bench().start(); // first: its processes start while the window is laid out
-  window.show();
-  window.showPanel(parser.isSet(panel)                      ? parser.value(panel)
-                   : parser.positionalArguments().isEmpty() ? QObject::tr("Gallery")
-                                                            : QObject::tr("Program"));
-  if (shooting)
-    takeScreenshot(window, parser.value(shot), parser.value(pixel), parser.isSet(small));
-  else
-    QMetaObject::invokeMethod(&window, &MainWindow::offerRecovery, Qt::QueuedConnection);
-  return QApplication::exec();
+  return show(window, parser, options);
 }

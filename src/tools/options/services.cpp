@@ -61,10 +61,18 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
   verb.option("DOCUMENT", builder.document,
               "a program, or a folder; gallery:NAME opens a copy of a document of the gallery; "
               "without one, the gallery itself");
+  const Option screenshot =
+      verb.option("--screenshot", builder.screenshot,
+                  "write a picture of the window into this PNG when the document is drawn, and end; "
+                  "without a display too");
+  verb.option("--size", builder.size, "WxH: the window's size in the picture; 1280x800 without")
+      .needs(screenshot);
   verb.footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "
               "says what it has.\n"
-              "Exit code: that of the window; 1 where arbiter-builder is not installed.\n"
+              "Exit code: that of the window; 1 where arbiter-builder is not installed, there is "
+              "no display, or the picture cannot be taken.\n"
               "Examples:\n"
+              "  arbiter builder --screenshot window.png --size 1024x700 shader.fp\n"
               "  arbiter builder\n"
               "  arbiter builder shader.fp\n"
               "  arbiter builder gallery:twirl");

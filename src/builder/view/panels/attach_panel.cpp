@@ -159,6 +159,17 @@ void AttachPanel::attachOrDetach() {
   m_attachment.attach(m_processes[at]);
 }
 
+void AttachPanel::attachTo(qint64 process) {
+  listProcesses();
+  for (int at = 0; at < m_processes.size(); ++at)
+    if (m_processes[at].process == process) {
+      m_process->setCurrentIndex(at);
+      return attachOrDetach();
+    }
+  say(tr("process %1 does not listen: start it under arbiter run --control -- COMMAND")
+          .arg(process));
+}
+
 void AttachPanel::askExport() {
   if (!m_attachment.isAttached())
     return say(tr("attach to an application first"));

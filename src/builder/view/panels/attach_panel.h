@@ -27,6 +27,8 @@ public:
   /// Looks again which processes listen.
   void listProcesses();
   void attachOrDetach();
+  /// Attaches to the process of that number, if it listens.
+  void attachTo(qint64 process);
   void askExport();
 
 protected:
