@@ -155,8 +155,23 @@ class Draw(Temporary):
     def test_a_sample_without_an_image_is_said(self):
         result = self.draw('!!ARBfp1.0\nTEX result.color, fragment.texcoord, texture[2], CUBE;\nEND\n')
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(result.stderr, 'arbiter: <stdin>: texture[2] (CUBE) has no image, so its '
-                                        'samples are black\n')
+        self.assertEqual(result.stderr, 'arbiter: <stdin>: texture[2] (CUBE) has no image, so a '
+                                        'checker with its number stands in for one\n')
+
+    def test_the_number_of_a_unit_without_an_image_is_drawn(self):
+        """The checker, a texel a pixel: 7 is a bar, and a stroke from its right end down."""
+        white, purple, grey = b'\xff' * 4, bytes((128, 26, 128, 255)), bytes((51, 51, 51, 255))
+        for target, coordinate in (('2D', 'texcoord[0]'), ('RECT', 'position'), ('3D', 'texcoord[0]')):
+            result = self.draw(f'!!ARBfp1.0\nTEX result.color, fragment.{coordinate}, texture[7], '
+                               f'{target};\nEND\n', size='64x64')
+            self.assertEqual(result.returncode, 0, result.stderr)
+            rows = read_png(self.output)[2][::-1]
+            pixels = [[row[at:at + 4] for at in range(0, 256, 4)] for row in rows]  # from the bottom
+            self.assertEqual({each for row in pixels for each in row}, {white, purple, grey}, target)
+            # Five texels a dot, five by seven dots about the middle.
+            self.assertEqual([x for x in range(64) if pixels[46][x] == white], list(range(19, 44)), target)
+            self.assertEqual([x for x in range(64) if pixels[31][x] == white], list(range(29, 34)), target)
+            self.assertNotIn(white, pixels[12] + pixels[50], target)
 
     def test_two_programs_of_one_stage(self):
         first, second = self.path('a.fp', GOOD), self.path('b.fp', GOOD)

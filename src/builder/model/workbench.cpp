@@ -37,13 +37,14 @@ QString stateFolder() {
          QStringLiteral("/arbiter-builder");
 }
 
-/// GL says nothing of it: the picture is black, and the text is right.
+/// GL says nothing of it: the text is right, and a checker with the unit's number is drawn.
 Problem problemOf(const UnsetUnit &unset, const QString &text) {
   Problem problem;
   problem.severity = Severity::Warning;
   problem.code = QStringLiteral("unset-texture");
   problem.message =
-      QObject::tr("texture[%1] has no image here: its samples are black").arg(unset.unit);
+      QObject::tr("texture[%1] has no image: a checker with its number stands in for one")
+          .arg(unset.unit);
   problem.hint =
       QObject::tr("choose one in Textures, or write #@ texture %1 = checker").arg(unset.unit);
   problem.begin = unset.begin;

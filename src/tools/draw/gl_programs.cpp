@@ -75,6 +75,26 @@ int programLimit(GLenum target, GLenum name) {
   return value;
 }
 
+GLenum glTarget(fp::ir::TexTarget target) {
+  using fp::ir::TexTarget;
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return GL_TEXTURE_1D;
+  case TexTarget::Tex3D:
+    return GL_TEXTURE_3D;
+  case TexTarget::Cube:
+    return GL_TEXTURE_CUBE_MAP;
+  case TexTarget::Rect:
+  case TexTarget::ShadowRect:
+    return GL_TEXTURE_RECTANGLE;
+  case TexTarget::Tex2D:
+  case TexTarget::Shadow2D:
+    break;
+  }
+  return GL_TEXTURE_2D;
+}
+
 ProgramTarget targetOf(Language language) {
   switch (language) {
   case Language::ArbVertex:

@@ -13,5 +13,7 @@ struct ProgramTarget {
   const char *extension;
 };
 [[nodiscard]] ProgramTarget targetOf(fp::ir::Language language);
+/// What a texture is bound to that programs sample so.
+[[nodiscard]] GLenum glTarget(fp::ir::TexTarget target);
 
 } // namespace arbiter::tools

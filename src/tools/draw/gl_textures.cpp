@@ -5,6 +5,7 @@
 #include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/reads.h"
 #include "scene/texture/generate.h"
+#include "tools/draw/gl_unset.h"
 
 namespace arbiter::tools {
 
@@ -14,25 +15,6 @@ using fp::ir::Language;
 using fp::ir::TexTarget;
 using scene::Generator;
 using scene::Image;
-
-GLenum glTarget(TexTarget target) {
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return GL_TEXTURE_1D;
-  case TexTarget::Tex3D:
-    return GL_TEXTURE_3D;
-  case TexTarget::Cube:
-    return GL_TEXTURE_CUBE_MAP;
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return GL_TEXTURE_RECTANGLE;
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    break;
-  }
-  return GL_TEXTURE_2D;
-}
 
 RenderError fault(int file, fp::Span span, std::string message) {
   return {RenderError::Kind::Panel, std::move(message), std::size_t(file), -1, span};
@@ -102,8 +84,28 @@ std::optional<RenderError> Textures::load(const scene::Document &document, const
       if (auto error = loadUnit(document, pass, spec, samples, targets))
         return error;
     }
+    addUnset(document, pass, samples, unsigned(units));
   }
   return std::nullopt;
+}
+
+/// What is sampled and named by no line gets the unit's number for an image.
+void Textures::addUnset(const scene::Document &document, const scene::Pass &pass,
+                        const std::vector<Sampled> &samples, unsigned units) {
+  const auto &named = document.panelOf(pass).textures;
+  for (const Sampled &sampled : samples) {
+    const auto is = [&](const scene::TextureSpec &spec) { return spec.unit == sampled.unit; };
+    if (sampled.unit >= units || std::any_of(named.begin(), named.end(), is))
+      continue;
+    Unit unit;
+    unit.panel = pass.panel;
+    unit.number = sampled.unit;
+    unit.target = glTarget(sampled.target);
+    unit.enabled =
+        document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
+    unit.name = makeUnsetTexture(sampled.unit, sampled.target, document.width(), document.height());
+    m_units.push_back(unit);
+  }
 }
 
 std::optional<RenderError> Textures::loadUnit(const scene::Document &document,

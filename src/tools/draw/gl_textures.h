@@ -17,7 +17,8 @@ public:
   Textures &operator=(const Textures &) = delete;
   ~Textures();
 
-  /// Makes each image and gives it to GL, as what the pass's programs sample it as.
+  /// Makes each image and gives it to GL, as what the pass's programs sample it as. A unit that they
+  /// sample and no line names gets its number for an image.
   [[nodiscard]] std::optional<RenderError> load(const scene::Document &document,
                                                 const Targets &targets);
   /// Binds what the pass of that panel has in its units.
@@ -36,13 +37,15 @@ private:
     bool owned = true; ///< not a target's, which outlives this
     bool feedback = false;
     bool enabled = false; ///< glEnable(target): for ATI's shaders, whose text does not say
-    const scene::TextureSpec *spec = nullptr;
+    const scene::TextureSpec *spec = nullptr; ///< null: no line names it
     bool compares = false;
   };
 
   std::optional<RenderError> loadUnit(const scene::Document &document, const scene::Pass &pass,
                                       const scene::TextureSpec &spec,
                                       const std::vector<Sampled> &samples, const Targets &targets);
+  void addUnset(const scene::Document &document, const scene::Pass &pass,
+                const std::vector<Sampled> &samples, unsigned units);
   std::optional<RenderError> upload(const scene::Document &document, Unit &unit);
   static void setParameters(const Unit &unit);
 

@@ -152,7 +152,7 @@ std::vector<std::string> unfedSamples(const scene::Document &document) {
         if (std::none_of(textures.begin(), textures.end(), feeds))
           lines.push_back(uses.program->name + ": texture[" + std::to_string(sampled.unit) + "] (" +
                           fp::ir::targetText(sampled.target) +
-                          ") has no image, so its samples are black");
+                          ") has no image, so a checker with its number stands in for one");
       }
   }
   return lines;

@@ -20,7 +20,8 @@ struct Sampled {
 /// and for programs that the compiler refuses: of those GL says what is wrong.
 [[nodiscard]] std::string faultOfUses(const Drawing &drawing);
 
-/// Samples that will read black, as nothing was given for their unit: one line each.
+/// Samples that will read a checker with their unit's number, as nothing was given for it: one line
+/// each.
 [[nodiscard]] std::vector<std::string> unfedSamples(const scene::Document &document);
 
 } // namespace arbiter::tools

@@ -39,8 +39,8 @@ enum class Sampler { Filter, Wrap };
 [[nodiscard]] QStringList samplerWords(Sampler kind);
 [[nodiscard]] Edit setSampler(const QString &text, int unit, Sampler kind, const QString &word);
 
-/// A texture image unit that a fragment program samples and its panel gives no image: what it
-/// samples is black.
+/// A texture image unit that a fragment program samples and its panel gives no image: it samples a
+/// checker with the unit's number.
 struct UnsetUnit {
   int unit = 0;
   qsizetype begin = 0, end = 0; ///< of "texture[2]", where it stands first

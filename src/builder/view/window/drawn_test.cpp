@@ -207,7 +207,7 @@ TEST_F(Window, TheBenchSaysHowLongAFrameTakes) {
   EXPECT_TRUE(button.isEnabled());
 }
 
-/// Nothing says why a picture is black, but this.
+/// What is missing is said, and is seen: the picture has the unit's number in white.
 TEST_F(Window, AUnitWithoutAnImageIsSaid) {
   const QString sampling =
       QStringLiteral("!!ARBfp1.0\n#@ size 16 16\n# texture[7] is none\nTEMP t;\n"
@@ -219,6 +219,13 @@ TEST_F(Window, AUnitWithoutAnImageIsSaid) {
   EXPECT_EQ(problem.severity, Severity::Warning);
   EXPECT_TRUE(problem.message.startsWith(QStringLiteral("texture[3] has no image")));
   EXPECT_EQ(problem.line, 5);
+  const QImage number = bench().picture();
+  int white = 0;
+  for (int y = 0; y < number.height(); ++y)
+    for (int x = 0; x < number.width(); ++x)
+      white += number.pixelColor(x, y) == QColor(Qt::white);
+  EXPECT_GT(white, 10);
+  EXPECT_LT(white, 128);
   document().replace(11, 0, QStringLiteral("#@ texture 3 = constant r 1 g 0 b 0\n"), Origin::Tool,
                      QStringLiteral("edit"));
   EXPECT_TRUE(waitFor([&] { return bench().problems().isEmpty(); }));
