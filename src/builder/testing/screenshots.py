@@ -1,21 +1,28 @@
 #!/usr/bin/env python3
 """Pictures of the window's views, light and dark, at one and two pixels a unit.
 
-usage: screenshots.py ARBITER_BUILDER GALLERY [--quick | --pages] [--out FOLDER]
+usage: screenshots.py ARBITER_BUILDER GALLERY [--quick | --pages] [--out FOLDER] [--demo PROGRAM]
 
 Every picture must have the size that its scale asks for, and show more than one colour; those of one
 view in light and dark must differ. --quick takes one of each kind. --pages takes those that the
 documentation shows (docs/pictures), which have at most 100 KB each; with --out docs/pictures they are
-made anew. Without --out pictures are thrown away.
+made anew. Without --out pictures are thrown away. --demo is an application that the window is
+attached to, on a display of its own (Xvfb): without it that picture is left out. The environment's
+ARBITER_COMMAND is the `arbiter` that runs it.
 """
 import argparse
+import contextlib
 import os
 import pathlib
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / 'tests' / 'clients'))
+import x_server  # noqa: E402
 
 WRONG = ('MAD offset, offset, magnitude.x', 'MAD offset, ofset, magnitude.x')
 # (name, document, what is replaced in it, panel, pixel to debug)
@@ -32,13 +39,21 @@ SHOTS = [
     ('bench', 'gooch.fp', None, 'Bench', ''),
     ('gallery', None, None, 'Gallery', ''),
 ]
-# Those of the pages: the same, with colours and size.
+# Those of the pages: the same, with colours, size and further options. What is edited was drawn
+# before, and is drawn still.
 PAGES = [  # pictures of few colours pack well
-    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 560)),
-    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 620)),
-    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 560)),
-    ('gallery', None, None, 'Gallery', '', 'dark', (900, 520)),
+    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 600), ()),
+    ('error', 'cartoon.fp', None, 'Problems', '', 'light', (920, 600),
+     ('--edit', 'RSQ normal.w, normal.w=>RSQ normal.w, norml.w')),
+    ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 600),
+     ('--edit', 'TEX self, here=>TEX slef, here')),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 640), ()),
+    ('watch', 'cartoon.fp', None, 'Debug', '256,300', 'light', (920, 640), ('--watch', '18')),
+    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 600), ()),
+    ('gallery', None, None, 'Gallery', '', 'dark', (900, 560), ()),
 ]
+ATTACHED = ('attach', None, None, 'Attach', '128,128')
+ATTACHED_SIZE = (1100, 760)
 LARGEST = 100 * 1024  # bytes
 KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
 
@@ -57,7 +72,7 @@ def size_of(png):
     return size, len(set(zlib.decompress(packed)[::7])) > 8
 
 
-def shoot(arguments, shot, colours, scale, png, folder, more=()):
+def shoot(arguments, shot, colours, scale, png, folder, more=(), **further):
     name, document, change, panel, pixel = shot
     words = [arguments.builder, '--screenshot', str(png), '--colours', colours, '--panel', panel, *more]
     if pixel:
@@ -73,25 +88,69 @@ def shoot(arguments, shot, colours, scale, png, folder, more=()):
         words += ['--', str(path)]
     environment = dict(os.environ, QT_QPA_PLATFORM='offscreen', QT_SCALE_FACTOR=str(scale),
                        XDG_CONFIG_HOME=str(folder / 'config'), XDG_STATE_HOME=str(folder / 'state'),
-                       XDG_CACHE_HOME=str(folder / 'cache'), ARBITER_GALLERY=str(arguments.gallery))
+                       XDG_CACHE_HOME=str(folder / 'cache'), ARBITER_GALLERY=str(arguments.gallery),
+                       **further)
     environment.pop('DISPLAY', None)
     return subprocess.run(words, env=environment, timeout=120, capture_output=True, text=True)
+
+
+@contextlib.contextmanager
+def application(demo, folder):
+    """The demo under `arbiter run --control`, drawing: its process, and the folder of its socket."""
+    runtime = folder / 'runtime'
+    runtime.mkdir(mode=0o700)
+    with x_server.XServer('640x480x24') as display:
+        client = subprocess.Popen(
+            [os.environ.get('ARBITER_COMMAND', 'arbiter'), 'run', '--control', '--', demo, '--size',
+             '256x256'], stdout=subprocess.DEVNULL,
+            env=dict(os.environ, DISPLAY=display, XDG_RUNTIME_DIR=str(runtime), LIBGL_ALWAYS_SOFTWARE='1'))
+        try:
+            for _ in range(600):
+                if client.poll() is not None or list(runtime.glob('arbiter/*')):
+                    break
+                time.sleep(0.1)
+            yield client, runtime
+        finally:
+            client.kill()
+            client.wait()
+
+
+def fault_of(done, png, size):
+    """What is wrong with a page's picture; nothing if it is as it should be."""
+    if done.returncode != 0 or not png.exists():
+        return f'status {done.returncode}: {done.stderr[-400:]}'
+    if size_of(png)[0] != size:
+        return f'size {size_of(png)[0]}'
+    return f'{png.stat().st_size} bytes' if png.stat().st_size > LARGEST else None
+
+
+def page_options(size, more=()):
+    return ['--small', '--size', '%dx%d' % size, *more]
+
+
+def take_attached(arguments, png, folder):
+    with application(arguments.demo, folder) as (client, runtime):
+        done = shoot(arguments, ATTACHED, 'light', 1, png, folder,
+                     page_options(ATTACHED_SIZE, ('--attach', str(client.pid))),
+                     XDG_RUNTIME_DIR=str(runtime))
+        return fault_of(done, png, ATTACHED_SIZE)
 
 
 def take_pages(arguments, out, folder):
     """The documentation's pictures; returns how many failed."""
     failed = 0
-    for *shot, colours, size in PAGES:
+    for *shot, colours, size, more in PAGES:
+        if arguments.only not in (None, shot[0]):
+            continue
         png = out / f'{shot[0]}.png'
-        done = shoot(arguments, shot, colours, 1, png, folder, ['--small', '--size', '%dx%d' % size])
-        if done.returncode != 0 or not png.exists():
-            fault = f'status {done.returncode}: {done.stderr[-400:]}'
-        elif size_of(png)[0] != size:
-            fault = f'size {size_of(png)[0]}'
-        else:
-            fault = png.stat().st_size > LARGEST and f'{png.stat().st_size} bytes'
+        fault = fault_of(shoot(arguments, shot, colours, 1, png, folder, page_options(size, more)),
+                         png, size)
         failed += bool(fault)
         print(f'{png.name}: {fault or "ok"}', flush=True)
+    if arguments.demo and arguments.only in (None, 'attach'):
+        fault = take_attached(arguments, out / 'attach.png', folder)
+        failed += bool(fault)
+        print(f'attach.png: {fault or "ok"}', flush=True)
     return failed
 
 
@@ -103,6 +162,7 @@ def main():
     parser.add_argument('--pages', action='store_true')
     parser.add_argument('--out', type=pathlib.Path)
     parser.add_argument('--only')
+    parser.add_argument('--demo')
     arguments = parser.parse_args()
     failed = 0
     with tempfile.TemporaryDirectory() as temporary:

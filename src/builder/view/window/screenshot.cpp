@@ -4,9 +4,11 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <cstdio>
+#include <utility>
 
 #include "builder/model/attach/attachment.h"
 #include "builder/view/panels/attach_panel.h"
+#include "builder/view/picture/picture_view.h"
 #include "builder/view/window/main_window.h"
 
 namespace arbiter::builder {
@@ -97,7 +99,7 @@ private:
       const QPoint pixel(m_shot.pixel.section(u',', 0, 0).toInt(),
                          m_shot.pixel.section(u',', 1).toInt());
       if (m_shot.process != 0)
-        m_window.attachment().tracePixel(pixel);
+        Q_EMIT m_window.attachPanel().picture().pixelPicked(pixel);
       else
         m_bench.debugPixel(pixel);
     }
