@@ -33,6 +33,14 @@ MOVING = '''!!ARBfp1.0
 MOV result.color, program.local[0].x;
 END
 '''
+COUNTING = '''!!ARBfp1.0
+#@ size 8 8
+#@ texture 0 = feedback of constant r 0 g 0 b 0, nearest, edge
+TEMP t;
+TEX t, fragment.texcoord[0], texture[0], 2D;
+ADD result.color, t, {0.0039215687, 0, 0, 1};
+END
+'''
 WRONG = TINT.replace('program.local[0]', 'nothing')
 
 
@@ -211,6 +219,25 @@ class Render(unittest.TestCase):
         self.assertAlmostEqual(r.call('scene.step', seconds=0.25)['time'], 0.75, delta=0.02)
         bench = r.call('scene.bench', frames=5)
         self.assertEqual(bench['frames'], 5)
+
+    def test_feedback_is_taken_to_a_step(self):
+        r = self.renderer()
+        r.call('scene.pause', paused=True)
+        r.call('scene.set', text=COUNTING, revision=1)
+        params, pixels = r.frame()
+        self.assertEqual((params['steps'], pixels[0][0]), (1, 1))
+        for steps in 40, 41, 7, 7:
+            self.assertEqual(r.call('scene.steps', steps=steps)['steps'], steps)
+            params, pixels = r.frame()
+            self.assertEqual((params['steps'], pixels[0][0], pixels[1][0]), (steps,) * 3)
+        r.call('scene.step')
+        self.assertEqual(r.frame()[0]['steps'], 8)
+        self.assertEqual(r.call('scene.steps', steps=0)['code'], -32602)
+        far = r.call('scene.steps', steps=1_000_000_000)['steps']
+        self.assertLess(far, 1_000_000_000)
+        self.assertGreater(far, 8)
+        r.call('scene.set', text=TINT, revision=2)
+        self.assertEqual(r.call('scene.steps', steps=2)['code'], -32004)
 
     def test_hostile_messages(self):
         r = self.renderer

@@ -94,6 +94,7 @@ Workbench::Workbench(Places places, QObject *parent)
   connect(&m_session, &RendererSession::drew, this, [this](const Frame &frame) {
     m_frame = frame;
     m_frame.revision = m_revisionOf.value(frame.revision, -1);
+    m_stepIsAsked = false;
     Q_EMIT pictureChanged();
     followTime();
   });
@@ -107,15 +108,11 @@ Workbench::Workbench(Places places, QObject *parent)
   });
   connect(&m_session, &RendererSession::restarted, this,
           [this](const QString &why) { Q_EMIT notice(tr("%1; it is started anew").arg(why)); });
-  connect(&m_other, &RendererSession::drew, this, [this](const Frame &frame) {
-    m_otherIsAsked = false;
-    if (!m_otherOptions) // an earlier picture is A now
-      return;
-    m_pinned = frame.image;
-    Q_EMIT pinnedChanged();
-    followTime();
-  });
+  connect(&m_other, &RendererSession::drew, this, &Workbench::takeOther);
+  connect(&m_together, &QTimer::timeout, this, &Workbench::stepTogether);
+  connect(&m_session, &RendererSession::restarted, this, [this] { m_stepIsAsked = false; });
   connect(&m_other, &RendererSession::restarted, this, [this] { m_otherIsAsked = false; });
+  connect(&m_other, &RendererSession::held, this, [this] { letGo(); }); // B need not wait
 }
 
 void Workbench::start() {

@@ -101,7 +101,12 @@ Q_SIGNALS:
 private:
   void edited();
   void draw();
+  void takeOther(const Frame &frame);
+  void endFollowing();
+  void letGo();
   void followTime();
+  void followSteps();
+  void stepTogether();
   void sliderMoved(int line, int component, double value);
   void diagnosed(qint64 revision, const QList<Problem> &problems);
   void answered(const SceneAnswer &answer);
@@ -120,6 +125,10 @@ private:
   RendererSession m_other;     ///< of A: paused, and taken to the time of each frame of B
   bool m_otherIsAsked = false; ///< for a frame, which has not come
   double m_otherTime = -1;     ///< of the frame that was asked for last, s
+  int m_otherSteps = 0;        ///< of the newest frame of A, with feedback; 0: none has come
+  QTimer m_together;           ///< with feedback both go on when both are there
+  bool m_stepIsAsked = false;  ///< of B, and has not come
+  QElapsedTimer m_since;       ///< with feedback: of the last frame of either
   Parameters m_parameters;
   Trace m_trace;
   ToolRun m_debugTool;

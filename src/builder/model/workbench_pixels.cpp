@@ -51,7 +51,7 @@ void Workbench::watchRow(int row) {
                     if (!image.load(file->fileName(), "PNG"))
                       return Q_EMIT notice(
                           tr("%1 cannot be shown: %2").arg(what, result.complaint));
-                    m_otherOptions.reset();
+                    endFollowing();
                     m_pinned = image.convertToFormat(QImage::Format_RGBA8888);
                     m_pinnedName = what;
                     Q_EMIT pinnedChanged();
@@ -59,26 +59,87 @@ void Workbench::watchRow(int row) {
 }
 
 void Workbench::pin() {
-  m_otherOptions.reset();
+  endFollowing();
   m_pinned = m_frame.image;
   m_pinnedName = tr("revision %1").arg(m_frame.revision);
   Q_EMIT pinnedChanged();
 }
 
 void Workbench::unpin() {
-  m_otherOptions.reset();
+  endFollowing();
   m_pinned = {};
   Q_EMIT pinnedChanged();
+}
+
+/// A is drawn no more: what is shown as A stays.
+void Workbench::endFollowing() {
+  m_otherOptions.reset();
+  letGo();
+}
+
+/// B waits for A no longer.
+void Workbench::letGo() {
+  m_otherSteps = 0;
+  m_together.stop();
+  m_session.setHeldBack(false);
+}
+
+/// With feedback a frame of A is shown when it follows from as many frames as B's.
+void Workbench::takeOther(const Frame &frame) {
+  m_otherIsAsked = false;
+  if (!m_otherOptions) // an earlier picture is A now
+    return;
+  m_otherSteps = frame.steps;
+  if (m_otherSteps == m_frame.steps) {
+    m_pinned = frame.image;
+    Q_EMIT pinnedChanged();
+  }
+  followTime();
 }
 
 /// Two renderers have two clocks: A is taken to B's time, a frame after the other.
 void Workbench::followTime() {
   constexpr double kWithinAFrame = 1e-6; // against rounding down to the frame before
-  if (!m_otherOptions || m_otherIsAsked || m_frame.time == m_otherTime)
+  if (!m_otherOptions)
+    return;
+  if (m_frame.steps > 0)
+    return followSteps();
+  letGo();
+  if (m_otherIsAsked || m_frame.time == m_otherTime)
     return;
   m_otherTime = m_frame.time;
   m_otherIsAsked = true;
   m_other.setTime(m_frame.time + kWithinAFrame);
+}
+
+/// A document with feedback has no picture of a time, but one of so many frames before it. A is
+/// taken to as many, which may take a while, and B waits for it.
+void Workbench::followSteps() {
+  constexpr int kMilliseconds = 16;
+  if (m_otherSteps == 0)
+    return;
+  m_session.setHeldBack(true);
+  m_since.start();
+  if (!m_together.isActive())
+    m_together.start(kMilliseconds);
+  if (m_otherIsAsked || m_otherSteps == m_frame.steps)
+    return;
+  m_otherIsAsked = true;
+  m_other.setSteps(m_frame.steps);
+}
+
+/// The next frame of B, when A has this one. A frame that was asked for may not come (its process
+/// went, or the document changed): it is asked for again.
+void Workbench::stepTogether() {
+  constexpr qint64 kPatience = 3000;
+  if (m_since.elapsed() > kPatience) {
+    m_otherIsAsked = m_stepIsAsked = false;
+    followSteps();
+  }
+  if (m_session.isPaused() || m_otherIsAsked || m_otherSteps != m_frame.steps || m_stepIsAsked)
+    return;
+  m_stepIsAsked = true;
+  m_session.step(1 / sceneOf(document().text()).rate);
 }
 
 void Workbench::compareWith(const RenderOptions &options) {
@@ -86,6 +147,7 @@ void Workbench::compareWith(const RenderOptions &options) {
   m_other.setPaused(true);
   m_otherIsAsked = false;
   m_otherTime = -1;
+  letGo();
   m_other.setOptions(options);
   QStringList parts;
   for (const QString &part : {options.profile, options.numerics, options.backend})

@@ -25,7 +25,8 @@ std::span<const RenderLoop::Row> RenderLoop::rows() {
       {"scene.pause", &RenderLoop::pause}, {"scene.step", &RenderLoop::step},
       {"scene.time", &RenderLoop::time},   {"scene.frame", &RenderLoop::frame},
       {"scene.size", &RenderLoop::size},   {"scene.camera", &RenderLoop::camera},
-      {"scene.bench", &RenderLoop::bench}, {"frame.want", &RenderLoop::want},
+      {"scene.bench", &RenderLoop::bench}, {"scene.steps", &RenderLoop::steps},
+      {"frame.want", &RenderLoop::want},
   };
   return kRows;
 }
@@ -82,10 +83,13 @@ void RenderLoop::drawFrame() {
   m_service.setIdle();
   ++m_number;
   m_service.noteFrame(m_number, m_player.revision());
-  m_service.lend(Json::object({{"number", m_number},
-                               {"revision", m_player.revision()},
-                               {"time", m_player.seconds()},
-                               {"milliseconds", m_milliseconds}}));
+  Json frame = Json::object({{"number", m_number},
+                             {"revision", m_player.revision()},
+                             {"time", m_player.seconds()},
+                             {"milliseconds", m_milliseconds}});
+  if (m_player.hasFeedback())
+    frame["steps"] = m_player.steps();
+  m_service.lend(std::move(frame));
 }
 
 control::Answer RenderLoop::set(const RenderService::Waiting &, Params &params) {
@@ -179,6 +183,22 @@ control::Answer RenderLoop::time(const RenderService::Waiting &, Params &params)
   m_player.setSeconds(seconds);
   m_changed = true;
   return Json::object();
+}
+
+control::Answer RenderLoop::steps(const RenderService::Waiting &, Params &params) {
+  constexpr std::chrono::milliseconds kMost{200}; // what comes meanwhile waits no longer
+  const int wanted = int(params.integer("steps", 1, 1'000'000'000));
+  if (!params.ok())
+    return params.fault();
+  if (!m_player.hasScene())
+    return noScene();
+  if (!m_player.hasFeedback())
+    return Fault{control::kNotPossible, "the document has no feedback: scene.time says when it is",
+                 {}};
+  if (!m_player.approachStep(wanted, Clock::now() + kMost))
+    return Fault{control::kNotPossible, "GL has no room to begin the document anew", {}};
+  drawFrame();
+  return Json::object({{"steps", m_player.steps()}, {"time", m_player.seconds()}});
 }
 
 control::Answer RenderLoop::frame(const RenderService::Waiting &, Params &) {

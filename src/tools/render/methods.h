@@ -32,6 +32,7 @@ private:
   control::Answer pause(const RenderService::Waiting &waiting, control::Params &params);
   control::Answer step(const RenderService::Waiting &waiting, control::Params &params);
   control::Answer time(const RenderService::Waiting &waiting, control::Params &params);
+  control::Answer steps(const RenderService::Waiting &waiting, control::Params &params);
   control::Answer frame(const RenderService::Waiting &waiting, control::Params &params);
   control::Answer size(const RenderService::Waiting &waiting, control::Params &params);
   control::Answer camera(const RenderService::Waiting &waiting, control::Params &params);

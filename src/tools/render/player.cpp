@@ -173,6 +173,23 @@ bool Player::build(std::unique_ptr<scene::Document> document, RenderError &error
   m_renderer = std::move(made.value());
   m_document = std::move(document);
   m_animated = isAnimatedDocument(*m_document);
+  m_steps = 0;
+  return true;
+}
+
+bool Player::approachStep(int step, Clock::time_point until) {
+  if (step <= m_steps) {
+    auto made = Renderer::make(*m_document);
+    if (!made)
+      return false;
+    m_renderer = std::move(made.value());
+    m_steps = 0;
+  }
+  while (m_steps + 1 < step && Clock::now() < until) {
+    m_frame = m_steps;
+    (void)draw(nullptr);
+  }
+  m_frame = m_steps;
   return true;
 }
 
@@ -255,6 +272,7 @@ double Player::draw(std::uint8_t *pixels) {
   const Clock::time_point begin = Clock::now();
   (void)m_canvas.use(width(), height());
   m_renderer->draw(m_frame);
+  ++m_steps;
   if (pixels)
     glReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   else

@@ -60,6 +60,14 @@ public:
   [[nodiscard]] int width() const { return m_document->width(); }
   [[nodiscard]] int height() const { return m_document->height(); }
   [[nodiscard]] int frame() const { return m_frame; }
+  /// The picture follows from those before.
+  [[nodiscard]] bool hasFeedback() const { return m_document->hasFeedback(); }
+  /// Frames drawn since the document began, each of which feedback has taken up.
+  [[nodiscard]] int steps() const { return m_steps; }
+  /// Of a document with feedback: draws what is missing until the next frame drawn is that step, from
+  /// the beginning where it is beyond it. At most until then: steps() says how far it came. False:
+  /// GL has no room to begin anew.
+  [[nodiscard]] bool approachStep(int step, std::chrono::steady_clock::time_point until);
   [[nodiscard]] double seconds() const { return m_document->secondsOf(m_frame); }
   void advance(int frames) { m_frame += frames; }
   /// Draws the frame, and reads it where `pixels` is not null: rows of `width() * 4` bytes.
@@ -79,6 +87,7 @@ private:
   std::unique_ptr<Renderer> m_renderer;
   std::int64_t m_revision = 0;
   int m_frame = 0;
+  int m_steps = 0;
   bool m_animated = false;
   int m_width = 0, m_height = 0; ///< in place of the document's
   std::optional<Orbit> m_orbit;

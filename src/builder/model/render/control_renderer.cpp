@@ -160,7 +160,7 @@ void ControlRenderer::event(const QString &method, const QJsonObject &params) {
 void ControlRenderer::takeFrame(const QImage &image, const QJsonObject &params) {
   Q_EMIT drew({image, m_revisions.value(params[u"revision"].toInteger()),
                params[u"number"].toInteger(), params[u"time"].toDouble(),
-               params[u"milliseconds"].toDouble()});
+               params[u"milliseconds"].toDouble(), params[u"steps"].toInt()});
 }
 
 bool ControlRenderer::setParameter(const LiveValue &live) {
@@ -188,6 +188,11 @@ void ControlRenderer::step(double seconds) {
 void ControlRenderer::setTime(double seconds) {
   if (m_client)
     m_client->call(QStringLiteral("scene.time"), {{"seconds", seconds}});
+}
+
+void ControlRenderer::setSteps(int steps) {
+  if (m_client)
+    m_client->call(QStringLiteral("scene.steps"), {{"steps", steps}});
 }
 
 bool ControlRenderer::bench(int frames) {

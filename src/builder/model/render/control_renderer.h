@@ -21,6 +21,7 @@ public:
   void setPaused(bool paused) override;
   void step(double seconds) override;
   void setTime(double seconds) override;
+  void setSteps(int steps) override;
   bool bench(int frames) override;
   void kill() override;
   [[nodiscard]] qint64 processId() const override { return m_process ? m_process->processId() : 0; }

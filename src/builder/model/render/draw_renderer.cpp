@@ -95,7 +95,7 @@ void DrawRenderer::finished(int code, QProcess::ExitStatus status) {
                               0});
   } else {
     Q_EMIT drew({image.convertToFormat(QImage::Format_RGBA8888), answer.revision, 0, 0,
-                 answer.milliseconds});
+                 answer.milliseconds, 0});
   }
   Q_EMIT answered(answer);
 }

@@ -33,6 +33,7 @@ struct Frame {
   qint64 number = 0;
   double time = 0;         ///< seconds, of the animation
   double milliseconds = 0; ///< that drawing it took
+  int steps = 0;           ///< with feedback: the frames so far, which it follows from; else 0
 };
 
 /// What a renderer says of a scene.
@@ -68,6 +69,9 @@ public:
   virtual void step(double /*seconds*/) {}
   /// Time of the animation from now on; paused, one frame is drawn.
   virtual void setTime(double /*seconds*/) {}
+  /// With feedback: goes on, or begins anew, until so many frames are drawn. A frame comes for each
+  /// call; its steps say how far it came.
+  virtual void setSteps(int /*steps*/) {}
   /// So many frames as fast as they go; answered by benched(), where that is offered.
   virtual bool bench(int /*frames*/) { return false; }
   /// Ends the process at once.

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <utility>
 
 #include "scene/document.h"
 
@@ -88,7 +89,7 @@ void RendererSession::startRenderer() {
     sendNext();
   });
   m_renderer->start(m_started, m_folder);
-  if (m_paused)
+  if (m_paused || m_heldBack)
     m_renderer->setPaused(true);
 }
 
@@ -246,7 +247,12 @@ bool RendererSession::setParameter(const LiveValue &value) {
 void RendererSession::setPaused(bool paused) {
   m_paused = paused;
   if (m_renderer)
-    m_renderer->setPaused(paused);
+    m_renderer->setPaused(m_paused || m_heldBack);
+}
+
+void RendererSession::setHeldBack(bool heldBack) {
+  if (std::exchange(m_heldBack, heldBack) != heldBack)
+    setPaused(m_paused);
 }
 
 void RendererSession::step(double seconds) {
@@ -257,6 +263,11 @@ void RendererSession::step(double seconds) {
 void RendererSession::setTime(double seconds) {
   if (m_renderer)
     m_renderer->setTime(seconds);
+}
+
+void RendererSession::setSteps(int steps) {
+  if (m_renderer)
+    m_renderer->setSteps(steps);
 }
 
 bool RendererSession::bench(int frames) { return m_renderer && m_renderer->bench(frames); }

@@ -34,8 +34,11 @@ public:
   bool setParameter(const LiveValue &value);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return m_paused; }
+  /// Time goes on by step() alone, whether or not it is paused.
+  void setHeldBack(bool heldBack);
   void step(double seconds);
   void setTime(double seconds);
+  void setSteps(int steps);
   bool bench(int frames);
 
   /// Ends what is under way: its text is held.
@@ -85,7 +88,7 @@ private:
   std::optional<Scene> m_lastGoodScene;
   Frame m_lastGood;
   State m_state = State::Idle;
-  bool m_paused = false;
+  bool m_paused = false, m_heldBack = false;
 
   QSet<QByteArray> m_held; ///< hashes of texts
   QByteArray m_suspect;    ///< of the text that ended the renderer last

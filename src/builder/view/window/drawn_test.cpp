@@ -194,6 +194,43 @@ TEST_F(Window, BothSidesOfAComparisonAreOfOneTime) {
   EXPECT_EQ(bench().pinned(), kept) << "what drew A before draws it no more";
 }
 
+/// A picture that follows from those before has no time: A is that of as many frames as B.
+TEST_F(Window, BothSidesOfAComparisonFollowFromAsManyFrames) {
+  open(QStringLiteral("!!ARBfp1.0\n#@ size 16 16\n"
+                      "#@ texture 0 = feedback of constant r 0 g 0 b 0, nearest, edge\nTEMP t;\n"
+                      "TEX t, fragment.texcoord[0], texture[0], 2D;\n"
+                      "ADD result.color, t, {0.0039215687, 0, 0, 1};\nEND\n"));
+  const auto red = [](const QImage &image) {
+    return image.isNull() ? -1 : image.pixelColor(8, 8).red();
+  };
+  ASSERT_TRUE(waitFor([&] { return bench().frame().steps > 20; }));
+  EXPECT_EQ(middle().red(), std::min(255, bench().frame().steps)) << "a frame adds one";
+  RenderOptions host;
+  host.numerics = QStringLiteral("host");
+  int shown = 0, unlike = 0, last = 0;
+  QObject::connect(&bench(), &Workbench::pinnedChanged, window.get(), [&] {
+    ++shown;
+    unlike += red(bench().pinned()) != middle().red();
+    last = red(bench().pinned());
+  });
+  bench().compareWith(host);
+  ASSERT_TRUE(waitFor([&] { return shown > 10; })) << "they do not go on together";
+  EXPECT_EQ(unlike, 0) << "A is of another frame";
+  EXPECT_GT(last, 25);
+  runAction(*window, "Pause");
+  serve(400);
+  const int steps = bench().frame().steps;
+  serve(300);
+  EXPECT_EQ(bench().frame().steps, steps) << "it is paused";
+  EXPECT_EQ(red(bench().pinned()), std::min(255, steps));
+  runAction(*window, "One frame");
+  ASSERT_TRUE(waitFor([&] { return red(bench().pinned()) == std::min(255, steps + 1); }));
+  EXPECT_EQ(middle().red(), std::min(255, steps + 1));
+  bench().unpin();
+  runAction(*window, "Pause");
+  ASSERT_TRUE(waitFor([&] { return bench().frame().steps > steps + 5; })) << "B goes on alone";
+}
+
 TEST_F(Window, TheBenchSaysHowLongAFrameTakes) {
   open(kText);
   window->showPanel(QStringLiteral("Bench"));
