@@ -221,7 +221,8 @@ class Render(unittest.TestCase):
         self.assertEqual(bench['frames'], 5)
 
     def test_feedback_is_taken_to_a_step(self):
-        r = self.renderer()
+        r = self.renderer
+        r.call('frame.want')
         r.call('scene.pause', paused=True)
         r.call('scene.set', text=COUNTING, revision=1)
         params, pixels = r.frame()

@@ -39,9 +39,10 @@ struct Options {
                            QObject::tr("a picture of few colours, for a page")};
   QCommandLineOption panel{QStringLiteral("panel"), QObject::tr("the panel to bring to the front"),
                            QStringLiteral("NAME")};
-  QCommandLineOption edit{QStringLiteral("edit"),
-                          QObject::tr("for a picture: replace a piece of the text when it is drawn"),
-                          QStringLiteral("FROM=>TO")};
+  QCommandLineOption edit{
+      QStringLiteral("edit"),
+      QObject::tr("for a picture: replace a piece of the text when it is drawn"),
+      QStringLiteral("FROM=>TO")};
   QCommandLineOption pixel{QStringLiteral("pixel"), QObject::tr("the pixel to debug"),
                            QStringLiteral("X,Y")};
   QCommandLineOption watch{
@@ -101,10 +102,10 @@ int show(MainWindow &window, const QCommandLineParser &parser, const Options &op
                    : documents.isEmpty()       ? QObject::tr("Gallery")
                                                : QObject::tr("Program"));
   if (shooting)
-    takeScreenshot(window, {parser.value(options.shot), parser.value(options.edit),
-                            parser.value(options.pixel), parser.value(options.watch).toInt(),
-                            parser.value(options.attach).toLongLong(),
-                            parser.isSet(options.small)});
+    takeScreenshot(window,
+                   {parser.value(options.shot), parser.value(options.edit),
+                    parser.value(options.pixel), parser.value(options.watch).toInt(),
+                    parser.value(options.attach).toLongLong(), parser.isSet(options.small)});
   else
     QMetaObject::invokeMethod(&window, &MainWindow::offerRecovery, Qt::QueuedConnection);
   return QApplication::exec();

@@ -7,11 +7,11 @@ namespace arbiter::scene {
 
 namespace {
 
-constexpr int kTile = 64;        ///< texels
-constexpr int kSquare = 8;       ///< likewise
-constexpr int kDot = 5;          ///< texels a dot of a digit
+constexpr int kTile = 64;  ///< texels
+constexpr int kSquare = 8; ///< likewise
+constexpr int kDot = 5;    ///< texels a dot of a digit
 constexpr int kColumns = 5, kRows = 7;
-constexpr int kGap = 1;          ///< dots between digits
+constexpr int kGap = 1; ///< dots between digits
 
 /// Rows from the top, the leftmost dot in the highest of five bits.
 using Digit = std::array<std::uint8_t, kRows>;

@@ -101,8 +101,7 @@ void Textures::addUnset(const scene::Document &document, const scene::Pass &pass
     unit.panel = pass.panel;
     unit.number = sampled.unit;
     unit.target = glTarget(sampled.target);
-    unit.enabled =
-        document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
+    unit.enabled = document.files[std::size_t(pass.fragment)].language == Language::AtiFragment;
     unit.name = makeUnsetTexture(sampled.unit, sampled.target, document.width(), document.height());
     m_units.push_back(unit);
   }

@@ -17,8 +17,8 @@ public:
   Textures &operator=(const Textures &) = delete;
   ~Textures();
 
-  /// Makes each image and gives it to GL, as what the pass's programs sample it as. A unit that they
-  /// sample and no line names gets its number for an image.
+  /// Makes each image and gives it to GL, as what the pass's programs sample it as. A unit that
+  /// they sample and no line names gets its number for an image.
   [[nodiscard]] std::optional<RenderError> load(const scene::Document &document,
                                                 const Targets &targets);
   /// Binds what the pass of that panel has in its units.

@@ -61,10 +61,10 @@ void addBuilder(CLI::App &app, BuilderArguments &builder) {
   verb.option("DOCUMENT", builder.document,
               "a program, or a folder; gallery:NAME opens a copy of a document of the gallery; "
               "without one, the gallery itself");
-  const Option screenshot =
-      verb.option("--screenshot", builder.screenshot,
-                  "write a picture of the window into this PNG when the document is drawn, and end; "
-                  "without a display too");
+  const Option screenshot = verb.option(
+      "--screenshot", builder.screenshot,
+      "write a picture of the window into this PNG when the document is drawn, and end; "
+      "without a display too");
   verb.option("--size", builder.size, "WxH: the window's size in the picture; 1280x800 without")
       .needs(screenshot);
   verb.footer("The window is the program arbiter-builder, which needs Qt 6; docs/builder_window.md "

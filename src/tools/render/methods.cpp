@@ -193,8 +193,8 @@ control::Answer RenderLoop::steps(const RenderService::Waiting &, Params &params
   if (!m_player.hasScene())
     return noScene();
   if (!m_player.hasFeedback())
-    return Fault{control::kNotPossible, "the document has no feedback: scene.time says when it is",
-                 {}};
+    return Fault{
+        control::kNotPossible, "the document has no feedback: scene.time says when it is", {}};
   if (!m_player.approachStep(wanted, Clock::now() + kMost))
     return Fault{control::kNotPossible, "GL has no room to begin the document anew", {}};
   drawFrame();

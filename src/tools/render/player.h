@@ -64,9 +64,9 @@ public:
   [[nodiscard]] bool hasFeedback() const { return m_document->hasFeedback(); }
   /// Frames drawn since the document began, each of which feedback has taken up.
   [[nodiscard]] int steps() const { return m_steps; }
-  /// Of a document with feedback: draws what is missing until the next frame drawn is that step, from
-  /// the beginning where it is beyond it. At most until then: steps() says how far it came. False:
-  /// GL has no room to begin anew.
+  /// Of a document with feedback: draws what is missing until the next frame drawn is that step,
+  /// from the beginning where it is beyond it. At most until then: steps() says how far it came.
+  /// False: GL has no room to begin anew.
   [[nodiscard]] bool approachStep(int step, std::chrono::steady_clock::time_point until);
   [[nodiscard]] double seconds() const { return m_document->secondsOf(m_frame); }
   void advance(int frames) { m_frame += frames; }

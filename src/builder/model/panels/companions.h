@@ -4,9 +4,9 @@
 
 namespace arbiter::builder {
 
-/// The files beside a document that it names, and those that its other programs name: images, a mesh,
-/// programs of vertices and further passes, a profile. Relative names, each once.
-/// \param folder where the document looks for them
+/// The files beside a document that it names, and those that its other programs name: images, a
+/// mesh, programs of vertices and further passes, a profile. Relative names, each once. \param
+/// folder where the document looks for them
 [[nodiscard]] QStringList companionsOf(const QString &text, const QString &name,
                                        const QString &folder);
 

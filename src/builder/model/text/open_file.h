@@ -30,8 +30,8 @@ public:
   [[nodiscard]] QString folder() const;
 
   [[nodiscard]] Result<QString, FileFault> open(const QString &path);
-  /// A text without a file; \p folder is where it looks for what it names, \p proposed the name that
-  /// it may be saved as.
+  /// A text without a file; \p folder is where it looks for what it names, \p proposed the name
+  /// that it may be saved as.
   void openText(const QString &text, const QString &folder = {}, const QString &proposed = {});
   /// What a journal kept: the file's text if there is one, then the kept one as an undo step.
   void recover(const Recovered &recovered);

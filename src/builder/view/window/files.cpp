@@ -91,8 +91,7 @@ void MainWindow::newFile() {
 void MainWindow::openFile() {
   if (!mayDiscard())
     return;
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open"), userFolder(), filter());
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open"), userFolder(), filter());
   if (!path.isEmpty() && openPath(path))
     rememberFolderOf(path);
 }
@@ -140,7 +139,8 @@ QString MainWindow::takeCompanions(const QString &folder) {
   if (QDir(folder) == QDir(file.folder()))
     return {};
   QStringList failed;
-  const QStringList names = companionsOf(file.document().text(), file.proposedName(), file.folder());
+  const QStringList names =
+      companionsOf(file.document().text(), file.proposedName(), file.folder());
   const QStringList copied = copyCompanions(names, file.folder(), folder, failed);
   QString said;
   if (!copied.isEmpty())

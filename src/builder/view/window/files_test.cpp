@@ -30,7 +30,8 @@ TEST_F(Window, ANoticeHidesNoError) {
   ASSERT_TRUE(waitFor([&] { return state.text().contains(QStringLiteral("is wrong")); }));
   runAction(*window, "Save");
   const auto &notice = find<QLabel>("status-notice");
-  EXPECT_TRUE(notice.text().endsWith(QStringLiteral("a.fp is saved"))) << notice.text().toStdString();
+  EXPECT_TRUE(notice.text().endsWith(QStringLiteral("a.fp is saved")))
+      << notice.text().toStdString();
   EXPECT_TRUE(notice.isVisible());
   EXPECT_TRUE(state.isVisible()) << "what is wrong is hidden by what is saved";
   EXPECT_GE(state.width(), state.fontMetrics().horizontalAdvance(state.text()))
@@ -85,10 +86,10 @@ TEST(Companions, AreWhatTheDocumentNamesAndLiesInItsFolder) {
                                       "#@ texture 1 = ../outside.png\n"
                                       "#@ texture 2 = none.png\nEND\n");
   const QStringList names = companionsOf(text, QStringLiteral("a.fp"), from.path());
-  EXPECT_EQ(QSet<QString>(names.cbegin(), names.cend()),
-            (QSet<QString>{QStringLiteral("a.png"), QStringLiteral("in/b.png"),
-                           QStringLiteral("m.obj"), QStringLiteral("second.fp"),
-                           QStringLiteral("none.png")}))
+  EXPECT_EQ(
+      QSet<QString>(names.cbegin(), names.cend()),
+      (QSet<QString>{QStringLiteral("a.png"), QStringLiteral("in/b.png"), QStringLiteral("m.obj"),
+                     QStringLiteral("second.fp"), QStringLiteral("none.png")}))
       << names.join(u' ').toStdString();
   write(to.filePath(QStringLiteral("a.png")), "the user's own");
   QStringList failed;
