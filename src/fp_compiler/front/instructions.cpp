@@ -116,6 +116,7 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
     return false;
   }
   destination.index = symbol->index;
+  m_written = symbol->size;
   return true;
 }
 

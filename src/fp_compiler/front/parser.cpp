@@ -42,8 +42,12 @@ void Parser::parse() {
             "every program ends with END; check the length given");
       return;
     }
-    if (keywordAt().keyword == Keyword::End)
-      return parseEnd();
+    if (keywordAt().keyword == Keyword::End) {
+      parseEnd();
+      if (m_options.nv != ir::NvOption::None)
+        finishNv();
+      return;
+    }
     parseStatement();
   }
 }
@@ -63,6 +67,11 @@ void Parser::parseStatement() {
       recover();
     return;
   }
+  if (atSize()) {
+    if (!parseSized())
+      recover();
+    return;
+  }
   const Token first = m_tokens.next();
   if (!parseStatementBody(first, word))
     recover();
@@ -71,7 +80,8 @@ void Parser::parseStatement() {
 bool Parser::parseStatementBody(const Token &first, const Word &word) {
   switch (word.keyword) {
   case Keyword::Opcode:
-    return parseInstruction(first, word);
+    return m_options.nv == ir::NvOption::None ? parseInstruction(first, word)
+                                              : parseNvInstruction(first, word);
   case Keyword::Temp:
     return parseRegisters(SymbolKind::Temporary);
   case Keyword::Address:
@@ -85,6 +95,8 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::Param:
     return parseParam();
   case Keyword::None:
+    if (m_options.nv != ir::NvOption::None && atByte(':'))
+      return parseLabel(first);
     return unknownStatement(first);
   case Keyword::Attributes:
   case Keyword::Program:

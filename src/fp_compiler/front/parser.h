@@ -1,10 +1,12 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "fp_compiler/front/bindings/binder.h"
 #include "fp_compiler/front/lexer.h"
+#include "fp_compiler/front/nv/statement.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
 #include "fp_compiler/front/words/keywords.h"
@@ -65,7 +67,11 @@ private:
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
   [[nodiscard]] std::string describe(const Token &token) const;
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  [[nodiscard]] Word wordOf(const Token &token) const { return classify(text(token), m_language); }
+  [[nodiscard]] Word wordOf(const Token &token) const {
+    return m_options.nv == ir::NvOption::None
+               ? classify(text(token), m_language)
+               : nv::classify(text(token), m_language, m_options.nv);
+  }
   [[nodiscard]] Word keywordAt() const;
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
   [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
@@ -154,6 +160,34 @@ private:
   bool undeclared(const Token &name);
   bool skipIndex();
 
+  // nv/parse.cpp: what NVIDIA's options add
+  [[nodiscard]] bool atByte(char byte, int ahead = 0) const;
+  bool acceptByte(char byte);
+  bool expectByte(char byte);
+  [[nodiscard]] bool atSize() const;
+  bool parseSized();
+  bool parseTest(nv::Test &test);
+  bool parseConditionMask(nv::Test &test);
+  bool parseNvSource(bool scalar, ir::Operand &operand, bool &absolute);
+  bool parseNvSwzSource(ir::Operand &operand, bool &absolute);
+  bool parseNvOperands(nv::Statement &statement);
+  bool parseAddressSource(ir::Operand &operand);
+  bool parseNvAddressDestination(ir::Destination &destination);
+  bool parseNvDestination(nv::Statement &statement);
+  void checkSize(const ir::Destination &destination);
+  bool parseNvInstruction(const Token &opcode, const Word &word);
+  bool parseNvFlow(const Token &opcode, const Word &word);
+  bool parseLabel(const Token &name);
+  void keep(const nv::Statement &statement, Span opcode);
+  void finishNv();
+
+  /// A place in the program that BRA and CAL name.
+  struct Label {
+    Span name;
+    bool placed = false;
+  };
+  Label &labelOf(const Token &name);
+
   /// A parameter array; `relative` is its number in the program, once an address register has
   /// indexed it.
   struct Array {
@@ -184,6 +218,16 @@ private:
     ir::TexTarget target = ir::TexTarget::Tex2D;
   };
   std::vector<UnitUse> m_units;
+  // NVIDIA's options.
+  std::vector<nv::Statement> m_statements;
+  std::vector<Label> m_labels;
+  std::map<std::string_view, std::uint16_t> m_labelNumbers;
+  std::uint8_t m_addressComponent = 0; ///< the one that was read last
+  std::uint32_t m_blocks = 0;  ///< IFs that are open
+  std::vector<bool> m_elses;   ///< of each, whether its ELSE has been read
+  RegisterSize m_size = RegisterSize::Long;    ///< of the declaration
+  RegisterSize m_written = RegisterSize::Long; ///< of the destination that was read last
+  std::map<std::uint16_t, RegisterSize> m_resultSizes; ///< of results, as they are written
 };
 
 } // namespace arbiter::fp

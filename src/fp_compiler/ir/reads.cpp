@@ -29,14 +29,34 @@ std::uint8_t crossMask(std::uint8_t mask) {
   return reads;
 }
 
-std::uint8_t textureMask(const Instruction &instruction) {
+/// The derivatives have no reference of a comparison.
+std::uint8_t derivativeMask(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return kX;
+  case TexTarget::Tex2D:
+  case TexTarget::Rect:
+  case TexTarget::Shadow2D:
+  case TexTarget::ShadowRect:
+    return kX | kY;
+  case TexTarget::Tex3D:
+  case TexTarget::Cube:
+    break;
+  }
+  return kX | kY | kZ;
+}
+
+std::uint8_t textureMask(const Instruction &instruction, int operand) {
+  if (operand > 0)
+    return derivativeMask(instruction.target);
   std::uint8_t reads = coordinateMask(instruction.target);
   if (instruction.op == Opcode::Txp)
     reads |= kW;
   // A rectangle has one level, so there is nothing to bias.
   const bool rectangle =
       instruction.target == TexTarget::Rect || instruction.target == TexTarget::ShadowRect;
-  if (instruction.op == Opcode::Txb && !rectangle)
+  if ((instruction.op == Opcode::Txb || instruction.op == Opcode::Txl) && !rectangle)
     reads |= kW;
   return reads;
 }
@@ -100,7 +120,7 @@ std::uint8_t operandMask(const Instruction &instruction, int operand) {
   if (row.has(PerComponent))
     return mask;
   if (row.has(Texture))
-    return textureMask(instruction);
+    return textureMask(instruction, operand);
   if (row.shapes[operand] == 'S')
     return instruction.op == Opcode::Scs && (mask & (kX | kY)) == 0 ? 0 : kX;
   switch (instruction.op) {
@@ -114,6 +134,9 @@ std::uint8_t operandMask(const Instruction &instruction, int operand) {
     return litMask(mask);
   case Opcode::Xpd:
     return crossMask(mask);
+  case Opcode::Pk2h:
+  case Opcode::Pk2us:
+    return kX | kY;
   default:
     return kAll;
   }

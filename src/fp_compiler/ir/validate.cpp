@@ -30,6 +30,10 @@ private:
     m_problems.push_back("instruction " + std::to_string(m_at) + ": " + problem);
   }
 
+  static bool isOfVertices(const OpInfo &row) {
+    return row.has(OfV2) || row.has(OfV3) || &row == &info(Opcode::Cmp);
+  }
+
   std::size_t sizeOf(File file) const {
     switch (file) {
     case File::Temporary:
@@ -47,10 +51,15 @@ private:
   }
 
   void check(const Instruction &instruction) {
-    if (int(instruction.op) >= kOpcodeCount)
+    if (int(instruction.op) >= kCodeOpcodeCount)
       return report("opcode out of range");
     const OpInfo &row = info(instruction.op);
-    if (row.has(m_program.language == Language::ArbVertex ? FragmentOnly : VertexOnly))
+    const bool nv = m_program.options.nv != NvOption::None;
+    if (int(instruction.op) >= kOpcodeCount && !nv)
+      report("an opcode of NVIDIA's options in a program without one");
+    // CMP stands for their conditional writes, in vertex programs too.
+    const bool vertex = m_program.language == Language::ArbVertex;
+    if (row.has(vertex ? FragmentOnly : VertexOnly) && !(vertex && nv && isOfVertices(row)))
       report("not an opcode of the program's language");
     for (int i = 0; i < row.operandCount(); ++i)
       checkOperand(instruction.src[std::size_t(i)], row.shapes[i] == 'S');

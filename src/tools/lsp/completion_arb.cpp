@@ -1,3 +1,4 @@
+#include "fp_compiler/front/nv/words.h"
 #include "tools/lsp/completion.h"
 
 #include <algorithm>
@@ -60,6 +61,21 @@ void Completion::addStatements() {
   for (const Entry &entry : fp::reference::keywords(m_language))
     if (fp::beginsStatement(fp::classify(entry.word, fp::arbLanguage(m_language)).keyword))
       add(entry.word, kKeyword, std::string(entry.doc), documentationOf(entry));
+  addNvOpcodes();
+}
+
+/// What the text's option adds; suffixes are left to the writer.
+void Completion::addNvOpcodes() {
+  const fp::ir::NvOption option = m_view.analysis.nv;
+  if (option == fp::ir::NvOption::None)
+    return;
+  const fp::ArbLanguage &language = fp::arbLanguage(m_language);
+  for (int i = 0; i < fp::ir::kOpcodeRowCount; ++i) {
+    const auto op = fp::ir::Opcode(i);
+    const bool known = i < fp::ir::kOpcodeCount && !info(op).has(language.foreign);
+    if (!known && fp::nv::offers(language, option, op))
+      add(info(op).mnemonic, kFunction, signatureOf(op, m_language), documentationOf(op));
+  }
 }
 
 void Completion::addKeywords(std::initializer_list<Keyword> keywords) {

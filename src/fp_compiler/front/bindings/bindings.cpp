@@ -76,6 +76,9 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   } else if (atWord(0, "fogcoord") || atWord(0, "position")) {
     attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
                                                          : ir::AttributeKind::Position;
+  } else if (!vertex && m_options.nv == ir::NvOption::Second && atWord(0, "facing")) {
+    m_tokens.next();
+    attribute.kind = ir::AttributeKind::Facing;
   } else if (vertex) {
     if (!parseVertexAttribute(attribute))
       return false;
