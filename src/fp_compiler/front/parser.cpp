@@ -43,9 +43,10 @@ void Parser::parse() {
       return;
     }
     if (keywordAt().keyword == Keyword::End) {
+      const Span end = m_tokens.peek().span;
       parseEnd();
       if (m_options.nv != ir::NvOption::None)
-        finishNv();
+        finishNv(end);
       return;
     }
     parseStatement();
@@ -203,6 +204,13 @@ bool Parser::unexpected(const char *expected, std::string hint) {
 }
 
 bool Parser::unexpectedToken(const Token &token, const char *expected, std::string hint) {
+  // Tokens of NVIDIA's options.
+  if (m_options.nv != ir::NvOption::None && token.kind == TokenKind::InvalidByte &&
+      std::string_view("|():").find(m_text[token.span.begin]) != std::string_view::npos) {
+    error(DiagnosticId::Syntax, token.span,
+          "expected " + std::string(expected) + ", found " + describe(token), std::move(hint));
+    return false;
+  }
   if (token.kind == TokenKind::InvalidByte &&
       std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos)
     hint = std::string("absolute values and condition codes belong to the ") +

@@ -177,9 +177,14 @@ private:
   void checkSize(const ir::Destination &destination);
   bool parseNvInstruction(const Token &opcode, const Word &word);
   bool parseNvFlow(const Token &opcode, const Word &word);
+  bool endBlock(const Token &opcode, const Word &word);
+  bool beginLoop(nv::Statement &statement);
   bool parseLabel(const Token &name);
+  bool atAddress() const;
+  bool parseIndexed(std::optional<std::uint16_t> &sequence);
+  void indexAttributes(ir::AttributeKind kind, std::uint32_t count);
   void keep(const nv::Statement &statement, Span opcode);
-  void finishNv();
+  void finishNv(Span end);
 
   /// A place in the program that BRA and CAL name.
   struct Label {
@@ -223,8 +228,15 @@ private:
   std::vector<Label> m_labels;
   std::map<std::string_view, std::uint16_t> m_labelNumbers;
   std::uint8_t m_addressComponent = 0; ///< the one that was read last
-  std::uint32_t m_blocks = 0;  ///< IFs that are open
-  std::vector<bool> m_elses;   ///< of each, whether its ELSE has been read
+  struct Block {
+    ir::Opcode begin = ir::Opcode::If; ///< If, Else, Loop or Rep
+    Span where;
+  };
+  std::vector<Block> m_blocks; ///< those that are open
+  nv::Sequences m_sequences;
+  std::optional<std::uint16_t> m_texCoords, m_attribs, m_texCoordResults; ///< of m_sequences
+  bool m_mayIndex = false; ///< a binding may be chosen by an address register
+  std::optional<nv::Indexed> m_indexed; ///< the binding that was read was
   RegisterSize m_size = RegisterSize::Long;    ///< of the declaration
   RegisterSize m_written = RegisterSize::Long; ///< of the destination that was read last
   std::map<std::uint16_t, RegisterSize> m_resultSizes; ///< of results, as they are written

@@ -26,9 +26,33 @@ public:
   }
 
   Evaluation run() {
-    for (std::size_t i = 0; i < m_program.code.size() && goesOn(); ++i)
-      step(i);
+    while (m_at < m_program.code.size() && goesOn())
+      advance();
     return finish();
+  }
+
+  /// The instruction that is next.
+  [[nodiscard]] std::size_t at() const { return m_at; }
+
+  /// Does it.
+  void advance() {
+    const Instruction &instruction = m_program.code[m_at];
+    if (!info(instruction.op).has(Flow))
+      return step(m_at++);
+    switch (instruction.op) {
+    case Opcode::Rep:
+      m_loops.push_back({m_at, iterations(fetch(instruction.src[0])[0])});
+      return iterate();
+    case Opcode::Endrep:
+      return iterate();
+    default: // BRK
+      if (fetch(instruction.src[0])[0] == 0.0f) {
+        ++m_at;
+        return;
+      }
+      m_at = endOf(m_loops.back().begin) + 1;
+      m_loops.pop_back();
+    }
   }
 
   [[nodiscard]] bool goesOn() const { return !m_evaluation.killed || m_inputs.pastKill; }
@@ -299,11 +323,41 @@ private:
     return value;
   }
 
+  struct Loop {
+    std::size_t begin = 0;   ///< its REP
+    std::uint32_t left = 0;  ///< iterations that have not begun
+  };
+
+  /// Begins the next iteration of the innermost loop, or leaves it.
+  void iterate() {
+    Loop &loop = m_loops.back();
+    if (loop.left > 0 && m_begun < kMostIterations) {
+      --loop.left;
+      ++m_begun;
+      m_at = loop.begin + 1;
+      return;
+    }
+    m_at = endOf(loop.begin) + 1;
+    m_loops.pop_back();
+  }
+
+  [[nodiscard]] std::size_t endOf(std::size_t begin) const {
+    std::size_t depth = 0;
+    for (std::size_t i = begin;; ++i) {
+      depth += m_program.code[i].op == Opcode::Rep ? 1 : 0;
+      if (m_program.code[i].op == Opcode::Endrep && --depth == 0)
+        return i;
+    }
+  }
+
   const Program &m_program;
   const Inputs &m_inputs;
   const Numerics m_numerics;
   const bool m_bits = m_program.options.nv != NvOption::None; ///< registers hold bits
   std::optional<Vec4> m_derivative;
+  std::size_t m_at = 0;
+  std::vector<Loop> m_loops;
+  std::uint32_t m_begun = 0; ///< iterations, of all loops
   std::vector<Vec4> m_temporaries, m_attributes, m_parameters;
   std::vector<std::int32_t> m_addresses;
   Evaluation m_evaluation;
@@ -322,7 +376,12 @@ std::array<Evaluation, 4> evaluateQuad(const Program &program,
     lane.pastKill = true;
   std::array<Machine, 4> lanes = {Machine(program, helped[0]), Machine(program, helped[1]),
                                   Machine(program, helped[2]), Machine(program, helped[3])};
-  for (std::size_t i = 0; i < program.code.size(); ++i) {
+  const auto together = [&] {
+    return std::all_of(lanes.begin(), lanes.end(),
+                       [&](const Machine &lane) { return lane.at() == lanes[0].at(); });
+  };
+  while (lanes[0].at() < program.code.size() && together()) {
+    const std::size_t i = lanes[0].at();
     const Opcode op = program.code[i].op;
     if (op == Opcode::Ddx || op == Opcode::Ddy) {
       std::array<Vec4, 4> value;
@@ -335,7 +394,13 @@ std::array<Evaluation, 4> evaluateQuad(const Program &program,
       }
     }
     for (Machine &lane : lanes)
-      lane.step(i);
+      lane.advance();
+  }
+  // Loops that run another number of times: from here on no fragment has neighbours.
+  for (Machine &lane : lanes) {
+    lane.setDerivative({});
+    while (lane.at() < program.code.size())
+      lane.advance();
   }
   std::array<Evaluation, 4> results;
   for (std::size_t lane = 0; lane < 4; ++lane) {

@@ -8,7 +8,7 @@
 #include "fp_compiler/numerics.h"
 #include "fp_compiler/span.h"
 
-/// The checked program as data: straight-line code over vec4 registers. No text, no GL. One form
+/// The checked program as data: code over vec4 registers, straight-line but for loops. No text, no GL. One form
 /// for every language; what a language lacks (relative operands, texture samples) does not occur in
 /// its programs.
 namespace arbiter::fp::ir {
@@ -33,7 +33,7 @@ enum Trait : std::uint32_t {
   NoPrecision = 8192,
   NoCondition = 16384,
   NoSaturate = 32768,
-  Flow = 65536, ///< changes what runs next; written by the front end alone
+  Flow = 65536, ///< changes what runs next; has no destination
 };
 
 enum class Opcode : std::uint8_t {
@@ -64,6 +64,7 @@ struct OpInfo {
   const char *doc;      ///< one line
 
   [[nodiscard]] bool has(Trait trait) const { return (traits & trait) != 0; }
+  [[nodiscard]] bool hasDestination() const { return (traits & (Kills | Flow)) == 0; }
   [[nodiscard]] int operandCount() const { return int(std::char_traits<char>::length(shapes)); }
 };
 
@@ -146,5 +147,8 @@ struct Program {
   std::vector<ParameterArray> arrays; ///< those that a relative operand names
   std::vector<Instruction> code;
 };
+
+/// True if the code has loops, REP to ENDREP: it is not straight-line then.
+[[nodiscard]] bool hasLoops(const Program &program);
 
 } // namespace arbiter::fp::ir

@@ -1,5 +1,7 @@
 #include "fp_compiler/ir/ir.h"
 
+#include <algorithm>
+
 namespace arbiter::fp::ir {
 
 namespace {
@@ -16,5 +18,11 @@ static_assert(std::size(kTable) == kOpcodeRowCount);
 } // namespace
 
 const OpInfo &info(Opcode op) { return kTable[std::size_t(op)]; }
+
+bool hasLoops(const Program &program) {
+  return program.options.nv != NvOption::None &&
+         std::any_of(program.code.begin(), program.code.end(),
+                     [](const Instruction &instruction) { return info(instruction.op).has(Flow); });
+}
 
 } // namespace arbiter::fp::ir

@@ -282,7 +282,7 @@ std::string bindingText(const Parameter &parameter) {
 std::string print(const Instruction &instruction) {
   const OpInfo &row = info(instruction.op);
   std::string text = row.mnemonic;
-  if (!row.has(Kills)) {
+  if (row.hasDestination()) {
     text += instruction.dst.saturate ? "_SAT " : " ";
     text += destinationText(instruction.dst) + ",";
   }

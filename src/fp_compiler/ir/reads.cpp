@@ -105,7 +105,7 @@ std::uint8_t resultMask(OutputKind kind) {
 }
 
 std::uint8_t writeMask(const Instruction &instruction) {
-  return info(instruction.op).has(Kills) ? 0 : instruction.dst.mask;
+  return info(instruction.op).hasDestination() ? instruction.dst.mask : 0;
 }
 
 std::uint8_t operandMask(const Instruction &instruction, int operand) {
@@ -114,6 +114,8 @@ std::uint8_t operandMask(const Instruction &instruction, int operand) {
     return 0;
   if (row.has(Kills))
     return kAll;
+  if (row.has(Flow))
+    return kX;
   const std::uint8_t mask = instruction.dst.mask;
   if (mask == 0)
     return 0;
@@ -156,6 +158,10 @@ std::uint8_t registerMask(const Instruction &instruction, int operand) {
 std::vector<bool> readsUnwritten(const Program &program) {
   std::vector<std::uint8_t> written(program.temporaries.size(), 0);
   std::vector<bool> result(program.temporaries.size(), false);
+  if (hasLoops(program)) { // what is in a loop may not have run
+    result.assign(result.size(), true);
+    return result;
+  }
   for (const Instruction &instruction : program.code) {
     for (int i = 0; i < info(instruction.op).operandCount(); ++i) {
       const Operand &operand = instruction.src[std::size_t(i)];

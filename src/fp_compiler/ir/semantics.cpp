@@ -236,6 +236,9 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
   case Opcode::Txd:
   case Opcode::Txl:
   case Opcode::Kil:
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
 #define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
 #include "fp_compiler/ir/ops.def"
     break;
@@ -327,6 +330,12 @@ Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language lang
     return Unit<Fp24>::apply(op, operands);
   }
   return {};
+}
+
+std::uint32_t iterations(float count) {
+  if (!(count >= 1.0f))
+    return 0;
+  return count < float(kMostIterations) ? std::uint32_t(count) : kMostIterations;
 }
 
 bool kills(const Vec4 &operand) {

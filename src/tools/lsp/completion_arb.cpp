@@ -1,7 +1,8 @@
-#include "fp_compiler/front/nv/words.h"
 #include "tools/lsp/completion.h"
 
 #include <algorithm>
+
+#include "fp_compiler/front/nv/words.h"
 
 namespace arbiter::tools::lsp {
 

@@ -274,6 +274,9 @@ std::string expression(const Registers &registers, const Instruction &instructio
   case Opcode::Txl:
     return w.rounded(sample(registers, instruction) + suffix(components));
   case Opcode::Kil: // has no result
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
 #define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
 #include "fp_compiler/ir/ops.def"
     break;

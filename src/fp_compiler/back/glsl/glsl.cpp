@@ -167,7 +167,14 @@ public:
 
   std::string text() {
     std::string result;
+    if (ir::hasLoops(m_program))
+      result = "  int arb_left = " + std::to_string(ir::kMostIterations) + ";\n";
     for (const Instruction &instruction : m_program.code) {
+      if (ir::info(instruction.op).has(ir::Flow)) {
+        result += flow(instruction);
+        m_ranges.forget();
+        continue;
+      }
       result += statement(instruction);
       m_ranges.step(instruction);
     }
@@ -175,6 +182,18 @@ public:
   }
 
 private:
+  std::string flow(const Instruction &instruction) {
+    if (instruction.op == Opcode::Endrep)
+      return "  }\n";
+    const std::string operand = component(m_registers, instruction.src[0], 0);
+    if (instruction.op == Opcode::Brk)
+      return "  if (" + operand + " != 0.0) break;\n";
+    const std::string name = std::to_string(m_loops++);
+    return "  int arb_n" + name + " = arb_times(" + operand + ");\n  for (int arb_i" + name +
+           " = 0; arb_i" + name + " < arb_n" + name + " && arb_left > 0; ++arb_i" + name +
+           ") {\n  --arb_left;\n";
+  }
+
   std::string statement(const Instruction &instruction) const {
     if (instruction.op == Opcode::Kil)
       return "  if (" + killCondition(m_registers, instruction.src[0]) + ") discard;\n";
@@ -205,6 +224,7 @@ private:
   const Registers &m_registers;
   Numerics m_numerics;
   RangeAnalysis m_ranges;
+  int m_loops = 0;
 };
 } // namespace
 

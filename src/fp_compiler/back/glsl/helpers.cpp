@@ -187,6 +187,7 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
                   : program.language == ir::Language::ArbVertex ? kForwardSums
                                                                 : kSums},
       {"arb_pow", kPower},
+      {"arb_times", "int arb_times(float x) { return x >= 1.0 ? int(min(x, 262144.0)) : 0; }\n"},
       {"arb_nearest", kNearest},
       {"arb_half", kHalf},
       {"arb_single", kSingle},

@@ -93,13 +93,13 @@ std::uint16_t Binder::addressRegister(std::string_view name, Span where) {
   return std::uint16_t(m_program.addresses.size() - 1);
 }
 
-std::uint16_t Binder::attribute(ir::Attribute attribute, Span where) {
+std::uint16_t Binder::attribute(ir::Attribute attribute, Span where, bool alone) {
   bool isNew = false;
   const std::uint16_t index = findOrAppend(m_program.attributes, attribute, isNew);
   if (!isNew)
     return index;
   m_budget.spend(Resource::Attribs, where);
-  if (m_program.language == ir::Language::ArbVertex)
+  if (m_program.language == ir::Language::ArbVertex && alone)
     refuseAlias(attribute, where);
   return index;
 }

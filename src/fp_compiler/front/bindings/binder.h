@@ -17,7 +17,8 @@ public:
 
   /// Each returns the row's index. `where` is the binding's text, the position of an excess.
   std::uint16_t temporary(std::string_view name, Span where);
-  std::uint16_t attribute(ir::Attribute attribute, Span where);
+  /// \param alone whether the attribute beside it in table X.2.1 may not be bound
+  std::uint16_t attribute(ir::Attribute attribute, Span where, bool alone = true);
   std::uint16_t output(ir::Output output);
   std::uint16_t addressRegister(std::string_view name, Span where);
   std::uint16_t constant(const ir::Vec4 &value, Span where);

@@ -11,6 +11,13 @@ Operand registerOf(ir::File file, std::uint16_t index) {
   return operand;
 }
 
+ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask) {
+  ir::Destination dst;
+  dst.index = index;
+  dst.mask = mask;
+  return dst;
+}
+
 Operand number(ir::Select select) {
   Operand operand;
   operand.swizzle.fill(select);

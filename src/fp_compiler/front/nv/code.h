@@ -13,6 +13,8 @@ namespace arbiter::fp::nv {
 [[nodiscard]] ir::Operand registerOf(ir::File file, std::uint16_t index);
 /// 0 or 1 in every component; no register is read.
 [[nodiscard]] ir::Operand number(ir::Select select);
+/// Components of a temporary, to write.
+[[nodiscard]] ir::Destination writtenTo(std::uint16_t index, std::uint8_t mask);
 /// An operand's components in another order, each with its sign.
 [[nodiscard]] ir::Operand swizzled(const ir::Operand &operand, const ir::Swizzle &swizzle);
 [[nodiscard]] ir::Operand component(const ir::Operand &operand, int index);

@@ -1,6 +1,7 @@
 // Statements of NVIDIA's options: NV_fragment_program_option 3.11.2, NV_vertex_program2_option 2.14.2
 // and what follows them. The ARB grammar's parts are those of the other files of the parser.
 
+#include <algorithm>
 #include <utility>
 
 #include "fp_compiler/front/nv/lowering.h"
@@ -83,7 +84,11 @@ bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
   const TokenKind kind = m_tokens.peek().kind;
   const bool number = kind == TokenKind::Integer || kind == TokenKind::Float;
   // A number stands for itself in every component and takes no suffix.
-  if (!parseSourceRegister(operand) || (!number && !parseSwizzle(scalar, operand.swizzle)))
+  m_mayIndex = true;
+  m_indexed.reset();
+  const bool read = parseSourceRegister(operand);
+  m_mayIndex = false;
+  if (!read || (!number && !parseSwizzle(scalar, operand.swizzle)))
     return false;
   if (absolute && !expectByte('|'))
     return false;
@@ -108,6 +113,7 @@ bool Parser::parseNvOperands(nv::Statement &statement) {
     if (!parsed)
       return false;
     statement.absolute |= std::uint8_t(int(absolute) << i);
+    statement.indexed[std::size_t(i)] = std::exchange(m_indexed, {});
   }
   return true;
 }
@@ -156,10 +162,14 @@ bool Parser::parseNvDestination(nv::Statement &statement) {
   const bool address = instruction.op == Opcode::Arl || instruction.op == Opcode::Arr ||
                        instruction.op == Opcode::Ara;
   m_written = RegisterSize::Long;
+  m_mayIndex = true;
+  m_indexed.reset();
   if (!(address ? parseNvAddressDestination(instruction.dst)
                 : parseDestination(instruction.dst)))
     return false;
-  if (instruction.dst.file == ir::File::Output)
+  m_mayIndex = false;
+  statement.indexedResult = std::exchange(m_indexed, {});
+  if (instruction.dst.file == ir::File::Output && !statement.indexedResult)
     checkSize(instruction.dst);
   return parseConditionMask(statement.test) && expect(TokenKind::Comma, "','");
 }
@@ -210,7 +220,7 @@ void Parser::keep(const nv::Statement &statement, Span opcode) {
 /// "name :", before what a branch goes on with.
 bool Parser::parseLabel(const Token &name) {
   m_tokens.next();
-  if (m_blocks != 0)
+  if (!m_blocks.empty())
     error(DiagnosticId::NvFlow, name.span,
           "the label " + quote(text(name)) + " is inside of a block",
           "a subroutine begins outside of IF, LOOP and REP");
@@ -235,6 +245,45 @@ Parser::Label &Parser::labelOf(const Token &name) {
   return m_labels[entry->second];
 }
 
+/// ELSE, ENDIF, ENDLOOP, ENDREP: what they end must be the innermost block.
+bool Parser::endBlock(const Token &opcode, const Word &word) {
+  const Opcode ended = m_blocks.empty() ? Opcode::Mov : m_blocks.back().begin;
+  const bool fits = word.op == Opcode::Else      ? ended == Opcode::If
+                    : word.op == Opcode::Endif   ? ended == Opcode::If || ended == Opcode::Else
+                    : word.op == Opcode::Endloop ? ended == Opcode::Loop
+                                                 : ended == Opcode::Rep;
+  if (!fits) {
+    error(DiagnosticId::NvFlow, opcode.span,
+          std::string(info(word.op).mnemonic) + " does not fit the innermost block",
+          m_blocks.empty() ? "no block is open here"
+                           : "that one begins with " +
+                                 std::string(info(m_blocks.back().begin).mnemonic) + " in line " +
+                                 std::to_string(locate(m_text, m_blocks.back().where.begin).line));
+    return false;
+  }
+  m_blocks.pop_back();
+  if (word.op == Opcode::Else)
+    m_blocks.push_back({Opcode::Else, opcode.span});
+  return true;
+}
+
+/// The operand of LOOP or REP: a parameter, state or a constant.
+bool Parser::beginLoop(nv::Statement &statement) {
+  constexpr std::size_t kMostBlocks = 256;
+  ir::Operand &operand = statement.instruction.src[0];
+  const Token first = m_tokens.peek();
+  bool absolute = false;
+  if (!parseNvSource(false, operand, absolute))
+    return false;
+  statement.absolute = absolute ? 1 : 0;
+  if (operand.file != ir::File::Parameter || operand.relative)
+    error(DiagnosticId::NvFlow, first.span, "a loop's operand is no parameter",
+          "write a parameter, state or a constant here");
+  if (m_blocks.size() > kMostBlocks)
+    error(DiagnosticId::NvFlow, first.span, "more than 256 blocks, one in the other");
+  return true;
+}
+
 bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   nv::Statement statement;
   statement.instruction.op = word.op;
@@ -243,22 +292,26 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   switch (word.op) {
   case Opcode::If:
     parsed = parseTest(statement.test);
-    ++m_blocks;
-    m_elses.push_back(false);
+    m_blocks.push_back({word.op, opcode.span});
+    break;
+  case Opcode::Loop:
+  case Opcode::Rep:
+    parsed = beginLoop(statement);
+    m_blocks.push_back({word.op, opcode.span});
     break;
   case Opcode::Else:
-    if (m_blocks == 0 || m_elses.back())
-      error(DiagnosticId::NvFlow, opcode.span, "ELSE without an IF of its own", "remove it");
-    else
-      m_elses.back() = true;
-    break;
   case Opcode::Endif:
-    if (m_blocks == 0) {
-      error(DiagnosticId::NvFlow, opcode.span, "ENDIF without IF", "remove it");
-    } else {
-      --m_blocks;
-      m_elses.pop_back();
-    }
+  case Opcode::Endloop:
+  case Opcode::Endrep:
+    parsed = endBlock(opcode, word);
+    break;
+  case Opcode::Brk:
+    if (std::none_of(m_blocks.begin(), m_blocks.end(), [](const Block &block) {
+          return block.begin == Opcode::Loop || block.begin == Opcode::Rep;
+        }))
+      error(DiagnosticId::NvFlow, opcode.span, "BRK outside of a loop",
+            "it ends the innermost LOOP or REP");
+    parsed = parseConditionMask(statement.test);
     break;
   case Opcode::Bra:
   case Opcode::Cal: {
@@ -274,11 +327,12 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   case Opcode::Ret:
     parsed = parseConditionMask(statement.test);
     break;
-  default:
+  default: { // PUSHA, POPA
     error(DiagnosticId::NvFlow, opcode.span,
           std::string(info(word.op).mnemonic) + " is not offered yet",
-          "write the iterations out, or load the program's path without it");
+          "use an address register more");
     return false;
+  }
   }
   statement.instruction.span = spanFrom(opcode.span.begin);
   if (!parsed || !expect(TokenKind::Semicolon, "';'"))
@@ -287,11 +341,55 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   return true;
 }
 
+/// An index of a binding that is an address register's: "[" A0 "." x.
+bool Parser::atAddress() const {
+  return m_mayIndex && m_options.nv == ir::NvOption::Second &&
+         m_tokens.at(TokenKind::OpenBracket) && m_tokens.peek(1).kind == TokenKind::Identifier;
+}
+
+/// "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment programs the
+/// register is A0, which has x alone and takes what is not below zero.
+bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
+  m_tokens.next();
+  const Token name = m_tokens.next();
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  nv::Indexed indexed;
+  if (vertex) {
+    note(name, Access::Read);
+    const Symbol *symbol = m_symbols.find(text(name));
+    if (!symbol && !undeclared(name))
+      return false;
+    if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
+      error(DiagnosticId::AddressRegister, name.span,
+            quote(text(name)) + " is no address register", "declare one with ADDRESS");
+    if (symbol && symbol->kind == SymbolKind::Address)
+      indexed.address = std::uint8_t(symbol->index);
+  } else if (text(name) != "A0") {
+    return unexpectedToken(name, "an integer or A0");
+  }
+  if (!parseAddressComponent())
+    return false;
+  indexed.address = std::uint8_t(indexed.address + m_addressComponent);
+  constexpr std::uint32_t kMostOffset = 9;
+  if (!vertex && m_tokens.accept(TokenKind::Plus)) {
+    std::uint32_t offset = 0;
+    if (!parseBounded(kMostOffset + 1, DiagnosticId::RelativeOffset, "offset", offset))
+      return false;
+    indexed.offset = std::int16_t(offset);
+  } else if (vertex && !parseRelativeOffset(indexed.offset)) {
+    return false;
+  }
+  indexed.sequence = *sequence;
+  m_indexed = indexed;
+  return expect(TokenKind::CloseBracket, "']'");
+}
+
 /// The program is read: what its branches name must be there, and then it becomes code.
-void Parser::finishNv() {
-  if (m_blocks != 0)
-    error(DiagnosticId::NvFlow, m_tokens.peek().span, "the program ends inside of an IF",
-          "write ENDIF before END");
+void Parser::finishNv(Span end) {
+  if (!m_blocks.empty())
+    error(DiagnosticId::NvFlow, end, "the program ends inside of a block",
+          "the block of line " +
+              std::to_string(locate(m_text, m_blocks.back().where.begin).line) + " has no end");
   for (const Label &label : m_labels)
     if (!label.placed)
       error(DiagnosticId::UndeclaredName, label.name,
@@ -302,7 +400,7 @@ void Parser::finishNv() {
   std::optional<std::uint16_t> start;
   if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
     start = found->second;
-  nv::lower(m_statements, start, m_binder, m_reporter);
+  nv::lower(m_statements, start, m_sequences, m_binder, m_reporter);
 }
 
 } // namespace arbiter::fp

@@ -1,6 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <array>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "fp_compiler/front/nv/words.h"
 #include "fp_compiler/ir/ir.h"
@@ -15,6 +18,16 @@ struct Test {
   ir::Swizzle swizzle = ir::kIdentity;
 };
 
+/// What an address register (or A0, the index of the innermost LOOP) chooses from a sequence of
+/// attributes or results: the one at address + offset.
+struct Indexed {
+  std::uint16_t sequence = 0; ///< into Sequences
+  std::uint8_t address = 0;   ///< of Program::addresses; not used in fragment programs
+  std::int16_t offset = 0;
+};
+/// Rows of Program::attributes or Program::outputs, by index.
+using Sequences = std::vector<std::vector<std::uint16_t>>;
+
 inline constexpr std::uint16_t kNoLabel = std::numeric_limits<std::uint16_t>::max();
 
 /// One statement. A label is one too, of no opcode: it names the place of what follows it.
@@ -22,6 +35,8 @@ struct Statement {
   /// Its opcode may be one of ops.def's words. An address register is its number times four.
   ir::Instruction instruction;
   std::uint8_t absolute = 0; ///< bit i: operand i is within bars; its sign is before them
+  std::array<std::optional<Indexed>, 3> indexed; ///< of operands, whose index says nothing then
+  std::optional<Indexed> indexedResult;          ///< likewise of the destination
   Test test;                 ///< of the write, of KIL, of a branch
   bool tests = false;        ///< KIL has the test and no operand
   NvSuffix suffix;

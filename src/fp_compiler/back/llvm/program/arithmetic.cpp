@@ -234,6 +234,9 @@ Vec Unit::compute(Opcode op) {
   case Opcode::Up4ub:
   case Opcode::Txd:
   case Opcode::Txl:
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
 #define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
 #include "fp_compiler/ir/ops.def"
     break; // hasCode()
