@@ -9,7 +9,9 @@ bool Parser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
   name = m_tokens.next();
-  if (wordOf(name).keyword != Keyword::None)
+  const bool isIndex = text(name) == "A0" && m_options.nv == ir::NvOption::Second &&
+                       m_language.language == ir::Language::ArbFragment; // LOOP's
+  if (isIndex || wordOf(name).keyword != Keyword::None)
     error(DiagnosticId::ReservedName, name.span, quote(text(name)) + " is a reserved word",
           "choose another name");
   return true;

@@ -179,6 +179,7 @@ private:
   bool parseNvFlow(const Token &opcode, const Word &word);
   bool endBlock(const Token &opcode, const Word &word);
   bool beginLoop(nv::Statement &statement);
+  bool parseStack(nv::Statement &statement);
   bool parseLabel(const Token &name);
   bool atAddress() const;
   bool parseIndexed(std::optional<std::uint16_t> &sequence);

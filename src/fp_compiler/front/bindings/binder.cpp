@@ -98,7 +98,8 @@ std::uint16_t Binder::attribute(ir::Attribute attribute, Span where, bool alone)
   const std::uint16_t index = findOrAppend(m_program.attributes, attribute, isNew);
   if (!isNew)
     return index;
-  m_budget.spend(Resource::Attribs, where);
+  if (alone) // else the whole file is there to choose from
+    m_budget.spend(Resource::Attribs, where);
   if (m_program.language == ir::Language::ArbVertex && alone)
     refuseAlias(attribute, where);
   return index;

@@ -63,8 +63,9 @@ std::uint16_t Code::temporary(std::string_view name) {
 }
 
 Operand Code::constant(float value) {
-  return registerOf(ir::File::Parameter,
-                    m_binder.hiddenConstant({value, value, value, value}, m_span));
+  return component(registerOf(ir::File::Parameter,
+                              m_binder.hiddenConstant({value, value, value, value}, m_span)),
+                   0);
 }
 
 void Code::append(ir::Instruction instruction) {

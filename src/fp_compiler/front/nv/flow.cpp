@@ -179,6 +179,10 @@ void Lowerer::flow(const Statement &statement) {
     return branch(statement);
   case Opcode::Cal:
     return call(statement);
+  case Opcode::Pusha:
+    return push(statement);
+  case Opcode::Popa:
+    return pop(statement);
   default: // RET
     if (statement.test.rule != Rule::Fl)
       leave(statement.test.rule == Rule::Tr ? Flag{} : passesAny(statement.test));

@@ -198,6 +198,14 @@ TEST(NvGrammar, WhatAnAddressRegisterIndexes) {
           ""}});
 }
 
+TEST(NvGrammar, TheStackOfAddresses) {
+  judge({{kV3, "ADDRESS A; PUSHA A; POPA A; POPA A.xyzw (TR);", ""},
+         {kV3, "ADDRESS A; PUSHA A; POPA @A.x;", "bad-mask"},
+         {kV3, "ADDRESS A; PUSHA A; POPA A @(EQ.x);", "flow-control"},
+         {kV3, "ADDRESS A; PUSHA A@.x;", "syntax"},
+         {kV2, "ADDRESS A; @PUSHA A;", "unknown-instruction"}});
+}
+
 TEST(NvGrammar, EveryOpcodeOfTheOptionsAndNoOther) {
   const auto operands = [](const ir::OpInfo &op, std::string statement) {
     for (int i = 0; i < op.operandCount(); ++i)

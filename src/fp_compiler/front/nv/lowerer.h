@@ -37,6 +37,9 @@ private:
   void update(const Statement &statement, std::uint8_t mask, const Operand &value,
               const std::optional<Operand> &selects);
   void loadAddress(const Statement &statement, const Instruction &instruction);
+  void fillAddress(const Statement &statement, const Instruction &move, std::uint16_t address);
+  void push(const Statement &statement);
+  void pop(const Statement &statement);
   [[nodiscard]] Operand addressValue(const Instruction &instruction);
   [[nodiscard]] Instruction instructionOf(const Statement &statement);
   [[nodiscard]] Operand indexed(const Indexed &indexed, const Operand &operand);
@@ -78,6 +81,9 @@ private:
   std::map<std::uint16_t, Result> m_results;        ///< by row of Program::outputs
   std::map<std::uint16_t, std::uint16_t> m_shadows; ///< address registers as floats
   std::array<Flag, 2> m_conditions;
+  /// PUSHA's, and how many are there, a float. More than the specification's least, 4.
+  std::array<Flag, 8> m_stack;
+  Flag m_depth;
 
   struct Block {
     Flag outer, inner;

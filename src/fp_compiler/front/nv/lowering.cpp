@@ -265,13 +265,17 @@ Operand Lowerer::addressValue(const Instruction &instruction) {
 
 /// The integers are kept as floats, which can be read and added, and are loaded from there.
 void Lowerer::loadAddress(const Statement &statement, const Instruction &instruction) {
-  const std::uint16_t address = instruction.dst.index;
-  const std::uint8_t mask = instruction.dst.mask;
-  const std::uint16_t shadow = shadowOf(address);
   Instruction move;
   move.op = Opcode::Mov;
   move.src[0] = addressValue(instruction);
-  move.dst = writtenTo(shadow, mask);
+  move.dst.mask = instruction.dst.mask;
+  fillAddress(statement, move, instruction.dst.index);
+}
+
+void Lowerer::fillAddress(const Statement &statement, const Instruction &move,
+                          std::uint16_t address) {
+  const std::uint16_t shadow = shadowOf(address);
+  const std::uint8_t mask = move.dst.mask;
   write(statement, move, shadow);
   for (int i = 0; i < 4; ++i) {
     if (!(mask >> i & 1))
@@ -280,6 +284,49 @@ void Lowerer::loadAddress(const Statement &statement, const Instruction &instruc
     dst.file = File::Address;
     m_code.write(Opcode::Arl, dst, {component(temporary(shadow), i)});
   }
+}
+
+/// Into the first free place of the stack: of each place, what is there or the address.
+void Lowerer::push(const Statement &statement) {
+  const Operand value = temporary(shadowOf(statement.instruction.src[0].index));
+  const std::optional<Operand> runs = active();
+  if (!m_depth)
+    m_depth = m_code.temporary("");
+  const Operand depth = component(temporary(*m_depth), 0);
+  for (std::size_t i = 0; i < m_stack.size(); ++i) {
+    if (!m_stack[i])
+      m_stack[i] = m_code.temporary("");
+    const Operand place = temporary(*m_stack[i]);
+    Operand here = component(m_code.make(Opcode::Seq, {depth, m_code.constant(float(i))}, kX), 0);
+    if (runs)
+      here = component(m_code.make(Opcode::Mul, {here, *runs}, kX), 0);
+    m_code.write(Opcode::Cmp, writtenTo(*m_stack[i], kAll), {negated(here), value, place});
+  }
+  m_code.write(Opcode::Add, writtenTo(*m_depth, kX),
+               {depth, runs ? *runs : number(Select::One)});
+}
+
+/// From the last place that was filled; zero where there is none.
+void Lowerer::pop(const Statement &statement) {
+  const std::optional<Operand> runs = active();
+  if (!m_depth)
+    m_depth = m_code.temporary("");
+  const Operand depth = component(temporary(*m_depth), 0);
+  m_code.write(Opcode::Sub, writtenTo(*m_depth, kX),
+               {depth, runs ? *runs : number(Select::One)});
+  const Destination dst = m_code.scratch();
+  m_code.write(Opcode::Mov, dst, {number(Select::Zero)});
+  for (std::size_t i = 0; i < m_stack.size(); ++i) {
+    if (!m_stack[i])
+      continue;
+    const Operand here =
+        component(m_code.make(Opcode::Seq, {depth, m_code.constant(float(i))}, kX), 0);
+    m_code.write(Opcode::Cmp, dst, {negated(here), temporary(*m_stack[i]), temporary(dst.index)});
+  }
+  Instruction move;
+  move.op = Opcode::Mov;
+  move.src[0] = temporary(dst.index);
+  fillAddress(statement, move, statement.instruction.dst.index);
 }
 
 void lower(const std::vector<Statement> &statements, std::optional<std::uint16_t> start,

@@ -92,6 +92,8 @@ bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
     return false;
   if (absolute && !expectByte('|'))
     return false;
+  if (number && scalar)
+    operand.swizzle.fill(ir::Select::X); // all four are the same
   operand.negate = negative ? 0xF : 0;
   operand.span = spanFrom(begin);
   return true;
@@ -284,6 +286,24 @@ bool Parser::beginLoop(nv::Statement &statement) {
   return true;
 }
 
+/// PUSHA and POPA: of whole address registers, and always.
+bool Parser::parseStack(nv::Statement &statement) {
+  ir::Instruction &instruction = statement.instruction;
+  if (instruction.op == Opcode::Pusha)
+    return parseAddressSource(instruction.src[0]);
+  if (!parseNvAddressDestination(instruction.dst))
+    return false;
+  if (instruction.dst.mask != 0xF)
+    error(DiagnosticId::BadMask, instruction.dst.span, "POPA writes all of an address register",
+          "pop into another one and move what is wanted");
+  const Span condition = m_tokens.peek().span;
+  if (!parseConditionMask(statement.test))
+    return false;
+  if (statement.test.rule != nv::Rule::Tr)
+    error(DiagnosticId::NvFlow, condition, "POPA under a condition", "branch around it");
+  return true;
+}
+
 bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   nv::Statement statement;
   statement.instruction.op = word.op;
@@ -327,12 +347,8 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
   case Opcode::Ret:
     parsed = parseConditionMask(statement.test);
     break;
-  default: { // PUSHA, POPA
-    error(DiagnosticId::NvFlow, opcode.span,
-          std::string(info(word.op).mnemonic) + " is not offered yet",
-          "use an address register more");
-    return false;
-  }
+  default:
+    parsed = parseStack(statement);
   }
   statement.instruction.span = spanFrom(opcode.span.begin);
   if (!parsed || !expect(TokenKind::Semicolon, "';'"))

@@ -290,6 +290,14 @@ TEST(NvValues, AddressVectors) {
   expectValue(kV2, kArray + "ARL A.x, p0.w; MOV r, c[A.x];", {10, 10, 10, 10}); // NaN
 }
 
+TEST(NvValues, TheStackOfAddresses) {
+  const std::string kArray = "ADDRESS A, B; PARAM c[] = {10, 11, 12, 13, 14, 15, 16, 17, 18, 19};\n";
+  expectValue(kV3,
+              kArray + "ARL A, {1, 2, 3, 4}; PUSHA A; ARL A, 5.0; PUSHA A; ARL A, 9.0; MOV r.x, c[A.x]; "
+                       "POPA B; MOV r.y, c[B.y]; POPA A; MOV r.z, c[A.z]; MOV r.w, c[A.x];",
+              {19, 15, 13, 11});
+}
+
 TEST(NvValues, SamplesOfGivenLevels) {
   expectValue(kF2, "TXL r, p1, texture[0], 2D;", {1, 2, 4, 0});
   expectValue(kF1, "TXD r, p1, p2, {0, 3, 0, 0}, texture[0], 2D;", {1, 2, 30.5f, 0});

@@ -69,11 +69,11 @@ void clampedReciprocal(Code &code, const Instruction &i) {
   const Operand raw = component(code.make(Opcode::Rcp, {i.src[0]}, kX), 0);
   const Operand lower = code.make(Opcode::Min, {raw, i.src[0]}, kX);
   const Operand size = code.make(Opcode::Abs, {raw}, kX);
-  const Operand least =
-      code.make(Opcode::Max, {component(size, 0), code.constant(0x1p-64f)}, kX);
-  const Operand most =
-      component(code.make(Opcode::Min, {component(least, 0), code.constant(0x1p64f)}, kX), 0);
-  code.write(Opcode::Cmp, i.dst, {component(lower, 0), negated(most), most});
+  // The larger bound first: it is what stays of a NaN.
+  const Operand most = code.make(Opcode::Min, {component(size, 0), code.constant(0x1p64f)}, kX);
+  const Operand clamped =
+      component(code.make(Opcode::Max, {component(most, 0), code.constant(0x1p-64f)}, kX), 0);
+  code.write(Opcode::Cmp, i.dst, {component(lower, 0), negated(clamped), clamped});
 }
 } // namespace
 
