@@ -49,19 +49,13 @@ namespace arbiter::state {
 
 namespace {
 
-/// What NVIDIA's options have and GLSL 1.20 lacks: bits of floats, and levels of detail that the
-/// program gives.
-bool canDrawNvOptions(const HostCaps &caps) {
-  return caps.bitEncoding && caps.has("GL_ARB_shader_texture_lod");
-}
-
 /// The profile's limits of the target, no higher than the host can keep: what is promised must
 /// draw.
 fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
   const fp::hw::Profile &profile = activeProfile();
   const bool vertex = target == Target::Vertex;
   fp::Limits limits = vertex ? profile.vertex : profile.fragment;
-  const std::uint32_t nvOptions = canDrawNvOptions(caps) ? limits.nvOptions : 0;
+  const std::uint32_t nvOptions = caps.drawsNvOptions() ? limits.nvOptions : 0;
   if (profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram))
     limits = queryHostLimits(infoOf(target).name, host, caps);
   limits.nvOptions = nvOptions;
