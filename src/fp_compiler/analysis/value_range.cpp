@@ -200,8 +200,7 @@ ValueRange rangeOfAttribute(const ir::Attribute &attribute, ir::Language languag
   case AttributeKind::Normal:
     return component == 3 ? rangeOfNumber(1.0f) : ValueRange{};
   case AttributeKind::Facing:
-    return component == 0 ? rangeBetween(-1.0f, 1.0f)
-                          : rangeOfNumber(component == 3 ? 1.0f : 0.0f);
+    return component == 0 ? rangeBetween(-1.0f, 1.0f) : rangeOfNumber(component == 3 ? 1.0f : 0.0f);
   case AttributeKind::TexCoord:
   case AttributeKind::Generic:
     break;

@@ -35,7 +35,7 @@ bool Parser::parseRegisters(SymbolKind kind) {
     if (!newName(name))
       return false;
     declare(name, kind,
-            kind != SymbolKind::Address              ? m_binder.temporary(text(name), name.span)
+            kind != SymbolKind::Address          ? m_binder.temporary(text(name), name.span)
             : m_options.nv == ir::NvOption::None ? m_binder.addressRegister(text(name), name.span)
                                                  : m_binder.addressVector(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));

@@ -98,7 +98,7 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::None:
     if (m_options.nv != ir::NvOption::None && atByte(':'))
       return parseLabel(first);
-    return unknownStatement(first);
+    return m_options.nv == ir::NvOption::None ? unknownStatement(first) : unknownNvStatement(first);
   case Keyword::Attributes:
   case Keyword::Program:
   case Keyword::Result:

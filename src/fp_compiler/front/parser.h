@@ -68,9 +68,8 @@ private:
   [[nodiscard]] std::string describe(const Token &token) const;
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
   [[nodiscard]] Word wordOf(const Token &token) const {
-    return m_options.nv == ir::NvOption::None
-               ? classify(text(token), m_language)
-               : nv::classify(text(token), m_language, m_options.nv);
+    return m_options.nv == ir::NvOption::None ? classify(text(token), m_language)
+                                              : nv::classify(text(token), m_language, m_options.nv);
   }
   [[nodiscard]] Word keywordAt() const;
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
@@ -180,6 +179,7 @@ private:
   bool endBlock(const Token &opcode, const Word &word);
   bool beginLoop(nv::Statement &statement);
   bool parseStack(nv::Statement &statement);
+  bool unknownNvStatement(const Token &first);
   bool parseLabel(const Token &name);
   bool atAddress() const;
   bool parseIndexed(std::optional<std::uint16_t> &sequence);
@@ -236,8 +236,8 @@ private:
   std::vector<Block> m_blocks; ///< those that are open
   nv::Sequences m_sequences;
   std::optional<std::uint16_t> m_texCoords, m_attribs, m_texCoordResults; ///< of m_sequences
-  bool m_mayIndex = false; ///< a binding may be chosen by an address register
-  std::optional<nv::Indexed> m_indexed; ///< the binding that was read was
+  bool m_mayIndex = false;                     ///< a binding may be chosen by an address register
+  std::optional<nv::Indexed> m_indexed;        ///< the binding that was read was
   RegisterSize m_size = RegisterSize::Long;    ///< of the declaration
   RegisterSize m_written = RegisterSize::Long; ///< of the destination that was read last
   std::map<std::uint16_t, RegisterSize> m_resultSizes; ///< of results, as they are written

@@ -25,8 +25,8 @@ enum class RegisterSize : std::uint8_t { Long, Short };
 /// What a name stands for. An ALIAS has a copy of its variable's symbol.
 struct Symbol {
   SymbolKind kind = SymbolKind::Unknown;
-  std::uint16_t index = 0; ///< row of the register file; of an array, its number
-  Span declared;           ///< the name where it was declared
+  std::uint16_t index = 0;                ///< row of the register file; of an array, its number
+  Span declared;                          ///< the name where it was declared
   RegisterSize size = RegisterSize::Long; ///< of a temporary or a result
 };
 

@@ -24,8 +24,8 @@ bool within(const ResourceCounts &counts, const ResourceCounts &limits) {
 /// Models are of ARB fragment programs; the other languages' limits are the API's. So are those of
 /// programs under NVIDIA's options, whose instructions are the chip's own.
 NativeModel modelOf(const ir::Program &program, const Limits &limits) {
-  const bool arb = program.language == ir::Language::ArbFragment &&
-                   program.options.nv == ir::NvOption::None;
+  const bool arb =
+      program.language == ir::Language::ArbFragment && program.options.nv == ir::NvOption::None;
   return arb ? limits.nativeModel : NativeModel::Documented;
 }
 

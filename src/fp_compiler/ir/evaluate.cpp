@@ -164,8 +164,7 @@ private:
   [[nodiscard]] std::optional<float> levelOf(const Instruction &instruction,
                                              const Vec4 &value) const {
     const bool vertex = m_program.language == Language::ArbVertex;
-    const bool given =
-        instruction.op == Opcode::Txl || (vertex && instruction.op == Opcode::Txb);
+    const bool given = instruction.op == Opcode::Txl || (vertex && instruction.op == Opcode::Txb);
     if (given && (operandMask(instruction, 0) & 8))
       return value[3];
     return given || vertex ? std::optional(0.0f) : std::nullopt;
@@ -324,8 +323,8 @@ private:
   }
 
   struct Loop {
-    std::size_t begin = 0;   ///< its REP
-    std::uint32_t left = 0;  ///< iterations that have not begun
+    std::size_t begin = 0;  ///< its REP
+    std::uint32_t left = 0; ///< iterations that have not begun
   };
 
   /// Begins the next iteration of the innermost loop, or leaves it.
@@ -390,7 +389,8 @@ std::array<Evaluation, 4> evaluateQuad(const Program &program,
       for (std::size_t lane = 0; lane < 4; ++lane) {
         const std::size_t low = op == Opcode::Ddx ? lane & 2 : lane & 1;
         const std::size_t high = low + (op == Opcode::Ddx ? 1 : 2);
-        lanes[lane].setDerivative(apply(Opcode::Sub, {value[high], value[low]}, inputs[lane].numerics));
+        lanes[lane].setDerivative(
+            apply(Opcode::Sub, {value[high], value[low]}, inputs[lane].numerics));
       }
     }
     for (Machine &lane : lanes)

@@ -15,7 +15,7 @@ struct Sample {
   std::uint8_t unit = 0;
   /// s, t, r (r is the reference of a shadow target); 0 where the target has no use for one.
   Vec4 coordinate = {};
-  float bias = 0.0f; ///< TXB's
+  float bias = 0.0f;        ///< TXB's
   std::optional<float> lod; ///< TXL's, which needs no derivatives
   /// TXD's: those of the coordinate along the window's x and y.
   struct Gradient {

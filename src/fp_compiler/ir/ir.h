@@ -8,9 +8,9 @@
 #include "fp_compiler/numerics.h"
 #include "fp_compiler/span.h"
 
-/// The checked program as data: code over vec4 registers, straight-line but for loops. No text, no GL. One form
-/// for every language; what a language lacks (relative operands, texture samples) does not occur in
-/// its programs.
+/// The checked program as data: code over vec4 registers, straight-line but for loops. No text, no
+/// GL. One form for every language; what a language lacks (relative operands, texture samples) does
+/// not occur in its programs.
 namespace arbiter::fp::ir {
 
 /// Traits of an opcode; the columns of ops.def.

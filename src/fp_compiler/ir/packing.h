@@ -3,8 +3,9 @@
 
 #include "fp_compiler/ir/interface.h"
 
-/// PK* and UP* of NV_fragment_program_option (3.11.5.32 to 3.11.5.46): numbers in the bits of a float.
-/// Rounding is to the nearest, ties to even; a NaN is a byte or a word of 0, and a half's NaN.
+/// PK* and UP* of NV_fragment_program_option (3.11.5.32 to 3.11.5.46): numbers in the bits of a
+/// float. Rounding is to the nearest, ties to even; a NaN is a byte or a word of 0, and a half's
+/// NaN.
 namespace arbiter::fp::ir {
 
 enum class Packing : std::uint8_t { Half2, Unsigned2, Signed4, Unsigned4 };

@@ -56,8 +56,9 @@
 ///          CMP carry bits too, denormals included; every other opcode flushes them.
 /// XPD      (a.yzx*b.zxy - a.zxy*b.yzx, 0)
 /// KIL      discards if any component is < 0, so not for NaN and not for -0.
-/// REP      runs what stands before its ENDREP as often as the operand's floor says; NaN and what is
-///          below 1 are 0 times. When a program's loops have begun 262,144 iterations, none begins
+/// REP      runs what stands before its ENDREP as often as the operand's floor says; NaN and what
+/// is
+///          below 1 are 0 times. When a program's loops have begun 65,000 iterations, none begins
 ///          any more. BRK leaves the innermost loop where its operand is not 0.
 /// TEX      samples at (x, y, z); targets take as many as they have. Shadow targets compare z.
 /// TXP      samples at (x/w, y/w, z/w) whatever w's sign; w = 0 samples at an infinity or NaN, and
@@ -141,8 +142,10 @@ using Operands = std::array<Vec4, 3>;
 /// What such an opcode makes, without a flush. Requires carriesBits(op).
 [[nodiscard]] Vec4 applyToBits(Opcode op, const Operands &operands);
 
-/// Iterations that a run of a program begins at most, of all its loops together.
-inline constexpr std::uint32_t kMostIterations = 262144;
+/// Iterations that a run of a program begins at most, of all its loops together: enough for the
+/// 65,536 instructions that NV_fragment_program2 promises, and fewer than the 65,535 after which
+/// llvmpipe ends a loop by itself.
+inline constexpr std::uint32_t kMostIterations = 65000;
 /// REP's.
 [[nodiscard]] std::uint32_t iterations(float count);
 

@@ -81,10 +81,9 @@ bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenu
 bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
   const bool vertex = row.target == Target::Vertex;
   const bool fragment = row.target == Target::Fragment;
-  const bool blocks = pname != GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV &&
-                      pname != GL_MAX_PROGRAM_CALL_DEPTH_NV;
-  if (!(vertex && row.limits.nvOptions >= 1 && !blocks) &&
-      !(fragment && row.limits.nvOptions >= 2))
+  const bool blocks =
+      pname != GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV && pname != GL_MAX_PROGRAM_CALL_DEPTH_NV;
+  if (!(vertex && row.limits.nvOptions >= 1 && !blocks) && !(fragment && row.limits.nvOptions >= 2))
     return false;
   *params = pname == GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV ? 65536
             : pname == GL_MAX_PROGRAM_CALL_DEPTH_NV      ? 32

@@ -76,8 +76,9 @@ std::string signatureOf(fp::ir::Opcode opcode, fp::ir::Language language) {
 std::string documentationOf(fp::ir::Opcode opcode) {
   const fp::ir::OpInfo &op = info(opcode);
   const std::string formula(fp::reference::formula(opcode));
-  std::string text = std::string(op.doc) + "\n\n`" +
-                     (op.has(fp::ir::Kills) || op.has(fp::ir::Flow) ? formula : "result = " + formula) + "`\n";
+  std::string text =
+      std::string(op.doc) + "\n\n`" +
+      (op.has(fp::ir::Kills) || op.has(fp::ir::Flow) ? formula : "result = " + formula) + "`\n";
   std::string properties;
   for (const TraitText &row : kTraits)
     if (op.has(row.trait))

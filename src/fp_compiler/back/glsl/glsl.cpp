@@ -26,8 +26,8 @@ Needs needsOf(const ir::Program &program) {
   for (const Instruction &instruction : program.code) {
     const bool added = int(instruction.op) >= ir::kOpcodeCount;
     needs.bits |= added && ir::carriesBits(instruction.op);
-    needs.lod |= instruction.op == Opcode::Txd || (instruction.op == Opcode::Txl &&
-                                                   program.language != ir::Language::ArbVertex);
+    needs.lod |= instruction.op == Opcode::Txd ||
+                 (instruction.op == Opcode::Txl && program.language != ir::Language::ArbVertex);
   }
   return needs;
 }

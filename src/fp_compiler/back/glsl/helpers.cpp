@@ -117,10 +117,9 @@ constexpr const char *kSingle =
 constexpr const char *kUnsigned =
     "int arb_unsigned(float x, float most) {\n"
     "  return int(arb_nearest((x > 0.0 ? min(x, 1.0) : 0.0) * most));\n}\n";
-constexpr const char *kSigned =
-    "int arb_signed(float x) {\n"
-    "  float c = x > -1.00787401575 ? min(x, 1.0) : -1.00787401575;\n"
-    "  return int(arb_nearest(127.0 * c + 128.0));\n}\n";
+constexpr const char *kSigned = "int arb_signed(float x) {\n"
+                                "  float c = x > -1.00787401575 ? min(x, 1.0) : -1.00787401575;\n"
+                                "  return int(arb_nearest(127.0 * c + 128.0));\n}\n";
 constexpr const char *kBytes =
     "vec4 arb_bytes(float x) {\n"
     "  int bits = floatBitsToInt(x);\n"
@@ -147,8 +146,7 @@ constexpr const char *kUp2us =
     "vec4 arb_up2us(float x) {\n"
     "  int bits = floatBitsToInt(x);\n"
     "  return vec2(float(bits & 0xFFFF), float(bits >> 16 & 0xFFFF)).xyxy / 65535.0;\n}\n";
-constexpr const char *kUp4b =
-    "vec4 arb_up4b(float x) { return (arb_bytes(x) - 128.0) / 127.0; }\n";
+constexpr const char *kUp4b = "vec4 arb_up4b(float x) { return (arb_bytes(x) - 128.0) / 127.0; }\n";
 constexpr const char *kUp4ub = "vec4 arb_up4ub(float x) { return arb_bytes(x) / 255.0; }\n";
 
 constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
@@ -187,7 +185,7 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
                   : program.language == ir::Language::ArbVertex ? kForwardSums
                                                                 : kSums},
       {"arb_pow", kPower},
-      {"arb_times", "int arb_times(float x) { return x >= 1.0 ? int(min(x, 262144.0)) : 0; }\n"},
+      {"arb_times", "int arb_times(float x) { return x >= 1.0 ? int(min(x, 65000.0)) : 0; }\n"},
       {"arb_nearest", kNearest},
       {"arb_half", kHalf},
       {"arb_single", kSingle},

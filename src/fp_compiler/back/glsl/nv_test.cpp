@@ -32,31 +32,32 @@ std::string glslOf(std::string_view option, const std::string &statements) {
 }
 
 TEST(NvGlsl, ConditionsAreChoices) {
-  const std::string glsl = glslOf("NV_fragment_program",
-                                  "MOVC s, fragment.color; MOV r, 0.0; MOV r (GT.x), 1.0; "
-                                  "MOV r.y (NE.x), 2.0; KIL LT.y;");
+  const std::string glsl =
+      glslOf("NV_fragment_program", "MOVC s, fragment.color; MOV r, 0.0; MOV r (GT.x), 1.0; "
+                                    "MOV r.y (NE.x), 2.0; KIL LT.y;");
   EXPECT_TRUE(contains(glsl, "?")) << glsl;
   EXPECT_FALSE(contains(glsl, "#extension")) << glsl;
 }
 
 TEST(NvGlsl, Derivatives) {
-  const std::string glsl =
-      glslOf("NV_fragment_program", "DDX r, fragment.texcoord[0]; DDY r.z, fragment.texcoord[0].x;");
+  const std::string glsl = glslOf("NV_fragment_program",
+                                  "DDX r, fragment.texcoord[0]; DDY r.z, fragment.texcoord[0].x;");
   EXPECT_TRUE(contains(glsl, "dFdx(") && contains(glsl, "dFdy(")) << glsl;
 }
 
 TEST(NvGlsl, PackingReadsBits) {
   for (const char *pair : {"2H", "2US", "4B", "4UB"}) {
     const std::string glsl =
-        glslOf("NV_fragment_program", std::string("PK") + pair + " s, fragment.color; UP" + pair +
-                                          " r.xzw, s.x;");
+        glslOf("NV_fragment_program",
+               std::string("PK") + pair + " s, fragment.color; UP" + pair + " r.xzw, s.x;");
     EXPECT_TRUE(contains(glsl, kBits)) << glsl;
     EXPECT_FALSE(contains(glsl, kLod)) << glsl;
   }
 }
 
 TEST(NvGlsl, EveryTargetAtAGivenLevel) {
-  for (const char *target : {"1D", "2D", "3D", "CUBE", "RECT", "SHADOW1D", "SHADOW2D", "SHADOWRECT"}) {
+  for (const char *target :
+       {"1D", "2D", "3D", "CUBE", "RECT", "SHADOW1D", "SHADOW2D", "SHADOWRECT"}) {
     const std::string unit = std::string(", texture[0], ") + target + ";";
     const bool shadow = std::string_view(target).starts_with("S");
     const std::string option = shadow ? "OPTION ARB_fragment_program_shadow;" : "";
@@ -78,23 +79,23 @@ TEST(NvGlsl, EveryTargetAtAGivenLevel) {
 
 TEST(NvGlsl, VertexTexturesNeedNoExtension) {
   for (const char *op : {"TEX", "TXP", "TXB", "TXL"}) {
-    const std::string glsl = glslOf("NV_vertex_program3",
-                                    std::string(op) + " r, vertex.color, texture[0], 2D;");
+    const std::string glsl =
+        glslOf("NV_vertex_program3", std::string(op) + " r, vertex.color, texture[0], 2D;");
     EXPECT_TRUE(contains(glsl, "texture2DLod(")) << glsl;
     EXPECT_FALSE(contains(glsl, "#extension")) << glsl;
   }
 }
 
 TEST(NvGlsl, LoopsAndBranches) {
-  const std::string glsl = glslOf("NV_fragment_program2",
-                                  "LOOP {4, 0, 1}; ADD r, r, fragment.texcoord[A0.x + 1]; "
-                                  "SGEC s.x, r, 3.0; BRK (NE.x); ENDLOOP; REP program.local[0]; "
-                                  "IF EQ.x; ADD r, r, 1.0; ELSE; SUB r, r, 1.0; ENDIF; ENDREP;");
+  const std::string glsl =
+      glslOf("NV_fragment_program2", "LOOP {4, 0, 1}; ADD r, r, fragment.texcoord[A0.x + 1]; "
+                                     "SGEC s.x, r, 3.0; BRK (NE.x); ENDLOOP; REP program.local[0]; "
+                                     "IF EQ.x; ADD r, r, 1.0; ELSE; SUB r, r, 1.0; ENDIF; ENDREP;");
   EXPECT_TRUE(contains(glsl, "for (") && contains(glsl, "break;")) << glsl;
   EXPECT_TRUE(contains(glsl, "arb_left")) << glsl;
-  EXPECT_TRUE(contains(glslOf("NV_vertex_program2",
-                              "a: ADD r, r, 1.0; SLTC s, r, vertex.color; BRA a (NE.x);"),
-                       "for ("));
+  EXPECT_TRUE(contains(
+      glslOf("NV_vertex_program2", "a: ADD r, r, 1.0; SLTC s, r, vertex.color; BRA a (NE.x);"),
+      "for ("));
 }
 
 TEST(NvGlsl, Facing) {

@@ -45,8 +45,8 @@ std::string explicitSample(const Registers &registers, const Instruction &instru
                            const Components &coordinate) {
   const ir::Operand &operand = instruction.src[0];
   const TargetText text = targetText(instruction.target);
-  std::string at = "(arb_tex" + std::to_string(instruction.unit) + ", " +
-                   vector(registers, operand, coordinate);
+  std::string at =
+      "(arb_tex" + std::to_string(instruction.unit) + ", " + vector(registers, operand, coordinate);
   if (instruction.op == Opcode::Txp)
     at += " / " + component(registers, operand, 3);
   if (instruction.op == Opcode::Txd) {

@@ -263,8 +263,8 @@ std::uint16_t Binder::addressVector(std::string_view name, Span where) {
 }
 
 void Binder::append(const ir::Instruction &instruction, Span where) {
-  // A host's GLSL compiler goes along a chain of instructions by recursion: Mesa's left its stack in
-  // one of 16,000.
+  // A host's GLSL compiler goes along a chain of instructions by recursion: Mesa's left its stack
+  // in one of 16,000.
   constexpr std::size_t kMost = 10000;
   if (m_program.code.size() >= kMost)
     return m_reporter.error(DiagnosticId::LimitInstructions, where,

@@ -81,7 +81,9 @@ bool Parser::parseVertexResult(ir::Output &output) {
   }
   if (atWord(0, "clip")) {
     error(DiagnosticId::NvOnly, m_tokens.peek().span,
-          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
+          m_options.nv != ir::NvOption::None
+              ? std::string("result.clip is not offered yet")
+              : std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
   }

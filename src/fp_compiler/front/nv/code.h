@@ -38,7 +38,8 @@ public:
   [[nodiscard]] std::uint16_t temporary(std::string_view name);
   [[nodiscard]] ir::Operand constant(float value);
 
-  void write(ir::Opcode op, const ir::Destination &dst, std::initializer_list<ir::Operand> operands);
+  void write(ir::Opcode op, const ir::Destination &dst,
+             std::initializer_list<ir::Operand> operands);
   /// The same into a scratch register, and that.
   [[nodiscard]] ir::Operand make(ir::Opcode op, std::initializer_list<ir::Operand> operands,
                                  std::uint8_t mask = 0xF);

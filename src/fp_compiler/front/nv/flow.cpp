@@ -196,8 +196,7 @@ void Lowerer::enter(const Statement &statement) {
   } else if (statement.test.rule != Rule::Tr) {
     inner = passesAny(statement.test);
     if (m_function.block)
-      m_code.write(Opcode::Mul, writtenTo(*inner, kX),
-                   {flagOf(*inner), flagOf(*m_function.block)});
+      m_code.write(Opcode::Mul, writtenTo(*inner, kX), {flagOf(*inner), flagOf(*m_function.block)});
   }
   m_function.blocks.push_back({m_function.block, inner});
   m_function.block = inner;
@@ -268,7 +267,8 @@ void Lowerer::leaveLoop(const Statement &statement) {
     return;
   Operand leaves = activeOr1();
   if (statement.test.rule != Rule::Tr)
-    leaves = component(m_code.make(Opcode::Mul, {flagOf(*passesAny(statement.test)), leaves}, kX), 0);
+    leaves =
+        component(m_code.make(Opcode::Mul, {flagOf(*passesAny(statement.test)), leaves}, kX), 0);
   m_code.write(Opcode::Brk, {}, {leaves});
 }
 
@@ -282,8 +282,7 @@ void Lowerer::leave(const Flag &lanes) {
   if (lanes)
     leaving = component(m_code.make(Opcode::Mul, {flagOf(*lanes), leaving}, kX), 0);
   require(m_function.alive);
-  m_code.write(Opcode::Sub, writtenTo(*m_function.alive, kX),
-               {flagOf(*m_function.alive), leaving});
+  m_code.write(Opcode::Sub, writtenTo(*m_function.alive, kX), {flagOf(*m_function.alive), leaving});
 }
 
 void Lowerer::branch(const Statement &statement) {
@@ -323,8 +322,7 @@ void Lowerer::arrive(std::uint16_t label) {
 void Lowerer::call(const Statement &statement) {
   if (statement.test.rule == Rule::Fl)
     return;
-  const bool within =
-      std::find(m_calls.begin(), m_calls.end(), statement.label) != m_calls.end();
+  const bool within = std::find(m_calls.begin(), m_calls.end(), statement.label) != m_calls.end();
   if (within || m_calls.size() >= kMostCalls) {
     m_reporter.error(DiagnosticId::NvFlow, statement.instruction.span,
                      within ? "a subroutine calls itself" : "more than 32 calls, one in the other",

@@ -52,9 +52,9 @@ void judge(const std::vector<Row> &rows) {
 TEST(NvGrammar, AnOptionLoadsWhereTheProfileHasIt) {
   for (const std::string_view option : {kF1, kF2, kV2, kV3}) {
     const bool second = option == kF2 || option == kV3;
-    const std::string program = text(option, option == kF1 || option == kF2
-                                                 ? "TEMP a; MOVC a (GT.x), fragment.color;"
-                                                 : "TEMP a; MOVC a (GT.x), vertex.color;");
+    const std::string program =
+        text(option, option == kF1 || option == kF2 ? "TEMP a; MOVC a (GT.x), fragment.color;"
+                                                    : "TEMP a; MOVC a (GT.x), vertex.color;");
     for (std::uint32_t offered = 0; offered <= 2; ++offered) {
       const CheckResult result = check(program, nvidia(offered));
       const bool loads = offered >= (second ? 2u : 1u);
@@ -81,12 +81,12 @@ TEST(NvGrammar, SuffixesOfNames) {
   const auto fails = [](std::string_view option, const std::string &statement) {
     return Row{option, "TEMP a; @" + statement + ";", "unknown-instruction"};
   };
-  judge({loads(kF1, "ADDRC_SAT a, a, a"), loads(kF1, "ADDXC a, a, a"), loads(kF1, "CMPH a, a, a, a"),
-         loads(kF1, "SINC a, a.x"), loads(kF1, "DDXHC_SAT a, a"),
+  judge({loads(kF1, "ADDRC_SAT a, a, a"), loads(kF1, "ADDXC a, a, a"),
+         loads(kF1, "CMPH a, a, a, a"), loads(kF1, "SINC a, a.x"), loads(kF1, "DDXHC_SAT a, a"),
          loads(kF1, "TEXC_SAT a, a, texture[0], 2D"), loads(kF1, "UP2H_SAT a, a.x"),
-         loads(kF2, "ADD_SSAT a, a, a"), loads(kF2, "DP2ARC a, a, a, a"), loads(kF2, "DP2X a, a, a"),
-         loads(kF2, "NRMHC a, a"), loads(kV3, "MOVC1_SAT a, a"), loads(kV3, "MOVC0 a, a"),
-         loads(kV2, "MOVC a, a")});
+         loads(kF2, "ADD_SSAT a, a, a"), loads(kF2, "DP2ARC a, a, a, a"),
+         loads(kF2, "DP2X a, a, a"), loads(kF2, "NRMHC a, a"), loads(kV3, "MOVC1_SAT a, a"),
+         loads(kV3, "MOVC0 a, a"), loads(kV2, "MOVC a, a")});
   judge({fails(kF1, "ADD_SSAT a, a, a"), fails(kF1, "ADDC0 a, a, a"), fails(kF1, "ADDCR a, a, a"),
          fails(kF1, "ADD_SATC a, a, a"), fails(kF1, "COSX a, a.x"), fails(kF1, "DDXX a, a"),
          fails(kF1, "PK2HC a, a"), fails(kF1, "PK2H_SAT a, a"), fails(kF1, "KILC a"),
@@ -188,7 +188,8 @@ TEST(NvGrammar, WhatAnAddressRegisterIndexes) {
          {kF2, "MOV result.color, fragment.texcoord[A0.x + @10];", "relative-offset"},
          {kF2, "MOV result.color, fragment.texcoord[A0.x @- 1];", "syntax"},
          {kF2, "ATTRIB a = fragment.texcoord[@A0.x];", "relative-addressing"},
-         {kV2, "ADDRESS A; PARAM c[] = {1, 2}; ARL A.yw, vertex.color; MOV result.position, c[A.w + 1];",
+         {kV2,
+          "ADDRESS A; PARAM c[] = {1, 2}; ARL A.yw, vertex.color; MOV result.position, c[A.w + 1];",
           ""},
          {kV2, "ADDRESS A, B; ARL A, vertex.color; ARA B.xy, A;", ""},
          {kV2, "ADDRESS A, B; ARA B.xy, A@.x;", "syntax"},
@@ -219,7 +220,8 @@ TEST(NvGrammar, EveryOpcodeOfTheOptionsAndNoOther) {
       const ir::OpInfo &op = info(ir::Opcode(i));
       if (op.has(ir::Flow) || ir::Opcode(i) == ir::Opcode::Ara || ir::Opcode(i) == ir::Opcode::Arr)
         continue; // above
-      const std::uint32_t first = vertex ? ir::OfV2 : ir::OfF1, later = vertex ? ir::OfV3 : ir::OfF2;
+      const std::uint32_t first = vertex ? ir::OfV2 : ir::OfF1,
+                          later = vertex ? ir::OfV3 : ir::OfF2;
       const bool has = (op.traits & (second ? first | later : first)) != 0;
       const std::string program =
           text(option, "TEMP a; " + operands(op, std::string(op.mnemonic) + " a.xyz"));

@@ -39,7 +39,8 @@ void Lowerer::run(std::optional<std::uint16_t> start) {
 /// The statement's, with operands that instructions of the IR can read.
 Instruction Lowerer::instructionOf(const Statement &statement) {
   Instruction instruction = statement.instruction;
-  const bool extended = instruction.op == Opcode::Swz; // its selectors and signs are outside of bars
+  const bool extended =
+      instruction.op == Opcode::Swz; // its selectors and signs are outside of bars
   for (std::size_t i = 0; i < 3; ++i) {
     Operand &operand = instruction.src[i];
     if (statement.indexed[i])
@@ -253,12 +254,11 @@ Operand Lowerer::addressValue(const Instruction &instruction) {
   const Operand &source = instruction.src[0];
   if (instruction.op == Opcode::Ara) {
     const Operand from = temporary(shadowOf(source.index));
-    return m_code.make(Opcode::Add,
-                       {swizzled(from, {Select::X, Select::Y, Select::X, Select::Y}),
-                        swizzled(from, {Select::Z, Select::W, Select::Z, Select::W})});
+    return m_code.make(Opcode::Add, {swizzled(from, {Select::X, Select::Y, Select::X, Select::Y}),
+                                     swizzled(from, {Select::Z, Select::W, Select::Z, Select::W})});
   }
-  const Operand value = instruction.op == Opcode::Arr ? rounded(m_code, source)
-                                                      : m_code.make(Opcode::Flr, {source});
+  const Operand value =
+      instruction.op == Opcode::Arr ? rounded(m_code, source) : m_code.make(Opcode::Flr, {source});
   const Operand isNumber = m_code.make(Opcode::Seq, {value, value});
   return m_code.make(Opcode::Cmp, {negated(isNumber), value, number(Select::Zero)});
 }
@@ -302,8 +302,7 @@ void Lowerer::push(const Statement &statement) {
       here = component(m_code.make(Opcode::Mul, {here, *runs}, kX), 0);
     m_code.write(Opcode::Cmp, writtenTo(*m_stack[i], kAll), {negated(here), value, place});
   }
-  m_code.write(Opcode::Add, writtenTo(*m_depth, kX),
-               {depth, runs ? *runs : number(Select::One)});
+  m_code.write(Opcode::Add, writtenTo(*m_depth, kX), {depth, runs ? *runs : number(Select::One)});
 }
 
 /// From the last place that was filled; zero where there is none.
@@ -312,8 +311,7 @@ void Lowerer::pop(const Statement &statement) {
   if (!m_depth)
     m_depth = m_code.temporary("");
   const Operand depth = component(temporary(*m_depth), 0);
-  m_code.write(Opcode::Sub, writtenTo(*m_depth, kX),
-               {depth, runs ? *runs : number(Select::One)});
+  m_code.write(Opcode::Sub, writtenTo(*m_depth, kX), {depth, runs ? *runs : number(Select::One)});
   const Destination dst = m_code.scratch();
   m_code.write(Opcode::Mov, dst, {number(Select::Zero)});
   for (std::size_t i = 0; i < m_stack.size(); ++i) {

@@ -1,5 +1,6 @@
-// Statements of NVIDIA's options: NV_fragment_program_option 3.11.2, NV_vertex_program2_option 2.14.2
-// and what follows them. The ARB grammar's parts are those of the other files of the parser.
+// Statements of NVIDIA's options: NV_fragment_program_option 3.11.2,
+// NV_vertex_program2_option 2.14.2 and what follows them. The ARB grammar's parts are those of the
+// other files of the parser.
 
 #include <algorithm>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "fp_compiler/front/nv/lowering.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/words/suffix.h"
+#include "fp_compiler/front/words/suggest.h"
 
 namespace arbiter::fp {
 
@@ -31,8 +33,8 @@ bool Parser::expectByte(char byte) {
 
 /// <varSize> before TEMP or OUTPUT: a free name elsewhere.
 bool Parser::atSize() const {
-  const bool offered = m_options.nv != ir::NvOption::None &&
-                       m_language.language == ir::Language::ArbFragment;
+  const bool offered =
+      m_options.nv != ir::NvOption::None && m_language.language == ir::Language::ArbFragment;
   return offered && (atWord(0, "SHORT") || atWord(0, "LONG")) &&
          (atWord(1, "TEMP") || atWord(1, "OUTPUT"));
 }
@@ -68,7 +70,8 @@ bool Parser::parseConditionMask(nv::Test &test) {
   return !acceptByte('(') || (parseTest(test) && expectByte(')'));
 }
 
-/// <instOperandV> or <instOperandS>: within bars the swizzle is inside, and signs are on both sides.
+/// <instOperandV> or <instOperandS>: within bars the swizzle is inside, and signs are on both
+/// sides.
 bool Parser::parseNvSource(bool scalar, ir::Operand &operand, bool &absolute) {
   const std::uint32_t begin = m_tokens.peek().span.begin;
   const auto sign = [&] {
@@ -137,8 +140,8 @@ bool Parser::parseAddressSource(ir::Operand &operand) {
   if (!symbol && !undeclared(name))
     return false;
   if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
-    error(DiagnosticId::AddressRegister, name.span,
-          quote(text(name)) + " is no address register", "declare one with ADDRESS");
+    error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+          "declare one with ADDRESS");
   operand.file = ir::File::Address;
   operand.index = symbol && symbol->kind == SymbolKind::Address ? symbol->index : 0;
   operand.span = name.span;
@@ -166,8 +169,7 @@ bool Parser::parseNvDestination(nv::Statement &statement) {
   m_written = RegisterSize::Long;
   m_mayIndex = true;
   m_indexed.reset();
-  if (!(address ? parseNvAddressDestination(instruction.dst)
-                : parseDestination(instruction.dst)))
+  if (!(address ? parseNvAddressDestination(instruction.dst) : parseDestination(instruction.dst)))
     return false;
   m_mayIndex = false;
   statement.indexedResult = std::exchange(m_indexed, {});
@@ -194,8 +196,8 @@ bool Parser::parseNvInstruction(const Token &opcode, const Word &word) {
   instruction.dst.saturate = word.saturate;
   statement.suffix = word.nv;
   const bool kills = op.has(ir::Kills);
-  statement.tests = kills && m_tokens.at(TokenKind::Identifier) &&
-                    nv::ruleOf(text(m_tokens.peek())).has_value();
+  statement.tests =
+      kills && m_tokens.at(TokenKind::Identifier) && nv::ruleOf(text(m_tokens.peek())).has_value();
   if (statement.tests)
     instruction.src[0].file = ir::File::Parameter; // it reads no register
   if (statement.tests ? !parseTest(statement.test)
@@ -219,6 +221,26 @@ void Parser::keep(const nv::Statement &statement, Span opcode) {
     m_statements.push_back(statement);
 }
 
+/// A statement that begins with no word of the option.
+bool Parser::unknownNvStatement(const Token &first) {
+  const std::string_view word = text(first);
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  std::string message = "unknown instruction " + quote(word), hint;
+  if (!vertex && (word == "SHORT" || word == "LONG")) {
+    message = std::string(word) + " stands before TEMP or OUTPUT";
+  } else if (const auto base = nv::baseOf(word, m_language, m_options.nv)) {
+    hint = std::string(info(*base).mnemonic) + " has no such suffix here";
+  } else if (m_options.nv == ir::NvOption::First &&
+             nv::classify(word, m_language, ir::NvOption::Second).keyword == Keyword::Opcode) {
+    hint = std::string("OPTION ") + (vertex ? "NV_vertex_program3" : "NV_fragment_program2") +
+           " has it";
+  } else {
+    hint = didYouMean(word, statementWords(m_language));
+  }
+  error(DiagnosticId::UnknownInstruction, first.span, std::move(message), std::move(hint));
+  return false;
+}
+
 /// "name :", before what a branch goes on with.
 bool Parser::parseLabel(const Token &name) {
   m_tokens.next();
@@ -228,8 +250,8 @@ bool Parser::parseLabel(const Token &name) {
           "a subroutine begins outside of IF, LOOP and REP");
   Label &label = labelOf(name);
   if (label.placed)
-    error(DiagnosticId::RedeclaredName, name.span, "the label " + quote(text(name)) + " stands twice",
-          "rename one of the two");
+    error(DiagnosticId::RedeclaredName, name.span,
+          "the label " + quote(text(name)) + " stands twice", "rename one of the two");
   label.placed = true;
   nv::Statement statement;
   statement.isLabel = true;
@@ -257,10 +279,10 @@ bool Parser::endBlock(const Token &opcode, const Word &word) {
   if (!fits) {
     error(DiagnosticId::NvFlow, opcode.span,
           std::string(info(word.op).mnemonic) + " does not fit the innermost block",
-          m_blocks.empty() ? "no block is open here"
-                           : "that one begins with " +
-                                 std::string(info(m_blocks.back().begin).mnemonic) + " in line " +
-                                 std::to_string(locate(m_text, m_blocks.back().where.begin).line));
+          m_blocks.empty()
+              ? "no block is open here"
+              : "that one begins with " + std::string(info(m_blocks.back().begin).mnemonic) +
+                    " in line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line));
     return false;
   }
   m_blocks.pop_back();
@@ -363,8 +385,8 @@ bool Parser::atAddress() const {
          m_tokens.at(TokenKind::OpenBracket) && m_tokens.peek(1).kind == TokenKind::Identifier;
 }
 
-/// "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment programs the
-/// register is A0, which has x alone and takes what is not below zero.
+/// "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment programs
+/// the register is A0, which has x alone and takes what is not below zero.
 bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   m_tokens.next();
   const Token name = m_tokens.next();
@@ -376,8 +398,8 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
     if (!symbol && !undeclared(name))
       return false;
     if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
-      error(DiagnosticId::AddressRegister, name.span,
-            quote(text(name)) + " is no address register", "declare one with ADDRESS");
+      error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+            "declare one with ADDRESS");
     if (symbol && symbol->kind == SymbolKind::Address)
       indexed.address = std::uint8_t(symbol->index);
   } else if (text(name) != "A0") {
@@ -404,8 +426,8 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
 void Parser::finishNv(Span end) {
   if (!m_blocks.empty())
     error(DiagnosticId::NvFlow, end, "the program ends inside of a block",
-          "the block of line " +
-              std::to_string(locate(m_text, m_blocks.back().where.begin).line) + " has no end");
+          "the block of line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line) +
+              " has no end");
   for (const Label &label : m_labels)
     if (!label.placed)
       error(DiagnosticId::UndeclaredName, label.name,

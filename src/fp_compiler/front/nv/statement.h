@@ -1,6 +1,6 @@
 #pragma once
-#include <cstdint>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -37,8 +37,8 @@ struct Statement {
   std::uint8_t absolute = 0; ///< bit i: operand i is within bars; its sign is before them
   std::array<std::optional<Indexed>, 3> indexed; ///< of operands, whose index says nothing then
   std::optional<Indexed> indexedResult;          ///< likewise of the destination
-  Test test;                 ///< of the write, of KIL, of a branch
-  bool tests = false;        ///< KIL has the test and no operand
+  Test test;                                     ///< of the write, of KIL, of a branch
+  bool tests = false;                            ///< KIL has the test and no operand
   NvSuffix suffix;
   bool isLabel = false;
   std::uint16_t label = kNoLabel; ///< of a label, BRA and CAL: which

@@ -55,8 +55,8 @@ bool readSuffix(std::string_view rest, const OpInfo &row, bool vertex, NvOption 
   const bool second = option == NvOption::Second;
   if (!vertex && !row.has(ir::NoPrecision)) {
     word.nv.full = accept(rest, "R");
-    word.nv.half = !word.nv.full && (accept(rest, "H") ||
-                                     (!row.has(ir::NoFixed) && accept(rest, "X")));
+    word.nv.half =
+        !word.nv.full && (accept(rest, "H") || (!row.has(ir::NoFixed) && accept(rest, "X")));
   }
   if (!row.has(ir::NoCondition) && accept(rest, "C")) {
     word.nv.updates = 1;
@@ -80,6 +80,16 @@ bool offers(const ArbLanguage &language, NvOption option, Opcode op) {
   const bool second = option == NvOption::Second;
   return vertex ? row.has(ir::OfV2) || (second && row.has(ir::OfV3))
                 : row.has(ir::OfF1) || (second && row.has(ir::OfF2));
+}
+
+std::optional<Opcode> baseOf(std::string_view identifier, const ArbLanguage &language,
+                             NvOption option) {
+  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
+    const std::optional<Opcode> op = find(identifier.substr(0, size));
+    if (op && offers(language, option, *op))
+      return op;
+  }
+  return std::nullopt;
 }
 
 Word classify(std::string_view identifier, const ArbLanguage &language, NvOption option) {

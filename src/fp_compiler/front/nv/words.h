@@ -12,6 +12,10 @@ namespace arbiter::fp::nv {
 /// True if programs of \p language under \p option have the opcode.
 [[nodiscard]] bool offers(const ArbLanguage &language, ir::NvOption option, ir::Opcode op);
 
+/// The opcode with the longest name that an identifier begins with; nothing if it begins with none.
+[[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier,
+                                               const ArbLanguage &language, ir::NvOption option);
+
 /// Which reserved word an identifier is under \p option, which is not None: every spelling of an
 /// opcode is one (ADDR, DDXC_SAT), of names that begin alike the longest (DP2A, not DP2).
 [[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language,

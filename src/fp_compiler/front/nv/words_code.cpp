@@ -17,9 +17,9 @@ Operand one() { return number(Select::One); }
 /// a.xyxy + b.x*c.xzxz + b.y*c.ywyw
 void transform(Code &code, const Instruction &i) {
   const auto [a, b, c] = i.src;
-  const Operand first =
-      code.make(Opcode::Mad, {component(b, 0), swizzled(c, {Select::X, Select::Z, Select::X, Select::Z}),
-                              swizzled(a, {Select::X, Select::Y, Select::X, Select::Y})});
+  const Operand first = code.make(
+      Opcode::Mad, {component(b, 0), swizzled(c, {Select::X, Select::Z, Select::X, Select::Z}),
+                    swizzled(a, {Select::X, Select::Y, Select::X, Select::Y})});
   code.write(Opcode::Mad, i.dst,
              {component(b, 1), swizzled(c, {Select::Y, Select::W, Select::Y, Select::W}), first});
 }
@@ -31,8 +31,7 @@ void reflect(Code &code, const Instruction &i) {
   const Operand square = code.make(Opcode::Dp3, {axis, axis}, kX);
   const Operand twice = code.make(Opcode::Add, {component(along, 0), component(along, 0)}, kX);
   const Operand inverse = code.make(Opcode::Rcp, {component(square, 0)}, kX);
-  const Operand factor =
-      code.make(Opcode::Mul, {component(twice, 0), component(inverse, 0)}, kX);
+  const Operand factor = code.make(Opcode::Mul, {component(twice, 0), component(inverse, 0)}, kX);
   code.write(Opcode::Mad, i.dst, {component(factor, 0), axis, negated(direction)});
 }
 

@@ -7,8 +7,8 @@ namespace arbiter::fp::nv {
 /// operands are those of the text; _SAT is the destination's.
 void writeInstruction(Code &code, const ir::Instruction &instruction);
 
-/// The components that an instruction under NVIDIA's options writes of those in its mask: RFL leaves
-/// w alone, and SCS z and w.
+/// The components that an instruction under NVIDIA's options writes of those in its mask: RFL
+/// leaves w alone, and SCS z and w.
 [[nodiscard]] std::uint8_t writtenBy(const ir::Instruction &instruction);
 
 /// The nearest integers, halves to even.
