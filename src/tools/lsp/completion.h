@@ -74,6 +74,7 @@ private:
   void inStatement();
   void addStatements();
   void addNvOpcodes();
+  void addOptions();
   void addKeywords(std::initializer_list<fp::Keyword> keywords);
   void addNames(Kinds kinds);
   void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);

@@ -31,7 +31,7 @@ void Completion::inStatement() {
     return inInstruction();
   case Keyword::Option:
     if (m_next == begin + 1)
-      add(fp::reference::options(m_language), kEnumMember);
+      addOptions();
     return;
   case Keyword::Attrib:
     return afterEquals({Keyword::Attributes}, {});
@@ -46,6 +46,17 @@ void Completion::inStatement() {
     return m_next <= begin + 1 ? addStatements() : void();
   default:
     return;
+  }
+}
+
+/// Those that the profile's card takes.
+void Completion::addOptions() {
+  const std::uint32_t nvOptions = m_view.analysis.limits.nvOptions;
+  for (const Entry &entry : fp::reference::options(m_language)) {
+    const bool second = entry.word == "NV_fragment_program2" || entry.word == "NV_vertex_program3";
+    const std::uint32_t needed = !entry.word.starts_with("NV_") ? 0 : second ? 2 : 1;
+    if (needed <= nvOptions)
+      add(std::span(&entry, 1), kEnumMember);
   }
 }
 
