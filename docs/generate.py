@@ -76,7 +76,14 @@ TRAITS = {
     'Texture': 'samples a texture',
     'Kills': 'may discard the fragment; no destination',
     'FixedMask': 'writes some components only; the others are zero here',
+    'Flow': 'changes what runs next',
+    'NoFixed': '', 'NoPrecision': '', 'NoCondition': '', 'NoSaturate': '',
+    'OfF1': '', 'OfF2': '', 'OfV2': '', 'OfV3': '',
 }
+NV_OPTIONS = {'OfF1': 'NV_fragment_program', 'OfF2': 'NV_fragment_program2',
+              'OfV2': 'NV_vertex_program2', 'OfV3': 'NV_vertex_program3'}
+NV_SUFFIXES = {'NoFixed': 'no `X`', 'NoPrecision': 'no `R`, `H`, `X`', 'NoCondition': 'no `C`',
+               'NoSaturate': 'no `_SAT`'}
 
 
 def opcodes():
@@ -89,15 +96,40 @@ def opcodes():
            '| opcode | operands | result | formula | properties | section |',
            '|---|---|---|---|---|---|']
     formulas = dict(rows_of(ROOT / 'src/fp_compiler/ir/formulas.def', 'FP_FORMULA'))
-    for enumerator, mnemonic, shapes, traits, section, doc in rows_of(ROOT / source, 'FP_OP'):
-        operands = ', '.join(SHAPES[shape] for shape in shapes)
-        if 'Texture' in traits:
-            operands += ', unit, target'
-        names = [TRAITS[name.strip()] for name in traits.split('|')]
-        formula = formulas[enumerator].replace('|', '\\|')
-        out.append(f'| `{mnemonic}` | {operands} | {doc} | `{formula}` '
-                   f'| {"; ".join(filter(None, names))} | {section} |')
+    for row in rows_of(ROOT / source, 'FP_OP'):
+        out.append(opcode(formulas, [], *row))
+    out += ["\n## Under NVIDIA's options\n",
+            'Offered by profiles with the rows `nv_fragment_options` and `nv_vertex_options`. An option '
+            'has what the one before it has. Behind a name may stand `R`, `H` or `X` (fragment '
+            'programs: the precision that is enough; all is done in single precision), `C` (sets the '
+            'condition code; `C0`, `C1` under NV_vertex_program3) and `_SAT` (`_SSAT` under '
+            'NV_fragment_program2). Behind a destination `(GT.x)` and the like let the write happen '
+            'where the condition code passes. An operand may stand within bars, `-|a.x|`. Sections are '
+            "those of the option's specification.\n",
+            'The ARB opcodes above are there too; in vertex programs `SIN` and `COS` under '
+            'NV_vertex_program2, `TEX`, `TXP` and `TXB` under NV_vertex_program3.\n',
+            '| opcode | operands | result | formula | options | properties | section |',
+            '|---|---|---|---|---|---|---|']
+    for macro in ('FP_NV_OP', 'FP_NV_WORD'):
+        for row in rows_of(ROOT / source, macro):
+            traits = [name.strip() for name in row[3].split('|')]
+            out.append(opcode(formulas, [name for trait, name in NV_OPTIONS.items()
+                                         if trait in traits], *row))
     return '\n'.join(out) + '\n'
+
+
+def opcode(formulas, options, enumerator, mnemonic, shapes, traits, section, doc):
+    operands = ', '.join(SHAPES[shape] for shape in shapes)
+    if 'Texture' in traits:
+        operands += ', unit, target'
+    traits = [name.strip() for name in traits.split('|')]
+    names = [TRAITS[name] for name in traits]
+    if options and 'Flow' not in traits:
+        names += [NV_SUFFIXES[name] for name in traits if name in NV_SUFFIXES]
+    formula = formulas[enumerator].replace('|', '\\|')
+    cells = [f'`{mnemonic}`', operands, doc, f'`{formula}`', *([', '.join(options)] if options else []),
+             '; '.join(filter(None, names)), section]
+    return '| ' + ' | '.join(cells) + ' |'
 
 
 LANGUAGES = {'Both': 'both', 'Fragment': 'fragment', 'Vertex': 'vertex',

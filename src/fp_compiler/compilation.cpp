@@ -11,8 +11,8 @@ namespace arbiter::fp {
 // As in ir/fields.h: a new member does not compile here until it is in its structure's list.
 FP_FIELDS(ResourceCounts, a, b, c, d, e, f, g, h)
 FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, depth, lights,
-          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs, model,
-          rectangles)
+          buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
+          nvOptions, model, rectangles)
 FP_FIELDS(CompileOptions, limits, policy)
 FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, bitEncoding)
 FP_FIELDS(GlslSampler, uniform, unit, target)

@@ -46,6 +46,9 @@ struct Limits {
   std::uint32_t vertexUnits = 1;    ///< modelview[n], ARB_vertex_blend absent: 1
   std::uint32_t clipPlanes = 6;     ///< GL_MAX_CLIP_PLANES: state.clip[n]
   std::uint32_t vertexAttribs = 16; ///< GL_MAX_VERTEX_ATTRIBS_ARB: vertex.attrib[n]
+  /// NVIDIA's options that programs may ask for (ir::NvOption): 0 none, 1 NV_fragment_program or
+  /// NV_vertex_program2, 2 their successors too.
+  std::uint32_t nvOptions = 0;
   NativeModel nativeModel = NativeModel::Documented;
   /// 1: the chip samples rectangle textures at [0,1], so that each sample costs a MUL before it.
   std::uint32_t scaleRectangles = 0;

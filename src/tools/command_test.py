@@ -88,7 +88,7 @@ class Profiles(Temporary):
         self.assertEqual(result.returncode, 0)
         self.assertEqual([line.split()[0] for line in result.stdout.splitlines()],
                          ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35',
-                          'i915', 'host'])
+                          'nv40', 'i915', 'host'])
 
     def test_a_printed_profile_is_a_profile(self):
         for name in ('r300', 'r360', 'host'):

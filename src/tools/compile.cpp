@@ -67,6 +67,10 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
     complain(arguments.file + ": no assembly text says what an ATI shader does");
     return kExitUsage;
   }
+  if (arguments.emit == "assembly" && result.program->options.nv != fp::ir::NvOption::None) {
+    complain(arguments.file + ": no assembly text of the ARB says what NVIDIA's options do");
+    return kExitUsage;
+  }
   if (arguments.emit == "llvm" || arguments.emit == "machine") {
     auto code = machineCode(
         *result.program, fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host),

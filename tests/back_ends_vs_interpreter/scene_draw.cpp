@@ -59,6 +59,8 @@ Plane planeOf(const Attribute &attribute) {
     return {{0.125f, 0, 0, 1}, {1, 0, 0, 0}, {0.75f, 0, 0, 0}};
   case AttributeKind::Position:
     return {{0, 0, 0.25f, 1}, {kSide, 0, 0.25f, 0}, {0, kSide, 0.125f, 0}};
+  case AttributeKind::Facing:
+    return {{1, 0, 0, 1}, {}, {}};
   case AttributeKind::Normal:
   case AttributeKind::Generic:
     break; // vertex programs

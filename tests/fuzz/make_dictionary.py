@@ -21,13 +21,15 @@ result.position result.fogcoord result.pointsize result.texcoord[ .front .back .
 texgen .eye.s .object.q clip[ .plane point.size A0 [A0.x] [A0.x+63] [A0.x-64]
 !!ATIfs1.0 StartConstants; EndConstants; StartPrelimPass; StartOutputPass; EndPass; CONSTANT
 PassTexCoord SampleMap DOT3 DOT4 DOT2ADD LERP CND CND0 r0 r5 c0 c7 t0 t5 color0 color1
+NV_fragment_program2 NV_vertex_program3 SHORT LONG ADDC ADDR MULH_SAT MOVC1 _SSAT (EQ) (NE.x) (GT.wzyx)
+(LT1.y) |a| -|a.x| lab: facing IF IF(TR) [A0.w+3]
 .str .stq .str_dr .stq_dq .2x .4x .8x .half .quarter .eighth .sat .neg .bias .comp .rgb
 """
 
 
 def main(ops_path, out_path):
     with open(ops_path, encoding="utf-8") as ops:
-        opcodes = re.findall(r'^FP_OP\(\w+,\s*"(\w+)"', ops.read(), re.MULTILINE)
+        opcodes = re.findall(r'^FP_(?:NV_)?(?:OP|WORD)\(\w+,\s*"(\w+)"', ops.read(), re.MULTILINE)
     if len(opcodes) < 30:
         sys.exit(f"{ops_path}: only {len(opcodes)} opcodes found")
     words = WORDS.split() + [f"{opcode} " for opcode in opcodes]

@@ -19,7 +19,7 @@ if getline(1) =~# '^!!ARBvp'
     \ SGE SLT SUB SWZ XPD ARL EXP LOG
   syn keyword arbStatement ADDRESS ALIAS ATTRIB OPTION OUTPUT PARAM TEMP END
   syn keyword arbBinding vertex program result state
-  syn keyword arbOption ARB_position_invariant
+  syn keyword arbOption ARB_position_invariant NV_vertex_program2 NV_vertex_program3
   syn match arbSuffix '\.\s*\zs[xyzw]\{1,4}\>'
   syn match arbMember '\.\s*\zs\%(attenuation\|lightmodel\|projection\|scenecolor\|direction\|lightprod\|modelview\|pointsize\|secondary\|shininess\|transpose\|emission\|fogcoord\|invtrans\|material\|position\|specular\|texcoord\|ambient\|diffuse\|inverse\|palette\|primary\|program\|texture\|attrib\|matrix\|normal\|object\|params\|texgen\|color\|front\|light\|local\|plane\|point\|back\|clip\|half\|size\|spot\|env\|eye\|fog\|mvp\|row\|q\|r\|s\|t\)\>'
 elseif getline(1) =~# '^!!ATIfs'
@@ -41,6 +41,7 @@ else
   syn keyword arbOption ARB_fog_exp ARB_fog_exp2 ARB_fog_linear ARB_precision_hint_fastest
     \ ARB_precision_hint_nicest ARB_fragment_program_shadow ARB_draw_buffers ATI_draw_buffers
     \ ARB_fragment_coord_origin_upper_left ARB_fragment_coord_pixel_center_integer
+    \ NV_fragment_program NV_fragment_program2
   syn keyword arbTarget 1D 2D 3D CUBE RECT SHADOW1D SHADOW2D SHADOWRECT
   syn match arbSuffix '\.\s*\zs[xyzwrgba]\{1,4}\>'
   syn match arbMember '\.\s*\zs\%(attenuation\|lightmodel\|projection\|scenecolor\|direction\|lightprod\|modelview\|secondary\|shininess\|transpose\|emission\|fogcoord\|invtrans\|material\|position\|specular\|texcoord\|ambient\|diffuse\|inverse\|palette\|primary\|program\|matrix\|params\|texenv\|color\|depth\|front\|light\|local\|range\|back\|half\|spot\|env\|fog\|mvp\|row\)\>'

@@ -132,6 +132,8 @@ OperandFacts RangeAnalysis::facts(const Instruction &instruction) const {
   return facts;
 }
 
+void RangeAnalysis::forget() { m_temporaries.assign(m_temporaries.size(), ValueRange4{}); }
+
 void RangeAnalysis::step(const Instruction &instruction) {
   const std::uint8_t mask = ir::writeMask(instruction);
   if (mask == 0 || instruction.dst.file != ir::File::Temporary)

@@ -33,6 +33,8 @@ public:
   [[nodiscard]] OperandFacts facts(const ir::Instruction &instruction) const;
   /// Goes past the instruction.
   void step(const ir::Instruction &instruction);
+  /// Nothing is known any more: code begins that may be run again.
+  void forget();
   /// What is known of a temporary now.
   [[nodiscard]] const ValueRange4 &temporary(std::uint16_t index) const {
     return m_temporaries[index];

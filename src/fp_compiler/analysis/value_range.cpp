@@ -153,8 +153,10 @@ ValueRange component(const Arithmetic &unit, Opcode op, const ValueRange &a, con
     return a;
   case Opcode::Mul:
     return unit.product(a, b);
+  case Opcode::Seq:
   case Opcode::Sge:
   case Opcode::Slt:
+  case Opcode::Sne:
     return rangeBetween(0.0f, 1.0f);
   case Opcode::Sub:
     return unit.sum(a, negated(b));
@@ -197,6 +199,8 @@ ValueRange rangeOfAttribute(const ir::Attribute &attribute, ir::Language languag
     return component == 2 ? rangeBetween(0.0f, 1.0f) : rangeBetween(-kLargest, kLargest);
   case AttributeKind::Normal:
     return component == 3 ? rangeOfNumber(1.0f) : ValueRange{};
+  case AttributeKind::Facing:
+    return component == 0 ? rangeBetween(-1.0f, 1.0f) : rangeOfNumber(component == 3 ? 1.0f : 0.0f);
   case AttributeKind::TexCoord:
   case AttributeKind::Generic:
     break;
@@ -250,7 +254,9 @@ ValueRange4 rangeOfResult(const ir::Instruction &instruction,
   }
   case Opcode::Tex:
   case Opcode::Txp:
-  case Opcode::Txb: // a texture may hold any float; a comparison gives 0 to 1
+  case Opcode::Txb:
+  case Opcode::Txd:
+  case Opcode::Txl: // a texture may hold any float; a comparison gives 0 to 1
     return ir::isShadow(instruction.target) ? all(rangeBetween(0.0f, 1.0f)) : ValueRange4{};
   case Opcode::Exp:
   case Opcode::Log:

@@ -9,7 +9,9 @@ bool Parser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
   name = m_tokens.next();
-  if (wordOf(name).keyword != Keyword::None)
+  const bool isIndex = text(name) == "A0" && m_options.nv == ir::NvOption::Second &&
+                       m_language.language == ir::Language::ArbFragment; // LOOP's
+  if (isIndex || wordOf(name).keyword != Keyword::None)
     error(DiagnosticId::ReservedName, name.span, quote(text(name)) + " is a reserved word",
           "choose another name");
   return true;
@@ -19,7 +21,7 @@ void Parser::declare(const Token &name, SymbolKind kind, std::uint16_t index) {
   if (wordOf(name).keyword != Keyword::None)
     return;
   note(name, Access::Declare, kind);
-  const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span});
+  const Symbol *before = m_symbols.declare(text(name), {kind, index, name.span, m_size});
   if (before)
     error(DiagnosticId::RedeclaredName, name.span, quote(text(name)) + " is declared twice",
           "the first declaration is in line " +
@@ -33,8 +35,9 @@ bool Parser::parseRegisters(SymbolKind kind) {
     if (!newName(name))
       return false;
     declare(name, kind,
-            kind == SymbolKind::Address ? m_binder.addressRegister(text(name), name.span)
-                                        : m_binder.temporary(text(name), name.span));
+            kind != SymbolKind::Address          ? m_binder.temporary(text(name), name.span)
+            : m_options.nv == ir::NvOption::None ? m_binder.addressRegister(text(name), name.span)
+                                                 : m_binder.addressVector(text(name), name.span));
   } while (m_tokens.accept(TokenKind::Comma));
   return expect(TokenKind::Semicolon, "',' or ';'");
 }

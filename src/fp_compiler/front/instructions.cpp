@@ -116,6 +116,7 @@ bool Parser::parseDestinationRegister(ir::Destination &destination) {
     return false;
   }
   destination.index = symbol->index;
+  m_written = symbol->size;
   return true;
 }
 
@@ -219,7 +220,8 @@ bool Parser::parseTarget(Token &word) {
 bool Parser::parseTexture(ir::Instruction &instruction) {
   if (!expect(TokenKind::Comma, "','"))
     return false;
-  if (keywordAt().keyword != Keyword::Texture)
+  const bool inVertices = m_options.nv == ir::NvOption::Second && atWord(0, "texture");
+  if (keywordAt().keyword != Keyword::Texture && !inVertices)
     return unexpected("texture[n]");
   m_tokens.next();
   std::uint32_t unit = 0;

@@ -163,7 +163,7 @@ bool Parser::parseRelativeElement(const Token &name, const Symbol &symbol, ir::O
     array.relative = m_binder.relativeArray(text(name), array.rows, name.span);
   operand.relative = true;
   operand.index = *array.relative;
-  operand.address = std::uint8_t(address ? address->index : 0);
+  operand.address = std::uint8_t((address ? address->index : 0) + m_addressComponent);
   return true;
 }
 
@@ -175,7 +175,11 @@ bool Parser::parseAddressComponent() {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("'x'", kHint);
   const Token token = m_tokens.next();
-  if (text(token) != "x")
+  m_addressComponent = 0;
+  if (const auto component = std::string_view("xyzw").find(text(token));
+      m_options.nv != ir::NvOption::None && text(token).size() == 1 && component < 4)
+    m_addressComponent = std::uint8_t(component);
+  else if (text(token) != "x")
     error(DiagnosticId::AddressComponent, token.span,
           "an address register has no component " + quote(text(token)), "write .x");
   return true;

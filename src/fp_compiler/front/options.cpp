@@ -27,6 +27,13 @@ template <ir::Precision wanted> bool precision(ir::Options &options) {
   return true;
 }
 
+template <ir::NvOption wanted> bool nvidia(ir::Options &options) {
+  if (options.nv != ir::NvOption::None && options.nv != wanted)
+    return false;
+  options.nv = wanted;
+  return true;
+}
+
 template <bool ir::Options::*flag> bool set(ir::Options &options) { return options.*flag = true; }
 
 struct Conflict {
@@ -40,6 +47,9 @@ constexpr Conflict kFogs = {DiagnosticId::ConflictingFog, "a second, different f
 constexpr Conflict kPrecisions = {
     DiagnosticId::ConflictingPrecision, "both precision hints",
     "keep either ARB_precision_hint_fastest or ARB_precision_hint_nicest"};
+
+constexpr Conflict kNvidia = {DiagnosticId::ConflictingNv, "a second, different option of NVIDIA",
+                              "the later one of the two has all that the other one has"};
 
 struct OptionRow {
   std::string_view name;
@@ -81,10 +91,15 @@ void Parser::applyOption(const Token &token) {
   const auto row = std::find_if(std::begin(kOptions), std::end(kOptions), [&](const auto &option) {
     return option.name == text(token) && option.language == m_language.language;
   });
+  ir::Options options = m_options;
   if (row == std::end(kOptions))
     refuseOption(token);
-  else if (!row->apply(m_options))
+  else if (!row->apply(options))
     error(row->conflict->id, token.span, row->conflict->message, row->conflict->hint);
+  else if (std::uint32_t(options.nv) > m_limits.nvOptions)
+    refuseOption(token);
+  else
+    m_options = options;
 }
 
 void Parser::refuseOption(const Token &token) {
@@ -93,8 +108,8 @@ void Parser::refuseOption(const Token &token) {
   std::vector<std::string_view> offered;
   bool other = false;
   for (const OptionRow &row : kOptions) {
-    other |= row.name == name;
-    if (row.language == m_language.language)
+    other |= row.name == name && row.language != m_language.language;
+    if (row.language == m_language.language && !row.name.starts_with("NV_"))
       offered.push_back(row.name);
   }
   if (other)

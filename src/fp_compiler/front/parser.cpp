@@ -42,8 +42,13 @@ void Parser::parse() {
             "every program ends with END; check the length given");
       return;
     }
-    if (keywordAt().keyword == Keyword::End)
-      return parseEnd();
+    if (keywordAt().keyword == Keyword::End) {
+      const Span end = m_tokens.peek().span;
+      parseEnd();
+      if (m_options.nv != ir::NvOption::None)
+        finishNv(end);
+      return;
+    }
     parseStatement();
   }
 }
@@ -63,6 +68,11 @@ void Parser::parseStatement() {
       recover();
     return;
   }
+  if (atSize()) {
+    if (!parseSized())
+      recover();
+    return;
+  }
   const Token first = m_tokens.next();
   if (!parseStatementBody(first, word))
     recover();
@@ -71,7 +81,8 @@ void Parser::parseStatement() {
 bool Parser::parseStatementBody(const Token &first, const Word &word) {
   switch (word.keyword) {
   case Keyword::Opcode:
-    return parseInstruction(first, word);
+    return m_options.nv == ir::NvOption::None ? parseInstruction(first, word)
+                                              : parseNvInstruction(first, word);
   case Keyword::Temp:
     return parseRegisters(SymbolKind::Temporary);
   case Keyword::Address:
@@ -85,7 +96,9 @@ bool Parser::parseStatementBody(const Token &first, const Word &word) {
   case Keyword::Param:
     return parseParam();
   case Keyword::None:
-    return unknownStatement(first);
+    if (m_options.nv != ir::NvOption::None && atByte(':'))
+      return parseLabel(first);
+    return m_options.nv == ir::NvOption::None ? unknownStatement(first) : unknownNvStatement(first);
   case Keyword::Attributes:
   case Keyword::Program:
   case Keyword::Result:
@@ -191,6 +204,13 @@ bool Parser::unexpected(const char *expected, std::string hint) {
 }
 
 bool Parser::unexpectedToken(const Token &token, const char *expected, std::string hint) {
+  // Tokens of NVIDIA's options.
+  if (m_options.nv != ir::NvOption::None && token.kind == TokenKind::InvalidByte &&
+      std::string_view("|():").find(m_text[token.span.begin]) != std::string_view::npos) {
+    error(DiagnosticId::Syntax, token.span,
+          "expected " + std::string(expected) + ", found " + describe(token), std::move(hint));
+    return false;
+  }
   if (token.kind == TokenKind::InvalidByte &&
       std::string_view("|()<>").find(m_text[token.span.begin]) != std::string_view::npos)
     hint = std::string("absolute values and condition codes belong to the ") +

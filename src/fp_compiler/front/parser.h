@@ -1,10 +1,12 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "fp_compiler/front/bindings/binder.h"
 #include "fp_compiler/front/lexer.h"
+#include "fp_compiler/front/nv/statement.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
 #include "fp_compiler/front/words/keywords.h"
@@ -65,7 +67,10 @@ private:
   bool unexpectedToken(const Token &token, const char *expected, std::string hint = {});
   [[nodiscard]] std::string describe(const Token &token) const;
   [[nodiscard]] std::string_view text(const Token &token) const { return m_tokens.text(token); }
-  [[nodiscard]] Word wordOf(const Token &token) const { return classify(text(token), m_language); }
+  [[nodiscard]] Word wordOf(const Token &token) const {
+    return m_options.nv == ir::NvOption::None ? classify(text(token), m_language)
+                                              : nv::classify(text(token), m_language, m_options.nv);
+  }
   [[nodiscard]] Word keywordAt() const;
   [[nodiscard]] bool atWord(int ahead, std::string_view word) const;
   [[nodiscard]] Span spanFrom(std::uint32_t begin) const { return {begin, m_tokens.lastEnd()}; }
@@ -154,6 +159,41 @@ private:
   bool undeclared(const Token &name);
   bool skipIndex();
 
+  // nv/parse.cpp: what NVIDIA's options add
+  [[nodiscard]] bool atByte(char byte, int ahead = 0) const;
+  bool acceptByte(char byte);
+  bool expectByte(char byte);
+  [[nodiscard]] bool atSize() const;
+  bool parseSized();
+  bool parseTest(nv::Test &test);
+  bool parseConditionMask(nv::Test &test);
+  bool parseNvSource(bool scalar, ir::Operand &operand, bool &absolute);
+  bool parseNvSwzSource(ir::Operand &operand, bool &absolute);
+  bool parseNvOperands(nv::Statement &statement);
+  bool parseAddressSource(ir::Operand &operand);
+  bool parseNvAddressDestination(ir::Destination &destination);
+  bool parseNvDestination(nv::Statement &statement);
+  void checkSize(const ir::Destination &destination);
+  bool parseNvInstruction(const Token &opcode, const Word &word);
+  bool parseNvFlow(const Token &opcode, const Word &word);
+  bool endBlock(const Token &opcode, const Word &word);
+  bool beginLoop(nv::Statement &statement);
+  bool parseStack(nv::Statement &statement);
+  bool unknownNvStatement(const Token &first);
+  bool parseLabel(const Token &name);
+  bool atAddress() const;
+  bool parseIndexed(std::optional<std::uint16_t> &sequence);
+  void indexAttributes(ir::AttributeKind kind, std::uint32_t count);
+  void keep(const nv::Statement &statement, Span opcode);
+  void finishNv(Span end);
+
+  /// A place in the program that BRA and CAL name.
+  struct Label {
+    Span name;
+    bool placed = false;
+  };
+  Label &labelOf(const Token &name);
+
   /// A parameter array; `relative` is its number in the program, once an address register has
   /// indexed it.
   struct Array {
@@ -184,6 +224,23 @@ private:
     ir::TexTarget target = ir::TexTarget::Tex2D;
   };
   std::vector<UnitUse> m_units;
+  // NVIDIA's options.
+  std::vector<nv::Statement> m_statements;
+  std::vector<Label> m_labels;
+  std::map<std::string_view, std::uint16_t> m_labelNumbers;
+  std::uint8_t m_addressComponent = 0; ///< the one that was read last
+  struct Block {
+    ir::Opcode begin = ir::Opcode::If; ///< If, Else, Loop or Rep
+    Span where;
+  };
+  std::vector<Block> m_blocks; ///< those that are open
+  nv::Sequences m_sequences;
+  std::optional<std::uint16_t> m_texCoords, m_attribs, m_texCoordResults; ///< of m_sequences
+  bool m_mayIndex = false;                     ///< a binding may be chosen by an address register
+  std::optional<nv::Indexed> m_indexed;        ///< the binding that was read was
+  RegisterSize m_size = RegisterSize::Long;    ///< of the declaration
+  RegisterSize m_written = RegisterSize::Long; ///< of the destination that was read last
+  std::map<std::uint16_t, RegisterSize> m_resultSizes; ///< of results, as they are written
 };
 
 } // namespace arbiter::fp

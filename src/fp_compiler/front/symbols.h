@@ -19,11 +19,15 @@ enum class SymbolKind : std::uint8_t {
   Address, ///< vertex programs: row of Program::addresses
 };
 
+/// SHORT and LONG of NV_fragment_program_option; what is declared without is LONG.
+enum class RegisterSize : std::uint8_t { Long, Short };
+
 /// What a name stands for. An ALIAS has a copy of its variable's symbol.
 struct Symbol {
   SymbolKind kind = SymbolKind::Unknown;
-  std::uint16_t index = 0; ///< row of the register file; of an array, its number
-  Span declared;           ///< the name where it was declared
+  std::uint16_t index = 0;                ///< row of the register file; of an array, its number
+  Span declared;                          ///< the name where it was declared
+  RegisterSize size = RegisterSize::Long; ///< of a temporary or a result
 };
 
 /// The names of a program (3.11.3). Keys view the program text, which must outlive the table.

@@ -60,7 +60,7 @@ void findLive(const ir::Program &program, Dataflow &flow) {
     flow.live[at] = live;
     if (!live)
       continue;
-    if (instruction.dst.file == File::Output && !info(instruction.op).has(ir::Kills))
+    if (instruction.dst.file == File::Output && info(instruction.op).hasDestination())
       pending[instruction.dst.index] &= std::uint8_t(~writeMask(instruction));
     for (const auto &operand : flow.writers[at])
       for (const std::uint32_t writer : operand)

@@ -21,10 +21,12 @@ bool within(const ResourceCounts &counts, const ResourceCounts &limits) {
          counts.attribs <= limits.attribs && counts.addressRegisters <= limits.addressRegisters;
 }
 
-/// Models are of ARB fragment programs; the other languages' limits are the API's.
+/// Models are of ARB fragment programs; the other languages' limits are the API's. So are those of
+/// programs under NVIDIA's options, whose instructions are the chip's own.
 NativeModel modelOf(const ir::Program &program, const Limits &limits) {
-  return program.language == ir::Language::ArbFragment ? limits.nativeModel
-                                                       : NativeModel::Documented;
+  const bool arb =
+      program.language == ir::Language::ArbFragment && program.options.nv == ir::NvOption::None;
+  return arb ? limits.nativeModel : NativeModel::Documented;
 }
 
 NativeCounts countOf(const SlotProgram &code, const ResourceCounts &api, const Limits &limits,

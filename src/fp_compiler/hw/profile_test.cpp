@@ -37,7 +37,7 @@ TEST(Profiles, CatalystAnnouncedMoreThanTheChipHas) {
 
 // ARB_fragment_program's state tables: no built-in profile may promise less.
 TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
-  EXPECT_EQ(builtinNames().size(), 9u);
+  EXPECT_EQ(builtinNames().size(), 10u);
   for (const std::string_view name : builtinNames()) {
     const Profile *profile = findBuiltin(name);
     ASSERT_NE(profile, nullptr) << name;
@@ -51,13 +51,13 @@ TEST(Profiles, EveryBuiltInMeetsTheSpecificationAndHasSources) {
   EXPECT_TRUE(findBuiltin("host")->fromHost);
 }
 
-TEST(Profiles, EveryCardHasAModelAndTheHostNone) {
+TEST(Profiles, CardsHaveModelsAndTheHostAndNv40None) {
   constexpr std::pair<std::string_view, NativeModel> kModels[] = {
       {"r300", NativeModel::R300},       {"r300-catalyst-2004", NativeModel::R300},
       {"r350", NativeModel::R300},       {"r360", NativeModel::R300},
       {"r420", NativeModel::R300},       {"nv30", NativeModel::Nv30},
       {"nv35", NativeModel::Nv35},       {"i915", NativeModel::I915},
-      {"host", NativeModel::Documented},
+      {"host", NativeModel::Documented}, {"nv40", NativeModel::Documented},
   };
   ASSERT_EQ(std::size(kModels), builtinNames().size());
   for (const auto &[name, model] : kModels) {
@@ -102,7 +102,7 @@ TEST(Profiles, AnUnknownNameListsTheKnownOnes) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().message,
             "no profile \"r3000\"; did you mean \"r300\"? (built in: r300, r300-catalyst-2004, "
-            "r350, r360, r420, nv30, nv35, i915, host; or the path of a TOML file)");
+            "r350, r360, r420, nv30, nv35, nv40, i915, host; or the path of a TOML file)");
   EXPECT_EQ(findBuiltin("r3000"), nullptr);
 }
 

@@ -26,19 +26,75 @@ public:
   }
 
   Evaluation run() {
-    for (std::size_t i = 0; i < m_program.code.size(); ++i) {
-      step(i);
-      if (m_evaluation.killed && !m_inputs.pastKill) {
-        m_evaluation.outputs.assign(m_program.outputs.size(), Vec4{});
-        m_evaluation.depth.reset();
-        return m_evaluation;
+    while (m_at < m_program.code.size() && goesOn())
+      advance();
+    return finish();
+  }
+
+  /// The instruction that is next.
+  [[nodiscard]] std::size_t at() const { return m_at; }
+
+  /// Does it.
+  void advance() {
+    const Instruction &instruction = m_program.code[m_at];
+    if (!info(instruction.op).has(Flow))
+      return step(m_at++);
+    switch (instruction.op) {
+    case Opcode::Rep:
+      m_loops.push_back({m_at, iterations(fetch(instruction.src[0])[0])});
+      return iterate();
+    case Opcode::Endrep:
+      return iterate();
+    default: // BRK
+      if (fetch(instruction.src[0])[0] == 0.0f) {
+        ++m_at;
+        return;
       }
+      m_at = endOf(m_loops.back().begin) + 1;
+      m_loops.pop_back();
+    }
+  }
+
+  [[nodiscard]] bool goesOn() const { return !m_evaluation.killed || m_inputs.pastKill; }
+
+  Evaluation finish() {
+    if (!goesOn()) {
+      m_evaluation.outputs.assign(m_program.outputs.size(), Vec4{});
+      m_evaluation.depth.reset();
+      return m_evaluation;
     }
     if (m_program.options.colorSum)
       colorSum();
     if (m_program.options.fog != FogMode::None)
       fog();
     return m_evaluation;
+  }
+
+  /// What the operand of a derivative is, and the derivative, for step() to take.
+  [[nodiscard]] Vec4 operandOf(std::size_t index) const {
+    return fetch(m_program.code[index].src[0]);
+  }
+  void setDerivative(const Vec4 &value) { m_derivative = value; }
+
+  void step(std::size_t index) {
+    const Instruction &instruction = m_program.code[index];
+    const OpInfo &row = info(instruction.op);
+    const bool bits = m_bits && carriesBits(instruction.op);
+    Step done;
+    done.index = index;
+    for (std::size_t i = 0; i < std::size_t(row.operandCount()); ++i)
+      done.operands[i] = fetch(instruction.src[i], bits);
+    if (row.has(Kills)) {
+      done.discards = kills(done.operands[0]);
+      m_evaluation.killed |= done.discards;
+    } else {
+      write(instruction.dst, result(instruction, done));
+    }
+    if (!m_inputs.observer)
+      return;
+    if (!row.has(Kills))
+      done.value = contents(instruction.dst);
+    m_inputs.observer(done);
   }
 
 private:
@@ -60,6 +116,8 @@ private:
   /// A row as the mode's instructions read it.
   Vec4 resolve(const Parameter &parameter) const {
     Vec4 value = given(parameter);
+    if (m_bits && m_numerics != Numerics::Fp24)
+      return value;
     for (float &component : value)
       component = loaded(component, m_numerics);
     return value;
@@ -72,7 +130,8 @@ private:
                                                        : Vec4{};
   }
 
-  Vec4 fetch(const Operand &operand) const {
+  /// \param bits as they are, denormals too
+  Vec4 fetch(const Operand &operand, bool bits = false) const {
     Vec4 source = {};
     switch (operand.file) {
     case File::Temporary:
@@ -94,12 +153,24 @@ private:
       value[i] = select == Select::Zero  ? 0.0f
                  : select == Select::One ? 1.0f
                                          : source[std::size_t(select)];
-      value[i] = flushed(operand.negate >> i & 1 ? -value[i] : value[i]);
+      value[i] = operand.negate >> i & 1 ? -value[i] : value[i];
+      if (!bits)
+        value[i] = flushed(value[i]);
     }
     return value;
   }
 
-  static Sample requestOf(const Instruction &instruction, const Vec4 &value) {
+  /// In a vertex program the level is the base's, but for TXB's, which is TXL's there.
+  [[nodiscard]] std::optional<float> levelOf(const Instruction &instruction,
+                                             const Vec4 &value) const {
+    const bool vertex = m_program.language == Language::ArbVertex;
+    const bool given = instruction.op == Opcode::Txl || (vertex && instruction.op == Opcode::Txb);
+    if (given && (operandMask(instruction, 0) & 8))
+      return value[3];
+    return given || vertex ? std::optional(0.0f) : std::nullopt;
+  }
+
+  [[nodiscard]] Sample requestOf(const Instruction &instruction, const Vec4 &value) const {
     Sample request;
     request.target = instruction.target;
     request.unit = instruction.unit;
@@ -108,7 +179,21 @@ private:
         request.coordinate[i] = instruction.op == Opcode::Txp ? value[i] / value[3] : value[i];
     if (instruction.op == Opcode::Txb && (operandMask(instruction, 0) & 8))
       request.bias = value[3];
+    request.lod = levelOf(instruction, value);
+    if (request.lod)
+      request.bias = 0.0f;
     return request;
+  }
+
+  /// TXD's.
+  static Sample::Gradient gradientOf(const Instruction &instruction, const Operands &operands) {
+    Sample::Gradient gradient;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (operandMask(instruction, 1) >> i & 1) {
+        gradient.x[i] = operands[1][i];
+        gradient.y[i] = operands[2][i];
+      }
+    return gradient;
   }
 
   Vec4 sample(const Sample &request) const {
@@ -118,24 +203,8 @@ private:
     return texel;
   }
 
-  void step(std::size_t index) {
-    const Instruction &instruction = m_program.code[index];
-    const OpInfo &row = info(instruction.op);
-    Step done;
-    done.index = index;
-    for (std::size_t i = 0; i < std::size_t(row.operandCount()); ++i)
-      done.operands[i] = fetch(instruction.src[i]);
-    if (row.has(Kills)) {
-      done.discards = kills(done.operands[0]);
-      m_evaluation.killed |= done.discards;
-    } else {
-      write(instruction.dst, result(instruction, done));
-    }
-    if (!m_inputs.observer)
-      return;
-    if (!row.has(Kills))
-      done.value = contents(instruction.dst);
-    m_inputs.observer(done);
+  Vec4 derivative(const Step &done) const {
+    return m_derivative ? *m_derivative : apply(Opcode::Ddx, done.operands, m_numerics);
   }
 
   /// What the instruction makes, before _SAT.
@@ -143,11 +212,16 @@ private:
     Vec4 value;
     if (info(instruction.op).has(Texture)) {
       done.sample = requestOf(instruction, done.operands[0]);
+      if (instruction.op == Opcode::Txd)
+        done.sample->gradient = gradientOf(instruction, done.operands);
       value = sample(*done.sample);
     } else {
       if (m_inputs.operands)
         m_inputs.operands(instruction, done.operands);
-      value = apply(instruction.op, done.operands, m_numerics, m_program.language);
+      value = instruction.op == Opcode::Ddx || instruction.op == Opcode::Ddy ? derivative(done)
+              : m_bits && carriesBits(instruction.op)
+                  ? applyToBits(instruction.op, done.operands)
+                  : apply(instruction.op, done.operands, m_numerics, m_program.language);
     }
     if (m_inputs.result)
       m_inputs.result(instruction, value);
@@ -248,9 +322,41 @@ private:
     return value;
   }
 
+  struct Loop {
+    std::size_t begin = 0;  ///< its REP
+    std::uint32_t left = 0; ///< iterations that have not begun
+  };
+
+  /// Begins the next iteration of the innermost loop, or leaves it.
+  void iterate() {
+    Loop &loop = m_loops.back();
+    if (loop.left > 0 && m_begun < kMostIterations) {
+      --loop.left;
+      ++m_begun;
+      m_at = loop.begin + 1;
+      return;
+    }
+    m_at = endOf(loop.begin) + 1;
+    m_loops.pop_back();
+  }
+
+  [[nodiscard]] std::size_t endOf(std::size_t begin) const {
+    std::size_t depth = 0;
+    for (std::size_t i = begin;; ++i) {
+      depth += m_program.code[i].op == Opcode::Rep ? 1 : 0;
+      if (m_program.code[i].op == Opcode::Endrep && --depth == 0)
+        return i;
+    }
+  }
+
   const Program &m_program;
   const Inputs &m_inputs;
   const Numerics m_numerics;
+  const bool m_bits = m_program.options.nv != NvOption::None; ///< registers hold bits
+  std::optional<Vec4> m_derivative;
+  std::size_t m_at = 0;
+  std::vector<Loop> m_loops;
+  std::uint32_t m_begun = 0; ///< iterations, of all loops
   std::vector<Vec4> m_temporaries, m_attributes, m_parameters;
   std::vector<std::int32_t> m_addresses;
   Evaluation m_evaluation;
@@ -259,6 +365,52 @@ private:
 
 Evaluation evaluate(const Program &program, const Inputs &inputs) {
   return Machine(program, inputs).run();
+}
+
+std::array<Evaluation, 4> evaluateQuad(const Program &program,
+                                       const std::array<Inputs, 4> &inputs) {
+  // A discarded fragment goes on for its neighbours.
+  std::array<Inputs, 4> helped = inputs;
+  for (Inputs &lane : helped)
+    lane.pastKill = true;
+  std::array<Machine, 4> lanes = {Machine(program, helped[0]), Machine(program, helped[1]),
+                                  Machine(program, helped[2]), Machine(program, helped[3])};
+  const auto together = [&] {
+    return std::all_of(lanes.begin(), lanes.end(),
+                       [&](const Machine &lane) { return lane.at() == lanes[0].at(); });
+  };
+  while (lanes[0].at() < program.code.size() && together()) {
+    const std::size_t i = lanes[0].at();
+    const Opcode op = program.code[i].op;
+    if (op == Opcode::Ddx || op == Opcode::Ddy) {
+      std::array<Vec4, 4> value;
+      for (std::size_t lane = 0; lane < 4; ++lane)
+        value[lane] = lanes[lane].operandOf(i);
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        const std::size_t low = op == Opcode::Ddx ? lane & 2 : lane & 1;
+        const std::size_t high = low + (op == Opcode::Ddx ? 1 : 2);
+        lanes[lane].setDerivative(
+            apply(Opcode::Sub, {value[high], value[low]}, inputs[lane].numerics));
+      }
+    }
+    for (Machine &lane : lanes)
+      lane.advance();
+  }
+  // Loops that run another number of times: from here on no fragment has neighbours.
+  for (Machine &lane : lanes) {
+    lane.setDerivative({});
+    while (lane.at() < program.code.size())
+      lane.advance();
+  }
+  std::array<Evaluation, 4> results;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    results[lane] = lanes[lane].finish();
+    if (!results[lane].killed || inputs[lane].pastKill)
+      continue;
+    results[lane].outputs.assign(program.outputs.size(), Vec4{});
+    results[lane].depth.reset();
+  }
+  return results;
 }
 
 } // namespace arbiter::fp::ir

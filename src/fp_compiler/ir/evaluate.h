@@ -15,7 +15,13 @@ struct Sample {
   std::uint8_t unit = 0;
   /// s, t, r (r is the reference of a shadow target); 0 where the target has no use for one.
   Vec4 coordinate = {};
-  float bias = 0.0f; ///< TXB's
+  float bias = 0.0f;        ///< TXB's
+  std::optional<float> lod; ///< TXL's, which needs no derivatives
+  /// TXD's: those of the coordinate along the window's x and y.
+  struct Gradient {
+    Vec4 x = {}, y = {};
+  };
+  std::optional<Gradient> gradient;
 };
 
 /// One instruction as the interpreter did it, for a trace.
@@ -62,5 +68,10 @@ struct Evaluation {
 
 /// The reference interpreter (semantics.h). Requires: validate(program) finds nothing.
 [[nodiscard]] Evaluation evaluate(const Program &program, const Inputs &inputs);
+
+/// The same of 2x2 pixels of the window, which DDX and DDY compare: lower left, lower right, upper
+/// left, upper right.
+[[nodiscard]] std::array<Evaluation, 4> evaluateQuad(const Program &program,
+                                                     const std::array<Inputs, 4> &inputs);
 
 } // namespace arbiter::fp::ir

@@ -27,7 +27,8 @@ FP_FIELDS(Output, kind, index)
 FP_FIELDS(StateRef, item, back, index, modifier, row)
 FP_FIELDS(Parameter, kind, constant, index, state)
 FP_FIELDS(Temporary, name)
-FP_FIELDS(Options, fog, precision, shadow, drawBuffers, upperLeft, centerInteger, invariant, sum)
+FP_FIELDS(Options, fog, precision, shadow, drawBuffers, upperLeft, centerInteger, invariant, sum,
+          nv)
 FP_FIELDS(ParameterArray, name, rows)
 FP_FIELDS(Program, language, options, temporaries, attributes, parameters, outputs, addresses,
           arrays, code)

@@ -34,6 +34,7 @@ enum class AttributeKind : std::uint8_t {
   Position, ///< fragment.position (window), or vertex.position (object space)
   Normal,   ///< vertex programs: (x,y,z,1)
   Generic,  ///< vertex.attrib[index]; attrib[0] is kept as written, its value is the position
+  Facing,   ///< fragment.facing of NV_fragment_program2: (1, 0, 0, 1), or x -1 of a back face
 };
 struct Attribute {
   AttributeKind kind = AttributeKind::ColorPrimary;
@@ -118,6 +119,8 @@ struct Parameter {
 };
 
 enum class FogMode : std::uint8_t { None, Exp, Exp2, Linear };
+/// NVIDIA's option that the program is written under; each holds the one before it.
+enum class NvOption : std::uint8_t { None, First, Second };
 enum class Precision : std::uint8_t { Unspecified, Fastest, Nicest };
 
 /// The program's options (3.11.4.5).
@@ -132,6 +135,9 @@ struct Options {
   /// The secondary colour's rgb is added to the result before fog, as COLOR_SUM does: set for ATI
   /// fragment shaders by the state that they are drawn under.
   bool colorSum = false;
+  /// First: NV_fragment_program or NV_vertex_program2. Second: NV_fragment_program2 or
+  /// NV_vertex_program3.
+  NvOption nv = NvOption::None;
   bool operator==(const Options &) const = default;
 };
 

@@ -8,13 +8,13 @@
 #include "fp_compiler/numerics.h"
 #include "fp_compiler/span.h"
 
-/// The checked program as data: straight-line code over vec4 registers. No text, no GL. One form
-/// for every language; what a language lacks (relative operands, texture samples) does not occur in
-/// its programs.
+/// The checked program as data: code over vec4 registers, straight-line but for loops. No text, no
+/// GL. One form for every language; what a language lacks (relative operands, texture samples) does
+/// not occur in its programs.
 namespace arbiter::fp::ir {
 
 /// Traits of an opcode; the columns of ops.def.
-enum Trait : std::uint16_t {
+enum Trait : std::uint32_t {
   None = 0,
   PerComponent = 1,
   Replicates = 2,
@@ -24,22 +24,32 @@ enum Trait : std::uint16_t {
   FixedMask = 32,
   VertexOnly = 64,
   FragmentOnly = 128,
+  // Of NVIDIA's options, and what they may not write behind a name.
+  OfF1 = 256,
+  OfF2 = 512,
+  OfV2 = 1024,
+  OfV3 = 2048,
+  NoFixed = 4096,
+  NoPrecision = 8192,
+  NoCondition = 16384,
+  NoSaturate = 32768,
+  Flow = 65536, ///< changes what runs next; has no destination
 };
 
 enum class Opcode : std::uint8_t {
 #define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc) Enumerator,
+#define FP_NV_OP(Enumerator, mnemonic, shapes, traits, section, doc) Enumerator,
+#define FP_NV_WORD(Enumerator, mnemonic, shapes, traits, section, doc) Enumerator,
 #include "fp_compiler/ir/ops.def"
-#undef FP_OP
 };
 
-/// The number of opcodes.
-inline constexpr int kOpcodeCount = [] {
-  int count = 0;
-#define FP_OP(...) ++count;
-#include "fp_compiler/ir/ops.def"
-#undef FP_OP
-  return count;
-}();
+/// The number of opcodes of the ARB languages; NVIDIA's stand behind them.
+inline constexpr int kOpcodeCount = int(Opcode::Seq);
+/// The number of opcodes that may stand in a program's code; behind them are those that the front
+/// end writes in terms of these.
+inline constexpr int kCodeOpcodeCount = int(Opcode::Sgt);
+/// The number of rows of ops.def.
+inline constexpr int kOpcodeRowCount = int(Opcode::Popa) + 1;
 
 /// Opcodes of the fragment languages stand before those of vertex programs alone.
 inline constexpr int kFragmentOpcodeCount = int(Opcode::Arl);
@@ -49,11 +59,12 @@ struct OpInfo {
   const char *name;     ///< enumerator, "Add"
   const char *mnemonic; ///< "ADD"
   const char *shapes;   ///< one letter an operand, "VV"
-  std::uint16_t traits; ///< Trait bits
+  std::uint32_t traits; ///< Trait bits
   const char *section;  ///< of ARB_fragment_program
   const char *doc;      ///< one line
 
   [[nodiscard]] bool has(Trait trait) const { return (traits & trait) != 0; }
+  [[nodiscard]] bool hasDestination() const { return (traits & (Kills | Flow)) == 0; }
   [[nodiscard]] int operandCount() const { return int(std::char_traits<char>::length(shapes)); }
 };
 
@@ -136,5 +147,8 @@ struct Program {
   std::vector<ParameterArray> arrays; ///< those that a relative operand names
   std::vector<Instruction> code;
 };
+
+/// True if the code has loops, REP to ENDREP: it is not straight-line then.
+[[nodiscard]] bool hasLoops(const Program &program);
 
 } // namespace arbiter::fp::ir

@@ -182,7 +182,7 @@ std::string stateBinding(const StateRef &ref) {
   return "";
 }
 
-std::string optionsText(const Options &options) {
+std::string optionsText(const Options &options, Language language) {
   std::string text;
   constexpr const char *kFog[] = {"", "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kHint[] = {"", "ARB_precision_hint_fastest", "ARB_precision_hint_nicest"};
@@ -198,6 +198,9 @@ std::string optionsText(const Options &options) {
   option(options.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
   option(options.positionInvariant, "ARB_position_invariant");
   option(options.colorSum, "color_sum");
+  const bool vertex = language == Language::ArbVertex;
+  option(options.nv == NvOption::First, vertex ? "NV_vertex_program2" : "NV_fragment_program");
+  option(options.nv == NvOption::Second, vertex ? "NV_vertex_program3" : "NV_fragment_program2");
   return text;
 }
 } // namespace
@@ -226,6 +229,8 @@ std::string bindingText(const Attribute &attribute, Language language) {
     return stage + "normal";
   case AttributeKind::Generic:
     return stage + "attrib" + bracket(attribute.index);
+  case AttributeKind::Facing:
+    return stage + "facing";
   }
   return "";
 }
@@ -277,7 +282,7 @@ std::string bindingText(const Parameter &parameter) {
 std::string print(const Instruction &instruction) {
   const OpInfo &row = info(instruction.op);
   std::string text = row.mnemonic;
-  if (!row.has(Kills)) {
+  if (row.hasDestination()) {
     text += instruction.dst.saturate ? "_SAT " : " ";
     text += destinationText(instruction.dst) + ",";
   }
@@ -289,7 +294,7 @@ std::string print(const Instruction &instruction) {
 }
 
 std::string print(const Program &program) {
-  std::string text = optionsText(program.options);
+  std::string text = optionsText(program.options, program.language);
   const auto line = [&](char letter, std::size_t index, const std::string &what) {
     text += letter + std::to_string(index) + " = " + what + "\n";
   };

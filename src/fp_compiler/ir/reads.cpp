@@ -29,14 +29,34 @@ std::uint8_t crossMask(std::uint8_t mask) {
   return reads;
 }
 
-std::uint8_t textureMask(const Instruction &instruction) {
+/// The derivatives have no reference of a comparison.
+std::uint8_t derivativeMask(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+  case TexTarget::Shadow1D:
+    return kX;
+  case TexTarget::Tex2D:
+  case TexTarget::Rect:
+  case TexTarget::Shadow2D:
+  case TexTarget::ShadowRect:
+    return kX | kY;
+  case TexTarget::Tex3D:
+  case TexTarget::Cube:
+    break;
+  }
+  return kX | kY | kZ;
+}
+
+std::uint8_t textureMask(const Instruction &instruction, int operand) {
+  if (operand > 0)
+    return derivativeMask(instruction.target);
   std::uint8_t reads = coordinateMask(instruction.target);
   if (instruction.op == Opcode::Txp)
     reads |= kW;
   // A rectangle has one level, so there is nothing to bias.
   const bool rectangle =
       instruction.target == TexTarget::Rect || instruction.target == TexTarget::ShadowRect;
-  if (instruction.op == Opcode::Txb && !rectangle)
+  if ((instruction.op == Opcode::Txb || instruction.op == Opcode::Txl) && !rectangle)
     reads |= kW;
   return reads;
 }
@@ -85,7 +105,7 @@ std::uint8_t resultMask(OutputKind kind) {
 }
 
 std::uint8_t writeMask(const Instruction &instruction) {
-  return info(instruction.op).has(Kills) ? 0 : instruction.dst.mask;
+  return info(instruction.op).hasDestination() ? instruction.dst.mask : 0;
 }
 
 std::uint8_t operandMask(const Instruction &instruction, int operand) {
@@ -94,13 +114,15 @@ std::uint8_t operandMask(const Instruction &instruction, int operand) {
     return 0;
   if (row.has(Kills))
     return kAll;
+  if (row.has(Flow))
+    return kX;
   const std::uint8_t mask = instruction.dst.mask;
   if (mask == 0)
     return 0;
   if (row.has(PerComponent))
     return mask;
   if (row.has(Texture))
-    return textureMask(instruction);
+    return textureMask(instruction, operand);
   if (row.shapes[operand] == 'S')
     return instruction.op == Opcode::Scs && (mask & (kX | kY)) == 0 ? 0 : kX;
   switch (instruction.op) {
@@ -114,6 +136,9 @@ std::uint8_t operandMask(const Instruction &instruction, int operand) {
     return litMask(mask);
   case Opcode::Xpd:
     return crossMask(mask);
+  case Opcode::Pk2h:
+  case Opcode::Pk2us:
+    return kX | kY;
   default:
     return kAll;
   }
@@ -133,6 +158,10 @@ std::uint8_t registerMask(const Instruction &instruction, int operand) {
 std::vector<bool> readsUnwritten(const Program &program) {
   std::vector<std::uint8_t> written(program.temporaries.size(), 0);
   std::vector<bool> result(program.temporaries.size(), false);
+  if (hasLoops(program)) { // what is in a loop may not have run
+    result.assign(result.size(), true);
+    return result;
+  }
   for (const Instruction &instruction : program.code) {
     for (int i = 0; i < info(instruction.op).operandCount(); ++i) {
       const Operand &operand = instruction.src[std::size_t(i)];

@@ -4,6 +4,8 @@
 #include <cfloat>
 #include <cmath>
 
+#include "fp_compiler/ir/packing.h"
+
 namespace arbiter::fp::ir {
 
 namespace {
@@ -213,10 +215,32 @@ Vec4 Unit<Mode>::compute(Opcode op, const Vec4 &a, const Vec4 &b, const Vec4 &c)
     return {std::exp2(std::floor(a[0])), fraction(a[0]), std::exp2(a[0]), 1.0f};
   case Opcode::Log:
     return logarithm(a[0]);
+  case Opcode::Seq:
+    return zip(a, b, [](float x, float y) { return x == y ? 1.0f : 0.0f; });
+  case Opcode::Sne:
+    return zip(a, b, [](float x, float y) { return x == y ? 0.0f : 1.0f; });
+  case Opcode::Ddx:
+  case Opcode::Ddy:
+    return map(a, [](float x) { return x - x; });
+  case Opcode::Pk2h:
+  case Opcode::Pk2us:
+  case Opcode::Pk4b:
+  case Opcode::Pk4ub:
+  case Opcode::Up2h:
+  case Opcode::Up2us:
+  case Opcode::Up4b:
+  case Opcode::Up4ub: // carriesBits()
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
+  case Opcode::Txd:
+  case Opcode::Txl:
   case Opcode::Kil:
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
+#define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
+#include "fp_compiler/ir/ops.def"
     break;
   }
   assert(false && "not an arithmetic opcode");
@@ -247,7 +271,55 @@ float loaded(float value, Numerics numerics) {
   return numerics == Numerics::Fp24 ? fp24::truncated(value) : flushed(value);
 }
 
+bool carriesBits(Opcode op) {
+  switch (op) {
+  case Opcode::Pk2h:
+  case Opcode::Pk2us:
+  case Opcode::Pk4b:
+  case Opcode::Pk4ub:
+  case Opcode::Up2h:
+  case Opcode::Up2us:
+  case Opcode::Up4b:
+  case Opcode::Up4ub:
+  case Opcode::Mov:
+  case Opcode::Swz:
+  case Opcode::Cmp:
+    return true;
+  default:
+    return false;
+  }
+}
+
+Vec4 applyToBits(Opcode op, const Operands &operands) {
+  const Vec4 &a = operands[0];
+  switch (op) {
+  case Opcode::Pk2h:
+    return all(packed(Packing::Half2, a));
+  case Opcode::Pk2us:
+    return all(packed(Packing::Unsigned2, a));
+  case Opcode::Pk4b:
+    return all(packed(Packing::Signed4, a));
+  case Opcode::Pk4ub:
+    return all(packed(Packing::Unsigned4, a));
+  case Opcode::Up2h:
+    return map(unpacked(Packing::Half2, a[0]), flushed);
+  case Opcode::Up2us:
+    return unpacked(Packing::Unsigned2, a[0]);
+  case Opcode::Up4b:
+    return unpacked(Packing::Signed4, a[0]);
+  case Opcode::Up4ub:
+    return unpacked(Packing::Unsigned4, a[0]);
+  case Opcode::Cmp:
+    return zip(a, operands[1], operands[2],
+               [](float x, float y, float z) { return flushed(x) < 0.0f ? y : z; });
+  default:
+    return a;
+  }
+}
+
 Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language language) {
+  if (int(op) >= kOpcodeCount && carriesBits(op))
+    return applyToBits(op, operands);
   const bool vertex = language == Language::ArbVertex;
   switch (numerics) {
   case Numerics::Host:
@@ -258,6 +330,12 @@ Vec4 apply(Opcode op, const Operands &operands, Numerics numerics, Language lang
     return Unit<Fp24>::apply(op, operands);
   }
   return {};
+}
+
+std::uint32_t iterations(float count) {
+  if (!(count >= 1.0f))
+    return 0;
+  return count < float(kMostIterations) ? std::uint32_t(count) : kMostIterations;
 }
 
 bool kills(const Vec4 &operand) {

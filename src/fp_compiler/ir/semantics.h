@@ -49,11 +49,22 @@
 /// RSQ      1/sqrt(|a|); RSQ(+-0) is +infinity.
 /// SCS      (cos a, sin a, 0, 0) for any angle.
 /// SGE SLT  1 or 0; a comparison with NaN is false, so both give 0; -0 equals +0.
+/// SEQ SNE  1 or 0; a comparison with NaN makes SEQ 0 and SNE 1; -0 equals +0.
+/// DDX DDY  the difference within the 2x2 pixels of the window that the fragment is of, right less
+///          left and upper less lower. Of a fragment alone 0, or NaN where a - a is.
+/// PK* UP*  of ir/packing.h: their floats are bits. In programs under NVIDIA's options MOV, SWZ and
+///          CMP carry bits too, denormals included; every other opcode flushes them.
 /// XPD      (a.yzx*b.zxy - a.zxy*b.yzx, 0)
 /// KIL      discards if any component is < 0, so not for NaN and not for -0.
+/// REP      runs what stands before its ENDREP as often as the operand's floor says; NaN and what
+/// is
+///          below 1 are 0 times. When a program's loops have begun 65,000 iterations, none begins
+///          any more. BRK leaves the innermost loop where its operand is not 0.
 /// TEX      samples at (x, y, z); targets take as many as they have. Shadow targets compare z.
 /// TXP      samples at (x/w, y/w, z/w) whatever w's sign; w = 0 samples at an infinity or NaN, and
 ///          the texel is the wrap mode's choice.
+/// TXD      the level of detail is that of the derivatives in the second and third operand.
+/// TXL      the level of detail is w, then clamped.
 /// TXB      w is added to the level of detail before its clamp; rectangles ignore it.
 ///
 /// Left to the host: LRP with an infinite operand, or with one so large that c + a*(b-c) loses b
@@ -125,6 +136,18 @@ using Operands = std::array<Vec4, 3>;
 /// \param language the program's: of vertex programs the order of sums is another
 [[nodiscard]] Vec4 apply(Opcode op, const Operands &operands, Numerics numerics,
                          Language language = Language::ArbFragment);
+
+/// True for the opcodes that move bits or make them; see PK* above.
+[[nodiscard]] bool carriesBits(Opcode op);
+/// What such an opcode makes, without a flush. Requires carriesBits(op).
+[[nodiscard]] Vec4 applyToBits(Opcode op, const Operands &operands);
+
+/// Iterations that a run of a program begins at most, of all its loops together: enough for the
+/// 65,536 instructions that NV_fragment_program2 promises, and fewer than the 65,535 after which
+/// llvmpipe ends a loop by itself.
+inline constexpr std::uint32_t kMostIterations = 65000;
+/// REP's.
+[[nodiscard]] std::uint32_t iterations(float count);
 
 /// KIL's condition.
 [[nodiscard]] bool kills(const Vec4 &operand);

@@ -22,12 +22,18 @@ public:
           m_problems.push_back("array " + array.name + ": row out of range");
     for (m_at = 0; m_at < m_program.code.size(); ++m_at)
       check(m_program.code[m_at]);
+    if (m_loops != 0)
+      m_problems.emplace_back("a loop without its end");
     return std::move(m_problems);
   }
 
 private:
   void report(const std::string &problem) {
     m_problems.push_back("instruction " + std::to_string(m_at) + ": " + problem);
+  }
+
+  static bool isOfVertices(const OpInfo &row) {
+    return row.has(OfV2) || row.has(OfV3) || row.has(Flow) || &row == &info(Opcode::Cmp);
   }
 
   std::size_t sizeOf(File file) const {
@@ -47,15 +53,22 @@ private:
   }
 
   void check(const Instruction &instruction) {
-    if (int(instruction.op) >= kOpcodeCount)
+    if (int(instruction.op) >= kCodeOpcodeCount)
       return report("opcode out of range");
     const OpInfo &row = info(instruction.op);
-    if (row.has(m_program.language == Language::ArbVertex ? FragmentOnly : VertexOnly))
+    const bool nv = m_program.options.nv != NvOption::None;
+    if (int(instruction.op) >= kOpcodeCount && !nv)
+      report("an opcode of NVIDIA's options in a program without one");
+    // CMP stands for their conditional writes, in vertex programs too.
+    const bool vertex = m_program.language == Language::ArbVertex;
+    if (row.has(vertex ? FragmentOnly : VertexOnly) && !(vertex && nv && isOfVertices(row)))
       report("not an opcode of the program's language");
     for (int i = 0; i < row.operandCount(); ++i)
       checkOperand(instruction.src[std::size_t(i)], row.shapes[i] == 'S');
-    if (!row.has(Kills))
+    if (row.hasDestination())
       checkDestination(instruction);
+    if (row.has(Flow))
+      checkFlow(instruction);
     if (row.has(Texture))
       checkTexture(instruction);
   }
@@ -105,6 +118,12 @@ private:
       report("write mask out of range");
   }
 
+  void checkFlow(const Instruction &instruction) {
+    if (instruction.op != Opcode::Rep && m_loops == 0)
+      return report("the end of a loop, or a break, outside of one");
+    m_loops += instruction.op == Opcode::Rep ? 1 : instruction.op == Opcode::Endrep ? -1 : 0;
+  }
+
   void checkTexture(const Instruction &instruction) {
     if (instruction.target > TexTarget::ShadowRect)
       return report("texture target out of range");
@@ -122,6 +141,7 @@ private:
   std::vector<std::string> m_problems;
   std::array<std::optional<TexTarget>, 32> m_targets;
   std::size_t m_at = 0;
+  int m_loops = 0;
 };
 } // namespace
 

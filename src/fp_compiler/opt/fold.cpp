@@ -23,6 +23,9 @@ bool isFolded(const Instruction &instruction) {
   return true;
 }
 
+/// PK* and UP* make bits that a row of constants, read as numbers, may lose.
+bool packs(Opcode op) { return int(op) >= ir::kOpcodeCount && ir::carriesBits(op); }
+
 /// The operands' values where they matter, or nothing if one is not constant.
 std::optional<ir::Operands> constantOperands(const ir::Program &program,
                                              const Instruction &instruction, Numerics numerics) {
@@ -71,7 +74,7 @@ bool foldConstants(ir::Program &program, Numerics asked) {
   for (Instruction &instruction : program.code) {
     const ir::OpInfo &row = ir::info(instruction.op);
     if (row.has(ir::Texture) || row.has(ir::Kills) || isFolded(instruction) ||
-        instruction.dst.file == ir::File::Address || !rows.hasRoom())
+        instruction.dst.file == ir::File::Address || !rows.hasRoom() || packs(instruction.op))
       continue;
     const auto operands = constantOperands(program, instruction, numerics);
     if (!operands)

@@ -31,6 +31,9 @@ constexpr int kMaxRounds = 64;
 } // namespace
 
 void run(ir::Program &program, Numerics numerics) {
+  // The passes go through straight-line code. A host's compiler has its own for loops.
+  if (ir::hasLoops(program))
+    return;
   for (int rounds = 0; rounds < kMaxRounds; ++rounds)
     if (!round(program, numerics))
       return;

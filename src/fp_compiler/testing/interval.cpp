@@ -68,6 +68,8 @@ Interval attributeRange(ir::AttributeKind kind, int index) {
     return {0, 2};
   case ir::AttributeKind::Position:
     return {0, index < 2 ? InputRanges::kPositionHigh : 1.0f};
+  case ir::AttributeKind::Facing:
+    return {-1, 1};
   case ir::AttributeKind::Normal:
   case ir::AttributeKind::Generic:
     return {InputRanges::kTexCoordLow, InputRanges::kTexCoordHigh};

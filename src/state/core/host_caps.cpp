@@ -180,6 +180,8 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   return caps;
 }
 
+bool HostCaps::drawsNvOptions() const { return bitEncoding && has("GL_ARB_shader_texture_lod"); }
+
 fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const HostCaps &caps) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;

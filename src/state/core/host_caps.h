@@ -81,6 +81,10 @@ struct HostCaps {
 
   [[nodiscard]] bool has(const char *extension) const;
 
+  /// Whether programs under NVIDIA's options can be drawn: GLSL 1.20 lacks the bits of floats, and
+  /// levels of detail that a fragment program gives.
+  [[nodiscard]] bool drawsNvOptions() const;
+
   /// Why the layer cannot implement ARB programs here; null if it can.
   [[nodiscard]] const char *obstacle() const;
 };

@@ -132,6 +132,7 @@ std::optional<std::uint32_t> extensionYear(std::string_view name) {
 
 IdentityRules identityRules() {
   IdentityRules rules;
+  rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
   if (!settings().identityOfProfile)
@@ -145,9 +146,22 @@ IdentityRules identityRules() {
   return rules;
 }
 
+namespace {
+/// Not the vertex options': programs that write result.clip do not load yet.
+void addNvOptions(FilteredExtensions &extensions, std::uint32_t fragment) {
+  constexpr const char *kNames[] = {"GL_NV_fragment_program_option", "GL_NV_fragment_program2"};
+  for (std::uint32_t i = 0; i < std::min(fragment, 2u); ++i) {
+    extensions.names.emplace_back(kNames[i]);
+    extensions.joined += std::string(kNames[i]) + " ";
+  }
+}
+} // namespace
+
 Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules) {
   Identity identity;
   identity.extensions = filterExtensions(caps, offered);
+  if (offered && caps.drawsNvOptions())
+    addNvOptions(identity.extensions, rules.nvFragmentOptions);
   if (rules.cutExtensions())
     cutExtensions(identity.extensions, rules);
   if (rules.card)

@@ -17,6 +17,7 @@ struct IdentityRules {
   const fp::hw::Identity *card = nullptr; ///< null: the host's own identity
   std::uint32_t maxYear = 0;              ///< of an extension; 0: any
   std::uint32_t maxLength = 0;            ///< bytes of the joined list; 0: any
+  std::uint32_t nvFragmentOptions = 0;    ///< Limits::nvOptions of fragment programs
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }
 };

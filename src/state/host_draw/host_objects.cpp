@@ -88,6 +88,9 @@ GLuint linkProgram(Context &context, const ProgramPair &pair, GLuint vertex, GLu
 
 GLuint loadAssembly(Context &context, const CompiledProgram &compiled,
                     const std::vector<fp::ir::Output> &defined) {
+  // Their code has what no text of the ARB languages says.
+  if (compiled.program && compiled.program->options.nv != fp::ir::NvOption::None)
+    return 0;
   const host::HostTable &host = *context.host;
   const GLenum target = hostAssemblyTarget(compiled);
   // The text of an ATI shader's form is assembly that was emitted already.

@@ -43,6 +43,7 @@ std::optional<Output> resultOf(const Attribute &attribute) {
   case AttributeKind::Position:
   case AttributeKind::Normal:
   case AttributeKind::Generic:
+  case AttributeKind::Facing:
     break;
   }
   return std::nullopt;

@@ -37,6 +37,8 @@ enum Slot : std::uint8_t {
     return kNormal;
   case Kind::Generic:
     return attribute.index == 0 ? int(kPosition) : kGeneric0 + attribute.index;
+  case Kind::Facing:
+    break; // of fragments
   }
   return kPosition;
 }

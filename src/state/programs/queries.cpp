@@ -76,6 +76,23 @@ bool queryCounts(const fp::Limits &limits, const CompiledProgram *program, GLenu
   return false;
 }
 
+/// Limits of NV_fragment_program2 and NV_vertex_program2_option: what the specifications promise at
+/// least, or what the compiler holds. Vertex programs have branches and calls alone.
+bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
+  const bool vertex = row.target == Target::Vertex;
+  const bool fragment = row.target == Target::Fragment;
+  const bool blocks =
+      pname != GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV && pname != GL_MAX_PROGRAM_CALL_DEPTH_NV;
+  if (!(vertex && row.limits.nvOptions >= 1 && !blocks) && !(fragment && row.limits.nvOptions >= 2))
+    return false;
+  *params = pname == GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV ? 65536
+            : pname == GL_MAX_PROGRAM_CALL_DEPTH_NV      ? 32
+            : pname == GL_MAX_PROGRAM_IF_DEPTH_NV        ? 256
+            : pname == GL_MAX_PROGRAM_LOOP_DEPTH_NV      ? 32
+                                                         : 255;
+  return true;
+}
+
 } // namespace
 
 bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObject &object,
@@ -103,6 +120,12 @@ bool queryProgram(Context &context, const ProgramTarget &row, const ProgramObjec
   case GL_MAX_PROGRAM_ENV_PARAMETERS_ARB:
     *params = GLint(row.limits.envParameters);
     return true;
+  case GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV:
+  case GL_MAX_PROGRAM_CALL_DEPTH_NV:
+  case GL_MAX_PROGRAM_IF_DEPTH_NV:
+  case GL_MAX_PROGRAM_LOOP_DEPTH_NV:
+  case GL_MAX_PROGRAM_LOOP_COUNT_NV:
+    return queryNvLimit(row, pname, params);
   case GL_PROGRAM_UNDER_NATIVE_LIMITS_ARB:
     *params = program && program->underNativeLimits ? GL_TRUE : GL_FALSE;
     return true;

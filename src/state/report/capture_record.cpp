@@ -121,7 +121,8 @@ void CaptureRecord::loaded(std::uint32_t context, Target target, std::string_vie
   row->contexts.insert(context);
   row->counted = result.ok();
   if (result.ok())
-    row->options = optionNames(result.program->options);
+    row->options = optionNames(result.program->options,
+                               result.program->language == fp::ir::Language::ArbVertex);
   row->counts = result.counts;
   row->nativeCounts = result.nativeCounts;
   row->underNativeLimits = result.underNativeLimits;

@@ -37,7 +37,7 @@ inline constexpr FixedTarget kFixedTargets[] = {
 };
 
 /// The options of a program as it would spell them.
-[[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options);
+[[nodiscard]] std::vector<const char *> optionNames(const fp::ir::Options &options, bool vertex);
 
 /// What a process knows of one program text.
 struct CaptureRow {

@@ -79,7 +79,9 @@ std::unique_ptr<Subject> Subject::read(std::string_view text, const Setting &set
     return nullptr;
   fp::CheckResult check =
       fp::checkProgram(setting.language, text, {setting.limits, fp::LimitPolicy::Report});
-  if (!check.ok() || check.program->code.size() > kMaxInstructions)
+  // Under NVIDIA's options an instruction of the text is not one of the code.
+  if (!check.ok() || check.program->code.size() > kMaxInstructions ||
+      check.program->options.nv != fp::ir::NvOption::None)
     return nullptr;
   return std::unique_ptr<Subject>(new Subject(text, setting, std::move(check)));
 }

@@ -33,6 +33,10 @@ Result<CheckedText, SessionError> checkText(std::string name, std::string text,
       fp::checkProgram(language, text, {limitsOf(profile, language), fp::LimitPolicy::Enforce});
   if (!result.ok())
     return SessionError{SessionError::Kind::Invalid, fp::renderAll(name, text, result.diagnostics)};
+  // What is read in the middle of a program is read by assembly of the ARB's, and by straight code.
+  if (result.program->options.nv != fp::ir::NvOption::None)
+    return SessionError{SessionError::Kind::Invalid,
+                        name + ": a program under an option of NVIDIA's cannot be traced yet\n"};
   return CheckedText{std::move(name), std::move(text), std::move(*result.program)};
 }
 

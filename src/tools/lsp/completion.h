@@ -73,6 +73,8 @@ private:
   // completion_arb.cpp: statements of the ARB languages
   void inStatement();
   void addStatements();
+  void addNvOpcodes();
+  void addOptions();
   void addKeywords(std::initializer_list<fp::Keyword> keywords);
   void addNames(Kinds kinds);
   void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);

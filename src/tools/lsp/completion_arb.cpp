@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fp_compiler/front/nv/words.h"
+
 namespace arbiter::tools::lsp {
 
 using fp::Keyword;
@@ -29,7 +31,7 @@ void Completion::inStatement() {
     return inInstruction();
   case Keyword::Option:
     if (m_next == begin + 1)
-      add(fp::reference::options(m_language), kEnumMember);
+      addOptions();
     return;
   case Keyword::Attrib:
     return afterEquals({Keyword::Attributes}, {});
@@ -47,6 +49,17 @@ void Completion::inStatement() {
   }
 }
 
+/// Those that the profile's card takes.
+void Completion::addOptions() {
+  const std::uint32_t nvOptions = m_view.analysis.limits.nvOptions;
+  for (const Entry &entry : fp::reference::options(m_language)) {
+    const bool second = entry.word == "NV_fragment_program2" || entry.word == "NV_vertex_program3";
+    const std::uint32_t needed = !entry.word.starts_with("NV_") ? 0 : second ? 2 : 1;
+    if (needed <= nvOptions)
+      add(std::span(&entry, 1), kEnumMember);
+  }
+}
+
 void Completion::addStatements() {
   for (int i = 0; i < fp::ir::kOpcodeCount; ++i) {
     const auto op = fp::ir::Opcode(i);
@@ -60,6 +73,21 @@ void Completion::addStatements() {
   for (const Entry &entry : fp::reference::keywords(m_language))
     if (fp::beginsStatement(fp::classify(entry.word, fp::arbLanguage(m_language)).keyword))
       add(entry.word, kKeyword, std::string(entry.doc), documentationOf(entry));
+  addNvOpcodes();
+}
+
+/// What the text's option adds; suffixes are left to the writer.
+void Completion::addNvOpcodes() {
+  const fp::ir::NvOption option = m_view.analysis.nv;
+  if (option == fp::ir::NvOption::None)
+    return;
+  const fp::ArbLanguage &language = fp::arbLanguage(m_language);
+  for (int i = 0; i < fp::ir::kOpcodeRowCount; ++i) {
+    const auto op = fp::ir::Opcode(i);
+    const bool known = i < fp::ir::kOpcodeCount && !info(op).has(language.foreign);
+    if (!known && fp::nv::offers(language, option, op))
+      add(info(op).mnemonic, kFunction, signatureOf(op, m_language), documentationOf(op));
+  }
 }
 
 void Completion::addKeywords(std::initializer_list<Keyword> keywords) {

@@ -85,6 +85,29 @@ Language Document::language() const {
   return Language::ArbFragment;
 }
 
+namespace {
+/// NVIDIA's option among those at the text's beginning, if the profile has it: it decides which
+/// words there are.
+fp::ir::NvOption nvOptionOf(std::string_view text, const std::vector<fp::Token> &tokens,
+                            const fp::Limits &limits) {
+  const auto word = [&](std::size_t i) {
+    return text.substr(tokens[i].span.begin, tokens[i].span.end - tokens[i].span.begin);
+  };
+  using fp::ir::NvOption;
+  NvOption option = NvOption::None;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (word(i) != "OPTION")
+      continue;
+    const std::string_view name = word(i + 1);
+    if (name == "NV_fragment_program2" || name == "NV_vertex_program3")
+      option = NvOption::Second;
+    else if (name == "NV_fragment_program" || name == "NV_vertex_program2")
+      option = NvOption::First;
+  }
+  return std::uint32_t(option) <= limits.nvOptions ? option : NvOption::None;
+}
+} // namespace
+
 const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   if (m_analysis)
     return *m_analysis;
@@ -93,6 +116,7 @@ const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   made.language = language();
   made.limits = limitsOf(profile, made.language);
   made.tokens = tokensOf(m_text, made.language);
+  made.nv = nvOptionOf(m_text, made.tokens, made.limits);
   fp::CompileOptions options;
   options.limits = made.limits;
   made.inspection = fp::inspectProgram(made.language, m_text, options);

@@ -15,6 +15,7 @@ namespace arbiter::tools::lsp {
 /// All that is known of one version of a text. Views the text.
 struct Analysis {
   fp::ir::Language language = fp::ir::Language::ArbFragment;
+  fp::ir::NvOption nv = fp::ir::NvOption::None; ///< that the text asks for and may have
   fp::Limits limits;
   std::vector<fp::Token> tokens; ///< without EndOfText; there also where the parse failed
   fp::Inspection inspection;

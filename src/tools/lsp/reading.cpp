@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fp_compiler/front/ati/words.h"
+#include "fp_compiler/front/nv/words.h"
 
 namespace arbiter::tools::lsp {
 
@@ -45,7 +46,10 @@ bool Reading::inComment(std::uint32_t offset) const {
 fp::Word Reading::word(std::size_t token) const {
   if (kind(token) != TokenKind::Identifier || m_analysis.language == fp::ir::Language::AtiFragment)
     return {};
-  return fp::classify(text(token), fp::arbLanguage(m_analysis.language));
+  const fp::ArbLanguage &language = fp::arbLanguage(m_analysis.language);
+  return m_analysis.nv == fp::ir::NvOption::None
+             ? fp::classify(text(token), language)
+             : fp::nv::classify(text(token), language, m_analysis.nv);
 }
 
 bool Reading::beginsStatement(std::size_t token) const {

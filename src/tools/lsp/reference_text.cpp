@@ -44,9 +44,22 @@ std::string sectionText(std::string_view section) {
   return "\n\n*" + std::string(name) + " " + std::string(section) + "*";
 }
 
+namespace {
+/// Of an opcode of NVIDIA's options, the extension that has it first.
+std::string nvSectionText(const fp::ir::OpInfo &op) {
+  const char *name = op.has(fp::ir::OfF1)   ? "NV_fragment_program_option"
+                     : op.has(fp::ir::OfF2) ? "NV_fragment_program2"
+                     : op.has(fp::ir::OfV2) ? "NV_vertex_program2_option"
+                                            : "NV_vertex_program3";
+  return "\n\n*" + std::string(name) + " " + std::string(op.section) + "*";
+}
+} // namespace
+
 std::string signatureOf(fp::ir::Opcode opcode, fp::ir::Language language) {
   const fp::ir::OpInfo &op = info(opcode);
   std::string text = op.mnemonic;
+  if (op.has(fp::ir::Flow))
+    return op.operandCount() == 0 ? text : text + " " + operands(op.operandCount(), op.shapes);
   if (op.has(fp::ir::Kills))
     return text + " " + operands(op.operandCount(), op.shapes);
   if (language == fp::ir::Language::ArbFragment)
@@ -63,15 +76,16 @@ std::string signatureOf(fp::ir::Opcode opcode, fp::ir::Language language) {
 std::string documentationOf(fp::ir::Opcode opcode) {
   const fp::ir::OpInfo &op = info(opcode);
   const std::string formula(fp::reference::formula(opcode));
-  std::string text = std::string(op.doc) + "\n\n`" +
-                     (op.has(fp::ir::Kills) ? formula : "result = " + formula) + "`\n";
+  std::string text =
+      std::string(op.doc) + "\n\n`" +
+      (op.has(fp::ir::Kills) || op.has(fp::ir::Flow) ? formula : "result = " + formula) + "`\n";
   std::string properties;
   for (const TraitText &row : kTraits)
     if (op.has(row.trait))
       properties += (properties.empty() ? "" : "; ") + std::string(row.text);
   if (!properties.empty())
     text += "\n" + properties;
-  return text + sectionText(op.section);
+  return text + (int(opcode) >= fp::ir::kOpcodeCount ? nvSectionText(op) : sectionText(op.section));
 }
 
 std::string documentationOf(const fp::reference::Binding &binding) {

@@ -22,6 +22,8 @@ RegisterText fragmentAttribute(const ir::Attribute &attribute) {
     return {"", {"gl_FogFragCoord", "0.0", "0.0", "1.0"}};
   case AttributeKind::Position:
     return variable("gl_FragCoord");
+  case AttributeKind::Facing:
+    return {"", {"(gl_FrontFacing ? 1.0 : -1.0)", "0.0", "0.0", "1.0"}};
   case AttributeKind::Normal:
   case AttributeKind::Generic:
     break; // of vertex programs
@@ -46,6 +48,8 @@ RegisterText vertexAttribute(const ir::Attribute &attribute) {
     return {"", {"gl_Normal.x", "gl_Normal.y", "gl_Normal.z", "1.0"}};
   case AttributeKind::Generic:
     return variable(attribute.index == 0 ? "gl_Vertex" : genericName(attribute.index));
+  case AttributeKind::Facing:
+    break; // of fragments
   }
   return {};
 }

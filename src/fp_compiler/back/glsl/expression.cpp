@@ -56,6 +56,20 @@ struct Writer {
     return typeName(components.size()) + "(" + call2(function) + ")";
   }
 
+  std::string differ() const {
+    if (components.size() == 1)
+      return "float(!(" + infix("==") + "))";
+    return typeName(components.size()) + "(not(" + call2("equal") + "))";
+  }
+
+  /// A helper of all four components, or of the first one or two, that gives one number.
+  std::string pack(const char *helper, const Components &reads) const {
+    return replicate(std::string(helper) + "(" + vec(0, reads) + ")");
+  }
+  std::string unpack(const char *helper) const {
+    return std::string(helper) + "(" + at(0, 0) + ")" + suffix(components);
+  }
+
   bool rounds() const { return numerics == Numerics::Fp24; }
   /// A single operation's result as the mode's registers hold it.
   std::string rounded(const std::string &text) const {
@@ -229,12 +243,43 @@ std::string expression(const Registers &registers, const Instruction &instructio
                    "exp2(" + w.at(0, 0) + ")", "1.0"});
   case Opcode::Log:
     return "arb_log(" + w.at(0, 0) + ")" + suffix(components);
+  case Opcode::Seq:
+    return w.compare("==", "equal");
+  case Opcode::Sne:
+    return w.differ();
+  case Opcode::Ddx:
+    return w.rounded(w.call("dFdx"));
+  case Opcode::Ddy:
+    return w.rounded(w.call("dFdy"));
+  case Opcode::Pk2h:
+    return w.pack("arb_pk2h", {0, 1});
+  case Opcode::Pk2us:
+    return w.pack("arb_pk2us", {0, 1});
+  case Opcode::Pk4b:
+    return w.pack("arb_pk4b", all);
+  case Opcode::Pk4ub:
+    return w.pack("arb_pk4ub", all);
+  case Opcode::Up2h:
+    return w.unpack("arb_up2h");
+  case Opcode::Up2us:
+    return w.unpack("arb_up2us");
+  case Opcode::Up4b:
+    return w.unpack("arb_up4b");
+  case Opcode::Up4ub:
+    return w.unpack("arb_up4ub");
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
+  case Opcode::Txd:
+  case Opcode::Txl:
     return w.rounded(sample(registers, instruction) + suffix(components));
-  case Opcode::Kil:
-    break; // has no result
+  case Opcode::Kil: // has no result
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
+#define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
+#include "fp_compiler/ir/ops.def"
+    break;
   }
   return "";
 }

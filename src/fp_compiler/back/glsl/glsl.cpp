@@ -6,6 +6,7 @@
 #include "fp_compiler/back/glsl/helpers.h"
 #include "fp_compiler/back/glsl/registers.h"
 #include "fp_compiler/ir/reads.h"
+#include "fp_compiler/ir/semantics.h"
 
 namespace arbiter::fp::glsl {
 
@@ -14,13 +15,34 @@ using ir::Instruction;
 using ir::Opcode;
 
 namespace {
-std::string preamble(const ir::Options &options, const Registers &registers, const GlslHost &host,
+/// What a program's opcodes need of the host.
+struct Needs {
+  bool bits = false; ///< PK*, UP*
+  bool lod = false;  ///< TXD, and TXL of a fragment program
+};
+
+Needs needsOf(const ir::Program &program) {
+  Needs needs;
+  for (const Instruction &instruction : program.code) {
+    const bool added = int(instruction.op) >= ir::kOpcodeCount;
+    needs.bits |= added && ir::carriesBits(instruction.op);
+    needs.lod |= instruction.op == Opcode::Txd ||
+                 (instruction.op == Opcode::Txl && program.language != ir::Language::ArbVertex);
+  }
+  return needs;
+}
+
+std::string preamble(const ir::Program &program, const Registers &registers, const GlslHost &host,
                      Numerics numerics) {
+  const ir::Options &options = program.options;
+  const Needs needs = needsOf(program);
   std::string text = "#version 120\n";
   // Not GLSL 1.30, under which hosts drop DEPTH_TEXTURE_MODE.
-  if (numerics == Numerics::Fp24)
+  if (numerics == Numerics::Fp24 || needs.bits)
     text += "#extension GL_EXT_gpu_shader4 : require\n"
             "#extension GL_ARB_shader_bit_encoding : require\n";
+  if (needs.lod)
+    text += "#extension GL_ARB_shader_texture_lod : require\n";
   if (registers.readsRectangle() && host.textureRectangle)
     text += "#extension GL_ARB_texture_rectangle : enable\n";
   const bool conventions = options.originUpperLeft || options.pixelCenterInteger;
@@ -145,7 +167,14 @@ public:
 
   std::string text() {
     std::string result;
+    if (ir::hasLoops(m_program))
+      result = "  int arb_left = " + std::to_string(ir::kMostIterations) + ";\n";
     for (const Instruction &instruction : m_program.code) {
+      if (ir::info(instruction.op).has(ir::Flow)) {
+        result += flow(instruction);
+        m_ranges.forget();
+        continue;
+      }
       result += statement(instruction);
       m_ranges.step(instruction);
     }
@@ -153,6 +182,18 @@ public:
   }
 
 private:
+  std::string flow(const Instruction &instruction) {
+    if (instruction.op == Opcode::Endrep)
+      return "  }\n";
+    const std::string operand = component(m_registers, instruction.src[0], 0);
+    if (instruction.op == Opcode::Brk)
+      return "  if (" + operand + " != 0.0) break;\n";
+    const std::string name = std::to_string(m_loops++);
+    return "  int arb_n" + name + " = arb_times(" + operand + ");\n  for (int arb_i" + name +
+           " = 0; arb_i" + name + " < arb_n" + name + " && arb_left > 0; ++arb_i" + name +
+           ") {\n  --arb_left;\n";
+  }
+
   std::string statement(const Instruction &instruction) const {
     if (instruction.op == Opcode::Kil)
       return "  if (" + killCondition(m_registers, instruction.src[0]) + ") discard;\n";
@@ -183,6 +224,7 @@ private:
   const Registers &m_registers;
   Numerics m_numerics;
   RangeAnalysis m_ranges;
+  int m_loops = 0;
 };
 } // namespace
 
@@ -195,7 +237,7 @@ GlslShader emit(const ir::Program &given, const GlslHost &host, Numerics numeric
                            Body(program, registers, numerics).text() +
                            colorSum(program, registers, numerics) +
                            fog(program, registers, numerics) + clipVertex(program, host);
-  shader.text = preamble(program.options, registers, host, numerics) + registers.declarations() +
+  shader.text = preamble(program, registers, host, numerics) + registers.declarations() +
                 helpers(program, numerics, code) + "void main() {\n" + code + "}\n";
   shader.uniforms = registers.uniforms();
   shader.samplers = registers.samplers();

@@ -96,6 +96,59 @@ constexpr const char *kPower =
     "  float power = arb_round(exp2(arb_round(arb_mul(b, arb_round(log2(a))))));\n"
     "  return b == 0.0 ? 1.0 : a > 0.0 ? power : 0.0;\n}\n";
 
+/// fp_compiler/ir/packing.h's numbers.
+constexpr const char *kNearest =
+    "float arb_nearest(float x) {\n"
+    "  float low = floor(x), over = x - low;\n"
+    "  return over > 0.5 || over == 0.5 && (int(low) & 1) == 1 ? low + 1.0 : low;\n}\n";
+constexpr const char *kHalf =
+    "int arb_half(float x) {\n"
+    "  int bits = floatBitsToInt(x), size = bits & 0x7FFFFFFF, sign = bits >> 16 & 0x8000;\n"
+    "  if (size > 0x7F800000) return sign | 0x7FFF;\n"
+    "  if (size >= 0x477FF000) return sign | 0x7C00;\n"
+    "  if (size < 0x38800000) return sign | int(arb_nearest(abs(x) * 16777216.0));\n"
+    "  return sign | (size + 0xFFF + (size >> 13 & 1) - 0x38000000) >> 13;\n}\n";
+constexpr const char *kSingle =
+    "float arb_single(int h) {\n"
+    "  int sign = (h & 0x8000) << 16, size = h & 0x7FFF;\n"
+    "  if (size >= 0x7C00) return intBitsToFloat(sign | 0x7F800000 | (size & 0x3FF) << 13);\n"
+    "  if (size < 0x400) return (sign != 0 ? -1.0 : 1.0) * float(size) * 5.9604644775390625e-8;\n"
+    "  return intBitsToFloat(sign | (size << 13) + 0x38000000);\n}\n";
+constexpr const char *kUnsigned =
+    "int arb_unsigned(float x, float most) {\n"
+    "  return int(arb_nearest((x > 0.0 ? min(x, 1.0) : 0.0) * most));\n}\n";
+constexpr const char *kSigned = "int arb_signed(float x) {\n"
+                                "  float c = x > -1.00787401575 ? min(x, 1.0) : -1.00787401575;\n"
+                                "  return int(arb_nearest(127.0 * c + 128.0));\n}\n";
+constexpr const char *kBytes =
+    "vec4 arb_bytes(float x) {\n"
+    "  int bits = floatBitsToInt(x);\n"
+    "  return vec4(float(bits & 255), float(bits >> 8 & 255), float(bits >> 16 & 255),"
+    " float(bits >> 24 & 255));\n}\n";
+constexpr const char *kPk2h =
+    "float arb_pk2h(vec2 a) { return intBitsToFloat(arb_half(a.x) | arb_half(a.y) << 16); }\n";
+constexpr const char *kPk2us =
+    "float arb_pk2us(vec2 a) {\n"
+    "  return intBitsToFloat(arb_unsigned(a.x, 65535.0) | arb_unsigned(a.y, 65535.0) << 16);\n}\n";
+constexpr const char *kPk4b =
+    "float arb_pk4b(vec4 a) {\n"
+    "  return intBitsToFloat(arb_signed(a.x) | arb_signed(a.y) << 8 | arb_signed(a.z) << 16 |"
+    " arb_signed(a.w) << 24);\n}\n";
+constexpr const char *kPk4ub =
+    "float arb_pk4ub(vec4 a) {\n"
+    "  return intBitsToFloat(arb_unsigned(a.x, 255.0) | arb_unsigned(a.y, 255.0) << 8 |"
+    " arb_unsigned(a.z, 255.0) << 16 | arb_unsigned(a.w, 255.0) << 24);\n}\n";
+constexpr const char *kUp2h =
+    "vec4 arb_up2h(float x) {\n"
+    "  int bits = floatBitsToInt(x);\n"
+    "  return vec2(arb_single(bits & 0xFFFF), arb_single(bits >> 16 & 0xFFFF)).xyxy;\n}\n";
+constexpr const char *kUp2us =
+    "vec4 arb_up2us(float x) {\n"
+    "  int bits = floatBitsToInt(x);\n"
+    "  return vec2(float(bits & 0xFFFF), float(bits >> 16 & 0xFFFF)).xyxy / 65535.0;\n}\n";
+constexpr const char *kUp4b = "vec4 arb_up4b(float x) { return (arb_bytes(x) - 128.0) / 127.0; }\n";
+constexpr const char *kUp4ub = "vec4 arb_up4ub(float x) { return arb_bytes(x) / 255.0; }\n";
+
 constexpr char kSums[] = "float arb_sum(vec3 p) { return (p.z + p.y) + p.x; }\n"
                          "float arb_sum(vec4 p) { return ((p.w + p.z) + p.y) + p.x; }\n"
                          "float arb_sum(vec3 p, float w) { return (p.x + (p.z + w)) + p.y; }\n";
@@ -132,6 +185,21 @@ std::string helpers(const ir::Program &program, Numerics numerics, const std::st
                   : program.language == ir::Language::ArbVertex ? kForwardSums
                                                                 : kSums},
       {"arb_pow", kPower},
+      {"arb_times", "int arb_times(float x) { return x >= 1.0 ? int(min(x, 65000.0)) : 0; }\n"},
+      {"arb_nearest", kNearest},
+      {"arb_half", kHalf},
+      {"arb_single", kSingle},
+      {"arb_unsigned", kUnsigned},
+      {"arb_signed", kSigned},
+      {"arb_bytes", kBytes},
+      {"arb_pk2h", kPk2h},
+      {"arb_pk2us", kPk2us},
+      {"arb_pk4b", kPk4b},
+      {"arb_pk4ub", kPk4ub},
+      {"arb_up2h", kUp2h},
+      {"arb_up2us", kUp2us},
+      {"arb_up4b", kUp4b},
+      {"arb_up4ub", kUp4ub},
   };
   std::string text;
   for (auto helper = std::rbegin(all); helper != std::rend(all); ++helper)

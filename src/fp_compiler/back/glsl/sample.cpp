@@ -37,6 +37,30 @@ TargetText targetText(TexTarget target) {
   }
   return {"", nullptr, false};
 }
+
+/// A sample whose level of detail is not the fragment's own: TXD's derivatives, TXL's level, and in
+/// a vertex program the base level, but for TXB, whose bias is TXL's level (NV_vertex_program3
+/// 2.14.5.46).
+std::string explicitSample(const Registers &registers, const Instruction &instruction,
+                           const Components &coordinate) {
+  const ir::Operand &operand = instruction.src[0];
+  const TargetText text = targetText(instruction.target);
+  std::string at =
+      "(arb_tex" + std::to_string(instruction.unit) + ", " + vector(registers, operand, coordinate);
+  if (instruction.op == Opcode::Txp)
+    at += " / " + component(registers, operand, 3);
+  if (instruction.op == Opcode::Txd) {
+    const Components changes = positions(ir::operandMask(instruction, 1));
+    return std::string(text.function) + "GradARB" + at + ", " +
+           vector(registers, instruction.src[1], changes) + ", " +
+           vector(registers, instruction.src[2], changes) + ")";
+  }
+  if (!text.bias) // a rectangle has one level
+    return text.function + at + ")";
+  const bool given = instruction.op == Opcode::Txl || instruction.op == Opcode::Txb;
+  return std::string(text.function) + "Lod" + at + ", " +
+         (given ? component(registers, operand, 3) : "0.0") + ")";
+}
 } // namespace
 
 std::string sample(const Registers &registers, const Instruction &instruction) {
@@ -45,6 +69,8 @@ std::string sample(const Registers &registers, const Instruction &instruction) {
   Components coordinate = positions(ir::coordinateMask(instruction.target));
   if (instruction.target == TexTarget::Shadow1D)
     coordinate = {0, 0, 2};
+  if (instruction.op == Opcode::Txd || instruction.op == Opcode::Txl || registers.ofVertices())
+    return explicitSample(registers, instruction, coordinate);
   const std::string sampler = "(arb_tex" + std::to_string(instruction.unit) + ", ";
   if (instruction.op == Opcode::Txp) {
     if (text.projective != nullptr) {

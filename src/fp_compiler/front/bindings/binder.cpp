@@ -40,6 +40,8 @@ int genericOf(ir::Attribute attribute) {
     return 8 + attribute.index;
   case ir::AttributeKind::Generic:
     return attribute.index;
+  case ir::AttributeKind::Facing:
+    break; // of fragments
   }
   return -1;
 }
@@ -91,13 +93,14 @@ std::uint16_t Binder::addressRegister(std::string_view name, Span where) {
   return std::uint16_t(m_program.addresses.size() - 1);
 }
 
-std::uint16_t Binder::attribute(ir::Attribute attribute, Span where) {
+std::uint16_t Binder::attribute(ir::Attribute attribute, Span where, bool alone) {
   bool isNew = false;
   const std::uint16_t index = findOrAppend(m_program.attributes, attribute, isNew);
   if (!isNew)
     return index;
-  m_budget.spend(Resource::Attribs, where);
-  if (m_program.language == ir::Language::ArbVertex)
+  if (alone) // else the whole file is there to choose from
+    m_budget.spend(Resource::Attribs, where);
+  if (m_program.language == ir::Language::ArbVertex && alone)
     refuseAlias(attribute, where);
   return index;
 }
@@ -208,12 +211,66 @@ bool Binder::countKinds(const ir::Instruction &instruction, Span opcode) {
   return fits;
 }
 
-void Binder::instruction(const ir::Instruction &instruction, Span opcode) {
+bool Binder::count(const ir::Instruction &instruction, Span opcode) {
   bool fits = m_budget.spend(Resource::Instructions, opcode);
   if (m_program.language != ir::Language::ArbVertex)
     fits &= countKinds(instruction, opcode);
-  if (fits && !m_reporter.hasErrors())
+  return fits;
+}
+
+void Binder::instruction(const ir::Instruction &instruction, Span opcode) {
+  if (count(instruction, opcode) && !m_reporter.hasErrors())
     m_program.code.push_back(instruction);
+}
+
+std::uint16_t Binder::hiddenTemporary(std::string_view name, Span where) {
+  if (m_program.temporaries.size() >= Budget::kCeiling) {
+    m_reporter.error(DiagnosticId::LimitTemporaries, where, "too many temporaries in any program");
+    return 0;
+  }
+  m_program.temporaries.push_back({std::string(name)});
+  return std::uint16_t(m_program.temporaries.size() - 1);
+}
+
+std::uint16_t Binder::hiddenConstant(const ir::Vec4 &value, Span where) {
+  Bits bits;
+  for (std::size_t i = 0; i < 4; ++i)
+    bits[i] = std::bit_cast<std::uint32_t>(value[i]);
+  const auto [entry, isNew] = m_constantRows.try_emplace(bits, std::uint16_t(0));
+  if (!isNew)
+    return entry->second;
+  if (m_program.parameters.size() >= Budget::kCeiling) {
+    m_reporter.error(DiagnosticId::LimitParameters, where, "too many constants in any program");
+    return 0;
+  }
+  ir::Parameter parameter;
+  parameter.constant = value;
+  return entry->second = append(parameter);
+}
+
+std::uint16_t Binder::addressVector(std::string_view name, Span where) {
+  constexpr std::size_t kMost = 256; // operands number them in eight bits
+  const bool fits = m_budget.spend(Resource::AddressRegisters, where);
+  if (fits && m_program.addresses.size() + 4 > kMost)
+    m_reporter.error(DiagnosticId::LimitAddressRegisters, where,
+                     "more than 64 address registers in any program");
+  if (!fits || m_program.addresses.size() + 4 > kMost)
+    return 0;
+  const auto first = std::uint16_t(m_program.addresses.size());
+  for (const char letter : {'x', 'y', 'z', 'w'})
+    m_program.addresses.push_back({std::string(name) + "." + letter});
+  return first;
+}
+
+void Binder::append(const ir::Instruction &instruction, Span where) {
+  // A host's GLSL compiler goes along a chain of instructions by recursion: Mesa's left its stack
+  // in one of 16,000.
+  constexpr std::size_t kMost = 10000;
+  if (m_program.code.size() >= kMost)
+    return m_reporter.error(DiagnosticId::LimitInstructions, where,
+                            "too many instructions in any program, subroutines written out",
+                            "call fewer of them");
+  m_program.code.push_back(instruction);
 }
 
 } // namespace arbiter::fp

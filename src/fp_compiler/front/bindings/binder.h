@@ -17,7 +17,8 @@ public:
 
   /// Each returns the row's index. `where` is the binding's text, the position of an excess.
   std::uint16_t temporary(std::string_view name, Span where);
-  std::uint16_t attribute(ir::Attribute attribute, Span where);
+  /// \param alone whether the attribute beside it in table X.2.1 may not be bound
+  std::uint16_t attribute(ir::Attribute attribute, Span where, bool alone = true);
   std::uint16_t output(ir::Output output);
   std::uint16_t addressRegister(std::string_view name, Span where);
   std::uint16_t constant(const ir::Vec4 &value, Span where);
@@ -33,6 +34,17 @@ public:
 
   /// Counts and appends. `opcode` is where an excess is reported.
   void instruction(const ir::Instruction &instruction, Span opcode);
+
+  /// Counts alone: false where the program may come to nothing. The code of a program under one of
+  /// NVIDIA's options is made when all of it is read, by append().
+  [[nodiscard]] bool count(const ir::Instruction &instruction, Span opcode);
+  /// Registers and rows that are not the text's, and are not counted. Each fails, with an error at
+  /// \p where, beyond what any program may have.
+  std::uint16_t hiddenTemporary(std::string_view name, Span where);
+  std::uint16_t hiddenConstant(const ir::Vec4 &value, Span where);
+  /// Of four components: four registers of the IR that follow each other.
+  std::uint16_t addressVector(std::string_view name, Span where);
+  void append(const ir::Instruction &instruction, Span where);
 
   /// The options are over: their debits hold from here.
   void setOptions(const ir::Options &options);

@@ -71,11 +71,28 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
       return false;
   } else if (atWord(0, "texcoord")) {
     attribute.kind = ir::AttributeKind::TexCoord;
-    if (!parseTexCoord(attribute.index))
+    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex &&
+        m_options.nv == ir::NvOption::Second) {
+      m_tokens.next();
+      if (atAddress()) {
+        indexAttributes(attribute.kind, m_limits.textureCoords);
+        row = m_sequences[*m_texCoords].front();
+        return parseIndexed(m_texCoords);
+      }
+      std::uint32_t index = 0;
+      if (!parseIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
+                      "texture coordinate set", index))
+        return false;
+      attribute.index = std::uint8_t(index);
+    } else if (!parseTexCoord(attribute.index)) {
       return false;
+    }
   } else if (atWord(0, "fogcoord") || atWord(0, "position")) {
     attribute.kind = text(m_tokens.next()) == "fogcoord" ? ir::AttributeKind::FogCoord
                                                          : ir::AttributeKind::Position;
+  } else if (!vertex && m_options.nv == ir::NvOption::Second && atWord(0, "facing")) {
+    m_tokens.next();
+    attribute.kind = ir::AttributeKind::Facing;
   } else if (vertex) {
     if (!parseVertexAttribute(attribute))
       return false;
@@ -85,6 +102,18 @@ bool Parser::parseAttributeBinding(Place place, std::uint16_t &row) {
   }
   row = m_binder.attribute(attribute, spanFrom(begin));
   return true;
+}
+
+/// The attributes of a kind as a sequence, for an address register to choose from.
+void Parser::indexAttributes(ir::AttributeKind kind, std::uint32_t count) {
+  std::optional<std::uint16_t> &sequence =
+      kind == ir::AttributeKind::TexCoord ? m_texCoords : m_attribs;
+  if (sequence)
+    return;
+  sequence = std::uint16_t(m_sequences.size());
+  std::vector<std::uint16_t> &rows = m_sequences.emplace_back();
+  for (std::uint32_t i = 0; i < byteLimit(count); ++i)
+    rows.push_back(m_binder.attribute({kind, std::uint8_t(i)}, m_tokens.peek().span, false));
 }
 
 /// "color" <optColorType>

@@ -15,6 +15,11 @@ bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
     m_tokens.next();
     std::uint32_t index = 0;
     attribute.kind = ir::AttributeKind::Generic;
+    if (atAddress()) {
+      indexAttributes(attribute.kind, m_limits.vertexAttribs);
+      attribute.index = 0; // stands for them all, and is one of them
+      return parseIndexed(m_attribs);
+    }
     if (!parseIndex(byteLimit(m_limits.vertexAttribs), DiagnosticId::AttributeIndex,
                     "vertex attribute", index))
       return false;
@@ -48,6 +53,25 @@ bool Parser::parseVertexResult(ir::Output &output) {
   }
   if (atWord(0, "texcoord")) {
     output.kind = ir::OutputKind::TexCoord;
+    if (m_tokens.peek(1).kind == TokenKind::OpenBracket && m_mayIndex &&
+        m_tokens.peek(0).kind == TokenKind::Identifier && m_options.nv == ir::NvOption::Second) {
+      m_tokens.next();
+      if (atAddress()) {
+        if (!m_texCoordResults) {
+          m_texCoordResults = std::uint16_t(m_sequences.size());
+          m_sequences.emplace_back();
+          for (std::uint32_t i = 0; i < byteLimit(m_limits.textureCoords); ++i)
+            m_sequences.back().push_back(m_binder.output({output.kind, std::uint8_t(i)}));
+        }
+        return parseIndexed(m_texCoordResults);
+      }
+      std::uint32_t index = 0;
+      if (!parseIndex(byteLimit(m_limits.textureCoords), DiagnosticId::TexCoordIndex,
+                      "texture coordinate set", index))
+        return false;
+      output.index = std::uint8_t(index);
+      return true;
+    }
     return parseTexCoord(output.index);
   }
   if (atWord(0, "fogcoord") || atWord(0, "pointsize")) {
@@ -57,7 +81,9 @@ bool Parser::parseVertexResult(ir::Output &output) {
   }
   if (atWord(0, "clip")) {
     error(DiagnosticId::NvOnly, m_tokens.peek().span,
-          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
+          m_options.nv != ir::NvOption::None
+              ? std::string("result.clip is not offered yet")
+              : std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
   }

@@ -12,7 +12,7 @@ using namespace ir;
 struct OpcodeRow {
   std::uint32_t code;
   Opcode op;
-  std::uint16_t traits;
+  std::uint32_t traits;
 };
 
 constexpr std::uint32_t pack(const char *three) {

@@ -27,11 +27,20 @@ enum class Keyword : std::uint8_t {
   Texture,
 };
 
+/// What NVIDIA's options let stand behind an opcode's name, beside _SAT.
+struct NvSuffix {
+  bool half = false;        ///< H or X: a result of 16 bits is enough
+  bool full = false;        ///< R
+  std::uint8_t updates = 0; ///< C or C0: 1, C1: 2: the condition code that the result sets
+  bool signedSaturate = false;
+};
+
 /// A reserved word, as classify() finds it.
 struct Word {
   Keyword keyword = Keyword::None;
   ir::Opcode op = ir::Opcode::Mov; ///< Keyword::Opcode
   bool saturate = false;           ///< Keyword::Opcode: written with _SAT
+  NvSuffix nv = {};                ///< Keyword::Opcode, under NVIDIA's options
 };
 
 /// Which reserved word of \p language an identifier is: Keyword::None if it is none.

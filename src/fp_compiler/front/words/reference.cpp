@@ -156,7 +156,7 @@ constexpr std::string_view kFormulas[] = {
 #include "fp_compiler/ir/formulas.def"
 #undef FP_FORMULA
 };
-static_assert(std::size(kFormulas) == std::size_t(ir::kOpcodeCount), "every opcode has its row");
+static_assert(std::size(kFormulas) == std::size_t(ir::kOpcodeRowCount), "every opcode has its row");
 
 // formula() takes an opcode's number for its row.
 enum class FormulaRow : std::uint8_t {
@@ -166,8 +166,11 @@ enum class FormulaRow : std::uint8_t {
 };
 #define FP_OP(Enumerator, ...)                                                                     \
   static_assert(int(FormulaRow::Enumerator) == int(ir::Opcode::Enumerator));
+#define FP_NV_OP(Enumerator, ...)                                                                  \
+  static_assert(int(FormulaRow::Enumerator) == int(ir::Opcode::Enumerator));
+#define FP_NV_WORD(Enumerator, ...)                                                                \
+  static_assert(int(FormulaRow::Enumerator) == int(ir::Opcode::Enumerator));
 #include "fp_compiler/ir/ops.def"
-#undef FP_OP
 
 constexpr AtiOp kAtiOps[] = {
 #define ATI_OP(Enumerator, word, formula) {word, ati::argumentCount(ati::Op::Enumerator), formula},

@@ -130,9 +130,11 @@ TEST(Reference, KeywordsAreTheLexersOwn) {
 }
 
 TEST(Reference, OptionsAndTargetsAreTaken) {
+  CompileOptions options = testing_support::small();
+  options.limits.nvOptions = 2;
   for (const Language language : kArb)
     for (const reference::Entry &entry : reference::options(language))
-      EXPECT_TRUE(check(program(language, "OPTION " + std::string(entry.word) + ";")).ok())
+      EXPECT_TRUE(check(program(language, "OPTION " + std::string(entry.word) + ";"), options).ok())
           << entry.word;
   for (const reference::Entry &entry : reference::targets())
     EXPECT_TRUE(check(wrap("OPTION ARB_fragment_program_shadow;\nTEX result.color, "

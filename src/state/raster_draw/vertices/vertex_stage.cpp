@@ -36,6 +36,7 @@ VertexNeeds needsOf(const fp::jit::FragmentShape &fragments, bool points) {
     case AttributeKind::Position:
     case AttributeKind::Normal:
     case AttributeKind::Generic:
+    case AttributeKind::Facing:
       break; // no fragment attribute that vertices give
     }
   }

@@ -55,6 +55,7 @@ Vec4 attributeOf(const VertexStage &stage, const scene::MeshVertex &vertex,
     return genericOf(stage, vertex, attribute.index);
   case AttributeKind::ColorSecondary:
   case AttributeKind::FogCoord:
+  case AttributeKind::Facing:
     break;
   }
   return {0, 0, 0, 1};

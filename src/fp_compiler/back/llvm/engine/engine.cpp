@@ -77,14 +77,15 @@ public:
 
   std::unique_ptr<jit::FragmentProgram> prepareFragment(const ir::Program &program,
                                                         Numerics numerics) override {
-    if (program.language == ir::Language::ArbVertex || numerics == Numerics::Fp24)
+    if (program.language == ir::Language::ArbVertex || numerics == Numerics::Fp24 ||
+        !hasCode(program))
       return nullptr;
     return prepare<PreparedFragment>(program, numerics);
   }
 
   std::unique_ptr<jit::VertexProgram> prepareVertex(const ir::Program &program,
                                                     Numerics numerics) override {
-    if (program.language != ir::Language::ArbVertex)
+    if (program.language != ir::Language::ArbVertex || !hasCode(program))
       return nullptr;
     return prepare<PreparedVertex>(program, ir::numericsOf(program.language, numerics));
   }

@@ -218,6 +218,28 @@ Vec Unit::compute(Opcode op) {
     return exponential();
   case Opcode::Log:
     return logarithm();
+  case Opcode::Seq:
+    return each([&](std::size_t i) { return truth(llvm::CmpInst::FCMP_OEQ, i); });
+  case Opcode::Sne:
+    return each([&](std::size_t i) { return truth(llvm::CmpInst::FCMP_UNE, i); });
+  case Opcode::Ddx:
+  case Opcode::Ddy:
+  case Opcode::Pk2h:
+  case Opcode::Pk2us:
+  case Opcode::Pk4b:
+  case Opcode::Pk4ub:
+  case Opcode::Up2h:
+  case Opcode::Up2us:
+  case Opcode::Up4b:
+  case Opcode::Up4ub:
+  case Opcode::Txd:
+  case Opcode::Txl:
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
+#define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
+#include "fp_compiler/ir/ops.def"
+    break; // hasCode()
   case Opcode::Arl:
   case Opcode::Tex:
   case Opcode::Txp:

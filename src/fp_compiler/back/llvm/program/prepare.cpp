@@ -97,6 +97,19 @@ jit::VertexShape vertexShapeOf(const ir::Program &program) {
 }
 } // namespace
 
+bool hasCode(const ir::Program &program) {
+  const bool vertex = program.language == ir::Language::ArbVertex;
+  for (const ir::Attribute &attribute : program.attributes)
+    if (attribute.kind == ir::AttributeKind::Facing)
+      return false;
+  return std::none_of(program.code.begin(), program.code.end(), [vertex](const auto &instruction) {
+    const ir::OpInfo &row = ir::info(instruction.op);
+    const bool compares = instruction.op == ir::Opcode::Seq || instruction.op == ir::Opcode::Sne;
+    return (vertex && row.has(ir::Texture)) ||
+           (int(instruction.op) >= ir::kOpcodeCount && !compares);
+  });
+}
+
 PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)
     : m_program(optimised(std::move(program), numerics)), m_numerics(numerics),
       m_shape(shapeOf(m_program)) {}

@@ -137,6 +137,9 @@ Value Arithmetic::computed(ir::Opcode op, std::uint8_t mask, const std::array<Va
   case ir::Opcode::Tex:
   case ir::Opcode::Txp:
   case ir::Opcode::Txb:
+#define FP_NV_OP(Enumerator, ...) case ir::Opcode::Enumerator:
+#define FP_NV_WORD(Enumerator, ...) case ir::Opcode::Enumerator:
+#include "fp_compiler/ir/ops.def"
   case ir::Opcode::Kil:
   case ir::Opcode::Arl:
   case ir::Opcode::Exp:

@@ -1,0 +1,111 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "fp_compiler/front/nv/code.h"
+#include "fp_compiler/front/nv/lowering.h"
+#include "fp_compiler/front/nv/statement.h"
+
+namespace arbiter::fp::nv {
+
+/// lower()'s work: what is written (lowering.cpp) and where what runs (flow.cpp). Flags are 1 or 0
+/// in x of a register; a flag that is not there holds.
+class Lowerer {
+public:
+  Lowerer(const std::vector<Statement> &statements, const Sequences &sequences, Binder &binder,
+          Reporter &reporter);
+  void run(std::optional<std::uint16_t> start);
+
+private:
+  using Flag = std::optional<std::uint16_t>;
+  using Operand = ir::Operand;
+  using Instruction = ir::Instruction;
+
+  /// A result is written into a register, which can be read, and moved at the end.
+  struct Result {
+    std::uint16_t index = 0;
+    std::uint8_t mask = 0;
+  };
+
+  // lowering.cpp
+  void execute(const Statement &statement);
+  void kill(const Statement &statement, const Instruction &instruction);
+  void write(const Statement &statement, Instruction instruction, std::uint16_t target);
+  void writeIndexed(const Statement &statement, const Instruction &instruction);
+  void update(const Statement &statement, std::uint8_t mask, const Operand &value,
+              const std::optional<Operand> &selects);
+  void loadAddress(const Statement &statement, const Instruction &instruction);
+  void fillAddress(const Statement &statement, const Instruction &move, std::uint16_t address);
+  void push(const Statement &statement);
+  void pop(const Statement &statement);
+  [[nodiscard]] Operand addressValue(const Instruction &instruction);
+  [[nodiscard]] Instruction instructionOf(const Statement &statement);
+  [[nodiscard]] Operand indexed(const Indexed &indexed, const Operand &operand);
+  [[nodiscard]] Operand indexValue(const Indexed &indexed);
+  [[nodiscard]] std::uint16_t conditionCode(std::uint8_t index);
+  [[nodiscard]] Operand passes(const Test &test, std::uint8_t mask);
+  [[nodiscard]] std::optional<Operand> selector(const Test &test, std::uint8_t mask);
+  [[nodiscard]] std::uint16_t shadowOf(std::uint16_t address);
+  [[nodiscard]] std::uint16_t registerFor(std::uint16_t output, std::uint8_t mask);
+
+  // flow.cpp
+  void function(std::size_t entry);
+  void straight(std::size_t entry);
+  void rounds(std::size_t entry, const std::vector<bool> &reached);
+  [[nodiscard]] std::vector<bool> reachedFrom(std::size_t entry, bool &backwards) const;
+  void statement(const Statement &statement);
+  void flow(const Statement &statement);
+  void branch(const Statement &statement);
+  void call(const Statement &statement);
+  void enter(const Statement &statement);
+  void turn();
+  void beginLoop(const Statement &statement);
+  void endLoop();
+  void leaveLoop(const Statement &statement);
+  void arrive(std::uint16_t label);
+  void leave(const Flag &lanes);
+  [[nodiscard]] bool returnsWithin(const Statement &loop) const;
+  [[nodiscard]] std::uint16_t flag(const Operand &value);
+  [[nodiscard]] Flag passesAny(const Test &test);
+  [[nodiscard]] std::optional<Operand> active();
+  [[nodiscard]] Operand activeOr1();
+  void require(Flag &flag);
+
+  const std::vector<Statement> &m_statements;
+  const Sequences &m_sequences;
+  Reporter &m_reporter;
+  Code m_code;
+  std::map<std::uint16_t, std::size_t> m_places;    ///< of labels
+  std::map<std::uint16_t, Result> m_results;        ///< by row of Program::outputs
+  std::map<std::uint16_t, std::uint16_t> m_shadows; ///< address registers as floats
+  std::array<Flag, 2> m_conditions;
+  /// PUSHA's, and how many are there, a float. More than the specification's least, 4.
+  std::array<Flag, 8> m_stack;
+  Flag m_depth;
+
+  struct Block {
+    Flag outer, inner;
+  };
+  struct Loop {
+    bool counts = false; ///< LOOP
+    std::uint16_t index = 0, step = 0;
+  };
+  /// Of the subroutine that is written, or of the program.
+  struct Function {
+    Flag base;          ///< what has called it
+    Flag block;         ///< the IFs that are open, of that
+    Flag alive;         ///< what has not left by RET or BRA
+    bool dead = false;  ///< all has left
+    bool turns = false; ///< it is written as rounds
+    std::uint32_t loops = 0;
+    std::vector<Block> blocks;
+    std::map<std::uint16_t, Flag> pending; ///< by label: what arrives there
+  };
+  Function m_function;
+  std::vector<Loop> m_loops;
+  std::vector<std::uint16_t> m_calls;
+};
+
+} // namespace arbiter::fp::nv

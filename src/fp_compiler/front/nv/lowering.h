@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "fp_compiler/front/bindings/binder.h"
+#include "fp_compiler/front/nv/statement.h"
+
+/// Programs of NVIDIA's options as code of the IR, which has no condition codes, no branches and no
+/// calls: a write under a condition becomes a CMP of what was there and what is written, a block
+/// under IF writes so whatever is in it, a subroutine stands where it is called, and a program that
+/// branches backwards is a loop over all of its statements, in which each runs when its turn comes.
+namespace arbiter::fp::nv {
+
+/// Appends the code of \p statements to \p binder's program.
+/// \param start the label to begin at; none: the first statement
+/// \param sequences what operands and destinations choose from by an address
+/// \error flow-control a recursive call, at the call; limit-instructions where calls make more code
+///        than any program may have
+void lower(const std::vector<Statement> &statements, std::optional<std::uint16_t> start,
+           const Sequences &sequences, Binder &binder, Reporter &reporter);
+
+} // namespace arbiter::fp::nv

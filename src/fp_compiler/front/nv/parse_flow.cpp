@@ -1,0 +1,213 @@
+// Labels, blocks, branches, and what an address register chooses: NV_fragment_program2 3.11.4,
+// NV_vertex_program2_option 2.14.4, NV_vertex_program3 2.14.3.
+
+#include <algorithm>
+
+#include "fp_compiler/front/nv/lowering.h"
+#include "fp_compiler/front/parser.h"
+
+namespace arbiter::fp {
+
+using ir::Opcode;
+
+/// "name :", before what a branch goes on with.
+bool Parser::parseLabel(const Token &name) {
+  m_tokens.next();
+  if (!m_blocks.empty())
+    error(DiagnosticId::NvFlow, name.span,
+          "the label " + quote(text(name)) + " is inside of a block",
+          "a subroutine begins outside of IF, LOOP and REP");
+  Label &label = labelOf(name);
+  if (label.placed)
+    error(DiagnosticId::RedeclaredName, name.span,
+          "the label " + quote(text(name)) + " stands twice", "rename one of the two");
+  label.placed = true;
+  nv::Statement statement;
+  statement.isLabel = true;
+  statement.label = std::uint16_t(&label - m_labels.data());
+  statement.instruction.span = name.span;
+  keep(statement, name.span);
+  return true;
+}
+
+Parser::Label &Parser::labelOf(const Token &name) {
+  const auto [entry, isNew] =
+      m_labelNumbers.try_emplace(text(name), std::uint16_t(m_labels.size()));
+  if (isNew)
+    m_labels.push_back({name.span, false});
+  return m_labels[entry->second];
+}
+
+/// ELSE, ENDIF, ENDLOOP, ENDREP: what they end must be the innermost block.
+bool Parser::endBlock(const Token &opcode, const Word &word) {
+  const Opcode ended = m_blocks.empty() ? Opcode::Mov : m_blocks.back().begin;
+  const bool fits = word.op == Opcode::Else      ? ended == Opcode::If
+                    : word.op == Opcode::Endif   ? ended == Opcode::If || ended == Opcode::Else
+                    : word.op == Opcode::Endloop ? ended == Opcode::Loop
+                                                 : ended == Opcode::Rep;
+  if (!fits) {
+    error(DiagnosticId::NvFlow, opcode.span,
+          std::string(info(word.op).mnemonic) + " does not fit the innermost block",
+          m_blocks.empty()
+              ? "no block is open here"
+              : "that one begins with " + std::string(info(m_blocks.back().begin).mnemonic) +
+                    " in line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line));
+    return false;
+  }
+  m_blocks.pop_back();
+  if (word.op == Opcode::Else)
+    m_blocks.push_back({Opcode::Else, opcode.span});
+  return true;
+}
+
+/// The operand of LOOP or REP: a parameter, state or a constant.
+bool Parser::beginLoop(nv::Statement &statement) {
+  constexpr std::size_t kMostBlocks = 256;
+  ir::Operand &operand = statement.instruction.src[0];
+  const Token first = m_tokens.peek();
+  bool absolute = false;
+  if (!parseNvSource(false, operand, absolute))
+    return false;
+  statement.absolute = absolute ? 1 : 0;
+  if (operand.file != ir::File::Parameter || operand.relative)
+    error(DiagnosticId::NvFlow, first.span, "a loop's operand is no parameter",
+          "write a parameter, state or a constant here");
+  if (m_blocks.size() > kMostBlocks)
+    error(DiagnosticId::NvFlow, first.span, "more than 256 blocks, one in the other");
+  return true;
+}
+
+/// PUSHA and POPA: of whole address registers, and always.
+bool Parser::parseStack(nv::Statement &statement) {
+  ir::Instruction &instruction = statement.instruction;
+  if (instruction.op == Opcode::Pusha)
+    return parseAddressSource(instruction.src[0]);
+  if (!parseNvAddressDestination(instruction.dst))
+    return false;
+  if (instruction.dst.mask != 0xF)
+    error(DiagnosticId::BadMask, instruction.dst.span, "POPA writes all of an address register",
+          "pop into another one and move what is wanted");
+  const Span condition = m_tokens.peek().span;
+  if (!parseConditionMask(statement.test))
+    return false;
+  if (statement.test.rule != nv::Rule::Tr)
+    error(DiagnosticId::NvFlow, condition, "POPA under a condition", "branch around it");
+  return true;
+}
+
+bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
+  nv::Statement statement;
+  statement.instruction.op = word.op;
+  statement.instruction.dst.file = ir::File::Output; // it writes no register
+  bool parsed = true;
+  switch (word.op) {
+  case Opcode::If:
+    parsed = parseTest(statement.test);
+    m_blocks.push_back({word.op, opcode.span});
+    break;
+  case Opcode::Loop:
+  case Opcode::Rep:
+    parsed = beginLoop(statement);
+    m_blocks.push_back({word.op, opcode.span});
+    break;
+  case Opcode::Else:
+  case Opcode::Endif:
+  case Opcode::Endloop:
+  case Opcode::Endrep:
+    parsed = endBlock(opcode, word);
+    break;
+  case Opcode::Brk:
+    if (std::none_of(m_blocks.begin(), m_blocks.end(), [](const Block &block) {
+          return block.begin == Opcode::Loop || block.begin == Opcode::Rep;
+        }))
+      error(DiagnosticId::NvFlow, opcode.span, "BRK outside of a loop",
+            "it ends the innermost LOOP or REP");
+    parsed = parseConditionMask(statement.test);
+    break;
+  case Opcode::Bra:
+  case Opcode::Cal: {
+    const Token name = m_tokens.peek();
+    if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
+      return unexpected("a label");
+    m_tokens.next();
+    const Label &label = labelOf(name);
+    statement.label = std::uint16_t(&label - m_labels.data());
+    parsed = parseConditionMask(statement.test);
+    break;
+  }
+  case Opcode::Ret:
+    parsed = parseConditionMask(statement.test);
+    break;
+  default:
+    parsed = parseStack(statement);
+  }
+  statement.instruction.span = spanFrom(opcode.span.begin);
+  if (!parsed || !expect(TokenKind::Semicolon, "';'"))
+    return false;
+  keep(statement, opcode.span);
+  return true;
+}
+
+/// An index of a binding that is an address register's: "[" A0 "." x.
+bool Parser::atAddress() const {
+  return m_mayIndex && m_options.nv == ir::NvOption::Second &&
+         m_tokens.at(TokenKind::OpenBracket) && m_tokens.peek(1).kind == TokenKind::Identifier;
+}
+
+/// "[" <addrReg> "." <component> (("+" | "-") <integer>)? "]" of a binding. In fragment programs
+/// the register is A0, which has x alone and takes what is not below zero.
+bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
+  m_tokens.next();
+  const Token name = m_tokens.next();
+  const bool vertex = m_language.language == ir::Language::ArbVertex;
+  nv::Indexed indexed;
+  if (vertex) {
+    note(name, Access::Read);
+    const Symbol *symbol = m_symbols.find(text(name));
+    if (!symbol && !undeclared(name))
+      return false;
+    if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
+      error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+            "declare one with ADDRESS");
+    if (symbol && symbol->kind == SymbolKind::Address)
+      indexed.address = std::uint8_t(symbol->index);
+  } else if (text(name) != "A0") {
+    return unexpectedToken(name, "an integer or A0");
+  }
+  if (!parseAddressComponent())
+    return false;
+  indexed.address = std::uint8_t(indexed.address + m_addressComponent);
+  constexpr std::uint32_t kMostOffset = 9;
+  if (!vertex && m_tokens.accept(TokenKind::Plus)) {
+    std::uint32_t offset = 0;
+    if (!parseBounded(kMostOffset + 1, DiagnosticId::RelativeOffset, "offset", offset))
+      return false;
+    indexed.offset = std::int16_t(offset);
+  } else if (vertex && !parseRelativeOffset(indexed.offset)) {
+    return false;
+  }
+  indexed.sequence = *sequence;
+  m_indexed = indexed;
+  return expect(TokenKind::CloseBracket, "']'");
+}
+
+/// The program is read: what its branches name must be there, and then it becomes code.
+void Parser::finishNv(Span end) {
+  if (!m_blocks.empty())
+    error(DiagnosticId::NvFlow, end, "the program ends inside of a block",
+          "the block of line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line) +
+              " has no end");
+  for (const Label &label : m_labels)
+    if (!label.placed)
+      error(DiagnosticId::UndeclaredName, label.name,
+            "the label " + quote(text({TokenKind::Identifier, label.name})) + " is nowhere",
+            "write it before the instruction to go on with, and a colon");
+  if (m_reporter.hasErrors())
+    return;
+  std::optional<std::uint16_t> start;
+  if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
+    start = found->second;
+  nv::lower(m_statements, start, m_sequences, m_binder, m_reporter);
+}
+
+} // namespace arbiter::fp

@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "fp_compiler/front/nv/words.h"
+#include "fp_compiler/ir/ir.h"
+
+/// Programs of NVIDIA's options as they are written, before they are lowered to the IR's code.
+namespace arbiter::fp::nv {
+
+/// A test of a condition code register: component i of the test is component swizzle[i] of it.
+struct Test {
+  Rule rule = Rule::Tr;
+  std::uint8_t condition = 0; ///< CC0 or CC1
+  ir::Swizzle swizzle = ir::kIdentity;
+};
+
+/// What an address register (or A0, the index of the innermost LOOP) chooses from a sequence of
+/// attributes or results: the one at address + offset.
+struct Indexed {
+  std::uint16_t sequence = 0; ///< into Sequences
+  std::uint8_t address = 0;   ///< of Program::addresses; not used in fragment programs
+  std::int16_t offset = 0;
+};
+/// Rows of Program::attributes or Program::outputs, by index.
+using Sequences = std::vector<std::vector<std::uint16_t>>;
+
+inline constexpr std::uint16_t kNoLabel = std::numeric_limits<std::uint16_t>::max();
+
+/// One statement. A label is one too, of no opcode: it names the place of what follows it.
+struct Statement {
+  /// Its opcode may be one of ops.def's words. An address register is its number times four.
+  ir::Instruction instruction;
+  std::uint8_t absolute = 0; ///< bit i: operand i is within bars; its sign is before them
+  std::array<std::optional<Indexed>, 3> indexed; ///< of operands, whose index says nothing then
+  std::optional<Indexed> indexedResult;          ///< likewise of the destination
+  Test test;                                     ///< of the write, of KIL, of a branch
+  bool tests = false;                            ///< KIL has the test and no operand
+  NvSuffix suffix;
+  bool isLabel = false;
+  std::uint16_t label = kNoLabel; ///< of a label, BRA and CAL: which
+};
+
+} // namespace arbiter::fp::nv

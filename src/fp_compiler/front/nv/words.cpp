@@ -1,0 +1,117 @@
+#include "fp_compiler/front/nv/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace arbiter::fp::nv {
+
+using ir::NvOption;
+using ir::Opcode;
+using ir::OpInfo;
+
+namespace {
+
+constexpr std::string_view kMnemonics[] = {
+#define FP_OP(Enumerator, mnemonic, shapes, traits, section, doc) mnemonic,
+#define FP_NV_OP(Enumerator, mnemonic, shapes, traits, section, doc) mnemonic,
+#define FP_NV_WORD(Enumerator, mnemonic, shapes, traits, section, doc) mnemonic,
+#include "fp_compiler/ir/ops.def"
+};
+static_assert(std::size(kMnemonics) == std::size_t(ir::kOpcodeRowCount));
+
+constexpr std::size_t kShortest = 2, kLongest = 7;
+
+using Rows = std::array<std::uint8_t, ir::kOpcodeRowCount>;
+/// The opcodes' numbers by mnemonic.
+constexpr Rows kSorted = [] {
+  Rows rows = {};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i] = std::uint8_t(i);
+  std::sort(rows.begin(), rows.end(),
+            [](std::uint8_t a, std::uint8_t b) { return kMnemonics[a] < kMnemonics[b]; });
+  return rows;
+}();
+
+std::optional<Opcode> find(std::string_view mnemonic) {
+  const auto *const row = std::lower_bound(
+      kSorted.begin(), kSorted.end(), mnemonic,
+      [](std::uint8_t r, std::string_view wanted) { return kMnemonics[r] < wanted; });
+  if (row == kSorted.end() || kMnemonics[*row] != mnemonic)
+    return std::nullopt;
+  return Opcode(*row);
+}
+
+/// Cuts \p prefix off.
+bool accept(std::string_view &rest, std::string_view prefix) {
+  if (!rest.starts_with(prefix))
+    return false;
+  rest.remove_prefix(prefix.size());
+  return true;
+}
+
+/// What is behind the base of a name; false if an opcode may not be written so.
+bool readSuffix(std::string_view rest, const OpInfo &row, bool vertex, NvOption option,
+                Word &word) {
+  const bool second = option == NvOption::Second;
+  if (!vertex && !row.has(ir::NoPrecision)) {
+    word.nv.full = accept(rest, "R");
+    word.nv.half =
+        !word.nv.full && (accept(rest, "H") || (!row.has(ir::NoFixed) && accept(rest, "X")));
+  }
+  if (!row.has(ir::NoCondition) && accept(rest, "C")) {
+    word.nv.updates = 1;
+    if (vertex && second && !accept(rest, "0") && accept(rest, "1"))
+      word.nv.updates = 2;
+  }
+  if (row.has(ir::NoSaturate) || (vertex && !second))
+    return rest.empty();
+  word.saturate = rest == "_SAT";
+  word.nv.signedSaturate = !vertex && second && rest == "_SSAT";
+  return rest.empty() || word.saturate || word.nv.signedSaturate;
+}
+
+} // namespace
+
+bool offers(const ArbLanguage &language, NvOption option, Opcode op) {
+  const OpInfo &row = info(op);
+  if (int(op) < ir::kOpcodeCount && !row.has(language.foreign))
+    return true;
+  const bool vertex = language.language == ir::Language::ArbVertex;
+  const bool second = option == NvOption::Second;
+  return vertex ? row.has(ir::OfV2) || (second && row.has(ir::OfV3))
+                : row.has(ir::OfF1) || (second && row.has(ir::OfF2));
+}
+
+std::optional<Opcode> baseOf(std::string_view identifier, const ArbLanguage &language,
+                             NvOption option) {
+  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
+    const std::optional<Opcode> op = find(identifier.substr(0, size));
+    if (op && offers(language, option, *op))
+      return op;
+  }
+  return std::nullopt;
+}
+
+Word classify(std::string_view identifier, const ArbLanguage &language, NvOption option) {
+  const bool vertex = language.language == ir::Language::ArbVertex;
+  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
+    const std::optional<Opcode> op = find(identifier.substr(0, size));
+    if (!op || !offers(language, option, *op))
+      continue;
+    Word word = {Keyword::Opcode, *op};
+    if (readSuffix(identifier.substr(size), info(*op), vertex, option, word))
+      return word;
+  }
+  const Word plain = fp::classify(identifier, language);
+  return plain.keyword == Keyword::Opcode ? Word{} : plain;
+}
+
+std::optional<Rule> ruleOf(std::string_view word) {
+  constexpr std::string_view kWords[] = {"EQ", "GE", "GT", "LE", "LT", "NE", "TR", "FL"};
+  const auto *const found = std::find(std::begin(kWords), std::end(kWords), word);
+  if (found == std::end(kWords))
+    return std::nullopt;
+  return Rule(found - std::begin(kWords));
+}
+
+} // namespace arbiter::fp::nv

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "fp_compiler/front/words/keywords.h"
+
+/// The words of NVIDIA's options: NV_fragment_program_option, NV_fragment_program2,
+/// NV_vertex_program2_option, NV_vertex_program3.
+namespace arbiter::fp::nv {
+
+/// True if programs of \p language under \p option have the opcode.
+[[nodiscard]] bool offers(const ArbLanguage &language, ir::NvOption option, ir::Opcode op);
+
+/// The opcode with the longest name that an identifier begins with; nothing if it begins with none.
+[[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier,
+                                               const ArbLanguage &language, ir::NvOption option);
+
+/// Which reserved word an identifier is under \p option, which is not None: every spelling of an
+/// opcode is one (ADDR, DDXC_SAT), of names that begin alike the longest (DP2A, not DP2).
+[[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language,
+                            ir::NvOption option);
+
+/// A rule of a condition code test (section 3.11.3.X).
+enum class Rule : std::uint8_t { Eq, Ge, Gt, Le, Lt, Ne, Tr, Fl };
+/// What the word names, such as "EQ"; nothing for any other word.
+[[nodiscard]] std::optional<Rule> ruleOf(std::string_view word);
+
+} // namespace arbiter::fp::nv
