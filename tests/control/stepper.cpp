@@ -118,6 +118,7 @@ void compile(GLuint list, GLenum mode) {
 
 Objects makeObjects() {
   Objects objects;
+  quad(); // what is looked up at the first call is none of a list's business
   objects.lists = glGenLists(4);
   compile(objects.lists, GL_COMPILE);
   glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, 7);

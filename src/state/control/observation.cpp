@@ -5,6 +5,7 @@
 #include "state/control/methods.h"
 #include "state/control/session.h"
 #include "state/core/context.h"
+#include "state/raster_draw/immediate/replay.h"
 #include "util/thread.h"
 
 namespace arbiter::state::remote {
@@ -22,7 +23,7 @@ constexpr std::chrono::milliseconds kMoved{500};
 } // namespace
 
 std::optional<wire::Fault> Session::observe(Context &context, Observation wish) {
-  if (context.trueHost && context.trueHost != context.host) // which stays set afterwards
+  if (context.host == &software::kRecordingHost) // trueHost stays set when that is over
     return wire::Fault{wire::kTooBusy, "a list or a primitive is recorded at the frame's end", {}};
   const std::lock_guard lock(m_mutex);
   if (m_observer && (m_holder || Clock::now() - m_observedSince < kGivenUp))

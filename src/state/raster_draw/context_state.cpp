@@ -3,7 +3,6 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/program_edits.h"
 #include "state/share/share_group.h"
 #include "util/flags.h"
 
@@ -17,24 +16,19 @@ bool isPossible(const Context &context) {
          (backend != Backend::Auto || context.caps.onProcessor);
 }
 
-/// The rasterizer may come to be used here; or clients of control may look into lists, draw by
-/// draw.
-bool mayTakeLists(const Context &context) {
-  return (!context.softwareRefused && isPossible(context)) || (controlled() && context.offered);
-}
-
 } // namespace
 
 bool keepsLists(const Context &context) {
-  if (context.software)
-    return true;
+  if (context.software || context.softwareRefused)
+    return context.software != nullptr;
   return (settings().alwaysFixedFunction ||
           context.group->programApiUsed.load(std::memory_order_relaxed)) &&
-         mayTakeLists(context);
+         isPossible(context);
 }
 
 bool keepsEarlyLists(const Context &context) {
-  return !context.software && context.frames < kEarlyFrames && mayTakeLists(context);
+  return !context.software && !context.softwareRefused && context.frames < kEarlyFrames &&
+         isPossible(context);
 }
 
 void engage(Context &context) {

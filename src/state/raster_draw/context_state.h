@@ -92,7 +92,7 @@ struct ContextState {
 void engage(Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.
-/// Under control they are kept wherever there are programs, for who looks at draws.
+/// Clients of control look into lists that are kept, and into no others.
 [[nodiscard]] bool keepsLists(const Context &context);
 /// An application that loads its programs after its lists has done so after so many frames.
 inline constexpr std::uint64_t kEarlyFrames = 8;
