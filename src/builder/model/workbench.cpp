@@ -235,7 +235,8 @@ void Workbench::setState(PictureState state) {
 
 /// What the language server says is said once; the renderer adds what only drawing finds.
 void Workbench::mergeProblems() {
-  QList<Problem> all = m_ofLanguage;
+  const bool isBegun = !document().text().trimmed().isEmpty(); // nothing is wrong with no text
+  QList<Problem> all = isBegun ? m_ofLanguage : QList<Problem>();
   for (const Problem &problem : m_ofRenderer) {
     const bool said = std::any_of(all.cbegin(), all.cend(), [&](const Problem &other) {
       return other.message == problem.message && other.begin == problem.begin;

@@ -87,7 +87,7 @@ def shoot(arguments, shot, colours, scale, png, folder, more=(), **further):
             path = arguments.gallery / document
         words += ['--', str(path)]
     environment = dict(os.environ, QT_QPA_PLATFORM='offscreen', QT_SCALE_FACTOR=str(scale),
-                       XDG_CONFIG_HOME=str(folder / 'config'), XDG_STATE_HOME=str(folder / 'state'),
+                       XDG_CONFIG_HOME=str(folder / 'config'), XDG_STATE_HOME=str(folder / png.stem),
                        XDG_CACHE_HOME=str(folder / 'cache'), ARBITER_GALLERY=str(arguments.gallery),
                        **further)
     environment.pop('DISPLAY', None)

@@ -131,6 +131,7 @@ QWidget *AttachPanel::buildBar() {
 
 void AttachPanel::say(const QString &text) {
   m_said->setText(text);
+  m_said->setVisible(!text.isEmpty());
   m_saidBusy = false;
 }
 

@@ -185,8 +185,8 @@ void MainWindow::arrange() {
   }
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  QDockWidget *const program = dock(tr("Program")), *const picture = dock(tr("Picture"));
-  QDockWidget *const parameters = dock(tr("Parameters")), *const problems = dock(tr("Problems"));
+  QDockWidget *const picture = dock(tr("Picture")), *const parameters = dock(tr("Parameters"));
+  QDockWidget *const problems = dock(tr("Problems"));
   splitDockWidget(picture, parameters, Qt::Vertical);
   for (const QString &name : {tr("Textures"), tr("Scene")})
     tabifyDockWidget(parameters, dock(name));
