@@ -86,6 +86,13 @@ TEST(NvGlsl, VertexTexturesNeedNoExtension) {
   }
 }
 
+TEST(NvGlsl, ComparisonsInVertexPrograms) {
+  const std::string glsl = glslOf(
+      "NV_vertex_program3;\nOPTION ARB_fragment_program_shadow",
+      "TXL r, vertex.color, texture[0], SHADOW2D; TEX s, r, texture[1], SHADOWRECT; ADD r, r, s;");
+  EXPECT_TRUE(contains(glsl, "shadow2DLod(") && contains(glsl, "shadow2DRect(")) << glsl;
+}
+
 TEST(NvGlsl, LoopsAndBranches) {
   const std::string glsl =
       glslOf("NV_fragment_program2", "LOOP {4, 0, 1}; ADD r, r, fragment.texcoord[A0.x + 1]; "
