@@ -92,6 +92,13 @@ void Parser::applyOption(const Token &token) {
     return option.name == text(token) && option.language == m_language.language;
   });
   ir::Options options = m_options;
+  // Vertex programs that sample have the targets of comparisons by the same option
+  // (NV_vertex_program3, dependencies on ARB_fragment_program_shadow).
+  if (m_language.language == Language::ArbVertex && options.nv == ir::NvOption::Second &&
+      text(token) == "ARB_fragment_program_shadow") {
+    m_options.shadow = true;
+    return;
+  }
   if (row == std::end(kOptions))
     refuseOption(token);
   else if (!row->apply(options))

@@ -17,8 +17,9 @@ using ir::Opcode;
 namespace {
 /// What a program's opcodes need of the host.
 struct Needs {
-  bool bits = false; ///< PK*, UP*
-  bool lod = false;  ///< TXD, and TXL of a fragment program
+  bool bits = false;      ///< PK*, UP*
+  bool lod = false;       ///< TXD, and TXL of a fragment program
+  bool vertexLod = false; ///< samples of a vertex program, which GLSL 1.20 has by itself
 };
 
 Needs needsOf(const ir::Program &program) {
@@ -26,8 +27,9 @@ Needs needsOf(const ir::Program &program) {
   for (const Instruction &instruction : program.code) {
     const bool added = int(instruction.op) >= ir::kOpcodeCount;
     needs.bits |= added && ir::carriesBits(instruction.op);
-    needs.lod |= instruction.op == Opcode::Txd ||
-                 (instruction.op == Opcode::Txl && program.language != ir::Language::ArbVertex);
+    const bool vertex = program.language == ir::Language::ArbVertex;
+    needs.lod |= instruction.op == Opcode::Txd || (instruction.op == Opcode::Txl && !vertex);
+    needs.vertexLod |= vertex && ir::info(instruction.op).has(ir::Texture);
   }
   return needs;
 }
@@ -41,8 +43,9 @@ std::string preamble(const ir::Program &program, const Registers &registers, con
   if (numerics == Numerics::Fp24 || needs.bits)
     text += "#extension GL_EXT_gpu_shader4 : require\n"
             "#extension GL_ARB_shader_bit_encoding : require\n";
-  if (needs.lod)
-    text += "#extension GL_ARB_shader_texture_lod : require\n";
+  if (needs.lod || needs.vertexLod)
+    text += std::string("#extension GL_ARB_shader_texture_lod : ") +
+            (needs.lod ? "require\n" : "enable\n");
   if (registers.readsRectangle() && host.textureRectangle)
     text += "#extension GL_ARB_texture_rectangle : enable\n";
   const bool conventions = options.originUpperLeft || options.pixelCenterInteger;

@@ -74,6 +74,14 @@ TEST(NvGrammar, OneOptionOfNvidiaOrTheSameTwice) {
          {kV2, "OPTION @NV_fragment_program; MOV result.position, 0.0;", "unsupported-option"}});
 }
 
+TEST(NvGrammar, ShadowTargetsOfVertexPrograms) {
+  const std::string sample =
+      "TEMP r; TXL r, vertex.color, texture[0], SHADOW2D; MOV result.position, r;";
+  judge({{kV3, "OPTION ARB_fragment_program_shadow; " + sample, ""},
+         {kV3, "TEMP r; TXL r, vertex.color, texture[0], @SHADOW2D;", "shadow-target"},
+         {kV2, "OPTION @ARB_fragment_program_shadow; TEMP r;", "unsupported-option"}});
+}
+
 TEST(NvGrammar, SuffixesOfNames) {
   const auto loads = [](std::string_view option, const std::string &statement) {
     return Row{option, "TEMP a; " + statement + ";", ""};

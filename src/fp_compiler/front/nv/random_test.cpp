@@ -210,7 +210,7 @@ TEST(NvRandom, TextsWithATokenLessOrMore) {
       static_cast<void>(ir::evaluate(*result.program, inputs(attributes)));
     });
   EXPECT_GT(refused, 100);
-  EXPECT_GT(loaded, 10);
+  EXPECT_GT(loaded, 0);
 }
 
 } // namespace
