@@ -132,7 +132,9 @@ std::optional<std::uint32_t> extensionYear(std::string_view name) {
 
 IdentityRules identityRules() {
   IdentityRules rules;
-  rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
+  // Under the host's own profile programs may ask for the options, and an application is not led
+  // to: what has no machine code yet would be slower than what it sends without them.
+  rules.nvFragmentOptions = activeProfile().fromHost ? 0 : activeProfile().fragment.nvOptions;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
   if (!settings().identityOfProfile)

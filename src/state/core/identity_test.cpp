@@ -45,6 +45,26 @@ TEST(Identity, WithoutRulesEverythingIsTheHosts) {
   EXPECT_TRUE(std::equal(theirs.begin(), theirs.end(), identity.extensions.names.begin()));
 }
 
+TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
+  HostCaps host = caps();
+  host.bitEncoding = true;
+  host.extensions.emplace_back("GL_ARB_shader_texture_lod");
+  const auto announced = [&](std::uint32_t options) {
+    IdentityRules rules;
+    rules.nvFragmentOptions = options;
+    Names found;
+    for (const std::string &name : makeIdentity(host, true, rules).extensions.names)
+      if (name.starts_with("GL_NV_fragment_program"))
+        found.push_back(name);
+    return found;
+  };
+  EXPECT_EQ(announced(0), Names{});
+  EXPECT_EQ(announced(1), Names{"GL_NV_fragment_program_option"});
+  EXPECT_EQ(announced(2), (Names{"GL_NV_fragment_program_option", "GL_NV_fragment_program2"}));
+  host.bitEncoding = false; // what GLSL lacks there
+  EXPECT_EQ(announced(2), Names{});
+}
+
 TEST(Identity, ACardsListIsCutToWhatWorks) {
   const fp::hw::Identity c = card();
   const Identity identity = makeIdentity(caps(), true, {&c});
