@@ -175,7 +175,7 @@ class Debug(Temporary):
         width, height, rows = read_png(picture)
         places = [(x, y, tuple(rows[y][4 * x:4 * x + 3])) for x in range(width) for y in range(height)]
         unlit, sky = (51, 51, 64), (102, 115, 128)
-        for against in ('swrast', 'host', 'bare'):
+        for against in ('swrast', 'host'):
             found = self.covered(document, '--pass', '3', '--against', against, watch='result.color@17',
                                  pixel='400,111')
             self.assertEqual([place for place in places if place[2] not in (unlit, sky) and place[:2] not in found],
