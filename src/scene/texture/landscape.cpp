@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "scene/texture/generators.h"
 #include "scene/texture/noise.h"
@@ -21,8 +22,11 @@ glm::vec3 skyAt(glm::vec2 at) {
   colour += 0.4f * std::exp(-8.0f * fromSun) * glm::vec3(1.0f, 0.8f, 0.4f);
   colour =
       glm::mix(glm::vec3(1.0f, 0.97f, 0.82f), colour, glm::smoothstep(0.078f, 0.084f, fromSun));
+  const float height = glm::smoothstep(0.42f, 0.62f, at.y);
+  if (height == 0.0f) // no cloud, whatever the noise
+    return colour;
   const float cloud = fractalNoise(at * glm::vec2(4.0f, 11.0f), 5, 0, 11);
-  const float cover = glm::smoothstep(0.52f, 0.78f, cloud) * glm::smoothstep(0.42f, 0.62f, at.y);
+  const float cover = glm::smoothstep(0.52f, 0.78f, cloud) * height;
   return glm::mix(colour, glm::vec3(0.96f), 0.85f * cover);
 }
 
@@ -36,16 +40,22 @@ glm::vec3 groundAt(glm::vec2 at) {
                   glm::smoothstep(kHorizon - 0.08f, kHorizon, at.y));
 }
 
-glm::vec3 colourAt(glm::vec2 at) {
+/// How high the mountains are at an s.
+struct Skyline {
+  explicit Skyline(float s)
+      : far(kHorizon + 0.17f * fractalNoise({s * 4.0f, 3.5f}, 5, 0, 21) * (1.1f - s)),
+        near(kHorizon + 0.13f * fractalNoise({s * 6.0f, 8.5f}, 5, 0, 22) * (0.2f + s)) {}
+  float far, near;
+};
+
+glm::vec3 colourAt(glm::vec2 at, const Skyline &skyline) {
   if (at.y < kHorizon)
     return groundAt(at);
-  const float far = kHorizon + 0.17f * fractalNoise({at.x * 4.0f, 3.5f}, 5, 0, 21) * (1.1f - at.x);
-  const float near = kHorizon + 0.13f * fractalNoise({at.x * 6.0f, 8.5f}, 5, 0, 22) * (0.2f + at.x);
-  if (at.y < near)
+  if (at.y < skyline.near)
     return glm::vec3(0.15f, 0.27f, 0.16f) * (0.75f + 0.5f * fractalNoise(at * 60.0f, 3, 0, 23));
-  if (at.y < far)
+  if (at.y < skyline.far)
     return glm::mix(glm::vec3(0.62f, 0.58f, 0.60f), glm::vec3(0.36f, 0.40f, 0.55f),
-                    glm::smoothstep(kHorizon, far, at.y));
+                    glm::smoothstep(kHorizon, skyline.far, at.y));
   return skyAt(at);
 }
 
@@ -53,9 +63,12 @@ glm::vec3 colourAt(glm::vec2 at) {
 
 Image makeLandscape(int width, int height) {
   Image image(width, height);
+  std::vector<Skyline> skylines; // of columns: noise is most of the picture's time
+  for (int x = 0; x < width; ++x)
+    skylines.emplace_back(image.coordinate(x, 0).x);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      image.set(x, y, glm::vec4(colourAt(image.coordinate(x, y)), 1.0f));
+      image.set(x, y, glm::vec4(colourAt(image.coordinate(x, y), skylines[std::size_t(x)]), 1.0f));
   return image;
 }
 

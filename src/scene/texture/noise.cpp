@@ -8,11 +8,16 @@ namespace {
 
 int wrapped(int x, int period) { return period == 0 ? x : ((x % period) + period) % period; }
 
+/// As floor(), without a call.
+int floorOf(float value) {
+  const int towardsZero = int(value);
+  return towardsZero - int(float(towardsZero) > value);
+}
+
 float smoothNoise(glm::vec2 at, int period, std::uint32_t seed) {
-  const glm::vec2 cell = glm::floor(at);
-  glm::vec2 f = at - cell;
+  const int x = floorOf(at.x), y = floorOf(at.y);
+  glm::vec2 f = at - glm::vec2(float(x), float(y));
   f = f * f * (3.0f - 2.0f * f);
-  const int x = int(cell.x), y = int(cell.y);
   const auto corner = [&](int dx, int dy) {
     return randomAt(wrapped(x + dx, period), wrapped(y + dy, period), seed);
   };
