@@ -42,18 +42,18 @@ SHOTS = [
 # Those of the pages: the same, with colours, size and further options. What is edited was drawn
 # before, and is drawn still.
 PAGES = [  # pictures of few colours pack well
-    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 600), ()),
-    ('error', 'cartoon.fp', None, 'Problems', '', 'light', (920, 600),
+    ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 640), ()),
+    ('error', 'cartoon.fp', None, 'Problems', '', 'light', (920, 680),
      ('--edit', 'RSQ normal.w, normal.w=>RSQ normal.w, norml.w')),
-    ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 600),
+    ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 680),
      ('--edit', 'TEX self, here=>TEX slef, here')),
-    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 640), ()),
-    ('watch', 'cartoon.fp', None, 'Debug', '256,300', 'light', (920, 640), ('--watch', '18')),
-    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 600), ()),
-    ('gallery', None, None, 'Gallery', '', 'dark', (900, 560), ()),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 680), ()),
+    ('watch', 'cartoon.fp', None, 'Debug', '256,300', 'light', (920, 680), ('--watch', '18')),
+    ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 640), ()),
+    ('gallery', None, None, 'Gallery', '', 'dark', (900, 600), ()),
 ]
 ATTACHED = ('attach', None, None, 'Attach', '128,128')
-ATTACHED_SIZE = (1100, 760)
+ATTACHED_SIZE = (1100, 800)
 LARGEST = 100 * 1024  # bytes
 KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
 
