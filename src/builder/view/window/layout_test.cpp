@@ -71,7 +71,7 @@ TEST_P(Layout, StaysAsItWasLeft) {
     serve(20);
     const QList<int> first = heights(window);
     window.resizeDocks({&dock(window, "Program"), &dock(window, "Problems")},
-                       {first[0] - 60, first[3] + 60}, Qt::Vertical);
+                       {first[0] - 110, first[3] + 110}, Qt::Vertical); // with its tab
     ASSERT_TRUE(holds(window, [&] { return heights(window)[3] >= first[3] + 55; }))
         << heights(window)[3] << " of " << first[3];
     left = heights(window);
@@ -91,9 +91,9 @@ TEST_P(Layout, StaysAsItWasLeft) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
                          ::testing::Values(QSize(1280, 800), QSize(1024, 700), QSize(920, 620)),
-                         [](const auto &info) {
-                           return "Of" + std::to_string(info.param.width()) + "x" +
-                                  std::to_string(info.param.height());
+                         [](const auto &size) {
+                           return "Of" + std::to_string(size.param.width()) + "x" +
+                                  std::to_string(size.param.height());
                          });
 
 } // namespace arbiter::builder
