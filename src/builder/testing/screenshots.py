@@ -43,12 +43,12 @@ SHOTS = [
 # before, and is drawn still.
 PAGES = [  # pictures of few colours pack well
     ('window', 'cartoon.fp', None, 'Parameters', '', 'light', (920, 640), ()),
-    ('error', 'cartoon.fp', None, 'Problems', '', 'light', (920, 680),
-     ('--edit', 'RSQ normal.w, normal.w=>RSQ normal.w, norml.w')),
+    ('error', 'life.fp', None, 'Problems', '', 'light', (920, 680),
+     ('--edit', 'ADD n, here, step.wyww=>ADD n, here, stp.wyww')),
     ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 680),
      ('--edit', 'TEX self, here=>TEX slef, here')),
     ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 680), ()),
-    ('watch', 'cartoon.fp', None, 'Debug', '256,300', 'light', (920, 680), ('--watch', '18')),
+    ('watch', 'life.fp', None, 'Debug', '60,60', 'light', (920, 680), ('--watch', '31')),
     ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 640), ()),
     ('gallery', None, None, 'Gallery', '', 'dark', (900, 600), ()),
 ]

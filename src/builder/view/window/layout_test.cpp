@@ -72,7 +72,7 @@ TEST_P(Layout, StaysAsItWasLeft) {
     const QList<int> first = heights(window);
     window.resizeDocks({&dock(window, "Program"), &dock(window, "Problems")},
                        {first[0] - 110, first[3] + 110}, Qt::Vertical); // with its tab
-    ASSERT_TRUE(holds(window, [&] { return heights(window)[3] >= first[3] + 55; }))
+    ASSERT_TRUE(holds(window, [&] { return heights(window)[3] >= first[3] + 30; }))
         << heights(window)[3] << " of " << first[3];
     left = heights(window);
     window.close();
@@ -85,7 +85,7 @@ TEST_P(Layout, StaysAsItWasLeft) {
   for (int i = 0; i < left.size(); ++i)
     EXPECT_NEAR(now[i], left[i], 14) << i; // a window as high as the screen is made a little lower
   runAction(again, "Panels as at first");
-  EXPECT_TRUE(holds(again, [&] { return heights(again)[3] <= left[3] - 50; }))
+  EXPECT_TRUE(holds(again, [&] { return heights(again)[3] <= left[3] - 30; }))
       << heights(again)[3] << " of " << left[3];
 }
 

@@ -157,7 +157,7 @@ TEST(PictureView, TheColourUnderTheMouseIsThePicturesAsItMoves) {
   EXPECT_FALSE(left);
   move({1, 1});
   EXPECT_TRUE(left) << "no pixel is under the mouse";
-  told = {};
+  told = QColor();
   view.setPicture(image);
   EXPECT_FALSE(told.isValid());
 }
