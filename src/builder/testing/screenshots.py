@@ -48,12 +48,12 @@ PAGES = [  # pictures of few colours pack well
     ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 680),
      ('--edit', 'TEX self, here=>TEX slef, here')),
     ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (900, 680), ()),
-    ('watch', 'life.fp', None, 'Debug', '60,60', 'light', (920, 680), ('--watch', '31')),
+    ('watch', 'life.fp', None, 'Debug', '60,60', 'light', (840, 600), ('--watch', '31')),
     ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 640), ()),
     ('gallery', None, None, 'Gallery', '', 'dark', (900, 600), ()),
 ]
-ATTACHED = ('attach', None, None, 'Attach', '128,128')
-ATTACHED_SIZE = (1100, 800)
+ATTACHED = ('attach', None, None, 'Attach', '')
+ATTACHED_SIZE = (1000, 720)
 LARGEST = 100 * 1024  # bytes
 KINDS = [(colours, scale) for colours in ('light', 'dark') for scale in (1, 2)]
 
