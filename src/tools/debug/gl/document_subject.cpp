@@ -5,6 +5,18 @@
 
 namespace arbiter::tools::debug {
 
+namespace {
+
+/// A pass tests depths that an earlier one made.
+bool passesMeet(const scene::Document &document) {
+  for (std::size_t pass = 1; pass < document.passes.size(); ++pass)
+    if (!document.clears(pass) && document.depthOf(document.passes[pass]) != scene::Depth::Off)
+      return true;
+  return false;
+}
+
+} // namespace
+
 std::array<int, 2> DocumentSubject::size() const {
   const auto [width, height] = m_document.sizeOf(m_document.passes[m_pass]);
   return {width, height};
@@ -13,9 +25,11 @@ std::array<int, 2> DocumentSubject::size() const {
 std::optional<DebugError> DocumentSubject::prepare() {
   if (const char *step = m_surface.open(m_document.width(), m_document.height()))
     return DebugError{std::string(step) + " (EGL error " + std::to_string(eglGetError()) + ")"};
-  std::string fault = m_window.bind(m_document.width(), m_document.height(), 1);
-  if (!fault.empty())
-    return DebugError{std::move(fault)};
+  if (passesMeet(m_document)) {
+    std::string fault = m_window.bind(m_document.width(), m_document.height(), 1);
+    if (!fault.empty())
+      return DebugError{std::move(fault)};
+  }
   auto made = Renderer::make(m_document);
   if (!made) {
     const RenderError &error = made.error();

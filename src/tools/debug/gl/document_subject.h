@@ -9,7 +9,9 @@
 
 namespace arbiter::tools::debug {
 
-/// One pass of one frame of a document, in a framebuffer object that stands for its window.
+/// One pass of one frame of a document. Where its passes test each other's depths they are drawn to
+/// a framebuffer object that stands for the window: the probes of a pixel are drawn to one, and in
+/// a window, whose rows lie the other way up in memory, depths and colours have other last bits.
 class DocumentSubject : public Subject {
 public:
   /// \param pass from 0 \param frame from 0
