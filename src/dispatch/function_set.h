@@ -2,26 +2,37 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
+#include <limits>
 
 namespace arbiter::dispatch {
 
 /// The functions of a table of entry points, to ask whether one is among them. An application that
-/// loads GL by name asks that of thousands.
+/// loads GL by name asks that of thousands. Static, in the library of the functions, which are kept
+/// as distances from it: what may be written must hold no pointers to functions.
 template <std::size_t kCount> class FunctionSet {
 public:
   /// \param rows each with a member `function`
   template <typename Row> explicit FunctionSet(const Row (&rows)[kCount]) {
     std::transform(std::begin(rows), std::end(rows), m_sorted.begin(),
-                   [](const Row &row) -> const void * { return row.function; });
-    std::sort(m_sorted.begin(), m_sorted.end(), std::less<>());
+                   [&](const Row &row) { return std::int32_t(distanceOf(row.function)); });
+    std::sort(m_sorted.begin(), m_sorted.end());
   }
+  FunctionSet(const FunctionSet &) = delete;
+  FunctionSet &operator=(const FunctionSet &) = delete;
   [[nodiscard]] bool contains(const void *function) const {
-    return std::binary_search(m_sorted.begin(), m_sorted.end(), function, std::less<>());
+    using Limits = std::numeric_limits<std::int32_t>;
+    const std::intptr_t distance = distanceOf(function);
+    return distance >= Limits::min() && distance <= Limits::max() &&
+           std::binary_search(m_sorted.begin(), m_sorted.end(), std::int32_t(distance));
   }
 
 private:
-  std::array<const void *, kCount> m_sorted;
+  [[nodiscard]] std::intptr_t distanceOf(const void *function) const {
+    return reinterpret_cast<std::intptr_t>(function) - reinterpret_cast<std::intptr_t>(this);
+  }
+
+  std::array<std::int32_t, kCount> m_sorted;
 };
 template <typename Row, std::size_t kCount>
 FunctionSet(const Row (&)[kCount]) -> FunctionSet<kCount>;

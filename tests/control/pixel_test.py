@@ -165,7 +165,7 @@ class Busy(Painting):
             with Raw(self.socket_of(output)) as raw:
                 program = next(row['id'] for row in raw.call('program.list')['result']['programs']
                                if row['effective'])
-                for turns in range(60, 200, 20):
+                for turns in range(60, 600, 40):  # until it is long enough here
                     answer = raw.call('program.set', id=program, text=self.slow_text(turns), revision=turns)
                     self.assertTrue(answer['result']['ok'], answer)
                     seen, waited = self.lines_until_listed(raw)
