@@ -47,8 +47,8 @@ PAGES = [  # pictures of few colours pack well
      ('--edit', 'ADD n, here, step.wyww=>ADD n, here, stp.wyww')),
     ('held', 'life.fp', None, 'Parameters', '', 'dark', (900, 680),
      ('--edit', 'TEX self, here=>TEX slef, here')),
-    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (820, 600), ()),
-    ('watch', 'life.fp', None, 'Debug', '60,60', 'light', (820, 580), ('--watch', '31')),
+    ('debug', 'life.fp', None, 'Debug', '60,60', 'dark', (800, 600), ()),
+    ('watch', 'life.fp', None, 'Debug', '60,60', 'light', (760, 540), ('--watch', '31')),
     ('scene', 'cartoon.fp', None, 'Scene', '', 'light', (890, 640), ()),
     ('gallery', None, None, 'Gallery', '', 'dark', (900, 600), ()),
 ]
