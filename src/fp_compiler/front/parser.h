@@ -170,6 +170,7 @@ private:
   bool parseNvSource(bool scalar, ir::Operand &operand, bool &absolute);
   bool parseNvSwzSource(ir::Operand &operand, bool &absolute);
   bool parseNvOperands(nv::Statement &statement);
+  std::optional<std::uint16_t> readAddressVector(const Token &name);
   bool parseAddressSource(ir::Operand &operand);
   bool parseNvAddressDestination(ir::Destination &destination);
   bool parseNvDestination(nv::Statement &statement);

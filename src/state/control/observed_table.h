@@ -12,7 +12,7 @@ struct ObservedTable : host::HostTable {
   DrawObserver *observer;
 };
 
-/// The table is an ObservedTable that is still in force (a draw observer is at its other end).
+/// The table is an ObservedTable whose draws still come to an observer.
 [[nodiscard]] bool isObservedTable(const host::HostTable &table);
 
 } // namespace arbiter::state::remote

@@ -54,12 +54,11 @@ namespace {
 fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
   const fp::hw::Profile &profile = activeProfile();
   const bool vertex = target == Target::Vertex;
-  fp::Limits limits = vertex ? profile.vertex : profile.fragment;
-  const std::uint32_t nvOptions = caps.drawsNvOptions() ? limits.nvOptions : 0;
-  if (profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram))
-    limits = queryHostLimits(infoOf(target).name, host, caps);
-  limits.nvOptions = nvOptions;
-  if (profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram))
+  const fp::Limits &ofProfile = vertex ? profile.vertex : profile.fragment;
+  const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
+  fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
+  limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
+  if (fromHost)
     return limits;
   const auto clamp = [](std::uint32_t &value, GLint host_) {
     value = std::min(value, std::uint32_t(std::max(host_, 0)));

@@ -1,6 +1,7 @@
 // program that last loaded; object 0 and an object without a program answer zero.
 #include "state/programs/queries.h"
 
+#include "fp_compiler/nv_limits.h"
 #include "state/core/context.h"
 #include "state/share/share_group.h"
 
@@ -85,11 +86,22 @@ bool queryNvLimit(const ProgramTarget &row, GLenum pname, GLint *params) {
       pname != GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV && pname != GL_MAX_PROGRAM_CALL_DEPTH_NV;
   if (!(vertex && row.limits.nvOptions >= 1 && !blocks) && !(fragment && row.limits.nvOptions >= 2))
     return false;
-  *params = pname == GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV ? 65536
-            : pname == GL_MAX_PROGRAM_CALL_DEPTH_NV      ? 32
-            : pname == GL_MAX_PROGRAM_IF_DEPTH_NV        ? 256
-            : pname == GL_MAX_PROGRAM_LOOP_DEPTH_NV      ? 32
-                                                         : 255;
+  switch (pname) {
+  case GL_MAX_PROGRAM_EXEC_INSTRUCTIONS_NV:
+    *params = fp::nv::kLeastExecuted;
+    break;
+  case GL_MAX_PROGRAM_CALL_DEPTH_NV:
+    *params = GLint(fp::nv::kMostCalls);
+    break;
+  case GL_MAX_PROGRAM_IF_DEPTH_NV:
+    *params = GLint(fp::nv::kMostBlocks);
+    break;
+  case GL_MAX_PROGRAM_LOOP_DEPTH_NV:
+    *params = GLint(fp::nv::kMostLoops);
+    break;
+  default:
+    *params = fp::nv::kLeastIterations;
+  }
   return true;
 }
 

@@ -25,7 +25,7 @@ namespace {
 [[gnu::always_inline]] inline Outcome judgePath(Context &context) {
   if (context.listMode != 0) [[unlikely]]
     return Fallback::List;
-  if (g_observed.load(std::memory_order_relaxed) == &context) [[unlikely]]
+  if (isObserved(context)) [[unlikely]]
     return observed(context);
   if (!context.linkedProgram) {
     // Fixed function alone is the rasterizer's too, once a program has been drawn.

@@ -133,6 +133,14 @@ std::uint16_t Binder::row(std::uint64_t key, const ir::Parameter &parameter, Spa
 }
 
 std::uint16_t Binder::constant(const ir::Vec4 &value, Span where) {
+  return constantRow(value, where, true);
+}
+
+std::uint16_t Binder::hiddenConstant(const ir::Vec4 &value, Span where) {
+  return constantRow(value, where, false);
+}
+
+std::uint16_t Binder::constantRow(const ir::Vec4 &value, Span where, bool counts) {
   Bits bits;
   for (std::size_t i = 0; i < 4; ++i)
     bits[i] = std::bit_cast<std::uint32_t>(value[i]);
@@ -141,7 +149,7 @@ std::uint16_t Binder::constant(const ir::Vec4 &value, Span where) {
     return entry->second;
   // A second zero of the other sign has a row of its own but is not counted again; it may still
   // not be numbered past the ceiling.
-  if (m_constantsCounted.insert(countedBits(value)).second &&
+  if (counts && m_constantsCounted.insert(countedBits(value)).second &&
       !m_budget.spend(Resource::Parameters, where))
     return 0;
   if (m_program.parameters.size() >= Budget::kCeiling) {
@@ -230,22 +238,6 @@ std::uint16_t Binder::hiddenTemporary(std::string_view name, Span where) {
   }
   m_program.temporaries.push_back({std::string(name)});
   return std::uint16_t(m_program.temporaries.size() - 1);
-}
-
-std::uint16_t Binder::hiddenConstant(const ir::Vec4 &value, Span where) {
-  Bits bits;
-  for (std::size_t i = 0; i < 4; ++i)
-    bits[i] = std::bit_cast<std::uint32_t>(value[i]);
-  const auto [entry, isNew] = m_constantRows.try_emplace(bits, std::uint16_t(0));
-  if (!isNew)
-    return entry->second;
-  if (m_program.parameters.size() >= Budget::kCeiling) {
-    m_reporter.error(DiagnosticId::LimitParameters, where, "too many constants in any program");
-    return 0;
-  }
-  ir::Parameter parameter;
-  parameter.constant = value;
-  return entry->second = append(parameter);
 }
 
 std::uint16_t Binder::addressVector(std::string_view name, Span where) {

@@ -53,6 +53,8 @@ public:
   [[nodiscard]] ir::Program takeProgram() { return std::move(m_program); }
 
 private:
+  std::uint16_t constantRow(const ir::Vec4 &value, Span where, bool counts);
+
   using Bits = std::array<std::uint32_t, 4>;
   /// The components' bits with one zero, so that numerically equal constants are equal.
   static Bits countedBits(const ir::Vec4 &value);

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <string>
 
 #include "fp_compiler/front/nv/lowerer.h"
 #include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/nv_limits.h"
 
 namespace arbiter::fp::nv {
 
@@ -12,8 +14,6 @@ using ir::Select;
 
 namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
-constexpr std::size_t kMostCalls = 32; ///< one in the other
-constexpr std::size_t kMostLoops = 32;
 
 Operand flagOf(std::uint16_t index) { return component(registerOf(File::Temporary, index), 0); }
 Operand one() { return number(Select::One); }
@@ -228,9 +228,10 @@ bool Lowerer::returnsWithin(const Statement &loop) const {
 }
 
 void Lowerer::beginLoop(const Statement &statement) {
-  if (m_loops.size() >= kMostLoops) {
+  if (m_loops.size() >= nv::kMostLoops) {
     m_reporter.error(DiagnosticId::NvFlow, statement.instruction.span,
-                     "more than 32 loops, one in the other", "no program can be that deep");
+                     "more than " + std::to_string(nv::kMostLoops) + " loops, one in the other",
+                     "no program can be that deep");
     return;
   }
   const Operand operand = instructionOf(statement).src[0];
@@ -323,9 +324,11 @@ void Lowerer::call(const Statement &statement) {
   if (statement.test.rule == Rule::Fl)
     return;
   const bool within = std::find(m_calls.begin(), m_calls.end(), statement.label) != m_calls.end();
-  if (within || m_calls.size() >= kMostCalls) {
+  if (within || m_calls.size() >= nv::kMostCalls) {
     m_reporter.error(DiagnosticId::NvFlow, statement.instruction.span,
-                     within ? "a subroutine calls itself" : "more than 32 calls, one in the other",
+                     within ? std::string("a subroutine calls itself")
+                            : "more than " + std::to_string(nv::kMostCalls) +
+                                  " calls, one in the other",
                      "no program can be that deep");
     return;
   }

@@ -129,21 +129,30 @@ bool Parser::parseNvSwzSource(ir::Operand &operand, bool &absolute) {
   return parseSwzSource(operand) && (!absolute || expectByte('|'));
 }
 
+/// The number of the address register of that name, 0 where it is none, which is said; nothing
+/// where the text cannot be read on.
+std::optional<std::uint16_t> Parser::readAddressVector(const Token &name) {
+  note(name, Access::Read);
+  const Symbol *symbol = m_symbols.find(text(name));
+  if (!symbol && !undeclared(name))
+    return std::nullopt;
+  if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
+    error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
+          "declare one with ADDRESS");
+  return symbol && symbol->kind == SymbolKind::Address ? symbol->index : std::uint16_t(0);
+}
+
 /// <addrRegisterOperand> of ARA: a whole address register.
 bool Parser::parseAddressSource(ir::Operand &operand) {
   const Token name = m_tokens.peek();
   if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
     return unexpected("an address register");
   m_tokens.next();
-  note(name, Access::Read);
-  const Symbol *symbol = m_symbols.find(text(name));
-  if (!symbol && !undeclared(name))
+  const auto address = readAddressVector(name);
+  if (!address)
     return false;
-  if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
-    error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
-          "declare one with ADDRESS");
   operand.file = ir::File::Address;
-  operand.index = symbol && symbol->kind == SymbolKind::Address ? symbol->index : 0;
+  operand.index = *address;
   operand.span = name.span;
   return true;
 }

@@ -5,6 +5,7 @@
 
 #include "fp_compiler/front/nv/lowering.h"
 #include "fp_compiler/front/parser.h"
+#include "fp_compiler/nv_limits.h"
 
 namespace arbiter::fp {
 
@@ -62,7 +63,6 @@ bool Parser::endBlock(const Token &opcode, const Word &word) {
 
 /// The operand of LOOP or REP: a parameter, state or a constant.
 bool Parser::beginLoop(nv::Statement &statement) {
-  constexpr std::size_t kMostBlocks = 256;
   ir::Operand &operand = statement.instruction.src[0];
   const Token first = m_tokens.peek();
   bool absolute = false;
@@ -72,8 +72,9 @@ bool Parser::beginLoop(nv::Statement &statement) {
   if (operand.file != ir::File::Parameter || operand.relative)
     error(DiagnosticId::NvFlow, first.span, "a loop's operand is no parameter",
           "write a parameter, state or a constant here");
-  if (m_blocks.size() > kMostBlocks)
-    error(DiagnosticId::NvFlow, first.span, "more than 256 blocks, one in the other");
+  if (m_blocks.size() > nv::kMostBlocks)
+    error(DiagnosticId::NvFlow, first.span,
+          "more than " + std::to_string(nv::kMostBlocks) + " blocks, one in the other");
   return true;
 }
 
@@ -162,15 +163,10 @@ bool Parser::parseIndexed(std::optional<std::uint16_t> &sequence) {
   const bool vertex = m_language.language == ir::Language::ArbVertex;
   nv::Indexed indexed;
   if (vertex) {
-    note(name, Access::Read);
-    const Symbol *symbol = m_symbols.find(text(name));
-    if (!symbol && !undeclared(name))
+    const auto address = readAddressVector(name);
+    if (!address)
       return false;
-    if (symbol && symbol->kind != SymbolKind::Address && symbol->kind != SymbolKind::Unknown)
-      error(DiagnosticId::AddressRegister, name.span, quote(text(name)) + " is no address register",
-            "declare one with ADDRESS");
-    if (symbol && symbol->kind == SymbolKind::Address)
-      indexed.address = std::uint8_t(symbol->index);
+    indexed.address = std::uint8_t(*address);
   } else if (text(name) != "A0") {
     return unexpectedToken(name, "an integer or A0");
   }
