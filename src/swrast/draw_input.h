@@ -102,6 +102,7 @@ struct DepthTest {
 struct Shading {
   abi::ShadeFunction row = nullptr;
   abi::ShadeFunction quad = nullptr;
+  std::uint32_t pixelCost = 1; ///< nanoseconds of one thread, roughly
   int lanes = 16, blockWidth = 4, blockHeight = 4; ///< of the engine
   const abi::FragmentData *data = nullptr;
   std::uint32_t inputCount = 0;

@@ -70,6 +70,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
   shading.blockWidth = jit.blockWidth();
   shading.blockHeight = jit.blockHeight();
   shading.opaque = isOpaque();
+  shading.pixelCost = m_program->functions->pixelCost();
   shading.data = &m_data;
   return {};
 }

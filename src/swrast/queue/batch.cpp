@@ -11,7 +11,7 @@ namespace arbiter::swrast {
 namespace {
 
 // Nanoseconds of one thread, roughly. It matters only whether waking another one pays.
-constexpr std::uint64_t kDrawCost = 100, kLinkCost = 80, kPixelCost = 1, kTriangleCost = 120;
+constexpr std::uint64_t kDrawCost = 100, kLinkCost = 80, kTriangleCost = 120;
 
 /// A row of tiles in Batch::m_tiles: 16384 pixels.
 constexpr std::uint32_t kAcross = 16384 >> TileGrid::kTileShift;
@@ -78,7 +78,7 @@ void Batch::add(const RasterState &state, const Shading &shading, const ShadingU
   makeRoom(draw);
   takeState(draw, state, shading, use, isSameState);
   sort(chunk.grid(), 0, [&](std::uint32_t tile) { return chunk.isEmpty(tile); });
-  m_cost += kDrawCost + kLinkCost * chunk.links() + kPixelCost * chunk.area();
+  m_cost += kDrawCost + kLinkCost * chunk.links() + shading.pixelCost * chunk.area();
   ++m_drawCount;
 }
 

@@ -5,6 +5,7 @@
 
 #include "fp_compiler/ir/ir.h"
 #include "state/raster_draw/functions/compile_thread.h"
+#include "state/raster_draw/functions/pixel_cost.h"
 #include "util/cache/cache_store.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -150,6 +151,8 @@ void FragmentFunctions::prepare() {
     if (fp::jit::Engine *const jit = engine())
       m_owned = jit->prepareFragment(*m_source, m_numerics);
   });
+  if (m_owned)
+    m_pixelCost = state::software::pixelCost(m_owned->program());
   m_prepared.store(m_owned.get(), std::memory_order_release);
   m_progress.store(m_owned ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }

@@ -48,6 +48,8 @@ public:
     return m_prepared.load(std::memory_order_acquire);
   }
   [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
+  /// Of what prepared() is, in nanoseconds (pixel_cost.h).
+  [[nodiscard]] std::uint32_t pixelCost() const { return m_pixelCost; }
   /// The place of the function for `key`; asks for it if it was not asked for yet. Requires
   /// prepared(). Takes a lock: keep the answer.
   [[nodiscard]] Slot &slot(const abi::FragmentKey &key, Wait wait);
@@ -64,6 +66,7 @@ private:
   const std::shared_ptr<const fp::ir::Program> m_source;
   const fp::Numerics m_numerics;
   std::unique_ptr<fp::jit::FragmentProgram> m_owned;
+  std::uint32_t m_pixelCost = 1;
   std::atomic<const fp::jit::FragmentProgram *> m_prepared{nullptr};
   std::atomic<Progress> m_progress{Progress::Making};
   std::mutex m_mutex;
