@@ -271,6 +271,16 @@ enum class Lanes : std::uint8_t {
   Packed, ///< pixels from anywhere near the primitive's origin, or quads of such; items are pixels
 };
 
+/// How much of its pixel a fragment covers (OpenGL 2.1, 3.12), which its alpha is multiplied with
+/// after the program and its options, before the alpha test. What is not Whole takes an input
+/// behind those of the program: of a line Perspective, as hosts have it, of a point Linear.
+/// Line: a smooth line. x and y are distances in pixels from the middle of the line, across and
+/// along it, z and w the distances at which the line does not reach a pixel any more; the part is
+/// (z - |x|) * (w - |y|), each clamped to [0,1].
+/// Disc: a smooth point. (x, y) is the distance from its centre in radii; fragments of more than 1
+/// are none; for the others hosts have z * (1 - x * x - y * y), and 1 where that is less.
+enum class Coverage : std::uint8_t { Whole, Line, Disc };
+
 /// Everything that a fragment function is compiled for, beside the program.
 struct FragmentKey {
   Lanes lanes = Lanes::Row;
@@ -279,6 +289,7 @@ struct FragmentKey {
   std::uint8_t logicOpEnabled = 0;
   LogicOp logicOp = LogicOp::Copy;
   std::uint8_t clampColors = 1; ///< fragment colours are clamped to [0,1] (fixed-point targets)
+  Coverage coverage = Coverage::Whole;
   std::array<Interpolation, kMaxInputs> inputs = {}; ///< of CompiledFragment::inputs, in order
   DepthStencilKey depthStencil;
   std::array<ColorTargetKey, kMaxColorTargets> targets = {};

@@ -75,6 +75,8 @@ struct RasterState {
   float offsetFactor = 0, offsetUnits = 0;
   double depthResolution = 1.0 / 16777215.0; ///< r of polygon offset
   float lineWidth = 1, pointSize = 1;
+  /// What is not Whole is drawn by lines, or by points, alone; the last input is its own.
+  abi::Coverage coverage = abi::Coverage::Whole;
   float pointSizeMinimum = 1, pointSizeMaximum = 255;
   /// Point sprites: bit i: input i is (s, t, 0, 1) over the point.
   std::uint32_t spriteInputs = 0;
@@ -102,10 +104,10 @@ struct DepthTest {
 struct Shading {
   abi::ShadeFunction row = nullptr;
   abi::ShadeFunction quad = nullptr;
-  std::uint32_t pixelCost = 1; ///< nanoseconds of one thread, roughly
+  std::uint32_t pixelCost = 1;                     ///< nanoseconds of one thread, roughly
   int lanes = 16, blockWidth = 4, blockHeight = 4; ///< of the engine
   const abi::FragmentData *data = nullptr;
-  std::uint32_t inputCount = 0;
+  std::uint32_t inputCount = 0; ///< abi::Coverage's included
   abi::Interpolation interpolation[abi::kMaxInputs] = {};
   std::uint8_t inputComponents[abi::kMaxInputs] = {}; ///< bit a component that is read
   bool readsDepth = true;                             ///< Primitive::z is wanted

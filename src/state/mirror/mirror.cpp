@@ -97,7 +97,8 @@ void limitDepths(Mirror &mirror) {
 /// POINT_SPRITE's coordinates are of units, so the active one has to move.
 void queryPointSprites(const HostCaps &caps, const HostQuery &query, Mirror &mirror) {
   mirror.spriteCoords = 0;
-  if (!query.enabled(GL_POINT_SPRITE))
+  mirror.sprites = query.enabled(GL_POINT_SPRITE);
+  if (!mirror.sprites)
     return;
   mirror.raster.spriteOriginLowerLeft = query.name(GL_POINT_SPRITE_COORD_ORIGIN) == GL_LOWER_LEFT;
   const UnitsScope units(query.host);
@@ -155,16 +156,25 @@ bool Mirror::drawsPoints(swrast::Topology topology) const {
   return topology == swrast::Topology::Points || drawnAs(topology, swrast::PolygonMode::Point);
 }
 
-const char *Mirror::obstacleOf(swrast::Topology topology) const {
-  using swrast::PolygonMode;
+bool Mirror::drawsLines(swrast::Topology topology) const {
   using swrast::Topology;
-  const bool polygons = topology >= Topology::Triangles;
-  const bool points = drawsPoints(topology);
-  const bool lines =
-      (!polygons && topology != Topology::Points) || drawnAs(topology, PolygonMode::Line);
-  const bool smooth = (smoothPoints && points) || (smoothLines && lines) ||
-                      (smoothPolygons && drawnAs(topology, PolygonMode::Fill));
-  return smooth ? "state" : nullptr;
+  return (topology < Topology::Triangles && topology != Topology::Points) ||
+         drawnAs(topology, swrast::PolygonMode::Line);
+}
+
+abi::Coverage Mirror::coverageOf(swrast::Topology topology) const {
+  if (smoothLines && drawsLines(topology))
+    return abi::Coverage::Line;
+  return smoothPoints && drawsPoints(topology) ? abi::Coverage::Disc : abi::Coverage::Whole;
+}
+
+const char *Mirror::obstacleOf(swrast::Topology topology) const {
+  const bool filled = drawnAs(topology, swrast::PolygonMode::Fill);
+  const int kinds = int(filled) + int(drawsLines(topology)) + int(drawsPoints(topology));
+  const bool isSmooth = coverageOf(topology) != abi::Coverage::Whole;
+  const bool lacks = (isSmooth && kinds > 1) || // a function is for one kind
+                     (smoothPolygons && filled) || (smoothPoints && sprites);
+  return lacks ? "state" : nullptr;
 }
 
 } // namespace arbiter::state::software

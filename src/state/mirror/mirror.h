@@ -122,8 +122,12 @@ public:
 
   /// Primitives of that kind come to points, of which vertices may say the size.
   [[nodiscard]] bool drawsPoints(swrast::Topology topology) const;
-  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth ones; null:
-  /// they can.
+  /// Primitives of that kind come to lines.
+  [[nodiscard]] bool drawsLines(swrast::Topology topology) const;
+  /// What smooth primitives of that kind are drawn with.
+  [[nodiscard]] abi::Coverage coverageOf(swrast::Topology topology) const;
+  /// Why primitives of that kind cannot be the rasterizer's, beside `obstacle`: smooth polygons,
+  /// smooth sprites, smooth lines or points beside others in one draw; null: they can.
   [[nodiscard]] const char *obstacleOf(swrast::Topology topology) const;
 
   swrast::RasterState raster; ///< without clip, which depends on the target
@@ -151,6 +155,7 @@ public:
   const char *obstacle = nullptr;
   const char *obstacleDetail = nullptr;
   bool smoothPoints = false, smoothLines = false, smoothPolygons = false;
+  bool sprites = false; ///< POINT_SPRITE is enabled
   /// Between Begin- and EndConditionalRender; GL has no question for it, so their handlers say it.
   bool conditional = false;
   bool twoSidedColor = false;        ///< VERTEX_PROGRAM_TWO_SIDE, for vertex programs

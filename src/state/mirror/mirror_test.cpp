@@ -169,19 +169,31 @@ TEST(Mirror, NamesWhatKeepsDrawsWithTheHost) {
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST(Mirror, SmoothPrimitivesAreTheHosts) {
+TEST(Mirror, SmoothPointsPolygonsAndMixturesAreTheHosts) {
+  using swrast::PolygonMode;
   using swrast::Topology;
   const HostCaps caps;
   Mirror mirror(host::kNullHost, caps);
-  EXPECT_EQ(mirror.obstacleOf(Topology::Lines), nullptr);
   mirror.smoothLines = true;
-  EXPECT_STREQ(mirror.obstacleOf(Topology::LineLoop), "state");
+  EXPECT_EQ(mirror.obstacleOf(Topology::LineLoop), nullptr);
   EXPECT_EQ(mirror.obstacleOf(Topology::Points), nullptr);
   EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
-  mirror.raster.back = swrast::PolygonMode::Line;
-  EXPECT_STREQ(mirror.obstacleOf(Topology::Quads), "state");
+  mirror.raster.back = PolygonMode::Line;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::Quads), "state") << "beside filled ones";
+  mirror.raster.front = PolygonMode::Point;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::Quads), "state") << "beside points";
+  mirror.raster.front = PolygonMode::Line;
+  EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
+  mirror.raster.front = PolygonMode::Fill;
   mirror.raster.cullBack = true;
   EXPECT_EQ(mirror.obstacleOf(Topology::Quads), nullptr);
+  mirror.smoothPoints = true;
+  EXPECT_EQ(mirror.obstacleOf(Topology::Points), nullptr);
+  EXPECT_EQ(mirror.coverageOf(Topology::Points), abi::Coverage::Disc);
+  EXPECT_EQ(mirror.coverageOf(Topology::Lines), abi::Coverage::Line);
+  EXPECT_EQ(mirror.coverageOf(Topology::Quads), abi::Coverage::Whole);
+  mirror.sprites = true;
+  EXPECT_STREQ(mirror.obstacleOf(Topology::Points), "state");
   mirror.smoothPolygons = true;
   EXPECT_STREQ(mirror.obstacleOf(Topology::TriangleFan), "state");
 }

@@ -52,6 +52,13 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
     shading.interpolation[i] = m_key.inputs[i];
     shading.inputComponents[i] = shape.inputs[i].components;
   }
+  if (m_key.coverage != abi::Coverage::Whole) {
+    const abi::Interpolation how = m_key.coverage == abi::Coverage::Line && !affine
+                                       ? abi::Interpolation::Perspective
+                                       : abi::Interpolation::Linear;
+    m_key.inputs[shading.inputCount] = shading.interpolation[shading.inputCount] = how;
+    ++shading.inputCount;
+  }
   const std::uint32_t levels = m_units.levelsMatter();
   const bool quadsOnly = (levels & shape.needsQuads) != 0 || (levels != 0 && !affine);
   Fallback why = Fallback::NotCompiled;
@@ -94,6 +101,7 @@ void Pipeline::choosePacked(bool levels, swrast::Shading &shading, Fallback &why
 
 void Pipeline::fillRaster(const Mirror &mirror) {
   m_raster = mirror.raster;
+  m_raster.coverage = m_key.coverage;
   m_raster.clip = {0, 0, m_targets->width, m_targets->height};
   if (mirror.scissorEnabled)
     m_raster.clip = swrast::intersect(m_raster.clip, mirror.scissor);

@@ -59,9 +59,12 @@ void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir:
     m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
 }
 
-Outcome Pipeline::makeKey(Context &context, Mirror &mirror) {
+Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage coverage) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   m_key = mirror.pixelOps;
+  if (coverage != abi::Coverage::Whole && shape.inputs.size() == m_key.inputs.size())
+    return Fallback::State; // no room for the input
+  m_key.coverage = coverage;
   m_key.numerics = std::uint8_t(context.numerics);
   abi::DepthStencilKey &depth = m_key.depthStencil;
   depth.layout =
@@ -143,7 +146,7 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
   if (vertices)
     if (const Outcome outcome = chooseVertices(context, mirror, *vertices); !outcome.ok())
       return outcome;
-  return makeKey(context, mirror);
+  return makeKey(context, mirror, vertices ? mirror.coverageOf(m_topology) : abi::Coverage::Whole);
 }
 
 Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
@@ -194,7 +197,8 @@ Outcome Pipeline::chooseVertices(Context &context, Mirror &mirror, const Kind &k
 
 bool Pipeline::isOpaque() const {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
-  if (shape.kills || m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
+  if (shape.kills || m_key.coverage == abi::Coverage::Disc ||
+      m_key.alphaTest != abi::Compare::Always || m_key.logicOpEnabled ||
       m_key.depthStencil.layout != abi::Layout::None)
     return false;
   return std::all_of(m_key.targets.begin(), m_key.targets.end(), [](const auto &target) {

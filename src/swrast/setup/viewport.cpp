@@ -52,6 +52,17 @@ Viewport makeViewport(const RasterState &state, const Vertices &vertices) {
   return result;
 }
 
+void snapVertex(WindowVertex &vertex, int upsideDownHeight) {
+  const auto snap = [](float value) {
+    const float fixed = (value - 0.5f) * float(kSubpixels);
+    return std::fabs(fixed) < 1e9f ? roundToEven(fixed) : 0;
+  };
+  vertex.fixedX = snap(vertex.x);
+  vertex.fixedY = snap(vertex.y);
+  if (upsideDownHeight != 0)
+    vertex.fixedY = (upsideDownHeight - 1) * kSubpixels - vertex.fixedY;
+}
+
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex) {
   const float inverseW = 1.0f / clip[3];
   // One rounding of scale and translation together, as a fused multiply-add has it: hosts do the
@@ -64,14 +75,7 @@ void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &verte
   vertex.y = place(1);
   vertex.z = place(2);
   vertex.inverseW = inverseW;
-  const auto snap = [](float value) {
-    const float fixed = (value - 0.5f) * float(kSubpixels);
-    return std::fabs(fixed) < 1e9f ? roundToEven(fixed) : 0;
-  };
-  vertex.fixedX = snap(vertex.x);
-  vertex.fixedY = snap(vertex.y);
-  if (viewport.upsideDownHeight != 0)
-    vertex.fixedY = (viewport.upsideDownHeight - 1) * kSubpixels - vertex.fixedY;
+  snapVertex(vertex, viewport.upsideDownHeight);
 }
 
 WindowVertex windowVertex(const Viewport &viewport, const Vertices &vertices, std::uint32_t index) {

@@ -50,6 +50,8 @@ struct Viewport {
 };
 /// The viewport transform of a draw (OpenGL 1.4, 2.11.1), and which clip distances there are.
 [[nodiscard]] Viewport makeViewport(const RasterState &state, const Vertices &vertices);
+/// Sets the snapped coordinates from x and y, as those of triangles' corners are.
+void snapVertex(WindowVertex &vertex, int upsideDownHeight);
 /// Sets the vertex's window coordinates from those in clip space: `clip` is x, y, z, w with w > 0.
 /// The outcode is left alone.
 void toWindow(const Viewport &viewport, const float clip[4], WindowVertex &vertex);

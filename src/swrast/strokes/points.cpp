@@ -3,7 +3,8 @@
 
 #include "swrast/strokes/strokes.h"
 
-/// Points as squares: of whole pixels (3.3), or with sprites of any size and place.
+/// Points as squares, of whole pixels (3.3), or with sprites of any size and place; smooth ones as
+/// discs.
 namespace arbiter::swrast {
 namespace {
 
@@ -37,15 +38,51 @@ inline void extent(float center, int width, bool sprite, bool down, int &first, 
   end = first + width;
 }
 
+/// The point's size, of those that there are.
+float sizeWithin(const RasterState &state, float size) {
+  size = std::clamp(size, state.pointSizeMinimum, state.pointSizeMaximum);
+  return size > 0 ? std::min(size, 8192.0f) : 1.0f;
+}
+
+bool isNear(const WindowVertex &vertex) {
+  return std::fabs(vertex.x) < kGuard && std::fabs(vertex.y) < kGuard;
+}
+
+/// Where the centre is in the image.
+float heightOf(const RasterState &state, const WindowVertex &at) {
+  return state.upsideDownHeight != 0 ? float(state.upsideDownHeight) - at.y : at.y;
+}
+
+/// Cuts the shape's rectangle to what is drawn to; false if nothing is left.
+bool clipTo(const Rect &clip, Shape &shape) {
+  shape.left = std::max(shape.left, clip.x);
+  shape.bottom = std::max(shape.bottom, clip.y);
+  shape.right = std::min(shape.right, clip.x + clip.width);
+  shape.top = std::min(shape.top, clip.y + clip.height);
+  return shape.left < shape.right && shape.bottom < shape.top;
+}
+
+/// All but the bounds.
+void fill(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, Shape &shape) {
+  shape.edgeCount = 0;
+  shape.stippled = false;
+  Triangle point;
+  point.corner[0] = at.window;
+  std::copy(stroke.vertex, stroke.vertex + 3, point.vertex);
+  point.weight = &at.weight;
+  point.provoking = stroke.provoking;
+  point.backFacing = stroke.backFacing;
+  makePointPlanes(draw.plan, point, shape.left, shape.bottom, shape.primitive);
+}
+
 } // namespace
 
 bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size,
                   Shape &shape) {
   const RasterState &state = draw.state;
-  if (!(std::fabs(at.window.x) < kGuard && std::fabs(at.window.y) < kGuard))
+  if (!isNear(at.window))
     return false;
-  size = std::clamp(size, state.pointSizeMinimum, state.pointSizeMaximum);
-  size = size > 0 ? std::min(size, 8192.0f) : 1.0f;
+  size = sizeWithin(state, size);
   const bool sprite = state.spriteInputs != 0;
   const int height = state.upsideDownHeight;
   const int width = widthOf(size, sprite);
@@ -56,29 +93,16 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
     shape.bottom = height - shape.top;
     shape.top = height - first;
   }
-  shape.left = std::max(shape.left, state.clip.x);
-  shape.bottom = std::max(shape.bottom, state.clip.y);
-  shape.right = std::min(shape.right, state.clip.x + state.clip.width);
-  shape.top = std::min(shape.top, state.clip.y + state.clip.height);
-  if (shape.left >= shape.right || shape.bottom >= shape.top)
+  if (!clipTo(state.clip, shape))
     return false;
-  shape.edgeCount = 0;
-  shape.stippled = false;
-  Triangle point;
-  point.corner[0] = at.window;
-  std::copy(stroke.vertex, stroke.vertex + 3, point.vertex);
-  point.weight = &at.weight;
-  point.provoking = stroke.provoking;
-  point.backFacing = stroke.backFacing;
-  makePointPlanes(draw.plan, point, shape.left, shape.bottom, shape.primitive);
+  fill(draw, stroke, at, shape);
   for (std::uint32_t i = 0; i < draw.shading.inputCount; ++i) {
     if (!((state.spriteInputs >> i) & 1u))
       continue;
     const bool divided = draw.shading.interpolation[i] == abi::Interpolation::Perspective;
     const float scale = divided ? at.window.inverseW : 1.0f, step = scale / size;
     const float toX = float(shape.left) + 0.5f - at.window.x;
-    const float toY =
-        float(shape.bottom) + 0.5f - (height != 0 ? float(height) - at.window.y : at.window.y);
+    const float toY = float(shape.bottom) + 0.5f - heightOf(state, at.window);
     const float up = state.spriteOriginLowerLeft ? step : -step;
     abi::Plane *const input = shape.primitive.inputs[i];
     input[0] = {0.5f * scale + toX * step, step, 0};
@@ -86,6 +110,38 @@ bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, f
     input[2] = {0, 0, 0};
     input[3] = {scale, 0, 0};
   }
+  return true;
+}
+
+bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size,
+                        Shape &shape) {
+  if (!isNear(at.window))
+    return false;
+  // As the software host has them, so that frames of both are alike: no radius is less than 1, and
+  // between the circle and one of a pixel less its formula has 1 for what would fade.
+  const float radius = std::max(0.5f * sizeWithin(draw.state, size), 1.0f);
+  const float x = at.window.x, y = heightOf(draw.state, at.window);
+  // A centre on the circle is inside at the left and below, as of a rectangle.
+  WindowVertex corner[2] = {at.window, at.window};
+  for (int i = 0; i < 2; ++i) {
+    corner[i].x += i == 0 ? -radius : radius;
+    corner[i].y += (i == 0) == (draw.state.upsideDownHeight == 0) ? -radius : radius;
+    snapVertex(corner[i], draw.state.upsideDownHeight);
+  }
+  shape.left = pixelFrom(corner[0].fixedX);
+  shape.bottom = pixelFrom(corner[0].fixedY);
+  shape.right = pixelFrom(corner[1].fixedX);
+  shape.top = pixelFrom(corner[1].fixedY);
+  if (!clipTo(draw.state.clip, shape))
+    return false;
+  fill(draw, stroke, at, shape);
+  const float step = 1.0f / radius;
+  abi::Plane *const input = shape.primitive.inputs[draw.shading.inputCount - 1];
+  input[0] = {(float(shape.left) + 0.5f - x) * step, step, 0};
+  input[1] = {(float(shape.bottom) + 0.5f - y) * step, 0, step};
+  const float inner = (radius - 1) * step;
+  input[2] = {1.0f / (1.0f - inner * inner), 0, 0};
+  input[3] = {};
   return true;
 }
 

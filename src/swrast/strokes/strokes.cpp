@@ -83,6 +83,13 @@ float offsetAt(const RasterState &state, const ClippedPolygon &polygon, int side
   return depthOffset(state, {centre, from, to});
 }
 
+/// In steps of the stipple: pixels along the greater direction, or of a smooth line along itself
+/// (OpenGL 2.1, 3.4.2).
+float lengthOf(const RasterState &state, const WindowVertex &from, const WindowVertex &to) {
+  const float x = std::fabs(to.x - from.x), y = std::fabs(to.y - from.y);
+  return state.coverage == abi::Coverage::Line ? std::hypot(x, y) : std::max(x, y);
+}
+
 /// The size that the vertices say, of a point at one of them or where their primitive was cut.
 float pointSizeAt(const Draw &draw, const Stroke &stroke, const StrokeEnd &at) {
   const float *const sizes = draw.vertices.pointSize;
@@ -137,22 +144,37 @@ void Strokes::gather(const Draw &draw, const Sink &sink) {
 }
 
 void Strokes::addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size) {
-  if (shapeOfPoint(draw, stroke, at, size, nextShape()))
+  if (draw.state.coverage == abi::Coverage::Disc
+          ? shapeOfSmoothPoint(draw, stroke, at, size, nextShape())
+          : shapeOfPoint(draw, stroke, at, size, nextShape()))
     keepShape(draw);
+}
+
+void Strokes::addSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                            const StrokeEnd &to) {
+  const auto add = [&](SmoothPart part) {
+    if (shapeOfSmoothLine(draw, stroke, from, to, part, nextShape()))
+      keepShape(draw);
+  };
+  if (from.window.inverseW == to.window.inverseW)
+    return add(SmoothPart::Whole);
+  add(SmoothPart::First);
+  add(SmoothPart::Second);
 }
 
 void Strokes::addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                       const StrokeEnd &to) {
   const auto add = [&](const StrokeEnd &a, const StrokeEnd &b) {
-    if (shapeOfLine(draw, stroke, a, b, nextShape()))
+    if (draw.state.coverage == abi::Coverage::Line)
+      addSmoothLine(draw, stroke, a, b);
+    else if (shapeOfLine(draw, stroke, a, b, nextShape()))
       keepShape(draw);
   };
   if (draw.state.lineStippleFactor <= 0) {
     add(from, to);
     return;
   }
-  const float length =
-      std::max(std::fabs(to.window.x - from.window.x), std::fabs(to.window.y - from.window.y));
+  const float length = lengthOf(draw.state, from.window, to.window);
   const auto factor = std::uint32_t(draw.state.lineStippleFactor);
   const int steps = int(std::ceil(std::min(length, 1e6f)));
   int start = -1;

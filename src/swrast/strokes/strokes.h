@@ -23,9 +23,17 @@ struct Stroke {
 /// One line without stipple. False if it covers nothing.
 [[nodiscard]] bool shapeOfLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
                                const StrokeEnd &to, Shape &shape);
+/// What of a smooth line is one shape: all, or where its ends have different w either triangle.
+enum class SmoothPart : std::uint8_t { Whole, First, Second };
+/// The same of a smooth line, or a part of it (abi::Coverage::Line).
+[[nodiscard]] bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                                     const StrokeEnd &to, SmoothPart part, Shape &shape);
 /// A point of `size` pixels.
 [[nodiscard]] bool shapeOfPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at,
                                 float size, Shape &shape);
+/// The same of a smooth point (abi::Coverage::Disc).
+[[nodiscard]] bool shapeOfSmoothPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at,
+                                      float size, Shape &shape);
 
 /// Lines, points and polygons that are not filled, in order; shapes are shaded as they get many.
 class Strokes {
@@ -48,6 +56,8 @@ private:
   void addOutline(const Draw &draw, const ClippedPolygon &polygon, Stroke stroke,
                   std::uint32_t sides, bool clipped);
   void addLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from, const StrokeEnd &to);
+  void addSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                     const StrokeEnd &to);
   void addPoint(const Draw &draw, const Stroke &stroke, const StrokeEnd &at, float size);
   /// Where the next shape is made. What is read of a shape is written of each, so that one that
   /// was shaded is used again as it is.

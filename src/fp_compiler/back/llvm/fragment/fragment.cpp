@@ -269,6 +269,7 @@ private:
     // A fragment that nothing after the tests may discard is tested before its program.
     const jit::FragmentShape &shape = m_program.shape();
     const bool early = m_depth.active() && !shape.kills && !shape.writesDepth &&
+                       m_key.coverage != abi::Coverage::Disc &&
                        m_key.alphaTest == abi::Compare::Always;
     Value *mask = nullptr;
     llvm::BasicBlock *rest = nullptr;
@@ -319,6 +320,9 @@ private:
     fragment.texels = hooks.takeTexels();
     applyOptions(m_code, m_places, m_function->getArg(0), program.options, Numerics(m_key.numerics),
                  hooks, fragment);
+    if (m_key.coverage != abi::Coverage::Whole)
+      applyCoverage(m_code, m_key.coverage,
+                    m_interpolator.input(int(m_program.shape().inputs.size()), 0xF), fragment);
     return fragment;
   }
 

@@ -121,7 +121,8 @@ bool isPlain(const jit::FragmentProgram &program, const abi::FragmentKey &key) {
   const ir::Options &options = program.program().options;
   return key.lanes == abi::Lanes::Row && options.fog == ir::FogMode::None && !options.colorSum &&
          key.alphaTest == abi::Compare::Always && !key.logicOpEnabled &&
-         key.depthStencil.layout == abi::Layout::None && !program.shape().writesDepth;
+         key.coverage == abi::Coverage::Whole && key.depthStencil.layout == abi::Layout::None &&
+         !program.shape().writesDepth;
 }
 /// One instruction finds 64 bytes in tables of 256.
 bool permutesBytes(const Cpu &cpu) {

@@ -7,4 +7,8 @@ namespace arbiter::fp::llvm_back {
 void applyOptions(Code &code, const Places &places, Value *data, const ir::Options &options,
                   Numerics numerics, FragmentHooks &hooks, FragmentColors &fragment);
 
+/// Coverage that is not Whole over the colours' alpha, and over what of the fragments is alive.
+/// \param input its own
+void applyCoverage(Code &code, abi::Coverage coverage, const Vec &input, FragmentColors &fragment);
+
 } // namespace arbiter::fp::llvm_back

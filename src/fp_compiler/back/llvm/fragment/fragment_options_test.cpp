@@ -86,6 +86,72 @@ TEST_P(FragmentTest, AppliesFogAndColourSum) {
   }
 }
 
+TEST_P(FragmentTest, ASmoothLineCoversAPartOfAlpha) {
+  ir::Builder b;
+  b.op(Opcode::Mov, b.color(), {b.attribute(AttributeKind::TexCoord)});
+  Scene scene(GetParam());
+  scene.key.coverage = abi::Coverage::Line;
+  scene.key.inputs[1] = abi::Interpolation::Linear;
+  scene.key.alphaTest = abi::Compare::Greater;
+  scene.data.alphaReference = 0;
+  abi::Plane *const line = scene.primitive.inputs[1];
+  line[0] = {-3.3f, 0.1f, 0.7f};
+  line[1] = {-6.2f, 0.9f, -0.05f};
+  line[2] = {2.25f, 0, 0};
+  line[3] = {4.5f, 0, 0};
+  scene.draw(b.take(), {{}}, wholeRows());
+  SceneTarget before = makeTarget(scene.target.format, kWidth, kHeight, 1);
+  const auto part = [](float from, float reach) {
+    return std::fmin(std::fmax(reach - std::fabs(from), 0.0f), 1.0f);
+  };
+  int whole = 0, some = 0, none = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto at = [&](int c) {
+        return line[c].c + line[c].dx * float(x) + line[c].dy * float(y);
+      };
+      const float covered = part(at(0), 2.25f) * part(at(1), 4.5f);
+      const std::uint8_t *const pixel = scene.target.pixel(x, y);
+      ++(covered == 1 ? whole : covered > 0 ? some : none);
+      if (covered == 0) {
+        ASSERT_EQ(std::memcmp(pixel, before.pixel(x, y), 4), 0) << "alpha is tested after it";
+        continue;
+      }
+      ASSERT_NEAR(pixel[3], 255 * covered, 1) << x << ", " << y;
+      ASSERT_NEAR(pixel[0], 255 * scene.at(0, 0, x, y), 0.51f) << "colours stay";
+    }
+  EXPECT_GT(std::min({whole, some, none}), 4);
+}
+
+TEST_P(FragmentTest, ASmoothPointIsADisc) {
+  ir::Builder b;
+  b.op(Opcode::Mov, b.color(), {b.constant(0.4f)});
+  b.op(Opcode::Mov, b.color().mask("x"), {b.attribute(AttributeKind::TexCoord)});
+  Scene scene(GetParam());
+  scene.key.coverage = abi::Coverage::Disc;
+  scene.key.inputs[1] = abi::Interpolation::Linear;
+  scene.primitive.inputs[1][0] = {-4.1f, 0.25f, 0};
+  scene.primitive.inputs[1][1] = {-0.9f, 0, 0.25f};
+  scene.primitive.inputs[1][2] = {1.6f, 0, 0};
+  const float alpha = 0.4f;
+  scene.draw(b.take(), {{}}, wholeRows());
+  SceneTarget before = makeTarget(scene.target.format, kWidth, kHeight, 1);
+  int inside = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float distance = std::hypot(0.25f * float(x) - 4.1f, 0.25f * float(y) - 0.9f);
+      const bool isInside = distance <= 1;
+      const std::uint8_t *const pixel = scene.target.pixel(x, y);
+      inside += isInside;
+      if (isInside)
+        ASSERT_NEAR(pixel[3], 255 * alpha * std::fmax(1.6f * (1 - distance * distance), 1.0f), 1)
+            << x << ", " << y;
+      else
+        ASSERT_EQ(std::memcmp(pixel, before.pixel(x, y), 4), 0) << x << ", " << y;
+    }
+  EXPECT_GT(inside, 30);
+}
+
 TEST_P(FragmentTest, KilledPixelsStay) {
   ir::Builder b;
   auto texel = b.temporary();

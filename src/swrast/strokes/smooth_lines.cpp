@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+
+#include "swrast/strokes/strokes.h"
+
+/// Smooth lines as rectangles around the line (OpenGL 2.1, 3.4.2, figure 3.4), half a pixel larger
+/// on each side, over which the covered part of a pixel falls to nothing. The specification leaves
+/// the part's formula open; this is the software host's, so that frames of both are alike: so it
+/// is interpolated with perspective over two triangles.
+namespace arbiter::swrast {
+namespace {
+
+/// The line from end to end, and how far from its middle it still reaches a pixel's centre.
+struct Extent {
+  Extent(const WindowVertex &a, const WindowVertex &b, float lineWidth)
+      : length(std::hypot(b.x - a.x, b.y - a.y)), alongX((b.x - a.x) / length),
+        alongY((b.y - a.y) / length),
+        // 1 of what is no number.
+        halfWidth(0.5f * (lineWidth > 1 ? std::min(lineWidth, 8192.0f) : 1.0f) + 0.5f),
+        halfLength(0.5f * length + 0.5f) {}
+
+  float length, alongX, alongY; ///< in host's window coordinates
+  float halfWidth, halfLength;
+};
+
+/// `end` moved outwards by half a pixel, and sideways.
+WindowVertex cornerAt(const WindowVertex &end, const Extent &extent, float outwards, float sideways,
+                      int upsideDownHeight) {
+  WindowVertex corner = end;
+  corner.x += outwards * extent.alongX - sideways * extent.alongY;
+  corner.y += outwards * extent.alongY + sideways * extent.alongX;
+  snapVertex(corner, upsideDownHeight);
+  return corner;
+}
+
+/// A corner of the rectangle, or of a triangle over it: what the coverage is there, and whose
+/// inputs it takes.
+struct Corner {
+  WindowVertex window;
+  float across, along; ///< pixels from the middle of the line
+  const StrokeEnd *end;
+};
+
+/// All planes of the triangle, the input of abi::Coverage::Line among them.
+void setPlanes(const Draw &draw, const Stroke &stroke, const Extent &extent,
+               const Corner *const corner[3], Shape &shape) {
+  Triangle plane;
+  double weight[3][3], scale[3];
+  const std::uint32_t number = draw.shading.inputCount - 1;
+  const bool isDivided = draw.shading.interpolation[number] == abi::Interpolation::Perspective;
+  for (int k = 0; k < 3; ++k) {
+    plane.corner[k] = corner[k]->window;
+    std::copy(corner[k]->end->weight, corner[k]->end->weight + 3, weight[k]);
+    scale[k] = isDivided ? double(plane.corner[k].inverseW) : 1.0;
+  }
+  std::copy(stroke.vertex, stroke.vertex + 3, plane.vertex);
+  plane.weight = weight;
+  plane.provoking = stroke.provoking;
+  plane.backFacing = stroke.backFacing;
+  makePlanes(draw.state, draw.plan, plane, false, shape.originX, shape.originY, shape.primitive);
+  const Gradients gradients = gradientsOf(draw.state, plane.corner, shape.originX, shape.originY);
+  const auto planeOf = [&](double a, double b, double c) {
+    return gradients.plane(a * scale[0], b * scale[1], c * scale[2]);
+  };
+  // A line of less than a pixel covers as much less of it.
+  const double share = extent.length < 1 ? double(extent.length / extent.halfLength) : 1.0;
+  const double reach = double(extent.halfLength) * share, width = double(extent.halfWidth);
+  abi::Plane *const input = shape.primitive.inputs[number];
+  input[0] = planeOf(corner[0]->across, corner[1]->across, corner[2]->across);
+  input[1] = planeOf(corner[0]->along * share, corner[1]->along * share, corner[2]->along * share);
+  input[2] = planeOf(width, width, width);
+  input[3] = planeOf(reach, reach, reach);
+}
+
+} // namespace
+
+bool shapeOfSmoothLine(const Draw &draw, const Stroke &stroke, const StrokeEnd &from,
+                       const StrokeEnd &to, SmoothPart part, Shape &shape) {
+  const WindowVertex &a = from.window, &b = to.window;
+  if (a.x == b.x && a.y == b.y)
+    return false;
+  const Extent extent(a, b, draw.state.lineWidth);
+  const int height = draw.state.upsideDownHeight;
+  const auto cornerOf = [&](const StrokeEnd &end, float outwards, float sideways) {
+    return Corner{cornerAt(end.window, extent, outwards, sideways, height), sideways,
+                  2 * outwards * extent.halfLength, &end};
+  };
+  const float half = extent.halfWidth;
+  const Corner corner[4] = {cornerOf(from, -0.5f, -half), cornerOf(to, 0.5f, -half),
+                            cornerOf(to, 0.5f, half), cornerOf(from, -0.5f, half)};
+  const Corner *parts[4] = {&corner[0], &corner[1], &corner[2], &corner[3]};
+  const int corners = part == SmoothPart::Whole ? 4 : 3;
+  if (part == SmoothPart::Second)
+    std::copy(parts + 2, parts + 4, parts + 1);
+  WindowVertex place[4];
+  std::transform(parts, parts + corners, place, [](const Corner *each) { return each->window; });
+  if (!setBounds(draw.state.clip, place, corners, shape) || areaOf(place) == 0)
+    return false;
+  shape.edgeCount = corners;
+  shape.stippled = false;
+  for (int i = 0; i < corners; ++i) {
+    const WindowVertex &next = place[(i + 1) % corners];
+    shape.edges[i] = height == 0 ? edgeBetween(place[i], next) : edgeBetween(next, place[i]);
+  }
+  setPlanes(draw, stroke, extent, parts, shape);
+  return true;
+}
+
+} // namespace arbiter::swrast
