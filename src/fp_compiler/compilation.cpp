@@ -19,7 +19,9 @@ FP_FIELDS(GlslSampler, uniform, unit, target)
 FP_FIELDS(GlslUniform, parameter)
 FP_FIELDS(GlslAttribute, name, index)
 FP_FIELDS(GlslShader, text, uniforms, samplers, attributes, writesDepth, kills)
-FP_FIELDS(CheckResult, diagnostics, program, counts, nativeCounts, underNative)
+FP_FIELDS(NamedParameter, name, local, initial)
+FP_FIELDS(NativeInterface, language, named, constants, attributes, rowsRead, readsAny, rowsWritten)
+FP_FIELDS(CheckResult, diagnostics, program, counts, nativeCounts, underNative, native)
 FP_FIELDS(Compilation, check, glsl)
 
 /// An ID is a pointer into the table of diagnostics: it is written as text and found again.
@@ -43,7 +45,9 @@ void fields(ArchiveReader &archive, Diagnostic &value) {
 Compilation compile(const CompilationInput &input, std::string_view text) {
   Compilation result;
   result.check = checkProgram(input.language, text, input.options);
-  if (result.check.ok() && input.language != ir::Language::AtiFragment)
+  const bool draws = input.language != ir::Language::AtiFragment &&
+                     result.check.native.language != ir::NativeLanguage::Vsp1;
+  if (result.check.ok() && draws)
     result.glsl = emitGlsl(*result.check.program, input.host, input.numerics);
   return result;
 }

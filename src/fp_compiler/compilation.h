@@ -12,8 +12,8 @@ namespace arbiter::fp {
 /// What came of a program string: the checked program or its diagnostics, and its GLSL.
 struct Compilation {
   CheckResult check;
-  /// Empty where the check failed, and for ATI's languages: their GLSL depends on the state that
-  /// they are drawn under (fixed_function.h).
+  /// Empty where the check failed, for ATI's languages, whose GLSL depends on the state that they
+  /// are drawn under (fixed_function.h), and for vertex state programs, which draw nothing.
   GlslShader glsl;
 };
 

@@ -8,6 +8,7 @@
 #include "fp_compiler/emit.h"
 #include "fp_compiler/ir/ir.h"
 #include "fp_compiler/limits.h"
+#include "fp_compiler/native_interface.h"
 
 /// The compiler's facade: program text in, checked IR, counts, diagnostics and GLSL out. No GL, no
 /// X11, no environment, no global state; safe to call from any thread.
@@ -29,6 +30,7 @@ struct CheckResult {
   ResourceCounts counts;       ///< by the API's rules; zero if there is an error
   ResourceCounts nativeCounts; ///< of the profile's card (hw/native.h)
   bool underNativeLimits = false;
+  NativeInterface native; ///< of a program in one of NVIDIA's languages, if there is no error
 
   [[nodiscard]] bool ok() const { return program.has_value(); }
   /// Byte offset of the first error, or -1 (GL_PROGRAM_ERROR_POSITION_ARB).
@@ -40,7 +42,8 @@ struct CheckResult {
 /// The language that the header names, right or not in its version; none for any other text.
 [[nodiscard]] std::optional<ir::Language> languageOfText(std::string_view text);
 
-/// `options.limits` are those of the language's target.
+/// `options.limits` are those of the language's target. A text of NVIDIA's languages is compiled by
+/// its header, whose target must be \p language's; a vertex state program is one of ArbVertex.
 [[nodiscard]] CheckResult checkProgram(ir::Language language, std::string_view text,
                                        const CompileOptions &options);
 [[nodiscard]] CheckResult checkFragmentProgram(std::string_view text,

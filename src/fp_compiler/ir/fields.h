@@ -28,7 +28,7 @@ FP_FIELDS(StateRef, item, back, index, modifier, row)
 FP_FIELDS(Parameter, kind, constant, index, state)
 FP_FIELDS(Temporary, name)
 FP_FIELDS(Options, fog, precision, shadow, drawBuffers, upperLeft, centerInteger, invariant, sum,
-          nv)
+          nv, native)
 FP_FIELDS(ParameterArray, name, rows)
 FP_FIELDS(Program, language, options, temporaries, attributes, parameters, outputs, addresses,
           arrays, code)

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 /// What a program has to do with the GL around it: attributes, results, parameters, rows of state,
 /// texture targets, options. The code itself is in ir.h, which few of those that draw need.
@@ -51,9 +52,10 @@ enum class OutputKind : std::uint8_t {
   FrontSecondary,
   BackPrimary,
   BackSecondary,
-  FogCoord,  ///< component x
-  PointSize, ///< component x
-  TexCoord,  ///< result.texcoord[index]
+  FogCoord,     ///< component x
+  PointSize,    ///< component x
+  TexCoord,     ///< result.texcoord[index]
+  EnvParameter, ///< program parameter c[index], which a vertex state program writes
 };
 struct Output {
   OutputKind kind = OutputKind::Color;
@@ -121,6 +123,16 @@ struct Parameter {
 enum class FogMode : std::uint8_t { None, Exp, Exp2, Linear };
 /// NVIDIA's option that the program is written under; each holds the one before it.
 enum class NvOption : std::uint8_t { None, First, Second };
+/// NVIDIA's language that a program is written in, by its header: !!FP1.0 (NV_fragment_program),
+/// !!VP1.0 and !!VSP1.0 (NV_vertex_program), !!VP1.1 (NV_vertex_program1_1), !!VP2.0
+/// (NV_vertex_program2); None: one of the ARB's languages, or of ATI's.
+enum class NativeLanguage : std::uint8_t { None, Fp1, Vp1, Vp11, Vp2, Vsp1 };
+/// The header, "!!FP1.0"; empty for None.
+[[nodiscard]] constexpr std::string_view headerOf(NativeLanguage language) {
+  constexpr std::string_view kHeaders[] = {"",        "!!FP1.0", "!!VP1.0",
+                                           "!!VP1.1", "!!VP2.0", "!!VSP1.0"};
+  return kHeaders[std::size_t(language)];
+}
 enum class Precision : std::uint8_t { Unspecified, Fastest, Nicest };
 
 /// The program's options (3.11.4.5).
@@ -138,6 +150,8 @@ struct Options {
   /// First: NV_fragment_program or NV_vertex_program2. Second: NV_fragment_program2 or
   /// NV_vertex_program3.
   NvOption nv = NvOption::None;
+  /// Not None: `nv` is First, whose rules such programs follow.
+  NativeLanguage native = NativeLanguage::None;
   bool operator==(const Options &) const = default;
 };
 

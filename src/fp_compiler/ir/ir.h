@@ -34,6 +34,11 @@ enum Trait : std::uint32_t {
   NoCondition = 16384,
   NoSaturate = 32768,
   Flow = 65536, ///< changes what runs next; has no destination
+  // Of NVIDIA's languages of their own, each with its successors.
+  OfFp1 = 131072,
+  OfVp1 = 262144,
+  OfVp11 = 524288,
+  OfVp2 = 1048576,
 };
 
 enum class Opcode : std::uint8_t {

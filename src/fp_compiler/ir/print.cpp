@@ -198,6 +198,8 @@ std::string optionsText(const Options &options, Language language) {
   option(options.pixelCenterInteger, "ARB_fragment_coord_pixel_center_integer");
   option(options.positionInvariant, "ARB_position_invariant");
   option(options.colorSum, "color_sum");
+  if (options.native != NativeLanguage::None)
+    return text + std::string("native ") + std::string(headerOf(options.native)) + "\n";
   const bool vertex = language == Language::ArbVertex;
   option(options.nv == NvOption::First, vertex ? "NV_vertex_program2" : "NV_fragment_program");
   option(options.nv == NvOption::Second, vertex ? "NV_vertex_program3" : "NV_fragment_program2");
@@ -257,6 +259,8 @@ std::string bindingText(const Output &output) {
     return "result.pointsize";
   case OutputKind::TexCoord:
     return "result.texcoord" + bracket(output.index);
+  case OutputKind::EnvParameter:
+    return "program.env" + bracket(output.index);
   }
   return "";
 }

@@ -99,6 +99,7 @@ std::uint8_t resultMask(OutputKind kind) {
   case OutputKind::BackPrimary:
   case OutputKind::BackSecondary:
   case OutputKind::TexCoord:
+  case OutputKind::EnvParameter:
     break;
   }
   return kAll;
