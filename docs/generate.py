@@ -79,9 +79,12 @@ TRAITS = {
     'Flow': 'changes what runs next',
     'NoFixed': '', 'NoPrecision': '', 'NoCondition': '', 'NoSaturate': '',
     'OfF1': '', 'OfF2': '', 'OfV2': '', 'OfV3': '',
+    'OfFp1': '', 'OfVp1': '', 'OfVp11': '', 'OfVp2': '',
 }
 NV_OPTIONS = {'OfF1': 'NV_fragment_program', 'OfF2': 'NV_fragment_program2',
               'OfV2': 'NV_vertex_program2', 'OfV3': 'NV_vertex_program3'}
+NATIVE_TRAITS = {'!!FP1.0': {'OfFp1'}, '!!VP1.0`, `!!VSP1.0': {'OfVp1'},
+                 '!!VP1.1': {'OfVp1', 'OfVp11'}, '!!VP2.0': {'OfVp1', 'OfVp11', 'OfVp2'}}
 NV_SUFFIXES = {'NoFixed': 'no `X`', 'NoPrecision': 'no `R`, `H`, `X`', 'NoCondition': 'no `C`',
                'NoSaturate': 'no `_SAT`'}
 
@@ -115,6 +118,18 @@ def opcodes():
             traits = [name.strip() for name in row[3].split('|')]
             out.append(opcode(formulas, [name for trait, name in NV_OPTIONS.items()
                                          if trait in traits], *row))
+    out += ["\n## NVIDIA's own languages\n",
+            'They have these of the opcodes above, with the suffixes and the condition codes of the '
+            'options where the language has condition codes: !!FP1.0 and !!VP2.0. `KIL` takes a '
+            'condition, `KIL LT.x;`. `POW` of !!FP1.0 is `2^(b*log2(a))`, and `RSQ` of !!FP1.0 and '
+            '!!VP2.0 is NaN below zero. [Their words](keywords.md#nvidias-own-languages).\n',
+            '| language | opcodes |', '|---|---|']
+    rows = [row for macro in ('FP_OP', 'FP_NV_OP', 'FP_NV_WORD')
+            for row in rows_of(ROOT / source, macro)]
+    for header, traits in NATIVE_TRAITS.items():
+        have = [row[1] for row in rows
+                if traits & {name.strip() for name in row[3].split('|')}]
+        out.append(f'| `{header}` | ' + ', '.join(f'`{word}`' for word in sorted(have)) + ' |')
     return '\n'.join(out) + '\n'
 
 
@@ -138,7 +153,8 @@ LANGUAGES = {'Both': 'both', 'Fragment': 'fragment', 'Vertex': 'vertex',
 
 def words():
     front = ROOT / 'src' / 'fp_compiler' / 'front'
-    source = 'src/fp_compiler/front/{words/words.def,words/bindings.def,ati/words.def}'
+    source = ('src/fp_compiler/front/{words/words.def,words/bindings.def,native/words.def,'
+              'ati/words.def}')
     out = ['# Words and bindings of the languages\n', GENERATED.format(source=source),
            'Sections are those of ARB_fragment_program (3.11), or of ARB_vertex_program (2.14) for '
            'what vertex programs alone have.\n',
@@ -161,8 +177,33 @@ def words():
     out += ['\n## Texture targets\n', '| target | what it is |', '|---|---|']
     for word, _, _, doc in rows_of(tables, 'FP_TARGET'):
         out.append(f'| `{word}` | {doc} |')
+    out += native_words(front / 'native' / 'words.def')
     out += ati_words(front / 'ati' / 'words.def')
     return '\n'.join(out) + '\n'
+
+
+def native_words(tables):
+    out = ["\n## NVIDIA's own languages\n",
+           'A text is in the language that its header names, whatever call loads it. Profiles with '
+           'the rows `nv_fragment_options` and `nv_vertex_options` offer them. Other headers are '
+           'refused: !!FP1.1, !!FP2.0, !!FCP1.0, !!VP1.2, !!VP3.0, !!VSP1.1.\n',
+           '| header | specification | what it is |', '|---|---|---|']
+    for _, header, specification, doc in rows_of(tables, 'NATIVE_LANGUAGE'):
+        out.append(f'| `{header}` | {specification} | {doc} |')
+    out += ['\n| word | languages | what it is |', '|---|---|---|']
+    for word, languages, doc in rows_of(tables, 'NATIVE_KEYWORD'):
+        out.append(f'| `{word}` | {languages} | {doc} |')
+    for name, languages, doc in rows_of(tables, 'NATIVE_REGISTER'):
+        out.append(f'| `{name}` | {languages} | {doc} |')
+    for stage, name, number, _, doc in rows_of(tables, 'NATIVE_ATTRIBUTE'):
+        vertex = stage == 'Vertex'
+        names = f'`v[{name}]`, `v[{number}]`' if vertex else f'`f[{name}]`'
+        out.append(f'| {names} | {"vertex" if vertex else "fragment"} programs | {doc} |')
+    for stage, name, _, doc in rows_of(tables, 'NATIVE_RESULT'):
+        out.append(f'| `o[{name}]` | {stage.lower()} programs | {doc} |')
+    out.append('| `f[TEXn]`, `v[TEXn]`, `o[TEXn]` | all | texture coordinate set n, 0 to 7 |')
+    out.append('| `TEXn` | !!FP1.0 | texture image unit n, 0 to 15 |')
+    return out
 
 
 def ati_words(tables):

@@ -64,6 +64,40 @@ class Ati:
         self.members.append('sat')
 
 
+class Native:
+    """The words of NVIDIA's own languages of one stage."""
+
+    TRAITS = {True: {'OfVp1', 'OfVp11', 'OfVp2'}, False: {'OfFp1'}}
+
+    def __init__(self, vertex):
+        self.opcodes = []
+        for macro in ('FP_OP', 'FP_NV_OP', 'FP_NV_WORD'):
+            for _, mnemonic, _, traits, *_ in rows_of(ROOT / 'src/fp_compiler/ir/ops.def', macro):
+                names = {name.strip() for name in traits.split('|')}
+                if names & self.TRAITS[vertex]:
+                    self.opcodes += self.spellings(mnemonic, names, vertex)
+        tables = FRONT / 'native' / 'words.def'
+        self.statements = [word for word, *_ in rows_of(tables, 'NATIVE_KEYWORD')
+                           if word == 'END' or (word == 'OPTION') == vertex]
+        stage = 'Vertex' if vertex else 'Fragment'
+        self.roots = []
+        for macro in ('NATIVE_ATTRIBUTE', 'NATIVE_RESULT'):
+            self.roots += [name for of, name, *_ in rows_of(tables, macro)
+                           if of == stage and name not in self.roots]
+        self.roots += [f'TEX{i}' for i in range(8 if vertex else 16)]
+        self.options = ['NV_position_invariant'] if vertex else []
+        self.targets = [] if vertex else ['1D', '2D', '3D', 'CUBE', 'RECT']
+        self.conditions = ['EQ', 'GE', 'GT', 'LE', 'LT', 'NE', 'TR', 'FL']
+
+    @staticmethod
+    def spellings(mnemonic, traits, vertex):
+        precisions = [''] if vertex or 'NoPrecision' in traits else \
+            ['', 'R', 'H'] if 'NoFixed' in traits else ['', 'R', 'H', 'X']
+        conditions = [''] if 'NoCondition' in traits else ['', 'C']
+        ends = [''] if vertex or 'NoSaturate' in traits else ['', '_SAT']
+        return [mnemonic + p + c + e for p in precisions for c in conditions for e in ends]
+
+
 # --- vim ---
 
 def vim_keywords(group, words):
@@ -86,6 +120,19 @@ def vim_arb(words):
     members = '\\|'.join(sorted(words.members, key=lambda word: (-len(word), word)))
     out.append("syn match arbSuffix '\\.\\s*\\zs[%s]\\{1,4}\\>'" % words.letters)
     out.append("syn match arbMember '\\.\\s*\\zs\\%%(%s\\)\\>'" % members)
+    return ['  ' + line for line in out]
+
+
+def vim_native(words):
+    out = vim_keywords('arbOpcode', words.opcodes)
+    out += vim_keywords('arbStatement', words.statements)
+    out += vim_keywords('arbBinding', words.roots)
+    if words.options:
+        out += vim_keywords('arbOption', words.options)
+    if words.targets:
+        out += vim_keywords('arbTarget', words.targets)
+    out += vim_keywords('arbOption', words.conditions)
+    out.append("syn match arbSuffix '\\.\\s*\\zs[xyzw]\\{1,4}\\>'")
     return ['  ' + line for line in out]
 
 
@@ -117,6 +164,10 @@ syn match arbNumber '\\<\\d\\+[eE][+-]\\=\\d\\+\\>'
 " The header decides which words there are.
 if getline(1) =~# '^!!ARBvp'
 @VERTEX@
+elseif getline(1) =~# '^!!\\%(VP\\|VSP\\)'
+@NATIVE_VERTEX@
+elseif getline(1) =~# '^!!FP'
+@NATIVE_FRAGMENT@
 elseif getline(1) =~# '^!!ATIfs'
 @ATI@
 else
@@ -124,7 +175,7 @@ else
 endif
 
 syn match arbComment '#.*$' contains=@Spell
-syn match arbHeader '\\%^!!\\%(ARBfp\\|ARBvp\\|ATIfs\\)1\\.0'
+syn match arbHeader '\\%^!!\\%(\\%(ARBfp\\|ARBvp\\|ATIfs\\|FP\\|VP\\|VSP\\)1\\.0\\|VP1\\.1\\|VP2\\.0\\)'
 
 hi def link arbComment Comment
 hi def link arbHeader PreProc
@@ -144,6 +195,8 @@ let b:current_syntax = 'arbprogram'
 def vim():
     return (VIM.replace('@VERTEX@', '\n'.join(vim_arb(Words(True))))
             .replace('@FRAGMENT@', '\n'.join(vim_arb(Words(False))))
+            .replace('@NATIVE_VERTEX@', '\n'.join(vim_native(Native(True))))
+            .replace('@NATIVE_FRAGMENT@', '\n'.join(vim_native(Native(False))))
             .replace('@ATI@', '\n'.join(vim_ati(Ati()))))
 
 
@@ -179,6 +232,18 @@ def textmate_arb(words):
                     {'include': '#number'}]
 
 
+def textmate_native(words):
+    rules = [{'include': '#comment'},
+             rule('support.function', WORD % any_of(words.opcodes)),
+             rule('storage.type', WORD % any_of(words.statements)),
+             rule('support.constant.option', WORD % any_of(words.options + words.conditions))]
+    if words.targets:
+        rules.append(rule('support.type.target', WORD % any_of(words.targets)))
+    return rules + [rule('variable.language', WORD % any_of(words.roots)),
+                    rule('variable.other.swizzle', BEHIND_DOT % '[xyzw]{1,4}'),
+                    {'include': '#number'}]
+
+
 def textmate_ati(words):
     return [{'include': '#comment'},
             rule('support.function', WORD % any_of(words.opcodes)),
@@ -202,8 +267,11 @@ def textmate():
         'name': 'ARB assembly program',
         'scopeName': 'source.arbprogram',
         'fileTypes': ['fp', 'vp', 'arbfp', 'arbvp', 'atifs'],
-        'firstLineMatch': '^!!(ARB[fv]p|ATIfs)1\\.0',
+        'firstLineMatch': '^!!((ARB[fv]p|ATIfs|FP|VP|VSP)1\\.0|VP1\\.1|VP2\\.0)',
         'patterns': [region('!!ARBvp1.0', '#vertex'), region('!!ATIfs1.0', '#ati'),
+                     region('!!FP1.0', '#native_fragment'),
+                     *[region(header, '#native_vertex')
+                       for header in ('!!VP1.0', '!!VP1.1', '!!VP2.0', '!!VSP1.0')],
                      region('!!ARBfp1.0', '#fragment'), {'include': '#fragment'}],
         'repository': {
             'comment': rule('comment.line.number-sign', '#.*$'),
@@ -211,6 +279,8 @@ def textmate():
                            r'(?<![\w$])(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w$])'),
             'fragment': {'patterns': textmate_arb(Words(False))},
             'vertex': {'patterns': textmate_arb(Words(True))},
+            'native_fragment': {'patterns': textmate_native(Native(False))},
+            'native_vertex': {'patterns': textmate_native(Native(True))},
             'ati': {'patterns': textmate_ati(Ati())},
         },
     }

@@ -3,6 +3,8 @@
 #include "fp_compiler/ati/lower.h"
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/front/ati/parser.h"
+#include "fp_compiler/front/native/header.h"
+#include "fp_compiler/front/native/parser.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/hw/native.h"
 #include "fp_compiler/inspect.h"
@@ -11,10 +13,27 @@ namespace arbiter::fp {
 
 namespace {
 
+/// A text of NVIDIA's own languages, where the target has them.
+std::optional<ParseResult> parseNative(ir::Language target, std::string_view text,
+                                       const CompileOptions &options, NameTable *names) {
+  if (options.limits.nvOptions == 0 || !native::stageOfHeader(text))
+    return std::nullopt;
+  const ir::NativeLanguage language = nativeLanguageOf(text);
+  if (language != ir::NativeLanguage::None && stageOf(language) == target)
+    return native::parse(language, text, options, names);
+  ParseResult refused;
+  Reporter reporter;
+  native::refuseHeader(target, text, reporter);
+  refused.diagnostics = reporter.take();
+  return refused;
+}
+
 CheckResult checkArbProgram(const ArbLanguage &language, std::string_view text,
                             const CompileOptions &options, NameTable *names) {
-  ParseResult parsed = parseArbProgram(language, text, options, names);
+  std::optional<ParseResult> own = parseNative(language.language, text, options, names);
+  ParseResult parsed = own ? std::move(*own) : parseArbProgram(language, text, options, names);
   CheckResult result;
+  result.native = std::move(parsed.native);
   result.diagnostics = std::move(parsed.diagnostics);
   result.program = std::move(parsed.program);
   if (result.program) {
@@ -71,7 +90,7 @@ std::optional<ir::Language> languageOfText(std::string_view text) {
     return ir::Language::ArbVertex;
   if (text.starts_with("!!ATIfs"))
     return ir::Language::AtiFragment;
-  return std::nullopt;
+  return native::stageOfHeader(text);
 }
 
 CheckResult checkProgram(ir::Language language, std::string_view text,

@@ -22,6 +22,7 @@ CompileOptions makeOptions(LimitPolicy policy) {
   options.limits.programMatrices = 8;
   options.limits.programMatrixStackDepth = 4;
   options.limits.drawBuffers = 4;
+  options.limits.nvOptions = 2;
   return options;
 }
 
@@ -45,7 +46,9 @@ void checkAnswer(std::string_view text, const CheckResult &result) {
     return;
   const ir::Program &program = *result.program;
   require(ir::validate(program).empty());
-  if (program.language == ir::Language::AtiFragment)
+  const bool native = result.native.language != ir::NativeLanguage::None;
+  require(native == (program.options.native != ir::NativeLanguage::None));
+  if (program.language == ir::Language::AtiFragment || program.options.nv != ir::NvOption::None)
     return; // counted before it is lowered
   require(result.counts.instructions == program.code.size());
   require(result.counts.temporaries == program.temporaries.size());

@@ -23,6 +23,9 @@ texgen .eye.s .object.q clip[ .plane point.size A0 [A0.x] [A0.x+63] [A0.x-64]
 PassTexCoord SampleMap DOT3 DOT4 DOT2ADD LERP CND CND0 r0 r5 c0 c7 t0 t5 color0 color1
 NV_fragment_program2 NV_vertex_program3 SHORT LONG ADDC ADDR MULH_SAT MOVC1 _SSAT (EQ) (NE.x) (GT.wzyx)
 (LT1.y) |a| -|a.x| lab: facing IF IF(TR) [A0.w+3]
+!!FP1.0 !!VP1.0 !!VP1.1 !!VP2.0 !!VSP1.0 DEFINE DECLARE NV_position_invariant f[WPOS] f[FOGC] f[TEX0]
+o[COLR] o[COLH] o[DEPR] o[HPOS] o[TEX7] o[BFC0] p[1] v[0] v[OPOS] v[WGHT] c[0] c[95] c[A0.x+63] c[A1.y-256]
+R0 R11 H63 RC HC CC A0.x A1 TEX15
 .str .stq .str_dr .stq_dq .2x .4x .8x .half .quarter .eighth .sat .neg .bias .comp .rgb
 """
 

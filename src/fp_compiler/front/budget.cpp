@@ -40,7 +40,8 @@ Budget::Budget(const CompileOptions &options, Reporter &reporter)
 
 void Budget::debit(const ir::Options &options) {
   if (options.positionInvariant) {
-    m_debitor = "OPTION ARB_position_invariant";
+    m_debitor = options.native == ir::NativeLanguage::None ? "OPTION ARB_position_invariant"
+                                                           : "OPTION NV_position_invariant";
     m_debits.instructions = 4;
   }
   if (options.fog == ir::FogMode::None)

@@ -25,13 +25,18 @@ constexpr HeaderRow kHeaders[] = {
 };
 } // namespace
 
+bool checkLength(std::string_view text, Reporter &reporter) {
+  if (text.size() <= kMaxTextBytes)
+    return true;
+  reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
+                 "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
+                 "check the length given; no program needs so much");
+  return false;
+}
+
 bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter) {
-  if (text.size() > kMaxTextBytes) {
-    reporter.error(DiagnosticId::TextTooLong, {kMaxTextBytes, kMaxTextBytes + 1},
-                   "the text is longer than " + std::to_string(kMaxTextBytes) + " bytes",
-                   "check the length given; no program needs so much");
+  if (!checkLength(text, reporter))
     return false;
-  }
   if (text.starts_with(header))
     return true;
   std::uint32_t wrong = 0;

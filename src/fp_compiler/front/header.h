@@ -5,6 +5,9 @@
 
 namespace arbiter::fp {
 
+/// True if the text is no longer than kMaxTextBytes. Else that is reported.
+[[nodiscard]] bool checkLength(std::string_view text, Reporter &reporter);
+
 /// True if the text may be parsed: no longer than kMaxTextBytes, and with \p header, of ten bytes,
 /// at its first one. Else the reason is reported.
 [[nodiscard]] bool checkHeader(std::string_view header, std::string_view text, Reporter &reporter);

@@ -160,17 +160,7 @@ bool Parser::unknownStatement(const Token &first) {
 
 void Parser::parseEnd() {
   m_tokens.next();
-  if (m_tokens.at(TokenKind::EndOfText))
-    return;
-  const Token token = m_tokens.peek();
-  const std::string_view rest = m_text.substr(token.span.begin);
-  // Callers that pass sizeof of a literal count its terminator.
-  if (rest.find_first_not_of('\0') == std::string_view::npos) {
-    m_reporter.warning(DiagnosticId::TrailingNul, {token.span.begin, std::uint32_t(m_text.size())},
-                       "the length counts a NUL byte after END");
-    return;
-  }
-  error(DiagnosticId::TextAfterEnd, token.span, "text after END", "only comments may follow END");
+  reportBehindEnd(m_reporter, m_text, m_tokens.peek());
 }
 
 void Parser::recover() {

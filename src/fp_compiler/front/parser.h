@@ -12,6 +12,7 @@
 #include "fp_compiler/front/words/keywords.h"
 #include "fp_compiler/front/words/language.h"
 #include "fp_compiler/front/words/names.h"
+#include "fp_compiler/native_interface.h"
 
 namespace arbiter::fp {
 
@@ -19,6 +20,7 @@ struct ParseResult {
   std::vector<Diagnostic> diagnostics; ///< in text order
   std::optional<ir::Program> program;  ///< empty if there is any error
   ResourceCounts counts;
+  NativeInterface native; ///< of NVIDIA's own languages (native/parser.h)
 };
 
 /// Parses and checks an ARBfp1.0 (ARB_fragment_program 3.11.2 to 3.11.6) or an ARBvp1.0 program

@@ -41,4 +41,17 @@ void reportUnexpected(Reporter &reporter, std::string_view text, const Token &to
   }
 }
 
+void reportBehindEnd(Reporter &reporter, std::string_view text, const Token &token) {
+  if (token.kind == TokenKind::EndOfText)
+    return;
+  const std::string_view rest = text.substr(token.span.begin);
+  // Callers that pass sizeof of a literal count its terminator.
+  if (rest.find_first_not_of('\0') == std::string_view::npos)
+    return reporter.warning(DiagnosticId::TrailingNul,
+                            {token.span.begin, std::uint32_t(text.size())},
+                            "the length counts a NUL byte after END");
+  reporter.error(DiagnosticId::TextAfterEnd, token.span, "text after END",
+                 "only comments may follow END");
+}
+
 } // namespace arbiter::fp

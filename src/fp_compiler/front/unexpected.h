@@ -15,4 +15,7 @@ namespace arbiter::fp {
 void reportUnexpected(Reporter &reporter, std::string_view text, const Token &token,
                       std::string_view expected, std::string hint = {});
 
+/// Reports what stands behind END, if anything does: an error, or a warning of NUL bytes alone.
+void reportBehindEnd(Reporter &reporter, std::string_view text, const Token &token);
+
 } // namespace arbiter::fp

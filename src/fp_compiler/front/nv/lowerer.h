@@ -15,7 +15,7 @@ namespace arbiter::fp::nv {
 class Lowerer {
 public:
   Lowerer(const std::vector<Statement> &statements, const Sequences &sequences, Binder &binder,
-          Reporter &reporter);
+          Reporter &reporter, const NativeRules &rules);
   void run(std::optional<std::uint16_t> start);
 
 private:
@@ -28,6 +28,15 @@ private:
     std::uint16_t index = 0;
     std::uint8_t mask = 0;
   };
+
+  // native.cpp
+  void beginResults();
+  [[nodiscard]] Operand written(const Operand &operand);
+  [[nodiscard]] Operand kept(const Operand &address);
+  void signedRoot(const Instruction &instruction);
+  [[nodiscard]] bool isSquare(const Statement &statement) const;
+  void powerByLogarithm(const Instruction &instruction);
+  void compute(const Statement &statement, const Instruction &instruction);
 
   // lowering.cpp
   void execute(const Statement &statement);
@@ -75,6 +84,7 @@ private:
 
   const std::vector<Statement> &m_statements;
   const Sequences &m_sequences;
+  const NativeRules &m_rules;
   Reporter &m_reporter;
   Code m_code;
   std::map<std::uint16_t, std::size_t> m_places;    ///< of labels

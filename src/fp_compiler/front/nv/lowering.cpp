@@ -19,14 +19,17 @@ Operand temporary(std::uint16_t index) { return registerOf(File::Temporary, inde
 } // namespace
 
 Lowerer::Lowerer(const std::vector<Statement> &statements, const Sequences &sequences,
-                 Binder &binder, Reporter &reporter)
-    : m_statements(statements), m_sequences(sequences), m_reporter(reporter), m_code(binder) {
+                 Binder &binder, Reporter &reporter, const NativeRules &rules)
+    : m_statements(statements), m_sequences(sequences), m_rules(rules), m_reporter(reporter),
+      m_code(binder) {
   for (std::size_t i = 0; i < statements.size(); ++i)
     if (statements[i].isLabel)
       m_places[statements[i].label] = i;
 }
 
 void Lowerer::run(std::optional<std::uint16_t> start) {
+  if (m_rules.language != ir::NativeLanguage::None)
+    beginResults();
   function(start ? m_places[*start] : 0);
   m_code.begin(m_statements.empty() ? Span{} : m_statements.back().instruction.span);
   for (const auto &[output, result] : m_results) {
@@ -45,6 +48,8 @@ Instruction Lowerer::instructionOf(const Statement &statement) {
     Operand &operand = instruction.src[i];
     if (statement.indexed[i])
       operand = indexed(*statement.indexed[i], operand);
+    if (!m_rules.rows.empty() && operand.file == File::Parameter)
+      operand = written(operand);
     if (!(statement.absolute >> i & 1))
       continue;
     Operand inside = operand;
@@ -177,7 +182,7 @@ void Lowerer::writeIndexed(const Statement &statement, const Instruction &instru
   Instruction computed = instruction;
   computed.dst = writtenTo(value, mask);
   computed.dst.saturate = instruction.dst.saturate;
-  writeInstruction(m_code, computed);
+  compute(statement, computed);
   const std::vector<std::uint16_t> &rows = m_sequences[statement.indexedResult->sequence];
   const Operand is = temporary(m_code.scratch(kX).index);
   const Operand mixed = temporary(m_code.scratch(mask).index);
@@ -204,7 +209,7 @@ void Lowerer::write(const Statement &statement, Instruction instruction, std::ui
   Destination dst = aside ? m_code.scratch(mask) : writtenTo(target, mask);
   dst.saturate = instruction.dst.saturate;
   instruction.dst = dst;
-  writeInstruction(m_code, instruction);
+  compute(statement, instruction);
   Operand value = temporary(dst.index);
   if (statement.suffix.signedSaturate) {
     value = m_code.make(Opcode::Max, {value, negated(number(Select::One))}, mask);
@@ -249,18 +254,20 @@ std::uint16_t Lowerer::shadowOf(std::uint16_t address) {
   return entry->second;
 }
 
-/// What ARL, ARR or ARA loads: integers, as floats. NaN is 0.
+/// What ARL, ARR or ARA loads: integers, as floats. NaN is 0; !!VP2.0 keeps them within what an
+/// address register holds (NV_vertex_program2 2.14.1.10).
 Operand Lowerer::addressValue(const Instruction &instruction) {
   const Operand &source = instruction.src[0];
   if (instruction.op == Opcode::Ara) {
     const Operand from = temporary(shadowOf(source.index));
-    return m_code.make(Opcode::Add, {swizzled(from, {Select::X, Select::Y, Select::X, Select::Y}),
-                                     swizzled(from, {Select::Z, Select::W, Select::Z, Select::W})});
+    return kept(
+        m_code.make(Opcode::Add, {swizzled(from, {Select::X, Select::Y, Select::X, Select::Y}),
+                                  swizzled(from, {Select::Z, Select::W, Select::Z, Select::W})}));
   }
   const Operand value =
       instruction.op == Opcode::Arr ? rounded(m_code, source) : m_code.make(Opcode::Flr, {source});
   const Operand isNumber = m_code.make(Opcode::Seq, {value, value});
-  return m_code.make(Opcode::Cmp, {negated(isNumber), value, number(Select::Zero)});
+  return kept(m_code.make(Opcode::Cmp, {negated(isNumber), value, number(Select::Zero)}));
 }
 
 /// The integers are kept as floats, which can be read and added, and are loaded from there.
@@ -328,8 +335,9 @@ void Lowerer::pop(const Statement &statement) {
 }
 
 void lower(const std::vector<Statement> &statements, std::optional<std::uint16_t> start,
-           const Sequences &sequences, Binder &binder, Reporter &reporter) {
-  Lowerer(statements, sequences, binder, reporter).run(start);
+           const Sequences &sequences, Binder &binder, Reporter &reporter,
+           const NativeRules &rules) {
+  Lowerer(statements, sequences, binder, reporter, rules).run(start);
 }
 
 } // namespace arbiter::fp::nv

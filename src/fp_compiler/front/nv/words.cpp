@@ -5,6 +5,7 @@
 
 namespace arbiter::fp::nv {
 
+using ir::NativeLanguage;
 using ir::NvOption;
 using ir::Opcode;
 using ir::OpInfo;
@@ -49,25 +50,66 @@ bool accept(std::string_view &rest, std::string_view prefix) {
   return true;
 }
 
-/// What is behind the base of a name; false if an opcode may not be written so.
-bool readSuffix(std::string_view rest, const OpInfo &row, bool vertex, NvOption option,
-                Word &word) {
+/// What a language lets stand behind the base of a name.
+struct Suffixes {
+  bool precision = false, condition = false, secondCondition = false;
+  bool saturate = false, signedSaturate = false;
+};
+
+Suffixes suffixesOf(bool vertex, NvOption option) {
   const bool second = option == NvOption::Second;
-  if (!vertex && !row.has(ir::NoPrecision)) {
+  return {!vertex, true, vertex && second, !vertex || second, !vertex && second};
+}
+
+Suffixes suffixesOf(NativeLanguage language) {
+  const bool fragment = language == NativeLanguage::Fp1;
+  return {.precision = fragment,
+          .condition = fragment || language == NativeLanguage::Vp2,
+          .saturate = fragment};
+}
+
+/// Reads the suffixes; false if an opcode may not be written so.
+bool readSuffix(std::string_view rest, const OpInfo &row, const Suffixes &may, Word &word) {
+  if (may.precision && !row.has(ir::NoPrecision)) {
     word.nv.full = accept(rest, "R");
     word.nv.half =
         !word.nv.full && (accept(rest, "H") || (!row.has(ir::NoFixed) && accept(rest, "X")));
   }
-  if (!row.has(ir::NoCondition) && accept(rest, "C")) {
+  if (may.condition && !row.has(ir::NoCondition) && accept(rest, "C")) {
     word.nv.updates = 1;
-    if (vertex && second && !accept(rest, "0") && accept(rest, "1"))
+    if (may.secondCondition && !accept(rest, "0") && accept(rest, "1"))
       word.nv.updates = 2;
   }
-  if (row.has(ir::NoSaturate) || (vertex && !second))
+  if (row.has(ir::NoSaturate) || !may.saturate)
     return rest.empty();
   word.saturate = rest == "_SAT";
-  word.nv.signedSaturate = !vertex && second && rest == "_SSAT";
+  word.nv.signedSaturate = may.signedSaturate && rest == "_SSAT";
   return rest.empty() || word.saturate || word.nv.signedSaturate;
+}
+
+template <typename Offers>
+std::optional<Opcode> longestBase(std::string_view identifier, const Offers &offered) {
+  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
+    const std::optional<Opcode> op = find(identifier.substr(0, size));
+    if (op && offered(*op))
+      return op;
+  }
+  return std::nullopt;
+}
+
+/// The opcode that all of the identifier spells; nothing if it spells none.
+template <typename Offers>
+std::optional<Word> spelled(std::string_view identifier, const Suffixes &may,
+                            const Offers &offered) {
+  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
+    const std::optional<Opcode> op = find(identifier.substr(0, size));
+    if (!op || !offered(*op))
+      continue;
+    Word word = {Keyword::Opcode, *op};
+    if (readSuffix(identifier.substr(size), info(*op), may, word))
+      return word;
+  }
+  return std::nullopt;
 }
 
 } // namespace
@@ -82,28 +124,54 @@ bool offers(const ArbLanguage &language, NvOption option, Opcode op) {
                 : row.has(ir::OfF1) || (second && row.has(ir::OfF2));
 }
 
+bool offers(NativeLanguage language, Opcode op) {
+  const OpInfo &row = info(op);
+  switch (language) {
+  case NativeLanguage::None:
+    break;
+  case NativeLanguage::Fp1:
+    return row.has(ir::OfFp1);
+  case NativeLanguage::Vp1:
+  case NativeLanguage::Vsp1:
+    return row.has(ir::OfVp1);
+  case NativeLanguage::Vp11:
+    return row.has(ir::OfVp1) || row.has(ir::OfVp11);
+  case NativeLanguage::Vp2:
+    return row.has(ir::OfVp1) || row.has(ir::OfVp11) || row.has(ir::OfVp2);
+  }
+  return false;
+}
+
 std::optional<Opcode> baseOf(std::string_view identifier, const ArbLanguage &language,
                              NvOption option) {
-  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
-    const std::optional<Opcode> op = find(identifier.substr(0, size));
-    if (op && offers(language, option, *op))
-      return op;
-  }
-  return std::nullopt;
+  return longestBase(identifier, [&](Opcode op) { return offers(language, option, op); });
+}
+
+std::optional<Opcode> baseOf(std::string_view identifier, NativeLanguage language) {
+  return longestBase(identifier, [&](Opcode op) { return offers(language, op); });
 }
 
 Word classify(std::string_view identifier, const ArbLanguage &language, NvOption option) {
   const bool vertex = language.language == ir::Language::ArbVertex;
-  for (std::size_t size = std::min(identifier.size(), kLongest); size >= kShortest; --size) {
-    const std::optional<Opcode> op = find(identifier.substr(0, size));
-    if (!op || !offers(language, option, *op))
-      continue;
-    Word word = {Keyword::Opcode, *op};
-    if (readSuffix(identifier.substr(size), info(*op), vertex, option, word))
-      return word;
-  }
+  if (const auto word = spelled(identifier, suffixesOf(vertex, option),
+                                [&](Opcode op) { return offers(language, option, op); }))
+    return *word;
   const Word plain = fp::classify(identifier, language);
   return plain.keyword == Keyword::Opcode ? Word{} : plain;
+}
+
+Word classify(std::string_view identifier, NativeLanguage language) {
+  if (identifier == "END")
+    return {Keyword::End};
+  const bool declares = identifier == "DEFINE" || identifier == "DECLARE";
+  if (declares && language == NativeLanguage::Fp1)
+    return {Keyword::Param};
+  const bool second = language == NativeLanguage::Vp11 || language == NativeLanguage::Vp2;
+  if (identifier == "OPTION" && second)
+    return {Keyword::Option};
+  const auto word =
+      spelled(identifier, suffixesOf(language), [&](Opcode op) { return offers(language, op); });
+  return word ? *word : Word{};
 }
 
 std::optional<Rule> ruleOf(std::string_view word) {

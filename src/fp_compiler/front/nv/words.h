@@ -6,7 +6,7 @@
 #include "fp_compiler/front/words/keywords.h"
 
 /// The words of NVIDIA's options: NV_fragment_program_option, NV_fragment_program2,
-/// NV_vertex_program2_option, NV_vertex_program3.
+/// NV_vertex_program2_option, NV_vertex_program3; and the opcodes of its own languages.
 namespace arbiter::fp::nv {
 
 /// True if programs of \p language under \p option have the opcode.
@@ -20,6 +20,13 @@ namespace arbiter::fp::nv {
 /// opcode is one (ADDR, DDXC_SAT), of names that begin alike the longest (DP2A, not DP2).
 [[nodiscard]] Word classify(std::string_view identifier, const ArbLanguage &language,
                             ir::NvOption option);
+
+// The same of NVIDIA's languages of their own. DEFINE and DECLARE are Keyword::Param; the names of
+// registers are free words.
+[[nodiscard]] bool offers(ir::NativeLanguage language, ir::Opcode op);
+[[nodiscard]] std::optional<ir::Opcode> baseOf(std::string_view identifier,
+                                               ir::NativeLanguage language);
+[[nodiscard]] Word classify(std::string_view identifier, ir::NativeLanguage language);
 
 /// A rule of a condition code test (section 3.11.3.X).
 enum class Rule : std::uint8_t { Eq, Ge, Gt, Le, Lt, Ne, Tr, Fl };

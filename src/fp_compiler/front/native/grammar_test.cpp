@@ -1,0 +1,334 @@
+// What loads in NVIDIA's own languages, and where what does not is wrong. NVIDIA's driver (580.159)
+// takes and refuses the same, but where a row says otherwise.
+#include <gtest/gtest.h>
+
+#include "fp_compiler/front/testing/test_support.h"
+#include "fp_compiler/ir/validate.h"
+
+namespace arbiter::fp {
+namespace {
+
+using testing_support::check;
+using testing_support::firstError;
+using testing_support::generous;
+using testing_support::repeat;
+
+CompileOptions nvidia() {
+  CompileOptions options = generous();
+  options.limits.nvOptions = 1;
+  options.limits.localParameters = 64;
+  return options;
+}
+
+struct Row {
+  std::string statements;
+  std::string_view error; ///< the diagnostic's ID; empty: it loads. '@' in the text is where
+};
+
+/// `begin` is the header and what every program has; `end` what every program ends with.
+void judge(const std::string &begin, const std::vector<Row> &rows, const std::string &end = "") {
+  for (const Row &row : rows) {
+    std::string program = begin + "\n" + row.statements + "\n" + end + "END\n";
+    const std::size_t at = program.find('@');
+    if (at != std::string::npos)
+      program.erase(at, 1);
+    const CheckResult result = check(program, nvidia());
+    EXPECT_EQ(firstError(result), row.error) << program << result.errorString(program);
+    if (at != std::string::npos)
+      EXPECT_EQ(result.errorPosition(), std::int32_t(at)) << program;
+    if (result.ok())
+      EXPECT_TRUE(ir::validate(*result.program).empty()) << program;
+  }
+}
+
+void judgeFp1(const std::vector<Row> &rows) { judge("!!FP1.0", rows, "MOV o[COLR], R0;\n"); }
+void judgeVp(const char *header, const std::vector<Row> &rows) {
+  judge(std::string(header) + "\nMOV o[HPOS], v[OPOS];", rows);
+}
+void judgeVsp(const std::vector<Row> &rows) { judge("!!VSP1.0", rows); }
+
+TEST(NativeGrammar, TheHeaderDecidesAndItsTargetMustFit) {
+  const std::string fragment = "!!FP1.0\nMOV o[COLR], f[COL0];\nEND\n";
+  EXPECT_TRUE(check(fragment, nvidia()).ok());
+  EXPECT_EQ(check(fragment, nvidia()).native.language, ir::NativeLanguage::Fp1);
+  EXPECT_EQ(check("!!ARBfp1.0\nEND\n", nvidia()).native.language, ir::NativeLanguage::None);
+  const CheckResult other = checkProgram(ir::Language::ArbVertex, fragment, nvidia());
+  EXPECT_EQ(firstError(other), "native-header");
+  EXPECT_EQ(other.errorPosition(), 2);
+  EXPECT_EQ(firstError(checkProgram(ir::Language::ArbFragment, "!!VSP1.0\nMOV c[0], v[0];\nEND\n",
+                                    nvidia())),
+            "native-header");
+  for (const auto &[header, position] : {std::pair("!!FP1.1", 6),
+                                         {"!!FP2.0", 4},
+                                         {"!!FCP1.0", 3},
+                                         {"!!VP1.2", 6},
+                                         {"!!VP3.0", 4},
+                                         {"!!VSP1.1", 7}}) {
+    const std::string text = std::string(header) + "\nEND\n";
+    const CheckResult result = check(text, nvidia());
+    EXPECT_EQ(firstError(result), "native-header") << text;
+    EXPECT_EQ(result.errorPosition(), position) << text;
+    EXPECT_NE(result.errorString(text).find("!!FP1.0, !!VP1.0"), std::string::npos);
+  }
+}
+
+TEST(NativeGrammar, NothingIsOfferedWithoutTheOptions) {
+  CompileOptions none = nvidia();
+  none.limits.nvOptions = 0;
+  const std::string text = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nEND\n";
+  EXPECT_EQ(firstError(check(text, none)), "header-missing");
+}
+
+TEST(NativeGrammar, RegistersOfFragments) {
+  judgeFp1({{"MOV R31, f[WPOS]; MOV H63, f[COL1];", ""},
+            {"MOV @R32, f[COL0];", "native-register"},
+            {"MOV @H64, f[COL0];", "native-register"},
+            {"MOV R0, @R32;", "native-register"},
+            {"MOV R0, f[@FACE];", "unknown-binding"},
+            {"MOV R0, f[@TEX8];", "unknown-binding"},
+            {"MOV R0, @fragment.color;", "undeclared-name"},
+            {"MOV R0, p[63];", ""},
+            {"MOV R0, p[@64];", "parameter-index"},
+            {"ADDC RC, R0, R1; ADDC HC.x, R0, R1;", ""},
+            {"MOVC @CC, R0;", "syntax"},
+            {"MOV R0, @RC;", "write-only-source"},
+            {"MOV R1, @o[COLR];", "write-only-source"},
+            {"MOV @f[COL0], R0;", "read-only-destination"},
+            {"MOV @p[0], R0;", "read-only-destination"},
+            {"MOV o[@COLX], R0;", "unknown-binding"}});
+}
+
+TEST(NativeGrammar, ResultsOfFragments) {
+  judge("!!FP1.0", {{"MOV o[COLR], R0; MOV o[@COLH], R0;", "native-outputs"},
+                    {"MOV o[DEPR].z, 0.5;", ""},
+                    {"MOV R0, f[COL0]; @", "native-outputs"}}); // NVIDIA loads the last one
+}
+
+TEST(NativeGrammar, OneAttributeAndOneParameterAnInstruction) {
+  judgeFp1({{"ADD R0, f[TEX0], @f[TEX1];", "native-operands"},
+            {"ADD R0, f[TEX0], -f[TEX0].x;", ""},
+            {"ADD R0, p[0], @p[1];", "native-operands"},
+            {"MAD R0, p[0], p[0].x, -p[0];", ""},
+            {"MUL R0, f[COL0], p[3];", ""},
+            {"MAD R0, R1, 2, -1;", ""},
+            {"ADD R0, {1,2,3,4}, 4;", ""},
+            {"ADD R0, {1,2,3,4}, @-4;", "native-operands"},
+            {"ADD R0, {1,2,3,4}, |@-4|;", "native-operands"},
+            {"ADD R0, {1,2,3,4}, @{4,5,6,7}.x;", "native-operands"},
+            {"DECLARE a; ADD R0, a, a.x;", ""},
+            {"DECLARE a; DECLARE b; ADD R0, a, @b;", "native-operands"},
+            {"MAD R0, p[0], @2, R1;", "native-operands"}});
+  for (const char *header : {"!!VP1.0", "!!VP1.1", "!!VP2.0"})
+    judgeVp(header, {{"ADD R0, c[0], @c[1];", "native-operands"},
+                     {"ADD R0, c[0], -c[0];", ""},
+                     {"ARL A0.x, v[0].x; ADD R0, c[A0.x], @c[0];", "native-operands"},
+                     {"ARL A0.x, v[0].x; ADD R0, c[A0.x+1], c[A0.x+1];", ""},
+                     {"ADD R0, v[0], @v[1];", "native-operands"},
+                     {"ADD R0, v[0], v[OPOS];", ""}});
+}
+
+TEST(NativeGrammar, RegisterHalves) {
+  const auto moves = [](char letter, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += std::string("MOV ") + letter + std::to_string(i) + ", f[COL0];\n";
+    return text;
+  };
+  judge("!!FP1.0", {{moves('R', 31) + "MOV o[COLR], R0;", ""},
+                    {moves('R', 32) + "MOV @o[COLR], R0;", "limit-temporaries"},
+                    {moves('H', 63) + "MOV o[COLH], H0;", ""},
+                    {moves('H', 64) + "MOV @o[COLH], H0;", "limit-temporaries"}});
+}
+
+TEST(NativeGrammar, NamedParametersAndConstants) {
+  judgeFp1({{"MOV R0, 1; DECLARE a; ADD R0, R0, a;", ""},
+            {"DECLARE a; DECLARE @a;", "redeclared-name"},
+            {"DEFINE a = 2; DEFINE b = a; DEFINE v = {1, -2, a}; DEFINE w = v; MOV R0, -w.x;", ""},
+            {"DEFINE a = 2; MOV R0, |-a|;", ""},
+            {"DEFINE a = 2; MOV R0, a@.x;", "syntax"},
+            {"DECLARE a = {1,2}; MOV R0, a.w; DECLARE b = -0.5; RCP R0, b.x;", ""},
+            {"DECLARE a; DEFINE b = @a;", "syntax"},
+            {"MOV R0, @zzz;", "undeclared-name"},
+            {"DECLARE a; MOV @a, R0;", "read-only-destination"},
+            {"DECLARE @TEX0;", "reserved-name"},
+            {"DECLARE TEX16; DECLARE R32; DECLARE EQ; MOV R0, R32;", ""},
+            {"DECLARE @R5;", "reserved-name"},
+            {"DECLARE @ADDH_SAT;", "reserved-name"}, // NVIDIA takes it
+            {"DECLARE $a_1; MOV R0, $a_1;", ""},
+            {"DEFINE a@;", "syntax"}});
+}
+
+TEST(NativeGrammar, InstructionsOfFragments) {
+  for (const char *word : {"ABS", "CMP", "SWZ", "SCS", "XPD", "DPH", "TXB", "TXL", "NRM", "DIV",
+                           "DP2", "IF", "ADD_SSAT", "COSX", "PK2HC", "KILC", "EXP", "OPTION"})
+    judgeFp1({{"@" + std::string(word) + " R0, R1;",
+               std::string_view(word) == "OPTION" ? "unsupported-option" : "unknown-instruction"}});
+  judgeFp1({{"ADDX_SAT R0, R1, R1; ADDRC H0, R0, R0; UP2H_SAT R0, R1.x; PK4UB R0.x, R1;", ""},
+            {"KIL EQ.x; KIL NE; KIL (EQ.x);", "syntax"},
+            {"KIL @R0;", "syntax"},
+            {"RCP R0, R1@;", "scalar-suffix"},
+            {"RCP R0, |R1.x|; RCP R0, 2; RCP R0, -|{1,2}.y|;", ""},
+            {"MOV R0, -|-R1|; MOV R0, +1.5e1; MOV R0, .5; MOV R0, 5.; MOV R0, -{1,2}.wzyx;", ""},
+            {"MOV R0.@r, R1;", "bad-mask"},
+            {"MOV R0, R1.@rgba;", "bad-swizzle"},
+            {"MOV R0 (GT.xy@), R1;", "bad-swizzle"},
+            {"MOV R0.xy (GT.x), R1;", ""},
+            {"SFL R0@;", "syntax"},
+            {"TEX R0, R1, TEX15, 2D; TXP R0, R1, TEX15, 2D; TXD R0, R1, R1, R1, TEX3, CUBE;", ""},
+            {"TEX R0, R1, @TEX16, 2D;", "image-unit"},
+            {"TEX R0, R1, TEX1, @SHADOW2D;", "unknown-target"},
+            {"TEX R0, R1, TEX0, 2D; TEX R0, R1, TEX0, @3D;", "target-conflict"}});
+}
+
+TEST(NativeGrammar, RegistersOfVertices) {
+  for (const char *header : {"!!VP1.0", "!!VP1.1", "!!VP2.0"}) {
+    const bool second = std::string_view(header) == "!!VP2.0";
+    const auto only2 = [&](std::string statement, std::string_view error) {
+      if (second)
+        statement.erase(statement.find('@'), 1);
+      return Row{statement, second ? "" : error};
+    };
+    judgeVp(header, {{"MOV R11, c[95]; MOV o[TEX7], v[TEX7]; MOV R0, v[15];", ""},
+                     only2("MOV R0, c[@96];", "parameter-index"),
+                     {"MOV R0, c[@256];", "parameter-index"},
+                     only2("MOV @R12, v[0];", "native-register"),
+                     {"MOV @R16, v[0];", "native-register"},
+                     {"MOV R0, v[@16];", "attribute-index"},
+                     {"MOV R0, @o[HPOS];", "write-only-source"},
+                     {"MOV @c[0], v[0];", "read-only-destination"},
+                     {"MOV R0.@r, v[0];", "bad-mask"},
+                     {"MOV R0, @1.0;", "syntax"}, // NVIDIA takes it
+                     {"MOV o[@CLP6].x, v[0].x;", "unknown-binding"},
+                     {"MOV o[@TEX8], v[0];", "unknown-binding"},
+                     {"ARL A0.x, v[0].x; MOV R0, c[A0.x+63]; MOV R0, c[A0.x-64];", ""},
+                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x+@64];", "relative-offset"),
+                     only2("ARL A0.x, v[0].x; MOV R0, c[A0.x-@65];", "relative-offset"),
+                     {"ARL A0.x, v[0].x; MOV R0, c[A0.x+@256];", "relative-offset"},
+                     only2("ARL A0.@y, v[0].x; MOV R0, c[A0.x];", "address-component"),
+                     only2("ARL @A1.x, v[0].x;", "syntax"),
+                     only2("ARL A0@, v[0].x;", "syntax"),
+                     {"MOV R0, @A0.x;", "address-register"}});
+  }
+}
+
+TEST(NativeGrammar, InstructionsOfVertices) {
+  for (const char *statement : {"XPD R0, R1, R1", "POW R0, R1.x, R1.y", "TEX R0, v[8], TEX0, 2D",
+                                "LRP R0, R1, R1, R1", "MOV_SAT R0, R1", "MOVH R0, R1"})
+    for (const char *header : {"!!VP1.0", "!!VP1.1", "!!VP2.0"})
+      judgeVp(header, {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+  for (const char *statement : {"SUB R0, R1, R2", "ABS R0, R1", "DPH R0, R1, R1", "RCC R0, R1.x"}) {
+    judgeVp("!!VP1.0", {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+    judgeVp("!!VP1.1", {{std::string(statement) + ";", ""}});
+    judgeVp("!!VP2.0", {{std::string(statement) + ";", ""}});
+  }
+  for (const char *statement : {"MOVC CC, v[0]", "EX2 R0, v[0].x", "SSG R0, v[0]", "FLR R0, R1",
+                                "ARR A1, v[0]", "ARA A0, A1", "RET"}) {
+    judgeVp("!!VP1.1", {{"@" + std::string(statement) + ";", "unknown-instruction"}});
+    judgeVp("!!VP2.0", {{std::string(statement) + ";", ""}});
+  }
+  judgeVp("!!VP1.0", {{"MOV R0, @|v[0]|;", "syntax"}, {"MOV R0, @+R1;", "syntax"}});
+  judgeVp("!!VP2.0", {{"MOV R0.xy (LT.x), -|+v[0].x|; BRA l (EQ.x); l: MOV R0, v[0];", ""},
+                      {"BRA @nowhere;", "undeclared-name"},
+                      {"l: @l: MOV R0, R1;", "redeclared-name"},
+                      {"CAL s; RET; s: @CAL s; RET;", "flow-control"}});
+}
+
+TEST(NativeGrammar, PositionInvariance) {
+  const std::string option = "\nOPTION NV_position_invariant;";
+  for (const std::string header : {"!!VP1.1", "!!VP2.0"}) {
+    judge(header + option, {{"MOV o[COL0], v[COL0];", ""},
+                            {"ARL A0.x, v[0].x; MOV o[COL0], c[A0.x];", ""},
+                            {"MOV o[@HPOS], v[0];", "invariant-position"},
+                            {"MOV R0, v[0]; @OPTION NV_position_invariant;", "late-option"}});
+    judge(header, {{"OPTION @ARB_position_invariant; MOV o[COL0], v[0];", "unsupported-option"},
+                   {"MOV o[COL0], v[COL0]; @", "native-outputs"}}); // NVIDIA loads it
+  }
+  judge("!!VP1.0", {{"@OPTION NV_position_invariant; MOV o[HPOS], v[0];", "unsupported-option"}});
+}
+
+TEST(NativeGrammar, InstructionLimits) {
+  const auto adds = [](std::size_t count) { return repeat("ADD R0, R0, R1;\n", count); };
+  for (const char *header : {"!!VP1.0", "!!VP1.1"})
+    judgeVp(header, {{adds(127), ""}, {adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
+  judgeVp("!!VP2.0", {{adds(255), ""}, {adds(255) + "@ADD R0, R0, R1;", "limit-instructions"}});
+  judge("!!VP1.1\nOPTION NV_position_invariant;",
+        {{adds(124), ""}, {adds(124) + "@ADD R0, R0, R1;", "limit-instructions"}});
+  judgeVsp({{"MOV c[0], v[0];" + adds(127), ""},
+            {"MOV c[0], v[0];" + adds(127) + "@ADD R0, R0, R1;", "limit-instructions"}});
+  CompileOptions options = nvidia();
+  options.limits.api.instructions = 64; // the target's limit is that of fragment programs
+  const std::string text = "!!FP1.0\n" + adds(64) + "MOV o[COLR], R0;\nEND\n";
+  EXPECT_EQ(firstError(check(text, options)), "limit-instructions");
+}
+
+TEST(NativeGrammar, StatePrograms) {
+  judgeVsp({{"MOV c[0], v[0];", ""},
+            {"ADD c[0], c[0], v[0];", ""},
+            {"ARL A0.x, v[0].x; MOV c[0], c[A0.x+1];", ""},
+            {"MOV R0, v[0]; @", "native-outputs"},   // NVIDIA loads it
+            {"MOV c[0], v[@1];", "attribute-index"}, // NVIDIA takes it
+            {"MOV c[0], v[@OPOS];", "syntax"},
+            {"ARL A0.x, v[0].x; MOV c[@A0.x], v[0];", "syntax"},
+            {"MOV @o[COL0], v[0];", "native-register"},
+            {"MOV c[@96], v[0];", "parameter-index"},
+            {"@SUB c[0], v[0], v[0];", "unknown-instruction"},
+            {"@OPTION NV_position_invariant; MOV c[0], v[0];", "unsupported-option"}});
+}
+
+TEST(NativeGrammar, WhatTheApiMustKnow) {
+  const std::string fragment = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
+                               "DECLARE c;\nMUL R0, a, pi;\nMOV o[COLR], b;\nEND\n";
+  EXPECT_EQ(firstError(check(fragment, nvidia())), "native-operands"); // a parameter, a constant
+  const std::string text = "!!FP1.0\nDEFINE pi = 3;\nDECLARE a = {1,2};\nDECLARE b = 0.5;\n"
+                           "DECLARE c;\nMUL R0, a, R1;\nMOV o[COLR], b;\nEND\n";
+  const CheckResult named = check(text, nvidia());
+  ASSERT_TRUE(named.ok()) << named.errorString(text);
+  ASSERT_EQ(named.native.named.size(), 3u);
+  EXPECT_EQ(named.native.constants, std::vector<std::string>{"pi"});
+  ASSERT_NE(named.native.find("b"), nullptr);
+  EXPECT_EQ(named.native.find("b")->local, 64 + 1);
+  EXPECT_EQ(named.native.find("a")->value, (ir::Vec4{1, 2, 0, 1}));
+  EXPECT_EQ(named.native.find("b")->value, (ir::Vec4{0.5f, 0.5f, 0.5f, 0.5f}));
+  EXPECT_EQ(named.native.find("c")->value, ir::Vec4{});
+  EXPECT_EQ(named.native.find("pi"), nullptr);
+  ASSERT_EQ(named.program->parameters.size(), 2u);
+  EXPECT_EQ(named.program->parameters[1].index, 64 + 1);
+
+  const CheckResult vertex = check("!!VP1.1\nDP4 o[HPOS].x, v[OPOS], c[7];\nMOV o[COL0], v[3];\n"
+                                   "MOV o[TEX0], v[6];\nMOV o[TEX1], c[4];\nEND\n",
+                                   nvidia());
+  ASSERT_TRUE(vertex.ok());
+  EXPECT_EQ(vertex.native.attributes, 1u << 0 | 1u << 3 | 1u << 6);
+  EXPECT_EQ(vertex.native.rowsRead, (std::vector<std::uint16_t>{4, 7}));
+  EXPECT_FALSE(vertex.native.readsAnyRow);
+  const CheckResult state =
+      check("!!VSP1.0\nARL A0.x, v[0].x;\nMOV c[9], c[A0.x];\nMOV c[3].x, v[0];\nEND\n", nvidia());
+  ASSERT_TRUE(state.ok());
+  EXPECT_EQ(state.native.language, ir::NativeLanguage::Vsp1);
+  EXPECT_EQ(state.native.rowsWritten, (std::vector<std::uint16_t>{3, 9}));
+  EXPECT_TRUE(state.native.readsAnyRow);
+}
+
+TEST(NativeGrammar, AnythingMayStandAnywhere) {
+  const std::string texts[] = {
+      "!!FP1.0\nDEFINE a = {1,2};\nDECLARE b = -1;\nMADC RC.xy, f[TEX0], |b.x|, -R1;\n"
+      "TXD R0 (LT.x), R1, R2, R3, TEX1, 2D;\nKIL NE.w;\nMOV o[COLR], a;\nEND\n",
+      "!!VP2.0\nOPTION NV_position_invariant;\nARL A0.xy, v[WGHT];\nmain: ADDC R0, c[A0.y-3], "
+      "-v[0];\nBRA main (GT.x);\nCAL s;\nRET;\ns: MOV o[TEX0].x, R0;\nEND\n",
+      "!!VSP1.0\nARL A0.x, v[0].x;\nMAD c[4].xw, c[A0.x+3], R1, R2;\nEND\n"};
+  for (const std::string &text : texts) {
+    ASSERT_TRUE(check(text, nvidia()).ok()) << check(text, nvidia()).errorString(text);
+    testing_support::forEachTokenEdit(text, [](const std::string &edited) {
+      const CheckResult result = check(edited, nvidia());
+      if (result.ok())
+        EXPECT_TRUE(ir::validate(*result.program).empty()) << edited;
+      else
+        EXPECT_GE(result.errorPosition(), 0) << edited;
+    });
+    for (std::size_t size = 0; size + 1 < text.size(); ++size)
+      EXPECT_FALSE(check(text.substr(0, size), nvidia()).ok()) << size;
+  }
+}
+
+} // namespace
+} // namespace arbiter::fp

@@ -1,0 +1,45 @@
+#include "fp_compiler/front/native/language.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "fp_compiler/front/words/numeral.h"
+
+namespace arbiter::fp::native {
+
+namespace {
+using ir::NativeLanguage;
+
+#define NATIVE_LANGUAGE(Enumerator, header, specification, doc)                                    \
+  static_assert(ir::headerOf(NativeLanguage::Enumerator) == header);
+#include "fp_compiler/front/native/words.def"
+
+// NV_fragment_program 3.11.1 and 3.11.3; NV_vertex_program 2.14.1 and 2.14.4;
+// NV_vertex_program2 2.14.1.
+constexpr Traits kTraits[] = {
+    {NativeLanguage::Fp1, 32, 64, 0, false, 0, 0, 0, 0, true, false, "RC, HC"},
+    {NativeLanguage::Vp1, 12, 0, 1, false, 96, -64, 63, 128, false, false, ""},
+    {NativeLanguage::Vp11, 12, 0, 1, false, 96, -64, 63, 128, false, true, ""},
+    {NativeLanguage::Vp2, 16, 0, 2, true, 256, -256, 255, 256, true, true, "CC"},
+    {NativeLanguage::Vsp1, 12, 0, 1, false, 96, -64, 63, 128, false, false, ""},
+};
+} // namespace
+
+const Traits &traitsOf(NativeLanguage language) {
+  return *std::find_if(std::begin(kTraits), std::end(kTraits),
+                       [&](const Traits &row) { return row.language == language; });
+}
+
+std::optional<std::uint32_t> numberBehind(std::string_view word, std::string_view letters) {
+  constexpr std::size_t kMostDigits = 6;
+  if (!word.starts_with(letters))
+    return std::nullopt;
+  const std::string_view digits = word.substr(letters.size());
+  const bool padded = digits.size() > 1 && digits.front() == '0';
+  if (digits.empty() || digits.size() > kMostDigits || padded ||
+      digits.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return parseInteger(digits);
+}
+
+} // namespace arbiter::fp::native

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "fp_compiler/native_interface.h"
+
+namespace arbiter::fp::native {
+
+/// What sets one of NVIDIA's own languages apart from the others, where a number or a flag can say
+/// it; their opcodes are in ops.def.
+struct Traits {
+  ir::NativeLanguage language;
+  std::uint8_t registers; ///< R0 and up
+  std::uint8_t halves;    ///< H0 and up
+  std::uint8_t addresses; ///< A0 and up
+  bool addressVectors;    ///< an address register has y, z and w, too
+  std::uint16_t rows;     ///< c[0] and up; 0: p[n] and names in their place
+  std::int16_t lowest;    ///< the offset from an address register
+  std::int16_t highest;
+  std::uint16_t instructions; ///< 0: as many as the target's limit says
+  bool conditions;            ///< condition codes, bars, plus signs
+  bool invariance;            ///< OPTION NV_position_invariant
+  const char *nullRegisters;  ///< what takes a result only for its condition code
+};
+
+/// Requires another language than None.
+[[nodiscard]] const Traits &traitsOf(ir::NativeLanguage language);
+
+/// The number behind \p letters: 12 of "R12". Nothing for any other word, "R012" among them.
+[[nodiscard]] std::optional<std::uint32_t> numberBehind(std::string_view word,
+                                                        std::string_view letters);
+
+} // namespace arbiter::fp::native

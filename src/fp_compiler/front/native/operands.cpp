@@ -1,0 +1,352 @@
+// Operands of NVIDIA's own languages.
+
+#include <algorithm>
+
+#include "fp_compiler/front/native/parser.h"
+#include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suffix.h"
+#include "fp_compiler/front/words/suggest.h"
+
+namespace arbiter::fp::native {
+
+using ir::AttributeKind;
+using ir::Select;
+
+namespace {
+struct AttributeRow {
+  bool vertex;
+  std::string_view name;
+  std::uint32_t number; ///< v[number]; of a fragment none
+  AttributeKind kind;
+};
+/// NV_fragment_program table X.1 and NV_vertex_program table X.3, less the texture coordinates.
+constexpr AttributeRow kAttributes[] = {
+#define NATIVE_ATTRIBUTE(Stage, name, number, Kind, doc)                                           \
+  {isOf(Languages::Stage, true), name, number, AttributeKind::Kind},
+#include "fp_compiler/front/native/words.def"
+};
+
+const AttributeRow *findAttribute(bool vertex, std::string_view name) {
+  const auto *const found =
+      std::find_if(std::begin(kAttributes), std::end(kAttributes),
+                   [&](const auto &row) { return row.vertex == vertex && row.name == name; });
+  return found == std::end(kAttributes) ? nullptr : found;
+}
+constexpr std::uint32_t kTexCoords = 8, kFirstTexCoord = 8, kVertexAttributeCount = 16;
+
+/// v[number], as the attribute that it shares its place with.
+ir::Attribute vertexAttribute(std::uint32_t number) {
+  if (number >= kFirstTexCoord)
+    return {AttributeKind::TexCoord, std::uint8_t(number - kFirstTexCoord)};
+  for (const AttributeRow &row : kAttributes)
+    if (row.vertex && row.number == number && row.kind != AttributeKind::Generic)
+      return {row.kind, 0};
+  return {AttributeKind::Generic, std::uint8_t(number)};
+}
+
+/// What \p after chooses of what \p before has chosen.
+ir::Swizzle composed(const ir::Swizzle &before, const ir::Swizzle &after) {
+  ir::Swizzle result;
+  std::transform(after.begin(), after.end(), result.begin(),
+                 [&](Select select) { return before[std::size_t(select)]; });
+  return result;
+}
+} // namespace
+
+/// <vectorSrc>, or <scalarSrc>, whose component is repeated.
+bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  const auto sign = [&] {
+    const bool negative = m_tokens.at(TokenKind::Minus);
+    if (negative || (m_traits.conditions && m_tokens.at(TokenKind::Plus)))
+      m_tokens.next();
+    return negative;
+  };
+  bool negative = sign();
+  absolute = m_traits.conditions && acceptByte('|');
+  const bool inner = absolute ? sign() : negative;
+  const bool number = m_tokens.at(TokenKind::Integer) || m_tokens.at(TokenKind::Float);
+  ir::Swizzle suffix = ir::kIdentity;
+  if (fragment() && number) { // the sign before it is a part of it
+    if (!parseLiteral(inner, operand))
+      return false;
+    negative &= absolute;
+  } else {
+    bool hasSuffix = true;
+    if (!parseBase(operand, hasSuffix) || (hasSuffix && !parseSuffix(scalar, suffix)))
+      return false;
+  }
+  if (absolute && !expectByte('|'))
+    return false;
+  operand.swizzle = composed(operand.swizzle, suffix);
+  operand.negate = negative ? 0xF : 0;
+  operand.span = spanFrom(begin);
+  return true;
+}
+
+/// What stands before a suffix. `hasSuffix` becomes false of a scalar constant, which takes none.
+bool NativeParser::parseBase(ir::Operand &operand, bool &hasSuffix) {
+  const Token first = m_tokens.peek();
+  if (fragment() && first.kind == TokenKind::OpenBrace) {
+    ir::Vec4 value = {};
+    if (!parseVector(value))
+      return false;
+    operand.file = ir::File::Parameter;
+    operand.index = m_binder.constant(value, spanFrom(first.span.begin));
+    useConstant(value, spanFrom(first.span.begin));
+    return true;
+  }
+  if (first.kind != TokenKind::Identifier)
+    return unexpected(fragment() ? "a register or a parameter" : "a register");
+  if (atBinding(fragment() ? "f" : "v"))
+    return parseAttribute(operand);
+  if (atBinding(fragment() ? "p" : "c"))
+    return fragment() ? parseLocal(operand) : parseRow(operand);
+  m_tokens.next();
+  if (const auto row = temporary(first)) {
+    operand.index = *row;
+    return true;
+  }
+  const bool result = text(first) == "o" && m_tokens.at(TokenKind::OpenBracket);
+  if (result || isNullRegister(text(first))) {
+    error(DiagnosticId::WriteOnly, first.span,
+          result ? std::string("a result cannot be read") : quote(text(first)) + " is written only",
+          "compute in a temporary");
+    return false;
+  }
+  if (m_named.contains(text(first)))
+    return parseNamed(first, operand, hasSuffix);
+  if (!fragment() || numberBehind(text(first), "R") || numberBehind(text(first), "H"))
+    return notThere(first, "a register");
+  error(DiagnosticId::UndeclaredName, first.span, quote(text(first)) + " is not declared",
+        "DEFINE a constant or DECLARE a parameter before it is used");
+  m_named.emplace(text(first), Named{});
+  return true;
+}
+
+/// "f" or "v", "[" <name or number> "]". An instruction reads one attribute.
+bool NativeParser::parseAttribute(ir::Operand &operand) {
+  const std::uint32_t begin = m_tokens.next().span.begin;
+  m_tokens.next();
+  ir::Attribute attribute;
+  std::uint32_t number = 0;
+  if (!(fragment() ? parseFragmentAttribute(attribute) : parseVertexAttribute(attribute, number)) ||
+      !expect(TokenKind::CloseBracket, "']'"))
+    return false;
+  const Span where = spanFrom(begin);
+  operand.file = ir::File::Attribute;
+  operand.index = m_binder.attribute(attribute, where);
+  if (!fragment())
+    m_interface.attributes |= std::uint16_t(1u << number);
+  else if (attribute.kind == AttributeKind::FogCoord) // (f, 0, 0, 0), and not ARB's w of 1
+    operand.swizzle = {Select::X, Select::Zero, Select::Zero, Select::Zero};
+  if (m_attribute && *m_attribute != operand.index)
+    error(DiagnosticId::NativeOperands, where, "a second attribute in one instruction",
+          "move one of the two into a temporary before");
+  m_attribute = operand.index;
+  return true;
+}
+
+bool NativeParser::parseFragmentAttribute(ir::Attribute &attribute) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("the name of an attribute");
+  const Token name = m_tokens.next();
+  if (const auto unit = numberBehind(text(name), "TEX"); unit && *unit < kTexCoords) {
+    attribute = {AttributeKind::TexCoord, std::uint8_t(*unit)};
+    if (*unit >= m_limits.textureCoords)
+      error(DiagnosticId::TexCoordIndex, name.span,
+            "there is no texture coordinate set " + std::to_string(*unit));
+    return true;
+  }
+  if (const AttributeRow *const row = findAttribute(false, text(name))) {
+    attribute.kind = row->kind;
+    return true;
+  }
+  error(DiagnosticId::UnknownBinding, name.span, "there is no attribute " + quote(text(name)),
+        didYouMean(text(name), {"WPOS", "COL0", "COL1", "FOGC", "TEX0"},
+                   "the attributes are WPOS, COL0, COL1, FOGC and TEX0 to TEX7"));
+  return false;
+}
+
+bool NativeParser::parseVertexAttribute(ir::Attribute &attribute, std::uint32_t &number) {
+  const Token name = m_tokens.peek();
+  const std::uint32_t limit = statesOnly() ? 1 : kVertexAttributeCount;
+  if (name.kind == TokenKind::Integer || statesOnly()) {
+    if (!takeIndex(limit, DiagnosticId::AttributeIndex, "vertex attribute", number))
+      return false;
+    attribute = vertexAttribute(number);
+    return true;
+  }
+  if (name.kind != TokenKind::Identifier)
+    return unexpected("the number or the name of an attribute");
+  m_tokens.next();
+  const auto unit = numberBehind(text(name), "TEX");
+  const AttributeRow *const row = findAttribute(true, text(name));
+  if (!row && !(unit && *unit < kTexCoords)) {
+    error(DiagnosticId::UnknownBinding, name.span, "there is no attribute " + quote(text(name)),
+          didYouMean(text(name), {"OPOS", "WGHT", "NRML", "COL0", "COL1", "FOGC", "TEX0"},
+                     "the attributes are 0 to 15, OPOS, WGHT, NRML, COL0, COL1, FOGC and TEX0 to "
+                     "TEX7"));
+    return false;
+  }
+  number = row ? row->number : kFirstTexCoord + *unit;
+  attribute = vertexAttribute(number);
+  return true;
+}
+
+/// <numberedLocal>: "p" "[" <integer> "]".
+bool NativeParser::parseLocal(ir::Operand &operand) {
+  const std::uint32_t begin = m_tokens.next().span.begin;
+  std::uint32_t index = 0;
+  if (!parseBracketed(std::min(m_limits.localParameters, kMostLocals), DiagnosticId::ParameterIndex,
+                      "local parameter", index))
+    return false;
+  operand.file = ir::File::Parameter;
+  operand.index = m_binder.local(index, spanFrom(begin));
+  useParameter(operand, spanFrom(begin));
+  return true;
+}
+
+/// <progParamRegister>: "c" "[" <integer> "]" or "c" "[" <address> "]".
+bool NativeParser::parseRow(ir::Operand &operand) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  operand.file = ir::File::Parameter;
+  m_tokens.next();
+  if (m_tokens.peek(1).kind == TokenKind::Identifier) {
+    if (!parseRelativeRow(operand))
+      return false;
+  } else {
+    std::uint32_t index = 0;
+    if (!parseBracketed(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
+      return false;
+    operand.index = m_binder.env(index, spanFrom(begin));
+    m_rowsRead.insert(std::uint16_t(index));
+  }
+  useParameter(operand, spanFrom(begin));
+  return true;
+}
+
+/// "[" <address register> "." <component> <offset> "]"; a row beyond the file is zero.
+bool NativeParser::parseRelativeRow(ir::Operand &operand) {
+  m_tokens.next();
+  const Token name = m_tokens.next();
+  const auto row = address(name);
+  std::uint8_t component = 0;
+  if (!row)
+    return notThere(name, m_traits.addresses > 1 ? "an integer, A0 or A1" : "an integer or A0");
+  if (!parseAddressComponent(component) || !parseOffset(operand.offset) ||
+      !expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
+    return false;
+  if (!m_allRows) {
+    std::vector<std::uint16_t> rows;
+    for (std::uint32_t i = 0; i < m_traits.rows; ++i)
+      rows.push_back(m_binder.env(i, name.span));
+    m_allRows = m_binder.relativeArray("c", rows, name.span);
+  }
+  m_interface.readsAnyRow = true;
+  operand.relative = true;
+  operand.index = *m_allRows;
+  operand.address = std::uint8_t(*row + component);
+  return true;
+}
+
+bool NativeParser::parseAddressComponent(std::uint8_t &component) {
+  if (!expect(TokenKind::Dot, "'.'"))
+    return false;
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a component of the address register");
+  const Token token = m_tokens.next();
+  const std::size_t found = std::string_view("xyzw").find(text(token));
+  const bool there = text(token).size() == 1 && found != std::string_view::npos &&
+                     (found == 0 || m_traits.addressVectors);
+  if (!there)
+    error(DiagnosticId::AddressComponent, token.span,
+          "an address register has no component " + quote(text(token)),
+          m_traits.addressVectors ? "it has x, y, z and w" : "write .x");
+  component = std::uint8_t(there ? found : 0);
+  return true;
+}
+
+bool NativeParser::parseOffset(std::int16_t &offset) {
+  const bool negative = m_tokens.at(TokenKind::Minus);
+  if (!negative && !m_tokens.at(TokenKind::Plus))
+    return true;
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Integer))
+    return unexpected("an integer");
+  const Token token = m_tokens.next();
+  const std::uint32_t value = parseInteger(text(token));
+  const int limit = negative ? -m_traits.lowest : m_traits.highest;
+  if (value > std::uint32_t(limit))
+    error(DiagnosticId::RelativeOffset, token.span,
+          "the offset " + quote(text(token)) + " is out of range",
+          "offsets of " + header() + " reach from " + std::to_string(m_traits.lowest) + " to " +
+              std::to_string(m_traits.highest));
+  else
+    offset = std::int16_t(negative ? -std::int32_t(value) : std::int32_t(value));
+  return true;
+}
+
+/// <addrRegister> of ARA: a whole address register.
+bool NativeParser::parseAddressSource(ir::Operand &operand) {
+  const Token name = m_tokens.peek();
+  const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
+  if (!row)
+    return unexpected("A0 or A1");
+  m_tokens.next();
+  operand.file = ir::File::Address;
+  operand.index = *row;
+  operand.span = name.span;
+  return true;
+}
+
+/// <swizzleSuffix> or <scalarSuffix>, with its dot.
+bool NativeParser::parseSuffix(bool scalar, ir::Swizzle &swizzle) {
+  if (!m_tokens.at(TokenKind::Dot)) {
+    if (scalar)
+      error(DiagnosticId::ScalarSuffix, m_tokens.peek().span,
+            "this operand is a scalar and needs one component",
+            "choose one of x, y, z, w: write .x behind it");
+    return true;
+  }
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a component");
+  const Token token = m_tokens.next();
+  if (const SuffixError wrong = readSwizzle(text(token), false, scalar, swizzle))
+    error(scalar ? DiagnosticId::ScalarSuffix : DiagnosticId::BadSwizzle,
+          {token.span.begin + wrong.offset, token.span.end},
+          "bad suffix " + quote(text(token)) + ": " + wrong.reason,
+          scalar ? "a scalar operand takes one of x, y, z, w"
+                 : "a suffix is one or four of x, y, z, w");
+  return true;
+}
+
+/// An instruction reads one parameter, or constants of four numbers at most (NV_fragment_program
+/// 3.11.2).
+void NativeParser::useParameter(const ir::Operand &operand, Span where) {
+  const auto isSame = [&](const ir::Operand &other) {
+    return other.relative == operand.relative && other.index == operand.index &&
+           other.address == operand.address && other.offset == operand.offset;
+  };
+  if (!m_scalars.empty() || (m_parameter && !isSame(*m_parameter)))
+    tooManyParameters(where);
+  m_parameter = operand;
+}
+
+void NativeParser::useConstant(const ir::Vec4 &value, Span where) {
+  m_scalars.insert(value.begin(), value.end());
+  constexpr std::size_t kMostScalars = 4;
+  if (m_parameter || m_scalars.size() > kMostScalars)
+    tooManyParameters(where);
+}
+
+void NativeParser::tooManyParameters(Span where) {
+  error(DiagnosticId::NativeOperands, where, "a second parameter in one instruction",
+        fragment() ? "move one into a temporary before; constants of four different numbers may "
+                     "stand beside each other"
+                   : "move one of the two into a temporary before");
+}
+
+} // namespace arbiter::fp::native

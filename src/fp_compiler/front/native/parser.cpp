@@ -1,0 +1,240 @@
+#include "fp_compiler/front/native/parser.h"
+
+#include <algorithm>
+
+#include "fp_compiler/front/header.h"
+#include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/suggest.h"
+
+namespace arbiter::fp::native {
+
+namespace {
+
+/// The limits that the languages set themselves, in the place of the target's: registers are
+/// numbered in the grammar, and an instruction reads one parameter.
+CompileOptions optionsOf(const Traits &traits, CompileOptions options) {
+  ResourceCounts &api = options.limits.api;
+  api.temporaries = Budget::kCeiling;
+  api.parameters = Budget::kCeiling;
+  api.attribs = Budget::kCeiling;
+  api.addressRegisters = traits.addresses;
+  if (traits.instructions != 0)
+    api.instructions = traits.instructions;
+  return options;
+}
+
+} // namespace
+
+ParseResult parse(ir::NativeLanguage language, std::string_view text, const CompileOptions &options,
+                  NameTable *names) {
+  Reporter reporter;
+  ParseResult result;
+  if (checkLength(text, reporter)) {
+    NativeParser parser(language, text, options, reporter, names);
+    parser.parse();
+    if (!reporter.hasErrors()) {
+      result.counts = parser.binder().counts();
+      result.program = parser.binder().takeProgram();
+      result.native = parser.takeInterface();
+    }
+  }
+  result.diagnostics = reporter.take();
+  return result;
+}
+
+NativeParser::NativeParser(ir::NativeLanguage language, std::string_view text,
+                           const CompileOptions &options, Reporter &reporter, NameTable *names)
+    : m_traits(traitsOf(language)), m_text(text), m_limits(options.limits), m_reporter(reporter),
+      m_names(names), m_tokens(text, std::uint32_t(ir::headerOf(language).size())),
+      m_binder(stageOf(language), optionsOf(m_traits, options), reporter) {
+  m_options.nv = ir::NvOption::First;
+  m_options.native = language;
+  m_interface.language = language;
+  m_rules.language = language;
+}
+
+NativeInterface NativeParser::takeInterface() {
+  m_interface.rowsRead.assign(m_rowsRead.begin(), m_rowsRead.end());
+  m_interface.rowsWritten.assign(m_rowsWritten.begin(), m_rowsWritten.end());
+  return std::move(m_interface);
+}
+
+void NativeParser::parse() {
+  parseOptions();
+  m_binder.setOptions(m_options);
+  while (!m_reporter.full()) {
+    if (m_tokens.at(TokenKind::EndOfText)) {
+      error(DiagnosticId::EndMissing, m_tokens.peek().span, "the text ends before END",
+            "every program ends with END; check the length given");
+      return;
+    }
+    if (atWord("END")) {
+      const Span end = m_tokens.next().span;
+      reportBehindEnd(m_reporter, m_text, m_tokens.peek());
+      finish(end);
+      return;
+    }
+    parseStatement();
+  }
+}
+
+void NativeParser::parseOptions() {
+  while (m_traits.invariance && atWord("OPTION") && !m_reporter.full())
+    if (!parseOption())
+      recover();
+}
+
+bool NativeParser::parseOption() {
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("the name of an option");
+  const Token name = m_tokens.next();
+  if (text(name) == "NV_position_invariant")
+    m_options.positionInvariant = true;
+  else
+    error(DiagnosticId::UnsupportedOption, name.span,
+          "OPTION " + quote(text(name)) + " is none of " + header(),
+          "the one option is NV_position_invariant");
+  return expect(TokenKind::Semicolon, "';'");
+}
+
+void NativeParser::parseStatement() {
+  constexpr const char *kStatement = "an instruction or END";
+  if (!m_tokens.at(TokenKind::Identifier)) {
+    unexpected(kStatement);
+    if (!m_tokens.accept(TokenKind::Semicolon)) {
+      m_tokens.next();
+      recover();
+    }
+    return;
+  }
+  const Token first = m_tokens.next();
+  const Word word = nv::classify(text(first), m_traits.language);
+  bool parsed = false;
+  if (m_traits.language == ir::NativeLanguage::Vp2 && atByte(':'))
+    parsed = parseLabel(first);
+  else if (word.keyword == Keyword::Opcode)
+    parsed = info(word.op).has(ir::Flow) ? parseFlow(first, word) : parseInstruction(first, word);
+  else if (word.keyword == Keyword::Param)
+    parsed = text(first) == "DEFINE" ? parseDefine() : parseDeclare();
+  else
+    parsed = unknownStatement(first);
+  if (!parsed)
+    recover();
+}
+
+bool NativeParser::unknownStatement(const Token &first) {
+  const std::string_view word = text(first);
+  if (word == "OPTION") {
+    error(m_traits.invariance ? DiagnosticId::LateOption : DiagnosticId::UnsupportedOption,
+          first.span,
+          m_traits.invariance ? std::string("OPTION after the first statement")
+                              : header() + " has no options",
+          m_traits.invariance ? "options come directly after the header" : "remove it");
+    return false;
+  }
+  std::string hint;
+  if (const auto base = nv::baseOf(word, m_traits.language)) {
+    hint = std::string(info(*base).mnemonic) + " has no such suffix here";
+  } else {
+    std::vector<std::string_view> words = {"END"};
+    for (int i = 0; i < ir::kOpcodeRowCount; ++i)
+      if (nv::offers(m_traits.language, ir::Opcode(i)))
+        words.emplace_back(info(ir::Opcode(i)).mnemonic);
+    hint = didYouMean(word, words);
+  }
+  error(DiagnosticId::UnknownInstruction, first.span,
+        quote(word) + " is no instruction of " + header(), std::move(hint));
+  return false;
+}
+
+/// The program is read: what it must write, what its branches name, and then it becomes code.
+void NativeParser::finish(Span end) {
+  const bool vertex = !fragment() && !statesOnly();
+  if (vertex && !m_writesPosition && !m_options.positionInvariant)
+    error(DiagnosticId::NativeOutputs, end, "the program does not write o[HPOS]",
+          "every vertex program gives a position");
+  if (fragment() && m_results.empty())
+    error(DiagnosticId::NativeOutputs, end, "the program writes no output register",
+          "write o[COLR], o[COLH] or o[DEPR]");
+  if (statesOnly() && m_rowsWritten.empty())
+    error(DiagnosticId::NativeOutputs, end, "the program writes no program parameter",
+          "a vertex state program writes c[n]");
+  for (const Label &label : m_labels)
+    if (!label.placed)
+      error(DiagnosticId::UndeclaredName, label.name,
+            "the label " + quote(at(label.name)) + " is nowhere",
+            "write it before the instruction to go on with, and a colon");
+  if (m_reporter.hasErrors())
+    return;
+  std::optional<std::uint16_t> start;
+  if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
+    start = found->second;
+  nv::lower(m_statements, start, {}, m_binder, m_reporter, m_rules);
+}
+
+bool NativeParser::beginsStatement(const Token &token) const {
+  return token.kind == TokenKind::Identifier &&
+         fp::beginsStatement(nv::classify(text(token), m_traits.language).keyword);
+}
+
+void NativeParser::recover() {
+  while (!m_tokens.at(TokenKind::EndOfText)) {
+    if (beginsStatement(m_tokens.peek()))
+      return;
+    const Token token = m_tokens.next();
+    if (token.kind == TokenKind::Semicolon)
+      return;
+    if (token.kind == TokenKind::Identifier && m_named.contains(text(token)))
+      note(token, Access::Read);
+  }
+}
+
+bool NativeParser::atByte(char byte) const {
+  const Token &token = m_tokens.peek();
+  return token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == byte;
+}
+
+bool NativeParser::acceptByte(char byte) {
+  if (!atByte(byte))
+    return false;
+  m_tokens.next();
+  return true;
+}
+
+bool NativeParser::expectByte(char byte) {
+  return acceptByte(byte) || unexpected((std::string("'") + byte + "'").c_str());
+}
+
+bool NativeParser::expect(TokenKind kind, const char *what, const char *hint) {
+  return m_tokens.accept(kind) || unexpected(what, hint);
+}
+
+bool NativeParser::unexpected(const char *expected, std::string hint) {
+  const Token &token = m_tokens.peek();
+  const bool known =
+      token.kind == TokenKind::InvalidByte &&
+      std::string_view("|():").find(m_text[token.span.begin]) != std::string_view::npos;
+  if (!known)
+    reportUnexpected(m_reporter, m_text, token, expected, std::move(hint));
+  else
+    error(DiagnosticId::Syntax, token.span,
+          "expected " + std::string(expected) + ", found " + describe(m_text, token),
+          std::move(hint));
+  return false;
+}
+
+bool NativeParser::atWord(std::string_view word) const {
+  return m_tokens.at(TokenKind::Identifier) && text(m_tokens.peek()) == word;
+}
+
+/// A register that is written with brackets: f[, o[, v[, c[, p[.
+bool NativeParser::atBinding(std::string_view letter) const {
+  return atWord(letter) && m_tokens.peek(1).kind == TokenKind::OpenBracket;
+}
+
+void NativeParser::error(DiagnosticId id, Span span, std::string message, std::string hint) {
+  m_reporter.error(id, span, std::move(message), std::move(hint));
+}
+
+} // namespace arbiter::fp::native

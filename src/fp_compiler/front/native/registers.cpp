@@ -1,0 +1,287 @@
+// Destinations of NVIDIA's own languages, and registers by their names.
+
+#include "fp_compiler/front/native/parser.h"
+#include "fp_compiler/front/unexpected.h"
+#include "fp_compiler/front/words/numeral.h"
+#include "fp_compiler/front/words/suffix.h"
+#include "fp_compiler/front/words/suggest.h"
+
+namespace arbiter::fp::native {
+
+using ir::OutputKind;
+
+namespace {
+struct ResultRow {
+  bool vertex;
+  std::string_view name;
+  OutputKind kind;
+};
+/// NV_fragment_program table X.3 and NV_vertex_program table X.1, less the texture coordinates.
+constexpr ResultRow kResults[] = {
+#define NATIVE_RESULT(Stage, name, Kind, doc)                                                      \
+  {isOf(Languages::Stage, true), name, OutputKind::Kind},
+#include "fp_compiler/front/native/words.def"
+};
+
+const ResultRow *findResult(bool vertex, std::string_view name) {
+  for (const ResultRow &row : kResults)
+    if (row.vertex == vertex && row.name == name)
+      return &row;
+  return nullptr;
+}
+constexpr std::uint32_t kTexCoords = 8;  // TEX0 to TEX7
+constexpr std::uint32_t kMostUnits = 64; // of !!FP1.0's registers
+} // namespace
+
+/// <maskedDstReg>, without its condition.
+bool NativeParser::parseDestination(ir::Destination &destination) {
+  const std::uint32_t begin = m_tokens.peek().span.begin;
+  if (!parseDestinationRegister(destination))
+    return false;
+  if (m_tokens.accept(TokenKind::Dot) && !parseMask(destination.mask))
+    return false;
+  destination.span = spanFrom(begin);
+  return true;
+}
+
+bool NativeParser::parseDestinationRegister(ir::Destination &destination) {
+  const std::string expected = statesOnly() ? "a temporary or c[n]" : "a temporary or a result";
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected(expected.c_str());
+  if (atBinding("o"))
+    return parseResult(destination);
+  if (statesOnly() && atBinding("c"))
+    return parseWrittenRow(destination);
+  const Token name = m_tokens.next();
+  if (const auto row = temporary(name)) {
+    destination.index = *row;
+    return true;
+  }
+  if (isNullRegister(text(name))) {
+    destination.index = nullRegister(name.span);
+    return true;
+  }
+  const std::string_view word = text(name);
+  const bool binding = m_tokens.at(TokenKind::OpenBracket) &&
+                       (word == (fragment() ? "f" : "v") || word == (fragment() ? "p" : "c"));
+  if (!binding && !m_named.contains(word))
+    return notThere(name, expected.c_str());
+  error(DiagnosticId::ReadOnly, name.span,
+        std::string(word == "f" || word == "v" ? "an attribute" : "a parameter") +
+            " cannot be written",
+        "write " + expected);
+  return false;
+}
+
+/// A word where a register should be: one that the language lacks, or no register at all.
+bool NativeParser::notThere(const Token &name, const char *expected) {
+  const std::string_view word = text(name);
+  const auto number = numberBehind(word, "R");
+  if (number && *number >= m_traits.registers)
+    error(DiagnosticId::NativeRegister, name.span, header() + " has no register " + quote(word),
+          "its temporaries are R0 to R" + std::to_string(m_traits.registers - 1));
+  else if (const auto half = numberBehind(word, "H"); half && fragment())
+    error(DiagnosticId::NativeRegister, name.span, header() + " has no register " + quote(word),
+          "its temporaries of 16 bits are H0 to H" + std::to_string(m_traits.halves - 1));
+  else if (numberBehind(word, "A"))
+    error(DiagnosticId::AddressRegister, name.span,
+          "the address register " + quote(word) + " cannot stand here",
+          m_traits.addresses != 0 ? "ARL loads it, and an index reads it: c[A0.x]" : "");
+  else
+    reportUnexpected(m_reporter, m_text, name, expected, {});
+  return false;
+}
+
+/// The row of a temporary, which stands for it from its first use on; nothing for other words.
+std::optional<std::uint16_t> NativeParser::temporary(const Token &name) {
+  const auto full = numberBehind(text(name), "R");
+  const auto half = full ? std::nullopt : numberBehind(text(name), "H");
+  const bool there = full ? *full < m_traits.registers : half && *half < m_traits.halves;
+  if (!there)
+    return std::nullopt;
+  std::optional<std::uint16_t> &row = m_temporaries[full ? *full : 32 + *half];
+  if (!row) {
+    row = m_binder.temporary(text(name), name.span);
+    countUnits(full ? 2 : 1, name.span);
+  }
+  return row;
+}
+
+/// Of !!FP1.0: registers of 32 bits count twice.
+void NativeParser::countUnits(std::uint32_t units, Span where) {
+  const bool before = m_units > kMostUnits;
+  m_units += units;
+  if (fragment() && !before && m_units > kMostUnits)
+    error(DiagnosticId::LimitTemporaries, where,
+          "more than " + std::to_string(kMostUnits) + " register halves",
+          "each of R0 to R31, o[COLR] and o[DEPR] counts as two, each of H0 to H63 and o[COLH] as "
+          "one");
+}
+
+bool NativeParser::isNullRegister(std::string_view word) const {
+  return fragment() ? word == "RC" || word == "HC"
+                    : m_traits.language == ir::NativeLanguage::Vp2 && word == "CC";
+}
+
+std::uint16_t NativeParser::nullRegister(Span where) {
+  if (!m_nullRegister)
+    m_nullRegister = m_binder.hiddenTemporary(fragment() ? "RC" : "CC", where);
+  return *m_nullRegister;
+}
+
+bool NativeParser::isRegisterName(std::string_view word) const {
+  const auto full = numberBehind(word, "R"), half = numberBehind(word, "H");
+  return (full && *full < m_traits.registers) || (half && *half < m_traits.halves) ||
+         isNullRegister(word);
+}
+
+/// The first of the four IR registers of A0 or A1; nothing for other words.
+std::optional<std::uint16_t> NativeParser::address(const Token &name) {
+  const auto number = numberBehind(text(name), "A");
+  if (!number || *number >= m_traits.addresses)
+    return std::nullopt;
+  std::optional<std::uint16_t> &row = m_addresses[*number];
+  if (!row)
+    row = m_binder.addressVector(text(name), name.span);
+  return row;
+}
+
+/// <maskedAddrReg>: of !!VP1.0 and !!VP1.1 A0.x alone.
+bool NativeParser::parseAddressDestination(ir::Destination &destination) {
+  const Token name = m_tokens.peek();
+  const auto row = name.kind == TokenKind::Identifier ? address(name) : std::nullopt;
+  if (!row)
+    return unexpected(m_traits.addresses > 1 ? "A0 or A1" : "A0");
+  m_tokens.next();
+  destination.file = ir::File::Address;
+  destination.index = *row;
+  if (m_traits.addressVectors) {
+    if (m_tokens.accept(TokenKind::Dot) && !parseMask(destination.mask))
+      return false;
+  } else {
+    std::uint8_t component = 0;
+    if (!parseAddressComponent(component))
+      return false;
+    destination.mask = 1;
+  }
+  destination.span = spanFrom(name.span.begin);
+  return true;
+}
+
+/// "o" "[" <name> "]"
+bool NativeParser::parseResult(ir::Destination &destination) {
+  const Token letter = m_tokens.next();
+  m_tokens.next();
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("the name of a result");
+  if (statesOnly()) {
+    error(DiagnosticId::NativeRegister, letter.span, "a vertex state program has no results",
+          "it writes program parameters, c[n]");
+    return false;
+  }
+  const Token name = m_tokens.next();
+  ir::Output output;
+  if (!(fragment() ? parseFragmentResult(name, output) : parseVertexResult(name, output)))
+    return false;
+  destination.file = ir::File::Output;
+  destination.index = m_binder.output(output);
+  if (m_results.insert(destination.index).second && fragment())
+    countUnits(text(name) == "COLH" ? 1 : 2, letter.span);
+  return expect(TokenKind::CloseBracket, "']'");
+}
+
+bool NativeParser::parseFragmentResult(const Token &name, ir::Output &output) {
+  const std::string_view word = text(name);
+  const ResultRow *const row = findResult(false, word);
+  if (!row) {
+    error(DiagnosticId::UnknownBinding, name.span, "there is no result " + quote(word),
+          didYouMean(word, {"COLR", "COLH", "DEPR"}, "the results are COLR, COLH and DEPR"));
+    return false;
+  }
+  output.kind = row->kind;
+  if (row->kind != OutputKind::Color)
+    return true;
+  if (m_color && *m_color != word)
+    error(DiagnosticId::NativeOutputs, name.span, "o[COLR] and o[COLH] are both written",
+          "a program gives one colour; write all of it to one of the two");
+  m_color = word;
+  return true;
+}
+
+bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
+  const std::string_view word = text(name);
+  if (const auto unit = numberBehind(word, "TEX"); unit && *unit < kTexCoords) {
+    output = {OutputKind::TexCoord, std::uint8_t(*unit)};
+    if (*unit >= m_limits.textureCoords)
+      error(DiagnosticId::TexCoordIndex, name.span,
+            "there is no texture coordinate set " + std::to_string(*unit));
+    return true;
+  }
+  if (const ResultRow *const row = findResult(true, word)) {
+    output.kind = row->kind;
+    const bool position = row->kind == OutputKind::Position;
+    m_writesPosition |= position;
+    if (position && m_options.positionInvariant)
+      error(DiagnosticId::InvariantPosition, name.span,
+            "o[HPOS] under OPTION NV_position_invariant",
+            "the option computes the position; remove one of the two");
+    return true;
+  }
+  const auto plane = numberBehind(word, "CLP");
+  if (m_traits.language == ir::NativeLanguage::Vp2 && plane && *plane < 6)
+    error(DiagnosticId::NvOnly, name.span, "o[" + std::string(word) + "] is not offered yet");
+  else
+    error(DiagnosticId::UnknownBinding, name.span, "there is no result " + quote(word),
+          didYouMean(word, {"HPOS", "COL0", "COL1", "BFC0", "BFC1", "FOGC", "PSIZ", "TEX0"},
+                     "the results are HPOS, COL0, COL1, BFC0, BFC1, FOGC, PSIZ, TEX0 to TEX7"));
+  return false;
+}
+
+/// "c" "[" <integer> "]" of a vertex state program.
+bool NativeParser::parseWrittenRow(ir::Destination &destination) {
+  const Token letter = m_tokens.next();
+  std::uint32_t index = 0;
+  if (!parseBracketed(m_traits.rows, DiagnosticId::ParameterIndex, "program parameter", index))
+    return false;
+  destination.file = ir::File::Output;
+  destination.index = m_binder.output({OutputKind::EnvParameter, std::uint8_t(index)});
+  m_rowsWritten.insert(std::uint16_t(index));
+  m_rules.rows[destination.index] = {m_binder.env(index, spanFrom(letter.span.begin)),
+                                     std::uint16_t(index)};
+  return true;
+}
+
+bool NativeParser::parseMask(std::uint8_t &mask) {
+  if (!m_tokens.at(TokenKind::Identifier))
+    return unexpected("a write mask");
+  const Token token = m_tokens.next();
+  if (const SuffixError wrong = readMask(text(token), false, mask))
+    error(DiagnosticId::BadMask, {token.span.begin + wrong.offset, token.span.end},
+          "bad write mask " + quote(text(token)) + ": " + wrong.reason,
+          "a mask names x, y, z, w, in this order");
+  return true;
+}
+
+/// "[" <integer> "]"
+bool NativeParser::parseBracketed(std::uint32_t limit, DiagnosticId id, const char *what,
+                                  std::uint32_t &index) {
+  return expect(TokenKind::OpenBracket, "'['") && takeIndex(limit, id, what, index) &&
+         expect(TokenKind::CloseBracket, "']'");
+}
+
+bool NativeParser::takeIndex(std::uint32_t limit, DiagnosticId id, const char *what,
+                             std::uint32_t &index) {
+  if (!m_tokens.at(TokenKind::Integer))
+    return unexpected("an integer");
+  const Token token = m_tokens.next();
+  index = parseInteger(text(token));
+  if (index < limit)
+    return true;
+  error(id, token.span,
+        std::string("there is no ") + what + " " + quote(text(token)) + " in " + header(),
+        "they go from 0 to " + std::to_string(limit - 1));
+  index = 0;
+  return true;
+}
+
+} // namespace arbiter::fp::native
