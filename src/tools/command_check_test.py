@@ -32,6 +32,20 @@ class Check(Temporary):
         self.assertEqual(vertex['counts']['address_registers'],
                          {'used': 1, 'limit': 2, 'native_used': 1, 'native_limit': 2})
 
+    def test_languages_of_nvidia(self):
+        vertex = '!!VP1.1\nDP4 o[HPOS].x, v[OPOS], c[4];\nABS o[COL0], v[COL0];\nEND\n'
+        fragment = '!!FP1.0\nDECLARE tint = {1, 0.5};\nMUL o[COLR], f[COL0], tint;\nEND\n'
+        files = self.path('a.vp', vertex), self.path('a.fp', fragment)
+        result = arbiter('check', '--json', '--profile', 'nv30', *files)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        read = json.loads(result.stdout)['files']
+        self.assertEqual([file['language'] for file in read], ['VP1.1', 'FP1.0'])
+        self.assertEqual([file['counts']['instructions']['used'] for file in read], [2, 1])
+        self.assertEqual(arbiter('check', '--profile', 'r300', *files).returncode, 2)
+        refused = arbiter('check', '--brief', '--profile', 'nv40', '-', text='!!FP2.0\nEND\n')
+        self.assertEqual(refused.stdout, "<stdin>:1:5: error: there is no language '!!FP2.0' "
+                                         '[native-header]\n')
+
     def test_a_language_may_be_demanded(self):
         self.assertEqual(arbiter('check', '--language', 'arbvp', '-', text=VERTEX).returncode, 0)
         result = arbiter('check', '--brief', '--language', 'arbfp', '-', text=VERTEX)

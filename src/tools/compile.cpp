@@ -71,6 +71,11 @@ int emitProgram(std::string_view text, const CompileArguments &arguments,
     complain(arguments.file + ": no assembly text of the ARB says what NVIDIA's options do");
     return kExitUsage;
   }
+  if (arguments.emit != "ir" && result.native.language == fp::ir::NativeLanguage::Vsp1) {
+    complain(arguments.file +
+             ": a vertex state program draws nothing; --emit ir shows what it does");
+    return kExitUsage;
+  }
   if (arguments.emit == "llvm" || arguments.emit == "machine") {
     auto code = machineCode(
         *result.program, fp::numericsNamed(arguments.numerics).value_or(fp::Numerics::Host),

@@ -37,6 +37,13 @@ Language chooseLanguage(std::string_view name, std::string_view text) {
   return fp::languageOfText(text).value_or(Language::ArbFragment);
 }
 
+std::string languageTitle(Language language, std::string_view text) {
+  const fp::ir::NativeLanguage own = fp::nativeLanguageOf(text);
+  const std::string_view header =
+      own == fp::ir::NativeLanguage::None ? languageRow(language).header : fp::ir::headerOf(own);
+  return std::string(header.substr(2));
+}
+
 fp::Limits limitsOf(const fp::hw::Profile &profile, Language language) {
   if (language == Language::AtiFragment)
     return fp::ati::limitsOf(profile.fragment);

@@ -25,6 +25,9 @@ struct LanguageRow {
 /// names none, so that the header is what is reported.
 [[nodiscard]] fp::ir::Language chooseLanguage(std::string_view name, std::string_view text);
 
+/// "ARBvp1.0", or the "VP2.0" of a text that is in one of NVIDIA's own languages.
+[[nodiscard]] std::string languageTitle(fp::ir::Language language, std::string_view text);
+
 /// The limits of the language's target; for ATI's those of the language itself.
 [[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 

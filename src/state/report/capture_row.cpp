@@ -85,14 +85,17 @@ std::vector<const char *> optionNames(const fp::ir::Options &options, bool verte
   constexpr const char *kFog[] = {nullptr, "ARB_fog_exp", "ARB_fog_exp2", "ARB_fog_linear"};
   constexpr const char *kPrecision[] = {nullptr, "ARB_precision_hint_fastest",
                                         "ARB_precision_hint_nicest"};
+  const bool own = options.native != fp::ir::NativeLanguage::None; // the header says it
   for (const char *name :
-       {kNv[vertex ? 1 : 0][std::size_t(options.nv)], kFog[std::size_t(options.fog)],
-        kPrecision[std::size_t(options.precision)],
+       {own ? nullptr : kNv[vertex ? 1 : 0][std::size_t(options.nv)],
+        kFog[std::size_t(options.fog)], kPrecision[std::size_t(options.precision)],
         options.shadow ? "ARB_fragment_program_shadow" : nullptr,
         options.drawBuffers ? "ARB_draw_buffers" : nullptr,
         options.originUpperLeft ? "ARB_fragment_coord_origin_upper_left" : nullptr,
         options.pixelCenterInteger ? "ARB_fragment_coord_pixel_center_integer" : nullptr,
-        options.positionInvariant ? "ARB_position_invariant" : nullptr})
+        !options.positionInvariant ? nullptr
+        : own                      ? "NV_position_invariant"
+                                   : "ARB_position_invariant"})
     if (name)
       names.push_back(name);
   return names;

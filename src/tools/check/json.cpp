@@ -181,7 +181,7 @@ void writeFile(JsonWriter &json, const CheckedFile &file, const fp::hw::Profile 
     return;
   }
   const SourceText source(file.text);
-  json.key("language").value(languageRow(file.language).header + 2);
+  json.key("language").value(languageTitle(file.language, file.text));
   json.key("bytes").value(std::uint64_t(file.text.size()));
   json.key("hash").value(toHex(hashBytes(file.text)));
   json.key("error_position").value(int(file.result.errorPosition()));

@@ -17,7 +17,9 @@ Json Completion::run() {
     addPanelWords();
     return m_items;
   }
-  const std::string header = languageRow(m_language).header;
+  const bool own = m_view.analysis.ownLanguage != fp::ir::NativeLanguage::None;
+  const std::string header = own ? std::string(fp::ir::headerOf(m_view.analysis.ownLanguage))
+                                 : languageRow(m_language).header;
   if (!m_view.document.text().starts_with(header) &&
       m_view.document.map().lineOf(m_replaced.begin) == 0)
     addHeaders();
@@ -27,6 +29,8 @@ Json Completion::run() {
     behindDot();
   else if (m_language == fp::ir::Language::AtiFragment)
     inAtiStatement();
+  else if (own)
+    inOwnStatement();
   else
     inStatement();
   return m_items;
@@ -70,6 +74,8 @@ void Completion::addHeaders() {
   }
   for (const LanguageRow &row : languageRows())
     add(row.header, kKeyword, "the first bytes of the text");
+  if (m_view.analysis.limits.nvOptions != 0)
+    addOwnHeaders();
 }
 
 void Completion::behindDot() {

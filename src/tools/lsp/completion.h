@@ -80,6 +80,12 @@ private:
   void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);
   void inInstruction();
 
+  // completion_native.cpp
+  void addOwnHeaders();
+  void inOwnStatement();
+  void addOwnStatements();
+  void inOwnInstruction();
+
   // completion_ati.cpp
   void inAtiStatement();
   void addAtiSources(std::string_view word);

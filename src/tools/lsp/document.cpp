@@ -26,7 +26,9 @@ std::vector<fp::Token> tokensOf(std::string_view text, Language language) {
     return tokens;
   const auto words =
       language == Language::AtiFragment ? fp::Words::Suffixes : fp::Words::Identifiers;
-  const std::string_view header = languageRow(language).header;
+  const fp::ir::NativeLanguage own = fp::nativeLanguageOf(text);
+  const std::string_view header =
+      own == fp::ir::NativeLanguage::None ? languageRow(language).header : fp::ir::headerOf(own);
   const std::uint32_t begin = text.starts_with(header) ? std::uint32_t(header.size())
                               : text.starts_with("!")
                                   ? std::uint32_t(std::min(text.find_first_of("\r\n"), text.size()))
@@ -117,6 +119,8 @@ const Analysis &Document::analysis(const fp::hw::Profile &profile) {
   made.limits = limitsOf(profile, made.language);
   made.tokens = tokensOf(m_text, made.language);
   made.nv = nvOptionOf(m_text, made.tokens, made.limits);
+  if (made.limits.nvOptions != 0)
+    made.ownLanguage = fp::nativeLanguageOf(m_text);
   fp::CompileOptions options;
   options.limits = made.limits;
   made.inspection = fp::inspectProgram(made.language, m_text, options);

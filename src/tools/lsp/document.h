@@ -16,6 +16,8 @@ namespace arbiter::tools::lsp {
 struct Analysis {
   fp::ir::Language language = fp::ir::Language::ArbFragment;
   fp::ir::NvOption nv = fp::ir::NvOption::None; ///< that the text asks for and may have
+  /// NVIDIA's own language that the header names, if the profile has it.
+  fp::ir::NativeLanguage ownLanguage = fp::ir::NativeLanguage::None;
   fp::Limits limits;
   std::vector<fp::Token> tokens; ///< without EndOfText; there also where the parse failed
   fp::Inspection inspection;

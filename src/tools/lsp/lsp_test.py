@@ -325,11 +325,29 @@ class Profile(Session):
         text = '!!ARBfp1.0\nTEMP a;\n' + 'MUL a, a, a;\n' * 80 + 'MOV result.color, a;\nEND\n'
         self.assertEqual(self.client.open(URI, text), [])
 
+    def test_languages_of_nvidia(self):
+        begin = '!!FP1.0\nDECLARE tint = {1, 0.5};\n'
+        text = begin + 'MUL R0, f[COL0], tint;\nMOV o[COLR], R0;\nEND\n'
+        self.assertEqual(self.client.open(URI, text), [])
+        self.assertIn('MUL', self.hover(text, 'MUL'))
+        words = self.complete(begin + '|')
+        self.assertIn('X2D', words)
+        self.assertIn('DECLARE', words)
+        self.assertNotIn('SWZ', words)
+        self.assertNotIn('TEMP', words)
+        self.assertIn('o[COLH]', self.complete(begin + 'MUL |'))
+        self.assertLessEqual({'f[WPOS]', 'f[TEX7]', 'tint'},
+                             set(self.complete(begin + 'MUL R0, |')))
+        self.assertIn('BRA', self.complete('!!VP2.0\n|'))
+        self.assertNotIn('BRA', self.complete('!!VP1.1\n|'))
+        self.assertIn('v[WGHT]', self.complete('!!VP1.0\nMOV R0, |'))
+        self.assertIn('!!VP2.0', self.complete('!!|'))
+
 
 class Hostile(Session):
     PIECES = ['', ';', '.', '[', ']', '{', '}', '=', ',', 'MOV ', 'TEX ', 'state.', 'fragment.',
               'c[', 'A0.x', '\n', '\r', '\r\n', '# ', '!!', '!!ATIfs1.0\n', '!!ARBvp1.0\n',
-              '\U0001d11e', '\u00e4', 'SWZ a, b, ', 'OPTION ', 'ALIAS x = ', 'PARAM p[] = { ',
+              '!!FP1.0\n', '!!VP2.0\n', '\U0001d11e', '\u00e4', 'SWZ a, b, ', 'OPTION ', 'ALIAS x = ', 'PARAM p[] = { ',
               'SampleMap r1, t0.', '\0', '0', '1.5', '2D', '.2x', '-', 'END']
     METHODS = ['hover', 'completion', 'definition', 'references', 'documentHighlight',
                'prepareRename', 'rename', 'documentSymbol', 'semanticTokens/full', 'inlayHint']

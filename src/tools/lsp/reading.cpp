@@ -46,6 +46,8 @@ bool Reading::inComment(std::uint32_t offset) const {
 fp::Word Reading::word(std::size_t token) const {
   if (kind(token) != TokenKind::Identifier || m_analysis.language == fp::ir::Language::AtiFragment)
     return {};
+  if (m_analysis.ownLanguage != fp::ir::NativeLanguage::None)
+    return fp::nv::classify(text(token), m_analysis.ownLanguage);
   const fp::ArbLanguage &language = fp::arbLanguage(m_analysis.language);
   return m_analysis.nv == fp::ir::NvOption::None
              ? fp::classify(text(token), language)

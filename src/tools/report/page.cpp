@@ -90,7 +90,7 @@ std::string row(const ProgramSet &set, std::size_t index) {
   const bool read = program.verdict != Verdict::Unreadable;
   std::string html = std::string("<tr data-s=\"") + word(program.verdict) + "\"><td><a href=\"#" +
                      anchor(index) + "\">" + escaped(shortName(set, index)) + "</a></td>" +
-                     cell(read ? languageRow(file.language).header + 2 : "") +
+                     cell(read ? languageTitle(file.language, file.text) : "") +
                      cell(verdictMark(program.verdict));
   html += file.counted() ? countCells(file) : emptyCells(8);
   if (set.fromCapture)

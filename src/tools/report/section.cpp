@@ -82,7 +82,7 @@ std::string Section::summary() const {
 }
 
 std::string Section::headline() const {
-  std::string html = "<p>" + std::string(languageRow(m_file.language).header + 2) + ", " +
+  std::string html = "<p>" + languageTitle(m_file.language, m_file.text) + ", " +
                      counted(m_file.text.size(), "byte");
   if (m_program.captured >= 0) {
     const CapturedProgram &captured = m_set.capture.programs[std::size_t(m_program.captured)];

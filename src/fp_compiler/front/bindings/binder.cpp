@@ -168,6 +168,20 @@ std::uint16_t Binder::env(std::uint32_t index, Span where) {
   return row(keyOf(parameter.kind, index), parameter, where);
 }
 
+std::uint16_t Binder::hiddenEnv(std::uint32_t index, Span where) {
+  const auto [entry, isNew] =
+      m_stateRows.try_emplace(keyOf(ir::ParameterKind::Env, index), std::uint16_t(0));
+  if (isNew && m_program.parameters.size() >= Budget::kCeiling) {
+    m_reporter.error(DiagnosticId::LimitParameters, where, "too many parameters in any program");
+  } else if (isNew) {
+    ir::Parameter parameter;
+    parameter.kind = ir::ParameterKind::Env;
+    parameter.index = std::uint16_t(index);
+    entry->second = append(parameter);
+  }
+  return entry->second;
+}
+
 std::uint16_t Binder::local(std::uint32_t index, Span where) {
   ir::Parameter parameter;
   parameter.kind = ir::ParameterKind::Local;

@@ -42,6 +42,7 @@ public:
   /// \p where, beyond what any program may have.
   std::uint16_t hiddenTemporary(std::string_view name, Span where);
   std::uint16_t hiddenConstant(const ir::Vec4 &value, Span where);
+  std::uint16_t hiddenEnv(std::uint32_t index, Span where);
   /// Of four components: four registers of the IR that follow each other.
   std::uint16_t addressVector(std::string_view name, Span where);
   void append(const ir::Instruction &instruction, Span where);

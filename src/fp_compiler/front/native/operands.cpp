@@ -238,15 +238,9 @@ bool NativeParser::parseRelativeRow(ir::Operand &operand) {
   if (!parseAddressComponent(component) || !parseOffset(operand.offset) ||
       !expect(TokenKind::CloseBracket, "'+', '-' or ']'"))
     return false;
-  if (!m_allRows) {
-    std::vector<std::uint16_t> rows;
-    for (std::uint32_t i = 0; i < m_traits.rows; ++i)
-      rows.push_back(m_binder.env(i, name.span));
-    m_allRows = m_binder.relativeArray("c", rows, name.span);
-  }
   m_interface.readsAnyRow = true;
   operand.relative = true;
-  operand.index = *m_allRows;
+  operand.index = 0; // the program's one array
   operand.address = std::uint8_t(*row + component);
   return true;
 }

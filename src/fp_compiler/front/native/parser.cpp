@@ -167,10 +167,20 @@ void NativeParser::finish(Span end) {
             "write it before the instruction to go on with, and a colon");
   if (m_reporter.hasErrors())
     return;
+  if (m_interface.readsAnyRow)
+    bindAllRows(end);
   std::optional<std::uint16_t> start;
   if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
     start = found->second;
   nv::lower(m_statements, start, {}, m_binder, m_reporter, m_rules);
+}
+
+/// c[] as the array that relative operands read. Rows that no operand names are not counted.
+void NativeParser::bindAllRows(Span where) {
+  std::vector<std::uint16_t> rows;
+  for (std::uint32_t i = 0; i < m_traits.rows; ++i)
+    rows.push_back(m_binder.hiddenEnv(i, where));
+  m_binder.relativeArray("c", rows, where);
 }
 
 bool NativeParser::beginsStatement(const Token &token) const {

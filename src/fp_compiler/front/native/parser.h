@@ -61,6 +61,7 @@ private:
   bool unknownStatement(const Token &first);
   void parseEnd();
   void finish(Span end);
+  void bindAllRows(Span where);
   void recover();
   [[nodiscard]] bool beginsStatement(const Token &token) const;
   [[nodiscard]] bool atByte(char byte) const;
@@ -159,7 +160,6 @@ private:
   std::array<std::optional<std::uint16_t>, 96> m_temporaries; ///< R0 to R31, H0 to H63
   std::optional<std::uint16_t> m_nullRegister;
   std::array<std::optional<std::uint16_t>, 2> m_addresses;
-  std::optional<std::uint16_t> m_allRows; ///< c[], in Program::arrays
   std::unordered_map<std::string_view, Named> m_named;
   std::vector<Label> m_labels;
   std::map<std::string_view, std::uint16_t> m_labelNumbers;
