@@ -80,7 +80,7 @@ private:
   void afterEquals(std::initializer_list<fp::Keyword> keywords, Kinds kinds);
   void inInstruction();
 
-  // completion_native.cpp
+  // of NVIDIA's own languages
   void addOwnHeaders();
   void inOwnStatement();
   void addOwnStatements();
