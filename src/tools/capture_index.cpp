@@ -24,6 +24,7 @@ constexpr CaptureTarget kTargets[] = {
     {"fragment", ".fp", fp::ir::Language::ArbFragment},
     {"vertex", ".vp", fp::ir::Language::ArbVertex},
     {"ati-fragment", ".atifs", fp::ir::Language::AtiFragment},
+    {"vertex-state", ".vsp", fp::ir::Language::ArbVertex}, // by its header
 };
 
 using Programs = std::map<std::string, CapturedProgram>; ///< by file name

@@ -39,6 +39,7 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {infoOf(Target::Vertex).name, Capability::ProgramTarget, 0},
     {infoOf(Target::AtiText).name, Capability::ProgramTarget, 0},
     {infoOf(Target::AtiApi).name, Capability::ProgramTarget, 0},
+    {GL_FRAGMENT_PROGRAM_NV, Capability::ProgramTarget, 0},
     {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
     {GL_LIGHTING, Capability::ChoosesForm, kLighting},
     {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},

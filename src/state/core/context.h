@@ -31,6 +31,7 @@ class SamplerOverride;
 class ShareGroup;
 class LinkedProgramCache;
 struct LinkedProgram;
+struct NvState;
 namespace software {
 struct ContextState;
 }
@@ -110,6 +111,8 @@ public:
   /// Objects bound lately, by the low bits of their name: binding one again takes no lock.
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
 
+  std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
+
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
   bool atiShaderEffective = false; ///< draws depend on fixed-function state (fixed_function.h)
@@ -170,6 +173,8 @@ public:
   case infoOf(Target::AtiText).name:
     row = &context.row(Target::AtiText);
     break;
+  case GL_FRAGMENT_PROGRAM_NV: // one enable and one binding with the ARB's
+    return context.nv ? &context.row(Target::Fragment) : nullptr;
   default:
     return nullptr;
   }

@@ -133,8 +133,10 @@ std::optional<std::uint32_t> extensionYear(std::string_view name) {
 IdentityRules identityRules() {
   IdentityRules rules;
   // Under the host's own profile programs may ask for the options, and an application is not led
-  // to: what has no machine code yet would be slower than what it sends without them.
-  rules.nvFragmentOptions = activeProfile().fromHost ? 0 : activeProfile().fragment.nvOptions;
+  // to where the host does not: it would choose what is slower there than what it sends without.
+  rules.nvAsHost = activeProfile().fromHost;
+  rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
+  rules.nvVertexOptions = activeProfile().vertex.nvOptions;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
   if (!settings().identityOfProfile)
@@ -149,21 +151,38 @@ IdentityRules identityRules() {
 }
 
 namespace {
-/// Not the vertex options': programs that write result.clip do not load yet.
-void addNvOptions(FilteredExtensions &extensions, std::uint32_t fragment) {
-  constexpr const char *kNames[] = {"GL_NV_fragment_program_option", "GL_NV_fragment_program2"};
-  for (std::uint32_t i = 0; i < std::min(fragment, 2u); ++i) {
-    extensions.names.emplace_back(kNames[i]);
-    extensions.joined += std::string(kNames[i]) + " ";
+
+/// An extension of NVIDIA's program languages, and from which step of the profile's options on it
+/// is there. NVIDIA's own languages come with the first step of both.
+struct NvExtension {
+  const char *name;
+  std::uint32_t fragment, vertex;
+};
+constexpr NvExtension kNvExtensions[] = {
+    {"GL_NV_fragment_program", 1, 1},       {"GL_NV_fragment_program_option", 1, 0},
+    {"GL_NV_fragment_program2", 2, 0},      {"GL_NV_vertex_program", 1, 1},
+    {"GL_NV_vertex_program1_1", 1, 1},      {"GL_NV_vertex_program2", 1, 1},
+    {"GL_NV_vertex_program2_option", 0, 1}, {"GL_NV_vertex_program3", 0, 2},
+};
+
+void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
+                     const IdentityRules &rules) {
+  for (const NvExtension &row : kNvExtensions) {
+    if (rules.nvFragmentOptions < row.fragment || rules.nvVertexOptions < row.vertex ||
+        (rules.nvAsHost && !caps.has(row.name)))
+      continue;
+    extensions.names.emplace_back(row.name);
+    extensions.joined += std::string(row.name) + " ";
   }
 }
+
 } // namespace
 
 Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules) {
   Identity identity;
   identity.extensions = filterExtensions(caps, offered);
   if (offered && caps.drawsNvOptions())
-    addNvOptions(identity.extensions, rules.nvFragmentOptions);
+    addNvExtensions(identity.extensions, caps, rules);
   if (rules.cutExtensions())
     cutExtensions(identity.extensions, rules);
   if (rules.card)

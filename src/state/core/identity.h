@@ -18,6 +18,8 @@ struct IdentityRules {
   std::uint32_t maxYear = 0;              ///< of an extension; 0: any
   std::uint32_t maxLength = 0;            ///< bytes of the joined list; 0: any
   std::uint32_t nvFragmentOptions = 0;    ///< Limits::nvOptions of fragment programs
+  std::uint32_t nvVertexOptions = 0;      ///< and of vertex programs
+  bool nvAsHost = false; ///< of NVIDIA's extensions only those that the host announces too
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }
 };

@@ -49,20 +49,30 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
   HostCaps host = caps();
   host.bitEncoding = true;
   host.extensions.emplace_back("GL_ARB_shader_texture_lod");
-  const auto announced = [&](std::uint32_t options) {
+  const auto announced = [&](std::uint32_t fragment, std::uint32_t vertex, bool asHost = false) {
     IdentityRules rules;
-    rules.nvFragmentOptions = options;
+    rules.nvFragmentOptions = fragment;
+    rules.nvVertexOptions = vertex;
+    rules.nvAsHost = asHost;
     Names found;
     for (const std::string &name : makeIdentity(host, true, rules).extensions.names)
-      if (name.starts_with("GL_NV_fragment_program"))
-        found.push_back(name);
+      if (name.starts_with("GL_NV_fragment_program") || name.starts_with("GL_NV_vertex_program"))
+        found.push_back(name.substr(6));
     return found;
   };
-  EXPECT_EQ(announced(0), Names{});
-  EXPECT_EQ(announced(1), Names{"GL_NV_fragment_program_option"});
-  EXPECT_EQ(announced(2), (Names{"GL_NV_fragment_program_option", "GL_NV_fragment_program2"}));
+  EXPECT_EQ(announced(0, 0), Names{});
+  EXPECT_EQ(announced(1, 0), Names{"fragment_program_option"});
+  EXPECT_EQ(announced(0, 2), (Names{"vertex_program2_option", "vertex_program3"}));
+  // NVIDIA's own languages, which need both stages.
+  EXPECT_EQ(announced(1, 1),
+            (Names{"fragment_program", "fragment_program_option", "vertex_program",
+                   "vertex_program1_1", "vertex_program2", "vertex_program2_option"}));
+  EXPECT_EQ(announced(2, 2).size(), 8u);
+  EXPECT_EQ(announced(2, 2, true), Names{}) << "the host announces none";
+  host.extensions.emplace_back("GL_NV_vertex_program");
+  EXPECT_EQ(announced(2, 2, true), Names{"vertex_program"});
   host.bitEncoding = false; // what GLSL lacks there
-  EXPECT_EQ(announced(2), Names{});
+  EXPECT_EQ(announced(2, 2), Names{});
 }
 
 TEST(Identity, ACardsListIsCutToWhatWorks) {

@@ -21,6 +21,7 @@
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
@@ -86,8 +87,17 @@ void offer(Context &context, Target target, fp::Limits limits) {
   ProgramTarget &row = context.row(target);
   row.offered = true;
   row.env.assign(limits.envParameters, Vec4{});
-  context.group->setDefaultLocals(target, limits.localParameters);
   row.limits = limits;
+  context.group->setDefaultLocals(target, row.localsOfObject());
+}
+
+/// NVIDIA's own languages and their API, where the profile has its options.
+void offerNvPrograms(Context &context) {
+  const fp::Limits limits = context.row(Target::Vertex).limits;
+  if (limits.nvOptions == 0 || context.row(Target::Fragment).limits.nvOptions == 0)
+    return;
+  context.row(Target::VertexState).limits = limits;
+  context.nv = std::make_unique<NvState>();
 }
 
 /// What this host can be given of the mode that is asked for; said once where it is less.
@@ -191,6 +201,7 @@ void initialise(Context &context) {
     const fp::Limits limits = fp::ati::limitsOf(context.row(Target::Fragment).limits);
     offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
+    offerNvPrograms(context);
   }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;

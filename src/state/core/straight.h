@@ -19,6 +19,15 @@ namespace arbiter::state::straight {
 [[nodiscard]] inline bool Enable(Context &context, GLenum cap) { return isHosts(context, cap); }
 [[nodiscard]] inline bool Disable(Context &context, GLenum cap) { return isHosts(context, cap); }
 
+/// The layer has a part in MATRIXi_NV, and in VERTEX_ATTRIB_ARRAYi_NV.
+[[nodiscard]] inline bool MatrixMode(Context &, GLenum mode) { return mode - GL_MATRIX0_NV >= 8u; }
+[[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {
+  return array - GL_VERTEX_ATTRIB_ARRAY0_NV >= 16u;
+}
+[[nodiscard]] inline bool DisableClientState(Context &context, GLenum array) {
+  return EnableClientState(context, array);
+}
+
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 

@@ -67,5 +67,20 @@ TEST(Straight, TheLayerSeesWhichTexturesCompare) {
                                        GLfloat(GL_COMPARE_R_TO_TEXTURE)));
 }
 
+TEST(Straight, OnlyNvidiasMatricesAndArraysAreTheLayers) {
+  FakeHost host;
+  const CurrentContext context(host);
+  int handled = 0;
+  for (GLenum name = 0; name < kMostNames; ++name) {
+    const bool matrix = name >= GL_MATRIX0_NV && name <= GL_MATRIX7_NV;
+    const bool array = name >= GL_VERTEX_ATTRIB_ARRAY0_NV && name <= GL_VERTEX_ATTRIB_ARRAY15_NV;
+    ASSERT_EQ(straight::MatrixMode(*context, name), !matrix) << name;
+    ASSERT_EQ(straight::EnableClientState(*context, name), !array) << name;
+    ASSERT_EQ(straight::DisableClientState(*context, name), !array) << name;
+    handled += matrix || array ? 1 : 0;
+  }
+  EXPECT_EQ(handled, 24);
+}
+
 } // namespace
 } // namespace arbiter::state

@@ -8,6 +8,7 @@
 
 #include "fp_compiler/ir/interface.h"
 #include "fp_compiler/limits.h"
+#include "fp_compiler/native_interface.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
@@ -24,6 +25,7 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_VERTEX_PROGRAM_ARB, fp::ir::Language::ArbVertex, "vertex", ".vp"},
     {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
     {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
+    {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
@@ -48,9 +50,21 @@ struct ProgramTarget {
   std::shared_ptr<ProgramObject> bound; ///< never null in a context that is not the null one
   std::vector<Vec4> env;
   std::uint32_t envVersion = 0; ///< counts changes of `env`
-  fp::Limits limits;            ///< as GetProgramiv answers them and the compiler enforces them
+  /// Fours of `env` that follow a matrix, one bit each (NV_vertex_program 2.14.5): no command of
+  /// the application's changes them.
+  std::uint64_t tracked = 0;
+  fp::Limits limits; ///< as GetProgramiv answers them and the compiler enforces them
 
   [[nodiscard]] const TargetInfo &info() const { return infoOf(target); }
+  /// How many an object has: those of the limits, and behind them what has only a name.
+  [[nodiscard]] std::size_t localsOfObject() const {
+    const bool named = target == Target::Fragment && limits.nvOptions != 0;
+    return limits.localParameters + (named ? fp::kMostNamedParameters : 0);
+  }
+  /// Env parameter `index` follows a matrix.
+  [[nodiscard]] bool follows(std::size_t index) const {
+    return index < 256 && (tracked >> (index / 4) & 1u) != 0;
+  }
 };
 
 } // namespace arbiter::state

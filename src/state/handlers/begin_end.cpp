@@ -3,6 +3,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/host_assembly.h"
+#include "state/host_draw/native_inputs.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/decision.h"
@@ -29,6 +30,7 @@ bool defer(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
+  const ImmediateInputs inputs(context);
   if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
     return;
   if (software::mayDraw(context) && defer(context, mode))
@@ -48,6 +50,7 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
+  const ImmediateInputs inputs(context);
   if (context.listMode != 0 && context.list->recordsPrimitive())
     return context.list->endPrimitive(context);
   if (context.recorder && context.listMode == 0) {

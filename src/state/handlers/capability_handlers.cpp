@@ -8,6 +8,7 @@
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
 
@@ -87,6 +88,13 @@ void Disablei(Context &context, GLenum target, GLuint index) {
 }
 
 GLboolean IsEnabled(Context &context, GLenum cap) {
+  const GLuint array = cap - GL_VERTEX_ATTRIB_ARRAY0_NV;
+  if (context.nv && array < NvState::kAttributes) {
+    GLint enabled = 0;
+    if (outsideBeginEnd(context, "IsEnabled between Begin and End"))
+      context.host->GetVertexAttribiv(array, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    return enabled != 0 ? GL_TRUE : GL_FALSE;
+  }
   const ProgramTarget *const row = enableRowOf(context, cap);
   if (!row)
     return context.host->IsEnabled(cap);

@@ -81,6 +81,20 @@ bool cardValue(const Context &context, GLenum pname, GLint &value) {
   }
 }
 
+/// The values of NV_vertex_program and NV_fragment_program that have no name of the ARB's.
+bool nvValue(const Context &context, GLenum pname, GLint &value) {
+  if (!context.nv)
+    return false;
+  const ProgramTarget &fragment = context.row(Target::Fragment);
+  if (pname == GL_VERTEX_PROGRAM_BINDING_NV)
+    value = GLint(context.row(Target::Vertex).bound->name);
+  else if (pname == GL_FRAGMENT_PROGRAM_BINDING_NV)
+    value = GLint(fragment.bound->name);
+  else
+    value = GLint(fragment.limits.localParameters);
+  return true;
+}
+
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
 /// show our objects is put back.
 bool ownValue(Context &context, GLenum pname, GLint &value) {
@@ -88,6 +102,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case infoOf(Target::Fragment).name:
   case infoOf(Target::Vertex).name:
   case infoOf(Target::AtiText).name:
+  case GL_FRAGMENT_PROGRAM_NV:
     if (const ProgramTarget *const row = rowOf(context, pname)) {
       value = row->enabled ? 1 : 0;
       return true;
@@ -103,6 +118,10 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_NUM_LOOPBACK_COMPONENTS_ATI:
   case GL_COLOR_ALPHA_PAIRING_ATI:
     return fragmentShaderValue(context.row(Target::AtiApi), pname, value);
+  case GL_VERTEX_PROGRAM_BINDING_NV:
+  case GL_FRAGMENT_PROGRAM_BINDING_NV:
+  case GL_MAX_FRAGMENT_PROGRAM_LOCAL_PARAMETERS_NV:
+    return nvValue(context, pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;
     return true;

@@ -47,7 +47,7 @@ void get(Context &context, const ProgramTarget &row, GLuint name, GLuint index, 
   const auto object = namedProgram(context, row, name);
   if (!object || !params)
     return;
-  if (index >= object->locals.size())
+  if (index >= row.limits.localParameters)
     return raise(context, GL_INVALID_VALUE, "GetNamedProgramLocalParameter: index");
   const Vec4 value = object->locals[index].load();
   std::copy(value.begin(), value.end(), params);

@@ -8,6 +8,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -56,7 +57,7 @@ bool isImmediate(const Context &context) {
 /// One env parameter: the call that applications make thousands of times a frame.
 [[gnu::always_inline]] inline void env(Context &context, ProgramTarget &row, GLuint index,
                                        const Vec4 &value) {
-  if (!isImmediate(context) || index >= row.env.size()) [[unlikely]]
+  if (!isImmediate(context) || index >= row.env.size() || row.tracked != 0) [[unlikely]]
     return env(context, row, index, 1, &value);
   row.env[index] = value;
   ++row.envVersion;
@@ -67,7 +68,7 @@ bool isImmediate(const Context &context) {
 [[gnu::always_inline]] inline void local(Context &context, ProgramTarget &row, GLuint index,
                                          const Vec4 &value) {
   ProgramObject &object = *row.bound;
-  if (!isImmediate(context) || index >= object.locals.size()) [[unlikely]]
+  if (!isImmediate(context) || index >= row.limits.localParameters) [[unlikely]]
     return local(context, row, index, 1, &value);
   object.locals[index].store(value);
   object.changed(row.seenVersion);
@@ -78,13 +79,15 @@ std::optional<Vec4> readEnv(Context &context, const ProgramTarget &row, GLuint i
   if (!outsideBeginEnd(context, "GetProgramEnvParameter between Begin and End") ||
       !isRange(context, index, 1, row.env.size(), "GetProgramEnvParameter: index"))
     return std::nullopt;
+  if (row.tracked != 0)
+    refreshTrackedMatrices(context);
   return row.env[index];
 }
 
 std::optional<Vec4> readLocal(Context &context, const ProgramTarget &row, GLuint index) {
   const ProgramObject &object = *row.bound;
   if (!outsideBeginEnd(context, "GetProgramLocalParameter between Begin and End") ||
-      !isRange(context, index, 1, object.locals.size(), "GetProgramLocalParameter: index"))
+      !isRange(context, index, 1, row.limits.localParameters, "GetProgramLocalParameter: index"))
     return std::nullopt;
   return object.locals[index].load();
 }
@@ -193,7 +196,7 @@ void ProgramLocalParameters4fvEXT(Context &context, GLenum target, GLuint index,
   ProgramTarget *const row = rowOf(context, target);
   if (!row)
     return context.host->ProgramLocalParameters4fvEXT(target, index, count, params);
-  if (count < 0 || std::size_t(count) > row->bound->locals.size())
+  if (count < 0 || GLuint(count) > row->limits.localParameters)
     return raise(context, GL_INVALID_VALUE, "ProgramLocalParameters: count");
   local(context, *row, index, count, gather(count, params).data());
 }

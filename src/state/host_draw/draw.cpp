@@ -11,6 +11,7 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/native_inputs.h"
 #include "state/host_draw/path_choice.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/programs/program_bind.h"
@@ -67,6 +68,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kInvalid;
   if (context.hostPartWaits)
     bits |= attention::kHostPart;
+  if (nativeInputsMayChange(context))
+    bits |= attention::kState;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -168,6 +171,8 @@ void refreshEffective(Context &context, HostPart part) {
 } // namespace
 
 bool validatePrograms(Context &context) {
+  if (context.nv)
+    refreshNativeInputs(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
@@ -184,6 +189,8 @@ bool validatePrograms(Context &context) {
 }
 
 bool validate(Context &context) {
+  if (context.nv)
+    refreshNativeInputs(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {

@@ -8,8 +8,10 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/programs/nv/nv_state.h"
 #include "state/programs/program_edits.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
@@ -60,6 +62,9 @@ EffectivePrograms enabledRows(const Context &context) {
 bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
+  if (pair.vertex && pair.vertex->arrays &&
+      context.nv) // of its form by the arrays it is drawn with
+    pair.vertex = pair.vertex->arrays->of(*pair.vertex, context.nv->arrays);
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)

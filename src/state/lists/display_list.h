@@ -42,6 +42,14 @@ struct Command {
     EndConditional,
     CopyTexture, ///< object: a CopyKind; target, format: internal, count: level,
                  ///< name: border; bytes: a CopyRegion
+    // Of NVIDIA's program API.
+    LoadNv,           ///< target, name; count: the length; bytes: a copy of the text
+    BindNv,           ///< target, name
+    ExecuteNv,        ///< target, name; values: the input
+    TrackMatrix,      ///< target, name: address; object: matrix; format: transform
+    ParameterNv,      ///< target, name: first index; count; values, none if the count is an error
+    NamedParameterNv, ///< name: of the program; bytes: of the parameter; values
+    RequestResident,  ///< count; bytes: the names
   };
   Kind kind;
   GLenum target = 0;

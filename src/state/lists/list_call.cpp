@@ -13,6 +13,8 @@
 #include "state/host_draw/use_program.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/fragment_shaders.h"
+#include "state/programs/nv/matrix_tracking.h"
+#include "state/programs/nv/nv_programs.h"
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
@@ -77,6 +79,35 @@ void executeProgram(Context &context, ProgramTarget &row, const Command &command
   }
 }
 
+/// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share
+/// group have one profile, and may be on hosts' contexts that differ.
+void executeNvCommand(Context &context, const Command &command) {
+  if (!context.nv)
+    return raise(context, GL_INVALID_OPERATION, "a list's command of NV_vertex_program");
+  switch (command.kind) {
+  case Command::Kind::LoadNv:
+    return loadNvProgram(context, command.target, command.name, command.count,
+                         command.bytes.data());
+  case Command::Kind::BindNv:
+    return bindNvProgram(context, command.target, command.name);
+  case Command::Kind::ExecuteNv:
+    return executeStateProgram(context, command.target, command.name, command.values.front());
+  case Command::Kind::TrackMatrix:
+    return trackMatrix(context, command.target, command.name, command.object, command.format);
+  case Command::Kind::ParameterNv:
+    return setNvParameters(context, command.target, command.name, command.count,
+                           command.values.data());
+  case Command::Kind::NamedParameterNv:
+    return setNamedParameter(context, command.name, command.bytes, command.values.front());
+  case Command::Kind::RequestResident:
+    if (command.count < 0)
+      raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");
+    return;
+  default:
+    return;
+  }
+}
+
 } // namespace
 
 void execute(Context &context, const Command &command) {
@@ -112,6 +143,8 @@ void execute(Context &context, const Command &command) {
     return handlers::EndConditionalRender(context);
   case Command::Kind::CopyTexture:
     return copyTexture(context, copyOf(command));
+  default:
+    return executeNvCommand(context, command);
   }
 }
 

@@ -1,7 +1,5 @@
 #include "state/programs/parameters.h"
 
-#include <algorithm>
-
 #include "state/core/context.h"
 #include "state/core/errors.h"
 
@@ -21,17 +19,24 @@ bool isRange(Context &context, GLuint index, GLsizei count, std::size_t size, co
 void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, const Vec4 *values) {
   if (!isRange(context, index, count, row.env.size(), "ProgramEnvParameter: index"))
     return;
-  std::copy_n(values, count, row.env.begin() + std::ptrdiff_t(index));
+  for (GLsizei i = 0; i < count; ++i)
+    if (!row.follows(index + GLuint(i))) // of a matrix, and no command's
+      row.env[index + GLuint(i)] = values[i];
   ++row.envVersion;
   context.attention |= row.parameterBits;
 }
 
 void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values) {
-  if (!isRange(context, index, count, object.locals.size(), "ProgramLocalParameter: index"))
+  const std::size_t size = context.row(object.target).limits.localParameters;
+  if (!isRange(context, index, count, size, "ProgramLocalParameter: index"))
     return;
   for (GLsizei i = 0; i < count; ++i)
     object.locals[index + GLuint(i)].store(values[i]);
+  noteLocalsChanged(context, object);
+}
+
+void noteLocalsChanged(Context &context, ProgramObject &object) {
   ProgramTarget &row = context.row(object.target);
   if (row.bound.get() != &object)
     return object.changed();

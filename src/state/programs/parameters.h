@@ -22,4 +22,7 @@ void setEnv(Context &context, ProgramTarget &row, GLuint index, GLsizei count, c
 void setLocal(Context &context, ProgramObject &object, GLuint index, GLsizei count,
               const Vec4 *values);
 
+/// Local parameters of `object` were set: draws with it look.
+void noteLocalsChanged(Context &context, ProgramObject &object);
+
 } // namespace arbiter::state

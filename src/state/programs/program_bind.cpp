@@ -16,23 +16,24 @@ void invalidateProgram(Context &context) {
   context.attention = attention::kProgram | (context.attention & attention::kList);
 }
 
-std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row,
-                                            GLuint name) {
+std::shared_ptr<ProgramObject> namedProgram(Context &context, const ProgramTarget &row, GLuint name,
+                                            Existence existence) {
   if (name == 0)
     return context.group->defaultProgram(row.target);
   std::shared_ptr<ProgramObject> object =
-      context.group->findOrCreate(name, row.target, row.limits.localParameters);
+      context.group->findOrCreate(name, row.target, row.localsOfObject(), existence);
   if (object->target == row.target)
     return object;
   raise(context, GL_INVALID_OPERATION, "BindProgram: the object has another target");
   return nullptr;
 }
 
-void bindProgram(Context &context, ProgramTarget &row, GLuint name) {
+void bindProgram(Context &context, ProgramTarget &row, GLuint name, Existence existence) {
   auto &recent = context.recentPrograms[name % context.recentPrograms.size()];
   if (!recent || recent->name != name || recent->target != row.target ||
-      recent->deleted.load(std::memory_order_acquire)) {
-    std::shared_ptr<ProgramObject> object = namedProgram(context, row, name);
+      recent->deleted.load(std::memory_order_acquire) ||
+      !recent->exists.load(std::memory_order_relaxed)) {
+    std::shared_ptr<ProgramObject> object = namedProgram(context, row, name, existence);
     if (!object)
       return;
     recent = std::move(object);

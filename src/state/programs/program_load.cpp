@@ -9,6 +9,7 @@
 #include "fp_compiler/ir/print.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
+#include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/lists/list_compiler.h"
@@ -38,6 +39,25 @@ bool checkArguments(Context &context, GLenum format, GLsizei length) {
   return true;
 }
 
+/// State programs have a target of their own, which the compiler knows nothing of, and it has no
+/// other language.
+bool isOfOtherTarget(Target target, std::string_view text) {
+  const bool isState = fp::nativeLanguageOf(text) == fp::ir::NativeLanguage::Vsp1;
+  return isState != (target == Target::VertexState);
+}
+
+fp::Compilation refuseTarget(Target target) {
+  fp::Compilation refused;
+  const char *const hint = target == Target::VertexState
+                               ? "VERTEX_STATE_PROGRAM_NV takes texts that begin with !!VSP1.0"
+                               : "load it for GL_VERTEX_STATE_PROGRAM_NV";
+  refused.check.diagnostics.push_back({.id = "native-header",
+                                       .span = {0, 1},
+                                       .message = "the header is one of another target",
+                                       .hint = hint});
+  return refused;
+}
+
 } // namespace
 
 fp::CompileOptions compileOptions(const ProgramTarget &row) {
@@ -59,6 +79,8 @@ fp::GlslHost glslHost(const HostCaps &caps) {
 
 fp::Compilation compileText(const Context &context, const ProgramTarget &row,
                             std::string_view text) {
+  if (isOfOtherTarget(row.target, text))
+    return refuseTarget(row.target);
   return compileCached(
       {row.info().language, compileOptions(row), glslHost(context.caps), context.numerics}, text);
 }
@@ -83,6 +105,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   compiled->counts = answers.counts;
   compiled->nativeCounts = answers.nativeCounts;
   compiled->underNativeLimits = answers.underNativeLimits;
+  compiled->native = source.native;
   if (infoOf(target).language == fp::ir::Language::AtiFragment)
     compiled->ati = std::make_shared<const AtiVariants>(*source.program, glslHost(context.caps),
                                                         context.numerics);
@@ -92,6 +115,9 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
                          ? fp::emitGlsl(*source.program, glslHost(context.caps), context.numerics)
                          : own.glsl;
   }
+  if (target == Target::Vertex && compiled->native.language != fp::ir::NativeLanguage::None)
+    compiled->arrays =
+        std::make_shared<const ArrayVariants>(glslHost(context.caps), context.numerics);
   if (target == Target::Vertex) {
     fp::GlslHost clipping = glslHost(context.caps);
     clipping.clipPlanes = true;
@@ -108,14 +134,17 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
                  const void *string) {
   if (!checkArguments(context, format, length))
     return;
-  const std::string_view text =
-      string ? std::string_view(static_cast<const char *>(string), std::size_t(length))
-             : std::string_view();
+  loadText(context, object,
+           string ? std::string_view(static_cast<const char *>(string), std::size_t(length))
+                  : std::string_view());
+}
+
+bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
   if (old && old->text == text) { // nothing can have changed but the last error
     context.errorPosition = -1;
     context.errorString = old->warnings;
-    return;
+    return true;
   }
 
   const ProgramTarget &row = context.row(object.target);
@@ -135,7 +164,8 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
   if (!compiled) {
     logInfo("state", "context %u: program %u refused:\n%s", context.serial, object.name,
             context.errorString.c_str());
-    return raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
+    raise(context, GL_INVALID_OPERATION, "ProgramString: the program is not valid");
+    return false;
   }
 
   if (!context.errorString.empty()) // over a limit, under ARBITER_LIMITS=report, or replaced
@@ -147,11 +177,15 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
   }
   if (controlled())
     noteLoadedText(object, compiled->hash);
+  for (const fp::NamedParameter &parameter : compiled->native.named)
+    if (parameter.local < object.locals.size())
+      object.locals[parameter.local].store(parameter.value);
   context.group->setCompiled(object, std::move(compiled));
   if (row.bound.get() == &object)
     invalidateProgram(context);
   if (old)
     dropVariants(context, *old);
+  return true;
 }
 
 void recordProgramString(Context &context, Command::Kind kind, const ProgramTarget &row,

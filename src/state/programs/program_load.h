@@ -25,7 +25,10 @@ struct Replacement;
 [[nodiscard]] std::shared_ptr<const CompiledProgram>
 compileProgram(const Context &context, Target target, std::string_view text,
                const fp::Compilation &own, const Replacement *replacement);
-/// ProgramString (3.11.1) into `object`, in the language of its target.
+/// A text into `object`, in the language of its target or one of NVIDIA's for it, which the header
+/// tells. False after INVALID_OPERATION: it is not valid, and the object is as it was.
+bool loadText(Context &context, ProgramObject &object, std::string_view text);
+/// ProgramString (3.11.1) into `object`.
 void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei length,
                  const void *string);
 /// Records ProgramString, or the named one if `object` is not zero, in the list being compiled.

@@ -11,6 +11,7 @@
 
 #include "fp_compiler/emit.h"
 #include "fp_compiler/limits.h"
+#include "fp_compiler/native_interface.h"
 #include "util/hash.h"
 
 namespace arbiter::state {
@@ -19,13 +20,17 @@ using Vec4 = std::array<GLfloat, 4>;
 
 /// The program targets (target.h says what is known of each).
 enum class Target : std::uint8_t {
-  Fragment, ///< ARB_fragment_program
-  Vertex,   ///< ARB_vertex_program
-  AtiText,  ///< ATI_text_fragment_shader
-  AtiApi,   ///< ATI_fragment_shader: its objects have commands and names of their own
+  Fragment,    ///< ARB_fragment_program
+  Vertex,      ///< ARB_vertex_program
+  AtiText,     ///< ATI_text_fragment_shader
+  AtiApi,      ///< ATI_fragment_shader: its objects have commands and names of their own
+  VertexState, ///< state programs of NV_vertex_program, which are executed and never bound
 };
-inline constexpr int kTargetCount = 4;
+inline constexpr int kTargetCount = 5;
+/// When a name becomes a program's: BindProgramARB makes one, under NVIDIA's API a load does.
+enum class Existence : std::uint8_t { Now, OnceLoaded };
 
+class ArrayVariants;
 class AtiVariants;
 class ClippedVariant;
 
@@ -41,6 +46,7 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   fp::ResourceCounts counts;
   fp::ResourceCounts nativeCounts;
   bool underNativeLimits = false;
+  fp::NativeInterface native; ///< of a program in one of NVIDIA's languages of their own
   fp::GlslShader glsl;
   /// As it was checked: what the host's ARB path is given, and machine code is made of. Null of an
   /// ATI shader; the forms that draws are made with have it, with targets, fog and colour sum.
@@ -50,6 +56,9 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   /// Of a vertex program, whose `glsl` user clip planes do not clip: the form that they do. Null of
   /// that form itself.
   std::shared_ptr<const ClippedVariant> clipped;
+  /// Of a vertex program in one of NVIDIA's own languages, but for those forms: its forms by the
+  /// arrays that it is drawn with.
+  std::shared_ptr<const ArrayVariants> arrays;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
   /// The text that was compiled.
@@ -103,6 +112,9 @@ struct ProgramObject {
   std::atomic<std::uint32_t> version{1};
   /// Its name is free again: it lives on only where it is bound.
   std::atomic<bool> deleted{false};
+  /// It is a program object to the application, and keeps its target. Else its name was bound by
+  /// BindProgramNV, or a load failed, and any target may be loaded for it.
+  std::atomic<bool> exists{true};
 
   void changed() {
     version.store(version.load(std::memory_order_relaxed) + 1, std::memory_order_release);

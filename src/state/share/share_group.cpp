@@ -18,13 +18,23 @@ std::shared_ptr<ProgramObject> ShareGroup::find(GLuint name) {
 }
 
 std::shared_ptr<ProgramObject> ShareGroup::findOrCreate(GLuint name, Target target,
-                                                        std::size_t localParameters) {
+                                                        std::size_t localParameters,
+                                                        Existence existence) {
   const std::lock_guard lock(m_mutex);
-  if (const auto it = m_objects.find(name); it != m_objects.end())
+  const auto it = m_objects.find(name);
+  const bool known = it != m_objects.end();
+  if (known && (it->second->target == target || it->second->exists)) {
+    if (existence == Existence::Now)
+      it->second->exists = true;
     return it->second;
+  }
   auto made = std::make_shared<ProgramObject>(name, target); // whole before it can be found
   made->locals.resize(localParameters);
-  return m_objects.emplace(name, std::move(made)).first->second;
+  made->exists = existence == Existence::Now;
+  if (!known)
+    return m_objects.emplace(name, std::move(made)).first->second;
+  it->second->deleted.store(true, std::memory_order_release); // it lives on where it is bound
+  return it->second = std::move(made);
 }
 
 std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {
@@ -40,7 +50,8 @@ std::shared_ptr<ProgramObject> ShareGroup::remove(GLuint name) {
 
 bool ShareGroup::contains(GLuint name) {
   const std::lock_guard lock(m_mutex);
-  return m_objects.count(name) != 0;
+  const auto it = m_objects.find(name);
+  return it != m_objects.end() && it->second->exists;
 }
 
 GLuint ShareGroup::takeName() {

@@ -33,11 +33,14 @@ public:
   /// The object of that name, or null. A name that Gen returned and that was never bound has no
   /// object.
   [[nodiscard]] std::shared_ptr<ProgramObject> find(GLuint name);
-  /// The object of that name, made if there is none. Its target may not be `target`.
+  /// The object of that name, made if there is none. Its target may not be `target`, unless it does
+  /// not exist yet to the application: then it is made anew.
   [[nodiscard]] std::shared_ptr<ProgramObject> findOrCreate(GLuint name, Target target,
-                                                            std::size_t localParameters);
+                                                            std::size_t localParameters,
+                                                            Existence existence = Existence::Now);
   /// Frees the name; the object lives on where it is bound. Null if there was none.
   std::shared_ptr<ProgramObject> remove(GLuint name);
+  /// True of an object that exists to the application.
   [[nodiscard]] bool contains(GLuint name);
   /// A name that is unused and was not given before.
   [[nodiscard]] GLuint takeName();

@@ -65,6 +65,40 @@ void getIntegerv(GLenum pname, GLint *value) {
     *value = 16; // limits
 }
 
+void getFloatv(GLenum pname, GLfloat *value) {
+  if (const auto it = fake().floats.find(pname); it != fake().floats.end())
+    std::copy(it->second.begin(), it->second.end(), value);
+}
+void matrixMode(GLenum mode) { fake().note(words("MatrixMode", {mode})); }
+
+/// "NAME index x y ..", in thousandths.
+template <std::size_t kCount> void noteValues(const char *name, GLuint index, const GLfloat *v) {
+  std::string call = std::string(name) + " " + std::to_string(index);
+  for (std::size_t i = 0; i < kCount; ++i)
+    call += " " + std::to_string(int(v[i] * 1000.0f));
+  fake().note(call);
+}
+void vertex4fv(const GLfloat *v) { noteValues<4>("Vertex4fv", 0, v); }
+void normal3fv(const GLfloat *v) { noteValues<3>("Normal3fv", 0, v); }
+void color4fv(const GLfloat *v) { noteValues<4>("Color4fv", 0, v); }
+void secondaryColor3fv(const GLfloat *v) { noteValues<3>("SecondaryColor3fv", 0, v); }
+void fogCoordfv(const GLfloat *v) { noteValues<1>("FogCoordfv", 0, v); }
+void multiTexCoord4fv(GLenum unit, const GLfloat *v) {
+  noteValues<4>("MultiTexCoord4fv", unit - GL_TEXTURE0, v);
+}
+void vertexAttrib4fv(GLuint index, const GLfloat *v) { noteValues<4>("VertexAttrib4fv", index, v); }
+
+void enableVertexAttribArray(GLuint index) { fake().attribArrays.insert(index); }
+void disableVertexAttribArray(GLuint index) { fake().attribArrays.erase(index); }
+void vertexAttribPointer(GLuint index, GLint size, GLenum type, GLboolean normalized,
+                         GLsizei stride, const void *) {
+  fake().note(words("VertexAttribPointer", {index, size, type, normalized, stride}));
+}
+void getVertexAttribiv(GLuint index, GLenum pname, GLint *value) {
+  *value = pname == GL_VERTEX_ATTRIB_ARRAY_ENABLED ? GLint(fake().attribArrays.count(index)) : 3;
+}
+void enableClientState(GLenum array) { fake().note(words("EnableClientState", {array})); }
+
 void getProgramLimit(GLenum, GLenum, GLint *value) { *value = fake().programLimit; }
 
 GLenum getError() {
@@ -241,6 +275,20 @@ const Row kRows[] = {
     ROW(GetString, getString),
     ROW(GetStringi, getStringi),
     ROW(GetIntegerv, getIntegerv),
+    ROW(GetFloatv, getFloatv),
+    ROW(MatrixMode, matrixMode),
+    ROW(Vertex4fv, vertex4fv),
+    ROW(Normal3fv, normal3fv),
+    ROW(Color4fv, color4fv),
+    ROW(SecondaryColor3fv, secondaryColor3fv),
+    ROW(FogCoordfv, fogCoordfv),
+    ROW(MultiTexCoord4fv, multiTexCoord4fv),
+    ROW(VertexAttrib4fv, vertexAttrib4fv),
+    ROW(EnableVertexAttribArray, enableVertexAttribArray),
+    ROW(DisableVertexAttribArray, disableVertexAttribArray),
+    ROW(VertexAttribPointer, vertexAttribPointer),
+    ROW(GetVertexAttribiv, getVertexAttribiv),
+    ROW(EnableClientState, enableClientState),
     ROW(GetError, getError),
     ROW(GetProgramivARB, getProgramLimit),
     ROW(CreateShader, createShader),

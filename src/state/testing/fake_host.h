@@ -30,6 +30,7 @@ public:
   std::map<GLenum, GLint> integers; ///< further answers of GetIntegerv
   GLint programLimit = 64;          ///< what GetProgramivARB answers
   std::set<GLenum> enabled;         ///< what IsEnabled says; Enable and Disable leave it
+  std::map<GLenum, std::vector<GLfloat>> floats; ///< answers of GetFloatv: matrices, current values
 
   // --- How it fails ---
   bool compileFails = false;
@@ -54,6 +55,7 @@ public:
   std::map<GLenum, GLuint> bound;                   ///< program objects, by target
   std::map<GLenum, bool> targets;                   ///< whether a program target is enabled
   std::vector<std::map<GLenum, bool>> savedTargets; ///< by PushAttrib
+  std::set<GLuint> attribArrays;                    ///< generic arrays that are enabled
 
   /// As one without programs in assembly.
   void offerNoAssembly() { extensions.clear(); }

@@ -2,12 +2,16 @@
 
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
 
 namespace arbiter::state {
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
+  if (compiled.arrays)
+    for (const auto &form : compiled.arrays->all())
+      dropVariants(context, *form); // which has no such forms
   context.linkedPrograms->drop(context, &compiled);
   if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
     context.linkedPrograms->drop(context, form.get());

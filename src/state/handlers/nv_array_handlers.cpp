@@ -1,0 +1,153 @@
+// Vertex attribute arrays of NV_vertex_program (2.14.3) and queries of attributes (6.1.13). The
+// arrays are the host's generic ones, as on NVIDIA's driver: vertex array objects and the client
+// attribute stack have them. Which of them a program reads is chosen at draws (native_inputs.h).
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/core/unit_scope.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/programs/nv/nv_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+void setArrayEnabled(Context &context, GLuint index, bool enabled) {
+  context.nv->arraysUsed |= enabled;
+  context.dirty |= software::dirty::kArrays;
+  context.attention |= attention::kState; // the next draw looks
+  (enabled ? context.host->EnableVertexAttribArray : context.host->DisableVertexAttribArray)(index);
+}
+
+GLenum pointerError(GLuint index, GLint size, GLenum type, GLsizei stride) {
+  if (index >= NvState::kAttributes || size < 1 || size > 4 || stride < 0)
+    return GL_INVALID_VALUE;
+  if (type == GL_UNSIGNED_BYTE)
+    return size == 4 ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  return type == GL_SHORT || type == GL_FLOAT || type == GL_DOUBLE ? GL_NO_ERROR : GL_INVALID_ENUM;
+}
+
+/// The attribute's current value, with the components of table X.2.
+Vec4 currentAttribute(const host::HostTable &host, GLuint index) {
+  Vec4 value = {0.0f, 0.0f, 0.0f, 1.0f};
+  switch (index) {
+  case 2:
+    host.GetFloatv(GL_CURRENT_NORMAL, value.data());
+    value[3] = 1.0f;
+    break;
+  case 3:
+    host.GetFloatv(GL_CURRENT_COLOR, value.data());
+    break;
+  case 4:
+    host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
+    value[3] = 1.0f;
+    break;
+  case 5:
+    host.GetFloatv(GL_CURRENT_FOG_COORD, value.data());
+    break;
+  default:
+    if (index < 8) {
+      host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, value.data());
+    } else {
+      const UnitScope unit(host, index - 8);
+      host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
+    }
+  }
+  return value;
+}
+
+template <typename T> T given(GLfloat value) {
+  return std::is_integral_v<T> ? T(std::lround(value)) : T(value);
+}
+
+template <typename T> void get(Context &context, GLuint index, GLenum pname, T *params) {
+  if (!outsideBeginEnd(context, "GetVertexAttrib between Begin and End"))
+    return;
+  const bool current = pname == GL_CURRENT_ATTRIB_NV;
+  if (!current && pname != GL_ATTRIB_ARRAY_SIZE_NV && pname != GL_ATTRIB_ARRAY_STRIDE_NV &&
+      pname != GL_ATTRIB_ARRAY_TYPE_NV)
+    return raise(context, GL_INVALID_ENUM, "GetVertexAttrib: pname");
+  if (index >= NvState::kAttributes || (current && index == 0))
+    return raise(context, GL_INVALID_VALUE, "GetVertexAttrib: index");
+  if (!params)
+    return;
+  if (current) {
+    const Vec4 value = currentAttribute(*context.host, index);
+    std::transform(value.begin(), value.end(), params, given<T>);
+    return;
+  }
+  GLint value = 0;
+  context.host->GetVertexAttribiv(index, pname, &value); // the same names as the ARB's
+  *params = T(value);
+}
+
+} // namespace
+
+namespace handlers {
+
+void EnableClientState(Context &context, GLenum array) {
+  const GLuint index = array - GL_VERTEX_ATTRIB_ARRAY0_NV;
+  if (!context.nv || index >= NvState::kAttributes)
+    return context.host->EnableClientState(array);
+  if (outsideBeginEnd(context, "EnableClientState between Begin and End"))
+    setArrayEnabled(context, index, true);
+}
+
+void DisableClientState(Context &context, GLenum array) {
+  const GLuint index = array - GL_VERTEX_ATTRIB_ARRAY0_NV;
+  if (!context.nv || index >= NvState::kAttributes)
+    return context.host->DisableClientState(array);
+  if (outsideBeginEnd(context, "DisableClientState between Begin and End"))
+    setArrayEnabled(context, index, false);
+}
+
+void VertexAttribPointerNV(Context &context, GLuint index, GLint fsize, GLenum type, GLsizei stride,
+                           const void *pointer) {
+  if (!context.nv)
+    return absentCommand(context, context.host->VertexAttribPointerNV, index, fsize, type, stride,
+                         pointer);
+  if (!outsideBeginEnd(context, "VertexAttribPointer between Begin and End"))
+    return;
+  if (const GLenum error = pointerError(index, fsize, type, stride); error != GL_NO_ERROR)
+    return raise(context, error, "VertexAttribPointer: index, size, type or stride");
+  context.dirty |= software::dirty::kArrays;
+  const GLboolean normalized = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
+  context.host->VertexAttribPointer(index, fsize, type, normalized, stride, pointer);
+}
+
+void GetVertexAttribfvNV(Context &context, GLuint index, GLenum pname, GLfloat *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetVertexAttribfvNV, index, pname, params);
+  get(context, index, pname, params);
+}
+
+void GetVertexAttribdvNV(Context &context, GLuint index, GLenum pname, GLdouble *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetVertexAttribdvNV, index, pname, params);
+  get(context, index, pname, params);
+}
+
+void GetVertexAttribivNV(Context &context, GLuint index, GLenum pname, GLint *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetVertexAttribivNV, index, pname, params);
+  get(context, index, pname, params);
+}
+
+void GetVertexAttribPointervNV(Context &context, GLuint index, GLenum pname, void **pointer) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetVertexAttribPointervNV, index, pname, pointer);
+  if (!outsideBeginEnd(context, "GetVertexAttribPointer between Begin and End"))
+    return;
+  if (pname != GL_ATTRIB_ARRAY_POINTER_NV)
+    return raise(context, GL_INVALID_ENUM, "GetVertexAttribPointer: pname");
+  if (index >= NvState::kAttributes)
+    return raise(context, GL_INVALID_VALUE, "GetVertexAttribPointer: index");
+  context.host->GetVertexAttribPointerv(index, pname, pointer);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

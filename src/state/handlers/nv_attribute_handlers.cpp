@@ -1,0 +1,145 @@
+// Vertex attributes of NV_vertex_program (2.14.1.1): each but 1, 6 and 7 is a conventional one
+// (table X.2), whose commands set it too. Components that the conventional command does not have
+// are its default: those of the normal, the secondary colour and the fog coordinate.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/programs/nv/nv_state.h"
+#include "state/raster_draw/immediate/recorder.h"
+
+namespace arbiter::state {
+
+namespace {
+
+constexpr GLuint kFirstTexCoord = 8;
+
+void recordAttribute(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v) {
+  switch (index) {
+  case 0:
+    return recorder.vertex(v[0], v[1], v[2], v[3]);
+  case 2:
+    return recorder.set(software::kNormal, v[0], v[1], v[2], 1.0f);
+  case 3:
+    return recorder.set(software::kColor, v[0], v[1], v[2], v[3]);
+  case 4:
+    return recorder.set(software::kSecondary, v[0], v[1], v[2], 1.0f);
+  case 5:
+    return recorder.set(software::kFogCoord, v[0], 0.0f, 0.0f, 1.0f);
+  default:
+    break;
+  }
+  const int slot = index < kFirstTexCoord ? software::kGeneric0 + int(index)
+                                          : software::kTexCoord0 + int(index - kFirstTexCoord);
+  recorder.set(slot, v[0], v[1], v[2], v[3]);
+}
+
+void sendAttribute(const host::HostTable &host, GLuint index, const Vec4 &v) {
+  switch (index) {
+  case 0:
+    return host.Vertex4fv(v.data());
+  case 2:
+    return host.Normal3fv(v.data());
+  case 3:
+    return host.Color4fv(v.data());
+  case 4:
+    return host.SecondaryColor3fv(v.data());
+  case 5:
+    return host.FogCoordfv(v.data());
+  default:
+    break;
+  }
+  if (index < kFirstTexCoord)
+    host.VertexAttrib4fv(index, v.data());
+  else
+    host.MultiTexCoord4fv(GL_TEXTURE0 + (index - kFirstTexCoord), v.data());
+}
+
+void setAttribute(Context &context, GLuint index, const Vec4 &value) {
+  if (index >= NvState::kAttributes)
+    return raise(context, GL_INVALID_VALUE, "VertexAttrib: index");
+  if (context.recorder)
+    return recordAttribute(*context.recorder, index, value);
+  sendAttribute(*context.host, index, value);
+}
+
+/// Bytes are of [0,1] (table 2.6), other numbers what they are.
+GLfloat converted(GLubyte value) { return GLfloat(value) / 255.0f; }
+template <typename T> GLfloat converted(T value) { return GLfloat(value); }
+
+template <std::size_t kCount, typename T> void setFrom(Context &context, GLuint index, const T *v) {
+  Vec4 value = {0.0f, 0.0f, 0.0f, 1.0f};
+  for (std::size_t i = 0; i < kCount; ++i)
+    value[i] = converted(v[i]);
+  setAttribute(context, index, value);
+}
+
+/// The last one first, so that the position comes after the others (2.14.1.1).
+template <std::size_t kCount, typename T>
+void setSeveral(Context &context, GLuint index, GLsizei count, const T *v) {
+  if (count < 0 || index > NvState::kAttributes || GLuint(count) > NvState::kAttributes - index)
+    return raise(context, GL_INVALID_VALUE, "VertexAttribs: index or count");
+  for (GLsizei i = count; i-- > 0;)
+    setFrom<kCount>(context, index + GLuint(i), v + std::size_t(i) * kCount);
+}
+
+} // namespace
+
+namespace handlers {
+
+// Where NVIDIA's languages are not offered the commands are the host's, if it has them.
+#define ATTRIBUTES(n, letter, T)                                                                   \
+  void VertexAttrib##n##letter##vNV(Context &context, GLuint index, const T *v) {                  \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttrib##n##letter##vNV(index, v);                                 \
+    setFrom<n>(context, index, v);                                                                 \
+  }                                                                                                \
+  void VertexAttribs##n##letter##vNV(Context &context, GLuint index, GLsizei count, const T *v) {  \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttribs##n##letter##vNV(index, count, v);                         \
+    setSeveral<n>(context, index, count, v);                                                       \
+  }
+#define ATTRIBUTES_OF_TYPE(letter, T)                                                              \
+  ATTRIBUTES(1, letter, T)                                                                         \
+  ATTRIBUTES(2, letter, T)                                                                         \
+  ATTRIBUTES(3, letter, T)                                                                         \
+  ATTRIBUTES(4, letter, T)                                                                         \
+  void VertexAttrib1##letter##NV(Context &context, GLuint index, T x) {                            \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttrib1##letter##NV(index, x);                                    \
+    setFrom<1>(context, index, &x);                                                                \
+  }                                                                                                \
+  void VertexAttrib2##letter##NV(Context &context, GLuint index, T x, T y) {                       \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttrib2##letter##NV(index, x, y);                                 \
+    const T v[] = {x, y};                                                                          \
+    setFrom<2>(context, index, v);                                                                 \
+  }                                                                                                \
+  void VertexAttrib3##letter##NV(Context &context, GLuint index, T x, T y, T z) {                  \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttrib3##letter##NV(index, x, y, z);                              \
+    const T v[] = {x, y, z};                                                                       \
+    setFrom<3>(context, index, v);                                                                 \
+  }                                                                                                \
+  void VertexAttrib4##letter##NV(Context &context, GLuint index, T x, T y, T z, T w) {             \
+    if (!context.nv)                                                                               \
+      return context.host->VertexAttrib4##letter##NV(index, x, y, z, w);                           \
+    const T v[] = {x, y, z, w};                                                                    \
+    setFrom<4>(context, index, v);                                                                 \
+  }
+
+ATTRIBUTES_OF_TYPE(s, GLshort)
+ATTRIBUTES_OF_TYPE(f, GLfloat)
+ATTRIBUTES_OF_TYPE(d, GLdouble)
+ATTRIBUTES(4, ub, GLubyte)
+#undef ATTRIBUTES_OF_TYPE
+#undef ATTRIBUTES
+
+void VertexAttrib4ubNV(Context &context, GLuint index, GLubyte x, GLubyte y, GLubyte z, GLubyte w) {
+  if (!context.nv)
+    return context.host->VertexAttrib4ubNV(index, x, y, z, w);
+  const GLubyte v[] = {x, y, z, w};
+  setFrom<4>(context, index, v);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,93 @@
+// Named parameters of fragment programs (NV_fragment_program 3.11.1, 6.1.13).
+#include <algorithm>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/nv/nv_programs.h"
+#include "state/programs/nv/nv_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// Of a length that is no error; a name is no longer than an identifier may be, and one byte more
+/// is enough to be none.
+std::string_view nameOf(GLsizei length, const GLubyte *name) {
+  if (length <= 0 || !name)
+    return {};
+  const std::size_t most = fp::kMaxIdentifierBytes + 1;
+  return {reinterpret_cast<const char *>(name), std::min(std::size_t(length), most)};
+}
+
+void set(Context &context, GLuint id, GLsizei length, const GLubyte *name, const Vec4 &value) {
+  if (!outsideBeginEnd(context, "ProgramNamedParameter between Begin and End"))
+    return;
+  if (!context.listMode)
+    return setNamedParameter(context, id, nameOf(length, name), value);
+  Command command{.kind = Command::Kind::NamedParameterNv, .name = id};
+  command.bytes = nameOf(length, name);
+  command.values.push_back(value);
+  context.list->record(context, std::move(command));
+}
+
+template <typename T>
+void get(Context &context, GLuint id, GLsizei length, const GLubyte *name, T *params) {
+  Vec4 value{};
+  if (outsideBeginEnd(context, "GetProgramNamedParameter between Begin and End") &&
+      namedParameter(context, id, nameOf(length, name), value) && params)
+    std::copy(value.begin(), value.end(), params);
+}
+
+} // namespace
+
+namespace handlers {
+
+void ProgramNamedParameter4fNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                               GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramNamedParameter4fNV, id, len, name, x, y, z,
+                         w);
+  set(context, id, len, name, {x, y, z, w});
+}
+
+void ProgramNamedParameter4dNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                               GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramNamedParameter4dNV, id, len, name, x, y, z,
+                         w);
+  set(context, id, len, name, {GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+}
+
+void ProgramNamedParameter4fvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                                const GLfloat *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramNamedParameter4fvNV, id, len, name, v);
+  set(context, id, len, name, {v[0], v[1], v[2], v[3]});
+}
+
+void ProgramNamedParameter4dvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                                const GLdouble *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramNamedParameter4dvNV, id, len, name, v);
+  set(context, id, len, name, {GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
+}
+
+void GetProgramNamedParameterfvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                                  GLfloat *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramNamedParameterfvNV, id, len, name,
+                         params);
+  get(context, id, len, name, params);
+}
+
+void GetProgramNamedParameterdvNV(Context &context, GLuint id, GLsizei len, const GLubyte *name,
+                                  GLdouble *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramNamedParameterdvNV, id, len, name,
+                         params);
+  get(context, id, len, name, params);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,126 @@
+// Program parameters of NV_vertex_program (2.14.1.2, 6.1.13), which are the vertex target's env
+// parameters.
+#include <algorithm>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/nv/matrix_tracking.h"
+#include "state/programs/nv/nv_programs.h"
+#include "state/programs/nv/nv_state.h"
+#include "state/programs/parameters.h"
+
+namespace arbiter::state {
+
+namespace {
+
+void record(Context &context, GLenum target, GLuint index, GLsizei count,
+            std::vector<Vec4> values) {
+  Command command{.kind = Command::Kind::ParameterNv, .target = target, .name = index};
+  command.count = count;
+  command.values = std::move(values);
+  context.list->record(context, std::move(command));
+}
+
+/// Quadruples of any type; none where the count is an error, which is found when executed.
+template <typename T> std::vector<Vec4> gather(GLsizei count, const T *params) {
+  std::vector<Vec4> values(count > 0 && GLuint(count) <= NvState::kParameters ? std::size_t(count)
+                                                                              : 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t c = 0; c < 4; ++c)
+      values[i][c] = GLfloat(params[4 * i + c]);
+  return values;
+}
+
+void set(Context &context, GLenum target, GLuint index, GLsizei count, std::vector<Vec4> values) {
+  if (!outsideBeginEnd(context, "ProgramParameter between Begin and End"))
+    return;
+  if (context.listMode)
+    return record(context, target, index, count, std::move(values));
+  setNvParameters(context, target, index, count, values.data());
+}
+
+/// One parameter, without memory of its own where it takes effect at once.
+void set(Context &context, GLenum target, GLuint index, const Vec4 &value) {
+  if (context.insideBeginEnd || context.listMode) [[unlikely]]
+    return set(context, target, index, 1, {value});
+  setNvParameters(context, target, index, 1, &value);
+}
+
+template <typename T>
+void get(Context &context, GLenum target, GLuint index, GLenum pname, T *params) {
+  if (!outsideBeginEnd(context, "GetProgramParameter between Begin and End"))
+    return;
+  if (target != GL_VERTEX_PROGRAM_NV || pname != GL_PROGRAM_PARAMETER_NV)
+    return raise(context, GL_INVALID_ENUM, "GetProgramParameter: target or pname");
+  const ProgramTarget &row = context.row(Target::Vertex);
+  const std::size_t size = std::min<std::size_t>(NvState::kParameters, row.env.size());
+  if (!isRange(context, index, 1, size, "GetProgramParameter: index"))
+    return;
+  refreshTrackedMatrices(context);
+  if (params)
+    std::copy(row.env[index].begin(), row.env[index].end(), params);
+}
+
+} // namespace
+
+namespace handlers {
+
+void ProgramParameter4fNV(Context &context, GLenum target, GLuint index, GLfloat x, GLfloat y,
+                          GLfloat z, GLfloat w) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameter4fNV, target, index, x, y, z, w);
+  set(context, target, index, {x, y, z, w});
+}
+
+void ProgramParameter4dNV(Context &context, GLenum target, GLuint index, GLdouble x, GLdouble y,
+                          GLdouble z, GLdouble w) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameter4dNV, target, index, x, y, z, w);
+  set(context, target, index, Vec4{GLfloat(x), GLfloat(y), GLfloat(z), GLfloat(w)});
+}
+
+void ProgramParameter4fvNV(Context &context, GLenum target, GLuint index, const GLfloat *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameter4fvNV, target, index, v);
+  set(context, target, index, Vec4{v[0], v[1], v[2], v[3]});
+}
+
+void ProgramParameter4dvNV(Context &context, GLenum target, GLuint index, const GLdouble *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameter4dvNV, target, index, v);
+  set(context, target, index, Vec4{GLfloat(v[0]), GLfloat(v[1]), GLfloat(v[2]), GLfloat(v[3])});
+}
+
+void ProgramParameters4fvNV(Context &context, GLenum target, GLuint index, GLsizei count,
+                            const GLfloat *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameters4fvNV, target, index, count, v);
+  set(context, target, index, count, gather(count, v));
+}
+
+void ProgramParameters4dvNV(Context &context, GLenum target, GLuint index, GLsizei count,
+                            const GLdouble *v) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ProgramParameters4dvNV, target, index, count, v);
+  set(context, target, index, count, gather(count, v));
+}
+
+void GetProgramParameterfvNV(Context &context, GLenum target, GLuint index, GLenum pname,
+                             GLfloat *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramParameterfvNV, target, index, pname,
+                         params);
+  get(context, target, index, pname, params);
+}
+
+void GetProgramParameterdvNV(Context &context, GLenum target, GLuint index, GLenum pname,
+                             GLdouble *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramParameterdvNV, target, index, pname,
+                         params);
+  get(context, target, index, pname, params);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

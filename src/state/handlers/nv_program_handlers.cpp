@@ -1,0 +1,159 @@
+// Program objects by NV_vertex_program's commands (2.14.1.7, 2.14.1.8, 2.14.4, 6.1.13).
+// GenProgramsNV, DeleteProgramsNV and IsProgramNV are the ARB's.
+#include <algorithm>
+#include <cstring>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/nv/nv_programs.h"
+#include "state/programs/nv/nv_state.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/queries.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The object that a query names; null after an error.
+std::shared_ptr<ProgramObject> queried(Context &context, GLuint id, const char *command) {
+  if (!outsideBeginEnd(context, command))
+    return nullptr;
+  std::shared_ptr<ProgramObject> object = existingProgram(context, id);
+  if (!object)
+    raise(context, GL_INVALID_OPERATION, command);
+  return object;
+}
+
+/// PROGRAM_TARGET_NV: a program in an ARB language has the ARB's target.
+GLenum targetOf(Context &context, const ProgramObject &object) {
+  if (object.target != Target::Fragment)
+    return infoOf(object.target).name;
+  const auto compiled = context.group->compiledOf(object);
+  const bool native = compiled && compiled->native.language != fp::ir::NativeLanguage::None;
+  return native ? GL_FRAGMENT_PROGRAM_NV : GL_FRAGMENT_PROGRAM_ARB;
+}
+
+/// The command of a list that names programs.
+Command namesCommand(GLsizei n, const GLuint *programs) {
+  Command command{.kind = Command::Kind::RequestResident};
+  command.count = n;
+  if (n > 0 && programs)
+    command.bytes.assign(reinterpret_cast<const char *>(programs),
+                         std::size_t(n) * sizeof *programs);
+  return command;
+}
+
+} // namespace
+
+namespace handlers {
+
+void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
+                   const GLubyte *program) {
+  if (!context.nv)
+    return absentCommand(context, context.host->LoadProgramNV, target, id, len, program);
+  if (!outsideBeginEnd(context, "LoadProgram between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (!context.listMode)
+    return loadNvProgram(context, target, id, len, program);
+  Command command{.kind = Command::Kind::LoadNv, .target = target, .name = id};
+  command.count = len;
+  // A text over the limit is refused when executed: so much of it suffices for that.
+  if (program && len > 0) {
+    command.count = std::min<GLsizei>(len, GLsizei(fp::kMaxTextBytes) + 1);
+    command.bytes.assign(reinterpret_cast<const char *>(program), std::size_t(command.count));
+  }
+  context.list->record(context, std::move(command));
+}
+
+void BindProgramNV(Context &context, GLenum target, GLuint id) {
+  if (!context.nv)
+    return absentCommand(context, context.host->BindProgramNV, target, id);
+  if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
+    return;
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list->record(context,
+                                {.kind = Command::Kind::BindNv, .target = target, .name = id});
+  bindNvProgram(context, target, id);
+}
+
+void ExecuteProgramNV(Context &context, GLenum target, GLuint id, const GLfloat *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->ExecuteProgramNV, target, id, params);
+  if (!outsideBeginEnd(context, "ExecuteProgram between Begin and End"))
+    return;
+  Vec4 input{};
+  if (params)
+    std::copy_n(params, 4, input.begin());
+  if (!context.listMode)
+    return executeStateProgram(context, target, id, input);
+  Command command{.kind = Command::Kind::ExecuteNv, .target = target, .name = id};
+  command.values.push_back(input);
+  context.list->record(context, std::move(command));
+}
+
+GLboolean AreProgramsResidentNV(Context &context, GLsizei n, const GLuint *programs,
+                                GLboolean *residences) {
+  if (!context.nv)
+    return absentCommand(context, context.host->AreProgramsResidentNV, n, programs, residences);
+  if (!outsideBeginEnd(context, "AreProgramsResident between Begin and End"))
+    return GL_FALSE;
+  const bool allExist =
+      n >= 0 && std::all_of(programs, programs + (programs ? n : 0),
+                            [&](GLuint id) { return existingProgram(context, id) != nullptr; });
+  if (!allExist)
+    raise(context, GL_INVALID_VALUE, "AreProgramsResident: n, or a name that is no program's");
+  return allExist ? GL_TRUE : GL_FALSE; // there is no working set: `residences` stays as it is
+}
+
+void RequestResidentProgramsNV(Context &context, GLsizei n, const GLuint *programs) {
+  if (!context.nv)
+    return absentCommand(context, context.host->RequestResidentProgramsNV, n, programs);
+  if (!outsideBeginEnd(context, "RequestResidentPrograms between Begin and End"))
+    return;
+  if (context.listMode)
+    return context.list->record(context, namesCommand(n, programs));
+  if (n < 0)
+    raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");
+}
+
+void GetProgramivNV(Context &context, GLuint id, GLenum pname, GLint *params) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramivNV, id, pname, params);
+  const auto object = queried(context, id, "GetProgramiv: the id is no program's");
+  if (!object || !params)
+    return;
+  const auto compiled = context.group->compiledOf(*object);
+  switch (pname) {
+  case GL_PROGRAM_TARGET_NV:
+    *params = GLint(targetOf(context, *object));
+    break;
+  case GL_PROGRAM_LENGTH_NV:
+    *params = compiled ? GLint(compiled->text.size()) : 0;
+    break;
+  case GL_PROGRAM_RESIDENT_NV:
+    *params = GL_TRUE;
+    break;
+  default:
+    raise(context, GL_INVALID_ENUM, "GetProgramiv: pname");
+  }
+}
+
+void GetProgramStringNV(Context &context, GLuint id, GLenum pname, GLubyte *program) {
+  if (!context.nv)
+    return absentCommand(context, context.host->GetProgramStringNV, id, pname, program);
+  const auto object = queried(context, id, "GetProgramString: the id is no program's");
+  if (!object)
+    return;
+  if (pname != GL_PROGRAM_STRING_NV)
+    return raise(context, GL_INVALID_ENUM, "GetProgramString: pname");
+  const auto compiled = context.group->compiledOf(*object);
+  if (compiled && program)
+    std::memcpy(program, compiled->text.data(), compiled->text.size()); // no terminator
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "fp_compiler/emit.h"
+
+namespace arbiter::state {
+
+struct CompiledProgram;
+
+/// The forms of a vertex program of NVIDIA's own languages by the arrays that it is drawn with.
+/// v[n] is the conventional attribute of that number (NV_vertex_program, table X.2), but where
+/// VERTEX_ATTRIB_ARRAYn_NV is enabled the array is (2.14.3): it is the host's generic one, which is
+/// another attribute there. Each form is emitted once; contexts of a share group use the same ones.
+class ArrayVariants {
+public:
+  /// The attributes that are both: all but the position, for which any host has one, and 1, 6 and
+  /// 7, which have no conventional name.
+  static constexpr std::uint32_t kBoth = 0xFF3C;
+
+  ArrayVariants(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
+
+  /// The form of `whole`, which this is the one of, that reads generic attributes where `arrays`
+  /// has a bit; `whole` itself where it reads none of them. Any thread may call it.
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
+                                                          std::uint32_t arrays) const;
+  /// The forms there are.
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const;
+
+private:
+  using Form = std::pair<std::uint32_t, std::shared_ptr<const CompiledProgram>>;
+
+  fp::GlslHost m_host;
+  fp::Numerics m_numerics;
+  mutable std::mutex m_mutex;
+  mutable std::vector<Form> m_forms;
+};
+
+} // namespace arbiter::state
