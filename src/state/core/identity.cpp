@@ -153,16 +153,18 @@ IdentityRules identityRules() {
 namespace {
 
 /// An extension of NVIDIA's program languages, and from which step of the profile's options on it
-/// is there. NVIDIA's own languages come with the first step of both.
+/// is there. NVIDIA's own languages come with the first step of both. NV_vertex_program2, its
+/// option's extension and NV_vertex_program3 are not named, though their texts load: they promise
+/// clip distances, which no vertex program has yet, and applications choose what they send by
+/// names.
 struct NvExtension {
   const char *name;
   std::uint32_t fragment, vertex;
 };
 constexpr NvExtension kNvExtensions[] = {
-    {"GL_NV_fragment_program", 1, 1},       {"GL_NV_fragment_program_option", 1, 0},
-    {"GL_NV_fragment_program2", 2, 0},      {"GL_NV_vertex_program", 1, 1},
-    {"GL_NV_vertex_program1_1", 1, 1},      {"GL_NV_vertex_program2", 1, 1},
-    {"GL_NV_vertex_program2_option", 0, 1}, {"GL_NV_vertex_program3", 0, 2},
+    {"GL_NV_fragment_program", 1, 1},  {"GL_NV_fragment_program_option", 1, 0},
+    {"GL_NV_fragment_program2", 2, 0}, {"GL_NV_vertex_program", 1, 1},
+    {"GL_NV_vertex_program1_1", 1, 1},
 };
 
 void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
