@@ -29,7 +29,7 @@ Pixel quad() {
 TEST_F(NvTest, AFragmentProgramWithItsParameters) {
   use(kFragmentNv, 1,
       "!!FP1.0\nDECLARE blue = {0,0,1,1};\nDEFINE half = {0.5,0,0,0};\n"
-      "ADD o[COLR], blue, p[3];\nEND");
+      "MOV R0, p[3];\nADD o[COLR], R0, blue;\nEND");
   EXPECT_EQ(quad(), kBluePixel);
   setNamed(1, "blue", {0, 1, 0, 1});
   EXPECT_EQ(quad(), kGreenPixel);

@@ -69,8 +69,9 @@ void LoadProgramNV(Context &context, GLenum target, GLuint id, GLsizei len,
 }
 
 void BindProgramNV(Context &context, GLenum target, GLuint id) {
+  // Hosts without the extension have the command all the same, as another name of the ARB's.
   if (!context.nv)
-    return absentCommand(context, context.host->BindProgramNV, target, id);
+    return BindProgramARB(context, target, id);
   if (!outsideBeginEnd(context, "BindProgram between Begin and End"))
     return;
   noteProgramApiUse(context);

@@ -322,5 +322,14 @@ TEST(NvAbsent, WithoutNvidiasLanguagesTheCommandsAreErrors) {
   EXPECT_EQ(host.count("ProgramString"), 0);
 }
 
+TEST(NvAbsent, BindProgramIsTheArbsByAnotherName) {
+  FakeHost host;
+  const CurrentContext context(host);
+  ASSERT_FALSE(context->nv);
+  handlers::BindProgramNV(*context, kFragment, 7);
+  EXPECT_EQ(error(*context), kNoError);
+  EXPECT_EQ(context->row(Target::Fragment).bound->name, 7u);
+}
+
 } // namespace
 } // namespace arbiter::state
