@@ -237,6 +237,27 @@ TEST_F(NvTest, Lists) {
   glDeleteLists(list, 1);
 }
 
+TEST_F(NvTest, AVertexProgramSamplesTheUnitThatItNames) {
+  constexpr GLubyte kTexels[2][4] = {{255, 0, 0, 255}, {0, 0, 255, 255}};
+  GLuint textures[2];
+  glGenTextures(2, textures);
+  for (GLuint unit = 0; unit < 2; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, textures[unit]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels[unit]);
+  }
+  glActiveTexture(GL_TEXTURE0);
+  for (int unit = 0; unit < 2; ++unit) {
+    use(kVertexNv, GLuint(20 + unit),
+        "!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\nMOV result.position, vertex.position;\n"
+        "TEX t, {0.5,0.5,0,0}, texture[" +
+            std::to_string(unit) + "], 2D;\nMOV result.color, t;\nEND");
+    EXPECT_EQ(quad(), unit == 0 ? kRedPixel : kBluePixel) << unit;
+  }
+  glDeleteTextures(2, textures);
+}
+
 TEST_F(NvTest, DrawsWithoutAProgramAreErrors) {
   for (const GLenum target : {kVertexNv, kFragmentNv}) {
     BindProgramNV(target, 0);

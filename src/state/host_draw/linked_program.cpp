@@ -18,10 +18,9 @@ namespace {
 
 /// Samplers are set once: two of different types on one unit, which zero would give, is an error at
 /// the draw. Requires the program to be current.
-void setSamplers(Context &context, const LinkedProgram &linkedProgram) {
-  for (const fp::GlslSampler &sampler : linkedProgram.fragment.compiled->glsl.samplers) {
-    const GLint location =
-        context.host->GetUniformLocation(linkedProgram.hostProgram, sampler.uniform.c_str());
+void setSamplers(Context &context, GLuint hostProgram, const CompiledProgram &compiled) {
+  for (const fp::GlslSampler &sampler : compiled.glsl.samplers) {
+    const GLint location = context.host->GetUniformLocation(hostProgram, sampler.uniform.c_str());
     if (location >= 0)
       context.host->Uniform1i(location, sampler.unit);
   }
@@ -61,11 +60,11 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
     if (!stage->compiled)
       continue;
     findParameters(context, linkedProgram.hostProgram, *stage);
+    setSamplers(context, linkedProgram.hostProgram, *stage->compiled);
     linkedProgram.readsState |= stage->readsState;
   }
   if (!pair.fragment)
     return;
-  setSamplers(context, linkedProgram);
   const auto &samplers = pair.fragment->glsl.samplers;
   linkedProgram.hasPlainSamplers =
       std::any_of(samplers.begin(), samplers.end(),
