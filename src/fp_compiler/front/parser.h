@@ -6,7 +6,7 @@
 
 #include "fp_compiler/front/bindings/binder.h"
 #include "fp_compiler/front/lexer.h"
-#include "fp_compiler/front/nv/statement.h"
+#include "fp_compiler/front/nv/labels.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/symbols.h"
 #include "fp_compiler/front/words/keywords.h"
@@ -190,13 +190,6 @@ private:
   void keep(const nv::Statement &statement, Span opcode);
   void finishNv(Span end);
 
-  /// A place in the program that BRA and CAL name.
-  struct Label {
-    Span name;
-    bool placed = false;
-  };
-  Label &labelOf(const Token &name);
-
   /// A parameter array; `relative` is its number in the program, once an address register has
   /// indexed it.
   struct Array {
@@ -229,8 +222,7 @@ private:
   std::vector<UnitUse> m_units;
   // NVIDIA's options.
   std::vector<nv::Statement> m_statements;
-  std::vector<Label> m_labels;
-  std::map<std::string_view, std::uint16_t> m_labelNumbers;
+  nv::Labels m_labels{m_text, m_reporter};
   std::uint8_t m_addressComponent = 0; ///< the one that was read last
   struct Block {
     ir::Opcode begin = ir::Opcode::If; ///< If, Else, Loop or Rep

@@ -62,8 +62,7 @@ EffectivePrograms enabledRows(const Context &context) {
 bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
-  if (pair.vertex && pair.vertex->arrays &&
-      context.nv) // of its form by the arrays it is drawn with
+  if (context.nv && pair.vertex && pair.vertex->arrays)
     pair.vertex = pair.vertex->arrays->of(*pair.vertex, context.nv->arrays);
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);

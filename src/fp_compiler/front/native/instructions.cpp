@@ -140,30 +140,8 @@ bool NativeParser::parseTarget(Span unitSpan, ir::Instruction &instruction) {
 /// "name :", before what a branch goes on with.
 bool NativeParser::parseLabel(const Token &name) {
   m_tokens.next();
-  Label &label = labelOf(name);
-  if (label.placed)
-    error(DiagnosticId::RedeclaredName, name.span,
-          "the label " + quote(text(name)) + " stands twice", "rename one of the two");
-  label.placed = true;
-  nv::Statement statement;
-  statement.isLabel = true;
-  statement.label = std::uint16_t(&label - m_labels.data());
-  statement.instruction.span = name.span;
-  keep(statement, name.span);
+  keep(m_labels.place(name.span), name.span);
   return true;
-}
-
-/// Statements number labels in 16 bits.
-NativeParser::Label &NativeParser::labelOf(const Token &name) {
-  if (m_labels.size() == nv::kNoLabel && !m_labelNumbers.contains(text(name))) {
-    error(DiagnosticId::NvFlow, name.span, "too many labels in any program");
-    return m_labels.back();
-  }
-  const auto [entry, isNew] =
-      m_labelNumbers.try_emplace(text(name), std::uint16_t(m_labels.size()));
-  if (isNew)
-    m_labels.push_back({name.span, false});
-  return m_labels[entry->second];
 }
 
 /// BRA, CAL and RET.
@@ -174,8 +152,7 @@ bool NativeParser::parseFlow(const Token &opcode, const Word &word) {
   if (word.op != Opcode::Ret) {
     if (!m_tokens.at(TokenKind::Identifier))
       return unexpected("a label");
-    const Label &label = labelOf(m_tokens.next());
-    statement.label = std::uint16_t(&label - m_labels.data());
+    statement.label = m_labels.numberOf(m_tokens.next().span);
   }
   if (!parseConditionMask(statement.test))
     return false;

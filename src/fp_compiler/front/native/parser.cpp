@@ -160,19 +160,12 @@ void NativeParser::finish(Span end) {
   if (statesOnly() && m_rowsWritten.empty())
     error(DiagnosticId::NativeOutputs, end, "the program writes no program parameter",
           "a vertex state program writes c[n]");
-  for (const Label &label : m_labels)
-    if (!label.placed)
-      error(DiagnosticId::UndeclaredName, label.name,
-            "the label " + quote(at(label.name)) + " is nowhere",
-            "write it before the instruction to go on with, and a colon");
+  m_labels.check();
   if (m_reporter.hasErrors())
     return;
   if (m_interface.readsAnyRow)
     bindAllRows(end);
-  std::optional<std::uint16_t> start;
-  if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
-    start = found->second;
-  nv::lower(m_statements, start, {}, m_binder, m_reporter, m_rules);
+  nv::lower(m_statements, m_labels.start(), {}, m_binder, m_reporter, m_rules);
 }
 
 /// c[] as the array that relative operands read. Rows that no operand names are not counted.

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -10,8 +9,8 @@
 #include "fp_compiler/front/bindings/binder.h"
 #include "fp_compiler/front/lexer.h"
 #include "fp_compiler/front/native/language.h"
+#include "fp_compiler/front/nv/labels.h"
 #include "fp_compiler/front/nv/lowering.h"
-#include "fp_compiler/front/nv/statement.h"
 #include "fp_compiler/front/parser.h"
 #include "fp_compiler/front/reporter.h"
 #include "fp_compiler/front/words/names.h"
@@ -48,10 +47,6 @@ private:
     ir::Vec4 value = {};
     std::uint16_t local = 0;
     Span declared;
-  };
-  struct Label {
-    Span name;
-    bool placed = false;
   };
 
   // parser.cpp: statements, recovery, tokens
@@ -94,7 +89,6 @@ private:
   bool parseTarget(Span unitSpan, ir::Instruction &instruction);
   bool parseFlow(const Token &opcode, const Word &word);
   bool parseLabel(const Token &name);
-  Label &labelOf(const Token &name);
   void keep(const nv::Statement &statement, Span opcode);
 
   // registers.cpp: destinations, and what they and operands share
@@ -161,8 +155,7 @@ private:
   std::optional<std::uint16_t> m_nullRegister;
   std::array<std::optional<std::uint16_t>, 2> m_addresses;
   std::unordered_map<std::string_view, Named> m_named;
-  std::vector<Label> m_labels;
-  std::map<std::string_view, std::uint16_t> m_labelNumbers;
+  nv::Labels m_labels{m_text, m_reporter};
   std::array<std::optional<ir::TexTarget>, 32> m_targets; ///< by image unit
 
   std::set<std::uint16_t> m_rowsRead, m_rowsWritten;

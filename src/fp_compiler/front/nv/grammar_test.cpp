@@ -65,6 +65,14 @@ TEST(NvGrammar, AnOptionLoadsWhereTheProfileHasIt) {
   }
 }
 
+TEST(NvGrammar, ThereAreNoMoreLabelsThanNumbersForThem) {
+  std::string many = "MOV result.position, 0.0;\n";
+  for (int i = 0; i < 65535; ++i)
+    many += "L" + std::to_string(i) + ":";
+  EXPECT_EQ(firstError(check(text(kV2, many), nvidia(2))), "");
+  EXPECT_EQ(firstError(check(text(kV2, many + "M:"), nvidia(2))), "flow-control");
+}
+
 TEST(NvGrammar, OneOptionOfNvidiaOrTheSameTwice) {
   judge({{kF1, "OPTION NV_fragment_program; MOV result.color, 0.0;", ""},
          {kF1, "OPTION @NV_fragment_program2; MOV result.color, 0.0;", "conflicting-nv-options"},

@@ -18,25 +18,8 @@ bool Parser::parseLabel(const Token &name) {
     error(DiagnosticId::NvFlow, name.span,
           "the label " + quote(text(name)) + " is inside of a block",
           "a subroutine begins outside of IF, LOOP and REP");
-  Label &label = labelOf(name);
-  if (label.placed)
-    error(DiagnosticId::RedeclaredName, name.span,
-          "the label " + quote(text(name)) + " stands twice", "rename one of the two");
-  label.placed = true;
-  nv::Statement statement;
-  statement.isLabel = true;
-  statement.label = std::uint16_t(&label - m_labels.data());
-  statement.instruction.span = name.span;
-  keep(statement, name.span);
+  keep(m_labels.place(name.span), name.span);
   return true;
-}
-
-Parser::Label &Parser::labelOf(const Token &name) {
-  const auto [entry, isNew] =
-      m_labelNumbers.try_emplace(text(name), std::uint16_t(m_labels.size()));
-  if (isNew)
-    m_labels.push_back({name.span, false});
-  return m_labels[entry->second];
 }
 
 /// ELSE, ENDIF, ENDLOOP, ENDREP: what they end must be the innermost block.
@@ -131,8 +114,7 @@ bool Parser::parseNvFlow(const Token &opcode, const Word &word) {
     if (name.kind != TokenKind::Identifier || wordOf(name).keyword != Keyword::None)
       return unexpected("a label");
     m_tokens.next();
-    const Label &label = labelOf(name);
-    statement.label = std::uint16_t(&label - m_labels.data());
+    statement.label = m_labels.numberOf(name.span);
     parsed = parseConditionMask(statement.test);
     break;
   }
@@ -193,17 +175,10 @@ void Parser::finishNv(Span end) {
     error(DiagnosticId::NvFlow, end, "the program ends inside of a block",
           "the block of line " + std::to_string(locate(m_text, m_blocks.back().where.begin).line) +
               " has no end");
-  for (const Label &label : m_labels)
-    if (!label.placed)
-      error(DiagnosticId::UndeclaredName, label.name,
-            "the label " + quote(text({TokenKind::Identifier, label.name})) + " is nowhere",
-            "write it before the instruction to go on with, and a colon");
+  m_labels.check();
   if (m_reporter.hasErrors())
     return;
-  std::optional<std::uint16_t> start;
-  if (const auto found = m_labelNumbers.find("main"); found != m_labelNumbers.end())
-    start = found->second;
-  nv::lower(m_statements, start, m_sequences, m_binder, m_reporter);
+  nv::lower(m_statements, m_labels.start(), m_sequences, m_binder, m_reporter);
 }
 
 } // namespace arbiter::fp
