@@ -94,6 +94,15 @@ def main():
             ("ati-glsl", args.count, [*ati, "glsl"], {}),
             ("ati-text", args.count, [*ati, "arb"], in_front),
             ("ati-api", args.count, [*ati, "api"], in_front)]
+    nv, nv_vertex = ["--language", "nv", "--mode"], ["--language", "nv-vertex", "--mode"]
+    nv_card = {**in_front, "ARBITER_PROFILE": "nv40"}
+    ways += [("nv-glsl", args.count, [*nv, "glsl"], {}),
+             ("nv-layer", args.mode_count, [*nv, "arb"], nv_card),
+             ("nv-v-glsl", args.vertex_count, [*nv_vertex, "glsl"], {}),
+             ("nv-v-layer", args.mode_count, [*nv_vertex, "arb"], nv_card),
+             # Those that sample textures are the host's.
+             ("nv-v-both", args.mode_count, [*nv_vertex, "arb"],
+              {**nv_card, "ARBITER_BACKEND": "swrast"})]
     count = args.mode_count
     for mode in ("legacy", "fp24"):
         of_mode = ["--numerics", mode, "--mode"]
@@ -120,6 +129,7 @@ def main():
              ("ati-text", [*ati, "arb"], software),
              ("ati-api", [*ati, "api"], software),
              ("vertex", [*vertex, "arb"], software),
+             ("nv", [*nv, "arb"], {**software, "ARBITER_PROFILE": "nv40"}),
              ("v-edges", ["--suite", "edges", *vertex, "arb"], software),
              ("legacy", [*of_legacy, "arb"], legacy),
              ("l-wild", [*of_legacy, "arb", "--wild", "1"], legacy),

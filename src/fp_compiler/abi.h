@@ -350,9 +350,9 @@ struct Block {
   std::int16_t x = 0, y = 0;
   std::uint16_t mask = 0, reserved = 0;
 };
-/// Lanes::Packed: one lane. Where a level of detail is wanted each four are a quad: lower left,
-/// lower right, upper left, upper right. Lie no further than 16384 bytes * rows allow: within 1024
-/// pixels of the primitive's origin, in x and in y.
+/// Lanes::Packed: one lane. Where a level of detail or a derivative is wanted each four are a quad:
+/// lower left, lower right, upper left, upper right. Lie no further than 16384 bytes * rows allow:
+/// within 1024 pixels of the primitive's origin, in x and in y.
 struct Pixel {
   std::uint16_t x = 0, y = 0;
   /// In `y`: the lane is none of the primitive's pixels. It is computed, for its neighbours'

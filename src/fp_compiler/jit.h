@@ -33,6 +33,7 @@ struct FragmentShape {
   std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
   bool writesDepth = false;
   bool kills = false;
+  bool derivatives = false; ///< DDX or DDY: there is no function of Lanes::Row
   /// A sample whose level of detail depends on more than an affine coordinate, so that a sampler
   /// with mipmaps, or with different magnification and minification, needs Lanes::Quad. Bit a unit.
   std::uint32_t needsQuads = 0;

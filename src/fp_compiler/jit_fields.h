@@ -8,7 +8,8 @@ namespace arbiter::fp::jit {
 
 FP_FIELDS(FragmentInput, attribute, components)
 FP_FIELDS(FragmentShape::Sampler, unit, target)
-FP_FIELDS(FragmentShape, inputs, samplers, colorOutputs, writesDepth, kills, needsQuads)
+FP_FIELDS(FragmentShape, inputs, samplers, colorOutputs, writesDepth, kills, derivatives,
+          needsQuads)
 FP_FIELDS(VertexShape, inputs, outputs)
 
 } // namespace arbiter::fp::jit

@@ -31,7 +31,7 @@ struct Vertices {
   /// Two-sided colour: where set, a back-facing polygon takes input i from here.
   const float *backInputs[abi::kMaxInputs][4] = {};
   const float *pointSize = nullptr;        ///< in pixels; null: RasterState::pointSize
-  const float *clipDistance[8] = {};       ///< user clip planes: outside where negative; null: off
+  const float *clipDistance[8] = {};       ///< user planes: outside if negative or NaN; null: off
   const std::uint8_t *edgeFlags = nullptr; ///< of unfilled polygons; null: all are edges
 
   /// So many vertices at a time, or what is left of them, are made.
@@ -120,7 +120,7 @@ struct Shading {
   /// where nothing after the depth test may discard a fragment.
   abi::ShadeFunction packed = nullptr;
   DepthTest depth;
-  bool packsQuads = false; ///< a level of detail is wanted
+  bool packsQuads = false; ///< a level of detail or a derivative is wanted
   /// A fragment that passes replaces what was there, or its unmasked components, whatever it is.
   bool replaces = false;
 };

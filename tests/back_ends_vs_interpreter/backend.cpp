@@ -82,8 +82,9 @@ public:
       return "not compiled: " + problem + log + "\n" + texts;
     }
     glUseProgram(m_program);
-    for (const fp::GlslSampler &sampler : fragmentShader.samplers)
-      glUniform1i(glGetUniformLocation(m_program, sampler.uniform.c_str()), sampler.unit);
+    for (const fp::GlslShader *shader : {&fragmentShader, &vertexShader})
+      for (const fp::GlslSampler &sampler : shader->samplers)
+        glUniform1i(glGetUniformLocation(m_program, sampler.uniform.c_str()), sampler.unit);
     upload("arb_param", fragmentShader);
     upload("arb_vparam", vertexShader);
     const std::string errors = takeErrors();

@@ -17,7 +17,7 @@ using namespace arbiter::differential;
 namespace fp = arbiter::fp;
 
 constexpr const char *kHelp =
-    "usage: differential [--mode MODE] [--language arb|vertex|ati] [--suite S] [--count N]\n"
+    "usage: differential [--mode MODE] [--language LANGUAGE] [--suite S] [--count N]\n"
     "                    [--numerics N] [--wild 0|1] [--unwritten 0|1] [--seed S]\n"
     "                    [--program FILE]... [--json FILE] [--failures DIR]\n"
     "\n"
@@ -29,6 +29,9 @@ constexpr const char *kHelp =
     "limits)\n"
     "  --mode assembly   the same with the compiler's own text, printed from the checked program\n"
     "  --language arb, vertex   ARB_fragment_program (default), ARB_vertex_program\n"
+    "  --language nv, nv-vertex   the same under NVIDIA's options; --mode arb where they are "
+    "announced\n"
+    "               and --mode peer there, without what NVIDIA's driver does otherwise\n"
     "  --language ati   ATI fragment shaders: --mode glsl, --mode arb (their text form) and\n"
     "               --mode api (ATI_fragment_shader); --mode peer is api with shaders that stay\n"
     "               within what the specification defines, to measure the host's own by\n"
@@ -71,6 +74,12 @@ constexpr WayRow kWays[] = {
      runVertexEdges},
     {"vertex", "assembly", calls<assemblyBackend>, vertexSubject, unwrittenVertexSubject,
      runVertexSuite, runVertexEdges},
+    {"nv", "glsl", glslBackend, nvSubject, nullptr, runSuite, nullptr},
+    {"nv", "arb", calls<arbBackend>, nvSubject, nullptr, runSuite, nullptr},
+    {"nv-vertex", "glsl", glslBackend, nvVertexSubject, nullptr, runVertexSuite, nullptr},
+    {"nv-vertex", "arb", calls<arbBackend>, nvVertexSubject, nullptr, runVertexSuite, nullptr},
+    {"nv", "peer", calls<arbBackend>, nvPeerSubject, nullptr, runSuite, nullptr},
+    {"nv-vertex", "peer", calls<arbBackend>, nvVertexPeerSubject, nullptr, runVertexSuite, nullptr},
     {"ati", "glsl", glslBackend, atiSubject, nullptr, runSuite, nullptr},
     {"ati", "arb", calls<atiTextBackend>, atiSubjectOfHost, nullptr, runSuite, nullptr},
     {"ati", "api", calls<atiApiBackend>, atiSubjectOfHost, nullptr, runSuite, nullptr},

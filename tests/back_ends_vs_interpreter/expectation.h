@@ -39,6 +39,12 @@ struct PixelInputs {
 inline constexpr int kFewTrials = 5, kManyTrials = 500;
 [[nodiscard]] ExpectedPixel expect(const fp::ir::Program &program, const PixelInputs &inputs,
                                    std::uint64_t seed, int trials);
+/// The same of 2x2 pixels: lower left, lower right, upper left, upper right.
+[[nodiscard]] std::array<ExpectedPixel, 4> expect(const fp::ir::Program &program,
+                                                  const std::array<PixelInputs, 4> &inputs,
+                                                  std::uint64_t seed, int trials);
+/// True if pixels of the program depend on their neighbours.
+[[nodiscard]] bool needsQuads(const fp::ir::Program &program);
 
 /// A pixel's worst error, in units of what is allowed; below or at 1 passes. Infinite where one
 /// is killed and the other not, or one is finite and the other not.

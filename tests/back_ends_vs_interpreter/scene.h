@@ -38,8 +38,11 @@ void applyLocalParameters(unsigned target);
 /// (x, y) in clip coordinates, the rest made up.
 [[nodiscard]] Vec4 vertexValue(const fp::ir::Attribute &attribute, int x, int y);
 
-/// One point for each pixel of the window, each a vertex that carries every attribute, conventional
-/// and generic.
+/// One point for each pixel of the window, each a vertex that carries every conventional attribute
+/// and the generic ones that the program reads: elsewhere they may be the same (ARB_vertex_program,
+/// table X.1), and no program reads both.
+void drawPoints(const fp::ir::Program &program);
+/// The same with every generic attribute.
 void drawPoints();
 
 /// Covers the window with one quad that carries every attribute.

@@ -32,7 +32,8 @@ Vec4 vertexValue(const Attribute &attribute, int x, int y) {
   }
 }
 
-void drawPoints() {
+namespace {
+void drawPointsWith(const std::vector<Attribute> &attributes) {
   glBegin(GL_POINTS);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -45,11 +46,23 @@ void drawPoints() {
       glFogCoordf(value(AttributeKind::FogCoord)[0]);
       for (int i = 0; i < 8; ++i)
         glMultiTexCoord4fv(GL_TEXTURE0 + GLenum(i), value(AttributeKind::TexCoord, i).data());
-      for (int i = 1; i < 16; ++i)
-        glVertexAttrib4fvARB(GLuint(i), value(AttributeKind::Generic, i).data());
+      for (const Attribute &attribute : attributes)
+        if (attribute.kind == AttributeKind::Generic && attribute.index != 0)
+          glVertexAttrib4fvARB(attribute.index,
+                               value(AttributeKind::Generic, attribute.index).data());
       glVertex4fv(value(AttributeKind::Position).data());
     }
   glEnd();
+}
+} // namespace
+
+void drawPoints(const Program &program) { drawPointsWith(program.attributes); }
+
+void drawPoints() {
+  std::vector<Attribute> generic;
+  for (int i = 1; i < 16; ++i)
+    generic.push_back({AttributeKind::Generic, std::uint8_t(i)});
+  drawPointsWith(generic);
 }
 
 } // namespace arbiter::differential

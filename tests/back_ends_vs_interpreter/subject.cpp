@@ -8,6 +8,7 @@
 #include "fp_compiler/ir/semantics.h"
 #include "fp_compiler/testing/random.h"
 #include "fp_compiler/testing/random_ati.h"
+#include "fp_compiler/testing/random_nv.h"
 #include "gl_host.h"
 
 namespace arbiter::differential {
@@ -129,6 +130,7 @@ fp::Limits suiteLimits() {
   limits.textureCoords = limits.textureImageUnits = limits.textureUnits = 8;
   limits.programMatrices = 8;
   limits.drawBuffers = kColorBuffers;
+  limits.nvOptions = 2;
   return limits;
 }
 
@@ -145,6 +147,20 @@ Subject vertexSubject(std::uint64_t seed) {
   return subjectOf(Language::ArbVertex,
                    fp::testing::spell(fp::testing::randomVertexProgram(seed), seed));
 }
+
+namespace {
+Subject nvProgram(std::uint64_t seed, bool vertex, bool peer = false) {
+  const NvOption option = seed % 2 == 0 ? NvOption::First : NvOption::Second;
+  return subjectOf(
+      vertex ? Language::ArbVertex : Language::ArbFragment,
+      fp::testing::randomNvProgram(seed, {.vertex = vertex, .option = option, .peer = peer}));
+}
+} // namespace
+
+Subject nvSubject(std::uint64_t seed) { return nvProgram(seed, false); }
+Subject nvPeerSubject(std::uint64_t seed) { return nvProgram(seed, false, true); }
+Subject nvVertexPeerSubject(std::uint64_t seed) { return nvProgram(seed, true, true); }
+Subject nvVertexSubject(std::uint64_t seed) { return nvProgram(seed, true); }
 
 Subject unwrittenSubject(std::uint64_t seed) {
   return subjectOf(Language::ArbFragment,

@@ -27,8 +27,16 @@ struct Subject {
 /// An ARB vertex program.
 [[nodiscard]] Subject vertexSubject(std::uint64_t seed);
 
-/// The same with registers that nothing wrote, results written in part or not at all, and vertices
-/// without a whole position: undefined by the specifications, zero on every path of the layer.
+/// Programs under NVIDIA's options, of an even seed under the lesser ones.
+[[nodiscard]] Subject nvSubject(std::uint64_t seed);
+[[nodiscard]] Subject nvVertexSubject(std::uint64_t seed);
+/// The same without what NVIDIA's driver does otherwise (RandomNvOptions::peer).
+[[nodiscard]] Subject nvPeerSubject(std::uint64_t seed);
+[[nodiscard]] Subject nvVertexPeerSubject(std::uint64_t seed);
+
+/// The same as the first two with registers that nothing wrote, results written in part or not at
+/// all, and vertices without a whole position: undefined by the specifications, zero on every path
+/// of the layer.
 [[nodiscard]] Subject unwrittenSubject(std::uint64_t seed);
 [[nodiscard]] Subject unwrittenVertexSubject(std::uint64_t seed);
 

@@ -73,6 +73,8 @@ private:
     if (found != m_measured.end())
       return found->second;
     std::string text = "!!ARBfp1.0\n";
+    if (attribute.kind == AttributeKind::Facing)
+      text += "OPTION NV_fragment_program2;\n";
     if (key.upperLeft)
       text += "OPTION ARB_fragment_coord_origin_upper_left;\n";
     if (key.integer)
@@ -102,8 +104,11 @@ private:
           sent[0] -= 0.5f;
           sent[1] -= 0.5f;
         }
-        // The fourth component of a secondary colour is the host's: 0 or 1.
-        const std::size_t count = key.attribute.kind == AttributeKind::ColorSecondary ? 3 : 4;
+        // The fourth component of a secondary colour is the host's: 0 or 1. So are all but the
+        // first of the facing.
+        const std::size_t count = key.attribute.kind == AttributeKind::ColorSecondary ? 3
+                                  : key.attribute.kind == AttributeKind::Facing       ? 1
+                                                                                      : 4;
         for (std::size_t i = 0; i < count; ++i) {
           const float seen = values[std::size_t(y * kSide + x) * 4 + i];
           if (!(std::fabs(seen - sent[i]) < 1e-4f))
@@ -138,6 +143,35 @@ private:
             attributes, pipeline);
   }
 
+  [[nodiscard]] PixelInputs inputsAt(const std::vector<const std::vector<float> *> &attributes,
+                                     const Pipeline &pipeline, std::size_t pixel) const {
+    const auto rgba = [&](const std::vector<float> &values) {
+      return Vec4{values[pixel * 4], values[pixel * 4 + 1], values[pixel * 4 + 2],
+                  values[pixel * 4 + 3]};
+    };
+    PixelInputs inputs;
+    for (const std::vector<float> *values : attributes)
+      inputs.attributes.push_back(rgba(*values));
+    inputs.fogCoordinate = pipeline.fogCoordinate[pixel * 4];
+    inputs.secondary = rgba(pipeline.secondary);
+    inputs.numerics = m_options.numerics;
+    return inputs;
+  }
+
+  [[nodiscard]] ExpectedPixel expected(const Program &program,
+                                       const std::vector<const std::vector<float> *> &attributes,
+                                       const Pipeline &pipeline, std::uint64_t seed,
+                                       std::size_t pixel, int trials) const {
+    if (!needsQuads(program))
+      return expect(program, inputsAt(attributes, pipeline, pixel), seed * 1000 + pixel, trials);
+    const std::size_t x = pixel % kSide, y = pixel / kSide;
+    const std::size_t first = (y & ~std::size_t(1)) * kSide + (x & ~std::size_t(1));
+    std::array<PixelInputs, 4> quad;
+    for (std::size_t i = 0; i < 4; ++i)
+      quad[i] = inputsAt(attributes, pipeline, first + i / 2 * kSide + i % 2);
+    return expect(program, quad, seed * 1000 + pixel, trials)[(y & 1) * 2 + (x & 1)];
+  }
+
   void compare(std::uint64_t seed, const std::string &text, const Program &program,
                const std::vector<const std::vector<float> *> &attributes,
                const Pipeline &pipeline) {
@@ -151,13 +185,10 @@ private:
         return Vec4{values[pixel * 4], values[pixel * 4 + 1], values[pixel * 4 + 2],
                     values[pixel * 4 + 3]};
       };
-      PixelInputs inputs;
-      for (const std::vector<float> *values : attributes)
-        inputs.attributes.push_back(rgba(*values));
-      inputs.fogCoordinate = pipeline.fogCoordinate[pixel * 4];
-      inputs.secondary = rgba(pipeline.secondary);
-      inputs.numerics = m_options.numerics;
-      const ExpectedPixel expected = expect(program, inputs, seed * 1000 + pixel, kFewTrials);
+      const auto expectation = [&](int trials) {
+        return expected(program, attributes, pipeline, seed, pixel, trials);
+      };
+      const ExpectedPixel expected = expectation(kFewTrials);
       for (std::size_t i = 0; i < 4; ++i)
         picture[pixel * 4 + i] = expected.killed ? kUntouched : expected.colors[0][i].value;
       std::array<Vec4, kColorBuffers> colors;
@@ -165,8 +196,7 @@ private:
         colors[i] = rgba(seen[i].rgba);
       Verdict verdict = judge(program, expected, colors, seen[0].depth[pixel]);
       if (verdict.error > 1)
-        verdict = judge(program, expect(program, inputs, seed * 1000 + pixel, kManyTrials), colors,
-                        seen[0].depth[pixel]);
+        verdict = judge(program, expectation(kManyTrials), colors, seen[0].depth[pixel]);
       m_report.compared += std::uint64_t(verdict.compared);
       m_report.skipped += std::uint64_t(verdict.skipped);
       if (verdict.error > worst.error) {

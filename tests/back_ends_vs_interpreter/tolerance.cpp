@@ -66,6 +66,8 @@ Tolerance tolerance(Opcode op, fp::Numerics numerics) {
   case Opcode::Sub:
   case Opcode::Xpd:
   case Opcode::Frc:
+  case Opcode::Ddx:
+  case Opcode::Ddy:
     return kArithmetic;
   case Opcode::Rcp:
   case Opcode::Rsq:
@@ -86,7 +88,13 @@ Tolerance tolerance(Opcode op, fp::Numerics numerics) {
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
+  case Opcode::Txd:
+  case Opcode::Txl:
     return kTexture;
+  case Opcode::Up2us:
+  case Opcode::Up4b:
+  case Opcode::Up4ub:
+    return kReciprocal; // hosts may multiply by the reciprocal
   case Opcode::Abs:
   case Opcode::Arl:
   case Opcode::Cmp:
@@ -99,8 +107,9 @@ Tolerance tolerance(Opcode op, fp::Numerics numerics) {
   case Opcode::Swz:
   case Opcode::Kil:
     return kExact;
+  default: // comparisons, packing, loops
+    return kExact;
   }
-  return kExact;
 }
 
 } // namespace arbiter::differential

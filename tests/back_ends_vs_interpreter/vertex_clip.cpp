@@ -71,8 +71,9 @@ std::string clipDifference(Backend &backend, const FloatTarget &target) {
                                                      {suiteLimits(), fp::LimitPolicy::Enforce});
     if (!checked.ok())
       return checked.errorString(text);
-    const std::string problem =
-        Reader(*checked.program).draw(backend, text, *checked.program, target, drawSquare);
+    const std::string problem = Reader(*checked.program)
+                                    .draw(backend, text, *checked.program, target,
+                                          [](const fp::ir::Program &) { drawSquare(); });
     if (!problem.empty())
       return problem;
     const std::vector<bool> seen = covered(target);

@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  static void drawSpecialPoints() {
+  static void drawSpecialPoints(const Program &) {
     glBegin(GL_POINTS);
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {

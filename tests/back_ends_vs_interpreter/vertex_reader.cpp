@@ -49,7 +49,7 @@ Reader::Reader(const Program &vertexProgram) {
 }
 
 std::string Reader::draw(Backend &backend, const std::string &text, const Program &program,
-                         const FloatTarget &target, void (*points)()) const {
+                         const FloatTarget &target, void (*points)(const Program &)) const {
   std::string copies = "!!ARBfp1.0\nOPTION ARB_draw_buffers;\n";
   for (std::size_t i = 0; i < m_results.size(); ++i)
     copies += "MOV result.color[" + std::to_string(i) + "], " +
@@ -64,7 +64,7 @@ std::string Reader::draw(Backend &backend, const std::string &text, const Progra
   if (!problem.empty())
     return problem;
   target.clear();
-  points();
+  points(program);
   glFinish();
   return takeErrors();
 }

@@ -29,7 +29,7 @@ public:
   /// Draws the points; a reason if something went wrong.
   [[nodiscard]] std::string draw(Backend &backend, const std::string &text,
                                  const fp::ir::Program &program, const FloatTarget &target,
-                                 void (*points)() = drawPoints) const;
+                                 void (*points)(const fp::ir::Program &) = drawPoints) const;
   /// The program with its results as colours, for the interpreter.
   [[nodiscard]] fp::ir::Program shown(fp::ir::Program program) const;
   /// The colours of one vertex; where a result has no such component, what is expected.

@@ -112,7 +112,8 @@ def check_kind(options, kind):
         check_agreement(other)
         # What the layer has under this card's profile, and not under the host's.
         own = {'GL_NV_fragment_program', 'GL_NV_fragment_program_option', 'GL_NV_vertex_program',
-               'GL_NV_vertex_program1_1'} if profile == 'nv30' else set()
+               'GL_NV_vertex_program1_1', 'GL_NV_vertex_program2',
+               'GL_NV_vertex_program2_option'} if profile == 'nv30' else set()
         expect(other['vendor'] == vendor and own <= set(other['names']) <= works | own, f'{profile}: {other}')
 
     # A profile that has no card: the host's answers, and a warning in the log.

@@ -258,6 +258,87 @@ TEST_F(NvTest, AVertexProgramSamplesTheUnitThatItNames) {
   glDeleteTextures(2, textures);
 }
 
+TEST_F(NvTest, BothStagesReadOneTargetOfAUnit) {
+  const auto fragment = [](const char *target) {
+    return std::string("!!FP1.0\nTEX o[COLR], {0.5,0.5,0,0}, TEX0, ") + target + ";\nEND";
+  };
+  use(kVertexNv, 22,
+      "!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\nMOV result.position, vertex.position;\n"
+      "TEX t, {0.5,0.5,0,0}, texture[0], 2D;\nMOV result.color, t;\nEND");
+  use(kFragmentNv, 23, fragment("3D"));
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION, glDrawArrays(GL_POINTS, 0, 1));
+  use(kFragmentNv, 24, fragment("2D"));
+  constexpr GLubyte kBlue[] = {0, 0, 255, 255};
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kBlue);
+  EXPECT_NO_GL_ERROR(glDrawArrays(GL_POINTS, 0, 1));
+  EXPECT_EQ(quad(), kBluePixel);
+  glDisable(kFragmentNv);
+}
+
+TEST_F(NvTest, AVertexProgramReadsDepthsUncompared) {
+  constexpr GLfloat kDepth = 0.6f; // compared with 0.5: 1 or 0
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+               &kDepth);
+  use(kVertexNv, 25,
+      "!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\nMOV result.position, vertex.position;\n"
+      "TEX t, {0.5,0.5,0.5,0}, texture[0], 2D;\nMOV result.color, t;\nEND");
+  EXPECT_NEAR(quad()[0], 153, 1);
+}
+
+/// Distances in x: 1 at the right edge, -1 at the left.
+constexpr char kClippedVp[] =
+    "!!VP2.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], v[COL0];\nMOV o[CLP1].x, v[OPOS].x;\nEND";
+constexpr char kClippedOption[] =
+    "!!ARBvp1.0\nOPTION NV_vertex_program2;\nMOV result.position, vertex.position;\n"
+    "MOV result.color, vertex.color;\nMOV result.clip[1].x, vertex.position.x;\nEND";
+
+TEST_F(NvTest, DistancesClipWhereTheirPlaneIsEnabled) {
+  const GLdouble left[] = {-1, 0, 0, 0}; // not asked: the distances are
+  glClipPlane(GL_CLIP_PLANE1, left);
+  glColor4f(0, 0, 1, 1);
+  for (const char *text : {kClippedVp, kClippedOption}) {
+    use(kVertexNv, 26, text);
+    (void)quad();
+    EXPECT_EQ(readPixel(4, 16), kBluePixel) << text;
+    glEnable(GL_CLIP_PLANE1);
+    (void)quad();
+    EXPECT_NE(readPixel(4, 16), kBluePixel) << text;
+    EXPECT_EQ(readPixel(20, 16), kBluePixel) << text;
+    glEnable(GL_CLIP_PLANE0); // which nothing is written of
+    (void)quad();
+    EXPECT_NE(readPixel(4, 16), kBluePixel) << text;
+    EXPECT_EQ(readPixel(20, 16), kBluePixel) << text;
+    glDisable(GL_CLIP_PLANE1);
+    (void)quad();
+    EXPECT_EQ(readPixel(4, 16), kBluePixel) << text;
+    glDisable(GL_CLIP_PLANE0);
+  }
+}
+
+TEST_F(NvTest, PlanesDoNotClipNvidiasOwnPrograms) {
+  const GLdouble right[] = {1, 0, 0, 0};
+  glClipPlane(GL_CLIP_PLANE0, right);
+  glEnable(GL_CLIP_PLANE0);
+  glColor4f(0, 0, 1, 1);
+  for (const std::string text :
+       {kThroughVp, "!!VP1.1\nOPTION NV_position_invariant;\nMOV o[COL0], v[COL0];\nEND",
+        "!!VP2.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], v[COL0];\nEND"}) {
+    use(kVertexNv, 27, text);
+    (void)quad();
+    EXPECT_EQ(readPixel(4, 16), kBluePixel) << text;
+  }
+  use(kVertexNv, 28,
+      "!!ARBvp1.0\nOPTION NV_vertex_program2;\nOPTION ARB_position_invariant;\n"
+      "MOV result.color, vertex.color;\nEND");
+  (void)quad();
+  EXPECT_NE(readPixel(4, 16), kBluePixel) << "fixed function's position is clipped as it is there";
+  EXPECT_EQ(readPixel(20, 16), kBluePixel);
+  glDisable(GL_CLIP_PLANE0);
+}
+
 TEST_F(NvTest, DrawsWithoutAProgramAreErrors) {
   for (const GLenum target : {kVertexNv, kFragmentNv}) {
     BindProgramNV(target, 0);

@@ -31,12 +31,13 @@ Dependence function(Dependence a) {
 class Follower {
 public:
   explicit Follower(const ir::Program &program)
-      : m_program(program), m_temporaries(program.temporaries.size(), kUniform4) {}
+      : m_program(program), m_straight(!ir::hasLoops(program)),
+        m_temporaries(program.temporaries.size(), kUniform4) {}
 
   /// Goes past the instruction. \returns true if it is a sample of a curved coordinate.
   bool step(const Instruction &instruction) {
     const ir::OpInfo &row = ir::info(instruction.op);
-    if (row.has(ir::Kills))
+    if (row.has(ir::Kills) || row.has(ir::Flow))
       return false;
     bool curved = false;
     Dependence4 result;
@@ -63,7 +64,9 @@ private:
     case File::Temporary:
       return m_temporaries[operand.index][std::size_t(select)];
     case File::Attribute:
-      return Dependence::Affine;
+      return m_program.attributes[operand.index].kind == ir::AttributeKind::Facing
+                 ? Dependence::Other
+                 : Dependence::Affine;
     case File::Parameter:
       return operand.relative ? Dependence::Other : Dependence::Uniform;
     case File::Output:
@@ -79,6 +82,10 @@ private:
   }
 
   [[nodiscard]] bool isCurved(const Instruction &instruction) const {
+    if (instruction.op == Opcode::Txl || instruction.op == Opcode::Txd)
+      return false; // the level of detail is given
+    if (!m_straight)
+      return true;
     if (instruction.target == ir::TexTarget::Cube)
       return true;
     const Operand &coordinate = instruction.src[0];
@@ -135,6 +142,7 @@ private:
   }
 
   const ir::Program &m_program;
+  const bool m_straight; ///< what is not is not followed
   std::vector<Dependence4> m_temporaries;
 };
 } // namespace

@@ -11,7 +11,8 @@ namespace arbiter::fp::analysis {
 enum class Dependence : std::uint8_t { Uniform, Affine, Other };
 
 /// For each instruction of the program: true where it samples a texture and the level of detail
-/// depends on a coordinate that is not affine in the attributes. A cube map's always does.
+/// depends on a coordinate that is not affine in the attributes. A cube map's always does, one in a
+/// program with loops is taken to.
 [[nodiscard]] std::vector<bool> samplesCurved(const ir::Program &program);
 
 } // namespace arbiter::fp::analysis

@@ -6,6 +6,7 @@ namespace arbiter::fp::analysis {
 
 using ir::File;
 using ir::Instruction;
+using ir::Opcode;
 using ir::Operand;
 
 Instruction narrowed(const Instruction &instruction, std::uint8_t written) {
@@ -15,13 +16,27 @@ Instruction narrowed(const Instruction &instruction, std::uint8_t written) {
 }
 
 namespace {
+void add(std::vector<std::uint8_t> &to, const std::vector<std::uint8_t> &masks) {
+  for (std::size_t i = 0; i < to.size(); ++i)
+    to[i] |= masks[i];
+}
+} // namespace
+
+void add(RegisterMasks &to, const RegisterMasks &masks) {
+  add(to.temporaries, masks.temporaries);
+  add(to.outputs, masks.outputs);
+  add(to.addresses, masks.addresses);
+}
+
+namespace {
 class Backward {
 public:
-  explicit Backward(const ir::Program &program)
-      : m_program(program), m_temporaries(program.temporaries.size(), 0),
-        m_outputs(program.outputs.size()), m_addresses(program.addresses.size(), 0) {
-    for (std::size_t i = 0; i < m_outputs.size(); ++i)
-      m_outputs[i] = ir::resultMask(program.outputs[i].kind);
+  explicit Backward(const ir::Program &program) : m_program(program) {
+    m_wanted.temporaries.assign(program.temporaries.size(), 0);
+    m_wanted.outputs.resize(program.outputs.size());
+    m_wanted.addresses.assign(program.addresses.size(), 0);
+    for (std::size_t i = 0; i < m_wanted.outputs.size(); ++i)
+      m_wanted.outputs[i] = ir::resultMask(program.outputs[i].kind);
     m_live.written.assign(program.code.size(), 0);
     m_live.attributes.assign(program.attributes.size(), 0);
     m_live.parameters.assign(program.parameters.size(), 0);
@@ -29,21 +44,69 @@ public:
   }
 
   LiveValues run() {
-    for (std::size_t i = m_program.code.size(); i-- > 0;)
-      m_live.written[i] = step(m_program.code[i]);
+    block(0, m_program.code.size());
     return std::move(m_live);
   }
 
 private:
+  /// The instructions of [begin, end), from the last one on.
+  void block(std::size_t begin, std::size_t end) {
+    for (std::size_t i = end; i-- > begin;) {
+      const Instruction &instruction = m_program.code[i];
+      if (instruction.op == Opcode::Endrep) {
+        const std::size_t start = beginOf(i);
+        loop(start, i);
+        i = start;
+      } else if (instruction.op == Opcode::Brk) {
+        add(m_wanted, m_behind.back());
+        readOperands(instruction);
+        m_live.written[i] = 0xF;
+      } else {
+        m_live.written[i] |= step(instruction);
+      }
+    }
+  }
+
+  /// Until an iteration's end finds what its beginning wants. Masks only grow, so that what an
+  /// earlier visit has found stays, and loops within loops are not gone through anew each time.
+  void loop(std::size_t begin, std::size_t end) {
+    m_behind.push_back(m_wanted);
+    const auto [entry, isNew] = m_live.kept.try_emplace(begin, m_wanted);
+    RegisterMasks &kept = entry->second;
+    if (!isNew)
+      add(kept, m_wanted);
+    for (bool grows = true; grows;) {
+      m_wanted = kept;
+      block(begin + 1, end);
+      add(m_wanted, kept);
+      grows = m_wanted != kept;
+      kept = m_wanted;
+    }
+    m_behind.pop_back();
+    m_live.written[begin] = m_live.written[end] = 0xF;
+    readOperands(m_program.code[begin]);
+  }
+
+  [[nodiscard]] std::size_t beginOf(std::size_t end) const {
+    std::size_t depth = 0;
+    for (std::size_t i = end;; --i) {
+      depth += m_program.code[i].op == Opcode::Endrep ? 1 : 0;
+      if (m_program.code[i].op == Opcode::Rep && --depth == 0)
+        return i;
+    }
+  }
+
   std::uint8_t step(const Instruction &instruction) {
     const std::uint8_t written = take(instruction);
-    if (written == 0)
-      return 0;
-    const Instruction part = narrowed(instruction, written);
-    for (int i = 0; i < ir::info(part.op).operandCount(); ++i)
-      if (const std::uint8_t mask = ir::registerMask(part, i))
-        read(part.src[std::size_t(i)], mask);
+    if (written != 0)
+      readOperands(narrowed(instruction, written));
     return written;
+  }
+
+  void readOperands(const Instruction &instruction) {
+    for (int i = 0; i < ir::info(instruction.op).operandCount(); ++i)
+      if (const std::uint8_t mask = ir::registerMask(instruction, i))
+        read(instruction.src[std::size_t(i)], mask);
   }
 
   /// The components of its destination that something reads later; nothing does any more.
@@ -51,9 +114,9 @@ private:
     if (ir::info(instruction.op).has(ir::Kills))
       return 0xF;
     const ir::Destination &dst = instruction.dst;
-    std::uint8_t &wanted = dst.file == File::Output    ? m_outputs[dst.index]
-                           : dst.file == File::Address ? m_addresses[dst.index]
-                                                       : m_temporaries[dst.index];
+    std::uint8_t &wanted = dst.file == File::Output    ? m_wanted.outputs[dst.index]
+                           : dst.file == File::Address ? m_wanted.addresses[dst.index]
+                                                       : m_wanted.temporaries[dst.index];
     if (dst.file == File::Address) {
       const std::uint8_t all = wanted;
       wanted = 0;
@@ -68,12 +131,12 @@ private:
 
   void read(const Operand &operand, std::uint8_t mask) {
     if (operand.relative) {
-      m_addresses[operand.address] = 1;
+      m_wanted.addresses[operand.address] = 1;
       return;
     }
     switch (operand.file) {
     case File::Temporary:
-      m_temporaries[operand.index] |= mask;
+      m_wanted.temporaries[operand.index] |= mask;
       break;
     case File::Attribute:
       m_live.attributes[operand.index] |= mask;
@@ -88,7 +151,8 @@ private:
   }
 
   const ir::Program &m_program;
-  std::vector<std::uint8_t> m_temporaries, m_outputs, m_addresses;
+  RegisterMasks m_wanted;
+  std::vector<RegisterMasks> m_behind; ///< of the loops that are open: what is wanted behind them
   LiveValues m_live;
 };
 } // namespace

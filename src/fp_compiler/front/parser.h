@@ -121,6 +121,7 @@ private:
   bool parseVertexColor(ir::Output &output);
   bool parseTexGen(ir::StateRef &ref);
   bool parseClipPlane(ir::StateRef &ref);
+  bool parseClipDistance(ir::Output &output);
   bool parsePoint(ir::StateRef &ref);
 
   // state_binding.cpp

@@ -56,6 +56,10 @@ enum class OutputKind : std::uint8_t {
   PointSize,    ///< component x
   TexCoord,     ///< result.texcoord[index]
   EnvParameter, ///< program parameter c[index], which a vertex state program writes
+  /// result.clip[index] of NVIDIA's options, component x: the vertex is outside where it is below 0
+  /// or NaN and CLIP_PLANE<index> is enabled. Not of position-invariant programs, which the planes
+  /// themselves clip (NV_vertex_program2_option, section 2.11).
+  ClipDistance,
 };
 struct Output {
   OutputKind kind = OutputKind::Color;
@@ -152,6 +156,13 @@ struct Options {
   NvOption nv = NvOption::None;
   /// Not None: `nv` is First, whose rules such programs follow.
   NativeLanguage native = NativeLanguage::None;
+
+  /// A vertex program whose vertices are clipped by the distances that it writes, not by
+  /// CLIP_PLANEs' equations: all of NVIDIA's but for those of an option that have fixed function's
+  /// position (NV_vertex_program2_option, section 2.11; NV_vertex_program, section 2.14.1).
+  [[nodiscard]] constexpr bool clipsByDistances() const {
+    return native != NativeLanguage::None || (nv != NvOption::None && !positionInvariant);
+  }
   bool operator==(const Options &) const = default;
 };
 

@@ -43,7 +43,7 @@ std::uint16_t halfOf(float value) {
   const auto sign = std::uint16_t(bits >> 16 & 0x8000);
   const std::uint32_t size = bits & 0x7FFFFFFF;
   if (size > 0x7F800000)
-    return std::uint16_t(sign | 0x7FFF);
+    return 0x7FFF;        // NaNs are all the same, their signs too
   if (size >= 0x477FF000) // 65520
     return std::uint16_t(sign | 0x7C00);
   if (size < 0x38800000) // below 2^-14 the half's unit is 2^-24

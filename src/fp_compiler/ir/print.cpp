@@ -259,6 +259,8 @@ std::string bindingText(const Output &output) {
     return "result.pointsize";
   case OutputKind::TexCoord:
     return "result.texcoord" + bracket(output.index);
+  case OutputKind::ClipDistance:
+    return "result.clip" + bracket(output.index);
   case OutputKind::EnvParameter:
     return "program.env" + bracket(output.index);
   }

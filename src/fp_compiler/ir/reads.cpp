@@ -91,6 +91,7 @@ std::uint8_t resultMask(OutputKind kind) {
     return kZ;
   case OutputKind::FogCoord:
   case OutputKind::PointSize:
+  case OutputKind::ClipDistance:
     return kX;
   case OutputKind::Color:
   case OutputKind::Position:

@@ -51,7 +51,8 @@
 /// SGE SLT  1 or 0; a comparison with NaN is false, so both give 0; -0 equals +0.
 /// SEQ SNE  1 or 0; a comparison with NaN makes SEQ 0 and SNE 1; -0 equals +0.
 /// DDX DDY  the difference within the 2x2 pixels of the window that the fragment is of, right less
-///          left and upper less lower. Of a fragment alone 0, or NaN where a - a is.
+///          left and upper less lower. Of a fragment alone 0, or NaN where a - a is; it is
+///          alone while one of the other three has left a loop that it is in.
 /// PK* UP*  of ir/packing.h: their floats are bits. In programs under NVIDIA's options MOV, SWZ and
 ///          CMP carry bits too, denormals included; every other opcode flushes them.
 /// XPD      (a.yzx*b.zxy - a.zxy*b.yzx, 0)

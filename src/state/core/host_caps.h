@@ -84,6 +84,8 @@ struct HostCaps {
   /// Whether programs under NVIDIA's options can be drawn: GLSL 1.20 lacks the bits of floats, and
   /// levels of detail that a fragment program gives.
   [[nodiscard]] bool drawsNvOptions() const;
+  /// Whether a vertex program's clip distances can be drawn: gl_ClipDistance came with GLSL 1.30.
+  [[nodiscard]] bool clipDistances() const { return glslVersion >= 130; }
 
   /// Why the layer cannot implement ARB programs here; null if it can.
   [[nodiscard]] const char *obstacle() const;

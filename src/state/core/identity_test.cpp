@@ -62,11 +62,15 @@ TEST(Identity, NvidiasOptionsAreAnnouncedAsFarAsTheProfileHasThem) {
   };
   EXPECT_EQ(announced(0, 0), Names{});
   EXPECT_EQ(announced(1, 0), Names{"fragment_program_option"});
+  EXPECT_EQ(announced(0, 2), (Names{"vertex_program2_option", "vertex_program3"}));
+  host.glslVersion = 120;
   EXPECT_EQ(announced(0, 2), Names{}) << "they promise clip distances";
+  host.glslVersion = 450;
   // NVIDIA's own languages, which need both stages.
-  EXPECT_EQ(announced(1, 1), (Names{"fragment_program", "fragment_program_option", "vertex_program",
-                                    "vertex_program1_1"}));
-  EXPECT_EQ(announced(2, 2).size(), 5u);
+  EXPECT_EQ(announced(1, 1),
+            (Names{"fragment_program", "fragment_program_option", "vertex_program",
+                   "vertex_program1_1", "vertex_program2", "vertex_program2_option"}));
+  EXPECT_EQ(announced(2, 2).size(), 8u);
   EXPECT_EQ(announced(2, 2, true), Names{}) << "the host announces none";
   host.extensions.emplace_back("GL_NV_vertex_program");
   EXPECT_EQ(announced(2, 2, true), Names{"vertex_program"});

@@ -1,5 +1,7 @@
 #include "state/host_draw/clip_planes.h"
 
+#include <algorithm>
+
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
@@ -16,15 +18,29 @@ bool listsEnablePlanes(const Context &context) {
   return context.group->listsEnableClipPlanes.load(std::memory_order_relaxed);
 }
 
-bool anyEnabled(Context &context) {
-  for (GLint plane = 0; plane < context.caps.maxClipPlanes; ++plane)
+GLint planeCount(const Context &context) {
+  constexpr GLint kMostPlanes = 8;
+  return std::min(context.caps.maxClipPlanes, kMostPlanes);
+}
+
+void askHost(Context &context) {
+  ClipPlanes &planes = context.clipPlanes;
+  planes.mask = 0;
+  for (GLint plane = 0; plane < planeCount(context); ++plane)
     if (context.host->IsEnabled(GLenum(GL_CLIP_PLANE0 + plane)))
-      return true;
-  return false;
+      planes.mask |= std::uint8_t(1u << plane);
+  planes.enabled = planes.mask != 0;
+  planes.known = planes.maskKnown = true;
+}
+
+/// The text that draws now is of certain planes.
+bool drawsWithDistances(const Context &context) {
+  const LinkedProgram *const linked = context.linkedProgram;
+  return linked && linked->vertex.compiled && writesClipDistances(*linked->vertex.compiled);
 }
 
 void invalidateClipPlanes(Context &context) {
-  context.clipPlanes.known = false;
+  context.clipPlanes.known = context.clipPlanes.maskKnown = false;
   if (context.row(Target::Vertex).enabled)
     invalidateProgram(context);
 }
@@ -37,11 +53,17 @@ bool clipPlanesMatter(Context &context) {
   ClipPlanes &planes = context.clipPlanes;
   if (!planes.used)
     return false;
-  if (!planes.known) {
-    planes.enabled = anyEnabled(context);
-    planes.known = true;
-  }
+  if (!planes.known)
+    askHost(context);
   return planes.enabled;
+}
+
+std::uint8_t enabledClipPlanes(Context &context) {
+  if (listsEnablePlanes(context))
+    return std::uint8_t((1u << planeCount(context)) - 1);
+  if (!context.clipPlanes.maskKnown)
+    askHost(context);
+  return context.clipPlanes.mask;
 }
 
 void noteClipPlanesChange(Context &context) {
@@ -54,8 +76,10 @@ void noteClipPlane(Context &context, bool enabled) {
     return; // it was an error
   if (!context.listMode) {
     ClipPlanes &planes = context.clipPlanes;
-    if (enabled && planes.known && planes.enabled)
+    if (enabled && planes.known && planes.enabled && !drawsWithDistances(context)) {
+      planes.maskKnown = false;
       return; // one more
+    }
     planes.used |= enabled;
     return noteClipPlanesChange(context);
   }

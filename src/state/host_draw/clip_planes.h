@@ -1,6 +1,8 @@
 #pragma once
 #include <GL/gl.h>
 
+#include <cstdint>
+
 /// Whether user clip planes are enabled beside a vertex program that is GLSL on the host, which is
 /// drawn in a form of its own then (state/host_draw/variants/clipped_variant.h).
 namespace arbiter::state {
@@ -10,6 +12,9 @@ class Context;
 /// Whether a vertex program has to be drawn in its clipped form now. Asks the host after a change,
 /// once, and only in a context that has used planes.
 [[nodiscard]] bool clipPlanesMatter(Context &context);
+/// A bit for each plane that is enabled, for programs that write distances of their own. All, where
+/// display lists may enable some.
+[[nodiscard]] std::uint8_t enabledClipPlanes(Context &context);
 /// Planes may have been enabled or disabled, by an attribute stack or by another context. One test
 /// where none was ever enabled.
 void noteClipPlanesChange(Context &context);

@@ -146,5 +146,33 @@ TEST(ClipPlanes, BothFormsGoWithTheirProgram) {
   EXPECT_TRUE(host.shaders.empty());
 }
 
+TEST(ClipPlanes, AProgramOfNvidiasOptionsIsClippedByWhatItWrites) {
+  GlslHost host;
+  const CurrentContext context(host);
+  context->caps.glslVersion = 130;
+  context->row(Target::Vertex).limits.nvOptions = 2;
+  use(*context,
+      "!!ARBvp1.0\nOPTION NV_vertex_program2;\nMOV result.position, vertex.position;\n"
+      "MOV result.clip[1].x, vertex.color.x;\nEND",
+      kVertex);
+  const auto writes = [&](const char *statement) {
+    EXPECT_FALSE(clips(*context)) << "gl_ClipVertex";
+    return context->linkedProgram->vertex.compiled->glsl.text.find(statement) != std::string::npos;
+  };
+  EXPECT_FALSE(writes("gl_ClipDistance"));
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Enable(*context, GL_CLIP_PLANE0);
+  EXPECT_TRUE(writes("gl_ClipDistance[0] = 0.0;")) << "it writes none, which passes";
+  EXPECT_FALSE(writes("gl_ClipDistance[1]"));
+  host.enabled = {GL_CLIP_PLANE0, GL_CLIP_PLANE1};
+  handlers::Enable(*context, GL_CLIP_PLANE1);
+  EXPECT_TRUE(writes("gl_ClipDistance[1] = arb_clip1;"));
+  EXPECT_TRUE(writes("#version 130"));
+  host.enabled = {GL_CLIP_PLANE0};
+  handlers::Disable(*context, GL_CLIP_PLANE1);
+  EXPECT_FALSE(writes("gl_ClipDistance[1]"));
+  EXPECT_EQ(context->linkedPrograms->size(), 3u) << "a form for each set of planes, made once";
+}
+
 } // namespace
 } // namespace arbiter::state

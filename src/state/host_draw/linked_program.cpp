@@ -63,12 +63,11 @@ void setUp(Context &context, const ProgramPair &pair, LinkedProgram &linkedProgr
     setSamplers(context, linkedProgram.hostProgram, *stage->compiled);
     linkedProgram.readsState |= stage->readsState;
   }
-  if (!pair.fragment)
-    return;
-  const auto &samplers = pair.fragment->glsl.samplers;
-  linkedProgram.hasPlainSamplers =
-      std::any_of(samplers.begin(), samplers.end(),
-                  [](const auto &sampler) { return isPlain(sampler.target); });
+  for (const auto &compiled : {pair.vertex, pair.fragment})
+    if (compiled)
+      linkedProgram.hasPlainSamplers |=
+          std::any_of(compiled->glsl.samplers.begin(), compiled->glsl.samplers.end(),
+                      [](const auto &sampler) { return isPlain(sampler.target); });
 }
 
 void destroy(Context &context, const LinkedProgram &linkedProgram) {

@@ -57,8 +57,20 @@ EffectivePrograms enabledRows(const Context &context) {
   return rows;
 }
 
-/// The compiled programs of the rows; false if one has none that is valid. An ATI shader that is
-/// not leaves fragments to fixed function.
+/// False if the stages read different targets of one unit, which makes draws an error
+/// (NV_vertex_program3, section 2.14.4).
+bool targetsAgree(const ProgramPair &pair) {
+  if (!pair.vertex || !pair.fragment || pair.vertex->glsl.samplers.empty()) [[likely]]
+    return true;
+  for (const fp::GlslSampler &vertex : pair.vertex->glsl.samplers)
+    for (const fp::GlslSampler &fragment : pair.fragment->glsl.samplers)
+      if (vertex.unit == fragment.unit && vertex.target != fragment.target)
+        return false;
+  return true;
+}
+
+/// The compiled programs of the rows; false if one has none that is valid, or they do not go
+/// together. An ATI shader that is not valid leaves fragments to fixed function.
 bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &pair) {
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
@@ -68,7 +80,7 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)
     pair.fragment = atiShaderEffective(context);
-  return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment);
+  return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment) && targetsAgree(pair);
 }
 
 /// Mesa's GLSL compiler goes along a chain of instructions by recursion and left its stack in one
@@ -88,7 +100,8 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
   if (!context.rasterizes || context.vertexResultsMatter)
     pair.fragment = nullptr;
   if (clipPlanesMatter(context))
-    pair.vertex = pair.vertex->clipped->of(*pair.vertex);
+    pair.vertex = pair.vertex->clipped->of(
+        *pair.vertex, writesClipDistances(*pair.vertex) ? enabledClipPlanes(context) : 0);
   context.stagesAreLinked = pair.fragment != nullptr;
   return context.linkedPrograms->get(context, pair);
 }

@@ -102,8 +102,11 @@ void SamplerOverride::apply(Context &context, const LinkedProgram &linkedProgram
   release(context);
   GLint active = GL_TEXTURE0;
   context.host->GetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  for (const fp::GlslSampler &sampler : linkedProgram.fragment.compiled->glsl.samplers)
-    applyUnit(context, sampler);
+  // A unit that both stages read is done once: what it has then compares no more.
+  for (const LinkedProgramStage *stage : {&linkedProgram.vertex, &linkedProgram.fragment})
+    if (stage->compiled)
+      for (const fp::GlslSampler &sampler : stage->compiled->glsl.samplers)
+        applyUnit(context, sampler);
   context.host->ActiveTexture(GLenum(active));
 }
 

@@ -116,12 +116,13 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
                          : own.glsl;
   }
   if (target == Target::Vertex && compiled->native.language != fp::ir::NativeLanguage::None)
-    compiled->arrays =
-        std::make_shared<const ArrayVariants>(glslHost(context.caps), context.numerics);
+    compiled->arrays = std::make_shared<const ArrayVariants>(
+        glslHost(context.caps), context.numerics, context.caps.clipDistances());
   if (target == Target::Vertex) {
     fp::GlslHost clipping = glslHost(context.caps);
     clipping.clipPlanes = true;
-    compiled->clipped = std::make_shared<const ClippedVariant>(clipping, context.numerics);
+    compiled->clipped = std::make_shared<const ClippedVariant>(clipping, context.numerics,
+                                                               context.caps.clipDistances());
   }
   if (debugFlag(DebugFlag::Ir))
     logText(LogLevel::Debug, "state", toHex(compiled->hash), fp::ir::print(*source.program));

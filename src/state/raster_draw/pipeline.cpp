@@ -60,7 +60,8 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
     ++shading.inputCount;
   }
   const std::uint32_t levels = m_units.levelsMatter();
-  const bool quadsOnly = (levels & shape.needsQuads) != 0 || (levels != 0 && !affine);
+  const bool quadsOnly =
+      shape.derivatives || (levels & shape.needsQuads) != 0 || (levels != 0 && !affine);
   Fallback why = Fallback::NotCompiled;
   if (!quadsOnly)
     shading.row = functionFor(abi::Lanes::Row, why);
@@ -71,7 +72,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
   Fallback whyNotPacked = Fallback::NotCompiled;
   const fp::jit::Engine &jit = *engine();
   if (shading.quad && jit.lanes() >= kLeastPackedLanes)
-    choosePacked(levels != 0, shading, whyNotPacked);
+    choosePacked(levels != 0 || shape.derivatives, shading, whyNotPacked);
   prepared.ready = why != Fallback::Compiling && whyNotPacked != Fallback::Compiling;
   shading.lanes = jit.lanes();
   shading.blockWidth = jit.blockWidth();
@@ -82,7 +83,7 @@ Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {
   return {};
 }
 
-void Pipeline::choosePacked(bool levels, swrast::Shading &shading, Fallback &why) {
+void Pipeline::choosePacked(bool quads, swrast::Shading &shading, Fallback &why) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   if (shape.kills || shape.writesDepth || m_key.alphaTest != abi::Compare::Always ||
       m_key.depthStencil.stencilTest)
@@ -91,7 +92,7 @@ void Pipeline::choosePacked(bool levels, swrast::Shading &shading, Fallback &why
   m_key.depthStencil = {};
   shading.packed = functionFor(abi::Lanes::Packed, why);
   m_key.depthStencil = depth;
-  shading.packsQuads = levels;
+  shading.packsQuads = quads;
   if (depth.depthTest)
     shading.depth = {depth.layout, depth.depthCompare, depth.depthWrite != 0};
   shading.replaces = !m_key.logicOpEnabled &&

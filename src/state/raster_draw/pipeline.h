@@ -91,7 +91,7 @@ private:
   Outcome chooseFunctions(const Mirror &mirror, bool affine);
   /// The function for small triangles whose depth the rasterizer tests.
   /// \param levels a sampler wants a level of detail
-  void choosePacked(bool levels, swrast::Shading &shading, Fallback &why);
+  void choosePacked(bool quads, swrast::Shading &shading, Fallback &why);
   [[nodiscard]] abi::ShadeFunction functionFor(abi::Lanes lanes, Fallback &why);
   [[nodiscard]] bool isOpaque() const;
   Outcome acquire(Context &context, const IndexRange &indices, std::uint32_t count, bool opaque,

@@ -48,7 +48,8 @@ double distanceOf(const Plane &plane, const ClipVertex &vertex) {
 /// Always from the inside to the outside, so that two triangles cut their common side alike.
 void between(const ClipVertex &inside, const ClipVertex &outside, double inner, double outer,
              bool userPlanes, ClipVertex &result) {
-  const double t = inner / (inner - outer);
+  const double ratio = inner / (inner - outer);
+  const double t = ratio > 0 ? ratio : 0; // a distance may be NaN, which is outside
   const auto mix = [t](double a, double b) { return a + t * (b - a); };
   for (int i = 0; i < 4; ++i)
     result.position[i] = mix(inside.position[i], outside.position[i]);

@@ -88,6 +88,8 @@ OutputText outputText(const ir::Program &program, const ir::Output &output) {
     return {"gl_PointSize", true};
   case OutputKind::TexCoord:
     return {indexed("gl_TexCoord", output.index)};
+  case OutputKind::ClipDistance: // a local: see clipDistances()
+    return {"arb_clip" + std::to_string(output.index), true};
   case OutputKind::EnvParameter:
     break; // of vertex state programs, which no vertex runs
   }

@@ -1,5 +1,7 @@
 #include "fp_compiler/back/glsl/glsl.h"
 
+#include <algorithm>
+
 #include "fp_compiler/analysis/range_analysis.h"
 #include "fp_compiler/back/glsl/arrays.h"
 #include "fp_compiler/back/glsl/expression.h"
@@ -34,11 +36,17 @@ Needs needsOf(const ir::Program &program) {
   return needs;
 }
 
+/// Its results are distances from planes (NV_vertex_program2_option, section 2.11).
+bool hasClipDistances(const ir::Program &program, const GlslHost &host) {
+  return program.language == ir::Language::ArbVertex && program.options.clipsByDistances() &&
+         host.clipPlanes && host.clipDistances != 0;
+}
+
 std::string preamble(const ir::Program &program, const Registers &registers, const GlslHost &host,
                      Numerics numerics) {
   const ir::Options &options = program.options;
   const Needs needs = needsOf(program);
-  std::string text = "#version 120\n";
+  std::string text = hasClipDistances(program, host) ? "#version 130\n" : "#version 120\n";
   // Not GLSL 1.30, under which hosts drop DEPTH_TEXTURE_MODE.
   if (numerics == Numerics::Fp24 || needs.bits)
     text += "#extension GL_EXT_gpu_shader4 : require\n"
@@ -151,12 +159,29 @@ std::string invariantPosition(const ir::Program &program) {
   return program.options.positionInvariant ? "  gl_Position = ftransform();\n" : "";
 }
 
+/// Of the planes that are enabled. What the program does not write, and what lies before one that
+/// is enabled, passes: hosts clip by all elements up to the last that is written.
+std::string clipDistances(const ir::Program &program, const GlslHost &host) {
+  std::string text;
+  for (unsigned plane = 0; host.clipDistances >> plane != 0; ++plane) {
+    const ir::Output output = {ir::OutputKind::ClipDistance, std::uint8_t(plane)};
+    const bool written =
+        (host.clipDistances >> plane & 1) != 0 &&
+        std::find(program.outputs.begin(), program.outputs.end(), output) != program.outputs.end();
+    text += "  gl_ClipDistance[" + std::to_string(plane) +
+            "] = " + (written ? outputText(program, output).name : std::string("0.0")) + ";\n";
+  }
+  return text;
+}
+
 /// User clip planes (2.11). A position-invariant program is clipped in eye space as fixed function
 /// is. For others the specification has no clipping, but hosts clip them in clip space, by planes
 /// taken through the projection, and programs have come to rely on it.
 std::string clipVertex(const ir::Program &program, const GlslHost &host) {
   if (program.language != ir::Language::ArbVertex || !host.clipPlanes)
     return "";
+  if (program.options.clipsByDistances())
+    return clipDistances(program, host);
   return program.options.positionInvariant
              ? "  gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;\n"
              : "  gl_ClipVertex = gl_ProjectionMatrixInverse * gl_Position;\n";

@@ -211,6 +211,10 @@ void Registers::nameOutputs(const ir::Program &program) {
         m_locals += "  gl_FragDepth = gl_FragCoord.z;\n";
       continue;
     }
+    if (output.kind == ir::OutputKind::ClipDistance) {
+      m_locals += "  float " + text.name + " = 0.0;\n";
+      continue;
+    }
     if (vertex && (wanted & written[i]) == 0)
       continue;
     main |= !vertex || output.kind == ir::OutputKind::Position;

@@ -79,16 +79,28 @@ bool Parser::parseVertexResult(ir::Output &output) {
         text(m_tokens.next()) == "fogcoord" ? ir::OutputKind::FogCoord : ir::OutputKind::PointSize;
     return true;
   }
-  if (atWord(0, "clip")) {
-    error(DiagnosticId::NvOnly, m_tokens.peek().span,
-          m_options.nv != ir::NvOption::None
-              ? std::string("result.clip is not offered yet")
-              : std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
+  if (atWord(0, "clip"))
+    return parseClipDistance(output);
+  return unknownWord("a vertex result", {"position", "color", "fogcoord", "pointsize", "texcoord"},
+                     {"depth"});
+}
+
+/// "clip" "[" <clipPlaneNum> "]" of NV_vertex_program2_option.
+bool Parser::parseClipDistance(ir::Output &output) {
+  const Token word = m_tokens.next();
+  if (m_options.nv == ir::NvOption::None) {
+    error(DiagnosticId::NvOnly, word.span,
+          std::string("result.clip belongs to the NV_vertex_program options, ") + kNotOffered,
           "OPTION ARB_position_invariant clips as fixed function does");
     return false;
   }
-  return unknownWord("a vertex result", {"position", "color", "fogcoord", "pointsize", "texcoord"},
-                     {"depth"});
+  std::uint32_t index = 0;
+  output.kind = ir::OutputKind::ClipDistance;
+  if (!parseIndex(byteLimit(m_limits.clipPlanes), DiagnosticId::ClipPlaneIndex, "clip plane",
+                  index))
+    return false;
+  output.index = std::uint8_t(index);
+  return true;
 }
 
 /// <resultColBinding>: a suffix that is no face and no colour type is a mask.

@@ -199,6 +199,7 @@ TEST(NativeGrammar, RegistersOfVertices) {
                      {"MOV @c[0], v[0];", "read-only-destination"},
                      {"MOV R0.@r, v[0];", "bad-mask"},
                      {"MOV R0, @1.0;", "syntax"}, // NVIDIA takes it
+                     only2("MOV o[@CLP5].x, v[0].x;", "unknown-binding"),
                      {"MOV o[@CLP6].x, v[0].x;", "unknown-binding"},
                      {"MOV o[@TEX8], v[0];", "unknown-binding"},
                      {"ARL A0.x, v[0].x; MOV R0, c[A0.x+63]; MOV R0, c[A0.x-64];", ""},

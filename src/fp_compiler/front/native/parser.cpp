@@ -51,6 +51,7 @@ NativeParser::NativeParser(ir::NativeLanguage language, std::string_view text,
   m_options.native = language;
   m_interface.language = language;
   m_rules.language = language;
+  m_rules.vertex = !fragment();
 }
 
 NativeInterface NativeParser::takeInterface() {

@@ -29,8 +29,9 @@ const ResultRow *findResult(bool vertex, std::string_view name) {
       return &row;
   return nullptr;
 }
-constexpr std::uint32_t kTexCoords = 8;  // TEX0 to TEX7
-constexpr std::uint32_t kMostUnits = 64; // of !!FP1.0's registers
+constexpr std::uint32_t kTexCoords = 8;     // TEX0 to TEX7
+constexpr std::uint32_t kClipDistances = 6; // CLP0 to CLP5 (NV_vertex_program2, table X.1)
+constexpr std::uint32_t kMostUnits = 64;    // of !!FP1.0's registers
 } // namespace
 
 /// <maskedDstReg>, without its condition.
@@ -228,12 +229,13 @@ bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
     return true;
   }
   const auto plane = numberBehind(word, "CLP");
-  if (m_traits.language == ir::NativeLanguage::Vp2 && plane && *plane < 6)
-    error(DiagnosticId::NvOnly, name.span, "o[" + std::string(word) + "] is not offered yet");
-  else
-    error(DiagnosticId::UnknownBinding, name.span, "there is no result " + quote(word),
-          didYouMean(word, {"HPOS", "COL0", "COL1", "BFC0", "BFC1", "FOGC", "PSIZ", "TEX0"},
-                     "the results are HPOS, COL0, COL1, BFC0, BFC1, FOGC, PSIZ, TEX0 to TEX7"));
+  if (m_traits.language == ir::NativeLanguage::Vp2 && plane && *plane < kClipDistances) {
+    output = {OutputKind::ClipDistance, std::uint8_t(*plane)};
+    return true;
+  }
+  error(DiagnosticId::UnknownBinding, name.span, "there is no result " + quote(word),
+        didYouMean(word, {"HPOS", "COL0", "COL1", "BFC0", "BFC1", "FOGC", "PSIZ", "TEX0"},
+                   "the results are HPOS, COL0, COL1, BFC0, BFC1, FOGC, PSIZ, TEX0 to TEX7"));
   return false;
 }
 

@@ -31,6 +31,7 @@ private:
 
   // native.cpp
   void beginResults();
+  void beginResult(std::uint16_t output);
   [[nodiscard]] Operand written(const Operand &operand);
   [[nodiscard]] Operand kept(const Operand &address);
   void signedRoot(const Instruction &instruction);

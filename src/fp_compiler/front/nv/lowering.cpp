@@ -28,7 +28,7 @@ Lowerer::Lowerer(const std::vector<Statement> &statements, const Sequences &sequ
 }
 
 void Lowerer::run(std::optional<std::uint16_t> start) {
-  if (m_rules.language != ir::NativeLanguage::None)
+  if (m_rules.vertex || m_rules.language != ir::NativeLanguage::None)
     beginResults();
   function(start ? m_places[*start] : 0);
   m_code.begin(m_statements.empty() ? Span{} : m_statements.back().instruction.span);

@@ -28,26 +28,35 @@ bool isSame(const Operand &a, const Operand &b) {
 }
 } // namespace
 
-/// Every result that the program writes is (0,0,0,1) before (NV_vertex_program 2.14.1.5), and all
-/// of it is given; a written program parameter is what it was. A fragment program's are undefined,
-/// here zero.
+/// Every result that a vertex program writes is (0,0,0,1) before (NV_vertex_program 2.14.1.5; of
+/// the options it is undefined, and mostly the same on NVIDIA's hardware), and all of it is given;
+/// a written program parameter is what it was. A fragment program's are undefined, here zero.
 void Lowerer::beginResults() {
   for (const Statement &statement : m_statements) {
     const Destination &dst = statement.instruction.dst;
-    if (statement.isLabel || dst.file != File::Output || m_results.contains(dst.index) ||
-        !info(statement.instruction.op).hasDestination())
+    if (statement.isLabel || !info(statement.instruction.op).hasDestination())
       continue;
     m_code.begin(statement.instruction.span);
-    const Destination target = writtenTo(registerFor(dst.index, kAll), kAll);
-    Operand before = number(Select::Zero);
-    if (const auto row = m_rules.rows.find(dst.index); row != m_rules.rows.end())
-      before = registerOf(File::Parameter, row->second.parameter);
-    else if (m_rules.language == NativeLanguage::Fp1)
-      continue;
-    else
-      before.swizzle[3] = Select::One;
-    m_code.write(Opcode::Mov, target, {before});
+    if (statement.indexedResult)
+      for (const std::uint16_t output : m_sequences[statement.indexedResult->sequence])
+        beginResult(output);
+    else if (dst.file == File::Output)
+      beginResult(dst.index);
   }
+}
+
+void Lowerer::beginResult(std::uint16_t output) {
+  if (m_results.contains(output))
+    return;
+  const Destination target = writtenTo(registerFor(output, kAll), kAll);
+  Operand before = number(Select::Zero);
+  if (const auto row = m_rules.rows.find(output); row != m_rules.rows.end())
+    before = registerOf(File::Parameter, row->second.parameter);
+  else if (m_rules.language == NativeLanguage::Fp1)
+    return;
+  else
+    before.swizzle[3] = Select::One;
+  m_code.write(Opcode::Mov, target, {before});
 }
 
 /// An operand that reads program parameters, as a vertex state program has left them.

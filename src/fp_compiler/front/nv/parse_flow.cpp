@@ -178,7 +178,9 @@ void Parser::finishNv(Span end) {
   m_labels.check();
   if (m_reporter.hasErrors())
     return;
-  nv::lower(m_statements, m_labels.start(), m_sequences, m_binder, m_reporter);
+  nv::NativeRules rules;
+  rules.vertex = m_language.language == ir::Language::ArbVertex;
+  nv::lower(m_statements, m_labels.start(), m_sequences, m_binder, m_reporter, rules);
 }
 
 } // namespace arbiter::fp

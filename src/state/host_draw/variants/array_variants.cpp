@@ -59,7 +59,7 @@ std::shared_ptr<const CompiledProgram> ArrayVariants::of(const CompiledProgram &
   form->glsl = fp::emitGlsl(*form->program, m_host, m_numerics);
   fp::GlslHost clipping = m_host;
   clipping.clipPlanes = true;
-  form->clipped = std::make_shared<const ClippedVariant>(clipping, m_numerics);
+  form->clipped = std::make_shared<const ClippedVariant>(clipping, m_numerics, m_distances);
   if (debugFlag(DebugFlag::Glsl))
     logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
   return m_forms.emplace_back(arrays, std::move(form)).second;

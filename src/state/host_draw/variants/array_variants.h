@@ -21,7 +21,9 @@ public:
   /// 7, which have no conventional name.
   static constexpr std::uint32_t kBoth = 0xFF3C;
 
-  ArrayVariants(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
+  /// \param distances the host has GLSL 1.30, in which clip distances are written
+  ArrayVariants(fp::GlslHost host, fp::Numerics numerics, bool distances)
+      : m_host(host), m_numerics(numerics), m_distances(distances) {}
 
   /// The form of `whole`, which this is the one of, that reads generic attributes where `arrays`
   /// has a bit; `whole` itself where it reads none of them. Any thread may call it.
@@ -35,6 +37,7 @@ private:
 
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
+  bool m_distances;
   mutable std::mutex m_mutex;
   mutable std::vector<Form> m_forms;
 };

@@ -1,6 +1,8 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "fp_compiler/emit.h"
 
@@ -8,26 +10,36 @@ namespace arbiter::state {
 
 struct CompiledProgram;
 
-/// The form of a vertex program that user clip planes clip. A vertex shader is clipped by them only
-/// if it writes gl_ClipVertex, which costs each vertex an output and two transforms; so a program
-/// has that form beside the plain one, and is drawn with it only while a plane may be enabled. What
-/// the form does with the planes is right whether they are enabled or not: that it is used too
-/// often costs time, no more. Emitted once, when it is first asked for; contexts of a share group
-/// use the same one.
+/// True if what clips the program's vertices is what it writes: one of NVIDIA's
+/// (ir::Options::clipsByDistances()). Each form of it writes gl_ClipDistance.
+[[nodiscard]] bool writesClipDistances(const CompiledProgram &compiled);
+
+/// The forms of a vertex program that user clip planes clip. A vertex shader is clipped by them
+/// only if it writes gl_ClipVertex, which costs each vertex an output and two transforms; so a
+/// program has that form beside the plain one, and is drawn with it only while a plane may be
+/// enabled. What the form does with the planes is right whether they are enabled or not: that it is
+/// used too often costs time, no more. One that writes distances of its own has a form for each
+/// set of planes, as hosts clip by each that is written. Emitted once, when first asked for;
+/// contexts of a share group use the same ones.
 class ClippedVariant {
 public:
-  ClippedVariant(fp::GlslHost host, fp::Numerics numerics) : m_host(host), m_numerics(numerics) {}
+  /// \param distances the host has GLSL 1.30, in which they are written
+  ClippedVariant(fp::GlslHost host, fp::Numerics numerics, bool distances)
+      : m_host(host), m_numerics(numerics), m_distances(distances) {}
 
   /// The form of `whole`, which this is the one of. Any thread may call it.
-  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole) const;
-  /// The form, or null where it was never asked for.
-  [[nodiscard]] std::shared_ptr<const CompiledProgram> made() const;
+  /// \param planes a bit for each that is enabled
+  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
+                                                          std::uint8_t planes) const;
+  /// The forms that were asked for.
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> made() const;
 
 private:
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
+  bool m_distances;
   mutable std::mutex m_mutex;
-  mutable std::shared_ptr<const CompiledProgram> m_form;
+  mutable std::map<std::uint8_t, std::shared_ptr<const CompiledProgram>> m_forms;
 };
 
 } // namespace arbiter::state

@@ -13,8 +13,9 @@ void dropVariants(Context &context, const CompiledProgram &compiled) {
     for (const auto &form : compiled.arrays->all())
       dropVariants(context, *form); // which has no such forms
   context.linkedPrograms->drop(context, &compiled);
-  if (const auto form = compiled.clipped ? compiled.clipped->made() : nullptr)
-    context.linkedPrograms->drop(context, form.get());
+  if (compiled.clipped)
+    for (const auto &form : compiled.clipped->made())
+      context.linkedPrograms->drop(context, form.get());
   if (!compiled.ati)
     return;
   for (const auto &form : compiled.ati->all())

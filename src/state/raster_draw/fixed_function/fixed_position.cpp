@@ -138,9 +138,11 @@ void clipPosition(Program &program, std::uint8_t planes) {
 Program withFixedPosition(Program program, std::uint8_t clipPlanes, bool clampsColors) {
   if (clampsColors)
     clampColors(program);
+  // Of NVIDIA's options: clipped by what it writes, or by the planes if they have its position.
+  const bool ownDistances = program.options.clipsByDistances();
   if (program.options.positionInvariant)
     addInvariantPosition(program);
-  if (clipPlanes != 0)
+  if (clipPlanes != 0 && !ownDistances)
     clipPosition(program, clipPlanes);
   return program;
 }

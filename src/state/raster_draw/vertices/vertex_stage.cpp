@@ -211,11 +211,16 @@ void VertexStage::connect(float *const *outputs) {
   if (m_pointSize)
     if (float *const *const size = find({OutputKind::PointSize, 0}))
       out.pointSize = size[0];
-  for (std::uint8_t plane = 0; plane < 8; ++plane)
-    if ((m_clipPlanes >> plane & 1u) != 0)
-      if (float *const *const distances =
-              find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
-        out.clipDistance[plane] = distances[plane % 4];
+  for (std::uint8_t plane = 0; plane < 8; ++plane) {
+    if ((m_clipPlanes >> plane & 1u) == 0)
+      continue;
+    // Those of planes before those of the program: a position-invariant one may write some.
+    if (float *const *const distances =
+            find({OutputKind::TexCoord, std::uint8_t(kClipDistanceOutput + plane / 4)}))
+      out.clipDistance[plane] = distances[plane % 4];
+    else if (float *const *const own = find({OutputKind::ClipDistance, plane}))
+      out.clipDistance[plane] = own[0];
+  }
 }
 
 } // namespace arbiter::state::software

@@ -65,6 +65,7 @@ struct Code {
 struct SampleAt {
   Vec coordinate = {};   ///< s, t, r; TXP has divided
   Value *bias = nullptr; ///< TXB's, or null
+  Value *lod = nullptr;  ///< TXL's level of detail, before biases and clamps; no derivatives then
   /// Of Lanes::Quad: derivatives are differences in the quad. Of Lanes::Row: those of affine
   /// coordinates, as splat values a pixel in x and in y; all null where no level of detail is
   /// wanted.

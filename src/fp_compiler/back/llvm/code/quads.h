@@ -13,4 +13,11 @@ namespace arbiter::fp::llvm_back {
 /// i1 that is the same for all: the upper row instead
 void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper);
 
+/// A value's change from one pixel of the quad to the next, in each of its rows by itself, or, \p
+/// upwards, in each of its columns: the same in both pixels that are compared.
+[[nodiscard]] Value *changeInQuad(Code &code, Value *value, bool upwards);
+
+/// Of \p mask, an i1 a lane, the quads of which all four pixels are in it.
+[[nodiscard]] Value *wholeQuads(Code &code, Value *mask);
+
 } // namespace arbiter::fp::llvm_back

@@ -29,11 +29,19 @@ double workOf(const ir::Instruction &instruction) {
   case Opcode::Lit:
   case Opcode::Log:
   case Opcode::Exp:
+  case Opcode::Pk2h:
+  case Opcode::Pk4b:
+  case Opcode::Pk4ub:
     return 24;
   case Opcode::Ex2:
   case Opcode::Lg2:
   case Opcode::Rsq:
   case Opcode::Rcp:
+  case Opcode::Pk2us:
+  case Opcode::Up2h:
+  case Opcode::Up2us:
+  case Opcode::Up4b:
+  case Opcode::Up4ub:
     return 10;
   case Opcode::Mad:
   case Opcode::Cmp:

@@ -19,7 +19,7 @@ public:
         m_pixels(code, key, m_places, function->getArg(0)),
         m_depth(code, key, m_places, function->getArg(0), function->getArg(1)) {}
 
-  /// False where a row cannot give a level of detail.
+  /// False where a row cannot give a derivative or a level of detail.
   bool write() {
     m_places.entry = block("entry");
     m_places.item = block("item");
@@ -299,7 +299,7 @@ private:
                           const PixelPlace &place, Value *given) {
     const ir::Program &program = m_program.program();
     FragmentHooks hooks(m_code, m_program, m_key, m_places, m_interpolator, m_function->getArg(0),
-                        m_flow ? &*m_flow : nullptr, samples, path, place);
+                        m_function->getArg(1), m_flow ? &*m_flow : nullptr, samples, path, place);
     hooks.give(given);
     const ProgramResults results = writeProgram(m_code, program, Numerics(m_key.numerics), hooks);
     FragmentColors fragment;
@@ -350,7 +350,7 @@ bool writeFragment(Code &code, llvm::Function *function, const jit::FragmentProg
     return false;
   if (Writer(code, function, program, key).write())
     return true;
-  reason = "a level of detail that only quads of pixels can tell";
+  reason = "a derivative or a level of detail that only quads of pixels can tell";
   return false;
 }
 

@@ -17,6 +17,8 @@ AffineFlow::AffineFlow(Code &code, const jit::FragmentProgram &program, const ab
     for (std::optional<Affine> &axis : axes)
       axis = uniform(number(0)); // registers are zero until written
   const std::vector<ir::Instruction> &instructions = program.program().code;
+  if (ir::hasLoops(program.program()))
+    return; // it goes through straight-line code
   writeIn(code, places.group, [&] {
     for (std::size_t i = 0; i < instructions.size(); ++i) {
       const ir::Instruction &instruction = instructions[i];

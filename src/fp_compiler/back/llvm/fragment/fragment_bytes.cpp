@@ -20,8 +20,10 @@ public:
         m_temporaries(program.temporaries.size(), kAllUniform),
         m_outputs(program.outputs.size(), kAllUniform) {}
 
-  /// False if there is not just one sample, or a KIL.
+  /// False if there is not just one sample, or a KIL or a loop.
   bool run() {
+    if (ir::hasLoops(m_program))
+      return false;
     for (std::size_t i = 0; i < m_program.code.size(); ++i) {
       if (m_live.written[i] == 0)
         continue;

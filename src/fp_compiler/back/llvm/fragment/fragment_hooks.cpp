@@ -22,7 +22,26 @@ Vec FragmentHooks::attribute(int index, unsigned needed) {
   const ir::Attribute attribute = program.attributes[std::size_t(index)];
   if (attribute.kind == ir::AttributeKind::Position)
     return m_interpolator.position(program.options, needed);
+  if (attribute.kind == ir::AttributeKind::Facing)
+    return facing(needed);
   return input(attribute, needed);
+}
+
+/// (1, 0, 0, 1) of a primitive that is seen from ahead, (-1, 0, 0, 1) of others.
+Vec FragmentHooks::facing(unsigned needed) {
+  Value *const x = writeIn(m_code, m_places.entry, [&] {
+    llvm::IRBuilder<> &ir = m_code.ir;
+    Value *const back =
+        m_code.field(ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, backFacing));
+    return m_code.splat(ir.CreateSelect(ir.CreateIsNotNull(back),
+                                        llvm::ConstantFP::get(ir.getFloatTy(), -1),
+                                        llvm::ConstantFP::get(ir.getFloatTy(), 1)));
+  });
+  const Vec all = {x, m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(1.0f)};
+  Vec value = {};
+  for (std::size_t i = 0; i < 4; ++i)
+    value[i] = needed >> i & 1 ? all[i] : nullptr;
+  return value;
 }
 
 Vec FragmentHooks::parameter(int index, unsigned needed) {
@@ -68,7 +87,7 @@ Value *takesUpperRow(Code &code, const Places &places, Value *data) {
 
 } // namespace
 
-void FragmentHooks::addDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key) {
+void FragmentHooks::addRowDerivatives(SampleAt &at, std::size_t index, const abi::SamplerKey &key) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const int dimensions = coordinatesOf(key.dimension);
   const AffineFlow::Axes *const axes = m_flow ? m_flow->coordinate(index) : nullptr;
@@ -90,21 +109,50 @@ void FragmentHooks::addDerivatives(SampleAt &at, std::size_t index, const abi::S
   }
 }
 
-Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operand,
+void FragmentHooks::addDerivatives(SampleAt &at, const abi::SamplerKey &key) {
+  const int dimensions = coordinatesOf(key.dimension);
+  addQuadDerivatives(m_code, at, dimensions, takesUpperRow(m_code, m_places, m_data));
+  if (!running())
+    return;
+  // In a quad of which some pixels have left the loop there is nothing to compare: the base level.
+  Value *const whole = wholeQuads(m_code, running());
+  for (std::size_t c = 0; c < std::size_t(dimensions); ++c) {
+    at.dx[c] = m_code.select(whole, at.dx[c], m_code.splat(0.0f));
+    at.dy[c] = m_code.select(whole, at.dy[c], m_code.splat(0.0f));
+  }
+}
+
+SampleAt FragmentHooks::sampleAt(const ir::Instruction &instruction,
+                                 const std::array<Vec, 3> &operands) {
+  const Vec &operand = operands[0];
+  SampleAt at;
+  at.coordinate = operand;
+  at.mask = m_place.covered;
+  if (running())
+    at.mask = m_code.ir.CreateAnd(at.mask, running());
+  if (instruction.op == ir::Opcode::Txp)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (operand[c])
+        at.coordinate[c] = m_code.ir.CreateFDiv(operand[c], operand[3]);
+  if (instruction.op == ir::Opcode::Txb)
+    at.bias = operand[3];
+  if (instruction.op == ir::Opcode::Txl) // a rectangle has one level
+    at.lod = operand[3] ? operand[3] : m_code.splat(0.0f);
+  if (instruction.op == ir::Opcode::Txd)
+    for (std::size_t c = 0; c < 3; ++c) {
+      at.dx[c] = operands[1][c];
+      at.dy[c] = operands[2][c];
+    }
+  at.coordinate[3] = nullptr;
+  return at;
+}
+
+Vec FragmentHooks::texture(const ir::Instruction &instruction, const std::array<Vec, 3> &operands,
                            unsigned needed) {
   llvm::IRBuilder<> &ir = m_code.ir;
   const abi::SamplerKey &key = m_key.samplers[instruction.unit];
   const std::size_t index = nextTexture();
-  SampleAt at;
-  at.coordinate = operand;
-  at.mask = m_place.covered;
-  if (instruction.op == ir::Opcode::Txp)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (operand[c])
-        at.coordinate[c] = ir.CreateFDiv(operand[c], operand[3]);
-  if (instruction.op == ir::Opcode::Txb)
-    at.bias = operand[3];
-  at.coordinate[3] = nullptr;
+  SampleAt at = sampleAt(instruction, operands);
   const bool edge = m_path == SamplePath::Edge && m_samples->has(index);
   if (edge || m_path == SamplePath::Given) {
     Value *const raw = edge ? m_samples->wrappedTexels(index, m_place) : m_given;
@@ -115,12 +163,12 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   if (m_path == SamplePath::Consecutive && m_samples->has(index))
     at.texels = m_samples->texels(index, m_place.column);
   const bool hasLevels = key.mip != abi::MipFilter::None || key.magnify != key.minify;
-  if (hasLevels && key.format.layout != abi::Layout::None) {
+  const bool given = at.lod || at.dx[0];
+  if (hasLevels && key.format.layout != abi::Layout::None && !given) {
     if (m_place.lanes == abi::Lanes::Row)
-      addDerivatives(at, index, key);
+      addRowDerivatives(at, index, key);
     else
-      addQuadDerivatives(m_code, at, coordinatesOf(key.dimension),
-                         takesUpperRow(m_code, m_places, m_data));
+      addDerivatives(at, key);
   }
   Value *const view = writeIn(m_code, m_places.entry, [&] {
     return m_code.field(ir.getPtrTy(), m_data,
@@ -128,8 +176,20 @@ Vec FragmentHooks::texture(const ir::Instruction &instruction, const Vec &operan
   });
   const abi::Lanes lanes = m_place.lanes == abi::Lanes::Row ? abi::Lanes::Row : abi::Lanes::Quad;
   const Texel texel = sample(m_code, key, lanes, view, at, needed);
-  m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
+  if (!running()) // a loop's are not there behind it
+    m_texels.push_back({texel.rgba, texel.packed, key.format.swizzle});
   return texel.rgba;
+}
+
+bool FragmentHooks::hasQuads() {
+  const bool row = m_place.lanes == abi::Lanes::Row;
+  m_refused |= row;
+  return !row;
+}
+
+/// A quad's pixels are compared, covered or not.
+Value *FragmentHooks::wanted() {
+  return m_place.lanes == abi::Lanes::Row ? m_place.covered : nullptr;
 }
 
 void FragmentHooks::kill(Value *lanes) {

@@ -10,6 +10,7 @@
 #include "fp_compiler/compiler.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/testing/random.h"
+#include "fp_compiler/testing/random_nv.h"
 
 namespace arbiter::fp::llvm_back {
 namespace {
@@ -40,13 +41,6 @@ TEST_P(ProgramsTest, GeneratedOnesAgree) {
   EXPECT_LT(comparison.edges, comparison.compared / 40) << "much of the test is left out";
 }
 
-std::string textOf(const std::filesystem::path &path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Room for everything that the goldens use.
 CompileOptions roomy() {
   CompileOptions options;
@@ -60,6 +54,44 @@ CompileOptions roomy() {
   limits.drawBuffers = 4;
   limits.api.addressRegisters = 1;
   return options;
+}
+
+/// Programs under NVIDIA's options: loops, packing, derivatives, addresses.
+TEST_P(ProgramsTest, GeneratedOnesOfNvidiasOptionsAgree) {
+  const auto &[cpu, numerics] = GetParam();
+  Comparison comparison(numerics, cpu);
+  CompileOptions limits = roomy();
+  limits.limits.nvOptions = 2;
+  limits.limits.api.addressRegisters = 2;
+  constexpr std::uint64_t kPrograms = 80;
+  int loops = 0;
+  for (std::uint64_t seed = 0; seed < kPrograms; ++seed) {
+    const bool vertex = seed % 3 == 0, wild = seed % 2 == 1;
+    const std::string text = testing::randomNvProgram(
+        seed, {.vertex = vertex,
+               .option = seed % 5 == 0 ? ir::NvOption::First : ir::NvOption::Second,
+               .wild = wild,
+               .textures = !vertex,
+               .loopDerivatives = true,
+               .statements = 14});
+    const CheckResult checked = checkProgram(*languageOfText(text), text, limits);
+    ASSERT_TRUE(checked.ok()) << checked.errorString(text) << text;
+    ir::Program program = *checked.program;
+    opt::run(program, numerics);
+    loops += ir::hasLoops(program) ? 1 : 0;
+    ASSERT_EQ(comparison.run(program, seed, wild), "") << "seed " << seed << "\n" << text;
+  }
+  EXPECT_GT(comparison.compared, 4000);
+  EXPECT_GT(comparison.killed, 20);
+  EXPECT_GT(loops, 20);
+  EXPECT_LT(comparison.edges, comparison.compared / 40) << "much of the test is left out";
+}
+
+std::string textOf(const std::filesystem::path &path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 TEST_P(ProgramsTest, GoldenOnesAgree) {

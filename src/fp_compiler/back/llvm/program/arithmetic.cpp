@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "fp_compiler/back/llvm/math/math.h"
+#include "fp_compiler/back/llvm/program/packing.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -222,30 +223,39 @@ Vec Unit::compute(Opcode op) {
     return each([&](std::size_t i) { return truth(llvm::CmpInst::FCMP_OEQ, i); });
   case Opcode::Sne:
     return each([&](std::size_t i) { return truth(llvm::CmpInst::FCMP_UNE, i); });
-  case Opcode::Ddx:
-  case Opcode::Ddy:
   case Opcode::Pk2h:
+    return all(packed(m_code, ir::Packing::Half2, m_a));
   case Opcode::Pk2us:
+    return all(packed(m_code, ir::Packing::Unsigned2, m_a));
   case Opcode::Pk4b:
+    return all(packed(m_code, ir::Packing::Signed4, m_a));
   case Opcode::Pk4ub:
+    return all(packed(m_code, ir::Packing::Unsigned4, m_a));
   case Opcode::Up2h:
+    return unpacked(m_code, ir::Packing::Half2, m_a[0], m_needed);
   case Opcode::Up2us:
+    return unpacked(m_code, ir::Packing::Unsigned2, m_a[0], m_needed);
   case Opcode::Up4b:
+    return unpacked(m_code, ir::Packing::Signed4, m_a[0], m_needed);
   case Opcode::Up4ub:
-  case Opcode::Txd:
-  case Opcode::Txl:
-  case Opcode::Rep:
-  case Opcode::Endrep:
-  case Opcode::Brk:
-#define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
-#include "fp_compiler/ir/ops.def"
-    break; // hasCode()
+    return unpacked(m_code, ir::Packing::Unsigned4, m_a[0], m_needed);
+  case Opcode::Ddx: // of a fragment alone; of quads they are the walk's
+  case Opcode::Ddy:
+    return each([&](std::size_t i) { return m_ir.CreateFSub(m_a[i], m_a[i]); });
   case Opcode::Arl:
   case Opcode::Tex:
   case Opcode::Txp:
   case Opcode::Txb:
+  case Opcode::Txd:
+  case Opcode::Txl:
   case Opcode::Kil:
+  case Opcode::Rep:
+  case Opcode::Endrep:
+  case Opcode::Brk:
     break; // the walk's
+#define FP_NV_WORD(Enumerator, ...) case Opcode::Enumerator:
+#include "fp_compiler/ir/ops.def"
+    break; // in no program's code
   }
   llvm_unreachable("not an arithmetic opcode");
 }

@@ -10,7 +10,8 @@ using OperandValues = std::array<Vec, 3>;
 
 /// The result of an arithmetic opcode as ir/semantics.h says, before _SAT, in the components of
 /// \p needed; others are null.
-/// Requires: the opcode is neither Texture nor Kills nor ARL; \p numerics is Host or Legacy.
+/// Requires: the opcode is neither Texture nor Kills nor Flow nor ARL; \p numerics is Host or
+/// Legacy.
 /// \param facts what need not be guarded in Legacy
 /// \param language the program's: of vertex programs the order of sums is another
 [[nodiscard]] Vec apply(Code &code, ir::Opcode op, const OperandValues &operands, unsigned needed,

@@ -25,11 +25,16 @@ void addInput(std::vector<jit::FragmentInput> &inputs, ir::AttributeKind kind,
     inputs.push_back({attribute, components});
 }
 
+bool isInterpolated(const ir::Attribute &attribute) {
+  return attribute.kind != ir::AttributeKind::Position &&
+         attribute.kind != ir::AttributeKind::Facing;
+}
+
 std::vector<jit::FragmentInput> inputsOf(const ir::Program &program,
                                          const analysis::LiveValues &live) {
   std::vector<jit::FragmentInput> inputs;
   for (std::size_t i = 0; i < program.attributes.size(); ++i)
-    if (live.attributes[i] != 0 && program.attributes[i].kind != ir::AttributeKind::Position)
+    if (live.attributes[i] != 0 && isInterpolated(program.attributes[i]))
       inputs.push_back({program.attributes[i], live.attributes[i]});
   constexpr std::uint8_t kX = 1, kRgb = 7;
   if (program.options.fog != ir::FogMode::None)
@@ -56,6 +61,8 @@ jit::FragmentShape shapeOf(const ir::Program &program) {
     const ir::Instruction &instruction = program.code[i];
     const ir::OpInfo &row = ir::info(instruction.op);
     shape.kills |= row.has(ir::Kills);
+    const bool derives = instruction.op == ir::Opcode::Ddx || instruction.op == ir::Opcode::Ddy;
+    shape.derivatives |= derives && live.written[i] != 0;
     if (!row.has(ir::Texture) || live.written[i] == 0)
       continue;
     addSampler(shape, instruction);
@@ -98,16 +105,10 @@ jit::VertexShape vertexShapeOf(const ir::Program &program) {
 } // namespace
 
 bool hasCode(const ir::Program &program) {
-  const bool vertex = program.language == ir::Language::ArbVertex;
-  for (const ir::Attribute &attribute : program.attributes)
-    if (attribute.kind == ir::AttributeKind::Facing)
-      return false;
-  return std::none_of(program.code.begin(), program.code.end(), [vertex](const auto &instruction) {
-    const ir::OpInfo &row = ir::info(instruction.op);
-    const bool compares = instruction.op == ir::Opcode::Seq || instruction.op == ir::Opcode::Sne;
-    return (vertex && row.has(ir::Texture)) ||
-           (int(instruction.op) >= ir::kOpcodeCount && !compares);
-  });
+  return program.language != ir::Language::ArbVertex ||
+         std::none_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
+           return ir::info(instruction.op).has(ir::Texture);
+         });
 }
 
 PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)

@@ -8,8 +8,8 @@
 /// draw.
 namespace arbiter::fp::llvm_back {
 
-/// True if machine code can be written for all of the program: not for derivatives, packing, given
-/// levels of detail and the samples of vertex programs, which the host draws.
+/// True if machine code can be written for all of the program: not for the samples of vertex
+/// programs, which the host draws.
 [[nodiscard]] bool hasCode(const ir::Program &program);
 
 class PreparedFragment final : public jit::FragmentProgram {

@@ -105,5 +105,27 @@ TEST(Prepare, AffineCoordinatesNeedNoQuads) {
   EXPECT_TRUE(needsQuads(scaled, TexTarget::Tex2D, Opcode::Txp));
 }
 
+TEST(Prepare, OfNvidiasOptions) {
+  const auto shape = [](Opcode op) {
+    ir::Builder b;
+    b.options().nv = ir::NvOption::Second;
+    const ir::Source at = b.attribute(AttributeKind::TexCoord),
+                     face = b.attribute(AttributeKind::Facing);
+    const ir::Target t = b.temporary();
+    b.op(Opcode::Mul, t, {at, face});
+    if (op == Opcode::Ddx)
+      b.op(op, t, {t.read()});
+    else
+      b.tex(op, t, t.read(), 0, TexTarget::Tex2D);
+    b.op(Opcode::Mov, b.color(), {t.read()});
+    return shapeOf(b);
+  };
+  EXPECT_EQ(shape(Opcode::Tex).needsQuads, 1u); // the face is no plane
+  EXPECT_EQ(shape(Opcode::Txl).needsQuads, 0u); // the level is given
+  EXPECT_FALSE(shape(Opcode::Txl).derivatives);
+  EXPECT_TRUE(shape(Opcode::Ddx).derivatives);
+  EXPECT_EQ(shape(Opcode::Ddx).inputs.size(), 1u); // the face is no input
+}
+
 } // namespace
 } // namespace arbiter::fp::llvm_back

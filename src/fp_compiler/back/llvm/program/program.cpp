@@ -1,11 +1,14 @@
 #include "fp_compiler/back/llvm/program/program.h"
 
 #include <limits>
+#include <optional>
 
 #include "fp_compiler/analysis/live_values.h"
 #include "fp_compiler/analysis/range_analysis.h"
+#include "fp_compiler/back/llvm/code/quads.h"
 #include "fp_compiler/back/llvm/math/math.h"
 #include "fp_compiler/back/llvm/program/arithmetic.h"
+#include "fp_compiler/back/llvm/program/loops.h"
 #include "fp_compiler/ir/reads.h"
 #include "fp_compiler/ir/semantics.h"
 
@@ -28,18 +31,31 @@ public:
   }
 
   ProgramResults run() {
+    if (ir::hasLoops(m_program))
+      prepareLoops();
     for (std::size_t i = 0; i < m_program.code.size(); ++i) {
       if (m_live.written[i] != 0)
-        step(analysis::narrowed(m_program.code[i], m_live.written[i]));
+        step(i, analysis::narrowed(m_program.code[i], m_live.written[i]));
       if (m_numerics == Numerics::Legacy)
         m_ranges.step(m_program.code[i]);
     }
+    if (m_killed)
+      m_hooks.kill(m_killed);
     return std::move(m_results);
   }
 
 private:
-  void step(const Instruction &instruction);
+  void step(std::size_t index, const Instruction &instruction);
   void write(const ir::Destination &dst, const Vec &value);
+  void kill(Value *lanes);
+  Vec derivative(const Instruction &instruction, const OperandValues &operands);
+  // Loops.
+  void prepareLoops();
+  void flow(std::size_t index, const Instruction &instruction, const Vec &operand);
+  void beginLoop(std::size_t index, Value *count);
+  std::vector<LoopSlot> changedIn(std::size_t begin);
+  /// Of a register's component: what it is where some lanes do not run.
+  Value *masked(Value *value, Value *before, std::uint8_t kept, std::size_t component);
   /// The operand's components at the positions of \p mask, swizzled and negated.
   Vec fetch(const Operand &operand, unsigned mask, unsigned registerMask);
   Vec source(const Operand &operand, unsigned registerMask);
@@ -60,6 +76,9 @@ private:
   std::vector<Vec> m_temporaries, m_attributes, m_parameters;
   std::vector<Value *> m_addresses;
   ProgramResults m_results;
+  std::optional<Loops> m_loops;                ///< where the program has any
+  std::vector<analysis::RegisterMasks> m_kept; ///< of the loops that are open, outer ones' too
+  Value *m_killed = nullptr;                   ///< where the program has loops
 };
 
 bool isEmpty(const Vec &value) { return !value[0] && !value[1] && !value[2] && !value[3]; }
@@ -69,9 +88,11 @@ Vec Walk::row(std::uint16_t index) {
   Vec &value = m_parameters[index];
   if (!isEmpty(value))
     return value;
+  const bool bits = m_program.options.nv != ir::NvOption::None; // denormals too
   if (parameter.kind == ir::ParameterKind::Constant)
     for (std::size_t i = 0; i < 4; ++i)
-      value[i] = m_code.splat(ir::loaded(parameter.constant[i], m_numerics));
+      value[i] = m_code.splat(bits ? parameter.constant[i]
+                                   : ir::loaded(parameter.constant[i], m_numerics));
   else
     value = m_hooks.parameter(index, m_live.parameters[index]);
   return value;
@@ -129,33 +150,149 @@ Vec Walk::fetch(const Operand &operand, unsigned mask, unsigned registerMask) {
   return value;
 }
 
-void Walk::step(const Instruction &instruction) {
+void Walk::step(std::size_t index, const Instruction &instruction) {
   const ir::OpInfo &row = ir::info(instruction.op);
   OperandValues operands = {};
   for (int i = 0; i < row.operandCount(); ++i)
     operands[std::size_t(i)] =
         fetch(instruction.src[std::size_t(i)], ir::operandMask(instruction, i),
               ir::registerMask(instruction, i));
-  if (row.has(ir::Kills)) {
-    m_hooks.kill(kills(m_code, operands[0]));
-    return;
-  }
+  if (row.has(ir::Flow))
+    return flow(index, instruction, operands[0]);
+  if (row.has(ir::Kills))
+    return kill(kills(m_code, operands[0]));
   if (instruction.op == ir::Opcode::Arl) {
-    m_addresses[instruction.dst.index] = addressOf(operands[0][0]);
+    Value *&address = m_addresses[instruction.dst.index];
+    address = masked(
+        addressOf(operands[0][0]), address ? address : m_code.splat(0),
+        m_kept.empty() ? std::uint8_t(0) : m_kept.back().addresses[instruction.dst.index], 0);
     return;
   }
   const unsigned needed = instruction.dst.mask;
-  write(instruction.dst, row.has(ir::Texture)
-                             ? m_hooks.texture(instruction, operands[0], needed)
-                             : apply(m_code, instruction.op, operands, needed, facts(instruction),
-                                     m_numerics, m_program.language));
+  const bool derives = instruction.op == ir::Opcode::Ddx || instruction.op == ir::Opcode::Ddy;
+  write(instruction.dst, row.has(ir::Texture) ? m_hooks.texture(instruction, operands, needed)
+                         : derives            ? derivative(instruction, operands)
+                                              : apply(m_code, instruction.op, operands, needed,
+                                                      facts(instruction), m_numerics, m_program.language));
 }
 
 void Walk::write(const ir::Destination &dst, const Vec &value) {
-  Vec &target = dst.file == File::Output ? m_results.outputs[dst.index] : m_temporaries[dst.index];
+  const bool output = dst.file == File::Output;
+  Vec &target = output ? m_results.outputs[dst.index] : m_temporaries[dst.index];
+  std::uint8_t kept = 0;
+  if (!m_kept.empty())
+    kept = (output ? m_kept.back().outputs : m_kept.back().temporaries)[dst.index];
   for (std::size_t i = 0; i < 4; ++i)
     if (dst.mask >> i & 1)
-      target[i] = dst.saturate ? m_code.saturate(value[i]) : value[i];
+      target[i] = masked(dst.saturate ? m_code.saturate(value[i]) : value[i], target[i], kept, i);
+}
+
+Value *Walk::masked(Value *value, Value *before, std::uint8_t kept, std::size_t component) {
+  if (!(kept >> component & 1))
+    return value;
+  return m_code.select(m_loops->running(), value, before ? before : m_code.splat(0.0f));
+}
+
+void Walk::kill(Value *lanes) {
+  if (!m_loops)
+    return m_hooks.kill(lanes);
+  if (Value *const running = m_loops->running())
+    lanes = m_code.ir.CreateAnd(lanes, running);
+  m_killed = m_killed ? m_code.ir.CreateOr(m_killed, lanes) : lanes;
+}
+
+/// A fragment without neighbours has the change that apply() says.
+Vec Walk::derivative(const Instruction &instruction, const OperandValues &operands) {
+  const unsigned needed = instruction.dst.mask;
+  Value *const running = m_loops ? m_loops->running() : nullptr;
+  Vec value = {};
+  const bool quads = m_hooks.hasQuads();
+  if (!quads || running)
+    value = apply(m_code, instruction.op, operands, needed, {}, m_numerics);
+  if (!quads)
+    return value;
+  Value *const whole = running ? wholeQuads(m_code, running) : nullptr;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!(needed >> i & 1))
+      continue;
+    Value *const change = changeInQuad(m_code, operands[0][i], instruction.op == ir::Opcode::Ddy);
+    value[i] = whole ? m_code.select(whole, change, value[i]) : change;
+  }
+  return value;
+}
+
+/// What is read from outside is read before the code: what an iteration has read first is not there
+/// behind the loop.
+void Walk::prepareLoops() {
+  Value *const wanted = m_hooks.wanted();
+  m_loops.emplace(m_code, m_program, wanted ? wanted : llvm::Constant::getAllOnesValue(m_code.i1));
+  for (std::size_t i = 0; i < m_attributes.size(); ++i)
+    if (m_live.attributes[i] != 0)
+      m_attributes[i] = m_hooks.attribute(int(i), m_live.attributes[i]);
+  for (std::size_t i = 0; i < m_parameters.size(); ++i)
+    if (m_live.parameters[i] != 0)
+      (void)row(std::uint16_t(i));
+}
+
+void Walk::flow(std::size_t index, const Instruction &instruction, const Vec &operand) {
+  switch (instruction.op) {
+  case ir::Opcode::Rep:
+    beginLoop(index, operand[0]);
+    break;
+  case ir::Opcode::Endrep:
+    m_loops->end();
+    m_kept.pop_back();
+    m_ranges.forget();
+    break;
+  default: // BRK
+    m_loops->leave(m_code.ir.CreateFCmpUNE(operand[0], m_code.splat(0.0f)));
+  }
+  m_hooks.setRunning(m_loops->running());
+}
+
+void Walk::beginLoop(std::size_t index, Value *count) {
+  analysis::RegisterMasks kept = m_live.kept.at(index);
+  if (!m_kept.empty())
+    analysis::add(kept, m_kept.back());
+  m_kept.push_back(std::move(kept));
+  m_loops->begin(count, changedIn(index));
+  m_ranges.forget();
+}
+
+/// What the loop that begins there writes of what must be kept, each component once.
+std::vector<LoopSlot> Walk::changedIn(std::size_t begin) {
+  analysis::RegisterMasks open = m_kept.back(); // not among the slots yet
+  std::vector<LoopSlot> slots;
+  const auto add = [&](Vec &target, std::uint8_t &left, std::uint8_t written) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (left & written & (1u << i))
+        slots.push_back({&target[i], m_code.splat(0.0f)});
+    left = std::uint8_t(left & ~written);
+  };
+  bool kills = false;
+  std::size_t depth = 0;
+  for (std::size_t i = begin;; ++i) {
+    const Instruction &instruction = m_program.code[i];
+    depth += instruction.op == ir::Opcode::Rep ? 1 : 0;
+    if (instruction.op == ir::Opcode::Endrep && --depth == 0)
+      break;
+    const ir::OpInfo &row = ir::info(instruction.op);
+    kills |= row.has(ir::Kills);
+    if (!row.hasDestination() || m_live.written[i] == 0)
+      continue;
+    const ir::Destination &dst = instruction.dst;
+    if (dst.file == File::Output) {
+      add(m_results.outputs[dst.index], open.outputs[dst.index], m_live.written[i]);
+    } else if (dst.file == File::Temporary) {
+      add(m_temporaries[dst.index], open.temporaries[dst.index], m_live.written[i]);
+    } else if (open.addresses[dst.index] != 0) {
+      slots.push_back({&m_addresses[dst.index], m_code.splat(0)});
+      open.addresses[dst.index] = 0;
+    }
+  }
+  if (kills)
+    slots.push_back({&m_killed, llvm::Constant::getNullValue(m_code.i1)});
+  return slots;
 }
 } // namespace
 

@@ -13,9 +13,10 @@ constexpr int kRowBytes = 4 * int(sizeof(float));
 /// Where the program's registers lie in memory.
 class VertexHooks final : public ProgramHooks {
 public:
-  VertexHooks(Code &code, const PreparedVertex &program, Value *data)
+  /// \param count the vertices, an i64
+  VertexHooks(Code &code, const PreparedVertex &program, Value *data, Value *count)
       : m_code(code), m_ir(code.ir), m_program(program.program()), m_shape(program.shape()),
-        m_parameters(pointer(data, offsetof(abi::VertexData, parameters))),
+        m_count(count), m_parameters(pointer(data, offsetof(abi::VertexData, parameters))),
         m_inputs(pointer(data, offsetof(abi::VertexData, inputs))),
         m_outputs(pointer(data, offsetof(abi::VertexData, outputs))) {}
 
@@ -45,10 +46,15 @@ public:
     return value;
   }
 
-  Vec texture(const ir::Instruction &, const Vec &, unsigned) override {
-    return {}; // no vertex program samples
+  Vec texture(const ir::Instruction &, const std::array<Vec, 3> &, unsigned) override {
+    return {}; // hasCode()
   }
   void kill(Value *) override {}
+  /// Behind the last vertex anything may lie.
+  Value *wanted() override {
+    Value *const left = m_ir.CreateTrunc(m_ir.CreateSub(m_count, m_first), m_ir.getInt32Ty());
+    return m_ir.CreateICmpULT(m_code.iota(), m_code.splat(left));
+  }
 
   Vec relative(int array, Value *index, unsigned needed) override {
     const auto &rows = m_program.arrays[std::size_t(array)].rows;
@@ -124,7 +130,7 @@ private:
   llvm::IRBuilder<> &m_ir;
   const ir::Program &m_program;
   const jit::VertexShape &m_shape;
-  Value *m_parameters, *m_inputs, *m_outputs;
+  Value *m_count, *m_parameters, *m_inputs, *m_outputs;
   Value *m_first = nullptr;
 };
 } // namespace
@@ -135,8 +141,8 @@ void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &pro
   auto *const loop = llvm::BasicBlock::Create(code.context(), "loop", function);
   auto *const end = llvm::BasicBlock::Create(code.context(), "end", function);
   ir.SetInsertPoint(entry);
-  VertexHooks hooks(code, program, function->getArg(0));
   Value *const count = ir.CreateZExt(function->getArg(1), ir.getInt64Ty());
+  VertexHooks hooks(code, program, function->getArg(0), count);
   ir.CreateCondBr(ir.CreateICmpEQ(count, ir.getInt64(0)), end, loop);
 
   ir.SetInsertPoint(loop);

@@ -70,7 +70,7 @@ public:
     const bool mipmaps = m_key.mip != abi::MipFilter::None;
     if (!mipmaps && m_key.magnify == m_key.minify)
       return atLevel(nullptr, m_key.magnify);
-    if (m_key.anisotropic) {
+    if (m_key.anisotropic && !m_at.lod) {
       const Derivatives d = derivativesOf(m_code, m_key, m_lookup.lanes, m_at);
       if (d.dx[0])
         return alongFootprint(d);

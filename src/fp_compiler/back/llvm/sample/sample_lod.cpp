@@ -7,29 +7,6 @@
 /// 3.8.8: from derivatives to levels.
 namespace arbiter::fp::llvm_back {
 
-Value *atCorner(Code &code, Value *value, int dx, int dy) {
-  const int width = code.cpu.blockWidth();
-  llvm::SmallVector<int, 16> from;
-  for (int lane = 0; lane < code.lanes; ++lane)
-    from.push_back((lane / width / 2 * 2 + dy) * width + lane % width / 2 * 2 + dx);
-  return code.ir.CreateShuffleVector(value, from);
-}
-
-void addQuadDerivatives(Code &code, SampleAt &at, int count, Value *upper) {
-  const int width = code.cpu.blockWidth();
-  llvm::SmallVector<int, 16> otherRow;
-  for (int lane = 0; lane < code.lanes; ++lane)
-    otherRow.push_back((lane / width ^ 1) * width + lane % width);
-  for (std::size_t i = 0; i < std::size_t(count); ++i) {
-    Value *value = at.coordinate[i];
-    if (upper)
-      value = code.ir.CreateSelect(upper, code.ir.CreateShuffleVector(value, otherRow), value);
-    Value *const here = atCorner(code, value, 0, 0);
-    at.dx[i] = code.ir.CreateFSub(atCorner(code, value, 1, 0), here);
-    at.dy[i] = code.ir.CreateFSub(atCorner(code, value, 0, 1), here);
-  }
-}
-
 namespace {
 
 /// MAX_TEXTURE_LOD_BIAS: what the sum of all biases is clamped to.
@@ -134,6 +111,8 @@ Value *biasedLevel(Code &code, const abi::SamplerKey &key, Value *view, const Sa
 
 Value *levelOfDetail(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Value *view,
                      const SampleAt &at, const CubeFace *cube) {
+  if (at.lod)
+    return biasedLevel(code, key, view, at, at.lod);
   const Derivatives d = derivativesOf(code, key, lanes, at);
   Value *lambda = code.splat(0.0f);
   if (d.dx[0])

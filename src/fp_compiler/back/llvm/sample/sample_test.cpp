@@ -40,7 +40,9 @@ ReferenceQuery queryAt(const Case &test, const Cpu &cpu, const Pixels &pixels,
     }
   }
   query.hasDerivatives = test.options.lanes == abi::Lanes::Quad || test.options.derivatives;
-  query.bias = test.options.bias ? double(pixels.bias[std::size_t(pixel)]) : 0;
+  if (test.options.lod)
+    query.scale = std::exp2(double(pixels.bias[std::size_t(pixel)]));
+  query.bias = test.options.bias && !test.options.lod ? double(pixels.bias[std::size_t(pixel)]) : 0;
   return query;
 }
 
@@ -200,6 +202,22 @@ TEST_P(SamplePairs, AgreeWithTheReference) {
     if (HasFatalFailure())
       return;
   }
+}
+
+/// TXL's, in rows and quads: no derivative counts, and no sample is one of several.
+TEST_P(SamplePairs, TakeAGivenLevel) {
+  std::mt19937 random(77);
+  int cases = 0;
+  for (Case test : pairwiseCases(random)) {
+    if (test.key.mip == abi::MipFilter::None || ++cases % 3 != 0)
+      continue;
+    test.key.anisotropic = 0;
+    test.options.lod = true;
+    check(test, random);
+    if (HasFatalFailure())
+      return;
+  }
+  EXPECT_GT(cases, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cpus, SamplePairs, ::testing::Values("", "avx512", "avx2", "sse4.1"));

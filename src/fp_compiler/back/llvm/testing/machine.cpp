@@ -43,17 +43,23 @@ public:
                                        std::size_t(4 * index + c) * sizeof(float)));
     });
   }
-  Vec texture(const ir::Instruction &instruction, const Vec &operand, unsigned needed) override {
+  Vec texture(const ir::Instruction &instruction, const std::array<Vec, 3> &operands,
+              unsigned needed) override {
+    const Vec &operand = operands[0];
+    const bool level = instruction.op == ir::Opcode::Txb || instruction.op == ir::Opcode::Txl;
     return each(needed, [&](int c) -> Value * {
       const std::uint8_t reads = ir::operandMask(instruction, 0);
+      if (c == 3 && instruction.op == ir::Opcode::Txd)
+        return m_code.ir.CreateFSub(operands[1][0], operands[2][0]);
       if (c == 3)
-        return instruction.op == ir::Opcode::Txb && (reads & 8) ? operand[3] : m_code.splat(0.0f);
+        return level && (reads & 8) ? operand[3] : m_code.splat(0.0f);
       if (!(ir::coordinateMask(instruction.target) >> c & 1))
         return m_code.splat(0.0f);
       Value *const value = operand[std::size_t(c)];
       return instruction.op == ir::Opcode::Txp ? m_code.ir.CreateFDiv(value, operand[3]) : value;
     });
   }
+  bool hasQuads() override { return true; }
   void kill(Value *lanes) override { m_killed = m_code.ir.CreateOr(m_killed, lanes); }
 
   /// One lane after the other: what vertex.cpp's gather is compared with.
@@ -137,6 +143,15 @@ std::vector<std::string> testedCpus() {
     if (chooseCpu(name))
       result.emplace_back(name);
   return result;
+}
+
+std::array<std::size_t, 4> quadOf(const std::string &name, std::size_t lane) {
+  const std::optional<Cpu> cpu = chooseCpu(name);
+  const auto lanes = std::size_t(cpu ? cpu->lanes() : 4);
+  const auto width = std::size_t(cpu ? cpu->blockWidth() : 2);
+  const std::size_t vector = lane / lanes * lanes, in = lane % lanes;
+  const std::size_t first = vector + in / width / 2 * 2 * width + in % width / 2 * 2;
+  return {first, first + 1, first + width, first + width + 1};
 }
 
 TestMachine::TestMachine(const ir::Program &program, Numerics numerics, const std::string &name)

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,9 +15,14 @@ namespace arbiter::fp::llvm_back {
 /// One of them in the name of a test: "host" for this machine, and nothing that no name may have.
 [[nodiscard]] std::string nameInTests(const std::string &cpu);
 
+/// The lanes that code for \p cpu takes for the 2x2 quad of a lane: lower left, lower right, upper
+/// left, upper right.
+[[nodiscard]] std::array<std::size_t, 4> quadOf(const std::string &cpu, std::size_t lane);
+
 /// A program of any language as code that runs on arrays: attributes in, outputs out, and a mask of
-/// what KIL discarded. A texture answers the coordinates (TXP's divided) and TXB's bias, zero where
-/// the target takes none, so that what reaches a sample is seen.
+/// what KIL discarded. A texture answers the coordinates (TXP's divided) and TXB's bias or TXL's
+/// level, zero where the target takes none, of TXD the difference of the first coordinate's
+/// derivatives: so that what reaches a sample is seen.
 class TestMachine {
 public:
   /// What one lane is run on: a vec4 for each attribute.

@@ -69,7 +69,9 @@ private:
     }
     if (m_options.mask)
       at.mask = m_code.ir.CreateFCmpORD(at.coordinate[0], at.coordinate[0]);
-    if (m_options.bias)
+    if (m_options.lod)
+      at.lod = vector(offsetof(SampleCall, bias));
+    else if (m_options.bias)
       at.bias = vector(offsetof(SampleCall, bias));
     if (m_options.texels) {
       const unsigned bytes = unsigned(abi::bytesOf(m_key.format.layout));

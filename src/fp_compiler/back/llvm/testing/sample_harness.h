@@ -24,6 +24,7 @@ struct SampleCall {
 struct SampleOptions {
   abi::Lanes lanes = abi::Lanes::Row;
   bool bias = false;
+  bool lod = false;         ///< SampleCall::bias has levels of detail, TXL's
   bool derivatives = false; ///< of Lanes::Row
   bool mask = false;        ///< only lanes whose first coordinate is not NaN count
   bool texels = false;      ///< SampleCall::texels is read, consecutively

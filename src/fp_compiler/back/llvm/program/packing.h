@@ -1,0 +1,13 @@
+#pragma once
+#include "fp_compiler/back/llvm/code/code.h"
+#include "fp_compiler/ir/packing.h"
+
+/// PK* and UP* as ir/packing.h has them, to the bit.
+namespace arbiter::fp::llvm_back {
+
+/// \param value x and y, or all four components
+[[nodiscard]] Value *packed(Code &code, ir::Packing packing, const Vec &value);
+/// The components of \p needed; others are null.
+[[nodiscard]] Vec unpacked(Code &code, ir::Packing packing, Value *value, unsigned needed);
+
+} // namespace arbiter::fp::llvm_back

@@ -1,0 +1,42 @@
+#pragma once
+#include <string>
+
+#include "fp_compiler/ir/ir.h"
+#include "fp_compiler/testing/random.h"
+#include "fp_compiler/testing/random_nv.h"
+
+namespace arbiter::fp::testing {
+
+/// The words of randomNvProgram(): operands, conditions, suffixes and destinations of instructions.
+/// A program has the temporaries r0 to r4 and guard, the array c of parameters, the constants k,
+/// large and small, and, of vertices, the address registers A and B.
+class NvWords {
+protected:
+  NvWords(std::uint64_t seed, const RandomNvOptions &options)
+      : m_random(seed), m_options(options) {}
+
+  [[nodiscard]] bool second() const { return m_options.option == ir::NvOption::Second; }
+  static std::string number(int value) { return std::to_string(value); }
+  std::string temporary() { return "r" + number(m_random.below(kTemporaries)); }
+  std::string swizzle(bool scalar);
+  std::string attribute();
+  std::string address() { return std::string(m_random.chance(50) ? "A" : "B") + swizzle(true); }
+  std::string parameter();
+  std::string operand(bool scalar);
+  /// Without signs and bars.
+  static std::string bare(std::string value);
+  std::string condition();
+  /// \param saturates set if the suffix is a _SAT or _SSAT
+  std::string suffix(const ir::OpInfo &op, bool &saturates);
+  /// \param op whose components, where some are undefined, are left out
+  std::string destination(ir::Opcode op = ir::Opcode::Mov);
+
+  Random m_random;
+  RandomNvOptions m_options;
+  int m_counting = 0; ///< LOOPs around what is written
+
+private:
+  static constexpr int kTemporaries = 5;
+};
+
+} // namespace arbiter::fp::testing
