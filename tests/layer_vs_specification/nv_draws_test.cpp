@@ -238,24 +238,26 @@ TEST_F(NvTest, Lists) {
 }
 
 TEST_F(NvTest, AVertexProgramSamplesTheUnitThatItNames) {
-  constexpr GLubyte kTexels[2][4] = {{255, 0, 0, 255}, {0, 0, 255, 255}};
-  GLuint textures[2];
-  glGenTextures(2, textures);
-  for (GLuint unit = 0; unit < 2; ++unit) {
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, textures[unit]);
+  constexpr GLubyte kTexels[3][4] = {{255, 0, 0, 255}, {0, 0, 255, 255}, {0, 255, 0, 255}};
+  constexpr Pixel kExpected[3] = {kRedPixel, kBluePixel, kGreenPixel};
+  constexpr GLuint kUnits[3] = {0, 1, 16}; // the last is beyond fragment programs' units
+  GLuint textures[3];
+  glGenTextures(3, textures);
+  for (int i = 0; i < 3; ++i) {
+    glActiveTexture(GL_TEXTURE0 + kUnits[i]);
+    glBindTexture(GL_TEXTURE_2D, textures[i]);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels[unit]);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kTexels[i]);
   }
   glActiveTexture(GL_TEXTURE0);
-  for (int unit = 0; unit < 2; ++unit) {
-    use(kVertexNv, GLuint(20 + unit),
+  for (int i = 0; i < 3; ++i) {
+    use(kVertexNv, GLuint(20 + i),
         "!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\nMOV result.position, vertex.position;\n"
         "TEX t, {0.5,0.5,0,0}, texture[" +
-            std::to_string(unit) + "], 2D;\nMOV result.color, t;\nEND");
-    EXPECT_EQ(quad(), unit == 0 ? kRedPixel : kBluePixel) << unit;
+            std::to_string(kUnits[i]) + "], 2D;\nMOV result.color, t;\nEND");
+    EXPECT_EQ(quad(), kExpected[i]) << kUnits[i];
   }
-  glDeleteTextures(2, textures);
+  glDeleteTextures(3, textures);
 }
 
 TEST_F(NvTest, BothStagesReadOneTargetOfAUnit) {

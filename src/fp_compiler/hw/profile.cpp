@@ -1,5 +1,7 @@
 #include "fp_compiler/hw/profile.h"
 
+#include <algorithm>
+
 #include "fp_compiler/hw/builtin.h"
 
 namespace arbiter::fp::hw {
@@ -107,6 +109,10 @@ void Profile::set(Row row, std::uint32_t value, std::string source) {
   member(*this, row) = value;
   for (std::uint32_t Limits::*const shared : kShared)
     vertex.*shared = fragment.*shared;
+  // Beyond the fragment programs' units lie as many as a vertex program may sample at once, so that
+  // it can have its own (NV_vertex_program3: any unit number, no more than four of them).
+  if (vertex.nvOptions >= 2)
+    vertex.textureImageUnits = std::min(vertex.textureImageUnits + 4, 32u);
   sources[std::size_t(row)] = std::move(source);
 }
 

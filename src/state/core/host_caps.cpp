@@ -169,6 +169,8 @@ HostCaps queryHostCaps(const host::HostTable &host) {
   if (gl >= 20) {
     caps.maxTextureCoords = getInteger(host, GL_MAX_TEXTURE_COORDS, 0);
     caps.maxTextureImageUnits = getInteger(host, GL_MAX_TEXTURE_IMAGE_UNITS, 0);
+    caps.maxCombinedImageUnits =
+        getInteger(host, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, caps.maxTextureImageUnits);
     caps.maxVertexAttribs = getInteger(host, GL_MAX_VERTEX_ATTRIBS, 16);
     caps.maxDrawBuffers = getInteger(host, GL_MAX_DRAW_BUFFERS, 1);
     caps.maxFragmentUniformComponents = getInteger(host, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, 0);

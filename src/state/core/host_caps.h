@@ -70,6 +70,7 @@ struct HostCaps {
   GLint maxAttribStackDepth = 16;
   GLint maxTextureCoords = 0;
   GLint maxTextureImageUnits = 0;
+  GLint maxCombinedImageUnits = 0; ///< of all stages
   GLint maxTextureUnits = 0;
   GLint maxProgramMatrices = 0;
   GLint maxProgramMatrixStackDepth = 0;

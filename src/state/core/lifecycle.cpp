@@ -65,7 +65,8 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
     value = std::min(value, std::uint32_t(std::max(host_, 0)));
   };
   clamp(limits.textureCoords, caps.maxTextureCoords);
-  clamp(limits.textureImageUnits, caps.maxTextureImageUnits);
+  clamp(limits.textureImageUnits,
+        vertex && limits.nvOptions >= 2 ? caps.maxCombinedImageUnits : caps.maxTextureImageUnits);
   clamp(limits.textureUnits, caps.maxTextureUnits);
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);
