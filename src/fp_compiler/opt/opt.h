@@ -28,6 +28,11 @@ namespace arbiter::fp::opt {
 /// Drops write mask components that nothing reads, and instructions that write none.
 [[nodiscard]] bool removeDeadCode(ir::Program &program);
 
+/// Writes the code of a loop as often as it runs, where a constant says how often, no BRK leaves it
+/// and the program does not grow too much. Of a program whose loops may come to the cap on
+/// iterations it changes none.
+[[nodiscard]] bool unrollLoops(ir::Program &program);
+
 /// All of them, until nothing moves, or until a long program has had its share of rounds.
 void run(ir::Program &program, Numerics numerics = Numerics::Host);
 

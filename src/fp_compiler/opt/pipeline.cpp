@@ -31,7 +31,8 @@ constexpr int kMaxRounds = 64;
 } // namespace
 
 void run(ir::Program &program, Numerics numerics) {
-  // The passes go through straight-line code. A host's compiler has its own for loops.
+  // The others go through straight-line code. A host's compiler has its own for loops.
+  (void)unrollLoops(program);
   if (ir::hasLoops(program))
     return;
   for (int rounds = 0; rounds < kMaxRounds; ++rounds)

@@ -1,45 +1,12 @@
 #include "fp_compiler/back/llvm/program/loops.h"
 
+#include "fp_compiler/ir/loop_counts.h"
 #include "fp_compiler/ir/semantics.h"
 
 namespace arbiter::fp::llvm_back {
 
-namespace {
-/// A REP's iterations; the cap where the program's text does not say.
-std::uint64_t mostIterations(const ir::Program &program, const ir::Instruction &repeat) {
-  const ir::Operand &operand = repeat.src[0];
-  const ir::Select select = operand.swizzle[0];
-  float count = select == ir::Select::One ? 1.0f : 0.0f;
-  if (select <= ir::Select::W) {
-    const bool known = operand.file == ir::File::Parameter && !operand.relative &&
-                       program.parameters[operand.index].kind == ir::ParameterKind::Constant;
-    if (!known)
-      return ir::kMostIterations;
-    count = program.parameters[operand.index].constant[std::size_t(select)];
-  }
-  return ir::iterations((operand.negate & 1) != 0 ? -count : count);
-}
-
-/// True if constants keep all loops together from the cap.
-bool endsByItself(const ir::Program &program) {
-  std::vector<std::uint64_t> times = {1}; // that the code comes by, of each open loop
-  std::uint64_t begun = 0;
-  for (const ir::Instruction &instruction : program.code) {
-    if (instruction.op == ir::Opcode::Rep) {
-      times.push_back(times.back() * mostIterations(program, instruction));
-      begun += times.back();
-      if (begun >= ir::kMostIterations)
-        return false;
-    } else if (instruction.op == ir::Opcode::Endrep) {
-      times.pop_back();
-    }
-  }
-  return true;
-}
-} // namespace
-
 Loops::Loops(Code &code, const ir::Program &program, Value *lanes)
-    : m_code(code), m_running(lanes), m_endsByItself(endsByItself(program)) {
+    : m_code(code), m_running(lanes), m_endsByItself(ir::endsByItself(program)) {
   if (!m_endsByItself)
     m_begun = code.splat(0);
 }

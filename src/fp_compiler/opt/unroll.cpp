@@ -1,0 +1,57 @@
+#include "fp_compiler/ir/loop_counts.h"
+#include "fp_compiler/opt/opt.h"
+
+namespace arbiter::fp::opt {
+
+namespace {
+/// A loop whose end has not come yet.
+struct Open {
+  std::size_t begin = 0; ///< of its REP in the code that is made
+  bool breaks = false;
+};
+
+/// What all loops together may add: beyond it more code costs more than its loops.
+constexpr std::uint64_t kMostAdded = 1024; // instructions
+} // namespace
+
+bool unrollLoops(ir::Program &program) {
+  // A run that comes to the cap on iterations ends in the middle of them.
+  if (!ir::hasLoops(program) || !ir::endsByItself(program))
+    return false;
+  std::vector<ir::Instruction> made;
+  std::vector<Open> open;
+  bool changed = false;
+  std::uint64_t added = 0;
+  for (const ir::Instruction &instruction : program.code) {
+    if (instruction.op == ir::Opcode::Rep)
+      open.push_back({made.size()});
+    else if (instruction.op == ir::Opcode::Brk)
+      open.back().breaks = true;
+    if (instruction.op != ir::Opcode::Endrep) {
+      made.push_back(instruction);
+      continue;
+    }
+    const Open loop = open.back();
+    open.pop_back();
+    const std::uint64_t count = ir::mostIterations(program, made[loop.begin]);
+    const std::size_t size = made.size() - loop.begin - 1;
+    const std::uint64_t more = count == 0 ? 0 : (count - 1) * size;
+    if (loop.breaks || added + more > kMostAdded) {
+      made.push_back(instruction);
+      continue;
+    }
+    added += more;
+    changed = true;
+    made.erase(made.begin() + std::ptrdiff_t(loop.begin));
+    if (count == 0)
+      made.resize(loop.begin);
+    made.reserve(made.size() + std::size_t(more));
+    for (std::uint64_t i = 1; i < count; ++i)
+      for (std::size_t at = 0; at < size; ++at)
+        made.push_back(made[loop.begin + at]);
+  }
+  program.code = std::move(made);
+  return changed;
+}
+
+} // namespace arbiter::fp::opt

@@ -1,0 +1,74 @@
+#include <algorithm>
+
+#include "fp_compiler/compiler.h"
+#include "fp_compiler/opt/opt.h"
+#include "fp_compiler/opt/testing/pass_check.h"
+
+namespace arbiter::fp::opt {
+namespace {
+
+ir::Program programOf(const std::string &statements) {
+  CompileOptions options;
+  options.policy = LimitPolicy::Report;
+  options.limits.textureCoords = options.limits.textureImageUnits = 8;
+  options.limits.localParameters = 8;
+  options.limits.nvOptions = 2;
+  const std::string text =
+      "!!ARBfp1.0\nOPTION NV_fragment_program2;\nTEMP r;\nMOV r, fragment.color;\n" + statements +
+      "\nMOV result.color, r;\nEND\n";
+  CheckResult result = checkFragmentProgram(text, options);
+  EXPECT_TRUE(result.ok()) << result.errorString(text);
+  return result.ok() ? std::move(*result.program) : ir::Program{};
+}
+
+/// ADDs that are left, or -1 if a loop is.
+int additions(const std::string &statements) {
+  ir::Program program = programOf(statements);
+  (void)runChecked(unrollLoops, program, statements);
+  if (ir::hasLoops(program))
+    return -1;
+  return int(std::count_if(program.code.begin(), program.code.end(), [](const auto &instruction) {
+    return instruction.op == ir::Opcode::Add;
+  }));
+}
+
+TEST(UnrollLoops, ConstantCounts) {
+  EXPECT_EQ(additions("REP 4; ADD r, r, r; ENDREP;"), 4);
+  EXPECT_EQ(additions("REP 2.9; ADD r, r, r; ENDREP;"), 2);
+  EXPECT_EQ(additions("REP 1; ADD r, r, r; ENDREP;"), 1);
+  EXPECT_EQ(additions("REP 0.5; ADD r, r, r; ENDREP;"), 0);
+  EXPECT_EQ(additions("REP 0; REP 3; ADD r, r, r; ENDREP; ENDREP;"), 0);
+  EXPECT_EQ(additions("REP 3; ADD r, r, 1.0; REP 2; ADD r, r, r; ENDREP; ENDREP;"), 3 + 6);
+  EXPECT_EQ(additions("ADD r, r, r; REP 2; ENDREP;"), 1);
+}
+
+TEST(UnrollLoops, WhatStays) {
+  EXPECT_EQ(additions("REP 4; ADDC r, r, r; BRK (GT.x); ENDREP;"), -1);
+  EXPECT_EQ(additions("REP program.local[0].x; ADD r, r, r; ENDREP;"), -1);
+  EXPECT_EQ(additions("REP 2000; ADD r, r, r; ENDREP;"), -1) << "too much code";
+  // Together they come to the cap on iterations, in the middle of the second.
+  EXPECT_EQ(additions("REP 250; REP 255; REP 2; ADD r, r, 1.0; ENDREP; ENDREP; ENDREP;"), -1);
+}
+
+TEST(UnrollLoops, ALoopThatBreaksHoldsOneThatDoesNot) {
+  ir::Program program =
+      programOf("REP 5; REP 2; ADD r, r, 0.25; ENDREP; SUBC r.w, r, 1.0; BRK (GT.w); ENDREP;");
+  EXPECT_TRUE(runChecked(unrollLoops, program));
+  const auto count = [&](ir::Opcode op) {
+    return std::count_if(program.code.begin(), program.code.end(),
+                         [op](const auto &instruction) { return instruction.op == op; });
+  };
+  EXPECT_EQ(count(ir::Opcode::Rep), 1);
+  EXPECT_EQ(count(ir::Opcode::Add), 2);
+}
+
+TEST(UnrollLoops, AnInputThatALoopChoosesIsReadAsItIs) {
+  ir::Program program =
+      programOf("LOOP {3, 1, 2}; ADD r, r, fragment.texcoord[A0.x + 1]; ENDLOOP;");
+  run(program);
+  EXPECT_FALSE(ir::hasLoops(program));
+  EXPECT_LE(program.code.size(), 4u) << ir::print(program);
+}
+
+} // namespace
+} // namespace arbiter::fp::opt
