@@ -96,9 +96,10 @@ def main():
             ("ati-api", args.count, [*ati, "api"], in_front)]
     nv, nv_vertex = ["--language", "nv", "--mode"], ["--language", "nv-vertex", "--mode"]
     nv_card = {**in_front, "ARBITER_PROFILE": "nv40"}
-    ways += [("nv-glsl", args.count, [*nv, "glsl"], {}),
+    # The interpreter takes its time with their loops.
+    ways += [("nv-glsl", args.count // 3, [*nv, "glsl"], {}),
              ("nv-layer", args.mode_count, [*nv, "arb"], nv_card),
-             ("nv-v-glsl", args.vertex_count, [*nv_vertex, "glsl"], {}),
+             ("nv-v-glsl", args.vertex_count // 3, [*nv_vertex, "glsl"], {}),
              ("nv-v-layer", args.mode_count, [*nv_vertex, "arb"], nv_card),
              # Those that sample textures are the host's.
              ("nv-v-both", args.mode_count, [*nv_vertex, "arb"],
