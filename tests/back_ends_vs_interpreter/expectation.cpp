@@ -46,8 +46,6 @@ public:
   explicit Shaker(std::uint64_t seed) : m_random(seed) {}
 
   void shake(float &value, float relative, float absolute) {
-    if (m_wholeIsExact && isSmallWhole(value))
-      return;
     value += m_random.real(-1.0f, 1.0f) * (relative * std::fabs(value) + absolute);
   }
 
@@ -56,7 +54,7 @@ public:
   /// off would be on.
   Inputs inputs(const PixelInputs &pixel, bool nv) {
     Inputs result = inputsOf(pixel);
-    m_wholeIsExact = nv;
+    m_nv = nv;
     const fp::Numerics numerics = pixel.numerics;
     result.parameter = [this](const Parameter &parameter) {
       Vec4 value = parameterValue(parameter);
@@ -70,7 +68,8 @@ public:
       if (allowed.operand != 0)
         for (Vec4 &operand : operands)
           for (float &value : operand)
-            shake(value, allowed.operand, 0);
+            if (!isExact(instruction.op, value))
+              shake(value, allowed.operand, 0);
     };
     result.result = [this, numerics, nv](const Instruction &instruction, Vec4 &value) {
       if (nv && carriesBits(instruction.op) && !unpacks(instruction.op))
@@ -82,7 +81,8 @@ public:
           component = 0;
       if (allowed.relative != 0 || allowed.absolute != 0)
         for (float &component : value)
-          if (component != 0) { // a zero by rule, not by rounding
+          // A zero by rule, not by rounding.
+          if (component != 0 && !isExact(instruction.op, component)) {
             shake(component, allowed.relative, allowed.absolute);
             component = held(component, numerics);
           }
@@ -98,12 +98,12 @@ public:
   }
 
 private:
-  static bool isSmallWhole(float value) {
-    return std::fabs(value) <= 64 && value == std::nearbyint(value);
+  [[nodiscard]] bool isExact(Opcode op, float value) const {
+    return m_nv && sumsProducts(op) && std::fabs(value) <= 64 && value == std::nearbyint(value);
   }
 
   fp::testing::Random m_random;
-  bool m_wholeIsExact = false;
+  bool m_nv = false;
 };
 
 bool alike(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }

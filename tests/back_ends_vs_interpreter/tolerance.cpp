@@ -112,4 +112,10 @@ Tolerance tolerance(Opcode op, fp::Numerics numerics) {
   }
 }
 
+bool sumsProducts(Opcode op) {
+  const Tolerance allowed = tolerance(op, fp::Numerics::Host);
+  return allowed.operand == kArithmetic.operand && allowed.relative == kArithmetic.relative &&
+         allowed.absolute == 0;
+}
+
 } // namespace arbiter::differential

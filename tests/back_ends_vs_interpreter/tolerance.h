@@ -19,6 +19,9 @@ struct Tolerance {
 /// may be rounded to the other neighbour.
 [[nodiscard]] Tolerance tolerance(fp::ir::Opcode op, fp::Numerics numerics);
 
+/// True of opcodes that add and multiply, which is exact on small whole numbers.
+[[nodiscard]] bool sumsProducts(fp::ir::Opcode op);
+
 /// Of the last step to a pixel: interpolation, the fog blend, the store.
 inline constexpr float kPixelTolerance = 1e-6f;
 
