@@ -51,9 +51,9 @@ struct GlslHost {
   /// for planes of clip space, as Mesa does. It costs the host an output a vertex, planes or not;
   /// a text that is drawn with every plane disabled can do without.
   bool clipPlanes = true;
-  /// Vertex programs of NVIDIA's options that are not position-invariant, with clipPlanes: a bit
-  /// for each plane that is enabled, whose gl_ClipDistance is written, in GLSL 1.30. Hosts clip by
-  /// what is written, enabled or not. 0 where the host has no such version.
+  /// Vertex programs that clip by distances (ir::Options::clipsByDistances()), with clipPlanes: a
+  /// bit for each plane that is enabled, whose gl_ClipDistance is written, in GLSL 1.30. Hosts clip
+  /// by what is written, enabled or not. 0 where the host has no such version.
   std::uint8_t clipDistances = 0;
   /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
   /// Numerics::Fp24 is written in.

@@ -320,6 +320,58 @@ TEST_F(NvTest, DistancesClipWhereTheirPlaneIsEnabled) {
   }
 }
 
+TEST_F(NvTest, DistancesFollowPlanesThatListsEnable) {
+  use(kVertexNv, 29, kClippedVp);
+  glColor4f(0, 0, 1, 1);
+  const GLuint lists = glGenLists(3);
+  glNewList(lists, GL_COMPILE);
+  glEnable(GL_CLIP_PLANE1);
+  glEndList();
+  glNewList(lists + 1, GL_COMPILE);
+  glDisable(GL_CLIP_PLANE1);
+  glEndList();
+  glNewList(lists + 2, GL_COMPILE);
+  glBegin(GL_QUADS);
+  vertices();
+  glEnd();
+  glEndList();
+  const auto clips = [&](bool listed) {
+    clear();
+    if (listed) {
+      glCallList(lists + 2);
+    } else {
+      glBegin(GL_QUADS);
+      vertices();
+      glEnd();
+    }
+    EXPECT_EQ(readPixel(20, 16), kBluePixel);
+    return readPixel(4, 16) != kBluePixel;
+  };
+  for (const bool listed : {false, true}) {
+    EXPECT_FALSE(clips(listed)) << "compiled, not called";
+    glCallList(lists);
+    EXPECT_TRUE(clips(listed));
+    glCallList(lists + 1);
+    EXPECT_FALSE(clips(listed));
+  }
+  glPushAttrib(GL_ENABLE_BIT);
+  glCallList(lists);
+  EXPECT_TRUE(clips(false));
+  glPopAttrib();
+  EXPECT_FALSE(clips(false));
+  // What is enabled in the list that draws.
+  glNewList(lists + 2, GL_COMPILE);
+  glEnable(GL_CLIP_PLANE1);
+  glBegin(GL_QUADS);
+  vertices();
+  glEnd();
+  glDisable(GL_CLIP_PLANE1);
+  glEndList();
+  EXPECT_TRUE(clips(true));
+  EXPECT_FALSE(clips(false));
+  glDeleteLists(lists, 3);
+}
+
 TEST_F(NvTest, PlanesDoNotClipNvidiasOwnPrograms) {
   const GLdouble right[] = {1, 0, 0, 0};
   glClipPlane(GL_CLIP_PLANE0, right);

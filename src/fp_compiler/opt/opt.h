@@ -28,9 +28,9 @@ namespace arbiter::fp::opt {
 /// Drops write mask components that nothing reads, and instructions that write none.
 [[nodiscard]] bool removeDeadCode(ir::Program &program);
 
-/// Writes the code of a loop as often as it runs, where a constant says how often, no BRK leaves it
-/// and the program does not grow too much. Of a program whose loops may come to the cap on
-/// iterations it changes none.
+/// Writes the code of a loop as often as it runs, where a constant says how often and no BRK leaves
+/// it. One that would be too long stays, as do all of them if they would be too long together, or
+/// may come to the cap on iterations.
 [[nodiscard]] bool unrollLoops(ir::Program &program);
 
 /// All of them, until nothing moves, or until a long program has had its share of rounds.

@@ -10,18 +10,20 @@ struct Open {
   bool breaks = false;
 };
 
-/// What all loops together may add: beyond it more code costs more than its loops.
-constexpr std::uint64_t kMostAdded = 1024; // instructions
+/// What a loop, and all of them together, may become: beyond it more code costs more than its
+/// loops.
+constexpr std::uint64_t kMostInstructions = 1024;
 } // namespace
 
 bool unrollLoops(ir::Program &program) {
   // A run that comes to the cap on iterations ends in the middle of them.
   if (!ir::hasLoops(program) || !ir::endsByItself(program))
     return false;
+  // All that may be, or none: what a run leaves, another one would leave too.
   std::vector<ir::Instruction> made;
   std::vector<Open> open;
   bool changed = false;
-  std::uint64_t added = 0;
+  std::uint64_t written = 0; // instructions that stood in loops
   for (const ir::Instruction &instruction : program.code) {
     if (instruction.op == ir::Opcode::Rep)
       open.push_back({made.size()});
@@ -35,17 +37,18 @@ bool unrollLoops(ir::Program &program) {
     open.pop_back();
     const std::uint64_t count = ir::mostIterations(program, made[loop.begin]);
     const std::size_t size = made.size() - loop.begin - 1;
-    const std::uint64_t more = count == 0 ? 0 : (count - 1) * size;
-    if (loop.breaks || added + more > kMostAdded) {
+    if (loop.breaks || count * size > kMostInstructions) {
       made.push_back(instruction);
       continue;
     }
-    added += more;
+    written += count * size;
+    if (written > kMostInstructions)
+      return false;
     changed = true;
     made.erase(made.begin() + std::ptrdiff_t(loop.begin));
     if (count == 0)
       made.resize(loop.begin);
-    made.reserve(made.size() + std::size_t(more));
+    made.reserve(made.size() + std::size_t(count) * size);
     for (std::uint64_t i = 1; i < count; ++i)
       for (std::size_t at = 0; at < size; ++at)
         made.push_back(made[loop.begin + at]);

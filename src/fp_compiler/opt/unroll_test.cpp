@@ -1,24 +1,15 @@
 #include <algorithm>
 
-#include "fp_compiler/compiler.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/testing/pass_check.h"
+#include "fp_compiler/testing/nv_program.h"
 
 namespace arbiter::fp::opt {
 namespace {
 
 ir::Program programOf(const std::string &statements) {
-  CompileOptions options;
-  options.policy = LimitPolicy::Report;
-  options.limits.textureCoords = options.limits.textureImageUnits = 8;
-  options.limits.localParameters = 8;
-  options.limits.nvOptions = 2;
-  const std::string text =
-      "!!ARBfp1.0\nOPTION NV_fragment_program2;\nTEMP r;\nMOV r, fragment.color;\n" + statements +
-      "\nMOV result.color, r;\nEND\n";
-  CheckResult result = checkFragmentProgram(text, options);
-  EXPECT_TRUE(result.ok()) << result.errorString(text);
-  return result.ok() ? std::move(*result.program) : ir::Program{};
+  return testing::nvFragmentProgram("TEMP r;\nMOV r, fragment.color;\n" + statements +
+                                    "\nMOV result.color, r;");
 }
 
 /// ADDs that are left, or -1 if a loop is.
@@ -46,6 +37,9 @@ TEST(UnrollLoops, WhatStays) {
   EXPECT_EQ(additions("REP 4; ADDC r, r, r; BRK (GT.x); ENDREP;"), -1);
   EXPECT_EQ(additions("REP program.local[0].x; ADD r, r, r; ENDREP;"), -1);
   EXPECT_EQ(additions("REP 2000; ADD r, r, r; ENDREP;"), -1) << "too much code";
+  const std::string half = "REP 200; ADD r, r, 1.0; ADD r, r, r; ADD r, r, 1.0; ENDREP;";
+  EXPECT_EQ(additions(half), 600);
+  EXPECT_EQ(additions(half + half), -1) << "too much together";
   // Together they come to the cap on iterations, in the middle of the second.
   EXPECT_EQ(additions("REP 250; REP 255; REP 2; ADD r, r, 1.0; ENDREP; ENDREP; ENDREP;"), -1);
 }

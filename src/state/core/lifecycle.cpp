@@ -50,6 +50,8 @@ namespace arbiter::state {
 
 namespace {
 
+constexpr GLint kMostImageUnits = 32; ///< that the compiler numbers
+
 /// The profile's limits of the target, no higher than the host can keep: what is promised must
 /// draw.
 fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &caps) {
@@ -59,14 +61,19 @@ fp::Limits limitsOf(Target target, const host::HostTable &host, const HostCaps &
   const bool fromHost = profile.fromHost && (vertex ? caps.vertexProgram : caps.fragmentProgram);
   fp::Limits limits = fromHost ? queryHostLimits(infoOf(target).name, host, caps) : ofProfile;
   limits.nvOptions = caps.drawsNvOptions() ? ofProfile.nvOptions : 0;
-  if (fromHost)
+  // Vertex programs that sample may name the units of all stages.
+  const GLint imageUnits = vertex && limits.nvOptions >= 2
+                               ? std::min(caps.maxCombinedImageUnits, kMostImageUnits)
+                               : caps.maxTextureImageUnits;
+  if (fromHost) {
+    limits.textureImageUnits = std::uint32_t(imageUnits);
     return limits;
+  }
   const auto clamp = [](std::uint32_t &value, GLint host_) {
     value = std::min(value, std::uint32_t(std::max(host_, 0)));
   };
   clamp(limits.textureCoords, caps.maxTextureCoords);
-  clamp(limits.textureImageUnits,
-        vertex && limits.nvOptions >= 2 ? caps.maxCombinedImageUnits : caps.maxTextureImageUnits);
+  clamp(limits.textureImageUnits, imageUnits);
   clamp(limits.textureUnits, caps.maxTextureUnits);
   clamp(limits.programMatrices, caps.maxProgramMatrices);
   clamp(limits.programMatrixStackDepth, caps.maxProgramMatrixStackDepth);

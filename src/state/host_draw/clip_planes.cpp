@@ -59,8 +59,6 @@ bool clipPlanesMatter(Context &context) {
 }
 
 std::uint8_t enabledClipPlanes(Context &context) {
-  if (listsEnablePlanes(context))
-    return std::uint8_t((1u << planeCount(context)) - 1);
   if (!context.clipPlanes.maskKnown)
     askHost(context);
   return context.clipPlanes.mask;
@@ -68,7 +66,8 @@ std::uint8_t enabledClipPlanes(Context &context) {
 
 void noteClipPlanesChange(Context &context) {
   if (context.clipPlanes.used)
-    invalidateClipPlanes(context);
+    return invalidateClipPlanes(context);
+  noteClipPlanesAfterList(context); // what lists have enabled
 }
 
 void noteClipPlane(Context &context, bool enabled) {
@@ -83,12 +82,17 @@ void noteClipPlane(Context &context, bool enabled) {
     planes.used |= enabled;
     return noteClipPlanesChange(context);
   }
-  if (!enabled || listsEnablePlanes(context))
-    return;
-  context.group->listsEnableClipPlanes.store(true, std::memory_order_relaxed);
-  invalidateClipPlanes(context);
-  if (context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled)
-    context.list->cut(context); // what follows is drawn now, with the form that is effective now
+  const bool first = enabled && !listsEnablePlanes(context);
+  if (first) {
+    context.group->listsEnableClipPlanes.store(true, std::memory_order_relaxed);
+    invalidateClipPlanes(context);
+  }
+  const bool drawsNow =
+      context.listMode == GL_COMPILE_AND_EXECUTE && context.row(Target::Vertex).enabled;
+  // What follows is drawn with the form that is effective now, or, of a program that writes
+  // distances, with that of the planes which are enabled when the list comes there.
+  if ((first && drawsNow) || context.row(Target::Vertex).limits.nvOptions != 0)
+    context.list->cut(context);
 }
 
 void copyClipPlanes(const Context &from, Context &to) {
@@ -102,6 +106,14 @@ void noteClipPlanesOfLists(Context &context) {
   if (listsEnablePlanes(context) && context.linkedProgram &&
       !context.linkedProgram->vertexAssembly && context.linkedProgram->vertex.compiled &&
       context.linkedProgram->vertex.compiled->clipped)
+    invalidateProgram(context);
+}
+
+void noteClipPlanesAfterList(Context &context) {
+  if (!listsEnablePlanes(context))
+    return;
+  context.clipPlanes.maskKnown = false;
+  if (drawsWithDistances(context))
     invalidateProgram(context);
 }
 

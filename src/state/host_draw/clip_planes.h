@@ -12,8 +12,8 @@ class Context;
 /// Whether a vertex program has to be drawn in its clipped form now. Asks the host after a change,
 /// once, and only in a context that has used planes.
 [[nodiscard]] bool clipPlanesMatter(Context &context);
-/// A bit for each plane that is enabled, for programs that write distances of their own. All, where
-/// display lists may enable some.
+/// A bit for each plane that is enabled, for programs that write distances of their own. Asks the
+/// host after a change.
 [[nodiscard]] std::uint8_t enabledClipPlanes(Context &context);
 /// Planes may have been enabled or disabled, by an attribute stack or by another context. One test
 /// where none was ever enabled.
@@ -26,5 +26,7 @@ void copyClipPlanes(const Context &from, Context &to);
 /// Before a host list is called: one that was compiled since the program became effective may
 /// enable planes.
 void noteClipPlanesOfLists(Context &context);
+/// After a host list: it may have enabled or disabled planes.
+void noteClipPlanesAfterList(Context &context);
 
 } // namespace arbiter::state

@@ -8,6 +8,7 @@
 #include "host/host_table.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
+#include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
@@ -245,6 +246,7 @@ void validateForList(Context &context) {
 
 void afterHostList(Context &context) {
   noteFixedFunctionChange(context);
+  noteClipPlanesAfterList(context);
   if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
     return;
   GLint current = 0;

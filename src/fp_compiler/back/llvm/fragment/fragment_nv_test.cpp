@@ -1,23 +1,13 @@
 #include "fp_compiler/back/llvm/testing/fragment_window.h"
 #include "fp_compiler/back/llvm/testing/machine.h"
-#include "fp_compiler/compiler.h"
+#include "fp_compiler/testing/nv_program.h"
 
 /// What NVIDIA's options add to fragments, as functions over pixels.
 namespace arbiter::fp::testing {
 namespace {
 
 ir::Program nvProgram(const std::string &statements) {
-  CompileOptions options;
-  options.policy = LimitPolicy::Report;
-  options.limits.textureCoords = options.limits.textureImageUnits = 8;
-  options.limits.localParameters = 8;
-  options.limits.nvOptions = 2;
-  const std::string text = "!!ARBfp1.0\nOPTION NV_fragment_program2;\nTEMP r, s, left;\n"
-                           "ATTRIB c = fragment.texcoord[0];\n" +
-                           statements + "\nEND\n";
-  CheckResult result = checkFragmentProgram(text, options);
-  EXPECT_TRUE(result.ok()) << result.errorString(text);
-  return result.ok() ? std::move(*result.program) : ir::Program{};
+  return nvFragmentProgram("TEMP r, s, left;\nATTRIB c = fragment.texcoord[0];\n" + statements);
 }
 
 using NvFragmentTest = FragmentTest;
