@@ -14,7 +14,8 @@ FP_FIELDS(Limits, api, native, locals, envs, coords, images, units, matrices, de
           buffers, palette, indirections, atiRange, vertexUnits, clipPlanes, vertexAttribs,
           nvOptions, model, rectangles)
 FP_FIELDS(CompileOptions, limits, policy)
-FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, clipDistances, bitEncoding)
+FP_FIELDS(GlslHost, rectangle, conventions, buffers, clipPlanes, clipDistances, alphaDepths,
+          bitEncoding)
 FP_FIELDS(GlslSampler, uniform, unit, target)
 FP_FIELDS(GlslUniform, parameter)
 FP_FIELDS(GlslAttribute, name, index)

@@ -55,6 +55,9 @@ struct GlslHost {
   /// bit for each plane that is enabled, whose gl_ClipDistance is written, in GLSL 1.30. Hosts clip
   /// by what is written, enabled or not. 0 where the host has no such version.
   std::uint8_t clipDistances = 0;
+  /// A bit for each image unit that reads depths with DEPTH_TEXTURE_MODE ALPHA, for programs that
+  /// are linked to a GLSL 1.30 text: beside it Mesa reads them as INTENSITY.
+  std::uint32_t alphaDepths = 0;
   /// GL_EXT_gpu_shader4 and GL_ARB_shader_bit_encoding: integers, and the bits of a float, which
   /// Numerics::Fp24 is written in.
   bool bitEncoding = true;

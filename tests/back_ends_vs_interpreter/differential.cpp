@@ -43,9 +43,8 @@ constexpr const char *kHelp =
     "  --unwritten 1   arb, vertex: programs that read and leave what nothing wrote, which is zero "
     "on\n"
     "               the layer's paths, and undefined on others\n"
-    "  --program FILE   this text in place of generated ones (arb, vertex: as its header says); "
-    "may\n"
-    "               be given several times; a failure's seed is the number of the file, from 1\n"
+    "  --program FILE   this text in place of generated ones (its header says which stage);\n"
+    "               may be given several times; a failure's seed is the number of the file, from 1\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
@@ -133,7 +132,7 @@ bool readProgram(const char *path, Arguments &arguments) {
   }
   arguments.programs.push_back(std::move(text).str());
   if (fp::languageOfText(arguments.programs.back()) == fp::ir::Language::ArbVertex)
-    arguments.language = "vertex";
+    arguments.language = arguments.language.rfind("nv", 0) == 0 ? "nv-vertex" : "vertex";
   return true;
 }
 
@@ -149,7 +148,7 @@ bool chooseSubjects(Arguments &arguments) {
   if (arguments.programs.empty())
     return !arguments.unwritten || way.unwritten;
   const auto language =
-      arguments.language == "vertex" ? fp::ir::Language::ArbVertex : fp::ir::Language::ArbFragment;
+      way.random == runVertexSuite ? fp::ir::Language::ArbVertex : fp::ir::Language::ArbFragment;
   suite.firstSeed = 1;
   suite.count = int(arguments.programs.size());
   suite.subject = [&programs = arguments.programs, language](std::uint64_t seed) {

@@ -117,6 +117,7 @@ private:
 
   // vertex_bindings.cpp: those of vertex programs alone
   bool parseVertexAttribute(ir::Attribute &attribute);
+  bool parseVertexWeight(const Token &word, ir::Attribute &attribute);
   bool parseVertexResult(ir::Output &output);
   bool parseVertexColor(ir::Output &output);
   bool parseTexGen(ir::StateRef &ref);

@@ -53,12 +53,20 @@ private:
       line("PARAM large = { 0.0, 1e30, -1e30, 300.0 };");
       line("PARAM small = { 1e-40, -2.5e-30, 1e-20, -0.0 };");
     }
+    if (m_options.peer) { // what nothing wrote is undefined there
+      for (int i = 0; i < 5; ++i)
+        line("MOV r" + number(i) + ", program.local[" + number(i) + "];");
+      line("MOV guard, program.local[5];");
+      line("MOV bits, program.local[6];");
+    }
     if (!vertex)
       return;
     line("ADDRESS A, B;");
     line("MOV turns, 5.0;");
     line("MOV result.position, vertex.position;");
     line(m_options.peer ? "ARL A, { 0.5, 1.5, 2.5, 3.5 };" : "ARL A, { 0.5, 1.5, 2.5, -0.5 };");
+    if (m_options.peer)
+      line("ARL B, { 0.5, 1.5, 2.5, 3.5 };");
   }
 
   void results() {

@@ -14,7 +14,8 @@ struct RandomNvOptions {
   bool textures = true;
   /// Without what NVIDIA's driver does otherwise than the specifications say, or than others may:
   /// it rounds to half and fixed precision, which are the least that is asked for, PUSHA and POPA
-  /// end its compiler or its draws, and beyond an array it reads other memory.
+  /// end its compiler or its draws, beyond an array and in registers that nothing wrote it reads
+  /// other memory, and it sets condition codes before it clamps.
   bool peer = false;
   /// DDX and DDY also where fragments of a quad may have left the loop: undefined on hosts.
   bool loopDerivatives = false;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ inline constexpr std::uint32_t kSoftware = 512; ///< stays: the rasterizer may d
 inline constexpr std::uint32_t kWatch = 256; ///< stays: no frame ends here at which files are seen
 /// Stays until validate(): the host has not been given what is effective.
 inline constexpr std::uint32_t kHostPart = 1024;
+inline constexpr std::uint32_t kDepth = 2048; ///< stays: the texts have a depth mode in them
 } // namespace attention
 
 /// Where a draw goes, with the reason where that is not the layer's. The rows of the statistics.
@@ -127,6 +129,8 @@ public:
   // --- The path that draws take ---
   Path path = Path::NoProgram;
   LinkedProgram *linkedProgram = nullptr; ///< current, or null
+  /// fp::GlslHost::alphaDepths in the texts of `linkedProgram`; empty: they need not have them.
+  std::optional<std::uint32_t> alphaDepths;
   bool hostPartWaits = false;   ///< `linkedProgram` is the rasterizer's alone yet (path_choice.h)
   std::uint64_t selections = 0; ///< counts the choices of what is effective
   bool rasterizes = true;       ///< the render mode is RENDER

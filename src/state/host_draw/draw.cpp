@@ -9,6 +9,7 @@
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/host_draw/clip_planes.h"
+#include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
@@ -71,6 +72,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kHostPart;
   if (nativeInputsMayChange(context))
     bits |= attention::kState;
+  if (context.alphaDepths)
+    bits |= attention::kDepth;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -192,6 +195,8 @@ bool validatePrograms(Context &context) {
 bool validate(Context &context) {
   if (context.nv)
     refreshNativeInputs(context);
+  if ((context.attention & attention::kDepth) != 0) [[unlikely]]
+    followAlphaDepths(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {

@@ -8,9 +8,11 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/host_draw/variants/depth_variants.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_edits.h"
 #include "state/raster_draw/context_state.h"
@@ -99,9 +101,18 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
   // Linked alone it keeps all its results, for feedback and for the raster position.
   if (!context.rasterizes || context.vertexResultsMatter)
     pair.fragment = nullptr;
-  if (clipPlanesMatter(context))
-    pair.vertex = pair.vertex->clipped->of(
-        *pair.vertex, writesClipDistances(*pair.vertex) ? enabledClipPlanes(context) : 0);
+  if (clipPlanesMatter(context)) {
+    const bool distances = writesClipDistances(*pair.vertex) && context.caps.clipDistances();
+    const std::uint8_t planes = distances ? enabledClipPlanes(context) : std::uint8_t(0);
+    std::uint32_t depths = 0;
+    if (planes != 0) { // GLSL 1.30
+      depths = alphaDepthsOf(context, pair);
+      context.alphaDepths = depths;
+      if (pair.fragment && pair.fragment->depths)
+        pair.fragment = pair.fragment->depths->of(*pair.fragment, depths);
+    }
+    pair.vertex = pair.vertex->clipped->of(*pair.vertex, planes, depths);
+  }
   context.stagesAreLinked = pair.fragment != nullptr;
   return context.linkedPrograms->get(context, pair);
 }
@@ -134,6 +145,7 @@ Path choosePath(Context &context, HostPart part) {
   context.linkedProgram = nullptr;
   context.hostPartWaits = false;
   context.stagesAreLinked = false;
+  context.alphaDepths.reset();
   context.atiShaderEffective = false;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)

@@ -12,6 +12,7 @@
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/host_draw/variants/depth_variants.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_cache.h"
@@ -118,6 +119,9 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   if (target == Target::Vertex && compiled->native.language != fp::ir::NativeLanguage::None)
     compiled->arrays = std::make_shared<const ArrayVariants>(
         glslHost(context.caps), context.numerics, context.caps.clipDistances());
+  if (target == Target::Fragment)
+    compiled->depths =
+        std::make_shared<const DepthVariants>(glslHost(context.caps), context.numerics);
   if (target == Target::Vertex) {
     fp::GlslHost clipping = glslHost(context.caps);
     clipping.clipPlanes = true;

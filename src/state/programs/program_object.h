@@ -33,6 +33,7 @@ enum class Existence : std::uint8_t { Now, OnceLoaded };
 class ArrayVariants;
 class AtiVariants;
 class ClippedVariant;
+class DepthVariants;
 
 /// A program string that loaded: what every query and every draw needs of it. Immutable, so that
 /// contexts of a share group read it without a lock.
@@ -59,6 +60,8 @@ struct CompiledProgram : std::enable_shared_from_this<CompiledProgram> {
   /// Of a vertex program in one of NVIDIA's own languages, but for those forms: its forms by the
   /// arrays that it is drawn with.
   std::shared_ptr<const ArrayVariants> arrays;
+  /// Of a fragment program, or a form of an ATI shader: its forms beside GLSL 1.30.
+  std::shared_ptr<const DepthVariants> depths;
 
   [[nodiscard]] bool replaced() const { return !replacement.empty(); }
   /// The text that was compiled.

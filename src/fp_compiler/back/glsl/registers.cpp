@@ -44,8 +44,9 @@ const char *samplerType(ir::TexTarget target) {
 
 } // namespace
 
-Registers::Registers(const ir::Program &program, Numerics numerics)
-    : m_numerics(numerics), m_ofVertices(program.language == ir::Language::ArbVertex),
+Registers::Registers(const ir::Program &program, Numerics numerics, std::uint32_t alphaDepths)
+    : m_numerics(numerics), m_alphaDepths(alphaDepths),
+      m_ofVertices(program.language == ir::Language::ArbVertex),
       m_uniformArray(program.language == ir::Language::ArbVertex ? "arb_vparam" : "arb_param"),
       m_arrays(program, m_uniformArray, m_uniforms), m_temporaries(program.temporaries.size()),
       m_attributes(program.attributes.size()), m_parameters(program.parameters.size()),

@@ -16,7 +16,8 @@ class Registers {
 public:
   /// \param numerics that the program follows: under Fp24 everything from outside is read into a
   /// local of its own, rounded
-  explicit Registers(const ir::Program &program, Numerics numerics = Numerics::Host);
+  explicit Registers(const ir::Program &program, Numerics numerics = Numerics::Host,
+                     std::uint32_t alphaDepths = 0);
 
   /// Requires: the operand is not relative.
   [[nodiscard]] const RegisterText &source(ir::File file, std::uint16_t index) const;
@@ -33,6 +34,8 @@ public:
   [[nodiscard]] const std::vector<GlslAttribute> &attributes() const { return m_generics; }
   /// The registers are a vertex program's, else a fragment program's.
   [[nodiscard]] bool ofVertices() const { return m_ofVertices; }
+  /// GlslHost::alphaDepths
+  [[nodiscard]] std::uint32_t alphaDepths() const { return m_alphaDepths; }
   /// The program reads fragment.position.
   [[nodiscard]] bool readsPosition() const { return m_readsPosition; }
   /// The program samples a rectangle texture: the text needs GL_ARB_texture_rectangle.
@@ -51,6 +54,7 @@ private:
   void makeLocal(RegisterText &name, const std::string &local, const char *function);
 
   Numerics m_numerics;
+  std::uint32_t m_alphaDepths;
   bool m_ofVertices;
   std::string m_uniformArray; ///< "arb_param" or "arb_vparam"
   std::vector<GlslUniform> m_uniforms;

@@ -61,9 +61,8 @@ std::string explicitSample(const Registers &registers, const Instruction &instru
   return std::string(text.function) + "Lod" + at + ", " +
          (given ? component(registers, operand, 3) : "0.0") + ")";
 }
-} // namespace
 
-std::string sample(const Registers &registers, const Instruction &instruction) {
+std::string call(const Registers &registers, const Instruction &instruction) {
   const ir::Operand &operand = instruction.src[0];
   const TargetText text = targetText(instruction.target);
   Components coordinate = positions(ir::coordinateMask(instruction.target));
@@ -84,6 +83,13 @@ std::string sample(const Registers &registers, const Instruction &instruction) {
   const std::string bias =
       instruction.op == Opcode::Txb && text.bias ? ", " + component(registers, operand, 3) : "";
   return text.function + sampler + vector(registers, operand, coordinate) + bias + ")";
+}
+} // namespace
+
+std::string sample(const Registers &registers, const Instruction &instruction) {
+  const std::string read = call(registers, instruction);
+  const bool alpha = (registers.alphaDepths() >> instruction.unit & 1u) != 0;
+  return alpha ? "vec4(vec3(0.0), " + read + ".a)" : read;
 }
 
 } // namespace arbiter::fp::glsl

@@ -31,11 +31,27 @@ bool Parser::parseVertexAttribute(ir::Attribute &attribute) {
     return unknownWord("a vertex attribute",
                        {"position", "normal", "color", "fogcoord", "texcoord", "attrib"});
   const Token word = m_tokens.next();
+  if (weight && m_limits.nvOptions != 0)
+    return parseVertexWeight(word, attribute);
   error(DiagnosticId::AttributeExtension, word.span,
         "vertex." + std::string(text(word)) + " needs " +
             (weight ? "ARB_vertex_blend" : "ARB_matrix_palette") + ", which is not offered",
         "pass it as a generic attribute, vertex.attrib[n]");
   return false;
+}
+
+/// vertex.weight where NVIDIA's programs are offered: that vendor's drivers have neither
+/// EXT_vertex_weighting nor ARB_vertex_blend, and read generic attribute 1, which the weights alias
+/// (ARB_vertex_program, table X.2). Both names in one program are one attribute there.
+bool Parser::parseVertexWeight(const Token &word, ir::Attribute &attribute) {
+  std::uint32_t index = 0;
+  if (!parseOptionalIndex(1, DiagnosticId::AttributeIndex, "vertex weight", index))
+    return false;
+  attribute = {ir::AttributeKind::Generic, 1};
+  m_reporter.warning(DiagnosticId::AttributeExtension, word.span,
+                     "vertex.weight without ARB_vertex_blend is generic attribute 1",
+                     "weights are given by VertexAttrib4fARB(1, ...) or its array");
+  return true;
 }
 
 /// <resultBinding>, after its dot.

@@ -235,7 +235,9 @@ bool NativeParser::parseVertexResult(const Token &name, ir::Output &output) {
   }
   error(DiagnosticId::UnknownBinding, name.span, "there is no result " + quote(word),
         didYouMean(word, {"HPOS", "COL0", "COL1", "BFC0", "BFC1", "FOGC", "PSIZ", "TEX0"},
-                   "the results are HPOS, COL0, COL1, BFC0, BFC1, FOGC, PSIZ, TEX0 to TEX7"));
+                   std::string("the results are HPOS, COL0, COL1, BFC0, BFC1, FOGC, PSIZ, TEX0 to "
+                               "TEX7") +
+                       (m_traits.language == ir::NativeLanguage::Vp2 ? ", CLP0 to CLP5" : "")));
   return false;
 }
 

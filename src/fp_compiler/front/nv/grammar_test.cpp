@@ -246,5 +246,22 @@ TEST(NvGrammar, EveryOpcodeOfTheOptionsAndNoOther) {
   }
 }
 
+TEST(NvGrammar, WeightIsGenericAttributeOne) {
+  judge({{kV2, "MOV result.position, vertex.weight;", ""},
+         {kV3, "MOV result.position, vertex.weight[0];", ""},
+         {kV2, "ATTRIB w = vertex.weight; ADD result.position, w, vertex.attrib[1];", ""},
+         {kV2, "MOV result.position, vertex.weight[@1];", "attribute-index"},
+         {kV2, "MOV result.position, vertex.@matrixindex[0];", "attribute-extension"}});
+  // Without an option too, where the profile has them.
+  const std::string plain = "!!ARBvp1.0\nMOV result.position, vertex.weight;\nEND\n";
+  const CheckResult loads = check(plain, nvidia(1));
+  ASSERT_TRUE(loads.ok());
+  ASSERT_EQ(loads.program->attributes.size(), 1u);
+  EXPECT_EQ(loads.program->attributes[0].kind, ir::AttributeKind::Generic);
+  EXPECT_EQ(loads.program->attributes[0].index, 1);
+  EXPECT_EQ(loads.diagnostics.size(), 1u) << "a warning";
+  EXPECT_EQ(firstError(check(plain, nvidia(0))), "attribute-extension");
+}
+
 } // namespace
 } // namespace arbiter::fp

@@ -42,6 +42,18 @@ inline CompileOptions generous() {
   return options;
 }
 
+/// Small, and with NVIDIA's options and languages where the text is of those.
+inline CompileOptions smallFor(std::string_view text) {
+  CompileOptions options = small();
+  const bool native = text.starts_with("!!FP") || text.starts_with("!!V");
+  if (!native && text.find("OPTION NV_") == std::string_view::npos)
+    return options;
+  options.limits.nvOptions = 2;
+  options.limits.clipPlanes = 6;
+  options.limits.api.addressRegisters = options.limits.native.addressRegisters = 2;
+  return options;
+}
+
 /// In the language that the header names; fragment programs where there is none.
 inline CheckResult check(std::string_view text, const CompileOptions &options = small()) {
   return checkProgram(languageOfText(text).value_or(ir::Language::ArbFragment), text, options);

@@ -49,28 +49,18 @@ std::shared_ptr<const CompiledProgram> ArrayVariants::of(const CompiledProgram &
   arrays &= kBoth & whole.native.attributes;
   if (arrays == 0)
     return whole.shared_from_this();
-  const std::lock_guard lock(m_mutex);
-  for (const Form &form : m_forms)
-    if (form.first == arrays)
-      return form.second;
-  auto form = std::make_shared<CompiledProgram>(whole);
-  form->arrays = nullptr; // it would keep itself
-  form->program = withArrays(*whole.program, arrays);
-  form->glsl = fp::emitGlsl(*form->program, m_host, m_numerics);
-  fp::GlslHost clipping = m_host;
-  clipping.clipPlanes = true;
-  form->clipped = std::make_shared<const ClippedVariant>(clipping, m_numerics, m_distances);
-  if (debugFlag(DebugFlag::Glsl))
-    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
-  return m_forms.emplace_back(arrays, std::move(form)).second;
-}
-
-std::vector<std::shared_ptr<const CompiledProgram>> ArrayVariants::all() const {
-  const std::lock_guard lock(m_mutex);
-  std::vector<std::shared_ptr<const CompiledProgram>> forms;
-  for (const Form &form : m_forms)
-    forms.push_back(form.second);
-  return forms;
+  return m_forms.of(arrays, [&] {
+    auto form = std::make_shared<CompiledProgram>(whole);
+    form->arrays = nullptr; // it would keep itself
+    form->program = withArrays(*whole.program, arrays);
+    form->glsl = fp::emitGlsl(*form->program, m_host, m_numerics);
+    fp::GlslHost clipping = m_host;
+    clipping.clipPlanes = true;
+    form->clipped = std::make_shared<const ClippedVariant>(clipping, m_numerics, m_distances);
+    if (debugFlag(DebugFlag::Glsl))
+      logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+    return form;
+  });
 }
 
 } // namespace arbiter::state

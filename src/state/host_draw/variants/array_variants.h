@@ -1,15 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <utility>
 #include <vector>
 
 #include "fp_compiler/emit.h"
+#include "state/host_draw/variants/forms.h"
 
 namespace arbiter::state {
-
-struct CompiledProgram;
 
 /// The forms of a vertex program of NVIDIA's own languages by the arrays that it is drawn with.
 /// v[n] is the conventional attribute of that number (NV_vertex_program, table X.2), but where
@@ -30,16 +27,15 @@ public:
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
                                                           std::uint32_t arrays) const;
   /// The forms there are.
-  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const;
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {
+    return m_forms.all();
+  }
 
 private:
-  using Form = std::pair<std::uint32_t, std::shared_ptr<const CompiledProgram>>;
-
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
   bool m_distances;
-  mutable std::mutex m_mutex;
-  mutable std::vector<Form> m_forms;
+  Forms<std::uint32_t> m_forms;
 };
 
 } // namespace arbiter::state

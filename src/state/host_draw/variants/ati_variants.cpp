@@ -1,8 +1,7 @@
 #include "state/host_draw/variants/ati_variants.h"
 
-#include <algorithm>
-
 #include "fp_compiler/back/assembly/assembly.h"
+#include "state/host_draw/variants/depth_variants.h"
 #include "state/programs/program_object.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -33,31 +32,21 @@ AtiVariants::AtiVariants(fp::ir::Program program, fp::GlslHost host, fp::Numeric
 std::shared_ptr<const CompiledProgram> AtiVariants::under(const CompiledProgram &whole,
                                                           const fp::FixedFunction &state) const {
   const fp::FixedFunction seen = seenBy(m_units, state);
-  const std::lock_guard lock(m_mutex);
-  const auto it = std::find_if(m_forms.begin(), m_forms.end(),
-                               [&](const Form &form) { return form.first == seen; });
-  if (it != m_forms.end())
-    return it->second;
-  auto form = std::make_shared<CompiledProgram>();
-  form->target = whole.target;
-  form->hash = whole.hash;
-  fp::ir::Program program = fp::withFixedFunction(m_program, seen);
-  form->glsl = fp::emitGlsl(program, m_host, m_numerics);
-  form->program = std::make_shared<const fp::ir::Program>(program);
-  form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
-  if (whole.replaced())
-    form->replacement = form->text; // it is emitted from the replacement
-  if (debugFlag(DebugFlag::Glsl))
-    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
-  return m_forms.emplace_back(seen, std::move(form)).second;
-}
-
-std::vector<std::shared_ptr<const CompiledProgram>> AtiVariants::all() const {
-  const std::lock_guard lock(m_mutex);
-  std::vector<std::shared_ptr<const CompiledProgram>> forms;
-  for (const Form &form : m_forms)
-    forms.push_back(form.second);
-  return forms;
+  return m_forms.of(seen, [&] {
+    auto form = std::make_shared<CompiledProgram>();
+    form->target = whole.target;
+    form->hash = whole.hash;
+    fp::ir::Program program = fp::withFixedFunction(m_program, seen);
+    form->glsl = fp::emitGlsl(program, m_host, m_numerics);
+    form->program = std::make_shared<const fp::ir::Program>(program);
+    form->depths = std::make_shared<const DepthVariants>(m_host, m_numerics);
+    form->text = fp::emitAssembly(fp::asArbFragment(std::move(program)));
+    if (whole.replaced())
+      form->replacement = form->text; // it is emitted from the replacement
+    if (debugFlag(DebugFlag::Glsl))
+      logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+    return form;
+  });
 }
 
 } // namespace arbiter::state

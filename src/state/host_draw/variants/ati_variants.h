@@ -1,17 +1,14 @@
 #pragma once
 #include <array>
 #include <memory>
-#include <mutex>
-#include <utility>
 #include <vector>
 
 #include "fp_compiler/emit.h"
 #include "fp_compiler/fixed_function.h"
 #include "fp_compiler/ir/ir.h"
+#include "state/host_draw/variants/forms.h"
 
 namespace arbiter::state {
-
-struct CompiledProgram;
 
 /// An ATI fragment shader, and what it becomes under the fixed-function state of draws: its samples
 /// name no texture targets, and fog and colour sum follow it. Each form is emitted once; contexts
@@ -29,17 +26,16 @@ public:
   [[nodiscard]] std::shared_ptr<const CompiledProgram> under(const CompiledProgram &whole,
                                                              const fp::FixedFunction &state) const;
   /// The forms there are.
-  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const;
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {
+    return m_forms.all();
+  }
 
 private:
-  using Form = std::pair<fp::FixedFunction, std::shared_ptr<const CompiledProgram>>;
-
   fp::ir::Program m_program;
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
   std::uint32_t m_units = 0;
-  mutable std::mutex m_mutex;
-  mutable std::vector<Form> m_forms;
+  Forms<fp::FixedFunction> m_forms;
 };
 
 } // namespace arbiter::state

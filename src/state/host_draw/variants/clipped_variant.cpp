@@ -13,28 +13,22 @@ bool writesClipDistances(const CompiledProgram &compiled) {
 }
 
 std::shared_ptr<const CompiledProgram> ClippedVariant::of(const CompiledProgram &whole,
-                                                          std::uint8_t planes) const {
-  const std::uint8_t key = writesClipDistances(whole) && m_distances ? planes : std::uint8_t(0);
-  const std::lock_guard lock(m_mutex);
-  std::shared_ptr<const CompiledProgram> &known = m_forms[key];
-  if (known)
-    return known;
-  auto form = std::make_shared<CompiledProgram>(whole);
-  form->clipped = nullptr; // it would keep itself
-  fp::GlslHost host = m_host;
-  host.clipDistances = key;
-  form->glsl = fp::emitGlsl(*whole.program, host, m_numerics);
-  if (debugFlag(DebugFlag::Glsl))
-    logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
-  return known = std::move(form);
-}
-
-std::vector<std::shared_ptr<const CompiledProgram>> ClippedVariant::made() const {
-  const std::lock_guard lock(m_mutex);
-  std::vector<std::shared_ptr<const CompiledProgram>> forms;
-  for (const auto &each : m_forms)
-    forms.push_back(each.second);
-  return forms;
+                                                          std::uint8_t planes,
+                                                          std::uint32_t alphaDepths) const {
+  Key key = {};
+  if (writesClipDistances(whole) && m_distances)
+    key = {planes, alphaDepths};
+  return m_forms.of(key, [&] {
+    auto form = std::make_shared<CompiledProgram>(whole);
+    form->clipped = nullptr; // it would keep itself
+    fp::GlslHost host = m_host;
+    host.clipDistances = key.planes;
+    host.alphaDepths = key.alphaDepths;
+    form->glsl = fp::emitGlsl(*whole.program, host, m_numerics);
+    if (debugFlag(DebugFlag::Glsl))
+      logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+    return form;
+  });
 }
 
 } // namespace arbiter::state

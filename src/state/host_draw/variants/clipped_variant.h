@@ -1,14 +1,11 @@
 #pragma once
-#include <map>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "fp_compiler/emit.h"
+#include "state/host_draw/variants/forms.h"
 
 namespace arbiter::state {
-
-struct CompiledProgram;
 
 /// True if what clips the program's vertices is what it writes: one of NVIDIA's
 /// (ir::Options::clipsByDistances()). Each form of it writes gl_ClipDistance.
@@ -29,17 +26,24 @@ public:
 
   /// The form of `whole`, which this is the one of. Any thread may call it.
   /// \param planes a bit for each that is enabled
-  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
-                                                          std::uint8_t planes) const;
+  /// \param alphaDepths fp::GlslHost's, where it writes distances
+  [[nodiscard]] std::shared_ptr<const CompiledProgram>
+  of(const CompiledProgram &whole, std::uint8_t planes, std::uint32_t alphaDepths = 0) const;
   /// The forms that were asked for.
-  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> made() const;
+  [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {
+    return m_forms.all();
+  }
 
 private:
+  struct Key {
+    std::uint8_t planes;
+    std::uint32_t alphaDepths;
+    bool operator==(const Key &) const = default;
+  };
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
   bool m_distances;
-  mutable std::mutex m_mutex;
-  mutable std::map<std::uint8_t, std::shared_ptr<const CompiledProgram>> m_forms;
+  Forms<Key> m_forms;
 };
 
 } // namespace arbiter::state

@@ -5,21 +5,21 @@
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/host_draw/variants/depth_variants.h"
 
 namespace arbiter::state {
 
 void dropVariants(Context &context, const CompiledProgram &compiled) {
-  if (compiled.arrays)
-    for (const auto &form : compiled.arrays->all())
-      dropVariants(context, *form); // which has no such forms
   context.linkedPrograms->drop(context, &compiled);
-  if (compiled.clipped)
-    for (const auto &form : compiled.clipped->made())
-      context.linkedPrograms->drop(context, form.get());
-  if (!compiled.ati)
-    return;
-  for (const auto &form : compiled.ati->all())
-    context.linkedPrograms->drop(context, form.get());
+  const auto dropAll = [&](const auto &variants) {
+    if (variants)
+      for (const auto &form : variants->all())
+        dropVariants(context, *form); // which has no such forms
+  };
+  dropAll(compiled.arrays);
+  dropAll(compiled.clipped);
+  dropAll(compiled.ati);
+  dropAll(compiled.depths);
 }
 
 } // namespace arbiter::state

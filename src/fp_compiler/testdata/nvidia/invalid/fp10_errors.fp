@@ -1,0 +1,11 @@
+!!FP1.0
+DEFINE one = {1, 1, 1, 1};
+DECLARE one;
+MOVR R40, f[COL0];
+MOVR R0, f[TEX9];
+TEX R0, f[TEX0], TEX16, 2D;
+ADDR R1, p[0], p[1];
+MOVH o[COLR], R0;
+FOO R0, R0;
+KIL R0;
+END

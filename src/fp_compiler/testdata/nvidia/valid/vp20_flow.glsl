@@ -1,0 +1,78 @@
+#version 120
+uniform vec4 arb_vparam[4];
+int arb_times(float x) { return x >= 1.0 ? int(min(x, 65000.0)) : 0; }
+void main() {
+  vec4 t0 = vec4(0.0);
+  vec4 t1 = vec4(0.0);
+  vec4 t2 = vec4(0.0);
+  vec4 t3 = vec4(0.0);
+  vec4 t4 = vec4(0.0);
+  vec4 t5 = vec4(0.0);
+  vec4 t6 = vec4(0.0);
+  vec4 t7 = vec4(0.0);
+  vec4 t8 = vec4(0.0);
+  vec4 t9 = vec4(0.0);
+  vec4 t10 = vec4(0.0);
+  vec4 t11 = vec4(0.0);
+  vec4 t12 = vec4(0.0);
+  vec4 t13 = vec4(0.0);
+  vec4 t14 = vec4(0.0);
+  float arb_clip0 = 0.0;
+  float arb_clip5 = 0.0;
+  int arb_left = 65000;
+  t2 = vec4(0.0, 0.0, 0.0, 1.0);
+  t3 = vec4(0.0, 0.0, 0.0, 1.0);
+  t4 = vec4(0.0, 0.0, 0.0, 1.0);
+  t5 = vec4(0.0, 0.0, 0.0, 1.0);
+  t6.x = 1.0;
+  t7.x = 0.0;
+  t8.x = 0.0;
+  int arb_n0 = arb_times(65000.0);
+  for (int arb_i0 = 0; arb_i0 < arb_n0 && arb_left > 0; ++arb_i0) {
+  --arb_left;
+  t7.x = t7.x + t6.x;
+  t6.x = 0.0;
+  t9 = gl_Vertex;
+  t2 = -t7.x < 0.0 ? t9 : t2;
+  t9 = arb_vparam[0];
+  t0 = -t7.x < 0.0 ? t9 : t0;
+  t9.x = arb_vparam[1].x;
+  t1.x = -t7.x < 0.0 ? t9.x : t1.x;
+  t7.x = t7.x + t8.x;
+  t8.x = 0.0;
+  t9 = vec4(not(equal(t10.xxxx, vec4(0.0))));
+  t11.x = t9.x;
+  t11.x = t11.x * t7.x;
+  t9 = t0 + t0;
+  t0 = -t11.x < 0.0 ? t9 : t0;
+  t10 = -t11.x < 0.0 ? t9 : t10;
+  t9.w = float(0.0 < t10.w);
+  t12.w = t9.w * t11.x;
+  t13.w = arb_vparam[2].w;
+  t0.w = -t12.w < 0.0 ? t13.w : t0.w;
+  t9.x = t1.x - arb_vparam[3].x;
+  t1.x = -t7.x < 0.0 ? t9.x : t1.x;
+  t10.x = -t7.x < 0.0 ? t9.x : t10.x;
+  t9 = vec4(lessThan(vec4(0.0), t10.xxxx));
+  t14.x = t9.x;
+  t12.x = t14.x * t7.x;
+  t8.x = t8.x + t12.x;
+  t13.x = t14.x * t7.x;
+  t7.x = t7.x - t13.x;
+  t9 = t0;
+  t3 = -t7.x < 0.0 ? t9 : t3;
+  t9.x = gl_Vertex.x;
+  t4.x = -t7.x < 0.0 ? t9.x : t4.x;
+  t9.x = t0.y;
+  t5.x = -t7.x < 0.0 ? t9.x : t5.x;
+  t7.x = t7.x - t7.x;
+  t9.x = 0.0 + t8.x;
+  t12.x = float(t9.x == 0.0);
+  if (t12.x != 0.0) break;
+  t7.x = 0.0;
+  }
+  gl_Position = t2;
+  gl_FrontColor = t3;
+  arb_clip0 = t4.x;
+  arb_clip5 = t5.x;
+}

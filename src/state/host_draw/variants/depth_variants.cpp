@@ -1,0 +1,26 @@
+#include "state/host_draw/variants/depth_variants.h"
+
+#include "fp_compiler/ir/ir.h"
+#include "state/programs/program_object.h"
+#include "util/flags.h"
+#include "util/log.h"
+
+namespace arbiter::state {
+
+std::shared_ptr<const CompiledProgram> DepthVariants::of(const CompiledProgram &whole,
+                                                         std::uint32_t alphaDepths) const {
+  if (alphaDepths == 0)
+    return whole.shared_from_this();
+  return m_forms.of(alphaDepths, [&] {
+    auto form = std::make_shared<CompiledProgram>(whole);
+    form->depths = nullptr; // it would keep itself
+    fp::GlslHost host = m_host;
+    host.alphaDepths = alphaDepths;
+    form->glsl = fp::emitGlsl(*whole.program, host, m_numerics);
+    if (debugFlag(DebugFlag::Glsl))
+      logText(LogLevel::Debug, "state", toHex(form->hash), form->glsl.text);
+    return form;
+  });
+}
+
+} // namespace arbiter::state
