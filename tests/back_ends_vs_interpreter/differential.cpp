@@ -44,7 +44,8 @@ constexpr const char *kHelp =
     "on\n"
     "               the layer's paths, and undefined on others\n"
     "  --program FILE   this text in place of generated ones (its header says which stage);\n"
-    "               may be given several times; a failure's seed is the number of the file, from 1\n"
+    "               may be given several times; a failure's seed is the number of the file, from "
+    "1\n"
     "  --failures   folder for the text, the reason and a picture (drawn | expected) of failures\n"
     "Exit status: 0 all agree, 1 some differ, 2 bad usage, 77 no GL context.\n";
 
