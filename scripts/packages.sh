@@ -14,7 +14,7 @@ packages_build=(
 
 # `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
-  libgtest-dev libgmock-dev glslang-tools xvfb xauth piglit
+  libgtest-dev libgmock-dev lld glslang-tools xvfb xauth piglit
   libsdl2-dev libglew-dev chromium vim nodejs libjemalloc2 libtcmalloc-minimal4 locales valgrind
 )
 
