@@ -102,7 +102,7 @@ def arguments():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--results", type=pathlib.Path, required=True)
     parser.add_argument("--set", choices=("quick", "named", "full"), default="named")
-    parser.add_argument("--profiles", default="host,r300,r300:report,swrast",
+    parser.add_argument("--profiles", default="host,r300,r300:report,nv40,swrast",
                         help="names, each with :report for ARBITER_LIMITS=report; swrast and auto "
                              "are the profile host with that ARBITER_BACKEND, swrast-fixed and "
                              "auto-fixed also with ARBITER_FIXED_FUNCTION=always")
