@@ -13,6 +13,7 @@
  *
  * The variables below rule the layer; arbiter(7) gives their values. They are read once, when the
  * library is loaded or first used; a value that cannot be used is reported in the log and ignored.
+ * Where one is not set, a default for the program may hold (arbiter-defaults(5)).
  */
 #ifndef GL_ARBITER_H
 #define GL_ARBITER_H
@@ -40,6 +41,7 @@
 #define ARBITER_ENV_IDENTITY "ARBITER_IDENTITY"
 #define ARBITER_ENV_EXTENSIONS_MAX_YEAR "ARBITER_EXTENSIONS_MAX_YEAR"
 #define ARBITER_ENV_EXTENSIONS_MAX_LENGTH "ARBITER_EXTENSIONS_MAX_LENGTH"
+#define ARBITER_ENV_DEFAULTS "ARBITER_DEFAULTS"
 #define ARBITER_ENV_CACHE "ARBITER_CACHE"
 #define ARBITER_ENV_CACHE_MAX_MB "ARBITER_CACHE_MAX_MB"
 #define ARBITER_ENV_STATS "ARBITER_STATS"
@@ -53,12 +55,15 @@
 #define ARBITER_ENV_HOST_OSMESA "ARBITER_HOST_OSMESA"
 
 /* The "schema" number at the top of the JSON that ARBITER_STATS, `arbiter check --json`,
- * `arbiter capture` (index.json, process-*.json) and `arbiter report --json` write.
+ * `arbiter capture` (index.json, process-*.json), `arbiter report --json`,
+ * `arbiter defaults --json` and `arbiter doctor --json` write.
  * It changes when a member changes its meaning or goes; a new member does not change it. */
 #define ARBITER_STATS_SCHEMA 2
 #define ARBITER_CHECK_SCHEMA 1
 #define ARBITER_CAPTURE_SCHEMA 1
 #define ARBITER_REPORT_SCHEMA 1
+#define ARBITER_DEFAULTS_SCHEMA 1
+#define ARBITER_DOCTOR_SCHEMA 1
 
 /* GL_ARBITER_feedback is in the extension string of contexts whose programs are Arbiter's. There is
  * nothing new to learn: glReadBuffer and glCopyTexSubImage2D are what they always were, and where

@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include "interposer/first.h"
+#include "util/defaults/choice.h"
+#include "util/flags.h"
 #include "util/log.h"
 #include "util/unwinder.h"
 
@@ -43,21 +45,41 @@ bool holds(const std::string &file, const std::string &text) {
   return std::string_view(buffer, bytes).find(text) != std::string_view::npos;
 }
 
+/// This library's path without symbolic links; empty if it cannot be told.
+std::string ownPath() {
+  Dl_info self;
+  if (!dladdr(reinterpret_cast<const void *>(&ownPath), &self) || !self.dli_fname)
+    return {};
+  char *const real = realpath(self.dli_fname, nullptr);
+  std::string library = real ? real : "";
+  free(real);
+  return library;
+}
+
 /// The ICD file that leads to this library; empty if it lies nowhere near. A path also serves child
 /// processes that lose LD_PRELOAD; in an installation that was moved only the name is right.
 std::string ownIcdFile() {
-  Dl_info self;
-  if (!dladdr(reinterpret_cast<const void *>(&ownIcdFile), &self) || !self.dli_fname)
+  const std::string library = ownPath();
+  if (library.empty())
     return {};
-  char *const real = realpath(self.dli_fname, nullptr);
-  if (!real)
-    return {};
-  const std::string library = real;
-  free(real);
   const std::string folder = library.substr(0, library.rfind('/'));
   if (holds(folder + kIcdByPath, '"' + library + '"'))
     return folder + kIcdByPath;
   return access((folder + kIcdByName).c_str(), R_OK) == 0 ? folder + kIcdByName : std::string();
+}
+
+/// The defaults that came with this library: beside it in the build tree, else in the
+/// installation's share/, by the way from here, as an installation may be moved as a whole.
+std::string shippedDefaults() {
+  const std::string library = ownPath();
+  if (library.empty())
+    return {};
+  const std::string folder = library.substr(0, library.rfind('/'));
+  std::string beside = folder + "/arbiter/defaults.d";
+  if (access(beside.c_str(), R_OK) == 0)
+    return beside;
+  const std::string installed = ARBITER_DEFAULTS_FROM_LIBRARY;
+  return installed.front() == '/' ? installed : folder + "/" + installed;
 }
 
 bool endsWith(const char *text, const char *end) {
@@ -129,6 +151,8 @@ const char *savedEglVendors() {
   return g_savedEgl;
 }
 
+const defaults::Choice &ownDefaults() { return defaults::ownChoice(shippedDefaults()); }
+
 void fatal(const char *format, ...) {
   std::fputs("arbiter: ", stderr);
   va_list arguments;
@@ -140,3 +164,26 @@ void fatal(const char *format, ...) {
 }
 
 } // namespace arbiter::interposer
+
+namespace arbiter {
+
+// flags.h has both. The first question reads the files; settings() asks at the first use of GL.
+
+const char *fallbackValue(const char *name) {
+  for (const defaults::Setting &setting : interposer::ownDefaults().settings)
+    if (std::strcmp(info(setting.key->variable).name, name) == 0)
+      return setting.value->text.c_str();
+  return nullptr;
+}
+
+void reportFallbacks() {
+  for (const defaults::File &file : interposer::ownDefaults().files)
+    for (const std::string &error : file.errors)
+      logWarn("defaults", "%s; the rest holds", error.c_str());
+  for (const defaults::Setting &setting : interposer::ownDefaults().settings)
+    if (setting.used)
+      logInfo("defaults", "%s=%s for %s (%s)", info(setting.key->variable).name,
+              setting.value->text.c_str(), setting.entry->title.c_str(), setting.place().c_str());
+}
+
+} // namespace arbiter

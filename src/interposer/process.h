@@ -1,5 +1,9 @@
 #pragma once
 
+namespace arbiter::defaults {
+struct Choice;
+} // namespace arbiter::defaults
+
 /// What the library knows about the process it lives in, read in its constructor.
 namespace arbiter::interposer {
 
@@ -11,6 +15,10 @@ namespace arbiter::interposer {
 /// where there was none.
 [[nodiscard]] const char *savedGlxVendor();
 [[nodiscard]] const char *savedEglVendors();
+
+/// The defaults for this program: read when they are first asked for, which settings() does at the
+/// first use of GL.
+[[nodiscard]] const defaults::Choice &ownDefaults();
 
 /// Ends the process with a message: the only way out where going on would recurse without end.
 [[noreturn, gnu::format(printf, 1, 2)]] void fatal(const char *format, ...);

@@ -1,5 +1,6 @@
 #include "util/flags.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <unistd.h>
@@ -46,6 +47,11 @@ std::string quoted(std::string_view value) {
   return text + (value.size() > 40 ? "...\"" : "\"");
 }
 
+bool hasControl(std::string_view value) {
+  return std::any_of(value.begin(), value.end(),
+                     [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; });
+}
+
 /// Collects warnings that begin with a variable's name.
 struct Reader {
   const std::function<const char *(const char *)> &lookup;
@@ -65,11 +71,9 @@ struct Reader {
       warn(variable, "longer than " + std::to_string(kMaxEnvBytes) + " bytes");
       return {};
     }
-    for (const char c : value) {
-      if ((c >= 0 && c < 0x20) || c == 0x7F) {
-        warn(variable, "a control character in the value");
-        return {};
-      }
+    if (hasControl(value)) {
+      warn(variable, "a control character in the value");
+      return {};
     }
     return value;
   }
@@ -233,12 +237,18 @@ void readHostVendor(Reader &reader, Settings &result) {
 const Settings *readProcess() {
   std::vector<std::string> warnings;
   auto *result = new Settings(parseSettings(
-      [](const char *name) -> const char * { return ::secure_getenv(name); }, warnings));
+      [](const char *name) -> const char * {
+        const char *const set = ::secure_getenv(name);
+        return set != nullptr || fallbackValue == nullptr ? set : fallbackValue(name);
+      },
+      warnings));
   if (!configureLog(result->logLevel, result->logPath.c_str()))
     warnings.push_back("ARBITER_LOG: cannot open the file (it must be a regular file, no symbolic "
                        "link); logging to standard error");
   for (const std::string &warning : warnings)
     logWarn("settings", "%s", warning.c_str());
+  if (reportFallbacks != nullptr)
+    reportFallbacks();
   if (result->has(DebugFlag::Help))
     writeAll(STDERR_FILENO, flagsHelp());
   return result;
@@ -250,11 +260,16 @@ std::span<const EnvInfo> environmentTable() { return kEnvironment; }
 std::span<const DebugFlagInfo> debugFlagTable() { return kDebugFlags; }
 const EnvInfo &info(Env variable) { return kEnvironment[std::size_t(variable)]; }
 
+bool isUsable(std::string_view value) {
+  return value.size() <= kMaxEnvBytes && !hasControl(value);
+}
+
 Settings parseSettings(const std::function<const char *(const char *)> &lookup,
                        std::vector<std::string> &warnings) {
   Settings result;
   Reader reader{lookup, warnings};
   readLog(reader, result);
+  static_cast<void>(reader.read(Env::Defaults)); // for the warning; util/defaults follows it
   readDebug(reader, result);
   readLimits(reader, result);
   readHostVendor(reader, result);

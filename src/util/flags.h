@@ -72,14 +72,25 @@ struct Settings {
 /// Longer values are refused: no path or list that is meant can be longer.
 inline constexpr std::size_t kMaxEnvBytes = 4096;
 
+/// Not longer than that, and without control characters.
+[[nodiscard]] bool isUsable(std::string_view value);
+
 /// Parses values as `lookup` gives them (nullptr: not set). A value that cannot be used leaves the
 /// default and adds one line to `warnings`.
 [[nodiscard]] Settings parseSettings(const std::function<const char *(const char *)> &lookup,
                                      std::vector<std::string> &warnings);
 
+/// The value of a variable that the environment does not have; null: none. The layer's library
+/// defines it (interposer/process.cpp): there defaults of single programs hold. Other programs
+/// have none.
+[[gnu::weak, gnu::visibility("hidden")]] const char *fallbackValue(const char *name);
+/// Logs what fallbackValue() found wrong, and what it gives; called when the log is open.
+[[gnu::weak, gnu::visibility("hidden")]] void reportFallbacks();
+
 /// This process's settings: read by secure_getenv once, at the first call (none in a set-user-id
-/// program). The first call also opens the log, writes the warnings to it, and prints the help if
-/// asked. Never throws; later changes of the environment are not seen.
+/// program), and where that has no variable by fallbackValue(). The first call also opens the log,
+/// writes the warnings to it, and prints the help if asked. Never throws; later changes of the
+/// environment are not seen.
 [[nodiscard]] const Settings &settings() noexcept;
 
 /// Shorthand for settings().has(flag); keep the answer where calls are hot.

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,10 @@ struct Hash128 {
 };
 
 [[nodiscard]] Hash128 hashBytes(std::string_view bytes);
+
+/// The same of a regular file's bytes, read piece by piece. Nothing if it cannot be read; errno is
+/// set.
+[[nodiscard]] std::optional<Hash128> hashFile(const char *path);
 
 /// 32 lower-case hexadecimal digits.
 [[nodiscard]] std::string toHex(const Hash128 &hash);

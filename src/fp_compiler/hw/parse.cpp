@@ -118,7 +118,7 @@ Result<Profile, ProfileError> parseProfile(std::string_view text, std::string_vi
     if (!readProfile(reader, profile, parsed.table()))
       return ProfileError{reader.error};
     return profile;
-  } catch (const ParserBroken &) {
+  } catch (const TomlParserBroken &) {
     return ProfileError{std::string(path) + ": not TOML: a stray bracket or an odd character where "
                                             "a name should be"};
   }

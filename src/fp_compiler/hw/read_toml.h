@@ -4,31 +4,9 @@
 
 #include "fp_compiler/hw/names.h"
 #include "fp_compiler/hw/profile.h"
+#include "util/toml.h"
 
-/// What the readers of a profile's tables share; for those files alone, which are the only ones
-/// that see the TOML library.
-namespace arbiter::fp::hw {
-/// Thrown where the TOML parser finds itself in a state that it holds to be impossible.
-struct ParserBroken {};
-constexpr void require(bool possible) {
-  if (!possible)
-    throw ParserBroken();
-}
-} // namespace arbiter::fp::hw
-
-// toml++ 3.3 asserts, or in a release build assumes, what bad text can break ("[[["). In a library
-// that lives in an application that must be an error, whatever the build type.
-#pragma push_macro("NDEBUG")
-#undef NDEBUG
-#define TOML_ASSERT(expr) ::arbiter::fp::hw::require(bool(expr))
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
-#define TOML_ENABLE_FORMATTERS 0
-#define TOML_INT_CHARCONV 1
-#define TOML_FLOAT_CHARCONV 1 // else it brings iostreams and locales into every application
-#include <toml++/toml.h>
-#pragma pop_macro("NDEBUG")
-
+/// What the readers of a profile's tables share; for those files alone, which see the TOML library.
 namespace arbiter::fp::hw {
 
 /// Collects the first error, with its place.

@@ -1,5 +1,6 @@
 #include "state/core/active_profile.h"
 
+#include "util/defaults/choice.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -11,8 +12,11 @@ const fp::hw::Profile &activeProfile() {
     if (loaded)
       return static_cast<const fp::hw::Profile *>(
           new fp::hw::Profile(std::move(loaded).value())); // lives as long as the process
-    logWarn("state", "%s; going on with profile %s", loaded.error().message.c_str(),
-            std::string(fp::hw::kDefaultProfile).c_str());
+    const defaults::Choice *const choice = defaults::ownChoiceIfRead();
+    const defaults::Setting *const from = choice ? choice->find(Env::Profile) : nullptr;
+    logWarn("state", "%s%s; going on with profile %s",
+            from && from->used ? (from->place() + ": ").c_str() : "",
+            loaded.error().message.c_str(), std::string(fp::hw::kDefaultProfile).c_str());
     return fp::hw::findBuiltin(fp::hw::kDefaultProfile);
   }();
   return *s_profile;

@@ -6,6 +6,7 @@
 #include "fp_compiler/resources.h"
 #include "state/core/active_profile.h"
 #include "state/report/statistics.h"
+#include "util/defaults/report.h"
 #include "util/flags.h"
 #include "util/json.h"
 #include "util/record/record_text.h"
@@ -114,6 +115,8 @@ FrameText frameText(const std::vector<ContextRow> &contexts) {
   json.key("profile").value(settings().profile);
   json.key("numerics").value(nameOf(activeNumerics()));
   json.key("identity").value(settings().identityOfProfile ? "profile" : "host");
+  json.key("defaults");
+  defaults::writeChoice(json, defaults::ownChoiceIfRead());
   json.key("contexts").beginArray();
   // The last ones where an application makes them for ever.
   const std::size_t first = contexts.size() - std::min(contexts.size(), kMaxContexts);

@@ -1,0 +1,44 @@
+#include <cctype>
+
+#include "util/defaults/entry.h"
+
+namespace arbiter::defaults {
+
+namespace {
+
+/// What rules how a program is answered and drawn. Where reports go, who may look on and what is
+/// kept on disk are the user's to say, not a file's.
+constexpr Env kVariables[] = {
+    Env::Profile,
+    Env::Limits,
+    Env::Identity,
+    Env::ExtensionsMaxYear,
+    Env::ExtensionsMaxLength,
+    Env::Numerics,
+    Env::Backend,
+    Env::FixedFunction,
+    Env::Threads,
+};
+
+std::string keyOf(Env variable) {
+  constexpr std::string_view kPrefix = "ARBITER_";
+  std::string key = std::string(info(variable).name).substr(kPrefix.size());
+  for (char &c : key)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  return key;
+}
+
+} // namespace
+
+std::span<const Key> keys() {
+  // Never destroyed: another thread may ask while the process ends.
+  static const auto *const s_keys = [] {
+    auto *made = new std::vector<Key>;
+    for (const Env variable : kVariables)
+      made->push_back({keyOf(variable), variable});
+    return made;
+  }();
+  return *s_keys;
+}
+
+} // namespace arbiter::defaults
