@@ -17,9 +17,13 @@ namespace {
 constexpr const char *kVersion = "arbiter " ARBITER_TEXT(ARBITER_VERSION_MAJOR) "." ARBITER_TEXT(
     ARBITER_VERSION_MINOR) "." ARBITER_TEXT(ARBITER_VERSION_PATCH);
 
-/// What stands behind the first "--" of `run` and `capture` is the command, whatever it looks like.
+/// The verbs that take another's command line.
+constexpr std::string_view kWithCommand[] = {"run", "capture", "defaults", "doctor"};
+
+/// What stands behind the first "--" of those is the command, whatever it looks like.
 std::vector<std::string> cutCommand(std::vector<std::string> &words) {
-  if (words.empty() || (words[0] != "run" && words[0] != "capture"))
+  if (words.empty() || std::find(std::begin(kWithCommand), std::end(kWithCommand), words[0]) ==
+                           std::end(kWithCommand))
     return {};
   const auto mark = std::find(words.begin(), words.end(), "--");
   if (mark == words.end())
@@ -29,7 +33,7 @@ std::vector<std::string> cutCommand(std::vector<std::string> &words) {
   return command;
 }
 
-/// The command of `run` or `capture`: what stood behind "--", or the words that no option took.
+/// The command of such a verb: what stood behind "--", or the words that no option took.
 /// \returns false after a complaint.
 bool takeCommand(const CLI::App &subcommand, bool optional, std::vector<std::string> &command) {
   const std::vector<std::string> rest = subcommand.remaining();
@@ -70,6 +74,22 @@ int captureCommand(const CLI::App &app, CaptureArguments &arguments,
   return capture(arguments);
 }
 
+int defaultsCommand(const CLI::App &app, DefaultsArguments &arguments,
+                    std::vector<std::string> command) {
+  if (!takeCommand(*app.get_subcommand("defaults"), true, command))
+    return kExitUsage;
+  arguments.command = std::move(command);
+  return showDefaults(arguments);
+}
+
+int doctorCommand(const CLI::App &app, DoctorArguments &arguments,
+                  std::vector<std::string> command) {
+  if (!takeCommand(*app.get_subcommand("doctor"), false, command))
+    return kExitUsage;
+  arguments.command = std::move(command);
+  return doctor(arguments);
+}
+
 int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string> command,
              const std::vector<std::string> &argv) {
   if (app.got_subcommand("check"))
@@ -98,6 +118,10 @@ int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string>
     return report(arguments.report);
   if (app.got_subcommand("stats"))
     return stats(arguments.stats);
+  if (app.got_subcommand("defaults"))
+    return defaultsCommand(app, arguments.defaults, std::move(command));
+  if (app.got_subcommand("doctor"))
+    return doctorCommand(app, arguments.doctor, std::move(command));
   if (app.got_subcommand("capture"))
     return captureCommand(app, arguments.capture, std::move(command));
   return runCommand(app, arguments.run, std::move(command));

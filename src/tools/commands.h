@@ -71,6 +71,25 @@ struct RunArguments {
 };
 [[nodiscard]] int run(const RunArguments &arguments);
 
+struct DefaultsArguments {
+  std::string check; ///< a file to test in place of those that are followed
+  bool json = false;
+  std::vector<std::string> command; ///< empty: list all
+};
+/// Defaults of single programs: all, or those of a command, or a file's.
+[[nodiscard]] int showDefaults(const DefaultsArguments &arguments);
+
+struct DoctorArguments {
+  std::string library; ///< the layer's; empty: found as for `run`
+  std::string root;    ///< of the system whose files are looked at; empty: this one's
+  bool run = false;    ///< run the command too
+  double seconds = 5;  ///< for so long
+  bool json = false;
+  std::vector<std::string> command;
+};
+/// Why the layer does not reach a command.
+[[nodiscard]] int doctor(const DoctorArguments &arguments);
+
 struct StatsArguments {
   std::string file; ///< as ARBITER_STATS had it, %p and all
 };

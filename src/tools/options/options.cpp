@@ -10,6 +10,8 @@ void addVerbs(CLI::App &app, Arguments &arguments) {
   addDraw(app, arguments.draw);
   addDebug(app, arguments.debug);
   addRun(app, arguments.run);
+  addDefaults(app, arguments.defaults);
+  addDoctor(app, arguments.doctor);
   addStats(app, arguments.stats);
   addCapture(app, arguments.capture);
   addReport(app, arguments.report);

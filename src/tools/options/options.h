@@ -17,6 +17,8 @@ struct Arguments {
   DrawArguments draw;
   DebugArguments debug;
   RunArguments run;
+  DefaultsArguments defaults;
+  DoctorArguments doctor;
   StatsArguments stats;
   CaptureArguments capture;
   ReportArguments report;

@@ -46,6 +46,8 @@ Option Option::hidden() const { return Option(m_option->group("")); }
 
 Option Option::needs(const Option &other) const { return Option(m_option->needs(other.get())); }
 
+Option Option::needs(const std::string &name) const { return Option(m_option->needs(name)); }
+
 Option Option::excludes(const Option &other) const {
   return Option(m_option->excludes(other.get()));
 }

@@ -37,6 +37,7 @@ public:
   /// Not in help.
   Option hidden() const;
   Option needs(const Option &other) const;
+  Option needs(const std::string &name) const;
   Option excludes(const Option &other) const;
   Option excludes(const std::string &name) const;
 

@@ -24,6 +24,10 @@ void addStats(CLI::App &app, StatsArguments &stats);
 void addCapture(CLI::App &app, CaptureArguments &capture);
 void addCache(CLI::App &app, CacheArguments &cache);
 
+// programs_of_others.cpp
+void addDefaults(CLI::App &app, DefaultsArguments &defaults);
+void addDoctor(CLI::App &app, DoctorArguments &doctor);
+
 // draw.cpp
 void addDraw(CLI::App &app, DrawArguments &draw);
 void addDebug(CLI::App &app, DebugArguments &debug);

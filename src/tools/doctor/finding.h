@@ -1,0 +1,76 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tools/command_file.h"
+
+/// What stands between a program and the layer.
+namespace arbiter::tools::doctor {
+
+enum class Level {
+  Obstacle, ///< the layer does not reach the program, or can do nothing for it
+  Possible, ///< perhaps so: running it tells
+  Note,     ///< nothing in the way; to know
+};
+
+struct Finding {
+  std::string id; ///< "static", "set_user_id": a word that stays the same
+  Level level = Level::Note;
+  std::string file;   ///< that it is about
+  std::string what;   ///< a sentence
+  std::string remedy; ///< a sentence; empty: there is nothing to be done
+};
+
+/// What is known of a command.
+struct Examination {
+  std::vector<std::string> files; ///< that were looked at: the command's, then what that starts
+  std::vector<Finding> findings;
+
+  void add(Finding finding) { findings.push_back(std::move(finding)); }
+  [[nodiscard]] bool has(const std::string &id) const {
+    for (const Finding &each : findings)
+      if (each.id == id)
+        return true;
+    return false;
+  }
+};
+
+/// What the examiner knows of the layer and of the system.
+struct Surroundings {
+  std::string layer; ///< the layer's library; empty: none was found
+  std::string root;  ///< of the system that is looked at; empty: this one
+};
+
+/// Looks at the command's file, at what a script starts, and at their libraries. Runs nothing.
+[[nodiscard]] Examination examine(const CommandFile &command, const Surroundings &surroundings);
+
+/// Looks at a program's own file (examine_program.cpp).
+void examineProgram(Examination &examination, const std::string &path,
+                    const Surroundings &surroundings);
+
+/// What a script does with processes (script.cpp).
+struct Script {
+  std::string starts;         ///< the file that it starts; empty: not told by its text
+  std::string word;           ///< as the text has it
+  bool clearsPreload = false; ///< LD_PRELOAD is unset or set anew, or the environment emptied
+  bool libraryPath = false;   ///< LD_LIBRARY_PATH is set
+  std::string sandbox;        ///< "flatpak", "snap": what it hands over to
+  std::string application;    ///< of the sandbox
+};
+[[nodiscard]] Script readScript(const std::string &path);
+
+/// The application that `flatpak run ...` or `snap run ...` starts; empty: the words say none.
+[[nodiscard]] std::string sandboxedApplication(const std::vector<std::string> &words);
+
+/// Runs the command under the layer and adds what the layer reported of its processes
+/// (run_command.cpp). Findings that the run disproves go.
+struct RunSettings {
+  std::string library; ///< of the layer; empty: found as for `arbiter run`
+  double seconds = 5;
+};
+void runAndLook(Examination &examination, const CommandFile &command, const RunSettings &settings);
+
+/// The host's GL, asked in a process of its own (host.cpp): one that is too old is an obstacle.
+void examineHost(Examination &examination);
+
+} // namespace arbiter::tools::doctor

@@ -1,0 +1,207 @@
+#include <GL/arbiter.h>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tools/doctor/finding.h"
+#include "tools/input.h"
+#include "tools/launch.h"
+#include "util/record/live_record.h"
+
+namespace arbiter::tools::doctor {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kPoll = std::chrono::milliseconds(20);
+constexpr auto kGrace = std::chrono::seconds(2); // between SIGTERM and SIGKILL
+
+/// A folder for the statistics, which goes with it.
+class Folder {
+public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "arbiter-doctor-XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr)
+      m_path = name;
+  }
+  ~Folder() {
+    std::error_code error;
+    if (!m_path.empty())
+      fs::remove_all(m_path, error);
+  }
+  Folder(const Folder &) = delete;
+  Folder &operator=(const Folder &) = delete;
+  [[nodiscard]] const std::string &path() const { return m_path; }
+
+private:
+  std::string m_path;
+};
+
+struct End {
+  int status = 0;    ///< waitpid()'s
+  bool ours = false; ///< its time was over
+};
+
+/// The command in a group of its own, so that what it started ends with it.
+End runFor(const std::vector<Assignment> &environment, const std::vector<std::string> &command,
+           double seconds) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::setpgid(0, 0);
+    ::dup2(STDERR_FILENO, STDOUT_FILENO); // standard output is the report's
+    ::_exit(execute(environment, command));
+  }
+  End end;
+  if (child < 0)
+    return end;
+  ::setpgid(child, child);
+  const auto wait = [&](auto until) {
+    pid_t done = 0;
+    while ((done = ::waitpid(child, &end.status, WNOHANG)) == 0 && Clock::now() < until)
+      ::usleep(useconds_t(std::chrono::microseconds(kPoll).count()));
+    return done != 0;
+  };
+  const auto limit = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(seconds));
+  // What a launcher left behind goes on until the time is over.
+  if (wait(limit)) {
+    while (::kill(-child, 0) == 0 && Clock::now() < limit)
+      ::usleep(useconds_t(std::chrono::microseconds(kPoll).count()));
+    ::kill(-child, SIGTERM);
+    return end;
+  }
+  end.ours = true;
+  ::kill(-child, SIGTERM);
+  if (!wait(Clock::now() + kGrace)) {
+    ::kill(-child, SIGKILL);
+    static_cast<void>(wait(Clock::now() + kGrace));
+  }
+  return end;
+}
+
+/// What the processes of a run reported.
+struct Report {
+  int contexts = 0, offered = 0;
+  std::string names;    ///< of the programs that made contexts
+  std::string obstacle; ///< of a context that has no programs of the layer's
+};
+
+void read(const Json &statistics, Report &report) {
+  const Json contexts = statistics.value("contexts", Json::array());
+  if (contexts.empty())
+    return;
+  std::string name = "?";
+  if (const Json defaults = statistics.value("defaults", Json()); defaults.is_object())
+    name = defaults["program"].value("windows", Json()).is_string()
+               ? defaults["program"].value("windows", "?")
+               : defaults["program"].value("name", "?");
+  if (report.names.find(name) == std::string::npos)
+    report.names += (report.names.empty() ? "" : ", ") + name;
+  for (const Json &context : contexts) {
+    ++report.contexts;
+    report.offered += context.value("offered", false) ? 1 : 0;
+    if (context.contains("obstacle"))
+      report.obstacle = context.value("obstacle", "");
+  }
+}
+
+Report readReports(const std::string &folder) {
+  Report report;
+  std::error_code error;
+  for (const auto &each : fs::directory_iterator(folder, error)) {
+    std::ifstream stream(each.path());
+    const Json statistics = Json::parse(stream, nullptr, false);
+    if (statistics.is_object())
+      read(statistics, report);
+  }
+  return report;
+}
+
+std::string howItEnded(const End &end) {
+  if (end.ours)
+    return "was ended when its time was over";
+  if (WIFSIGNALED(end.status))
+    return std::string("was ended by a signal (") + ::strsignal(WTERMSIG(end.status)) + ")";
+  return "ended with exit status " + std::to_string(WEXITSTATUS(end.status));
+}
+
+void dropDisproved(Examination &examination) {
+  std::erase_if(examination.findings, [](const Finding &each) {
+    return each.level == Level::Possible || each.id == "no_gl" || each.id == "vulkan_only";
+  });
+}
+
+void add(Examination &examination, const CommandFile &command, const Report &report,
+         const End &end) {
+  const std::string ran = "It ran, and " + howItEnded(end);
+  if (report.contexts == 0) {
+    examination.add({"no_context", Level::Obstacle, command.path,
+                     ran + "; no process of it made a GL context through the layer.",
+                     examination.has("no_gl")
+                         ? "Name the program that draws."
+                         : "Give it longer (--for), and the window that it may ask for first; "
+                           "what else stands here may be why."});
+    return;
+  }
+  dropDisproved(examination);
+  const std::string made = report.names + " made " + std::to_string(report.contexts) +
+                           (report.contexts == 1 ? " context" : " contexts");
+  if (report.offered != 0) {
+    examination.add({"reached",
+                     Level::Note,
+                     command.path,
+                     ran + "; " + made + " through the layer, " + std::to_string(report.offered) +
+                         " of them with its programs.",
+                     {}});
+    return;
+  }
+  if (report.obstacle.find("older") != std::string::npos ||
+      report.obstacle.find("GLSL") != std::string::npos)
+    examination.add(
+        {"old_driver", Level::Obstacle, command.path,
+         ran + "; " + made + ", and the layer can do nothing there: " + report.obstacle + ".",
+         "Install a newer driver, or draw on the processor: LIBGL_ALWAYS_SOFTWARE=1 "
+         "with Mesa."});
+  else
+    examination.add({"core_profile", Level::Obstacle, command.path,
+                     ran + "; " + made +
+                         " of the core profile or of OpenGL ES, which have no programs in "
+                         "assembly: they pass through the layer.",
+                     "If it has a renderer for OpenGL 2 or older, choose that."});
+}
+
+} // namespace
+
+void runAndLook(Examination &examination, const CommandFile &command, const RunSettings &settings) {
+  const Folder folder;
+  const auto fail = [&](const std::string &why) {
+    examination.add({"not_run", Level::Obstacle, command.path, "It was not run: " + why + ".", {}});
+  };
+  if (folder.path().empty())
+    return fail(std::string("no folder for the statistics: ") + std::strerror(errno));
+  const auto files = findLayer(settings.library);
+  if (!files)
+    return fail(files.error().message);
+  LayerArguments arguments;
+  arguments.stats = folder.path() + "/%p.json";
+  const auto environment = layerEnvironment(files.value(), arguments);
+  if (!environment)
+    return fail(environment.error().message);
+  const End end = runFor(environment.value(), command.words, settings.seconds);
+  static_cast<void>(completeRecords(arguments.stats));
+  add(examination, command, readReports(folder.path()), end);
+}
+
+} // namespace arbiter::tools::doctor
