@@ -7,7 +7,7 @@ packages_build=(
   libgl-dev libegl-dev libopengl-dev libglvnd-dev libglvnd-core-dev libx11-dev libxext-dev
   khronos-api libosmesa6-dev libepoxy-dev libglm-dev libglfw3-dev libpng-dev
   libjpeg62-turbo-dev libtinyobjloader-dev
-  llvm-15-dev libfmt-dev libxxhash-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev
+  llvm-15-dev libfmt-dev libxxhash-dev nlohmann-json3-dev libtomlplusplus-dev libelf-dev libcli11-dev
   qt6-base-dev qt6-base-dev-tools
   libgl1 libglx0 libegl1 libopengl0 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libosmesa6
 )

@@ -87,7 +87,7 @@ int doctorCommand(const CLI::App &app, DoctorArguments &arguments,
   if (!takeCommand(*app.get_subcommand("doctor"), false, command))
     return kExitUsage;
   arguments.command = std::move(command);
-  return doctor(arguments);
+  return diagnose(arguments);
 }
 
 int dispatch(const CLI::App &app, Arguments &arguments, std::vector<std::string> command,

@@ -88,7 +88,7 @@ struct DoctorArguments {
   std::vector<std::string> command;
 };
 /// Why the layer does not reach a command.
-[[nodiscard]] int doctor(const DoctorArguments &arguments);
+[[nodiscard]] int diagnose(const DoctorArguments &arguments);
 
 struct StatsArguments {
   std::string file; ///< as ARBITER_STATS had it, %p and all

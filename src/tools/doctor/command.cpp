@@ -81,7 +81,7 @@ bool canRun(const Examination &examination) {
 
 } // namespace
 
-int doctor(const DoctorArguments &arguments) {
+int diagnose(const DoctorArguments &arguments) {
   const auto files = findLayer(arguments.library);
   if (!files && !arguments.library.empty()) {
     complain(files.error().message);

@@ -1,0 +1,309 @@
+#!/usr/bin/env python3
+"""Tests of `arbiter doctor`: situations in which the layer does not reach a program, planted, and what
+it says of each.
+
+usage: doctor_test.py ARBITER LAYER SOURCE_ROOT CXX [unittest arguments]
+"""
+import json
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+CXX = sys.argv.pop(4)
+from command_session import FAKE as LAYER, Temporary, arbiter  # noqa: E402
+
+GL_CALL = 'extern "C" void glFinish(); int main(int n, char **) { if (n > 9) glFinish(); }\n'
+OPENS = ('#include <dlfcn.h>\nint main() {{ void *l = dlopen("{}", RTLD_NOW); '
+         'return l && dlsym(l, "{}") ? 0 : 3; }}\n')
+# A context by EGL without a window, drawing nothing; of the core profile where it is asked to.
+CLIENT = '''
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+int main(int n, char **) {
+  EGLDisplay d = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+  eglInitialize(d, nullptr, nullptr);
+  eglBindAPI(EGL_OPENGL_API);
+  const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 0,
+                         EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  EGLContext c = eglCreateContext(d, nullptr, nullptr, n > 1 ? core : nullptr);
+  return eglMakeCurrent(d, nullptr, nullptr, c) ? 0 : 1;
+}
+'''
+
+
+class Doctor(Temporary):
+    def setUp(self):
+        super().setUp()
+        self.root = pathlib.Path(self.folder.name)
+
+    def compile(self, name, source, *options):
+        path = self.path(name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = self.path(name.replace('/', '_') + '.cpp', source)
+        subprocess.run([CXX, text, '-o', path, *options], check=True, capture_output=True)
+        return path
+
+    def script(self, name, text):
+        path = self.path(name, text)
+        path.chmod(0o755)
+        return path
+
+    def libgl(self, folder):
+        """A libGL that is not libglvnd's."""
+        (self.root / folder).mkdir(parents=True, exist_ok=True)
+        return self.compile(f'{folder}/libGL.so.1', 'extern "C" void glFinish() {}\n', '-shared', '-fPIC',
+                            '-Wl,-soname,libGL.so.1')
+
+    def ask(self, *words, options=(), **environment):
+        """The findings by their words, after the command has said the same as text."""
+        environment.setdefault('EGL_PLATFORM', 'surfaceless')
+        call = ['doctor', '--library', LAYER, *options]
+        text = arbiter(*call, '--', *words, **environment)
+        twin = arbiter(*call, '--json', '--', *words, **environment)
+        report = json.loads(twin.stdout)
+        self.assertEqual(twin.returncode, 0 if report['reached'] else 5, twin.stderr)
+        self.assertEqual(text.returncode, twin.returncode)
+        self.assertEqual(report['command'], [str(word) for word in words])
+        for each in report['findings']:
+            if '--run' not in options:  # whose sentences have times in them
+                self.assertIn(f'{each["level"]}: {each["what"]}\n', text.stdout)
+            self.assertTrue(each['what'].endswith('.'), each)
+            self.assertTrue(each['level'] == 'note' or each['remedy'].endswith('.'), each)
+        return {each['id']: each for each in report['findings']}
+
+    def obstacles(self, found):
+        return {name for name, each in found.items() if each['level'] == 'obstacle'}
+
+    def test_nothing_is_in_the_way(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        self.assertEqual(self.obstacles(self.ask(game)), set())
+
+    def test_a_missing_file(self):
+        found = self.ask(self.root / 'none')
+        self.assertEqual(self.obstacles(found), {'missing'})
+        found = self.ask('no-such-command')
+        self.assertIn('not found in PATH', found['missing']['what'])
+
+    def test_a_file_without_the_right(self):
+        self.assertEqual(self.obstacles(self.ask(self.path('game', '#!/bin/sh\n'))), {'not_executable'})
+
+    def test_statically_linked(self):
+        game = self.compile('game', 'int main() {}\n', '-static')
+        self.assertEqual(self.obstacles(self.ask(game)), {'static'})
+
+    def test_statically_linked_at_any_address(self):
+        game = self.compile('game', 'int main() {}\n', '-static-pie')
+        self.assertEqual(self.obstacles(self.ask(game)), {'static'})
+
+    def test_set_user_id(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        if os.geteuid() == 0:
+            os.chown(game, 65533, 65533)
+            game.chmod(0o4755)
+            self.assertEqual(self.obstacles(self.ask(game)), {'set_user_id'})
+        else:
+            self.assertIn('set_user_id', self.ask(shutil.which('su') or '/bin/su'))
+        game = self.compile('mine', GL_CALL, '-lGL')
+        game.chmod(0o4755)
+        self.assertEqual(self.obstacles(self.ask(game)), set(), 'the same user is no obstacle')
+
+    def test_capabilities(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        # Version 2 of the attribute, CAP_NET_RAW permitted (linux/capability.h).
+        try:
+            os.setxattr(game, 'security.capability', struct.pack('<5I', 0x02000001, 1 << 13, 0, 0, 0))
+        except OSError as error:
+            self.skipTest(f'no capabilities on this file system, or for this user: {error}')
+        self.assertEqual(self.obstacles(self.ask(game)), {'capabilities'})
+
+    def test_another_width(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        header = bytearray(game.read_bytes())
+        header[4] = 1  # ELFCLASS32
+        struct.pack_into('<H', header, 18, 3)  # EM_386
+        # The header and one program header, PT_INTERP, in the places of 32 bits.
+        struct.pack_into('<IIIIHHHHHH', header, 24, 0, 52, 0, 0, 52, 32, 1, 40, 0, 0)
+        struct.pack_into('<IIIIIIII', header, 52, 3, 128, 0, 0, 20, 20, 4, 1)
+        header[128:148] = b'/lib/ld-linux.so.2\0\0'
+        game.write_bytes(header)
+        found = self.ask(game)
+        self.assertIn('other_width', self.obstacles(found))
+        self.assertIn('32-bit (i386)', found['other_width']['what'])
+
+    def test_vulkan_alone(self):
+        game = self.compile('game', OPENS.format('libvulkan.so.1', 'vkGetInstanceProcAddr'))
+        self.assertEqual(self.obstacles(self.ask(game)), {'vulkan_only'})
+
+    def test_vulkan_beside_gl(self):
+        game = self.compile('game', OPENS.format('libvulkan.so.1', 'vkGetInstanceProcAddr'), '-Wl,--no-as-needed',
+                            '-lGL')
+        self.assertEqual(self.obstacles(self.ask(game)), set())
+
+    def test_no_gl(self):
+        game = self.compile('game', 'int main() {}\n')
+        self.assertEqual(self.obstacles(self.ask(game)), {'no_gl'})
+
+    def test_a_libgl_of_its_own_by_rpath(self):
+        self.libgl('own')
+        for tags in ('--enable-new-dtags', '--disable-new-dtags'):
+            game = self.compile('game', GL_CALL, f'-L{self.root}/own', '-l:libGL.so.1',
+                                f'-Wl,{tags},-rpath,$ORIGIN/own')
+            found = self.ask(game)
+            self.assertEqual(self.obstacles(found), {'own_libgl'})
+            self.assertIn('DT_RUNPATH' if 'enable-new' in tags else 'DT_RPATH', found['own_libgl']['what'])
+            self.assertIn(f'{self.root}/own/libGL.so.1', found['own_libgl']['what'])
+
+    def test_a_libgl_of_its_own_by_path(self):
+        library = self.libgl('gl')
+        for name in (library, './gl/libGL.so.1'):
+            game = self.compile('game', OPENS.format(name, 'glFinish'))
+            self.assertEqual(self.obstacles(self.ask(game)), {'own_libgl'}, name)
+
+    def test_a_libgl_that_lies_beside_it(self):
+        self.libgl('lib')
+        game = self.compile('game', GL_CALL, '-lGL')
+        found = self.ask(game)
+        self.assertEqual(found['bundled_libgl']['level'], 'possible')
+
+    def test_glvnds_libgl_by_path_is_reached(self):
+        real = subprocess.run([CXX, '-print-file-name=libGL.so.1'], capture_output=True, text=True,
+                              check=True).stdout.strip()
+        if not os.path.isabs(real):
+            self.skipTest('the compiler does not know where libGL is')
+        game = self.compile('game', OPENS.format(os.path.realpath(real), 'glFinish'))
+        self.assertEqual(self.obstacles(self.ask(game)), set())
+
+    def test_a_gl_that_is_linked_in(self):
+        game = self.compile('game', 'extern "C" void glXSwapBuffers() {} int main() { glXSwapBuffers(); }\n',
+                            '-rdynamic')
+        self.assertEqual(self.obstacles(self.ask(game)), {'own_libgl'})
+
+    def test_flatpak(self):
+        export = self.script('org.example.Game',
+                             '#!/bin/sh\nexec /usr/bin/flatpak run --branch=stable --command=game '
+                             'org.example.Game "$@"\n')
+        found = self.ask(export)
+        self.assertEqual(self.obstacles(found), {'flatpak'})
+        self.assertIn('org.example.Game', found['flatpak']['what'])
+        flatpak = self.script('flatpak', '#!/bin/sh\n')
+        self.assertEqual(self.obstacles(self.ask(flatpak, 'run', 'org.example.Game')), {'flatpak'})
+
+    def test_snap(self):
+        self.script('snap', '#!/bin/sh\n')
+        (self.root / 'game').symlink_to('snap')
+        found = self.ask(self.root / 'game')
+        self.assertEqual(self.obstacles(found), {'snap'})
+        self.assertIn('Snap runs game ', found['snap']['what'])
+
+    def test_a_script_that_starts_a_program(self):
+        (self.root / 'bin').mkdir()
+        game = self.compile('bin/game', 'int main() {}\n', '-static')
+        for line in ('exec "$(dirname "$0")/bin/game" "$@"', '"${HERE}/bin/game" $*', './bin/game',
+                     f'nohup {game} &'):
+            launcher = self.script('start.sh', f'#!/bin/sh\n# a launcher\nHERE=$(pwd)\ncd "$HERE"\n{line}\n')
+            found = self.ask(launcher)
+            self.assertIn(f'starts {game};', found['launcher']['what'], line)
+            self.assertEqual(self.obstacles(found), {'static'}, line)
+
+    def test_a_script_that_takes_the_layer_away(self):
+        self.compile('game', GL_CALL, '-lGL')
+        for line in ('unset LD_PRELOAD', 'export LD_PRELOAD=/opt/other.so', 'LD_PRELOAD= exec ./game'):
+            launcher = self.script('start.sh', f'#!/bin/bash\n{line}\nexec ./game\n')
+            self.assertEqual(self.obstacles(self.ask(launcher)), {'preload_cleared'}, line)
+        launcher = self.script('start.sh', '#!/bin/sh\nLD_PRELOAD="x.so:$LD_PRELOAD" exec ./game\n')
+        self.assertEqual(self.obstacles(self.ask(launcher)), set())
+
+    def test_a_script_of_another_language(self):
+        found = self.ask(self.script('game.py', '#!/usr/bin/env python3\n'))
+        self.assertEqual((self.obstacles(found), found['interpreter']['level']), (set(), 'possible'))
+
+    def test_no_libglvnd(self):
+        game = self.compile('game', GL_CALL, '-lGL')
+        system = self.root / 'system'
+        folder = system / 'usr/lib' / (os.uname().machine + '-linux-gnu')
+        folder.mkdir(parents=True)
+        options = ('--root', system)
+        for name in ('libc.so.6', 'libm.so.6', 'libstdc++.so.6', 'libgcc_s.so.1'):
+            real = subprocess.run([CXX, f'-print-file-name={name}'], capture_output=True, text=True,
+                                  check=True).stdout.strip()
+            shutil.copy(real, folder / name)
+        found = self.ask(game, options=options)
+        self.assertEqual(self.obstacles(found), {'missing_library', 'no_libglvnd'})
+        self.assertIn('There is no libGL.so.1', found['no_libglvnd']['what'])
+        shutil.copy(self.libgl('own'), folder / 'libGL.so.1')
+        found = self.ask(game, options=options)
+        self.assertEqual(self.obstacles(found), {'no_libglvnd'})
+        self.assertIn("a driver's own", found['no_libglvnd']['what'])
+
+    def test_a_library_that_is_missing(self):
+        self.compile('own/libgone.so', 'extern "C" void gone() {}\n', '-shared', '-fPIC',
+                     '-Wl,-soname,libgone.so')
+        game = self.compile('game', 'extern "C" void gone(); int main() { gone(); }\n',
+                            f'-L{self.root}/own', '-lgone', '-Wl,--no-as-needed', '-lGL')
+        found = self.ask(game)
+        self.assertEqual(self.obstacles(found), {'missing_library'})
+        self.assertIn('libgone.so', found['missing_library']['what'])
+
+    def test_a_program_for_windows(self):
+        game = self.path('game.exe')
+        game.write_bytes(b'MZ' + bytes(200))
+        game.chmod(0o755)
+        self.assertEqual(self.obstacles(self.ask(game)), {'windows_program'})
+
+    def test_files_that_are_no_programs(self):
+        for content in (b'', b'\x7fELF', b'\x7fELF\x02\x01\x01' + bytes(40), os.urandom(5000)):
+            game = self.path('game')
+            game.write_bytes(content)
+            game.chmod(0o755)
+            self.assertEqual(self.obstacles(self.ask(game)), {'unknown_format'})
+
+    def test_an_old_driver(self):
+        game = self.compile('game', CLIENT, '-lEGL')
+        found = self.ask(game, MESA_GL_VERSION_OVERRIDE='1.5')
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), {'old_driver'})
+        self.assertIn('1.5', found['old_driver']['what'])
+
+    def test_a_run_that_is_reached(self):
+        game = self.compile('game', CLIENT, '-lEGL')
+        found = self.ask(game, options=('--run',))
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), set())
+        self.assertIn('game made 1 context through the layer, 1 of them', found['reached']['what'])
+
+    def test_a_run_of_the_core_profile(self):
+        game = self.compile('game', CLIENT, '-lEGL')
+        found = self.ask(game, 'core', options=('--run',))
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), {'core_profile'})
+
+    def test_a_run_names_what_a_launcher_starts(self):
+        """A launcher whose file tells nothing: the run does."""
+        self.compile('real-game', CLIENT, '-lEGL')
+        launcher = self.compile('launcher', '#include <cstdlib>\nint main() { const char part[] = "/real-game";'
+                                f' char line[999] = "{self.root}"; char *to = line; while (*to) ++to;'
+                                ' for (char c : part) *to++ = c; return std::system(line); }\n')
+        found = self.ask(launcher)
+        self.assertIn('no_gl', found)
+        found = self.ask(launcher, options=('--run',))
+        if 'host_unknown' in found:
+            self.skipTest('no context without a window')
+        self.assertEqual(self.obstacles(found), set())
+        self.assertIn('real-game made 1 context', found['reached']['what'])
+
+    def test_a_run_without_gl_and_one_that_goes_on(self):
+        found = self.ask('sleep', '60', options=('--run', '--for', '0.5'))
+        self.assertIn('was ended when its time was over', found['no_context']['what'])
+        self.assertEqual(self.obstacles(found), {'no_gl', 'no_context'})
+
+
+if __name__ == '__main__':
+    unittest.main(argv=[sys.argv[0]] + sys.argv[4:])

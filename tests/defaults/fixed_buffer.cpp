@@ -1,0 +1,66 @@
+// A program that copies the extension string into a buffer of fixed size, as many of its time did.
+// Behind the buffer lies a page without rights, so that a longer string ends the process by SIGSEGV
+// each time, and not only where something that matters lies there.
+//
+//   FIXED_BUFFER_BYTES=N client [WORDS...]
+//
+// Prints "GL_EXTENSIONS: " and the string with a newline into N bytes, as the engines do that print
+// it to their consoles. Its words are for those who look at its command line.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/gl.h>
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace {
+
+template <typename T> T function(void *library, const char *name) {
+  return reinterpret_cast<T>(dlsym(library, name));
+}
+
+/// The last `bytes` before a page that may not be touched.
+char *buffer(std::size_t bytes) {
+  const std::size_t page = std::size_t(sysconf(_SC_PAGESIZE));
+  const std::size_t whole = (bytes + page - 1) / page * page;
+  char *const memory = static_cast<char *>(
+      mmap(nullptr, whole + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  if (memory == MAP_FAILED || mprotect(memory + whole, page, PROT_NONE) != 0)
+    return nullptr;
+  return memory + whole - bytes;
+}
+
+} // namespace
+
+int main() {
+  const char *const size = std::getenv("FIXED_BUFFER_BYTES");
+  void *const egl = dlopen("libEGL.so.1", RTLD_NOW);
+  if (!size || !egl)
+    return 77;
+  const auto display = function<decltype(&eglGetPlatformDisplay)>(egl, "eglGetPlatformDisplay")(
+      EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (!function<decltype(&eglInitialize)>(egl, "eglInitialize")(display, nullptr, nullptr))
+    return 77;
+  function<decltype(&eglBindAPI)>(egl, "eglBindAPI")(EGL_OPENGL_API);
+  const auto context = function<decltype(&eglCreateContext)>(egl, "eglCreateContext")(
+      display, nullptr, EGL_NO_CONTEXT, nullptr);
+  if (!function<decltype(&eglMakeCurrent)>(egl, "eglMakeCurrent")(display, EGL_NO_SURFACE,
+                                                                  EGL_NO_SURFACE, context))
+    return 77;
+  const auto getString = reinterpret_cast<decltype(&glGetString)>(
+      function<decltype(&eglGetProcAddress)>(egl, "eglGetProcAddress")("glGetString"));
+  const auto *const extensions = reinterpret_cast<const char *>(getString(GL_EXTENSIONS));
+  char *const text = buffer(std::size_t(std::atol(size)));
+  if (!extensions || !text)
+    return 1;
+  // Not sprintf(), which a hardened C library may cut.
+  char *to = text;
+  for (const char *part : {"GL_EXTENSIONS: ", extensions, "\n"})
+    while (*part)
+      *to++ = *part++;
+  *to = 0;
+  std::printf("%zu\n", std::size_t(to - text));
+  return 0;
+}
