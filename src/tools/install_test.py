@@ -67,6 +67,20 @@ class Installed(unittest.TestCase):
         self.run_it(arbiter, 'check', '--brief', 'gallery:shadow_map')
         self.run_it(arbiter, 'debug', 'gallery:twirl', '--pixel', '9,9')
 
+    def test_defaults_of_programs_are_found_by_both(self):
+        """By the command, and by the layer in a process."""
+        folder = (self.prefix / 'share/arbiter/defaults.d').resolve()
+        listed = json.loads(self.run_it(self.prefix / 'bin/arbiter', 'defaults', '--json'))
+        self.assertEqual({pathlib.Path(each['file']).resolve().parent for each in listed['entries']}, {folder})
+        game, stats = (pathlib.Path(self.folder.name) / name for name in ('quake2', 'quake2.json'))
+        shutil.copy(self.prefix / 'bin/arbiter', game)
+        library = self.prefix / LIBDIR / 'arbiter/libGLX_arbiter.so.0'
+        program = self.prefix / 'share/arbiter/programs/pass_through.fp'
+        self.run_it('env', f'LD_PRELOAD={library}', f'ARBITER_STATS={stats}', game, 'draw', '--in-layer', '--size',
+                    '16x16', '--texture', '0=checker', program, '-o', pathlib.Path(self.folder.name) / 'q.png')
+        setting = json.loads(stats.read_text())['defaults']['settings']['extensions_max_length']
+        self.assertEqual((setting['value'], pathlib.Path(setting['file']).resolve().parent), ('4079', folder))
+
     def test_pkg_config_leads_to_the_files(self):
         self.assertTrue(pathlib.Path(self.package('--variable=preload')).is_file())
         self.assertTrue((pathlib.Path(self.package('--variable=osmesadir')) / 'libOSMesa.so.8')
@@ -84,8 +98,8 @@ class Installed(unittest.TestCase):
         self.assertEqual(self.package('--modversion'), version)
 
     def test_manuals(self):
-        for section in (1, 7):
-            page = self.prefix / 'share' / 'man' / f'man{section}' / f'arbiter.{section}'
+        for name in ('arbiter.1', 'arbiter.7', 'arbiter-defaults.5'):
+            page = self.prefix / 'share' / 'man' / f'man{name[-1]}' / name
             self.assertTrue(page.is_file(), page)
 
 

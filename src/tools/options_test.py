@@ -58,6 +58,8 @@ FILES = {
               'ARL a.x, vertex.color.x;\nARL b.x, vertex.color.y;\n'
               'ADD result.position, p[a.x], p[b.x];\nEND\n',
     'empty.fp': '',
+    'start.sh': '#!/bin/sh\n',
+    'defaults.toml': '[[program]]\ntitle = "t"\nmatch.name = "true"\nset.threads = 1\n',
 }
 # Two of each that are not the default; options whose help lists their values need no row.
 VALUES = {
@@ -72,6 +74,9 @@ VALUES = {
     ('*', '--replace'): ['@texts'],
     ('*', '--host-vendor'): ['mesa'],
     ('*', '--library'): ['@library'],
+    ('defaults', '--check'): ['defaults.toml', 'none.toml'],
+    ('doctor', '--for'): ['0.2'],
+    ('doctor', '--root'): ['texts'],
     ('ctl', '--pid'): ['4194303'],
     ('ctl', '--timeout'): ['0.5'],
     ('ctl', '--for'): ['0.5'],
@@ -117,6 +122,8 @@ OPERANDS = {
     'capture': [[], ['--', 'true']],
     'report': [['good.fp', 'dependent.fp', 'bad.fp', 'good.vp'], ['.'], ['none.fp']],
     'profiles': [[], ['r300'], ['none']],
+    'defaults': [[], ['--', 'true'], ['--', './none']],
+    'doctor': [[], ['--', 'true'], ['--', './none'], ['--', './start.sh']],
     'stats': [['none.json'], ['none/none-%p.json']],
     'cache': [[]],
     'lsp': [[]],
@@ -243,6 +250,7 @@ def faults_of(verb, options, operands, result):
     if status == 0 and not quiet and not out and not written:
         yield 'success, and nothing written'
     printed = status != 1 if verb.name == 'check' else verb.name == 'debug' and status in (0, 5)
+    printed = printed or verb.name in ('defaults', 'doctor') and status != 1
     texts = [out] if '--json' in names and printed else []
     texts += [written[name] for name in written if name.endswith('.json')]
     for text in texts:

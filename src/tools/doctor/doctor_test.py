@@ -114,7 +114,7 @@ class Doctor(Temporary):
 
     def test_capabilities(self):
         game = self.compile('game', GL_CALL, '-lGL')
-        # Version 2 of the attribute, CAP_NET_RAW permitted (linux/capability.h).
+        # Version 2 of the attribute, CAP_NET_RAW permitted: capabilities(7).
         try:
             os.setxattr(game, 'security.capability', struct.pack('<5I', 0x02000001, 1 << 13, 0, 0, 0))
         except OSError as error:
