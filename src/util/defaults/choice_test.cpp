@@ -130,6 +130,11 @@ TEST_F(DefaultsFolder, WindowsProgramsUnderWine) {
   EXPECT_EQ(program("/usr/bin/vi", {"vi", exe}).windows, "") << "no loader, but an editor";
   EXPECT_EQ(program("/usr/lib/wine/wine64", {"D:\\none.exe"}).windowsPath, "");
   EXPECT_EQ(program("/usr/lib/wine/wine64", {"D:\\none.exe"}).windows, "none.exe");
+  const std::string maps = put("maps", "140000000-140001000 r--p 00000000 fe:00 11010924    " +
+                                           exe + "\n7f0-7f1 rw-p\n");
+  EXPECT_EQ(programOf({"/usr/lib/wine/wine64", {"quake.exe"}, environment(), maps}).windowsPath,
+            exe);
+  EXPECT_EQ(programOf({"/usr/lib/wine/wine64", {"q.exe"}, environment(), maps}).windowsPath, "");
 }
 
 TEST_F(DefaultsFolder, TheFileThatALoaderWasGivenIsTheProgram) {

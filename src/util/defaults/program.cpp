@@ -15,6 +15,7 @@ namespace arbiter::defaults {
 namespace {
 
 constexpr std::size_t kMaxCommandLine = 2u << 20; // what execve takes by default
+constexpr std::size_t kMaxMaps = 16u << 20;
 constexpr std::string_view kDeleted =
     " (deleted)"; // behind the link's text, where the file is gone
 
@@ -116,11 +117,32 @@ std::string fromDrive(const Facts &facts, std::string_view path) {
   return found.empty() ? found : realPath(found);
 }
 
+/// The file of that name, in any case, that the process has loaded.
+std::string loadedFile(const std::string &maps, std::string_view name) {
+  std::string text;
+  if (maps.empty() || !readFile(maps.c_str(), kMaxMaps, text))
+    return {};
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t slash = text.find('/', at);
+    if (slash < end) {
+      const std::string_view path = std::string_view(text).substr(slash, end - slash);
+      if (equalInAnyCase(lastPart(path), name))
+        return std::string(path);
+    }
+    at = end + 1;
+  }
+  return {};
+}
+
 void takeWindowsWord(Program &program, const Facts &facts, const std::string &word) {
   program.windows = lastPart(word, "/\\");
   const bool drive =
       word.size() > 2 && std::isalpha(static_cast<unsigned char>(word[0])) && word[1] == ':';
   program.windowsPath = drive ? fromDrive(facts, word) : realPath(word);
+  // A name alone, which Wine found by its own rules, or from a folder that was left since.
+  if (program.windowsPath.empty())
+    program.windowsPath = loadedFile(facts.mapped, program.windows);
 }
 
 } // namespace
@@ -143,6 +165,7 @@ Facts ownFacts() {
     at = end + 1;
   }
   facts.environment = [](const char *name) -> const char * { return ::secure_getenv(name); };
+  facts.mapped = "/proc/self/maps";
   return facts;
 }
 

@@ -25,6 +25,7 @@ struct Facts {
   std::vector<std::string> words; ///< of its command line, the first too
   /// A variable's value; null: not set.
   std::function<const char *(const char *)> environment;
+  std::string mapped; ///< a file like /proc/self/maps, which names what is loaded; empty: none
 };
 
 /// The process that this is.
