@@ -151,7 +151,10 @@ const char *savedEglVendors() {
   return g_savedEgl;
 }
 
-const defaults::Choice &ownDefaults() { return defaults::ownChoice(shippedDefaults()); }
+const defaults::Choice &ownDefaults() {
+  const defaults::Choice *const known = defaults::ownChoiceIfRead();
+  return known ? *known : defaults::ownChoice(shippedDefaults());
+}
 
 void fatal(const char *format, ...) {
   std::fputs("arbiter: ", stderr);
