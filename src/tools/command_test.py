@@ -144,7 +144,7 @@ class Whole(unittest.TestCase):
 
     def test_the_manual_has_every_option(self):
         manual = (ROOT / 'docs' / 'man' / 'arbiter.1').read_text().replace('\\-', '-')
-        for command in ('check', 'compile', 'draw', 'run', 'profiles', 'cache', 'lsp', 'builder'):
+        for command in ('check', 'compile', 'draw', 'run', 'profiles', 'cache', 'lsp', 'builder', 'defaults', 'doctor'):
             self.assertIn(f'arbiter {command}', manual)
             for option in re.findall(r'(?<![\w-])--[a-z-]+', arbiter(command, '--help').stdout):
                 if option not in ('--help', '--help-all'):

@@ -210,6 +210,20 @@ class Doctor(Temporary):
             self.assertIn(f'starts {game};', found['launcher']['what'], line)
             self.assertEqual(self.obstacles(found), {'static'}, line)
 
+    def test_what_a_script_starts_by_its_variables(self):
+        for folder in ('lib', 'other'):
+            (self.root / folder).mkdir()
+        game = self.compile('lib/game', 'int main() {}\n', '-static')
+        shutil.copy(game, self.root / 'other/helper')
+        head = f'#!/bin/sh\nNAME=game\nDIR={self.root}/lib\nfind . -name x -exec rm {{}} \\;\n'
+        for lines in ('exec $DIR/$NAME "$@"', 'export BIN="${DIR}/${NAME}"\n./other/helper\nexec "$BIN"',
+                      'HERE=`dirname "$0"`\n./other/helper\n$HERE/lib/game\nexit 0',
+                      'if true; then\n  cd "${0%/*}"; ./lib/game\nfi', 'exec env A=b nice -n 5 lib/game'):
+            found = self.ask(self.script('start.sh', f'{head}{lines}\n'))
+            self.assertIn(f'starts {game};', found['launcher']['what'], lines)
+        found = self.ask(self.script('start.sh', f'{head}./other/helper\nexec $(choose a game) "$@"\n'))
+        self.assertEqual(found['launcher']['level'], 'possible', 'a name that was made up')
+
     def test_a_script_that_takes_the_layer_away(self):
         self.compile('game', GL_CALL, '-lGL')
         for line in ('unset LD_PRELOAD', 'export LD_PRELOAD=/opt/other.so', 'LD_PRELOAD= exec ./game'):

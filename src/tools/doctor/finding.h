@@ -51,7 +51,6 @@ void examineProgram(Examination &examination, const std::string &path,
 /// What a script does with processes (script.cpp).
 struct Script {
   std::string starts;         ///< the file that it starts; empty: not told by its text
-  std::string word;           ///< as the text has it
   bool clearsPreload = false; ///< LD_PRELOAD is unset or set anew, or the environment emptied
   bool libraryPath = false;   ///< LD_LIBRARY_PATH is set
   std::string sandbox;        ///< "flatpak", "snap": what it hands over to

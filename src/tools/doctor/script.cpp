@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <string_view>
 #include <unistd.h>
 
@@ -16,16 +18,19 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxScript = 1u << 20; // a longer one is an installer with its data
 
-/// The words of a line of a shell, quotes gone; variables and substitutions stay as they are.
-std::vector<std::string> wordsOf(const std::string &line) {
-  std::vector<std::string> words;
+using Words = std::vector<std::string>;
+
+/// The commands of a line of a shell as their words, quotes gone; variables and substitutions stay
+/// as they are.
+std::vector<Words> commandsOf(const std::string &line) {
+  std::vector<Words> commands(1);
   std::string word;
   char quote = 0;
   int depth = 0; // of $( )
   bool any = false;
   const auto end = [&] {
     if (any)
-      words.push_back(word);
+      commands.back().push_back(word);
     word.clear();
     any = false;
   };
@@ -42,16 +47,25 @@ std::vector<std::string> wordsOf(const std::string &line) {
       any = true;
       continue;
     }
-    if (quote == 0 && depth == 0 &&
-        (std::isspace(static_cast<unsigned char>(c)) || c == ';' || c == '&' || c == '|')) {
+    const bool separates = c == ';' || c == '&' || c == '|';
+    if (quote == 0 && depth == 0 && (separates || std::isspace(static_cast<unsigned char>(c)))) {
       end();
+      if (separates && !commands.back().empty())
+        commands.emplace_back();
       continue;
     }
     word += c;
     any = true;
   }
   end();
-  return words;
+  if (commands.back().empty())
+    commands.pop_back();
+  return commands;
+}
+
+bool isNumber(const std::string &word) {
+  return std::all_of(word.begin(), word.end(),
+                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
 }
 
 bool isAssignment(const std::string &word) {
@@ -62,20 +76,89 @@ bool isAssignment(const std::string &word) {
          });
 }
 
-/// A word with a variable or a substitution in front ("$HERE/game", "$(dirname "$0")/game"): such
-/// scripts mean their own folder.
-std::string fromHere(const std::string &word, const fs::path &folder) {
-  if (word.empty() || word[0] == '/')
-    return word;
-  if (word[0] == '$') {
-    const std::size_t slash =
-        word.rfind(')') == std::string::npos
-            ? word.find('/', word.find('}') == std::string::npos ? 0 : word.find('}'))
-            : word.find('/', word.rfind(')'));
-    return slash == std::string::npos ? std::string() : (folder / word.substr(slash + 1)).string();
+/// What a script's variables hold, as far as its text tells.
+class Variables {
+public:
+  explicit Variables(const fs::path &script) : m_script(script), m_folder(script.parent_path()) {}
+
+  void set(const std::string &assignment) {
+    const std::size_t equal = assignment.find('=');
+    if (const std::optional<std::string> value = expanded(assignment.substr(equal + 1)))
+      m_values[assignment.substr(0, equal)] = *value;
   }
-  return word.find('/') == std::string::npos ? word : (folder / word).string();
-}
+
+  /// A word with its variables and substitutions replaced; nothing where one is not told.
+  [[nodiscard]] std::optional<std::string> expanded(const std::string &word) const {
+    std::string text;
+    for (std::size_t i = 0; i < word.size();) {
+      if (word[i] != '$' && word[i] != '`') {
+        text += word[i++];
+        continue;
+      }
+      const std::size_t end = endOf(word, i);
+      const std::optional<std::string> value = valueOf(word.substr(i, end - i), end, word);
+      if (!value)
+        return std::nullopt;
+      text += *value;
+      i = end;
+    }
+    return text;
+  }
+
+private:
+  /// Behind the substitution or the variable that begins at `at`.
+  static std::size_t endOf(const std::string &word, std::size_t at) {
+    const char open = word[at] == '`' ? '`' : at + 1 < word.size() ? word[at + 1] : char(0);
+    if (open == '`')
+      return std::min(word.find('`', at + 1), word.size() - 1) + 1;
+    if (open == '{')
+      return std::min(word.find('}', at), word.size() - 1) + 1;
+    std::size_t end = at + 1;
+    if (open == '(') {
+      int depth = 0;
+      for (; end < word.size(); ++end) {
+        depth += word[end] == '(' ? 1 : word[end] == ')' ? -1 : 0;
+        if (depth == 0)
+          return end + 1;
+      }
+      return end;
+    }
+    while (end < word.size() &&
+           (std::isalnum(static_cast<unsigned char>(word[end])) || word[end] == '_'))
+      ++end;
+    return std::max(end, std::min(at + 2, word.size())); // $@, $*
+  }
+
+  [[nodiscard]] std::optional<std::string> valueOf(const std::string &part, std::size_t end,
+                                                   const std::string &word) const {
+    if (part == "$0")
+      return m_script.string();
+    if (part[0] == '`' || part.starts_with("$(")) {
+      // Its own folder is what scripts ask commands for.
+      for (const char *const own : {"dirname", "pwd", "realpath", "readlink"})
+        if (part.find(own) != std::string::npos)
+          return part.find("dirname") == std::string::npos && part.find("pwd") == std::string::npos
+                     ? m_script.string()
+                     : m_folder.string();
+      return std::nullopt;
+    }
+    if (part.starts_with("${0"))
+      return part == "${0}" ? m_script.string() : m_folder.string();
+    std::string name = part.substr(part.starts_with("${") ? 2 : 1);
+    if (name.ends_with('}'))
+      name.pop_back();
+    if (const auto known = m_values.find(name); known != m_values.end())
+      return known->second;
+    // "$HERE/game": found out in a way that is not followed here, it is most often the same folder.
+    const bool first = word.find_first_of("$`") == end - part.size() && end == part.size();
+    return first && end < word.size() && word[end] == '/' ? std::optional(m_folder.string())
+                                                          : std::nullopt;
+  }
+
+  fs::path m_script;
+  fs::path m_folder;
+  std::map<std::string, std::string> m_values;
+};
 
 bool isProgram(const std::string &path) {
   std::error_code error;
@@ -97,12 +180,15 @@ template <std::size_t N> bool isOne(const std::string &word, const std::string_v
   return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
+/// How likely a command is what a script is there for; of equal ones the last.
+enum class Rank { None, Bare, Path, Exec };
+
 struct Started {
   std::vector<std::string> words; ///< the command's, without what stands before it
   bool exec = false;
 };
 
-Started commandOf(const std::vector<std::string> &line, Script &script) {
+Started commandOf(const Words &line, Script &script, Variables &variables) {
   Started started;
   std::size_t at = 0;
   bool passing = false;
@@ -113,11 +199,12 @@ Started commandOf(const std::vector<std::string> &line, Script &script) {
     if (word == "-i" && passing)
       script.clearsPreload = true;
     if (isAssignment(word)) {
+      variables.set(word);
       script.clearsPreload = script.clearsPreload || word == "LD_PRELOAD=";
       script.libraryPath = script.libraryPath || word.starts_with("LD_LIBRARY_PATH=");
     } else if (isOne(word, kPassing)) {
       passing = true;
-    } else if (!passing || !word.starts_with("-")) {
+    } else if (!passing || (!word.starts_with("-") && !isNumber(word))) { // nice -n 5
       break;
     }
   }
@@ -125,8 +212,11 @@ Started commandOf(const std::vector<std::string> &line, Script &script) {
   return started;
 }
 
-void lookAtVariables(const std::vector<std::string> &line, Script &script) {
+void lookAtVariables(const Words &line, Script &script, Variables &variables) {
+  const bool declares = line[0] == "export" || line[0] == "local" || line[0] == "readonly";
   for (std::size_t i = 0; i < line.size(); ++i) {
+    if (declares && isAssignment(line[i]))
+      variables.set(line[i]);
     if (line[i] == "LD_PRELOAD" && line[0] == "unset")
       script.clearsPreload = true;
     // What is set anew without what was there before loses the layer.
@@ -150,40 +240,68 @@ std::string sandboxedApplication(const std::vector<std::string> &words) {
   return {};
 }
 
-Script readScript(const std::string &path) {
-  Script script;
-  std::ifstream stream(path, std::ios::binary);
-  std::string text(kMaxScript, '\0');
-  stream.read(text.data(), std::streamsize(text.size()));
-  text.resize(std::size_t(stream.gcount()));
-  const fs::path folder = fs::path(path).parent_path();
-  bool certain = false;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::vector<std::string> line = wordsOf(text.substr(at, end - at));
-    at = end + 1;
-    if (line.empty())
-      continue;
-    lookAtVariables(line, script);
-    const Started started = commandOf(line, script);
-    if (started.words.empty() || isOne(started.words[0], kOwn))
-      continue;
+namespace {
+
+/// Reads one command after the other.
+class Reader {
+public:
+  explicit Reader(const std::string &path)
+      : m_folder(fs::path(path).parent_path()), m_variables(path) {}
+
+  void read(const Words &words) {
+    lookAtVariables(words, script, m_variables);
+    const Started started = commandOf(words, script, m_variables);
+    if (started.words.empty() || isOne(started.words[0], kOwn) || !script.sandbox.empty())
+      return;
     const std::string name = fs::path(started.words[0]).filename();
     if ((name == "flatpak" || name == "snap") && started.words.size() > 1) {
       script.sandbox = name;
       script.application = sandboxedApplication(started.words);
-      return script;
+      return;
     }
-    // The last one that is there counts, and one behind `exec` before others.
-    const std::string file = fromHere(started.words[0], folder);
-    const CommandFile command = file.empty() ? CommandFile{} : findCommand({file});
-    if (isProgram(command.path) && (started.exec || !certain)) {
-      script.starts = command.path;
-      script.word = started.words[0];
-      certain = certain || started.exec;
-    }
+    const std::optional<std::string> word = m_variables.expanded(started.words[0]);
+    const bool bare = word && word->find('/') == std::string::npos;
+    const Rank rank = started.exec ? Rank::Exec : bare ? Rank::Bare : Rank::Path;
+    if (rank < m_rank)
+      return;
+    const std::string file = word && !word->empty() ? fileOf(*word) : std::string();
+    if (file.empty() && rank != Rank::Exec)
+      return;
+    m_rank = rank;
+    script.starts = file;
   }
-  return script;
+
+  Script script;
+
+private:
+  /// Empty: there is no such program. A relative name begins where the script goes to, which most
+  /// often is its own folder.
+  [[nodiscard]] std::string fileOf(const std::string &word) const {
+    const bool relative = word[0] != '/' && word.find('/') != std::string::npos;
+    const CommandFile command = findCommand({relative ? (m_folder / word).string() : word});
+    return isProgram(command.path) ? command.path : std::string();
+  }
+
+  fs::path m_folder;
+  Variables m_variables;
+  Rank m_rank = Rank::None;
+};
+
+} // namespace
+
+Script readScript(const std::string &path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(kMaxScript, '\0');
+  stream.read(text.data(), std::streamsize(text.size()));
+  text.resize(std::size_t(stream.gcount()));
+  Reader reader(path);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    for (const Words &words : commandsOf(text.substr(at, end - at)))
+      reader.read(words);
+    at = end + 1;
+  }
+  return reader.script;
 }
 
 } // namespace arbiter::tools::doctor
