@@ -260,9 +260,7 @@ std::span<const EnvInfo> environmentTable() { return kEnvironment; }
 std::span<const DebugFlagInfo> debugFlagTable() { return kDebugFlags; }
 const EnvInfo &info(Env variable) { return kEnvironment[std::size_t(variable)]; }
 
-bool isUsable(std::string_view value) {
-  return value.size() <= kMaxEnvBytes && !hasControl(value);
-}
+bool isUsable(std::string_view value) { return value.size() <= kMaxEnvBytes && !hasControl(value); }
 
 Settings parseSettings(const std::function<const char *(const char *)> &lookup,
                        std::vector<std::string> &warnings) {
