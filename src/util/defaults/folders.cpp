@@ -37,7 +37,8 @@ bool isForeign(const std::string &path) {
 void readFolder(const Folder &folder, std::vector<File> &files) {
   DIR *const stream = ::opendir(folder.path.c_str());
   if (stream == nullptr) {
-    if (errno != ENOENT && errno != ENOTDIR)
+    // HOME may be another user's, whose folders are closed: a program that was started by `su`.
+    if (errno != ENOENT && errno != ENOTDIR && !(folder.users && errno == EACCES))
       files.push_back({{}, {folder.path + ": " + std::strerror(errno)}});
     return;
   }
