@@ -35,6 +35,11 @@ TEST_F(NvTest, AFragmentProgramWithItsParameters) {
   EXPECT_EQ(quad(), kGreenPixel);
   glProgramLocalParameter4fARB(kFragmentNv, 3, 1, 0, 0, 0);
   EXPECT_EQ(quad(), (Pixel{255, 255, 0, 255}));
+  glBindProgramARB(kFragment, 1);
+  api::load("!!FP1.0\nDECLARE blue = {0,0,1,1};\nDEFINE half = {0.5,0,0,0};\n"
+            "MOV R0, p[3];\nADD o[COLR], R0, blue;\nEND");
+  EXPECT_EQ(quad(), (Pixel{255, 0, 255, 255}))
+      << "the same text gives named parameters their values";
   glDisable(GL_FRAGMENT_PROGRAM_ARB); // one enable with the ARB's
   glColor4f(1, 0, 0, 1);
   EXPECT_EQ(quad(), kRedPixel);

@@ -92,9 +92,11 @@ void Parser::applyOption(const Token &token) {
     return option.name == text(token) && option.language == m_language.language;
   });
   ir::Options options = m_options;
-  // Vertex programs that sample have the targets of comparisons by the same option
-  // (NV_vertex_program3, dependencies on ARB_fragment_program_shadow).
-  if (m_language.language == Language::ArbVertex && options.nv == ir::NvOption::Second &&
+  // Where vertex programs may sample they may have the targets of comparisons by the same option,
+  // which stands before or behind that of NV_vertex_program3 or without it (NV_vertex_program3,
+  // dependencies on ARB_fragment_program_shadow).
+  if (m_language.language == Language::ArbVertex &&
+      m_limits.nvOptions >= std::uint32_t(ir::NvOption::Second) &&
       text(token) == "ARB_fragment_program_shadow") {
     m_options.shadow = true;
     return;

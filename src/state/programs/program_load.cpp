@@ -14,6 +14,7 @@
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/host_draw/variants/depth_variants.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_cache.h"
 #include "state/programs/replacement.h"
@@ -57,6 +58,14 @@ fp::Compilation refuseTarget(Target target) {
                                        .message = "the header is one of another target",
                                        .hint = hint});
   return refused;
+}
+
+/// A load gives named parameters the values that their declarations say (NV_fragment_program
+/// 3.11.2.3).
+void storeFirstValues(ProgramObject &object, const fp::NativeInterface &native) {
+  for (const fp::NamedParameter &parameter : native.named)
+    if (parameter.local < object.locals.size())
+      object.locals[parameter.local].store(parameter.value);
 }
 
 } // namespace
@@ -146,9 +155,14 @@ void loadProgram(Context &context, ProgramObject &object, GLenum format, GLsizei
 
 bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   const std::shared_ptr<const CompiledProgram> old = context.group->compiledOf(object);
-  if (old && old->text == text) { // nothing can have changed but the last error
+  if (old &&
+      old->text == text) { // nothing can have changed but named parameters and the last error
     context.errorPosition = -1;
     context.errorString = old->warnings;
+    if (!old->native.named.empty()) {
+      storeFirstValues(object, old->native);
+      noteLocalsChanged(context, object);
+    }
     return true;
   }
 
@@ -182,9 +196,7 @@ bool loadText(Context &context, ProgramObject &object, std::string_view text) {
   }
   if (controlled())
     noteLoadedText(object, compiled->hash);
-  for (const fp::NamedParameter &parameter : compiled->native.named)
-    if (parameter.local < object.locals.size())
-      object.locals[parameter.local].store(parameter.value);
+  storeFirstValues(object, compiled->native);
   context.group->setCompiled(object, std::move(compiled));
   if (row.bound.get() == &object)
     invalidateProgram(context);

@@ -154,7 +154,7 @@ TEST(NativeGrammar, NamedParametersAndConstants) {
             {"DECLARE @TEX0;", "reserved-name"},
             {"DECLARE TEX16; DECLARE R32; DECLARE EQ; MOV R0, R32;", ""},
             {"DECLARE @R5;", "reserved-name"},
-            {"DECLARE @ADDH_SAT;", "reserved-name"}, // NVIDIA takes it
+            {"DECLARE ADD; DECLARE ADDH_SAT; DECLARE END; MOV R0, ADD; ADD R0, END, R0;", ""},
             {"DECLARE $a_1; MOV R0, $a_1;", ""},
             {"DEFINE a@;", "syntax"}});
 }
@@ -229,6 +229,7 @@ TEST(NativeGrammar, InstructionsOfVertices) {
     judgeVp("!!VP2.0", {{std::string(statement) + ";", ""}});
   }
   judgeVp("!!VP1.0", {{"MOV R0, @|v[0]|;", "syntax"}, {"MOV R0, @+R1;", "syntax"}});
+  judgeVp("!!VP1.1", {{"MOV R0, @|v[0]|;", "syntax"}, {"MOV R0, +R1; ADD R0, +R0, -R1;", ""}});
   judgeVp("!!VP2.0", {{"MOV R0.xy (LT.x), -|+v[0].x|; BRA l (EQ.x); l: MOV R0, v[0];", ""},
                       {"BRA @nowhere;", "undeclared-name"},
                       {"l: @l: MOV R0, R1;", "redeclared-name"},

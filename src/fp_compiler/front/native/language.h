@@ -19,7 +19,8 @@ struct Traits {
   std::int16_t lowest;    ///< the offset from an address register
   std::int16_t highest;
   std::uint16_t instructions; ///< 0: as many as the target's limit says
-  bool conditions;            ///< condition codes, bars, plus signs
+  bool conditions;            ///< condition codes, bars
+  bool plusSigns;             ///< before operands
   bool invariance;            ///< OPTION NV_position_invariant
   const char *nullRegisters;  ///< what takes a result only for its condition code
 };

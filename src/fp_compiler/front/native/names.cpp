@@ -40,7 +40,8 @@ bool NativeParser::parseDeclare() {
   return true;
 }
 
-/// <identifier>: no word of the grammar, no register and no image unit.
+/// <identifier>: no register and no image unit. Words that begin statements are names like any
+/// other, as no statement begins with a name.
 bool NativeParser::newName(Token &name) {
   if (!m_tokens.at(TokenKind::Identifier))
     return unexpected("a new name");
@@ -48,7 +49,7 @@ bool NativeParser::newName(Token &name) {
   const std::string_view word = text(name);
   const auto unit = numberBehind(word, "TEX");
   const bool letter = word == "f" || word == "o" || word == "p";
-  if (letter || isRegisterName(word) || (unit && *unit < 16) || beginsStatement(name))
+  if (letter || isRegisterName(word) || (unit && *unit < 16))
     error(DiagnosticId::ReservedName, name.span, quote(word) + " is a word of the language",
           "choose another name");
   return true;

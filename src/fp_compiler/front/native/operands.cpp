@@ -59,7 +59,7 @@ bool NativeParser::parseSource(bool scalar, ir::Operand &operand, bool &absolute
   const std::uint32_t begin = m_tokens.peek().span.begin;
   const auto sign = [&] {
     const bool negative = m_tokens.at(TokenKind::Minus);
-    if (negative || (m_traits.conditions && m_tokens.at(TokenKind::Plus)))
+    if (negative || (m_traits.plusSigns && m_tokens.at(TokenKind::Plus)))
       m_tokens.next();
     return negative;
   };

@@ -87,7 +87,12 @@ TEST(NvGrammar, ShadowTargetsOfVertexPrograms) {
       "TEMP r; TXL r, vertex.color, texture[0], SHADOW2D; MOV result.position, r;";
   judge({{kV3, "OPTION ARB_fragment_program_shadow; " + sample, ""},
          {kV3, "TEMP r; TXL r, vertex.color, texture[0], @SHADOW2D;", "shadow-target"},
-         {kV2, "OPTION @ARB_fragment_program_shadow; TEMP r;", "unsupported-option"}});
+         {kV2, "OPTION ARB_fragment_program_shadow; MOV result.position, 0.0;", ""}});
+  const std::string_view alone = "!!ARBvp1.0\nOPTION ARB_fragment_program_shadow;\n"
+                                 "MOV result.position, vertex.position;\nEND";
+  EXPECT_EQ(firstError(check(alone, nvidia(2))), "");
+  EXPECT_EQ(firstError(check(alone, nvidia(1))), "unsupported-option")
+      << "no vertex program samples there";
 }
 
 TEST(NvGrammar, SuffixesOfNames) {

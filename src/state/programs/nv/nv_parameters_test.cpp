@@ -253,8 +253,11 @@ TEST(NvNamed, AreOfTheirProgramWhetherItIsBoundOrNot) {
   GLdouble wide[4] = {};
   handlers::GetProgramNamedParameterdvNV(*context, 103, 4, blue, wide);
   EXPECT_EQ(wide[3], 12.0);
-  loadNv(*context, kNvFragment, 103, std::string(kFp) + " ");
-  EXPECT_EQ(named(*context, 103, "blue"), (Vec4{1, 2, 3, 4})) << "loaded anew";
+  for (const std::string &text : {std::string(kFp) + " ", std::string(kFp) + " "}) {
+    loadNv(*context, kNvFragment, 103, text);
+    EXPECT_EQ(named(*context, 103, "blue"), (Vec4{1, 2, 3, 4})) << "loaded anew";
+    EXPECT_EQ(name(*context, 103, "blue", 5), kNoError);
+  }
   EXPECT_EQ(error(*context), kNoError);
 }
 
