@@ -73,6 +73,82 @@ TEST_F(NvTest, EveryAttributeReachesTheProgram) {
   }
 }
 
+/// Attributes that conventional commands have fewer components of, and those components.
+struct Wider {
+  GLuint number;
+  std::string beyond; ///< a swizzle of those that only VertexAttribNV sets
+  void (*conventional)(GLfloat);
+};
+const Wider kWider[] = {{2, "w", [](GLfloat x) { glNormal3f(x, 0, 0); }},
+                        {4, "w", [](GLfloat x) { glSecondaryColor3f(x, 0, 0); }},
+                        {5, "y", [](GLfloat x) { glFogCoordf(x); }},
+                        {5, "z", [](GLfloat x) { glFogCoordf(x); }},
+                        {5, "w", [](GLfloat x) { glFogCoordf(x); }}};
+
+TEST_F(NvTest, AttributesHaveFourComponents) {
+  for (const Wider &wider : kWider) {
+    const std::string v = "v[" + std::to_string(wider.number) + "].";
+    use(kVertexNv, 4,
+        "!!VP1.0\nMOV o[HPOS], v[0];\nMOV o[COL0].xyz, " + v + wider.beyond + ";\nMOV o[COL0].x, " +
+            v + "x;\nEND");
+    SCOPED_TRACE(v + wider.beyond);
+    const GLubyte usual = wider.beyond == "w" ? 255 : 0;
+    wider.conventional(0.2f);
+    EXPECT_NEAR(quad()[0], 51, 1);
+    EXPECT_EQ(quad()[1], usual);
+    VertexAttrib4fNV(wider.number, 0.4f, 0.6f, 0.6f, 0.6f);
+    EXPECT_NEAR(quad()[0], 102, 1);
+    EXPECT_NEAR(quad()[1], 153, 1);
+    GLfloat current[4] = {};
+    GetVertexAttribfvNV(wider.number, GL_CURRENT_ATTRIB_NV, current);
+    EXPECT_EQ(current[0], 0.4f);
+    EXPECT_EQ(current[3], 0.6f);
+    glPushAttrib(GL_CURRENT_BIT);
+    wider.conventional(1);
+    EXPECT_EQ(quad()[0], 255);
+    EXPECT_EQ(quad()[1], usual) << "the conventional command sets the others too";
+    GetVertexAttribfvNV(wider.number, GL_CURRENT_ATTRIB_NV, current);
+    EXPECT_EQ(current[3], 1.0f);
+    glPopAttrib();
+    EXPECT_NEAR(quad()[1], 153, 1);
+    // Of vertices, in a primitive and in a list.
+    const auto draw = [&] {
+      glBegin(GL_QUADS);
+      VertexAttrib4fNV(wider.number, 0, 0.8f, 0.8f, 0.8f);
+      vertices();
+      glEnd();
+    };
+    clear();
+    draw();
+    EXPECT_NEAR(readPixel()[1], 204, 1);
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    draw();
+    glEndList();
+    VertexAttrib4fNV(wider.number, 0, 0, 0, 1);
+    clear();
+    glCallList(list);
+    EXPECT_NEAR(readPixel()[1], 204, 1);
+    EXPECT_NEAR(quad()[1], 204, 1) << "it stays current";
+    glDeleteLists(list, 1);
+    // Of an array.
+    const GLfloat values[4][4] = {
+        {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}, {1, .4f, .4f, .4f}};
+    constexpr GLfloat kCorners[] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    VertexAttribPointerNV(wider.number, 4, GL_FLOAT, 0, values);
+    glVertexPointer(2, GL_FLOAT, 0, kCorners);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_VERTEX_ATTRIB_ARRAY0_NV + wider.number);
+    clear();
+    glDrawArrays(GL_QUADS, 0, 4);
+    EXPECT_EQ(readPixel()[0], 255);
+    EXPECT_NEAR(readPixel()[1], 102, 1);
+    glDisableClientState(GL_VERTEX_ATTRIB_ARRAY0_NV + wider.number);
+    glDisableClientState(GL_VERTEX_ARRAY);
+    VertexAttrib4fNV(wider.number, 0, 0, 0, 1);
+  }
+}
+
 TEST_F(NvTest, Attribute0MakesVertices) {
   use(kVertexNv, 2, kThroughVp);
   clear();

@@ -31,6 +31,16 @@ GLenum pointerError(GLuint index, GLint size, GLenum type, GLsizei stride) {
   return type == GL_SHORT || type == GL_FLOAT || type == GL_DOUBLE ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
+/// What VertexAttribNV has set beyond the \p common components of the conventional attribute, if no
+/// conventional command came later: the same choice as programs make
+/// (host_draw/variants/attribute_forms.h).
+Vec4 wider(const host::HostTable &host, GLuint index, const Vec4 &conventional, int common) {
+  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f};
+  host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, generic.data());
+  return std::equal(generic.begin(), generic.begin() + common, conventional.begin()) ? generic
+                                                                                     : conventional;
+}
+
 /// The attribute's current value, with the components of table X.2.
 Vec4 currentAttribute(const host::HostTable &host, GLuint index) {
   Vec4 value = {0.0f, 0.0f, 0.0f, 1.0f};
@@ -38,17 +48,17 @@ Vec4 currentAttribute(const host::HostTable &host, GLuint index) {
   case 2:
     host.GetFloatv(GL_CURRENT_NORMAL, value.data());
     value[3] = 1.0f;
-    break;
+    return wider(host, index, value, 3);
   case 3:
     host.GetFloatv(GL_CURRENT_COLOR, value.data());
     break;
   case 4:
     host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
     value[3] = 1.0f;
-    break;
+    return wider(host, index, value, 3);
   case 5:
     host.GetFloatv(GL_CURRENT_FOG_COORD, value.data());
-    break;
+    return wider(host, index, value, 1);
   default:
     if (index < 8) {
       host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, value.data());

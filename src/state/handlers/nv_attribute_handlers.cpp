@@ -1,6 +1,8 @@
 // Vertex attributes of NV_vertex_program (2.14.1.1): each but 1, 6 and 7 is a conventional one
-// (table X.2), whose commands set it too. Components that the conventional command does not have
-// are its default: those of the normal, the secondary colour and the fog coordinate.
+// (table X.2), whose commands set it too. Of the normal, the secondary colour and the fog
+// coordinate the host's conventional attribute has fewer components: all four are given to its
+// generic one of the same number as well, where programs find the others
+// (host_draw/variants/attribute_forms.h).
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
@@ -13,7 +15,12 @@ namespace {
 
 constexpr GLuint kFirstTexCoord = 8;
 
+/// The conventional attribute has fewer components.
+constexpr bool isWider(GLuint index) { return index == 2 || index == 4 || index == 5; }
+
 void recordAttribute(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v) {
+  if (isWider(index))
+    recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
   switch (index) {
   case 0:
     return recorder.vertex(v[0], v[1], v[2], v[3]);
@@ -33,7 +40,7 @@ void recordAttribute(software::ImmediateRecorder &recorder, GLuint index, const 
   recorder.set(slot, v[0], v[1], v[2], v[3]);
 }
 
-void sendAttribute(const host::HostTable &host, GLuint index, const Vec4 &v) {
+void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) {
   switch (index) {
   case 0:
     return host.Vertex4fv(v.data());
@@ -52,6 +59,13 @@ void sendAttribute(const host::HostTable &host, GLuint index, const Vec4 &v) {
     host.VertexAttrib4fv(index, v.data());
   else
     host.MultiTexCoord4fv(GL_TEXTURE0 + (index - kFirstTexCoord), v.data());
+}
+
+/// The generic one last: on hosts whose attributes are one it is what counts.
+void sendAttribute(const host::HostTable &host, GLuint index, const Vec4 &v) {
+  sendConventional(host, index, v);
+  if (isWider(index))
+    host.VertexAttrib4fv(index, v.data());
 }
 
 void setAttribute(Context &context, GLuint index, const Vec4 &value) {

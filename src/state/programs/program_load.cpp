@@ -127,7 +127,7 @@ std::shared_ptr<const CompiledProgram> compileProgram(const Context &context, Ta
   }
   if (target == Target::Vertex && compiled->native.language != fp::ir::NativeLanguage::None)
     compiled->arrays = std::make_shared<const ArrayVariants>(
-        glslHost(context.caps), context.numerics, context.caps.clipDistances());
+        *compiled->program, glslHost(context.caps), context.numerics, context.caps.clipDistances());
   if (target == Target::Fragment)
     compiled->depths =
         std::make_shared<const DepthVariants>(glslHost(context.caps), context.numerics);

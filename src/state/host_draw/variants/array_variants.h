@@ -11,7 +11,8 @@ namespace arbiter::state {
 /// The forms of a vertex program of NVIDIA's own languages by the arrays that it is drawn with.
 /// v[n] is the conventional attribute of that number (NV_vertex_program, table X.2), but where
 /// VERTEX_ATTRIB_ARRAYn_NV is enabled the array is (2.14.3): it is the host's generic one, which is
-/// another attribute there. Each form is emitted once; contexts of a share group use the same ones.
+/// another attribute there, and what VertexAttribNV alone sets of an attribute is in that too
+/// (attribute_forms.h). Each form is emitted once; contexts of a share group use the same ones.
 class ArrayVariants {
 public:
   /// The attributes that are both: all but the position, for which any host has one, and 1, 6 and
@@ -19,11 +20,12 @@ public:
   static constexpr std::uint32_t kBoth = 0xFF3C;
 
   /// \param distances the host has GLSL 1.30, in which clip distances are written
-  ArrayVariants(fp::GlslHost host, fp::Numerics numerics, bool distances)
-      : m_host(host), m_numerics(numerics), m_distances(distances) {}
+  ArrayVariants(const fp::ir::Program &whole, fp::GlslHost host, fp::Numerics numerics,
+                bool distances);
 
   /// The form of `whole`, which this is the one of, that reads generic attributes where `arrays`
-  /// has a bit; `whole` itself where it reads none of them. Any thread may call it.
+  /// has a bit, and what VertexAttribNV sets beyond the conventional attributes; `whole` itself
+  /// where it reads none of that. Any thread may call it.
   [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
                                                           std::uint32_t arrays) const;
   /// The forms there are.
@@ -35,6 +37,7 @@ private:
   fp::GlslHost m_host;
   fp::Numerics m_numerics;
   bool m_distances;
+  std::uint32_t m_beyond; ///< readsBeyondConventional()
   Forms<std::uint32_t> m_forms;
 };
 

@@ -1,0 +1,129 @@
+#include "state/host_draw/variants/attribute_forms.h"
+
+#include "fp_compiler/ir/reads.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using fp::ir::Attribute;
+using fp::ir::AttributeKind;
+using fp::ir::Destination;
+using fp::ir::File;
+using fp::ir::Instruction;
+using fp::ir::Opcode;
+using fp::ir::Operand;
+using fp::ir::Program;
+using fp::ir::Select;
+
+/// The number of v[n]; 0 of those that are the position, or generic already.
+unsigned numberOf(const Attribute &attribute) {
+  switch (attribute.kind) {
+  case AttributeKind::Normal:
+    return 2;
+  case AttributeKind::ColorPrimary:
+    return 3;
+  case AttributeKind::ColorSecondary:
+    return 4;
+  case AttributeKind::FogCoord:
+    return 5;
+  case AttributeKind::TexCoord:
+    return 8u + attribute.index;
+  default:
+    return 0;
+  }
+}
+
+/// Components that the attribute's conventional commands set; all of those without a difference.
+std::uint8_t conventionalMask(const Attribute &attribute) {
+  switch (attribute.kind) {
+  case AttributeKind::Normal:
+  case AttributeKind::ColorSecondary:
+    return 0x7;
+  case AttributeKind::FogCoord:
+    return 0x1;
+  default:
+    return 0xF;
+  }
+}
+
+bool isSet(std::uint32_t mask, unsigned number) { return (mask >> number & 1u) != 0; }
+
+Operand read(File file, std::size_t index, Select component) {
+  Operand operand{.file = file, .index = std::uint16_t(index)};
+  operand.swizzle.fill(component);
+  return operand;
+}
+
+Operand read(File file, std::size_t index) { return {.file = file, .index = std::uint16_t(index)}; }
+
+std::uint16_t addTemporary(Program &program) {
+  program.temporaries.push_back({"v"});
+  return std::uint16_t(program.temporaries.size() - 1);
+}
+
+/// Code that leaves the attribute's value in the temporary that is returned. SEQ and MIN find
+/// whether all of the components are equal; a NaN among them is taken for one that is not.
+std::uint16_t choose(Program &program, std::size_t attribute, std::vector<Instruction> &code) {
+  const std::uint8_t mask = conventionalMask(program.attributes[attribute]);
+  const std::size_t generic = program.attributes.size();
+  program.attributes.push_back(
+      {AttributeKind::Generic, std::uint8_t(numberOf(program.attributes[attribute]))});
+  const std::uint16_t equal = addTemporary(program);
+  const std::uint16_t value = addTemporary(program);
+  const auto write = [&](Opcode op, std::uint16_t to, std::uint8_t components, Operand a, Operand b,
+                         Operand c = {}) {
+    code.push_back({.op = op, .dst = Destination{.index = to, .mask = components}});
+    code.back().src = {a, b, c};
+  };
+  write(Opcode::Seq, equal, mask, read(File::Attribute, attribute), read(File::Attribute, generic));
+  for (const Select other : {Select::Y, Select::Z})
+    if ((mask >> int(other) & 1u) != 0)
+      write(Opcode::Min, equal, 1, read(File::Temporary, equal, Select::X),
+            read(File::Temporary, equal, other));
+  Operand notEqual = read(File::Temporary, equal, Select::X);
+  notEqual.negate = 0xF;
+  write(Opcode::Cmp, value, 0xF, notEqual, read(File::Attribute, generic),
+        read(File::Attribute, attribute));
+  return value;
+}
+
+} // namespace
+
+std::uint32_t readsBeyondConventional(const Program &program) {
+  std::uint32_t numbers = 0;
+  for (const Instruction &instruction : program.code)
+    for (int i = 0; i < fp::ir::info(instruction.op).operandCount(); ++i) {
+      const Operand &operand = instruction.src[std::size_t(i)];
+      if (operand.file != File::Attribute)
+        continue;
+      const Attribute &attribute = program.attributes[operand.index];
+      if ((fp::ir::registerMask(instruction, i) & ~conventionalMask(attribute)) != 0)
+        numbers |= 1u << numberOf(attribute);
+    }
+  return numbers;
+}
+
+std::shared_ptr<const Program> withAttributes(const Program &program, std::uint32_t generic,
+                                              std::uint32_t either) {
+  auto form = std::make_shared<Program>(program);
+  std::vector<Instruction> before;
+  for (std::size_t i = 0; i < program.attributes.size(); ++i) {
+    const unsigned number = numberOf(program.attributes[i]);
+    if (isSet(generic, number)) {
+      form->attributes[i] = {AttributeKind::Generic, std::uint8_t(number)};
+    } else if (isSet(either, number)) {
+      const std::uint16_t value = choose(*form, i, before);
+      for (Instruction &instruction : form->code)
+        for (Operand &operand : instruction.src)
+          if (operand.file == File::Attribute && operand.index == i) {
+            operand.file = File::Temporary;
+            operand.index = value;
+          }
+    }
+  }
+  form->code.insert(form->code.begin(), before.begin(), before.end());
+  return form;
+}
+
+} // namespace arbiter::state
