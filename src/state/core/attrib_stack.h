@@ -9,13 +9,16 @@
 namespace arbiter::state {
 
 /// Mirrors the host's attribute stack as far as our own state is in it: only the enables are, in
-/// GL_ENABLE_BIT (AFP 4642-4645). Bindings and parameters are in no group.
+/// GL_ENABLE_BIT (AFP 4642-4645), those of evaluators in GL_EVAL_BIT too (NV_vertex_program).
+/// Bindings and parameters are in no group.
 class AttribStack {
 public:
   struct Entry {
     bool hasEnables = false;
     std::uint8_t enabledTargets = 0;             ///< one bit a program target
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
+    bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
+    std::uint32_t enabledMaps = 0;
   };
 
   void setMaxDepth(std::size_t depth) {

@@ -17,6 +17,7 @@ enum class Capability : std::uint8_t {
   ProgramTarget, ///< the layer, where the target is offered
   ChoosesForm,   ///< the host, and which form an ATI shader is drawn in (fixed_function.h)
   ClipPlane,     ///< the host, and which form a vertex program is drawn in (clip_planes.h)
+  EvaluatorMap,  ///< the layer, where NV_vertex_program is offered
 };
 
 /// Eight bytes, which an index scales by itself.
@@ -129,6 +130,12 @@ constexpr std::array<CapabilityRow, 1u << kSlotBits> placed() {
 }
 inline constexpr auto kPlaced = placed();
 inline constexpr CapabilityRow kOther{};
+inline constexpr CapabilityRow kMap{0, Capability::EvaluatorMap, 0};
+
+/// Not among the table's: 32 in a row, which are hardly ever asked for.
+constexpr const CapabilityRow &rowOfOther(GLenum cap) {
+  return cap - GL_MAP1_VERTEX_ATTRIB0_4_NV < 32u ? kMap : kOther;
+}
 
 } // namespace detail
 
@@ -137,7 +144,7 @@ inline constexpr CapabilityRow kOther{};
 [[nodiscard]] constexpr const CapabilityRow &rowOfCapability(GLenum cap) {
   const CapabilityRow &row = detail::kPlaced[detail::slotOf(cap, detail::kFactor)];
   if (row.cap != cap) [[unlikely]]
-    return detail::kOther;
+    return detail::rowOfOther(cap);
   return row;
 }
 

@@ -41,6 +41,8 @@ struct ContextHot {
   /// The rasterizer is used here, or a list is compiled that keeps its primitives for it: what a
   /// command means to the rasterizer is of interest.
   bool softwareListens = false;
+  /// An evaluator map of NV_vertex_program was named here once: what evaluates is looked at.
+  bool mapsNamed = false;
   /// A primitive is deferred: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them

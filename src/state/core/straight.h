@@ -28,6 +28,49 @@ namespace arbiter::state::straight {
   return EnableClientState(context, array);
 }
 
+/// The layer has NV_vertex_program's evaluator maps, and evaluates where one of them was named.
+/// Meshes are draws.
+#define ARBITER_MAP(name)                                                                          \
+  template <typename... Arguments>                                                                 \
+  [[nodiscard]] bool name(Context &, GLenum target, Arguments...) {                                \
+    return target - GL_MAP1_VERTEX_ATTRIB0_4_NV >= 32u;                                            \
+  }
+ARBITER_MAP(Map1d)
+ARBITER_MAP(Map1f)
+ARBITER_MAP(Map2d)
+ARBITER_MAP(Map2f)
+ARBITER_MAP(GetMapdv)
+ARBITER_MAP(GetMapfv)
+ARBITER_MAP(GetMapiv)
+#undef ARBITER_MAP
+#define ARBITER_EVALUATES(name)                                                                    \
+  template <typename... Arguments> [[nodiscard]] bool name(Context &context, Arguments...) {       \
+    return !context.mapsNamed;                                                                     \
+  }
+ARBITER_EVALUATES(EvalCoord1d)
+ARBITER_EVALUATES(EvalCoord1f)
+ARBITER_EVALUATES(EvalCoord2d)
+ARBITER_EVALUATES(EvalCoord2f)
+ARBITER_EVALUATES(EvalCoord1dv)
+ARBITER_EVALUATES(EvalCoord1fv)
+ARBITER_EVALUATES(EvalCoord2dv)
+ARBITER_EVALUATES(EvalCoord2fv)
+ARBITER_EVALUATES(EvalPoint1)
+ARBITER_EVALUATES(EvalPoint2)
+#undef ARBITER_EVALUATES
+[[nodiscard]] inline bool isHostsMesh(Context &context) {
+  if (context.attention != 0 || context.mapsNamed)
+    return false;
+  ++*context.drawCounter;
+  return true;
+}
+[[nodiscard]] inline bool EvalMesh1(Context &context, GLenum, GLint, GLint) {
+  return isHostsMesh(context);
+}
+[[nodiscard]] inline bool EvalMesh2(Context &context, GLenum, GLint, GLint, GLint, GLint) {
+  return isHostsMesh(context);
+}
+
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 

@@ -2,6 +2,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/native_inputs.h"
 #include "state/lists/list_compiler.h"
@@ -31,6 +32,8 @@ namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
   const ImmediateInputs inputs(context);
+  if (context.mapsNamed) [[unlikely]]
+    beginEvaluation(context);
   if (context.listMode != 0 && context.list->beginPrimitive(context, mode))
     return;
   if (software::mayDraw(context) && defer(context, mode))

@@ -37,6 +37,17 @@ void enable(Context &context, ProgramTarget &row, bool enabled) {
     setEnabled(context, row, enabled);
 }
 
+/// Enable and Disable of an evaluator map of NV_vertex_program.
+void setMap(Context &context, GLenum cap, bool enabled) {
+  if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
+    return;
+  context.mapsNamed = true;
+  if (context.listMode)
+    return context.list->record(
+        context, {.kind = enabled ? Command::Kind::Enable : Command::Kind::Disable, .target = cap});
+  enableMap(context, cap, enabled);
+}
+
 /// After the host's Enable or Disable.
 void noteCapability(Context &context, Capability capability, bool enabled) {
   if (capability == Capability::ChoosesForm)
@@ -49,6 +60,8 @@ void noteCapability(Context &context, Capability capability, bool enabled) {
 void setCapability(Context &context, GLenum cap, Capability capability, bool enabled) {
   if (ProgramTarget *const row = enableRowOf(context, cap))
     return enable(context, *row, enabled);
+  if (capability == Capability::EvaluatorMap && context.nv)
+    return setMap(context, cap, enabled);
   if (enabled)
     context.host->Enable(cap);
   else
@@ -95,6 +108,11 @@ GLboolean IsEnabled(Context &context, GLenum cap) {
       context.host->GetVertexAttribiv(array, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
     return enabled != 0 ? GL_TRUE : GL_FALSE;
   }
+  if (context.nv && isEvaluatorMap(cap))
+    return outsideBeginEnd(context, "IsEnabled between Begin and End") &&
+                   (context.nv->enabledMaps >> evaluatorMapOf(cap) & 1u) != 0
+               ? GL_TRUE
+               : GL_FALSE;
   const ProgramTarget *const row = enableRowOf(context, cap);
   if (!row)
     return context.host->IsEnabled(cap);

@@ -12,6 +12,7 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/nv/nv_state.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -170,6 +171,10 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
       releaseSamplers(context);
     return false;
   default:
+    if (context.nv && isEvaluatorMap(pname)) {
+      value = GLint(context.nv->enabledMaps >> evaluatorMapOf(pname) & 1u);
+      return true;
+    }
     return cardValue(context, pname, value);
   }
 }

@@ -8,7 +8,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
-#include "state/core/unit_scope.h"
+#include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/nv/nv_state.h"
 
@@ -31,45 +31,6 @@ GLenum pointerError(GLuint index, GLint size, GLenum type, GLsizei stride) {
   return type == GL_SHORT || type == GL_FLOAT || type == GL_DOUBLE ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
-/// What VertexAttribNV has set beyond the \p common components of the conventional attribute, if no
-/// conventional command came later: the same choice as programs make
-/// (host_draw/variants/attribute_forms.h).
-Vec4 wider(const host::HostTable &host, GLuint index, const Vec4 &conventional, int common) {
-  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f};
-  host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, generic.data());
-  return std::equal(generic.begin(), generic.begin() + common, conventional.begin()) ? generic
-                                                                                     : conventional;
-}
-
-/// The attribute's current value, with the components of table X.2.
-Vec4 currentAttribute(const host::HostTable &host, GLuint index) {
-  Vec4 value = {0.0f, 0.0f, 0.0f, 1.0f};
-  switch (index) {
-  case 2:
-    host.GetFloatv(GL_CURRENT_NORMAL, value.data());
-    value[3] = 1.0f;
-    return wider(host, index, value, 3);
-  case 3:
-    host.GetFloatv(GL_CURRENT_COLOR, value.data());
-    break;
-  case 4:
-    host.GetFloatv(GL_CURRENT_SECONDARY_COLOR, value.data());
-    value[3] = 1.0f;
-    return wider(host, index, value, 3);
-  case 5:
-    host.GetFloatv(GL_CURRENT_FOG_COORD, value.data());
-    return wider(host, index, value, 1);
-  default:
-    if (index < 8) {
-      host.GetVertexAttribfv(index, GL_CURRENT_VERTEX_ATTRIB, value.data());
-    } else {
-      const UnitScope unit(host, index - 8);
-      host.GetFloatv(GL_CURRENT_TEXTURE_COORDS, value.data());
-    }
-  }
-  return value;
-}
-
 template <typename T> T given(GLfloat value) {
   return std::is_integral_v<T> ? T(std::lround(value)) : T(value);
 }
@@ -86,7 +47,7 @@ template <typename T> void get(Context &context, GLuint index, GLenum pname, T *
   if (!params)
     return;
   if (current) {
-    const Vec4 value = currentAttribute(*context.host, index);
+    const Vec4 value = currentNvAttribute(context, index);
     std::transform(value.begin(), value.end(), params, given<T>);
     return;
   }

@@ -1,79 +1,21 @@
-// Vertex attributes of NV_vertex_program (2.14.1.1): each but 1, 6 and 7 is a conventional one
-// (table X.2), whose commands set it too. Of the normal, the secondary colour and the fog
-// coordinate the host's conventional attribute has fewer components: all four are given to its
-// generic one of the same number as well, where programs find the others
-// (host_draw/variants/attribute_forms.h).
+// Vertex attributes of NV_vertex_program (2.14.1.1): state/host_draw/evaluators/nv_attributes.h
+// says what they are.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
+#include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/programs/nv/nv_state.h"
-#include "state/raster_draw/immediate/recorder.h"
 
 namespace arbiter::state {
 
 namespace {
 
-constexpr GLuint kFirstTexCoord = 8;
-
-/// The conventional attribute has fewer components.
-constexpr bool isWider(GLuint index) { return index == 2 || index == 4 || index == 5; }
-
-void recordAttribute(software::ImmediateRecorder &recorder, GLuint index, const Vec4 &v) {
-  if (isWider(index))
-    recorder.set(software::kGeneric0 + int(index), v[0], v[1], v[2], v[3]);
-  switch (index) {
-  case 0:
-    return recorder.vertex(v[0], v[1], v[2], v[3]);
-  case 2:
-    return recorder.set(software::kNormal, v[0], v[1], v[2], 1.0f);
-  case 3:
-    return recorder.set(software::kColor, v[0], v[1], v[2], v[3]);
-  case 4:
-    return recorder.set(software::kSecondary, v[0], v[1], v[2], 1.0f);
-  case 5:
-    return recorder.set(software::kFogCoord, v[0], 0.0f, 0.0f, 1.0f);
-  default:
-    break;
-  }
-  const int slot = index < kFirstTexCoord ? software::kGeneric0 + int(index)
-                                          : software::kTexCoord0 + int(index - kFirstTexCoord);
-  recorder.set(slot, v[0], v[1], v[2], v[3]);
-}
-
-void sendConventional(const host::HostTable &host, GLuint index, const Vec4 &v) {
-  switch (index) {
-  case 0:
-    return host.Vertex4fv(v.data());
-  case 2:
-    return host.Normal3fv(v.data());
-  case 3:
-    return host.Color4fv(v.data());
-  case 4:
-    return host.SecondaryColor3fv(v.data());
-  case 5:
-    return host.FogCoordfv(v.data());
-  default:
-    break;
-  }
-  if (index < kFirstTexCoord)
-    host.VertexAttrib4fv(index, v.data());
-  else
-    host.MultiTexCoord4fv(GL_TEXTURE0 + (index - kFirstTexCoord), v.data());
-}
-
-/// The generic one last: on hosts whose attributes are one it is what counts.
-void sendAttribute(const host::HostTable &host, GLuint index, const Vec4 &v) {
-  sendConventional(host, index, v);
-  if (isWider(index))
-    host.VertexAttrib4fv(index, v.data());
-}
-
 void setAttribute(Context &context, GLuint index, const Vec4 &value) {
   if (index >= NvState::kAttributes)
     return raise(context, GL_INVALID_VALUE, "VertexAttrib: index");
-  if (context.recorder)
-    return recordAttribute(*context.recorder, index, value);
-  sendAttribute(*context.host, index, value);
+  setNvAttribute(context, index, value);
+  if (context.nv->evaluation) [[unlikely]]
+    context.nv->evaluation->current[index] = value;
 }
 
 /// Bytes are of [0,1] (table 2.6), other numbers what they are.

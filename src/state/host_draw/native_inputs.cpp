@@ -4,6 +4,7 @@
 #include "state/host_draw/variants/array_variants.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_state.h"
+#include "state/programs/program_object.h"
 
 namespace arbiter::state {
 
@@ -30,7 +31,38 @@ void refreshArrays(Context &context) {
   context.attention |= attention::kProgram;
 }
 
+/// By a value that the normal does not have. Where the two are one, the generic one's is its own.
+bool attributesAreOne(const host::HostTable &host) {
+  constexpr GLuint kNormal = 2;
+  Vec4 generic = {0.0f, 0.0f, 0.0f, 1.0f}, normal{};
+  host.GetVertexAttribfv(kNormal, GL_CURRENT_VERTEX_ATTRIB, generic.data());
+  host.GetFloatv(GL_CURRENT_NORMAL, normal.data());
+  const Vec4 other = {normal[0] == 0.5f ? 0.25f : 0.5f, 0.0f, 0.0f, 1.0f};
+  host.VertexAttrib4fv(kNormal, other.data());
+  host.GetFloatv(GL_CURRENT_NORMAL, normal.data());
+  host.VertexAttrib4fv(kNormal, generic.data());
+  return normal[0] == other[0];
+}
+
+/// The rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
+WiderAttributes widerAttributes(Context &context) {
+  std::optional<bool> &areOne = context.nv->attributesAreOne;
+  if (!areOne)
+    areOne = attributesAreOne(*context.host);
+  if (!*areOne)
+    return WiderAttributes::Beside;
+  return context.softwarePossible ? WiderAttributes::Nowhere : WiderAttributes::Generic;
+}
+
 } // namespace
+
+std::shared_ptr<const CompiledProgram> withItsAttributes(Context &context,
+                                                         const CompiledProgram &program) {
+  const ArrayVariants &forms = *program.arrays;
+  const WiderAttributes wider =
+      forms.readsWider() ? widerAttributes(context) : WiderAttributes::Nowhere;
+  return forms.of(program, context.nv->arrays, wider);
+}
 
 bool nativeInputsMayChange(const Context &context) {
   const ProgramTarget &vertex = context.row(Target::Vertex);

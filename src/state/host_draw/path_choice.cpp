@@ -8,6 +8,7 @@
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/linked_program.h"
+#include "state/host_draw/native_inputs.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
@@ -77,7 +78,7 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
   if (rows.vertex)
     pair.vertex = context.group->compiledOf(*rows.vertex->bound);
   if (context.nv && pair.vertex && pair.vertex->arrays)
-    pair.vertex = pair.vertex->arrays->of(*pair.vertex, context.nv->arrays);
+    pair.vertex = withItsAttributes(context, *pair.vertex);
   if (rows.fragment)
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)

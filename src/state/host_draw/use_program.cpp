@@ -11,6 +11,7 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_groups.h"
+#include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
 
@@ -31,6 +32,10 @@ void pushEnables(Context &context, GLbitfield mask) {
                            .dirty = software::dirtyGroupsOfAttributes(mask)};
   for (const ProgramTarget &row : context.targets)
     entry.enabledTargets |= std::uint8_t(std::uint8_t(row.enabled) << unsigned(row.target));
+  if (context.nv) {
+    entry.hasMaps = (mask & (GL_ENABLE_BIT | GL_EVAL_BIT)) != 0;
+    entry.enabledMaps = context.nv->enabledMaps;
+  }
   (void)context.attribStack.push(entry);
 }
 
@@ -38,6 +43,8 @@ void popEnables(Context &context) {
   AttribStack::Entry entry;
   const bool popped = context.attribStack.pop(entry);
   context.dirty |= entry.dirty;
+  if (popped && entry.hasMaps && context.nv)
+    context.nv->enabledMaps = entry.enabledMaps;
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)

@@ -50,6 +50,11 @@ struct Command {
     ParameterNv,      ///< target, name: first index; count; values, none if the count is an error
     NamedParameterNv, ///< name: of the program; bytes: of the parameter; values
     RequestResident,  ///< count; bytes: the names
+    DefineMap,        ///< target, name and object: the orders; format: an error; values: the
+                      ///< domain, the points
+    PrepareEvaluation,
+    EvalPoint, ///< bytes: an EvaluatorPoint
+    EvalMesh,  ///< target: mode; name: the dimension; bytes: four GLint
   };
   Kind kind;
   GLenum target = 0;

@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
@@ -12,141 +11,14 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/use_program.h"
 #include "state/mirror/dirty_bits.h"
-#include "state/programs/fragment_shaders.h"
-#include "state/programs/nv/matrix_tracking.h"
-#include "state/programs/nv/nv_programs.h"
-#include "state/programs/parameters.h"
-#include "state/programs/program_bind.h"
-#include "state/programs/program_load.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
-#include "state/raster_draw/copy_texture.h"
 #include "state/raster_draw/decision.h"
 #include "state/raster_draw/immediate/geometry.h"
 #include "state/raster_draw/immediate/geometry_call.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
-
-namespace {
-
-/// A command of ATI_fragment_shader.
-void executeFragmentShader(Context &context, const Command &command) {
-  if (command.kind == Command::Kind::BindProgram)
-    bindFragmentShader(context, command.name);
-  else
-    setFragmentShaderConstant(context, int(command.name), command.values.front());
-}
-
-/// The command's bind, and those that followed it.
-void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
-  bindProgram(context, row, command.name);
-  for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
-    GLuint name = 0;
-    std::memcpy(&name, command.bytes.data() + at, sizeof name);
-    bindProgram(context, row, name);
-  }
-}
-
-/// A command of the program API. Its target was one of the layer's when it was recorded.
-void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
-  const bool enables =
-      command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
-  if (row.target == Target::AtiApi && !enables)
-    return executeFragmentShader(context, command);
-  const bool named =
-      command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
-  const std::shared_ptr<ProgramObject> object =
-      named ? namedProgram(context, row, command.object) : row.bound;
-  if (!object)
-    return;
-  switch (command.kind) {
-  case Command::Kind::ProgramString:
-  case Command::Kind::NamedString:
-    return loadProgram(context, *object, command.format, command.count, command.bytes.data());
-  case Command::Kind::BindProgram:
-    return bindPrograms(context, row, command);
-  case Command::Kind::Env:
-    return setEnv(context, row, command.name, command.count, command.values.data());
-  case Command::Kind::Local:
-  case Command::Kind::NamedLocal:
-    return setLocal(context, *object, command.name, command.count, command.values.data());
-  case Command::Kind::Enable:
-  case Command::Kind::Disable:
-    return setEnabled(context, row, command.kind == Command::Kind::Enable);
-  default:
-    return;
-  }
-}
-
-/// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share
-/// group have one profile, and may be on hosts' contexts that differ.
-void executeNvCommand(Context &context, const Command &command) {
-  if (!context.nv)
-    return raise(context, GL_INVALID_OPERATION, "a list's command of NV_vertex_program");
-  switch (command.kind) {
-  case Command::Kind::LoadNv:
-    return loadNvProgram(context, command.target, command.name, command.count,
-                         command.bytes.data());
-  case Command::Kind::BindNv:
-    return bindNvProgram(context, command.target, command.name);
-  case Command::Kind::ExecuteNv:
-    return executeStateProgram(context, command.target, command.name, command.values.front());
-  case Command::Kind::TrackMatrix:
-    return trackMatrix(context, command.target, command.name, command.object, command.format);
-  case Command::Kind::ParameterNv:
-    return setNvParameters(context, command.target, command.name, command.count,
-                           command.values.data());
-  case Command::Kind::NamedParameterNv:
-    return setNamedParameter(context, command.name, command.bytes, command.values.front());
-  case Command::Kind::RequestResident:
-    if (command.count < 0)
-      raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");
-    return;
-  default:
-    return;
-  }
-}
-
-} // namespace
-
-void execute(Context &context, const Command &command) {
-  const bool nested =
-      command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
-  if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))
-    return;
-  switch (command.kind) {
-  case Command::Kind::ProgramString:
-  case Command::Kind::BindProgram:
-  case Command::Kind::Env:
-  case Command::Kind::Local:
-  case Command::Kind::NamedString:
-  case Command::Kind::NamedLocal:
-  case Command::Kind::Enable:
-  case Command::Kind::Disable:
-    if (ProgramTarget *const row = enableRowOf(context, command.target))
-      executeProgram(context, *row, command);
-    return;
-  case Command::Kind::UseProgram:
-    return useProgram(context, command.name);
-  case Command::Kind::AttribPushed:
-    return pushEnables(context, command.name);
-  case Command::Kind::PopAttrib:
-    return popAttrib(context);
-  case Command::Kind::CallList:
-    return callList(context, command.name);
-  case Command::Kind::CallLists:
-    return callLists(context, command.count, command.target, command.bytes.data());
-  case Command::Kind::BeginConditional:
-    return handlers::BeginConditionalRender(context, command.name, command.target);
-  case Command::Kind::EndConditional:
-    return handlers::EndConditionalRender(context);
-  case Command::Kind::CopyTexture:
-    return copyTexture(context, copyOf(command));
-  default:
-    return executeNvCommand(context, command);
-  }
-}
 
 namespace {
 
@@ -331,8 +203,10 @@ void callListIntoHost(Context &context, GLuint name) {
   for (const DisplayList::Item &item : list->items) {
     if (item.geometry)
       context.host->Begin(item.geometry->mode); // an error, as in callGeometry()
+    if (item.command && item.command->kind == Command::Kind::EvalPoint)
+      execute(context, *item.command);
     if (item.hostList == 0)
-      continue; // the layer's are errors between Begin and End
+      continue; // the layer's others are errors between Begin and End
     context.host->CallList(item.hostList);
     if (item.primitive != Primitive::AsBefore)
       context.insideBeginEnd = item.primitive == Primitive::Open;

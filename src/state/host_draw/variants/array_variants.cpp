@@ -14,10 +14,12 @@ ArrayVariants::ArrayVariants(const fp::ir::Program &whole, fp::GlslHost host, fp
     : m_host(host), m_numerics(numerics), m_distances(distances),
       m_beyond(readsBeyondConventional(whole)) {}
 
-std::shared_ptr<const CompiledProgram> ArrayVariants::of(const CompiledProgram &whole,
-                                                         std::uint32_t arrays) const {
+std::shared_ptr<const CompiledProgram>
+ArrayVariants::of(const CompiledProgram &whole, std::uint32_t arrays, WiderAttributes wider) const {
+  if (wider == WiderAttributes::Generic)
+    arrays |= m_beyond;
   arrays &= kBoth & whole.native.attributes;
-  const std::uint32_t either = m_beyond & ~arrays;
+  const std::uint32_t either = wider == WiderAttributes::Beside ? m_beyond & ~arrays : 0;
   if (arrays == 0 && either == 0)
     return whole.shared_from_this();
   return m_forms.of(arrays | either << 16, [&] {

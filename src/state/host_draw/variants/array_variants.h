@@ -8,6 +8,13 @@
 
 namespace arbiter::state {
 
+/// Where a program finds what VertexAttribNV alone sets of an attribute (attribute_forms.h).
+enum class WiderAttributes : std::uint8_t {
+  Beside,  ///< in the generic attribute, beside the conventional one
+  Generic, ///< in the generic attribute, which is the conventional one: GLSL may read one of them
+  Nowhere,
+};
+
 /// The forms of a vertex program of NVIDIA's own languages by the arrays that it is drawn with.
 /// v[n] is the conventional attribute of that number (NV_vertex_program, table X.2), but where
 /// VERTEX_ATTRIB_ARRAYn_NV is enabled the array is (2.14.3): it is the host's generic one, which is
@@ -26,8 +33,10 @@ public:
   /// The form of `whole`, which this is the one of, that reads generic attributes where `arrays`
   /// has a bit, and what VertexAttribNV sets beyond the conventional attributes; `whole` itself
   /// where it reads none of that. Any thread may call it.
-  [[nodiscard]] std::shared_ptr<const CompiledProgram> of(const CompiledProgram &whole,
-                                                          std::uint32_t arrays) const;
+  [[nodiscard]] std::shared_ptr<const CompiledProgram>
+  of(const CompiledProgram &whole, std::uint32_t arrays, WiderAttributes wider) const;
+  /// The program reads what VertexAttribNV alone sets of some attribute.
+  [[nodiscard]] bool readsWider() const { return m_beyond != 0; }
   /// The forms there are.
   [[nodiscard]] std::vector<std::shared_ptr<const CompiledProgram>> all() const {
     return m_forms.all();

@@ -159,7 +159,7 @@ TEST(NvArrays, AProgramReadsThemWhereTheyAreEnabled) {
   NvHost host;
   const CurrentContext context(host);
   loadNv(*context, kNvVertex, 1,
-         "!!VP1.0\nMOV R0, v[OPOS];\nADD o[HPOS], R0, v[NRML];\nMOV o[COL0], v[3];\nEND");
+         "!!VP1.0\nMOV R0, v[OPOS];\nADD o[HPOS], R0, v[NRML].xyzx;\nMOV o[COL0], v[3];\nEND");
   handlers::BindProgramNV(*context, kNvVertex, 1);
   handlers::Enable(*context, kNvVertex);
   ASSERT_TRUE(draw(*context));

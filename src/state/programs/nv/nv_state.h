@@ -1,12 +1,15 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/programs/nv/evaluation.h"
 
 namespace arbiter::state {
 
@@ -27,7 +30,15 @@ struct NvState {
   std::array<TrackedMatrix, kParameters / 4> tracked{};
   bool arraysUsed = false;  ///< a VERTEX_ATTRIB_ARRAYi_NV was enabled once
   std::uint32_t arrays = 0; ///< those that are enabled, as of the last draw
-  bool immediate = false;   ///< what is drawn comes between Begin and End: `arrays` is 0
+  /// The host's attributes are NV_vertex_program's: a generic one is the conventional one of its
+  /// number. Not known before a program asks.
+  std::optional<bool> attributesAreOne;
+  bool immediate = false; ///< what is drawn comes between Begin and End: `arrays` is 0
+
+  std::uint32_t enabledMaps = 0; ///< of evaluators
+  /// Those that were defined; null before the first one.
+  std::unique_ptr<std::array<EvaluatorMap, kEvaluatorMaps>> maps;
+  std::unique_ptr<Evaluation> evaluation; ///< of the last Begin; null where the host evaluates
 };
 
 /// A command of NVIDIA's in a context that does not have them: the host's where it draws all

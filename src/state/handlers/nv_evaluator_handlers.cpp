@@ -1,0 +1,261 @@
+// Evaluators (OpenGL 2.1, 5.1) with the maps of NV_vertex_program (5.1): what names one of those,
+// and what evaluates once one was named. All else is the host's (state/core/straight.h).
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/errors.h"
+#include "state/host_draw/evaluators/evaluation.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/nv/nv_state.h"
+#include "state/raster_draw/commands.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// What Map says of one of its dimensions.
+template <typename T> struct Side {
+  T from, to;
+  GLint stride, order;
+};
+
+/// Each dimension has a half of the names. The greatest order is the host's.
+template <typename T>
+GLenum mapError(Context &context, GLenum target, const Side<T> &u, const Side<T> *v) {
+  constexpr GLint kComponents = 4;
+  if (!isEvaluatorMap(target) || (evaluatorMapOf(target) < kEvaluatorMaps / 2) != (v == nullptr))
+    return GL_INVALID_ENUM;
+  GLint most = 1;
+  context.host->GetIntegerv(GL_MAX_EVAL_ORDER, &most);
+  const auto isRight = [&](const Side<T> &side) {
+    return side.from != side.to && side.stride >= kComponents && side.order >= 1 &&
+           side.order <= most;
+  };
+  return isRight(u) && (!v || isRight(*v)) ? GL_NO_ERROR : GL_INVALID_VALUE;
+}
+
+/// The points are copied now, of a list too (5.4).
+template <typename T>
+MapDefinition definitionOf(Context &context, GLenum target, const Side<T> &u, const Side<T> *v,
+                           const T *points) {
+  MapDefinition definition{.target = target, .error = mapError(context, target, u, v)};
+  if (definition.error != GL_NO_ERROR || !points)
+    return definition;
+  EvaluatorMap &map = definition.map;
+  map.order[0] = u.order;
+  map.domain = {GLfloat(u.from), GLfloat(u.to), 0, 1};
+  if (v) {
+    map.order[1] = v->order;
+    map.domain[2] = GLfloat(v->from);
+    map.domain[3] = GLfloat(v->to);
+  }
+  map.points.clear();
+  for (GLint i = 0; i < map.order[0]; ++i)
+    for (GLint j = 0; j < map.order[1]; ++j) {
+      const T *const p =
+          points + std::ptrdiff_t(i) * u.stride + std::ptrdiff_t(j) * (v ? v->stride : 0);
+      map.points.push_back({GLfloat(p[0]), GLfloat(p[1]), GLfloat(p[2]), GLfloat(p[3])});
+    }
+  return definition;
+}
+
+template <typename T>
+void define(Context &context, GLenum target, const Side<T> &u, const Side<T> *v, const T *points) {
+  if (!outsideBeginEnd(context, "Map between Begin and End"))
+    return;
+  const MapDefinition definition = definitionOf(context, target, u, v, points);
+  context.mapsNamed = true;
+  if (!context.listMode)
+    return defineMap(context, definition);
+  const EvaluatorMap &map = definition.map;
+  Command command{.kind = Command::Kind::DefineMap,
+                  .target = target,
+                  .name = GLuint(map.order[0]),
+                  .object = GLuint(map.order[1]),
+                  .format = definition.error};
+  command.values.push_back(map.domain);
+  command.values.insert(command.values.end(), map.points.begin(), map.points.end());
+  context.list->record(context, std::move(command));
+}
+
+template <typename T> T given(GLfloat value) {
+  return std::is_integral_v<T> ? T(std::lround(value)) : T(value);
+}
+
+template <typename T> void get(Context &context, GLenum target, GLenum query, T *v) {
+  if (!outsideBeginEnd(context, "GetMap between Begin and End"))
+    return;
+  const GLuint number = evaluatorMapOf(target);
+  if (number >= kEvaluatorMaps || (query != GL_COEFF && query != GL_ORDER && query != GL_DOMAIN))
+    return raise(context, GL_INVALID_ENUM, "GetMap: target or query");
+  if (!v)
+    return;
+  const std::size_t dimensions = number < kEvaluatorMaps / 2 ? 1 : 2;
+  const EvaluatorMap &map = evaluatorMap(context, number);
+  if (query == GL_ORDER)
+    std::transform(map.order.begin(), map.order.begin() + dimensions, v,
+                   [](GLint order) { return T(order); });
+  else if (query == GL_DOMAIN)
+    std::transform(map.domain.begin(), map.domain.begin() + 2 * dimensions, v, given<T>);
+  else
+    for (const Vec4 &point : map.points)
+      v = std::transform(point.begin(), point.end(), v, given<T>);
+}
+
+void evaluate(Context &context, const EvaluatorPoint &point) {
+  if (context.listMode == 0 || context.insideBeginEnd)
+    return evaluatePoint(context, point);
+  Command command{.kind = Command::Kind::EvalPoint};
+  command.bytes.assign(reinterpret_cast<const char *>(&point), sizeof point);
+  context.list->record(context, std::move(command));
+}
+
+/// EvalMesh: from the first to the last number of the grid in u, and in v.
+struct Mesh {
+  GLuint dimension;
+  GLenum mode;
+  GLint u1, u2, v1, v2;
+
+  [[nodiscard]] bool hasMode() const {
+    return mode == GL_POINT || mode == GL_LINE || (mode == GL_FILL && dimension == 2);
+  }
+};
+
+/// One primitive of the mesh; `points` evaluates. False after an error of Begin.
+template <typename Points> bool primitive(Context &context, GLenum mode, Points &&points) {
+  handlers::Begin(context, mode);
+  if (!context.insideBeginEnd)
+    return false;
+  points();
+  handlers::End(context);
+  return true;
+}
+
+/// As 5.1 has it: FILL is a strip for each step in v. The counters go beyond any GLint.
+void drawMesh(Context &context, const Mesh &mesh) {
+  const auto point = [&](std::int64_t u, std::int64_t v) {
+    evaluatePoint(context, {mesh.dimension, true, GLdouble(u), GLdouble(v)});
+  };
+  const auto along = [&](std::int64_t v) {
+    for (std::int64_t u = mesh.u1; u <= mesh.u2; ++u)
+      point(u, v);
+  };
+  if (mesh.mode == GL_POINT) {
+    (void)primitive(context, GL_POINTS, [&] {
+      for (std::int64_t v = mesh.v1; v <= mesh.v2; ++v)
+        along(v);
+    });
+    return;
+  }
+  bool drawn = true;
+  for (std::int64_t v = mesh.v1; drawn && mesh.mode == GL_LINE && v <= mesh.v2; ++v)
+    drawn = primitive(context, GL_LINE_STRIP, [&] { along(v); });
+  for (std::int64_t u = mesh.u1;
+       drawn && mesh.mode == GL_LINE && mesh.dimension == 2 && u <= mesh.u2; ++u)
+    drawn = primitive(context, GL_LINE_STRIP, [&] {
+      for (std::int64_t v = mesh.v1; v <= mesh.v2; ++v)
+        point(u, v);
+    });
+  for (std::int64_t v = mesh.v1; drawn && mesh.mode == GL_FILL && v < mesh.v2; ++v)
+    drawn = primitive(context, GL_QUAD_STRIP, [&] {
+      for (std::int64_t u = mesh.u1; u <= mesh.u2; ++u) {
+        point(u, v);
+        point(u, v + 1);
+      }
+    });
+}
+
+/// True: the mesh was drawn, or is a list's. False: it is the host's, which is prepared.
+bool takesMesh(Context &context, const Mesh &mesh) {
+  if (context.mapsNamed && !context.insideBeginEnd) {
+    if (context.listMode != 0) {
+      Command command{.kind = Command::Kind::EvalMesh, .target = mesh.mode, .name = mesh.dimension};
+      const GLint range[] = {mesh.u1, mesh.u2, mesh.v1, mesh.v2};
+      command.bytes.assign(reinterpret_cast<const char *>(range), sizeof range);
+      context.list->record(context, std::move(command));
+      return true;
+    }
+    if (mayEvaluate(context) && mesh.hasMode()) {
+      drawMesh(context, mesh);
+      return true;
+    }
+  }
+  if (context.attention && !handlers::beginDraw(context))
+    return true;
+  if (context.softwareListens)
+    software::hostWrites(context, mesh.dimension == 1 ? "glEvalMesh1" : "glEvalMesh2");
+  ++*context.drawCounter;
+  return false;
+}
+
+} // namespace
+
+namespace handlers {
+
+#define MAPS(letter, T)                                                                            \
+  void Map1##letter(Context &context, GLenum target, T u1, T u2, GLint stride, GLint order,        \
+                    const T *points) {                                                             \
+    if (!context.nv)                                                                               \
+      return context.host->Map1##letter(target, u1, u2, stride, order, points);                    \
+    define<T>(context, target, {u1, u2, stride, order}, nullptr, points);                          \
+  }                                                                                                \
+  void Map2##letter(Context &context, GLenum target, T u1, T u2, GLint ustride, GLint uorder,      \
+                    T v1, T v2, GLint vstride, GLint vorder, const T *points) {                    \
+    if (!context.nv)                                                                               \
+      return context.host->Map2##letter(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,  \
+                                        points);                                                   \
+    const Side<T> v{v1, v2, vstride, vorder};                                                      \
+    define<T>(context, target, {u1, u2, ustride, uorder}, &v, points);                             \
+  }                                                                                                \
+  void EvalCoord1##letter(Context &context, T u) { evaluate(context, {1, false, u, 0}); }          \
+  void EvalCoord2##letter(Context &context, T u, T v) { evaluate(context, {2, false, u, v}); }     \
+  void EvalCoord1##letter##v(Context &context, const T *u) {                                       \
+    evaluate(context, {1, false, u[0], 0});                                                        \
+  }                                                                                                \
+  void EvalCoord2##letter##v(Context &context, const T *u) {                                       \
+    evaluate(context, {2, false, u[0], u[1]});                                                     \
+  }
+MAPS(f, GLfloat)
+MAPS(d, GLdouble)
+#undef MAPS
+
+void GetMapfv(Context &context, GLenum target, GLenum query, GLfloat *v) {
+  if (!context.nv)
+    return context.host->GetMapfv(target, query, v);
+  get(context, target, query, v);
+}
+
+void GetMapdv(Context &context, GLenum target, GLenum query, GLdouble *v) {
+  if (!context.nv)
+    return context.host->GetMapdv(target, query, v);
+  get(context, target, query, v);
+}
+
+void GetMapiv(Context &context, GLenum target, GLenum query, GLint *v) {
+  if (!context.nv)
+    return context.host->GetMapiv(target, query, v);
+  get(context, target, query, v);
+}
+
+void EvalPoint1(Context &context, GLint i) { evaluate(context, {1, true, GLdouble(i), 0}); }
+
+void EvalPoint2(Context &context, GLint i, GLint j) {
+  evaluate(context, {2, true, GLdouble(i), GLdouble(j)});
+}
+
+void EvalMesh1(Context &context, GLenum mode, GLint i1, GLint i2) {
+  if (!takesMesh(context, {1, mode, i1, i2, 0, 0}))
+    context.host->EvalMesh1(mode, i1, i2);
+}
+
+void EvalMesh2(Context &context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  if (!takesMesh(context, {2, mode, i1, i2, j1, j2}))
+    context.host->EvalMesh2(mode, i1, i2, j1, j2);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

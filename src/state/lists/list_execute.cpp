@@ -1,0 +1,177 @@
+// The layer's commands in a list, when it is called.
+#include "state/lists/list_compiler.h"
+
+#include <array>
+#include <cstring>
+
+#include "host/handlers.h"
+#include "state/core/errors.h"
+#include "state/host_draw/evaluators/evaluation.h"
+#include "state/host_draw/use_program.h"
+#include "state/programs/fragment_shaders.h"
+#include "state/programs/nv/matrix_tracking.h"
+#include "state/programs/nv/nv_programs.h"
+#include "state/programs/nv/nv_state.h"
+#include "state/programs/parameters.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/program_load.h"
+#include "state/raster_draw/copy_texture.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A command of ATI_fragment_shader.
+void executeFragmentShader(Context &context, const Command &command) {
+  if (command.kind == Command::Kind::BindProgram)
+    bindFragmentShader(context, command.name);
+  else
+    setFragmentShaderConstant(context, int(command.name), command.values.front());
+}
+
+/// The command's bind, and those that followed it.
+void bindPrograms(Context &context, ProgramTarget &row, const Command &command) {
+  bindProgram(context, row, command.name);
+  for (std::size_t at = 0; at < command.bytes.size(); at += sizeof command.name) {
+    GLuint name = 0;
+    std::memcpy(&name, command.bytes.data() + at, sizeof name);
+    bindProgram(context, row, name);
+  }
+}
+
+/// A command of the program API. Its target was one of the layer's when it was recorded.
+void executeProgram(Context &context, ProgramTarget &row, const Command &command) {
+  const bool enables =
+      command.kind == Command::Kind::Enable || command.kind == Command::Kind::Disable;
+  if (row.target == Target::AtiApi && !enables)
+    return executeFragmentShader(context, command);
+  const bool named =
+      command.kind == Command::Kind::NamedString || command.kind == Command::Kind::NamedLocal;
+  const std::shared_ptr<ProgramObject> object =
+      named ? namedProgram(context, row, command.object) : row.bound;
+  if (!object)
+    return;
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+  case Command::Kind::NamedString:
+    return loadProgram(context, *object, command.format, command.count, command.bytes.data());
+  case Command::Kind::BindProgram:
+    return bindPrograms(context, row, command);
+  case Command::Kind::Env:
+    return setEnv(context, row, command.name, command.count, command.values.data());
+  case Command::Kind::Local:
+  case Command::Kind::NamedLocal:
+    return setLocal(context, *object, command.name, command.count, command.values.data());
+  case Command::Kind::Enable:
+  case Command::Kind::Disable:
+    return setEnabled(context, row, command.kind == Command::Kind::Enable);
+  default:
+    return;
+  }
+}
+
+MapDefinition mapOf(const Command &command) {
+  MapDefinition definition{.target = command.target, .error = command.format};
+  if (command.values.empty())
+    return definition;
+  definition.map.order = {GLint(command.name), GLint(command.object)};
+  definition.map.domain = command.values.front();
+  definition.map.points.assign(command.values.begin() + 1, command.values.end());
+  return definition;
+}
+
+EvaluatorPoint pointOf(const Command &command) {
+  EvaluatorPoint point;
+  std::memcpy(&point, command.bytes.data(), sizeof point);
+  return point;
+}
+
+void evalMesh(Context &context, const Command &command) {
+  std::array<GLint, 4> range{};
+  std::memcpy(range.data(), command.bytes.data(), sizeof range);
+  if (command.name == 1)
+    handlers::EvalMesh1(context, command.target, range[0], range[1]);
+  else
+    handlers::EvalMesh2(context, command.target, range[0], range[1], range[2], range[3]);
+}
+
+/// A command of NVIDIA's program API, which was there when it was recorded: contexts of a share
+/// group have one profile, and may be on hosts' contexts that differ.
+void executeNvCommand(Context &context, const Command &command) {
+  if (!context.nv)
+    return raise(context, GL_INVALID_OPERATION, "a list's command of NV_vertex_program");
+  switch (command.kind) {
+  case Command::Kind::LoadNv:
+    return loadNvProgram(context, command.target, command.name, command.count,
+                         command.bytes.data());
+  case Command::Kind::BindNv:
+    return bindNvProgram(context, command.target, command.name);
+  case Command::Kind::ExecuteNv:
+    return executeStateProgram(context, command.target, command.name, command.values.front());
+  case Command::Kind::TrackMatrix:
+    return trackMatrix(context, command.target, command.name, command.object, command.format);
+  case Command::Kind::ParameterNv:
+    return setNvParameters(context, command.target, command.name, command.count,
+                           command.values.data());
+  case Command::Kind::NamedParameterNv:
+    return setNamedParameter(context, command.name, command.bytes, command.values.front());
+  case Command::Kind::RequestResident:
+    if (command.count < 0)
+      raise(context, GL_INVALID_VALUE, "RequestResidentPrograms: n is negative");
+    return;
+  case Command::Kind::DefineMap:
+    return defineMap(context, mapOf(command));
+  case Command::Kind::EvalMesh:
+    return evalMesh(context, command);
+  default:
+    return;
+  }
+}
+
+} // namespace
+
+void execute(Context &context, const Command &command) {
+  if (command.kind == Command::Kind::PrepareEvaluation)
+    return prepareEvaluation(context);
+  if (command.kind == Command::Kind::EvalPoint)
+    return evaluatePoint(context, pointOf(command));
+  const bool nested =
+      command.kind == Command::Kind::CallList || command.kind == Command::Kind::CallLists;
+  if (!nested && !outsideBeginEnd(context, "a command of a list between Begin and End"))
+    return;
+  switch (command.kind) {
+  case Command::Kind::ProgramString:
+  case Command::Kind::BindProgram:
+  case Command::Kind::Env:
+  case Command::Kind::Local:
+  case Command::Kind::NamedString:
+  case Command::Kind::NamedLocal:
+  case Command::Kind::Enable:
+  case Command::Kind::Disable:
+    if (context.nv && isEvaluatorMap(command.target))
+      enableMap(context, command.target, command.kind == Command::Kind::Enable);
+    else if (ProgramTarget *const row = enableRowOf(context, command.target))
+      executeProgram(context, *row, command);
+    return;
+  case Command::Kind::UseProgram:
+    return useProgram(context, command.name);
+  case Command::Kind::AttribPushed:
+    return pushEnables(context, command.name);
+  case Command::Kind::PopAttrib:
+    return popAttrib(context);
+  case Command::Kind::CallList:
+    return callList(context, command.name);
+  case Command::Kind::CallLists:
+    return callLists(context, command.count, command.target, command.bytes.data());
+  case Command::Kind::BeginConditional:
+    return handlers::BeginConditionalRender(context, command.name, command.target);
+  case Command::Kind::EndConditional:
+    return handlers::EndConditionalRender(context);
+  case Command::Kind::CopyTexture:
+    return copyTexture(context, copyOf(command));
+  default:
+    return executeNvCommand(context, command);
+  }
+}
+
+} // namespace arbiter::state
