@@ -47,6 +47,8 @@ bool attributesAreOne(const host::HostTable &host) {
 /// The rasterizer's attributes are never one: where the host's are, it keeps to conventional ones.
 WiderAttributes widerAttributes(Context &context) {
   std::optional<bool> &areOne = context.nv->attributesAreOne;
+  if (!areOne && context.listMode != 0)
+    return WiderAttributes::Beside; // what the question sets would go into the list
   if (!areOne)
     areOne = attributesAreOne(*context.host);
   if (!*areOne)
