@@ -48,9 +48,11 @@ mount --rbind /dev "$chroot/dev"
 mkdir "$chroot/packages" "$chroot/checks"
 mapfile -t files < <(debs "$native"; [[ $native == i386 ]] || debs i386 | grep -E '/lib' || true)
 cp "${files[@]}" "$chroot/packages/"
-cp "$root"/debian/tests/{installed,widths} "$chroot/checks/"
+cp "$root"/debian/tests/{installed,widths,display.py} "$chroot/checks/"
 inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive "$@"; }
+# Without a network: the displays of the machine have abstract sockets, which a chroot does not hide.
+used() { unshare --net -- chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 "$@"; }
 install=(apt-get install -y -qq -o Dpkg::Use-Pty=0)
 inside apt-get update -qq
 
@@ -61,7 +63,7 @@ mapfile -t wanted < <(inside sh -c 'apt-get install -s ./packages/*.deb' |
   awk '/^Inst/ { print $2 }' | grep -vxE "$(for file in "${files[@]}"; do
     dpkg-deb -f "$file" Package
   done | sort -u | sed 's/$/(:[a-z0-9]+)?/' | paste -sd '|')")
-gears=(mesa-utils xvfb xauth python3 pkgconf)
+gears=(mesa-utils xvfb python3 pkgconf)
 inside "${install[@]}" --no-install-recommends "${wanted[@]}" "${gears[@]}"
 
 # Paths, kinds and contents, without what dpkg and apt write of themselves.
@@ -78,8 +80,8 @@ contents >"$work/before"
 inside sh -c "${install[*]} ./packages/*.deb"
 inside sh -c 'apt-get check -qq'
 step "used"
-inside python3 /checks/installed -v
-inside python3 /checks/widths -v
+used python3 /checks/installed -v
+used python3 /checks/widths -v
 step "purged"
 mapfile -t names < <(for file in "${files[@]}"; do
   # shellcheck disable=SC2016  # dpkg-deb's
@@ -95,10 +97,10 @@ if [[ $architectures == *i386 ]]; then
   inside "${install[@]}" --no-install-recommends mesa-utils-bin:i386 busybox:i386 libgl1-mesa-dri:i386 \
     libegl1:i386 libgl1:i386
   inside sh -c "${install[*]} ./packages/*_amd64.deb"
-  inside python3 /checks/widths -v
+  used python3 /checks/widths -v
   if [[ -n $(debs i386) ]]; then
     step "and where it has both widths"
     inside sh -c "${install[*]} ./packages/*.deb"
-    inside python3 /checks/widths -v
+    used python3 /checks/widths -v
   fi
 fi
