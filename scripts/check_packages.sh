@@ -31,10 +31,10 @@ find "$packages" -maxdepth 1 -name '*.changes' -exec \
 # The bare system is kept; a check starts from a copy of it. The main archive alone: all packages of
 # two architectures must have one version, and another archive's may be newer in one of them.
 step "a clean $suite"
-base=$work/base-$architectures.tar
+base=$work/base-${architectures/,/-}.tar
 if [[ ! -f $base ]]; then
   mkdir -p "$work"
-  mmdebstrap --quiet --variant=minbase --architectures="$architectures" "$suite" "$base.part" \
+  mmdebstrap --quiet --format=tar --variant=minbase --architectures="$architectures" "$suite" "$base.part" \
     "deb http://deb.debian.org/debian $suite main"
   mv "$base.part" "$base"
 fi
