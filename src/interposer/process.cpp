@@ -15,6 +15,7 @@
 #include "interposer/first.h"
 #include "util/defaults/choice.h"
 #include "util/flags.h"
+#include "util/loader_path.h"
 #include "util/log.h"
 #include "util/unwinder.h"
 
@@ -63,7 +64,8 @@ std::string ownIcdFile() {
   if (library.empty())
     return {};
   const std::string folder = library.substr(0, library.rfind('/'));
-  if (holds(folder + kIcdByPath, '"' + library + '"'))
+  if (holds(folder + kIcdByPath, '"' + library + '"') ||
+      holds(folder + kIcdByPath, '"' + forEveryWidth(library, ARBITER_LOADER_LIB) + '"'))
     return folder + kIcdByPath;
   return access((folder + kIcdByName).c_str(), R_OK) == 0 ? folder + kIcdByName : std::string();
 }

@@ -81,6 +81,19 @@ class Installed(unittest.TestCase):
         setting = json.loads(stats.read_text())['defaults']['settings']['extensions_max_length']
         self.assertEqual((setting['value'], pathlib.Path(setting['file']).resolve().parent), ('4079', folder))
 
+    def test_one_environment_serves_processes_of_both_widths(self):
+        folder = self.prefix / LIBDIR / 'arbiter' / 'preload'
+        if not folder.is_dir():
+            self.skipTest('the loader has no folder of both widths here')
+        said = self.run_it(self.prefix / 'bin' / 'arbiter', 'run', '--', 'env').splitlines()
+        self.assertIn(f'LD_PRELOAD={folder}/$LIB/libGLX_arbiter.so.0', said)
+        files = list(folder.rglob('libGLX_arbiter.so.0'))
+        widths = {path.read_bytes()[4] for path in files}
+        self.assertEqual(widths, {1, 2}, 'ELF files of 32 and of 64 bits')
+        for path in files:
+            if path.is_symlink():
+                self.assertTrue((path.parent / 'libarbiter_first.so').is_file(), 'found where the layer is')
+
     def test_pkg_config_leads_to_the_files(self):
         self.assertTrue(pathlib.Path(self.package('--variable=preload')).is_file())
         self.assertTrue((pathlib.Path(self.package('--variable=osmesadir')) / 'libOSMesa.so.8')

@@ -11,6 +11,7 @@
 #include "fp_compiler/hw/profile.h"
 #include "tools/input.h"
 #include "util/flags.h"
+#include "util/loader_path.h"
 
 namespace arbiter::tools {
 
@@ -20,13 +21,17 @@ namespace fs = std::filesystem;
 
 struct Place {
   fs::path preload;
+  /// Has a library for processes of each width, in a folder of what the loader puts for $LIB.
+  fs::path everyWidth;
   /// Folders that hold no libOSMesa.so.8 but the layer's: the library folder of an installation may
   /// hold the host's own.
   std::vector<fs::path> osmesaFolders;
 };
 
 Place placeIn(const fs::path &folder) {
-  return {folder / ARBITER_PRELOAD_LIBRARY, {folder / "osmesa", folder / "arbiter" / "osmesa"}};
+  return {folder / ARBITER_PRELOAD_LIBRARY,
+          folder / "preload",
+          {folder / "osmesa", folder / "arbiter" / "osmesa"}};
 }
 
 /// The places to look in, first the build tree's, then the installation's.
@@ -48,9 +53,17 @@ LayerFiles filesAt(const Place &place) {
   std::error_code error;
   LayerFiles files;
   files.preload = fs::absolute(place.preload, error).lexically_normal();
+  files.preloaded = files.preload;
   for (const fs::path &folder : place.osmesaFolders)
     if (files.osmesaFolder.empty() && fs::exists(folder / "libOSMesa.so.8", error))
       files.osmesaFolder = fs::absolute(folder, error).lexically_normal();
+  const std::string_view lib = ARBITER_LOADER_LIB;
+  const fs::path folder = fs::absolute(place.everyWidth, error).lexically_normal();
+  if (!lib.empty() && !place.everyWidth.empty() &&
+      fs::is_regular_file(folder / lib / ARBITER_PRELOAD_LIBRARY, error)) {
+    files.preloaded = folder / "$LIB" / ARBITER_PRELOAD_LIBRARY;
+    files.osmesaFolder = forEveryWidth(files.osmesaFolder, lib);
+  }
   return files;
 }
 
@@ -71,9 +84,10 @@ std::string prepended(const std::string &first, const char *variable) {
 /// that lose LD_PRELOAD; in an installation that was moved only the one that has its name is right.
 std::string icdFile(const std::string &preload) {
   const fs::path folder = fs::path(preload).parent_path() / "arbiter";
-  const auto byPath = readInput(folder / "10_arbiter.json");
-  if (byPath && byPath.value().find('"' + preload + '"') != std::string::npos)
-    return folder / "10_arbiter.json";
+  if (const auto byPath = readInput(folder / "10_arbiter.json"))
+    for (const std::string &path : {preload, forEveryWidth(preload, ARBITER_LOADER_LIB)})
+      if (byPath.value().find('"' + path + '"') != std::string::npos)
+        return folder / "10_arbiter.json";
   std::error_code error;
   const fs::path byName = folder / "11_arbiter.json";
   return fs::exists(byName, error) ? byName.string() : std::string();
@@ -131,6 +145,7 @@ Result<LayerFiles, LaunchError> findLayer(const std::string &library) {
       return LaunchError{library + ": no such file"};
     Place place = placeIn(fs::path(library).parent_path());
     place.preload = library;
+    place.everyWidth.clear(); // that file, and no other
     return filesAt(place);
   }
   std::string looked;
@@ -148,7 +163,7 @@ Result<std::vector<Assignment>, LaunchError> layerEnvironment(const LayerFiles &
   if (files.preload.find_first_of(": \t\n") != std::string::npos)
     return LaunchError{files.preload + ": LD_PRELOAD cannot hold a path with a colon or a space"};
   std::vector<Assignment> environment;
-  environment.push_back({"LD_PRELOAD", prepended(files.preload, "LD_PRELOAD")});
+  environment.push_back({"LD_PRELOAD", prepended(files.preloaded, "LD_PRELOAD")});
   // The library selects itself when it is loaded; said beforehand for programs whose own libraries
   // call GL in constructors, which run before a preloaded library's. What was selected is the host.
   select(environment, {"__GLX_VENDOR_LIBRARY_NAME", "arbiter"}, "ARBITER_SAVED_GLX_VENDOR");

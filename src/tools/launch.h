@@ -15,7 +15,9 @@ struct LaunchError {
 /// Where the layer's files are.
 struct LayerFiles {
   std::string preload;      ///< absolute path of libGLX_arbiter.so.0
-  std::string osmesaFolder; ///< absolute path of the folder of the front libOSMesa.so.8, or empty
+  std::string preloaded;    ///< what LD_PRELOAD gets: the same, or a path with $LIB in it
+  std::string osmesaFolder; ///< absolute path of the folder of the front libOSMesa.so.8, or empty;
+                            ///< so may this
 };
 
 /// Beside the executable in a build tree (../interposer), else in the installation.

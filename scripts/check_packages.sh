@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# The packages of out/packages as a user of a bare Debian has them: lintian, installed in a clean
+# chroot, used, purged, and nothing of them left. Runs as root.
+# usage: scripts/check_packages.sh [FOLDER]     the packages, out/packages without
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=scripts/dev_lib.sh
+source "$root/scripts/dev_lib.sh"
+packages=$(readlink -f "${1:-$root/out/packages}")
+work=$root/build-package/check
+chroot=$work/chroot
+suite=bookworm
+
+# All mounts are this script's, and go with it.
+if [[ -z ${ARBITER_CHECK_INSIDE:-} ]]; then
+  exec unshare --mount --pid --fork --mount-proc --propagation private -- \
+    env ARBITER_CHECK_INSIDE=1 "$root/scripts/check_packages.sh" "$packages"
+fi
+
+debs() { find "$packages" -maxdepth 1 -name "*_$1.deb" ! -name '*-dbgsym_*' | sort; }
+[[ -n $(debs "$(dpkg --print-architecture)") ]] || fail "$packages has no packages; ./dev package builds them"
+native=$(dpkg --print-architecture)
+architectures=$native
+[[ $native == amd64 ]] && architectures=amd64,i386
+
+step "lintian"
+find "$packages" -maxdepth 1 -name '*.changes' -exec \
+  lintian --allow-root --info --fail-on error,warning {} +
+
+# The bare system is kept; a check starts from a copy of it. The main archive alone: all packages of
+# two architectures must have one version, and another archive's may be newer in one of them.
+step "a clean $suite"
+base=$work/base-${architectures/,/-}.tar
+if [[ ! -f $base ]]; then
+  mkdir -p "$work"
+  mmdebstrap --quiet --format=tar --variant=minbase --architectures="$architectures" "$suite" "$base.part" \
+    "deb http://deb.debian.org/debian $suite main"
+  mv "$base.part" "$base"
+fi
+rm -rf --one-file-system "$chroot"
+mkdir -p "$chroot"
+tar -C "$chroot" -xf "$base"
+cp /etc/resolv.conf "$chroot/etc/resolv.conf"
+echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
+mount -t proc proc "$chroot/proc"
+mount --rbind /dev "$chroot/dev"
+mkdir "$chroot/packages" "$chroot/checks"
+mapfile -t files < <(debs "$native"; [[ $native == i386 ]] || debs i386 | grep -E '/lib' || true)
+cp "${files[@]}" "$chroot/packages/"
+cp "$root"/debian/tests/{installed,widths,display.py} "$chroot/checks/"
+inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
+  DEBIAN_FRONTEND=noninteractive "$@"; }
+# Without a network: the displays of the machine have abstract sockets, which a chroot does not hide.
+used() { unshare --net -- chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 "$@"; }
+install=(apt-get install -y -qq -o Dpkg::Use-Pty=0)
+inside apt-get update -qq
+
+# What the packages stand on and what the checks use is there before, so that what is compared
+# afterwards is these packages alone.
+step "what the packages ask for"
+mapfile -t wanted < <(inside sh -c 'apt-get install -s ./packages/*.deb' |
+  awk '/^Inst/ { print $2 }' | grep -vxE "$(for file in "${files[@]}"; do
+    dpkg-deb -f "$file" Package
+  done | sort -u | sed 's/$/(:[a-z0-9]+)?/' | paste -sd '|')")
+gears=(mesa-utils xvfb python3 pkgconf)
+inside "${install[@]}" --no-install-recommends "${wanted[@]}" "${gears[@]}"
+
+# Paths, kinds and contents, without what dpkg and apt write of themselves.
+contents() {
+  (cd "$chroot" && find . -xdev \( -path ./proc -o -path ./dev -o -path ./tmp -o -path ./packages \
+    -o -path ./checks -o -path ./var/log -o -path ./var/cache/apt -o -path ./var/lib/apt \
+    -o -path ./var/lib/dpkg -o -path ./var/cache/ldconfig -o -name __pycache__ \) -prune -o -type f -printf '%p %m ' \
+    -exec sha256sum {} \; -o ! -type f -printf '%p %y %m %l\n' | sort
+    grep -h . var/lib/dpkg/diversions var/lib/dpkg/statoverride 2>/dev/null || true
+    (cd var/lib/dpkg/info && ls))
+}
+step "installed"
+contents >"$work/before"
+inside sh -c "${install[*]} ./packages/*.deb"
+inside sh -c 'apt-get check -qq'
+step "used"
+used python3 /checks/installed -v
+used python3 /checks/widths -v
+step "purged"
+mapfile -t names < <(for file in "${files[@]}"; do
+  # shellcheck disable=SC2016  # dpkg-deb's
+  dpkg-deb --show --showformat '${Package}:${Architecture}\n' "$file"
+done)
+inside apt-get purge -y -qq -o Dpkg::Use-Pty=0 "${names[@]}"
+contents >"$work/after"
+diff -u "$work/before" "$work/after" || fail "the packages leave something behind"
+step "packages: installed, used and purged without a trace"
+
+if [[ $architectures == *i386 ]]; then
+  step "32-bit programs where the layer is 64-bit alone"
+  inside "${install[@]}" --no-install-recommends mesa-utils-bin:i386 busybox:i386 libgl1-mesa-dri:i386 \
+    libegl1:i386 libgl1:i386
+  inside sh -c "${install[*]} ./packages/*_amd64.deb"
+  used python3 /checks/widths -v
+  if [[ -n $(debs i386) ]]; then
+    step "and where it has both widths"
+    inside sh -c "${install[*]} ./packages/*.deb"
+    used python3 /checks/widths -v
+  fi
+fi

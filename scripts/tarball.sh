@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# A folder that runs from wherever it is unpacked: out/arbiter-VERSION-ARCHITECTURE.tar.xz
+# usage: scripts/tarball.sh [BUILD]     BUILD, a tree of these options without
+#
+# The command finds the layer from where it lies itself. Libraries that a machine without the build's
+# packages may lack are beside the layer; the C library, the C++ library and GL are the machine's.
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck disable=SC2034  # read by dev_lib.sh
+{ out=$root/out; build=$root/build; jobs=$(nproc); }
+# shellcheck source=scripts/dev_lib.sh
+source "$root/scripts/dev_lib.sh"
+
+version=$(sed -n "s/^  version: '\(.*\)',$/\1/p" "$root/meson.build")
+architecture=$(dpkg --print-architecture 2>/dev/null || uname -m)
+name=arbiter-$version-$architecture
+work=$root/build-package/tarball
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || date +%s)}
+export SOURCE_DATE_EPOCH
+
+tree=${1:-$root/build-tarball}
+if [[ $# == 0 ]]; then
+  configure "$tree" -Dprefix=/usr -Dbuildtype=release -Dtests=false -Ddemos=true -Dbuilder=disabled \
+    -Dsource_paths=false "-Dcpp_args=-ffile-prefix-map=$root=." -Db_pch=true
+  compile "$tree"
+fi
+
+step "$name"
+rm -rf "$work"
+mkdir -p "$work/$name"
+DESTDIR=$work/staged meson install -C "$tree" --no-rebuild --quiet
+prefix=$(meson introspect --buildoptions "$tree" | python3 -c '
+import json, sys
+print(next(one["value"] for one in json.load(sys.stdin) if one["name"] == "prefix"))')
+cp -a "$work/staged$prefix/." "$work/$name/"
+# The window would need all of Qt; what only links libraries is of a development package.
+rm -rf "$work/$name/bin/arbiter-builder" "$work/$name"/share/{applications,icons} \
+  "$work/$name/share/man/man1/arbiter-builder.1"
+find "$work/$name" -name 'libGLX_arbiter.so' -delete
+mkdir -p "$work/$name/share/doc/arbiter"
+cp -a "$root/README.md" "$root/LICENSE" "$root"/docs/*.md "$work/$name/share/doc/arbiter/"
+cp -a "$root/editors" "$work/$name/share/arbiter/editors"
+
+# Shared libraries of the command and the demonstrations that are no part of a desktop's base.
+private=$work/$name/lib/arbiter-private
+mkdir -p "$private"
+mapfile -t programs < <(find "$work/$name/bin" "$work/$name/libexec" -type f -executable)
+for program in "${programs[@]}"; do
+  strip --strip-unneeded "$program"
+  ldd "$program" | awk '$2 == "=>" { print $1, $3 }'
+done | sort -u | while read -r library path; do
+  case $library in
+    libepoxy.so* | libtinyobjloader.so* | libglfw.so* | libpng16.so* | libjpeg.so*)
+      cp -L "$path" "$private/$library"
+      ;;
+  esac
+done
+find "$work/$name/lib" -name '*.so*' -type f ! -path '*/preload/*' -exec strip --strip-unneeded {} +
+for program in "${programs[@]}"; do
+  patchelf --set-rpath "\$ORIGIN/$(realpath --relative-to="$(dirname "$program")" "$private")" "$program"
+done
+
+mkdir -p "$out"
+tar -C "$work" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
+  --pax-option=exthdr.name=%d/PaxHeaders/%f,delete=atime,delete=ctime -cf - "$name" |
+  xz -T1 -6 >"$out/$name.tar.xz"
+printf '%s\n' "$out/$name.tar.xz"
