@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Debian packages of this tree, of the files that git knows, as they stand.
-# usage: scripts/package.sh [amd64|i386]     packages in out/packages
+# usage: scripts/package.sh     packages of this machine's architecture in out/packages
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -10,8 +10,8 @@ source "$root/scripts/packages.sh"
 # shellcheck source=scripts/dev_lib.sh
 source "$root/scripts/dev_lib.sh"
 
-native=$(dpkg --print-architecture)
-architecture=${1:-$native}
+[[ $# == 0 ]] || fail "package: $1: packages are built for this machine's architecture alone"
+architecture=$(dpkg --print-architecture)
 version=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)
 work=${ARBITER_PACKAGE_BUILD:-$root/build-package}/$architecture
 source=$work/arbiter-$version
