@@ -48,8 +48,6 @@ void *lookup(const char *name) {
   ++g_lookups;
   if (std::strcmp(name, "glBlendFunc") == 0)
     return reinterpret_cast<void *>(hostBlendFunc);
-  if (std::strcmp(name, "glEvalCoord1f") == 0)
-    return reinterpret_cast<void *>(hostEvalCoord1f);
   if (std::strcmp(name, "glColor3f") == 0)
     return reinterpret_cast<void *>(hostColor3f);
   return nullptr;
@@ -68,6 +66,7 @@ protected:
     m_table = *m_fake.table();
     m_table.lookup = lookup;
     m_table.Begin = hostBegin;
+    m_table.EvalCoord1f = hostEvalCoord1f;
     m_table.End = hostEnd;
     m_table.Vertex4fv = hostVertex4fv;
     m_table.Color4fv = hostColor4fv;

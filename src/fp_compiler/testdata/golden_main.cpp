@@ -31,7 +31,7 @@ std::string describe(const fs::path &program) {
   const auto language = vertex                        ? ir::Language::ArbVertex
                         : text.starts_with("!!ATIfs") ? ir::Language::AtiFragment
                                                       : ir::Language::ArbFragment;
-  const CheckResult result = checkProgram(language, text, testing_support::smallFor(text));
+  const CheckResult result = checkProgram(language, text, testing_support::smallFor(program));
   std::string out = "position " + std::to_string(result.errorPosition()) + "\n";
   for (const Diagnostic &diagnostic : result.diagnostics)
     out += render(name, text, diagnostic);

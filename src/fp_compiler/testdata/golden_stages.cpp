@@ -42,8 +42,8 @@ public:
 
   void program(const fs::path &path) {
     ++m_programs;
-    const std::string text = readFile(path);
-    const CheckResult checked = testing_support::check(text, testing_support::smallFor(text));
+    const CheckResult checked =
+        testing_support::check(readFile(path), testing_support::smallFor(path));
     if (!checked.ok())
       return fail(path, "does not load");
     if (m_modes) {

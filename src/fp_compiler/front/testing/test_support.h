@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -42,11 +43,10 @@ inline CompileOptions generous() {
   return options;
 }
 
-/// Small, and with NVIDIA's options and languages where the text is of those.
-inline CompileOptions smallFor(std::string_view text) {
+/// Small, and with NVIDIA's options and languages for the golden programs of a folder `nvidia`.
+inline CompileOptions smallFor(const std::filesystem::path &golden) {
   CompileOptions options = small();
-  const bool native = text.starts_with("!!FP") || text.starts_with("!!V");
-  if (!native && text.find("OPTION NV_") == std::string_view::npos)
+  if (golden.parent_path().parent_path().filename() != "nvidia")
     return options;
   options.limits.nvOptions = 2;
   options.limits.clipPlanes = 6;
