@@ -1,4 +1,5 @@
 #include "interposer/first.h"
+#include "interposer/plain_text.h"
 
 // Runs before libc's own constructor and before any other library's, a sanitizer's too: it calls
 // nothing.
@@ -9,21 +10,6 @@ namespace {
 
 char g_selection[] = "__GLX_VENDOR_LIBRARY_NAME=arbiter";
 const char *g_replaced = nullptr;
-
-/// What follows `prefix` in `text`; null where it does not begin so.
-const char *after(const char *text, const char *prefix) {
-  while (*prefix)
-    if (*text++ != *prefix++)
-      return nullptr;
-  return text;
-}
-
-bool contains(const char *text, const char *part) {
-  for (; *text; ++text)
-    if (after(text, part))
-      return true;
-  return false;
-}
 
 /// The value of the variable in `entry` (NAME=VALUE), if it is the one of that name.
 const char *valueOf(const char *entry, const char *name) {

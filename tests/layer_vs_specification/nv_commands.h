@@ -69,4 +69,22 @@ inline void setNamed(GLuint id, std::string_view name, const std::array<GLfloat,
                             reinterpret_cast<const GLubyte *>(name.data()), v[0], v[1], v[2], v[3]);
 }
 
+inline constexpr char kThroughVp[] = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], v[COL0];\nEND";
+
+inline void vertices() {
+  glVertex2f(-1, -1);
+  glVertex2f(1, -1);
+  glVertex2f(1, 1);
+  glVertex2f(-1, 1);
+}
+
+/// Over everything, of the current attributes.
+inline Pixel quad() {
+  clear();
+  glBegin(GL_QUADS);
+  vertices();
+  glEnd();
+  return readPixel();
+}
+
 } // namespace api::nv

@@ -94,6 +94,23 @@ TEST_F(DepthModes, FollowTheImageThatIsBound) {
   }
 }
 
+TEST_F(DepthModes, FollowAnotherContextsChange) {
+  use(kVertexNv, 6, kClipped);
+  makeProgram(kSampling);
+  glEnable(kFragment);
+  glEnable(GL_CLIP_PLANE0);
+  expectQuad(kRows[0].sampled, "before");
+  const GlContext other(&m_context);
+  for (const Row &row : {kRows[2], kRows[1], kRows[2]}) {
+    other.makeCurrent();
+    glBindTexture(GL_TEXTURE_2D, m_textures[0]);
+    glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GLint(row.mode));
+    m_context.makeCurrent();
+    glBindTexture(GL_TEXTURE_2D, m_textures[0]);
+    expectQuad(row.sampled, std::to_string(row.mode) + ", set in another context");
+  }
+}
+
 TEST_F(DepthModes, OfVertexProgramsToo) {
   use(kVertexNv, 5,
       "!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\nMOV result.position, vertex.position;\n"

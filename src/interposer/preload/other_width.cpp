@@ -7,8 +7,12 @@
 //
 // Compiled for the other width without its C library, and run before any constructor: it calls
 // nothing.
+#include "interposer/plain_text.h"
 
 namespace {
+
+using arbiter::interposer::after;
+using arbiter::interposer::contains;
 
 constexpr int kMostLength = 8192;
 
@@ -25,21 +29,6 @@ const Selection kSelections[] = {
     {"__GLX_VENDOR_LIBRARY_NAME=", "arbiter", "ARBITER_SAVED_GLX_VENDOR=", g_glx},
     {"__EGL_VENDOR_LIBRARY_FILENAMES=", "_arbiter.json", "ARBITER_SAVED_EGL_VENDORS=", g_egl},
 };
-
-/// What follows `prefix` in `text`; null where it does not begin so.
-const char *after(const char *text, const char *prefix) {
-  while (*prefix)
-    if (*text++ != *prefix++)
-      return nullptr;
-  return text;
-}
-
-bool contains(const char *text, const char *part) {
-  for (; *text; ++text)
-    if (after(text, part))
-      return true;
-  return false;
-}
 
 const char *valueOf(char **environment, const char *name) {
   for (; *environment; ++environment)

@@ -76,10 +76,10 @@ ARBITER_EVALUATES(EvalPoint2)
 
 /// Of the parameters of textures the layer has a part in the comparison alone.
 [[nodiscard]] inline bool TexParameteri(Context &, GLenum, GLenum pname, GLint) {
-  return pname != GL_TEXTURE_COMPARE_MODE;
+  return pname != GL_TEXTURE_COMPARE_MODE && pname != GL_DEPTH_TEXTURE_MODE;
 }
 [[nodiscard]] inline bool TexParameterf(Context &, GLenum, GLenum pname, GLfloat) {
-  return pname != GL_TEXTURE_COMPARE_MODE;
+  return pname != GL_TEXTURE_COMPARE_MODE && pname != GL_DEPTH_TEXTURE_MODE;
 }
 
 } // namespace arbiter::state::straight

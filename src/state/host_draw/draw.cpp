@@ -72,7 +72,7 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kHostPart;
   if (nativeInputsMayChange(context))
     bits |= attention::kState;
-  if (context.alphaDepths)
+  if (mayFollowAlphaDepths(context))
     bits |= attention::kDepth;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
@@ -195,7 +195,7 @@ bool validatePrograms(Context &context) {
 bool validate(Context &context) {
   if (context.nv)
     refreshNativeInputs(context);
-  if ((context.attention & attention::kDepth) != 0) [[unlikely]]
+  if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);

@@ -107,7 +107,8 @@ LinkedProgram *linkGlsl(Context &context, ProgramPair pair) {
     const std::uint8_t planes = distances ? enabledClipPlanes(context) : std::uint8_t(0);
     std::uint32_t depths = 0;
     if (planes != 0) { // GLSL 1.30
-      depths = alphaDepthsOf(context, pair);
+      if (context.group->alphaDepthsUsed.load(std::memory_order_relaxed))
+        depths = alphaDepthsOf(context, pair);
       context.alphaDepths = depths;
       if (pair.fragment && pair.fragment->depths)
         pair.fragment = pair.fragment->depths->of(*pair.fragment, depths);

@@ -96,6 +96,8 @@ public:
   std::atomic<bool> listsEnableClipPlanes{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.
   std::atomic<bool> compareModeUsed{false};
+  /// DEPTH_TEXTURE_MODE was set to ALPHA: draws beside clip distances look for such images.
+  std::atomic<bool> alphaDepthsUsed{false};
   /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop
   /// attributes.
   std::atomic<bool> hostListsChangeProgram{false};

@@ -50,8 +50,8 @@ private:
 };
 
 struct End {
-  int status = 0;    ///< waitpid()'s
-  bool ours = false; ///< its time was over
+  int status = 0;        ///< waitpid()'s
+  bool timedOut = false; ///< and was ended
 };
 
 /// The command in a group of its own, so that what it started ends with it.
@@ -82,7 +82,7 @@ End runFor(const std::vector<Assignment> &environment, const std::vector<std::st
     ::kill(-child, SIGTERM);
     return end;
   }
-  end.ours = true;
+  end.timedOut = true;
   ::kill(-child, SIGTERM);
   if (!wait(Clock::now() + kGrace)) {
     ::kill(-child, SIGKILL);
@@ -130,7 +130,7 @@ Report readReports(const std::string &folder) {
 }
 
 std::string howItEnded(const End &end) {
-  if (end.ours)
+  if (end.timedOut)
     return "was ended when its time was over";
   if (WIFSIGNALED(end.status))
     return std::string("was ended by a signal (") + ::strsignal(WTERMSIG(end.status)) + ")";

@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
 #include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -73,9 +74,13 @@ std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair) {
   return unitsOf(context, pair.vertex.get(), pair.fragment.get());
 }
 
+bool mayFollowAlphaDepths(const Context &context) {
+  return context.alphaDepths && context.group->alphaDepthsUsed.load(std::memory_order_relaxed);
+}
+
 void followAlphaDepths(Context &context) {
   const LinkedProgram *const linked = context.linkedProgram;
-  if (linked && context.alphaDepths &&
+  if (linked &&
       unitsOf(context, linked->vertex.compiled, linked->fragment.compiled) != *context.alphaDepths)
     invalidateProgram(context);
 }

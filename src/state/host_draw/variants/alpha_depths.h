@@ -11,8 +11,11 @@ struct ProgramPair;
 
 /// fp::GlslHost::alphaDepths of the images that the pair samples, as they are now. Asks the host.
 [[nodiscard]] std::uint32_t alphaDepthsOf(Context &context, const ProgramPair &pair);
+/// What draws now would have the mode in its texts, and some image has had it.
+[[nodiscard]] bool mayFollowAlphaDepths(const Context &context);
 /// Before a draw of a pair that has the mode in its texts: it is chosen anew if others have it now.
-/// Asks the host.
+/// Asks the
+/// host.
 void followAlphaDepths(Context &context);
 
 } // namespace arbiter::state

@@ -1,6 +1,8 @@
-// Every command that sets TEXTURE_COMPARE_MODE, of a texture or a sampler: once one sets it, draws
-// of programs with plain targets look for textures that compare. A list's commands are seen when
-// they are compiled, and PopAttrib restores only what one of these set before.
+// Every command that sets TEXTURE_COMPARE_MODE or DEPTH_TEXTURE_MODE, of a texture or a sampler:
+// once one sets it, draws of programs with plain targets look for textures that compare, and draws
+// beside clip distances for depths that are ALPHA (state/host_draw/variants/alpha_depths.h). A
+// list's commands are seen when they are compiled, and PopAttrib restores only what one of these
+// set before.
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
@@ -11,17 +13,19 @@ namespace arbiter::state {
 
 namespace {
 
-[[gnu::noinline, gnu::cold]] void useCompareMode(Context &context) {
-  if (!context.group->compareModeUsed.exchange(true, std::memory_order_relaxed))
+[[gnu::noinline, gnu::cold]] void use(Context &context, std::atomic<bool> &used) {
+  if (!used.exchange(true, std::memory_order_relaxed))
     context.attention |= attention::kProgram;
 }
 
 template <typename T> void note(Context &context, GLenum pname, T value) {
   if (pname == GL_TEXTURE_COMPARE_MODE && value != T(GL_NONE)) [[unlikely]]
-    useCompareMode(context);
+    use(context, context.group->compareModeUsed);
+  if (pname == GL_DEPTH_TEXTURE_MODE && value == T(GL_ALPHA)) [[unlikely]]
+    use(context, context.group->alphaDepthsUsed);
 }
 template <typename T> void note(Context &context, GLenum pname, const T *values) {
-  if (pname == GL_TEXTURE_COMPARE_MODE && values) [[unlikely]]
+  if ((pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE) && values) [[unlikely]]
     note(context, pname, *values);
 }
 
