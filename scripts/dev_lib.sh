@@ -1,7 +1,8 @@
 # shellcheck shell=bash disable=SC2154  # root, build, out and jobs are of ./dev
 # What the verbs of ./dev share: packages, configuring, a display, counting results.
 
-step() { printf '\n==> %s\n' "$*"; }
+# With the minutes since the verb began.
+step() { printf '\n==> %s (%d:%02d)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
 fail() {
   printf 'dev: %s\n' "$*" >&2

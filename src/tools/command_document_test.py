@@ -205,6 +205,12 @@ class Layered(Bare):
         self.assertIn('d.fp:2:22: warning: this profile is unknown', result.stderr)
 
 
+    def test_late_machine_code_changes_no_picture(self):
+        # The host's twirl and the rasterizer's differ by a level here and there.
+        small = ('gallery:twirl', '--size', '16x16')
+        self.assertEqual(self.pixels(*small, '--debug', 'late-code'), self.pixels(*small))
+
+
 class Check(Temporary):
     def test_panels_are_checked(self):
         document = self.path('a.fp', SHOW.format('#@ size 2 2, blend ad\n#@ local[0] = 1 2 3 4 5'))

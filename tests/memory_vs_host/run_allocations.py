@@ -43,7 +43,8 @@ class Runner:
             stats = pathlib.Path(folder) / "stats.json"
             env = sides.environment(sides.layer_of(self.build), self.backend,
                                     {"DISPLAY": display, "XDG_CACHE_HOME": folder, "ARBITER_THREADS": "2",
-                                     "ARBITER_STATS": str(stats)})
+                                     # What is counted must not depend on how busy the machine is.
+                                     "ARBITER_DEBUG": "steady", "ARBITER_STATS": str(stats)})
             env["LD_PRELOAD"] = f"{failing}:{env['LD_PRELOAD']}"
             command = [str(client), self.scene, str(first), str(every), str(count), mode]
             try:

@@ -20,7 +20,8 @@ from x_server import XServer
 # The host may draw a frame by the order of its own transformation, and the next be the rasterizer's; the
 # back end `host` must meet as the bare host does, to the pixel. Under the legacy numerics vertex programs are
 # GLSL on the host, which it clips by planes in eye space, and fixed function in clip space.
-WAYS = {"auto": ("auto", {}), "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
+WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
+        "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {}),
         "host, legacy numerics": ("host", {"ARBITER_NUMERICS": "legacy"})}
 HOSTS = ("llvmpipe", "softpipe")

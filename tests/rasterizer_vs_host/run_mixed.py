@@ -20,7 +20,8 @@ from x_server import XServer
 SERVERS = {"MIT-SHM": (), "no MIT-SHM": ("-extension", "MIT-SHM")}
 # Machine code that is late: passes of one frame must meet all the same. It comes while frames pause.
 PAUSE_MS = 40
-WAYS = {"auto": ("auto", {}), "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
+WAYS = {"auto": ("auto", {"ARBITER_DEBUG": "steady"}),
+        "auto, late code": ("auto", {"ARBITER_DEBUG": "late-code"}),
         "swrast": ("swrast", {}), "host": ("host", {})}
 POISON = (85, 170, 157)  # what fresh memory holds: of two bare runs, and of the layer's
 

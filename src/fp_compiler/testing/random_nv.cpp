@@ -324,7 +324,9 @@ private:
     m_counting += counts ? 1 : 0;
     line(counts                ? "LOOP { " + times + ", 0.0, 1.0 };"
          : m_random.chance(60) ? "REP " + times + ";"
-                               : "REP |c[" + number(m_random.below(8)) + "]|;");
+         // NVIDIA's assembler takes no notice of the signs of REP's operand.
+         : m_options.peer ? "REP c[" + number(m_random.below(8)) + "];"
+                          : "REP |c[" + number(m_random.below(8)) + "]|;");
     body();
     if (m_random.chance(60))
       line("BRK (" + condition() + ");");

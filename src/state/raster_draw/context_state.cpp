@@ -39,7 +39,8 @@ void engage(Context &context) {
     return;
   context.software = std::make_unique<ContextState>(context);
   context.software->forced = settings().backend == Backend::Swrast;
-  context.software->backOff.setForced(context.software->forced);
+  context.software->steady = context.software->forced || debugFlag(DebugFlag::Steady);
+  context.software->backOff.setForced(context.software->steady);
   context.dirty = dirty::kAll;
   context.softwarePossible = context.softwareListens = true;
   context.software->residency.enter(context.drawable);

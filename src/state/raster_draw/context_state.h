@@ -40,7 +40,8 @@ struct ContextState {
   /// The next draw looks at all state anew.
   void forgetPipeline() { pipeline.reset(); }
   BackOff backOff;
-  bool forced = false; ///< ARBITER_BACKEND=swrast: wait for machine code, never back off
+  bool forced = false; ///< ARBITER_BACKEND=swrast: depths too, whoever draws beside it
+  bool steady = false; ///< that, or ARBITER_DEBUG=steady: wait for machine code, never back off
   /// Turns of the host in this frame that draw what the rasterizer cannot. Depths of two
   /// rasterizers are not equal to the bit, and passes that compare them for equality meet only if
   /// one of the two draws all: mayTestDepth().

@@ -154,7 +154,7 @@ Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {
   const abi::DepthStencilKey &depth = mirror.pixelOps.depthStencil;
   const bool isMixed = !state.mayTestDepth() && (depth.depthTest != 0 || depth.stencilTest != 0);
   const bool isPlain = state.drawsPlain && !context.linkedProgram;
-  m_wait = state.forced                                           ? Wait::UntilDone
+  m_wait = state.steady                                           ? Wait::UntilDone
            : (isMixed || isPlain) && state.mayGoUnjudged(isPlain) ? Wait::Not
                                                                   : Wait::Briefly;
   if (context.numerics == fp::Numerics::Fp24)

@@ -1,6 +1,7 @@
 #include <GL/arbiter.h>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <dlfcn.h>
 #include <nlohmann/json.hpp>
 #include <sys/mman.h>
@@ -181,6 +182,14 @@ bool takeSettings(const DrawArguments &arguments, LayerArguments &layer) {
   return true;
 }
 
+/// A picture that is kept may not depend on how busy the machine is.
+/// \param debug of the command line; empty: as the environment has it
+std::string withSteady(std::string debug) {
+  if (const char *const inherited = std::getenv(ARBITER_ENV_DEBUG); debug.empty() && inherited)
+    debug = inherited;
+  return debug.empty() ? "steady" : debug + ",steady";
+}
+
 } // namespace
 
 int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
@@ -203,6 +212,7 @@ int draw(const DrawArguments &arguments, const std::vector<std::string> &argv) {
   LayerArguments layer = arguments.layer;
   if (!takeSettings(arguments, layer))
     return kExitUsage;
+  layer.debug = withSteady(layer.debug);
   const auto environment = layerEnvironment(files.value(), layer);
   if (!environment) {
     complain(environment.error().message);
