@@ -2,6 +2,7 @@
 /// Context calls keep the registry, GetProcAddress answers give the entry points, all else is the
 /// host's.
 // Before Xlib's macros.
+#include "state/era/vertex_array_range.h"
 #include "state/residency/drawable.h"
 #include "state/residency/window_frames.h"
 
@@ -340,6 +341,22 @@ const Hook kHooks[] = {
      &g_host->getProcAddressArb.function},
 };
 
+/// NV_vertex_array_range's allocator, which needs no context: always the layer's, as hosts that
+/// have the functions may give nothing (Mesa's never do), and a pointer is freed where it came
+/// from.
+void *allocateMemory(GLsizei size, GLfloat, GLfloat, GLfloat) {
+  return state::allocateArrayMemory(size);
+}
+void freeMemory(void *pointer) { state::freeArrayMemory(pointer); }
+
+void *ofLayer(const char *name) {
+  if (std::strcmp(name, "glXAllocateMemoryNV") == 0)
+    return reinterpret_cast<void *>(allocateMemory);
+  if (std::strcmp(name, "glXFreeMemoryNV") == 0)
+    return reinterpret_cast<void *>(freeMemory);
+  return nullptr;
+}
+
 void *getProcAddress(const GLubyte *name) {
   const char *const text = reinterpret_cast<const char *>(name);
   if (!text)
@@ -347,9 +364,18 @@ void *getProcAddress(const GLubyte *name) {
   if (std::strncmp(text, "glX", 3) != 0)
     return resolveGl(text, hostLookup);
   const Hook *const hook = findHook(std::begin(kHooks), std::end(kHooks), text);
-  if (!hook)
-    return hostLookup(text);
+  if (!hook) {
+    void *const own = ofLayer(text);
+    return own ? own : hostLookup(text);
+  }
   return *hook->host ? hook->function : nullptr;
+}
+
+/// What libGLX gives out of functions of GLX that are not its own: such a function finds its vendor
+/// by its arguments. The layer's need none.
+void *getDispatchAddress(const GLubyte *name) {
+  void *const own = name ? ofLayer(reinterpret_cast<const char *>(name)) : nullptr;
+  return own ? own : g_host->imports.getDispatchAddress(name);
 }
 
 /// libGLX forgets its vendors in its destructor, and asks for them anew where a thread still calls
@@ -408,6 +434,7 @@ extern "C" __attribute__((visibility("default"))) Bool __glx_Main(std::uint32_t 
   if (!layerAllowed())
     return True;
   imports->getProcAddress = registry::Guarded<getProcAddress>::call;
+  imports->getDispatchAddress = registry::Guarded<getDispatchAddress>::call;
   // They would write the host's addresses into libglvnd's stubs, past its dispatch table and the
   // layer.
   imports->isPatchSupported = nullptr;

@@ -1,6 +1,6 @@
 """The cases of the client tests by their names: which client each starts, or what else proves it."""
-from extra_cases import (run_apitrace, run_arbiter, run_chosen, run_close, run_count, run_cycles, run_disassembly,
-                         run_early, run_exports, run_overlay, run_secure, run_selected_host, run_spawn,
+from extra_cases import (run_apitrace, run_arbiter, run_array_memory, run_chosen, run_close, run_count, run_cycles,
+                         run_disassembly, run_early, run_exports, run_overlay, run_secure, run_selected_host, run_spawn,
                          run_vendor_gpa, run_vendor_only)
 from setting import Client, Piglit
 
@@ -47,6 +47,7 @@ def all_cases():
         "GLX, OSMesa, EGL, GLX": Client([c + "client_mixed"], draws=4),
         "display closed": run_close,
         "1,000 contexts": run_cycles,
+        "memory of a vertex array range": run_array_memory,
         # The bare host mixes up what threads draw with a vertex program that they share.
         "4 threads share": Client([c + "client_threads", "4", "100"], bare=False, draws=401),
         "GL in a constructor": run_early,

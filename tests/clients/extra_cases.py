@@ -51,6 +51,12 @@ def run_close(setting):
         need(not alive, f"{way}: contexts {alive} outlived their display")
 
 
+def run_array_memory(setting):
+    """glXAllocateMemoryNV gives memory under the layer; a bare host may have the function and give none."""
+    outcome = execute([setting.clients / "client_array_memory"], setting.environment(True))
+    need(outcome.out.strip() == "allocated", f"layer: {outcome.out}")
+
+
 def run_cycles(setting):
     """1,000 contexts with programs of both targets: the layer's memory grows by no more than the
     host's own, give or take a page a cycle over the whole, with a back end that is named: auto may change

@@ -8,9 +8,9 @@
 
 namespace arbiter::state {
 
-/// Mirrors the host's attribute stack as far as our own state is in it: only the enables are, in
-/// GL_ENABLE_BIT (AFP 4642-4645), those of evaluators in GL_EVAL_BIT too (NV_vertex_program).
-/// Bindings and parameters are in no group.
+/// Mirrors the host's attribute stack as far as our own state is in it: the enables are, in
+/// GL_ENABLE_BIT (AFP 4642-4645), those of evaluators in GL_EVAL_BIT too (NV_vertex_program);
+/// and hints, in GL_HINT_BIT. Bindings and parameters are in no group.
 class AttribStack {
 public:
   struct Entry {
@@ -19,6 +19,9 @@ public:
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
     bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
     std::uint32_t enabledMaps = 0;
+    bool hasHints = false; ///< GL_HINT_BIT
+    GLenum transformHint = GL_DONT_CARE;
+    GLenum multisampleFilterHint = GL_DONT_CARE;
   };
 
   void setMaxDepth(std::size_t depth) {

@@ -26,6 +26,7 @@
 
 namespace arbiter::state {
 
+struct EraState;
 class HostAssembly;
 class ListCompiler;
 class SamplerOverride;
@@ -114,6 +115,8 @@ public:
   std::array<std::shared_ptr<ProgramObject>, 16> recentPrograms;
 
   std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
+
+  std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI

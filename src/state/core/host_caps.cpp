@@ -108,6 +108,7 @@ void querySoftwareCaps(HostCaps &caps, int gl) {
   caps.bufferStorage = since(44, {"GL_ARB_buffer_storage"});
   caps.symmetricSigned = gl >= 42;
   caps.copyBuffer = since(31, {"GL_ARB_copy_buffer"});
+  caps.syncObjects = since(32, {"GL_ARB_sync"});
 }
 
 } // namespace

@@ -63,6 +63,7 @@ struct HostCaps {
   bool attribBinding = false; ///< buffers bound apart from the pointers
   bool bufferStorage = false;
   bool symmetricSigned = false; ///< signed normalised numbers as from 4.2 on
+  bool syncObjects = false;     ///< FenceSync (ARB_sync)
   bool copyBuffer = false;      ///< COPY_READ_BUFFER, which may be bound without a trace
   GLfloat maxAnisotropy = 1;    ///< MAX_TEXTURE_MAX_ANISOTROPY
   bool limitsAnisotropy = true; ///< by a texture's own limit; else any above 1 is the greatest

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "state/core/active_profile.h"
+#include "state/era/offers.h"
 #include "util/flags.h"
 #include "util/log.h"
 
@@ -182,6 +183,13 @@ void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
   }
 }
 
+void addEraExtensions(FilteredExtensions &extensions, const HostCaps &caps) {
+  for (const char *const name : eraOffers(caps).names) {
+    extensions.names.emplace_back(name);
+    extensions.joined += std::string(name) + " ";
+  }
+}
+
 } // namespace
 
 Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &rules) {
@@ -189,6 +197,8 @@ Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &r
   identity.extensions = filterExtensions(caps, offered);
   if (offered && caps.drawsNvOptions())
     addNvExtensions(identity.extensions, caps, rules);
+  if (offered)
+    addEraExtensions(identity.extensions, caps);
   if (rules.cutExtensions())
     cutExtensions(identity.extensions, rules);
   if (rules.card)

@@ -14,6 +14,7 @@
 #include "state/core/control_hooks.h"
 #include "state/core/errors.h"
 #include "state/core/memory.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
@@ -106,6 +107,15 @@ void offerNvPrograms(Context &context) {
     return;
   context.row(Target::VertexState).limits = limits;
   context.nv = std::make_unique<NvState>();
+}
+
+/// Extensions that the host lacks and the profile has.
+void offerEra(Context &context) {
+  EraOffers offers = eraOffers(context.caps);
+  if (!offers.any())
+    return;
+  context.era = std::make_unique<EraState>();
+  context.era->offered = std::move(offers);
 }
 
 /// What this host can be given of the mode that is asked for; said once where it is less.
@@ -210,6 +220,7 @@ void initialise(Context &context) {
     offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
     offerNvPrograms(context);
+    offerEra(context);
   }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
   context.path = Path::NoProgram;

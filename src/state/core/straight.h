@@ -1,6 +1,8 @@
 #pragma once
 #include "state/core/capability.h"
 #include "state/core/context.h"
+#include "state/era/sgix_shadow.h"
+#include "state/era/vertex_array_range.h"
 
 /// The commands that are called most of those that the layer has a part in, and mostly are the
 /// host's alone. Each function is asked by the entry point of its name, in line and with the
@@ -19,10 +21,10 @@ namespace arbiter::state::straight {
 [[nodiscard]] inline bool Enable(Context &context, GLenum cap) { return isHosts(context, cap); }
 [[nodiscard]] inline bool Disable(Context &context, GLenum cap) { return isHosts(context, cap); }
 
-/// The layer has a part in MATRIXi_NV, and in VERTEX_ATTRIB_ARRAYi_NV.
+/// The layer has a part in MATRIXi_NV, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array ranges.
 [[nodiscard]] inline bool MatrixMode(Context &, GLenum mode) { return mode - GL_MATRIX0_NV >= 8u; }
 [[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {
-  return array - GL_VERTEX_ATTRIB_ARRAY0_NV >= 16u;
+  return array - GL_VERTEX_ATTRIB_ARRAY0_NV >= 16u && !isVertexArrayRange(array);
 }
 [[nodiscard]] inline bool DisableClientState(Context &context, GLenum array) {
   return EnableClientState(context, array);
@@ -71,15 +73,22 @@ ARBITER_EVALUATES(EvalPoint2)
   return isHostsMesh(context);
 }
 
+[[nodiscard]] inline bool GetPointerv(Context &, GLenum pname, void **) {
+  return pname != GL_VERTEX_ARRAY_RANGE_POINTER_NV;
+}
+
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 
 /// Of the parameters of textures the layer has a part in the comparison alone.
+[[nodiscard]] constexpr bool compares(GLenum pname) {
+  return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE || isSgixShadow(pname);
+}
 [[nodiscard]] inline bool TexParameteri(Context &, GLenum, GLenum pname, GLint) {
-  return pname != GL_TEXTURE_COMPARE_MODE && pname != GL_DEPTH_TEXTURE_MODE;
+  return !compares(pname);
 }
 [[nodiscard]] inline bool TexParameterf(Context &, GLenum, GLenum pname, GLfloat) {
-  return pname != GL_TEXTURE_COMPARE_MODE && pname != GL_DEPTH_TEXTURE_MODE;
+  return !compares(pname);
 }
 
 } // namespace arbiter::state::straight

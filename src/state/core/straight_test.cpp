@@ -65,21 +65,24 @@ TEST(Straight, TheLayerSeesWhichTexturesCompare) {
                                        GL_COMPARE_R_TO_TEXTURE));
   EXPECT_FALSE(straight::TexParameterf(*context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE,
                                        GLfloat(GL_COMPARE_R_TO_TEXTURE)));
+  EXPECT_FALSE(straight::TexParameteri(*context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_SGIX, GL_TRUE));
 }
 
-TEST(Straight, OnlyNvidiasMatricesAndArraysAreTheLayers) {
+TEST(Straight, OnlyNvidiasMatricesArraysAndRangesAreTheLayers) {
   FakeHost host;
   const CurrentContext context(host);
   int handled = 0;
   for (GLenum name = 0; name < kMostNames; ++name) {
     const bool matrix = name >= GL_MATRIX0_NV && name <= GL_MATRIX7_NV;
-    const bool array = name >= GL_VERTEX_ATTRIB_ARRAY0_NV && name <= GL_VERTEX_ATTRIB_ARRAY15_NV;
+    const bool array =
+        (name >= GL_VERTEX_ATTRIB_ARRAY0_NV && name <= GL_VERTEX_ATTRIB_ARRAY15_NV) ||
+        name == GL_VERTEX_ARRAY_RANGE_NV || name == GL_VERTEX_ARRAY_RANGE_WITHOUT_FLUSH_NV;
     ASSERT_EQ(straight::MatrixMode(*context, name), !matrix) << name;
     ASSERT_EQ(straight::EnableClientState(*context, name), !array) << name;
     ASSERT_EQ(straight::DisableClientState(*context, name), !array) << name;
     handled += matrix || array ? 1 : 0;
   }
-  EXPECT_EQ(handled, 24);
+  EXPECT_EQ(handled, 26);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "state/core/capability.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/lists/list_compiler.h"
@@ -113,6 +114,12 @@ GLboolean IsEnabled(Context &context, GLenum cap) {
                    (context.nv->enabledMaps >> evaluatorMapOf(cap) & 1u) != 0
                ? GL_TRUE
                : GL_FALSE;
+  if (isVertexArrayRange(cap)) {
+    GLint value = 0;
+    if (eraValue(context, GL_VERTEX_ARRAY_RANGE_NV, value))
+      return outsideBeginEnd(context, "IsEnabled between Begin and End") && value != 0 ? GL_TRUE
+                                                                                       : GL_FALSE;
+  }
   const ProgramTarget *const row = enableRowOf(context, cap);
   if (!row)
     return context.host->IsEnabled(cap);

@@ -9,6 +9,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
@@ -123,6 +124,14 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_FRAGMENT_PROGRAM_BINDING_NV:
   case GL_MAX_FRAGMENT_PROGRAM_LOCAL_PARAMETERS_NV:
     return nvValue(context, pname, value);
+  case GL_TRANSFORM_HINT_APPLE:
+  case GL_MULTISAMPLE_FILTER_HINT_NV:
+  case GL_VERTEX_ARRAY_RANGE_NV:
+  case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
+  case GL_VERTEX_ARRAY_RANGE_VALID_NV:
+  case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
+  case GL_UNPACK_CLIENT_STORAGE_APPLE:
+    return eraValue(context, pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;
     return true;

@@ -8,6 +8,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/errors.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/evaluators/nv_attributes.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/nv/nv_state.h"
@@ -60,7 +61,21 @@ template <typename T> void get(Context &context, GLuint index, GLenum pname, T *
 
 namespace handlers {
 
+namespace {
+/// True where `array` is a vertex array range of the layer's, which is set.
+bool setRangeEnabled(Context &context, GLenum array, bool enabled) {
+  if (!isVertexArrayRange(array) || !context.era ||
+      (!context.era->offered.nvRange && !context.era->offered.appleRange))
+    return false;
+  if (outsideBeginEnd(context, "a vertex array range's client state between Begin and End"))
+    context.era->client.range.enabled = enabled;
+  return true;
+}
+} // namespace
+
 void EnableClientState(Context &context, GLenum array) {
+  if (setRangeEnabled(context, array, true))
+    return;
   const GLuint index = array - GL_VERTEX_ATTRIB_ARRAY0_NV;
   if (!context.nv || index >= NvState::kAttributes)
     return context.host->EnableClientState(array);
@@ -69,6 +84,8 @@ void EnableClientState(Context &context, GLenum array) {
 }
 
 void DisableClientState(Context &context, GLenum array) {
+  if (setRangeEnabled(context, array, false))
+    return;
   const GLuint index = array - GL_VERTEX_ATTRIB_ARRAY0_NV;
   if (!context.nv || index >= NvState::kAttributes)
     return context.host->DisableClientState(array);

@@ -3,6 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/era/era_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/raster_draw/commands.h"
@@ -101,11 +102,15 @@ void pixelStored(Context &context, GLenum pname, GLint value) {
 } // namespace
 
 void PixelStorei(Context &context, GLenum pname, GLint param) {
+  if (setClientStorage(context, pname, param != 0))
+    return;
   context.host->PixelStorei(pname, param);
   pixelStored(context, pname, param);
 }
 
 void PixelStoref(Context &context, GLenum pname, GLfloat param) {
+  if (setClientStorage(context, pname, param != 0.0f))
+    return;
   context.host->PixelStoref(pname, param);
   context.dirty |= software::dirty::kPixelStore; // how it rounds is the host's
 }

@@ -6,6 +6,8 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/era/sgix_shadow.h"
 #include "state/host_draw/draw.h"
 #include "state/share/share_group.h"
 
@@ -33,6 +35,55 @@ template <typename T> void note(Context &context, GLenum pname, const T *values)
 
 namespace handlers {
 
+// SGIX_shadow's two parameters, which are ARB_shadow's by other names (state/era/sgix_shadow.h), of
+// the texture that is bound: they are older than commands of an object.
+namespace {
+void setShadow(Context &context, GLenum target, GLenum pname, GLint value) {
+  const ShadowParameter parameter = arbShadow(pname, value);
+  if (!parameter.valid)
+    return raise(context, GL_INVALID_OPERATION, "TexParameter: TEXTURE_COMPARE_OPERATOR_SGIX");
+  note(context, parameter.pname, parameter.value);
+  context.host->TexParameteri(target, parameter.pname, parameter.value);
+}
+template <typename T>
+void setShadow(Context &context, GLenum target, GLenum pname, const T *value) {
+  if (value)
+    setShadow(context, target, pname, GLint(*value));
+}
+} // namespace
+
+// Of a texture target.
+#define BOUND_SETTER(name, Value)                                                                  \
+  void name(Context &context, GLenum target, GLenum pname, Value value) {                          \
+    if (hasSgixShadow(context, pname)) [[unlikely]]                                                \
+      return setShadow(context, target, pname, value);                                             \
+    note(context, pname, value);                                                                   \
+    context.host->name(target, pname, value);                                                      \
+  }
+BOUND_SETTER(TexParameteri, GLint)
+BOUND_SETTER(TexParameteriv, const GLint *)
+BOUND_SETTER(TexParameterfv, const GLfloat *)
+BOUND_SETTER(TexParameterIiv, const GLint *)
+BOUND_SETTER(TexParameterIuiv, const GLuint *)
+void TexParameterf(Context &context, GLenum target, GLenum pname, GLfloat value) {
+  if (hasSgixShadow(context, pname)) [[unlikely]]
+    return setShadow(context, target, pname, GLint(value));
+  note(context, pname, value);
+  context.host->TexParameterf(target, pname, value);
+}
+
+#define BOUND_GETTER(name, Value)                                                                  \
+  void name(Context &context, GLenum target, GLenum pname, Value *values) {                        \
+    if (!hasSgixShadow(context, pname)) [[likely]]                                                 \
+      return context.host->name(target, pname, values);                                            \
+    GLint arb = 0;                                                                                 \
+    context.host->GetTexParameteriv(target, arbShadowName(pname), &arb);                           \
+    if (values)                                                                                    \
+      *values = Value(sgixShadowValue(pname, arb));                                                \
+  }
+BOUND_GETTER(GetTexParameteriv, GLint)
+BOUND_GETTER(GetTexParameterfv, GLfloat)
+
 // Of a target or an object; of a texture or a unit, with a target.
 #define SETTER(name, Object, Value)                                                                \
   void name(Context &context, Object object, GLenum pname, Value value) {                          \
@@ -50,7 +101,6 @@ namespace handlers {
           setter(prefix##fv##suffix, Object, const GLfloat *)                                      \
               setter(prefix##Iiv##suffix, Object, const GLint *)                                   \
                   setter(prefix##Iuiv##suffix, Object, const GLuint *)
-SETTERS(SETTER, TexParameter, , GLenum)
 SETTERS(SETTER, TextureParameter, , GLuint)
 SETTERS(SETTER, SamplerParameter, , GLuint)
 SETTERS(TARGET_SETTER, TextureParameter, EXT, GLuint)

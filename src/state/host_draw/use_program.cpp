@@ -4,6 +4,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/application_glsl.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
@@ -36,6 +37,11 @@ void pushEnables(Context &context, GLbitfield mask) {
     entry.hasMaps = (mask & (GL_ENABLE_BIT | GL_EVAL_BIT)) != 0;
     entry.enabledMaps = context.nv->enabledMaps;
   }
+  if (context.era && (mask & GL_HINT_BIT) != 0) {
+    entry.hasHints = true;
+    entry.transformHint = context.era->hints.transform;
+    entry.multisampleFilterHint = context.era->hints.multisampleFilter;
+  }
   (void)context.attribStack.push(entry);
 }
 
@@ -45,6 +51,8 @@ void popEnables(Context &context) {
   context.dirty |= entry.dirty;
   if (popped && entry.hasMaps && context.nv)
     context.nv->enabledMaps = entry.enabledMaps;
+  if (popped && entry.hasHints && context.era)
+    context.era->hints = {entry.transformHint, entry.multisampleFilterHint};
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)

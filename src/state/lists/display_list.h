@@ -53,8 +53,11 @@ struct Command {
     DefineMap,        ///< target, name and object: the orders; format: an error; values: the
                       ///< domain, the points
     PrepareEvaluation,
-    EvalPoint, ///< bytes: an EvaluatorPoint
-    EvalMesh,  ///< target: mode; name: the dimension; bytes: four GLint
+    EvalPoint,   ///< bytes: an EvaluatorPoint
+    EvalMesh,    ///< target: mode; name: the dimension; bytes: four GLint
+    SetFence,    ///< target: a FenceOf; name
+    FinishFence, ///< likewise
+    Hint,        ///< target; name: the mode
   };
   Kind kind;
   GLenum target = 0;

@@ -6,6 +6,7 @@
 
 #include "host/handlers.h"
 #include "state/core/errors.h"
+#include "state/era/era_state.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
 #include "state/programs/fragment_shaders.h"
@@ -167,6 +168,12 @@ void execute(Context &context, const Command &command) {
     return handlers::BeginConditionalRender(context, command.name, command.target);
   case Command::Kind::EndConditional:
     return handlers::EndConditionalRender(context);
+  case Command::Kind::SetFence:
+    return setFence(context, FenceOf(command.target), command.name);
+  case Command::Kind::FinishFence:
+    return finishFence(context, FenceOf(command.target), command.name);
+  case Command::Kind::Hint:
+    return setEraHint(context, command.target, command.name);
   case Command::Kind::CopyTexture:
     return copyTexture(context, copyOf(command));
   default:

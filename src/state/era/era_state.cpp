@@ -1,0 +1,116 @@
+#include "state/era/era_state.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+
+namespace arbiter::state {
+
+void EraClientStack::push(const Context &context, const EraClientState &state, GLbitfield mask) {
+  if (m_maxDepth < 0) {
+    context.host->GetIntegerv(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, &m_maxDepth);
+    m_entries.reserve(std::size_t(m_maxDepth > 0 ? m_maxDepth : 0)); // then no push allocates
+  }
+  if (m_entries.size() >= std::size_t(m_maxDepth))
+    return; // the host raises the error
+  Entry entry;
+  if ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0)
+    entry.range = state.range;
+  if ((mask & GL_CLIENT_PIXEL_STORE_BIT) != 0)
+    entry.clientStorage = state.clientStorage;
+  m_entries.push_back(entry);
+}
+
+void EraClientStack::pop(EraClientState &state) {
+  if (m_entries.empty())
+    return;
+  const Entry &entry = m_entries.back();
+  if (entry.range)
+    state.range = *entry.range;
+  if (entry.clientStorage)
+    state.clientStorage = *entry.clientStorage;
+  m_entries.pop_back();
+}
+
+GLenum *eraHint(Context &context, GLenum target) {
+  if (!context.era)
+    return nullptr;
+  EraState &era = *context.era;
+  if (target == GL_TRANSFORM_HINT_APPLE && era.offered.transformHint)
+    return &era.hints.transform;
+  if (target == GL_MULTISAMPLE_FILTER_HINT_NV && era.offered.multisampleFilterHint)
+    return &era.hints.multisampleFilter;
+  return nullptr;
+}
+
+void setEraHint(Context &context, GLenum target, GLenum mode) {
+  GLenum *const hint = eraHint(context, target);
+  if (!hint || (mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE))
+    return raise(context, GL_INVALID_ENUM, "Hint");
+  *hint = mode;
+}
+
+bool setClientStorage(Context &context, GLenum pname, bool value) {
+  if (pname != GL_UNPACK_CLIENT_STORAGE_APPLE || !context.era ||
+      !context.era->offered.clientStorage)
+    return false;
+  if (outsideBeginEnd(context, "PixelStore between Begin and End"))
+    context.era->client.clientStorage = value;
+  return true;
+}
+
+bool eraValue(Context &context, GLenum pname, GLint &value) {
+  if (const GLenum *const hint = eraHint(context, pname)) {
+    value = GLint(*hint);
+    return true;
+  }
+  if (!context.era)
+    return false;
+  const EraOffers &offered = context.era->offered;
+  const EraClientState &client = context.era->client;
+  const bool hasRange = offered.nvRange || offered.appleRange;
+  switch (pname) {
+  case GL_VERTEX_ARRAY_RANGE_NV:
+    value = client.range.enabled ? 1 : 0;
+    return hasRange;
+  case GL_VERTEX_ARRAY_RANGE_LENGTH_NV:
+    value = client.range.length;
+    return hasRange;
+  case GL_VERTEX_ARRAY_RANGE_VALID_NV: // Apple's storage hint
+    value = !offered.nvRange || (offered.appleRange && client.range.spoken)
+                ? GLint(client.range.storageHint)
+                : GLint(isValid(context, client.range));
+    return hasRange;
+  case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
+    value = kMaxVertexArrayRangeElement;
+    return hasRange;
+  case GL_UNPACK_CLIENT_STORAGE_APPLE:
+    value = client.clientStorage ? 1 : 0;
+    return offered.clientStorage;
+  default:
+    return false;
+  }
+}
+
+namespace {
+Fences &fencesOf(EraState &era, FenceOf of) {
+  return of == FenceOf::Nv ? era.nvFences : era.appleFences;
+}
+} // namespace
+
+void setFence(Context &context, FenceOf of, GLuint name) {
+  if (context.era)
+    fencesOf(*context.era, of).set(context, name);
+}
+
+void finishFence(Context &context, FenceOf of, GLuint name) {
+  if (!context.era)
+    return;
+  Fences &fences = fencesOf(*context.era, of);
+  // APPLE_fence: a name that was generated and never set acts as a fence that is done.
+  if (of == FenceOf::Apple ? !fences.isName(name) : !fences.isFence(name))
+    return raise(context, GL_INVALID_OPERATION, "FinishFence: no fence of that name");
+  fences.finish(context, name);
+}
+
+} // namespace arbiter::state

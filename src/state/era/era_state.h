@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "state/era/fences.h"
+#include "state/era/offers.h"
+#include "state/era/vertex_array_range.h"
+
+/// Extensions of the years of the first fragment programs that today's hosts have dropped, and that
+/// keep a little state in a context: fences, vertex array ranges, hints. Which they are, and where
+/// each is offered, is the table of offers.cpp.
+namespace arbiter::state {
+
+struct Hints {
+  GLenum transform = GL_DONT_CARE;         ///< APPLE_transform_hint
+  GLenum multisampleFilter = GL_DONT_CARE; ///< NV_multisample_filter_hint
+};
+
+/// Client state, which PushClientAttrib saves.
+struct EraClientState {
+  VertexArrayRange range;     ///< of CLIENT_VERTEX_ARRAY_BIT
+  bool clientStorage = false; ///< UNPACK_CLIENT_STORAGE_APPLE, of CLIENT_PIXEL_STORE_BIT
+};
+
+/// The client attribute stack's part of it, as deep as the host's.
+class EraClientStack {
+public:
+  void push(const Context &context, const EraClientState &state, GLbitfield mask);
+  void pop(EraClientState &state);
+
+private:
+  struct Entry {
+    std::optional<VertexArrayRange> range;
+    std::optional<bool> clientStorage;
+  };
+  std::vector<Entry> m_entries;
+  GLint m_maxDepth = -1; ///< -1: not asked for yet
+};
+
+struct EraState {
+  EraOffers offered; ///< what the layer itself has here
+  Fences nvFences, appleFences;
+  Hints hints;
+  EraClientState client;
+  EraClientStack clientStack;
+};
+
+/// Sets a hint of the two, with the errors of Hint.
+void setEraHint(Context &context, GLenum target, GLenum mode);
+/// The place of the hint that `target` names where the layer has it; null: it is the host's.
+[[nodiscard]] GLenum *eraHint(Context &context, GLenum target);
+/// A value of GetIntegerv and its kin; false: it is the host's to answer.
+[[nodiscard]] bool eraValue(Context &context, GLenum pname, GLint &value);
+/// PixelStore of UNPACK_CLIENT_STORAGE_APPLE where the layer has it; false: it is the host's.
+[[nodiscard]] bool setClientStorage(Context &context, GLenum pname, bool value);
+
+enum class FenceOf : std::uint8_t { Nv, Apple };
+/// SetFenceNV and SetFenceAPPLE, FinishFenceNV and FinishFenceAPPLE, of a list too.
+void setFence(Context &context, FenceOf of, GLuint name);
+void finishFence(Context &context, FenceOf of, GLuint name);
+
+} // namespace arbiter::state

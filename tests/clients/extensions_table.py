@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""docs/extensions.md against the extension strings of contexts, on the bare host and under the layer with
+each profile that a row names.
+
+A row of the layer's is there under the profiles that it names, and under no other unless the host has it;
+a row of the host's, or of what is not done or refused, is there where the host has it.
+"""
+import pathlib
+import re
+import sys
+
+import self_client
+from self_client import expect
+
+HERE = pathlib.Path(__file__).resolve().parent
+TABLE = HERE.parents[1] / 'docs/extensions.md'
+ROW = re.compile(r'^\| (GL_\w+) \| ([\w\' ]+) \|([^|]*)\|', re.M)
+OURS = ("the layer's", 'where missing')
+OTHERS = ("the host's", 'not yet', 'refused')
+
+
+def table(text):
+    """{extension: (whose, [profile])} of the rows."""
+    return {name: (whose, re.findall(r'`([\w-]+)`', profiles))
+            for name, whose, profiles in ROW.findall(text)}
+
+
+def wrong(rows, bare, names, profile):
+    """What the table and the list of a profile disagree about."""
+    for name, (whose, profiles) in sorted(rows.items()):
+        expected = name in bare or (whose in OURS and profile in profiles)
+        if (name in names) != expected:
+            yield f'{profile}: {name} is {"not " if expected else ""}announced'
+
+
+def check(options):
+    rows = table(TABLE.read_text())
+    unknown = [name for name, (whose, _) in rows.items() if whose not in OURS + OTHERS]
+    expect(len(rows) >= 30 and not unknown, f'{len(rows)} rows, not understood: {unknown}')
+    client = HERE / 'identity.py'
+    bare = self_client.ask(client, options, 'egl', None)
+    if bare is None:
+        return False
+    failed = []
+    for profile in sorted({'host', 'r300', 'i915'}.union(*(named for _, named in rows.values()))):
+        answers = self_client.ask(client, options, 'egl', ['--profile', profile])
+        expect(not answers['missing'], f'{profile}: no function {answers["missing"]}')
+        failed += wrong(rows, set(bare['names']), set(answers['names']), profile)
+        print(f'{profile}: {answers["count"]} extensions', flush=True)
+    expect(not failed, '\n'.join(failed))
+    return True
+
+
+if __name__ == '__main__':
+    sys.exit(self_client.main('extensions_table', None, check))
