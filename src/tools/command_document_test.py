@@ -204,7 +204,6 @@ class Layered(Bare):
         self.assertEqual(result.returncode, 2, 'a word without a meaning: the default holds')
         self.assertIn('d.fp:2:22: warning: this profile is unknown', result.stderr)
 
-
     def test_late_machine_code_changes_no_picture(self):
         # The host's twirl and the rasterizer's differ by a level here and there.
         small = ('gallery:twirl', '--size', '16x16')
