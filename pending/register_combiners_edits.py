@@ -4,15 +4,7 @@
 # A dot product that goes into a sum or a mux is clamped to [-1, 1] first. RC's equations have no sum of dot products,
 # its issues do; NVIDIA's driver (580.159, H100 and H200) clamps, and leaves what is put out as a product alone. With it
 # 0 of 4,000 random states without texels below zero differ there (148 of 2,000 did, 73 of them by such texels alone).
-
-
-def sub(path, *pairs):
-    text = open(path).read()
-    for old, new in pairs:
-        assert old in text, (path, old)
-        text = text.replace(old, new, 1)
-    open(path, 'w').write(text)
-
+from replace import sub
 
 sub('src/fp_compiler/combiners/lower.cpp', ('''    if (sums)
       write(portion.sum, portion.mux

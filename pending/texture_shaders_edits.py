@@ -1,12 +1,8 @@
 # Edits of existing files for texture_shaders.patch: sub(path, (old, new), ...) replaces once, and stops where the old
 # text is not found. Run in the root of a tree that has the register combiners, after the patch; then clang-format.
 import re
-def sub(p, *pairs):
-    s = open(p).read()
-    for a, b in pairs:
-        assert a in s, (p, a)
-        s = s.replace(a, b, 1)
-    open(p, 'w').write(s)
+
+from replace import sub
 
 # --- compiler ---
 sub('src/fp_compiler/meson.build',

@@ -1,5 +1,5 @@
 /// NV_vertex_array_range's memory: glXAllocateMemoryNV and glXFreeMemoryNV by GetProcAddress, from
-/// a display that is open and without a context, used by arrays, and by another thread. Prints
+/// a display that is open and without a context, written to, and freed by another thread. Prints
 /// "absent" where there is none.
 #include <cstdint>
 #include <cstdio>

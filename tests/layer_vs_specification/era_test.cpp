@@ -119,6 +119,57 @@ TEST_F(Era, FencesHaveTheirPlaceInLists) {
   glDeleteFencesNV(1, &name);
 }
 
+TEST_F(Era, AWrongConditionIsAnErrorOfTheCall) {
+  NEEDS("GL_NV_fence");
+  glNewList(1, GL_COMPILE);
+  EXPECT_NO_GL_ERROR(glSetFenceNV(7, GL_FENCE_STATUS_NV));
+  glEndList();
+  EXPECT_GL_ERROR(GL_INVALID_ENUM, glCallList(1));
+  EXPECT_EQ(glIsFenceNV(7), GL_FALSE);
+  glBegin(GL_POINTS);
+  glSetFenceNV(7, GL_FENCE_STATUS_NV);
+  glEnd();
+  EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+  glDeleteLists(1, 1);
+}
+
+TEST_F(Era, AFenceIsTestedWhileAListIsCompiled) {
+  NEEDS("GL_NV_fence");
+  fill(1, 0);
+  glSetFenceNV(7, GL_ALL_COMPLETED_NV);
+  glNewList(1, GL_COMPILE);
+  fill(0, 1);
+  glFinishFenceNV(7);
+  EXPECT_EQ(glTestFenceNV(7), GL_TRUE) << "executed at once";
+  const GLuint name = 7;
+  glDeleteFencesNV(1, &name);
+  EXPECT_EQ(glIsFenceNV(7), GL_FALSE);
+  glEndList();
+  EXPECT_EQ(pixel()[0], 255);
+  glCallList(1);
+  EXPECT_EQ(pixel()[1], 255);
+  EXPECT_EQ(glIsFenceNV(7), GL_FALSE) << "nothing of it is in the list";
+  glDeleteLists(1, 1);
+}
+
+TEST_F(Era, FencesAreOfOneContext) {
+  NEEDS("GL_NV_fence");
+  glSetFenceNV(7, GL_ALL_COMPLETED_NV);
+  {
+    const GlContext other(&m_context);
+    other.makeCurrent();
+    EXPECT_EQ(glIsFenceNV(7), GL_FALSE);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION, glFinishFenceNV(7));
+    glSetFenceNV(9, GL_ALL_COMPLETED_NV); // left to the context's end
+    m_context.makeCurrent();
+  }
+  EXPECT_EQ(glIsFenceNV(7), GL_TRUE);
+  EXPECT_EQ(glIsFenceNV(9), GL_FALSE);
+  glFinishFenceNV(7);
+  const GLuint name = 7;
+  glDeleteFencesNV(1, &name);
+}
+
 TEST_F(Era, NoFencesBetweenBeginAndEnd) {
   NEEDS("GL_NV_fence");
   GLuint name = 99;
@@ -283,6 +334,16 @@ TEST_F(Era, ClientStorage) {
   glPixelStorei(GL_UNPACK_CLIENT_STORAGE_APPLE, GL_TRUE);
   glPopClientAttrib();
   EXPECT_EQ(integer(GL_UNPACK_CLIENT_STORAGE_APPLE), GL_FALSE);
+}
+
+TEST_F(Era, FloatPixels) {
+  NEEDS("GL_APPLE_float_pixels");
+  const GLushort halves[] = {0x3C00, 0xC000, 0x3800, 0x4400}; // 1, -2, 0.5, 4
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA_FLOAT16_APPLE, 1, 1, 0, GL_RGBA, GL_HALF_APPLE, halves);
+  GLfloat read[4] = {};
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, read);
+  const GLfloat expected[] = {1, -2, 0.5f, 4};
+  EXPECT_EQ(std::memcmp(read, expected, sizeof read), 0);
 }
 
 /// A 1x1 depth texture of one half, sampled at r: what the comparison gives.

@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <GL/gl.h>
 
+#include "state/era/hints.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
@@ -19,9 +21,7 @@ public:
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
     bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
     std::uint32_t enabledMaps = 0;
-    bool hasHints = false; ///< GL_HINT_BIT
-    GLenum transformHint = GL_DONT_CARE;
-    GLenum multisampleFilterHint = GL_DONT_CARE;
+    std::optional<Hints> hints; ///< of GL_HINT_BIT
   };
 
   void setMaxDepth(std::size_t depth) {

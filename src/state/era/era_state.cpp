@@ -98,7 +98,9 @@ Fences &fencesOf(EraState &era, FenceOf of) {
 }
 } // namespace
 
-void setFence(Context &context, FenceOf of, GLuint name) {
+void setFence(Context &context, FenceOf of, GLuint name, GLenum condition) {
+  if (condition != GL_ALL_COMPLETED_NV)
+    return raise(context, GL_INVALID_ENUM, "SetFence: condition");
   if (context.era)
     fencesOf(*context.era, of).set(context, name);
 }

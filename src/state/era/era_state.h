@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "state/era/fences.h"
+#include "state/era/hints.h"
 #include "state/era/offers.h"
 #include "state/era/vertex_array_range.h"
 
@@ -11,11 +12,6 @@
 /// keep a little state in a context: fences, vertex array ranges, hints. Which they are, and where
 /// each is offered, is the table of offers.cpp.
 namespace arbiter::state {
-
-struct Hints {
-  GLenum transform = GL_DONT_CARE;         ///< APPLE_transform_hint
-  GLenum multisampleFilter = GL_DONT_CARE; ///< NV_multisample_filter_hint
-};
 
 /// Client state, which PushClientAttrib saves.
 struct EraClientState {
@@ -57,7 +53,8 @@ void setEraHint(Context &context, GLenum target, GLenum mode);
 
 enum class FenceOf : std::uint8_t { Nv, Apple };
 /// SetFenceNV and SetFenceAPPLE, FinishFenceNV and FinishFenceAPPLE, of a list too.
-void setFence(Context &context, FenceOf of, GLuint name);
+/// \param condition of SetFenceNV; Apple's has the same one, unsaid
+void setFence(Context &context, FenceOf of, GLuint name, GLenum condition);
 void finishFence(Context &context, FenceOf of, GLuint name);
 
 } // namespace arbiter::state

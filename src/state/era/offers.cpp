@@ -12,23 +12,24 @@ namespace {
 struct Row {
   const char *name;
   bool EraOffers::*state; ///< what the layer keeps for it; null: its enumerants are the host's
-  const char *needs;      ///< the extension of the host's that it is made of; null: none
-  bool everyGeForce;      ///< in the drivers of all of NVIDIA's cards with fragment programs
+  /// The extensions of the host's that it is made of; null: none.
+  const char *needs, *needsToo;
+  bool everyGeForce; ///< in the drivers of all of NVIDIA's cards with fragment programs
 };
 
 constexpr Row kRows[] = {
-    {"GL_APPLE_client_storage", &EraOffers::clientStorage, nullptr, false},
-    {"GL_APPLE_fence", &EraOffers::appleFence, nullptr, false},
-    {"GL_APPLE_float_pixels", nullptr, "GL_ARB_texture_float", false},
-    {"GL_APPLE_transform_hint", &EraOffers::transformHint, nullptr, false},
-    {"GL_APPLE_vertex_array_range", &EraOffers::appleRange, nullptr, false},
-    {"GL_ATIX_texture_env_combine3", nullptr, "GL_ATI_texture_env_combine3", false},
-    {"GL_NV_fence", &EraOffers::nvFence, nullptr, true},
-    {"GL_NV_multisample_filter_hint", &EraOffers::multisampleFilterHint, nullptr, true},
-    {"GL_NV_vertex_array_range", &EraOffers::nvRange, nullptr, true},
-    {"GL_NV_vertex_array_range2", &EraOffers::nvRange2, nullptr, true},
-    {"GL_SGIX_depth_texture", nullptr, "GL_ARB_depth_texture", true},
-    {"GL_SGIX_shadow", &EraOffers::sgixShadow, "GL_ARB_shadow", true},
+    {"GL_APPLE_client_storage", &EraOffers::clientStorage, nullptr, nullptr, false},
+    {"GL_APPLE_fence", &EraOffers::appleFence, nullptr, nullptr, false},
+    {"GL_APPLE_float_pixels", nullptr, "GL_ARB_texture_float", "GL_ARB_half_float_pixel", false},
+    {"GL_APPLE_transform_hint", &EraOffers::transformHint, nullptr, nullptr, false},
+    {"GL_APPLE_vertex_array_range", &EraOffers::appleRange, nullptr, nullptr, false},
+    {"GL_ATIX_texture_env_combine3", nullptr, "GL_ATI_texture_env_combine3", nullptr, false},
+    {"GL_NV_fence", &EraOffers::nvFence, nullptr, nullptr, true},
+    {"GL_NV_multisample_filter_hint", &EraOffers::multisampleFilterHint, nullptr, nullptr, true},
+    {"GL_NV_vertex_array_range", &EraOffers::nvRange, nullptr, nullptr, true},
+    {"GL_NV_vertex_array_range2", &EraOffers::nvRange, nullptr, nullptr, true},
+    {"GL_SGIX_depth_texture", nullptr, "GL_ARB_depth_texture", nullptr, true},
+    {"GL_SGIX_shadow", &EraOffers::sgixShadow, "GL_ARB_shadow", nullptr, true},
 };
 
 /// Whether a list of names, separated by spaces, has this one.
@@ -50,7 +51,8 @@ EraOffers eraOffers(const HostCaps &caps) {
   EraOffers offers;
   const fp::hw::Profile &profile = activeProfile();
   for (const Row &row : kRows) {
-    if (caps.has(row.name) || !hasCard(profile, row) || (row.needs && !caps.has(row.needs)))
+    if (caps.has(row.name) || !hasCard(profile, row) || (row.needs && !caps.has(row.needs)) ||
+        (row.needsToo && !caps.has(row.needsToo)))
       continue;
     offers.names.push_back(row.name);
     if (row.state)

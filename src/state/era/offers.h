@@ -10,7 +10,6 @@ struct EraOffers {
   bool nvFence = false;
   bool appleFence = false;
   bool nvRange = false;
-  bool nvRange2 = false;
   bool appleRange = false;
   bool multisampleFilterHint = false;
   bool transformHint = false;

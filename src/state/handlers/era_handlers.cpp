@@ -45,16 +45,17 @@ void record(Context &context, Command command) {
 
 /// SetFence and FinishFence have their place in a list (5.4 of both extensions: they are not among
 /// what is executed at once; NV_fence's FinishFenceNV is).
-void recordFence(Context &context, Command::Kind kind, FenceOf of, GLuint name) {
-  record(context, {.kind = kind, .target = GLenum(of), .name = name});
+void recordFence(Context &context, Command::Kind kind, FenceOf of, GLuint name,
+                 GLenum condition = 0) {
+  record(context, {.kind = kind, .target = GLenum(of), .name = name, .format = condition});
 }
 
-void issueSet(Context &context, FenceOf of, GLuint name) {
+void issueSet(Context &context, FenceOf of, GLuint name, GLenum condition) {
   if (!outsideBeginEnd(context, "SetFence between Begin and End"))
     return;
   if (context.listMode)
-    return recordFence(context, Command::Kind::SetFence, of, name);
-  setFence(context, of, name);
+    return recordFence(context, Command::Kind::SetFence, of, name, condition);
+  setFence(context, of, name, condition);
 }
 
 GLboolean testFence(Context &context, Fences &fences, bool exists, GLuint name) {
@@ -132,15 +133,13 @@ void SetFenceNV(Context &context, GLuint fence, GLenum condition) {
       context.software->residency.synchronise("glSetFenceNV");
     return context.host->SetFenceNV(fence, condition);
   }
-  if (condition != GL_ALL_COMPLETED_NV)
-    return raise(context, GL_INVALID_ENUM, "SetFenceNV: condition");
-  issueSet(context, FenceOf::Nv, fence);
+  issueSet(context, FenceOf::Nv, fence, condition);
 }
 
 void SetFenceAPPLE(Context &context, GLuint fence) {
   if (!offers(context, &EraOffers::appleFence))
     return context.host->SetFenceAPPLE(fence);
-  issueSet(context, FenceOf::Apple, fence);
+  issueSet(context, FenceOf::Apple, fence, GL_ALL_COMPLETED_NV);
 }
 
 GLboolean TestFenceNV(Context &context, GLuint fence) {

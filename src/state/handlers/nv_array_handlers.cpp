@@ -57,11 +57,6 @@ template <typename T> void get(Context &context, GLuint index, GLenum pname, T *
   *params = T(value);
 }
 
-} // namespace
-
-namespace handlers {
-
-namespace {
 /// True where `array` is a vertex array range of the layer's, which is set.
 bool setRangeEnabled(Context &context, GLenum array, bool enabled) {
   if (!isVertexArrayRange(array) || !context.era ||
@@ -71,7 +66,10 @@ bool setRangeEnabled(Context &context, GLenum array, bool enabled) {
     context.era->client.range.enabled = enabled;
   return true;
 }
+
 } // namespace
+
+namespace handlers {
 
 void EnableClientState(Context &context, GLenum array) {
   if (setRangeEnabled(context, array, true))

@@ -31,15 +31,10 @@ template <typename T> void note(Context &context, GLenum pname, const T *values)
     note(context, pname, *values);
 }
 
-} // namespace
-
-namespace handlers {
-
 // SGIX_shadow's two parameters, which are ARB_shadow's by other names (state/era/sgix_shadow.h), of
 // the texture that is bound: they are older than commands of an object.
-namespace {
-void setShadow(Context &context, GLenum target, GLenum pname, GLint value) {
-  const ShadowParameter parameter = arbShadow(pname, value);
+template <typename T> void setShadow(Context &context, GLenum target, GLenum pname, T value) {
+  const ShadowParameter parameter = arbShadow(pname, GLint(value));
   if (!parameter.valid)
     return raise(context, GL_INVALID_OPERATION, "TexParameter: TEXTURE_COMPARE_OPERATOR_SGIX");
   note(context, parameter.pname, parameter.value);
@@ -48,29 +43,12 @@ void setShadow(Context &context, GLenum target, GLenum pname, GLint value) {
 template <typename T>
 void setShadow(Context &context, GLenum target, GLenum pname, const T *value) {
   if (value)
-    setShadow(context, target, pname, GLint(*value));
+    setShadow(context, target, pname, *value);
 }
+
 } // namespace
 
-// Of a texture target.
-#define BOUND_SETTER(name, Value)                                                                  \
-  void name(Context &context, GLenum target, GLenum pname, Value value) {                          \
-    if (hasSgixShadow(context, pname)) [[unlikely]]                                                \
-      return setShadow(context, target, pname, value);                                             \
-    note(context, pname, value);                                                                   \
-    context.host->name(target, pname, value);                                                      \
-  }
-BOUND_SETTER(TexParameteri, GLint)
-BOUND_SETTER(TexParameteriv, const GLint *)
-BOUND_SETTER(TexParameterfv, const GLfloat *)
-BOUND_SETTER(TexParameterIiv, const GLint *)
-BOUND_SETTER(TexParameterIuiv, const GLuint *)
-void TexParameterf(Context &context, GLenum target, GLenum pname, GLfloat value) {
-  if (hasSgixShadow(context, pname)) [[unlikely]]
-    return setShadow(context, target, pname, GLint(value));
-  note(context, pname, value);
-  context.host->TexParameterf(target, pname, value);
-}
+namespace handlers {
 
 #define BOUND_GETTER(name, Value)                                                                  \
   void name(Context &context, GLenum target, GLenum pname, Value *values) {                        \
@@ -90,6 +68,13 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
     note(context, pname, value);                                                                   \
     context.host->name(object, pname, value);                                                      \
   }
+#define BOUND_SETTER(name, Object, Value)                                                          \
+  void name(Context &context, Object target, GLenum pname, Value value) {                          \
+    if (hasSgixShadow(context, pname)) [[unlikely]]                                                \
+      return setShadow(context, target, pname, value);                                             \
+    note(context, pname, value);                                                                   \
+    context.host->name(target, pname, value);                                                      \
+  }
 #define TARGET_SETTER(name, Object, Value)                                                         \
   void name(Context &context, Object object, GLenum target, GLenum pname, Value value) {           \
     note(context, pname, value);                                                                   \
@@ -101,6 +86,7 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
           setter(prefix##fv##suffix, Object, const GLfloat *)                                      \
               setter(prefix##Iiv##suffix, Object, const GLint *)                                   \
                   setter(prefix##Iuiv##suffix, Object, const GLuint *)
+SETTERS(BOUND_SETTER, TexParameter, , GLenum)
 SETTERS(SETTER, TextureParameter, , GLuint)
 SETTERS(SETTER, SamplerParameter, , GLuint)
 SETTERS(TARGET_SETTER, TextureParameter, EXT, GLuint)

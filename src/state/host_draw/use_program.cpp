@@ -37,11 +37,8 @@ void pushEnables(Context &context, GLbitfield mask) {
     entry.hasMaps = (mask & (GL_ENABLE_BIT | GL_EVAL_BIT)) != 0;
     entry.enabledMaps = context.nv->enabledMaps;
   }
-  if (context.era && (mask & GL_HINT_BIT) != 0) {
-    entry.hasHints = true;
-    entry.transformHint = context.era->hints.transform;
-    entry.multisampleFilterHint = context.era->hints.multisampleFilter;
-  }
+  if (context.era && (mask & GL_HINT_BIT) != 0)
+    entry.hints = context.era->hints;
   (void)context.attribStack.push(entry);
 }
 
@@ -51,8 +48,8 @@ void popEnables(Context &context) {
   context.dirty |= entry.dirty;
   if (popped && entry.hasMaps && context.nv)
     context.nv->enabledMaps = entry.enabledMaps;
-  if (popped && entry.hasHints && context.era)
-    context.era->hints = {entry.transformHint, entry.multisampleFilterHint};
+  if (popped && entry.hints && context.era)
+    context.era->hints = *entry.hints;
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)

@@ -55,8 +55,8 @@ struct Command {
     PrepareEvaluation,
     EvalPoint,   ///< bytes: an EvaluatorPoint
     EvalMesh,    ///< target: mode; name: the dimension; bytes: four GLint
-    SetFence,    ///< target: a FenceOf; name
-    FinishFence, ///< likewise
+    SetFence,    ///< target: a FenceOf; name; format: the condition
+    FinishFence, ///< target, name
     Hint,        ///< target; name: the mode
   };
   Kind kind;

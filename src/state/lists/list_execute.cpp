@@ -169,7 +169,7 @@ void execute(Context &context, const Command &command) {
   case Command::Kind::EndConditional:
     return handlers::EndConditionalRender(context);
   case Command::Kind::SetFence:
-    return setFence(context, FenceOf(command.target), command.name);
+    return setFence(context, FenceOf(command.target), command.name, command.format);
   case Command::Kind::FinishFence:
     return finishFence(context, FenceOf(command.target), command.name);
   case Command::Kind::Hint:
