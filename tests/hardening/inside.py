@@ -224,6 +224,8 @@ def check_kind(options, kind):
         print(f'{kind}: not here')
         return None
     answers, stats = ask(options, kind)
+    if answers is None:
+        raise SystemExit(f'{kind}: the client found it on the bare host, and not under the layer')
     drawn = stats['draws']['rasterizer']
     found = complaints(answers, drawn, bare)
     for text in found[:40]:

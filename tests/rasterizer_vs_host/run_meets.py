@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Passes that compare depths for equality: where two meet on the bare host they meet under the layer,
-whichever way they transform their vertices, and whichever of the two draws the frame. What meets under the layer and not
+whichever way they transform their vertices, and whichever draws the frame. What meets under the layer and not
 on the bare host is no fault: hosts differ in it.
 
   run_meets.py --build build [--first SEED] [--count N]
