@@ -1,0 +1,172 @@
+#include "fp_compiler/combiners/values.h"
+
+#include <algorithm>
+
+namespace arbiter::fp::combiners {
+
+using ir::Opcode;
+using ir::Source;
+using ir::Target;
+
+namespace {
+
+/// Bounds beyond what a float can hold are no bounds.
+float bounded(double value) {
+  return float(std::clamp(value, double(-Value::kAny), double(Value::kAny)));
+}
+
+struct Range {
+  float low, high;
+};
+
+Range rangeOfProduct(const Value &a, const Value &b) {
+  const double corners[] = {double(a.low) * double(b.low), double(a.low) * double(b.high),
+                            double(a.high) * double(b.low), double(a.high) * double(b.high)};
+  const auto [least, most] = std::minmax_element(std::begin(corners), std::end(corners));
+  return {bounded(*least), bounded(*most)};
+}
+
+} // namespace
+
+Target Values::fresh(Half half) {
+  return m_builder.temporary().mask(half == Half::Rgb ? "xyz" : "w");
+}
+
+Value Values::emit(Half half, Opcode opcode, std::initializer_list<Source> operands, float low,
+                   float high) {
+  const Target to = fresh(half);
+  m_builder.op(opcode, to, operands);
+  return {to.read(), low, high, {}};
+}
+
+Value Values::literal(float number) {
+  const auto known = std::find_if(m_literals.begin(), m_literals.end(),
+                                  [&](const Value &value) { return value.is(number); });
+  if (known != m_literals.end())
+    return *known;
+  return m_literals.emplace_back(Value{m_builder.constant(number), number, number, number});
+}
+
+Value Values::atLeast(Half half, const Value &value, float bound) {
+  if (value.literal)
+    return literal(std::max(*value.literal, bound));
+  if (value.low >= bound)
+    return value;
+  return emit(half, Opcode::Max, {value.source, literal(bound).source}, bound,
+              std::max(value.high, bound));
+}
+
+Value Values::atMost(Half half, const Value &value, float bound) {
+  if (value.literal)
+    return literal(std::min(*value.literal, bound));
+  if (value.high <= bound)
+    return value;
+  return emit(half, Opcode::Min, {value.source, literal(bound).source}, std::min(value.low, bound),
+              bound);
+}
+
+Value Values::negated(const Value &value) {
+  if (value.literal)
+    return literal(-*value.literal);
+  return {-value.source, -value.high, -value.low, {}};
+}
+
+Value Values::scaled(Half half, const Value &value, float scale, float bias) {
+  if (value.literal)
+    return literal(*value.literal * scale + bias);
+  if (bias == 0.0f)
+    return product(half, value, literal(scale));
+  return multiplyAdd(half, value, literal(scale), literal(bias));
+}
+
+Value Values::product(Half half, const Value &a, const Value &b) {
+  if (a.literal && b.literal)
+    return literal(*a.literal * *b.literal);
+  if (a.literal)
+    return product(half, b, a);
+  if (b.is(0.0f))
+    return b;
+  if (b.is(1.0f))
+    return a;
+  if (b.is(-1.0f))
+    return negated(a);
+  const Range range = rangeOfProduct(a, b);
+  return emit(half, Opcode::Mul, {a.source, b.source}, range.low, range.high);
+}
+
+Value Values::multiplyAdd(Half half, const Value &a, const Value &b, const Value &c) {
+  const auto trivial = [](const Value &v) { return v.is(0.0f) || v.is(1.0f) || v.is(-1.0f); };
+  if (trivial(a) || trivial(b) || c.is(0.0f) || (a.literal && b.literal))
+    return sum(half, product(half, a, b), c);
+  const Range range = rangeOfProduct(a, b);
+  return emit(half, Opcode::Mad, {a.source, b.source, c.source},
+              bounded(double(range.low) + double(c.low)),
+              bounded(double(range.high) + double(c.high)));
+}
+
+Value Values::dot(const Value &a, const Value &b) {
+  if (a.is(0.0f) || b.is(0.0f))
+    return literal(0.0f);
+  const Range range = rangeOfProduct(a, b);
+  return emit(Half::Rgb, Opcode::Dp3, {a.source, b.source}, bounded(3.0 * double(range.low)),
+              bounded(3.0 * double(range.high)));
+}
+
+Value Values::sum(Half half, const Value &a, const Value &b) {
+  if (a.literal && b.literal)
+    return literal(*a.literal + *b.literal);
+  if (a.is(0.0f))
+    return b;
+  if (b.is(0.0f))
+    return a;
+  return emit(half, Opcode::Add, {a.source, b.source}, bounded(double(a.low) + double(b.low)),
+              bounded(double(a.high) + double(b.high)));
+}
+
+Value Values::chosen(Half half, const Value &chooser, const Value &below, const Value &other) {
+  if (chooser.literal)
+    return *chooser.literal < 0.5f ? below : other;
+  // The difference of two floats has its exact sign.
+  const Value distance =
+      emit(Half::Alpha, Opcode::Sub, {chooser.source.swz("w"), literal(0.5f).source}, -Value::kAny,
+           Value::kAny);
+  return emit(half, Opcode::Cmp, {distance.source.swz("w"), below.source, other.source},
+              std::min(below.low, other.low), std::max(below.high, other.high));
+}
+
+Value Values::blended(Half half, const Value &a, const Value &b, const Value &c) {
+  if (a.is(1.0f))
+    return b;
+  if (a.is(0.0f))
+    return c;
+  const bool between = a.low >= 0.0f && a.high <= 1.0f;
+  return emit(half, Opcode::Lrp, {a.source, b.source, c.source},
+              between ? std::min(b.low, c.low) : -Value::kAny,
+              between ? std::max(b.high, c.high) : Value::kAny);
+}
+
+Value Values::mapped(Half half, const Value &value, Mapping mapping) {
+  if (mapping == Mapping::SignedIdentity)
+    return value;
+  if (mapping == Mapping::SignedNegate)
+    return negated(value);
+  const Value positive = atLeast(half, value, 0.0f);
+  switch (mapping) {
+  case Mapping::UnsignedInvert: {
+    const Value unit = atMost(half, positive, 1.0f);
+    return unit.literal ? literal(1.0f - *unit.literal) : sum(half, literal(1.0f), negated(unit));
+  }
+  case Mapping::ExpandNormal:
+    return scaled(half, positive, 2.0f, -1.0f);
+  case Mapping::ExpandNegate:
+    return scaled(half, positive, -2.0f, 1.0f);
+  case Mapping::HalfBiasNormal:
+    return sum(half, positive, literal(-0.5f));
+  case Mapping::HalfBiasNegate:
+    return sum(half, literal(0.5f), negated(positive));
+  default:
+    return positive;
+  }
+}
+
+} // namespace arbiter::fp::combiners
