@@ -86,11 +86,18 @@ struct IdentityKey {
 };
 [[nodiscard]] std::span<const IdentityKey> identityKeys();
 
+/// NV_register_combiners and 2 of the card.
+struct Combiners {
+  std::uint32_t general = 0;           ///< general combiner stages, at least 2; 0: not offered
+  std::uint32_t perStageConstants = 0; ///< NV_register_combiners2
+};
+
 struct Profile {
   std::string name;
   std::string description;
   Limits fragment; ///< the numbers of the fragment target
   Limits vertex;   ///< the numbers of the vertex target; it has no model, only documented limits
+  Combiners combiners;
   /// How arithmetic is done unless ARBITER_NUMERICS says otherwise.
   Numerics numerics = Numerics::Host;
   /// The numbers are to be asked from the host's driver, by the names in rows(); those here are

@@ -50,11 +50,12 @@ public:
   [[nodiscard]] bool isValid() const { return m_valid; }
 
 private:
-  static constexpr std::array kFragments = {Target::Fragment, Target::AtiText, Target::AtiApi};
+  static constexpr std::array kFragments = {Target::Fragment, Target::AtiText, Target::AtiApi,
+                                            Target::Combiners};
   Context &m_context;
   const std::shared_ptr<const CompiledProgram> m_compiled;
   std::shared_ptr<ProgramObject> m_bound;
-  std::array<bool, 3> m_enabled{};
+  std::array<bool, kFragments.size()> m_enabled{};
   bool m_valid = false;
 };
 

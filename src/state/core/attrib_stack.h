@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <GL/gl.h>
@@ -10,9 +12,12 @@
 
 namespace arbiter::state {
 
+struct CombinerSettings;
+
 /// Mirrors the host's attribute stack as far as our own state is in it: the enables are, in
 /// GL_ENABLE_BIT (AFP 4642-4645), those of evaluators in GL_EVAL_BIT too (NV_vertex_program);
-/// and hints, in GL_HINT_BIT. Bindings and parameters are in no group.
+/// hints, in GL_HINT_BIT; those of register combiners in GL_TEXTURE_BIT with all of their state.
+/// Bindings and parameters are in no group.
 class AttribStack {
 public:
   struct Entry {
@@ -21,7 +26,9 @@ public:
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
     bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
     std::uint32_t enabledMaps = 0;
-    std::optional<Hints> hints; ///< of GL_HINT_BIT
+    std::optional<Hints> hints;                        ///< of GL_HINT_BIT
+    bool perStageConstants = false;                    ///< PER_STAGE_CONSTANTS_NV
+    std::shared_ptr<const CombinerSettings> combiners; ///< null without GL_TEXTURE_BIT
   };
 
   void setMaxDepth(std::size_t depth) {
@@ -33,14 +40,14 @@ public:
   bool push(Entry entry) {
     if (m_entries.size() >= m_maxDepth)
       return false;
-    m_entries.push_back(entry);
+    m_entries.push_back(std::move(entry));
     return true;
   }
   /// False on underflow.
   bool pop(Entry &entry) {
     if (m_entries.empty())
       return false;
-    entry = m_entries.back();
+    entry = std::move(m_entries.back());
     m_entries.pop_back();
     return true;
   }

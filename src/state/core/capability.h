@@ -13,11 +13,12 @@ namespace arbiter::state {
 
 /// Whom Enable and Disable of a capability concern.
 enum class Capability : std::uint8_t {
-  Host,          ///< the host alone
-  ProgramTarget, ///< the layer, where the target is offered
-  ChoosesForm,   ///< the host, and which form an ATI shader is drawn in (fixed_function.h)
-  ClipPlane,     ///< the host, and which form a vertex program is drawn in (clip_planes.h)
-  EvaluatorMap,  ///< the layer, where NV_vertex_program is offered
+  Host,              ///< the host alone
+  ProgramTarget,     ///< the layer, where the target is offered
+  ChoosesForm,       ///< the host, and which form an ATI shader is drawn in (fixed_function.h)
+  ClipPlane,         ///< the host, and which form a vertex program is drawn in (clip_planes.h)
+  EvaluatorMap,      ///< the layer, where NV_vertex_program is offered
+  PerStageConstants, ///< the layer, where NV_register_combiners2 is offered
 };
 
 /// Eight bytes, which an index scales by itself.
@@ -40,7 +41,9 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {infoOf(Target::Vertex).name, Capability::ProgramTarget, 0},
     {infoOf(Target::AtiText).name, Capability::ProgramTarget, 0},
     {infoOf(Target::AtiApi).name, Capability::ProgramTarget, 0},
+    {infoOf(Target::Combiners).name, Capability::ProgramTarget, 0},
     {GL_FRAGMENT_PROGRAM_NV, Capability::ProgramTarget, 0},
+    {GL_PER_STAGE_CONSTANTS_NV, Capability::PerStageConstants, 0},
     {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
     {GL_LIGHTING, Capability::ChoosesForm, kLighting},
     {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},

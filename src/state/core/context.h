@@ -26,6 +26,7 @@
 
 namespace arbiter::state {
 
+class CombinerState;
 struct EraState;
 class HostAssembly;
 class ListCompiler;
@@ -116,11 +117,14 @@ public:
 
   std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
 
+  std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
+
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
-  bool atiShaderEffective = false; ///< draws depend on fixed-function state (fixed_function.h)
+
+  bool followsFixedFunction = false; ///< draws depend on that state (fixed_function.h)
 
   ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
 
@@ -188,12 +192,15 @@ public:
   return row->offered ? row : nullptr;
 }
 
-/// The row that `cap` of Enable names: that of a program target, or of ATI_fragment_shader.
+/// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader, or of
+/// NV_register_combiners.
 [[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
-  if (cap != infoOf(Target::AtiApi).name)
-    return rowOf(context, cap);
-  ProgramTarget &row = context.row(Target::AtiApi);
-  return row.offered ? &row : nullptr;
+  for (const Target target : {Target::AtiApi, Target::Combiners})
+    if (cap == infoOf(target).name) {
+      ProgramTarget &row = context.row(target);
+      return row.offered ? &row : nullptr;
+    }
+  return rowOf(context, cap);
 }
 
 /// The calling thread's context: a static null context before the first make-current, never null.

@@ -138,6 +138,8 @@ IdentityRules identityRules() {
   rules.nvAsHost = activeProfile().fromHost;
   rules.nvFragmentOptions = activeProfile().fragment.nvOptions;
   rules.nvVertexOptions = activeProfile().vertex.nvOptions;
+  rules.generalCombiners = activeProfile().combiners.general;
+  rules.perStageConstants = activeProfile().combiners.perStageConstants != 0;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
   if (!settings().identityOfProfile)
@@ -183,6 +185,22 @@ void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
   }
 }
 
+/// A host that has register combiners itself is not asked for them: the layer's answer in every
+/// context that offers them, as ATI's fragment shaders are.
+void addCombiners(FilteredExtensions &extensions, const IdentityRules &rules) {
+  const auto announce = [&](const char *name, bool offered) {
+    const auto known = std::find(extensions.names.begin(), extensions.names.end(), name);
+    if (!offered || known != extensions.names.end())
+      return;
+    extensions.names.emplace_back(name);
+    extensions.joined += std::string(name) + " ";
+  };
+  if (rules.generalCombiners == 0)
+    return;
+  announce("GL_NV_register_combiners", true);
+  announce("GL_NV_register_combiners2", rules.perStageConstants);
+}
+
 void addEraExtensions(FilteredExtensions &extensions, const HostCaps &caps) {
   for (const char *const name : eraOffers(caps).names) {
     extensions.names.emplace_back(name);
@@ -197,6 +215,8 @@ Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &r
   identity.extensions = filterExtensions(caps, offered);
   if (offered && caps.drawsNvOptions())
     addNvExtensions(identity.extensions, caps, rules);
+  if (offered)
+    addCombiners(identity.extensions, rules);
   if (offered)
     addEraExtensions(identity.extensions, caps);
   if (rules.cutExtensions())

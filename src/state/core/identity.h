@@ -19,6 +19,8 @@ struct IdentityRules {
   std::uint32_t maxLength = 0;            ///< bytes of the joined list; 0: any
   std::uint32_t nvFragmentOptions = 0;    ///< Limits::nvOptions of fragment programs
   std::uint32_t nvVertexOptions = 0;      ///< and of vertex programs
+  std::uint32_t generalCombiners = 0;     ///< stages of NV_register_combiners; 0: not offered
+  bool perStageConstants = false;         ///< and NV_register_combiners2
   bool nvAsHost = false; ///< of NVIDIA's extensions only those that the host announces too
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }

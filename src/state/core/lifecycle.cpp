@@ -22,6 +22,7 @@
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
@@ -107,6 +108,20 @@ void offerNvPrograms(Context &context) {
     return;
   context.row(Target::VertexState).limits = limits;
   context.nv = std::make_unique<NvState>();
+}
+
+/// Register combiners, where the profile's card has them.
+void offerCombiners(Context &context) {
+  const fp::hw::Combiners &card = activeProfile().combiners;
+  if (card.general == 0)
+    return;
+  fp::Limits limits = context.row(Target::Fragment).limits;
+  limits.envParameters = fp::combiners::kConstants;
+  limits.localParameters = 0;
+  offer(context, Target::Combiners, limits);
+  context.combiners = std::make_unique<CombinerState>(
+      int(card.general), card.perStageConstants != 0,
+      int(std::min(limits.textureUnits, std::uint32_t(fp::combiners::kTextures))));
 }
 
 /// Extensions that the host lacks and the profile has.
@@ -220,6 +235,7 @@ void initialise(Context &context) {
     offer(context, Target::AtiText, limits);
     offer(context, Target::AtiApi, limits);
     offerNvPrograms(context);
+    offerCombiners(context);
     offerEra(context);
   }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
@@ -373,6 +389,10 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   to.dirty = software::dirty::kAll;
   if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)
     copyClipPlanes(from, to);
+  if (from.combiners && to.combiners && (mask & GL_TEXTURE_BIT) != 0) {
+    to.combiners->restore(to, std::make_shared<CombinerSettings>(*from.combiners->settings()));
+    setEnabled(to, to.row(Target::Combiners), from.row(Target::Combiners).enabled);
+  }
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
   to.hostAssembly->enablesCopied();

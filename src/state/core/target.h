@@ -15,7 +15,8 @@ namespace arbiter::state {
 
 /// What the specifications say of a program target, whatever the context.
 struct TargetInfo {
-  GLenum name; ///< as Enable takes it, and every entry point of the program API (not AtiApi's)
+  /// As Enable takes it, and every entry point of the program API (not AtiApi's and Combiners').
+  GLenum name;
   fp::ir::Language language;
   const char *word;      ///< in statistics and logs
   const char *extension; ///< of a text's file name; empty: has no text
@@ -26,9 +27,15 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_TEXT_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment", ".atifs"},
     {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
+    {GL_REGISTER_COMBINERS_NV, fp::ir::Language::ArbFragment, "combiners", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
+}
+
+/// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).
+[[nodiscard]] constexpr bool followsFixedFunction(Target target) {
+  return target == Target::AtiText || target == Target::AtiApi || target == Target::Combiners;
 }
 
 /// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".

@@ -8,7 +8,9 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/lists/issue_combiners.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -49,6 +51,17 @@ void setMap(Context &context, GLenum cap, bool enabled) {
   enableMap(context, cap, enabled);
 }
 
+void setPerStageConstants(Context &context, bool enabled) {
+  if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
+    return;
+  issueCombinerCommand(context, {.kind = CombinerCommand::Kind::PerStageConstants,
+                                 .flags = enabled ? CombinerCommand::kOn : std::uint8_t(0)});
+}
+
+bool hasPerStageConstants(const Context &context) {
+  return context.combiners && context.combiners->hasPerStageConstants();
+}
+
 /// After the host's Enable or Disable.
 void noteCapability(Context &context, Capability capability, bool enabled) {
   if (capability == Capability::ChoosesForm)
@@ -63,6 +76,8 @@ void setCapability(Context &context, GLenum cap, Capability capability, bool ena
     return enable(context, *row, enabled);
   if (capability == Capability::EvaluatorMap && context.nv)
     return setMap(context, cap, enabled);
+  if (capability == Capability::PerStageConstants && hasPerStageConstants(context))
+    return setPerStageConstants(context, enabled);
   if (enabled)
     context.host->Enable(cap);
   else
@@ -120,6 +135,11 @@ GLboolean IsEnabled(Context &context, GLenum cap) {
       return outsideBeginEnd(context, "IsEnabled between Begin and End") && value != 0 ? GL_TRUE
                                                                                        : GL_FALSE;
   }
+  if (cap == GL_PER_STAGE_CONSTANTS_NV && hasPerStageConstants(context))
+    return outsideBeginEnd(context, "IsEnabled between Begin and End") &&
+                   context.combiners->state().perStageConstants
+               ? GL_TRUE
+               : GL_FALSE;
   const ProgramTarget *const row = enableRowOf(context, cap);
   if (!row)
     return context.host->IsEnabled(cap);

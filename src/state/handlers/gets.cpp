@@ -2,6 +2,7 @@
 // host would show.
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <type_traits>
 
 #include "GL/arbiter.h"
@@ -13,6 +14,7 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
+#include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
@@ -97,6 +99,30 @@ bool nvValue(const Context &context, GLenum pname, GLint &value) {
   return true;
 }
 
+/// The values of NV_register_combiners and 2 but for the colours, which are four.
+bool combinerValue(const Context &context, GLenum pname, GLint &value) {
+  const CombinerState *const combiners = context.combiners.get();
+  if (!combiners)
+    return false;
+  switch (pname) {
+  case infoOf(Target::Combiners).name:
+    value = context.row(Target::Combiners).enabled ? 1 : 0;
+    return true;
+  case GL_NUM_GENERAL_COMBINERS_NV:
+    value = combiners->state().count;
+    return true;
+  case GL_COLOR_SUM_CLAMP_NV:
+    value = combiners->state().sumClamp ? 1 : 0;
+    return true;
+  case GL_MAX_GENERAL_COMBINERS_NV:
+    value = combiners->stages();
+    return true;
+  default:
+    value = combiners->state().perStageConstants ? 1 : 0;
+    return combiners->hasPerStageConstants();
+  }
+}
+
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
 /// show our objects is put back.
 bool ownValue(Context &context, GLenum pname, GLint &value) {
@@ -124,6 +150,12 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_FRAGMENT_PROGRAM_BINDING_NV:
   case GL_MAX_FRAGMENT_PROGRAM_LOCAL_PARAMETERS_NV:
     return nvValue(context, pname, value);
+  case infoOf(Target::Combiners).name:
+  case GL_NUM_GENERAL_COMBINERS_NV:
+  case GL_COLOR_SUM_CLAMP_NV:
+  case GL_MAX_GENERAL_COMBINERS_NV:
+  case GL_PER_STAGE_CONSTANTS_NV:
+    return combinerValue(context, pname, value);
   case GL_TRANSFORM_HINT_APPLE:
   case GL_MULTISAMPLE_FILTER_HINT_NV:
   case GL_VERTEX_ARRAY_RANGE_NV:
@@ -195,7 +227,29 @@ template <typename T> void give(GLint value, T *data) {
     *data = T(value);
 }
 
+/// A colour's component as it is asked for (OpenGL 1.2, 6.1.2: integers by table 4.7).
+template <typename T> T colorComponent(GLfloat value) {
+  if constexpr (std::is_same_v<T, GLboolean>)
+    return value != 0.0f ? GL_TRUE : GL_FALSE;
+  else if constexpr (std::is_integral_v<T>)
+    return T(std::floor((4294967295.0 * double(value) - 1.0) / 2.0 + 0.5));
+  else
+    return T(value);
+}
+
+/// True, with it, for a constant colour of register combiners.
+template <typename T> bool getCombinerColor(const Context &context, GLenum pname, T *data) {
+  const GLenum which = pname - GL_CONSTANT_COLOR0_NV;
+  if (which > 1 || !context.combiners) [[likely]]
+    return false;
+  const Vec4 &color = context.combiners->constant(fp::combiners::globalConstant(int(which)));
+  std::transform(color.begin(), color.end(), data, colorComponent<T>);
+  return true;
+}
+
 template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
+  if (!context.insideBeginEnd && data && getCombinerColor(context, pname, data))
+    return;
   GLint value = 0;
   if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]
     return host(pname, data);

@@ -16,6 +16,7 @@
 #include "state/host_draw/path_choice.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/host_draw/variants/alpha_depths.h"
+#include "state/host_draw/variants/combiner_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
 #include "state/raster_draw/context_state.h"
@@ -74,6 +75,8 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kState;
   if (mayFollowAlphaDepths(context))
     bits |= attention::kDepth;
+  if (mayFollowCombinedDepths(context))
+    bits |= attention::kDepth;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
       bits |= attention::kState;
@@ -83,7 +86,8 @@ std::uint32_t stickyAttention(const Context &context) {
   }
   const bool needsLayer = context.path == Path::HostGlsl || context.path == Path::HostAssembly ||
                           isDropped(context.path) || context.row(Target::AtiText).enabled ||
-                          context.row(Target::AtiApi).enabled;
+                          context.row(Target::AtiApi).enabled ||
+                          context.row(Target::Combiners).enabled;
   if (needsLayer && context.group->contexts.load(std::memory_order_relaxed) > 1)
     bits |= attention::kShared;
   if (context.softwarePossible)
@@ -177,6 +181,8 @@ void refreshEffective(Context &context, HostPart part) {
 bool validatePrograms(Context &context) {
   if (context.nv)
     refreshNativeInputs(context);
+  if (mayFollowCombinedDepths(context)) [[unlikely]]
+    followCombinedDepths(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
@@ -197,6 +203,8 @@ bool validate(Context &context) {
     refreshNativeInputs(context);
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
+  if (mayFollowCombinedDepths(context)) [[unlikely]]
+    followCombinedDepths(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {

@@ -13,9 +13,12 @@
 #include "state/host_draw/variants/array_variants.h"
 #include "state/host_draw/variants/ati_variants.h"
 #include "state/host_draw/variants/clipped_variant.h"
+#include "state/host_draw/variants/combiner_draw.h"
 #include "state/host_draw/variants/depth_variants.h"
+#include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_edits.h"
+#include "state/programs/program_load.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 
@@ -46,8 +49,9 @@ GLuint applicationPipeline(Context &context) {
 struct EffectivePrograms {
   const ProgramTarget *vertex = nullptr;
   const ProgramTarget *fragment = nullptr;
-  bool ati = false; ///< an ATI fragment shader is enabled, of either form, and no `fragment`
-  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati; }
+  bool ati = false;       ///< an ATI fragment shader is enabled, of either form, and no `fragment`
+  bool combiners = false; ///< register combiners are enabled, and no `fragment`
+  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati && !combiners; }
 };
 
 EffectivePrograms enabledRows(const Context &context) {
@@ -57,6 +61,7 @@ EffectivePrograms enabledRows(const Context &context) {
   };
   EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
+  rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
   return rows;
 }
 
@@ -83,6 +88,8 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)
     pair.fragment = atiShaderEffective(context);
+  if (rows.combiners && !pair.fragment)
+    pair.fragment = combinersEffective(context, glslHost(context.caps));
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment) && targetsAgree(pair);
 }
 
@@ -148,7 +155,9 @@ Path choosePath(Context &context, HostPart part) {
   context.hostPartWaits = false;
   context.stagesAreLinked = false;
   context.alphaDepths.reset();
-  context.atiShaderEffective = false;
+  context.followsFixedFunction = false;
+  if (context.combiners)
+    context.combiners->effective = false;
   for (ProgramTarget &row : context.targets)
     if (row.enabled)
       row.seenVersion = row.bound->version.load(std::memory_order_acquire);
@@ -168,7 +177,7 @@ Path choosePath(Context &context, HostPart part) {
     rows.vertex = nullptr;
   if (theirs.fragment) {
     rows.fragment = nullptr;
-    rows.ati = false;
+    rows.ati = rows.combiners = false;
   }
   if (rows.none())
     return program != 0 ? Path::ApplicationGlsl : Path::ApplicationPipeline;

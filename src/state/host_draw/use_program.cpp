@@ -12,6 +12,7 @@
 #include "state/host_draw/host_assembly.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_groups.h"
+#include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -39,7 +40,26 @@ void pushEnables(Context &context, GLbitfield mask) {
   }
   if (context.era && (mask & GL_HINT_BIT) != 0)
     entry.hints = context.era->hints;
-  (void)context.attribStack.push(entry);
+  if (context.combiners) {
+    entry.perStageConstants = context.combiners->state().perStageConstants;
+    if ((mask & GL_TEXTURE_BIT) != 0)
+      entry.combiners = context.combiners->settings();
+  }
+  (void)context.attribStack.push(std::move(entry));
+}
+
+/// Register combiners: their state and both enables are GL_TEXTURE_BIT's, the enables
+/// GL_ENABLE_BIT's too.
+void popCombiners(Context &context, const AttribStack::Entry &entry) {
+  ProgramTarget &row = context.row(Target::Combiners);
+  if (entry.combiners) {
+    context.combiners->restore(context, entry.combiners);
+    setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);
+  } else if (entry.hasEnables) {
+    context.combiners->set(
+        context, [](auto &state) -> auto & { return state.perStageConstants; },
+        entry.perStageConstants);
+  }
 }
 
 void popEnables(Context &context) {
@@ -50,6 +70,8 @@ void popEnables(Context &context) {
     context.nv->enabledMaps = entry.enabledMaps;
   if (popped && entry.hints && context.era)
     context.era->hints = *entry.hints;
+  if (popped && context.combiners)
+    popCombiners(context, entry);
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)

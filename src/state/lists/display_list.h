@@ -58,6 +58,7 @@ struct Command {
     SetFence,    ///< target: a FenceOf; name; format: the condition
     FinishFence, ///< target, name
     Hint,        ///< target; name: the mode
+    Combiners,   ///< bytes: some CombinerCommands, in a row
   };
   Kind kind;
   GLenum target = 0;

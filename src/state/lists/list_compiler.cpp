@@ -24,15 +24,20 @@ std::uint32_t recordable(std::uint32_t dirty) {
 }
 
 /// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
-/// millions. Each of them makes its object and may be an error, so none is left out.
-bool joinBinds(DisplayList::Item &last, const Command &command, std::uint32_t dirty) {
-  if (!last.command || last.command->kind != Command::Kind::BindProgram ||
-      command.kind != Command::Kind::BindProgram || last.command->target != command.target ||
-      command.target == infoOf(Target::AtiApi).name)
+/// millions. Each of them makes its object and may be an error, so none is left out. So are
+/// commands of register combiners, which come by the dozen.
+bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) {
+  if (!last.command || last.command->kind != command.kind)
     return false;
   // Of this list alone until it is defined, and made by record(), as what may be changed.
-  const_cast<Command &>(*last.command)
-      .bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
+  std::string &bytes = const_cast<Command &>(*last.command).bytes;
+  if (command.kind == Command::Kind::BindProgram && last.command->target == command.target &&
+      command.target != infoOf(Target::AtiApi).name)
+    bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
+  else if (command.kind == Command::Kind::Combiners)
+    bytes += command.bytes;
+  else
+    return false;
   last.effects.dirty |= dirty;
   return true;
 }
@@ -178,14 +183,14 @@ void ListCompiler::record(Context &context, Command command) {
   if (m_early)
     leaveEarly(context);
   const bool follows = m_keeps && !m_recording && m_segment == 0 && !m_geometry && !m_items.empty();
-  if (follows && joinBinds(m_items.back(), command, recordable(context.dirty)))
+  if (follows && join(m_items.back(), command, recordable(context.dirty)))
     return;
   makeRoom(m_items, 4 + m_pushes.size()); // a primitive, a segment, its pushes, the command
   leavePrimitive(context);
   DisplayList::Item item;
   item.effects.dirty =
       m_keeps ? recordable(context.dirty) : 0; // what the command's entry point has said
-  item.command = std::make_unique<Command>(std::move(command)); // joinBinds() may change it
+  item.command = std::make_unique<Command>(std::move(command)); // join() may change it
   const Command &reference = *item.command;
   closeSegment(context);
   m_items.push_back(std::move(item));

@@ -9,6 +9,7 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
+#include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_programs.h"
@@ -174,6 +175,8 @@ void execute(Context &context, const Command &command) {
     return finishFence(context, FenceOf(command.target), command.name);
   case Command::Kind::Hint:
     return setEraHint(context, command.target, command.name);
+  case Command::Kind::Combiners:
+    return executeCombinerCommands(context, command.bytes);
   case Command::Kind::CopyTexture:
     return copyTexture(context, copyOf(command));
   default:

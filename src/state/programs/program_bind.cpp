@@ -49,8 +49,8 @@ void setEnabled(Context &context, ProgramTarget &row, bool enabled) {
   if (row.enabled == enabled)
     return;
   row.enabled = enabled;
-  if (row.info().language == fp::ir::Language::AtiFragment)
-    context.group->atiShadersUsed.store(true, std::memory_order_relaxed);
+  if (followsFixedFunction(row.target))
+    context.group->shadersFollowFixedFunction.store(true, std::memory_order_relaxed);
   invalidateProgram(context);
 }
 

@@ -25,8 +25,9 @@ enum class Target : std::uint8_t {
   AtiText,     ///< ATI_text_fragment_shader
   AtiApi,      ///< ATI_fragment_shader: its objects have commands and names of their own
   VertexState, ///< state programs of NV_vertex_program, which are executed and never bound
+  Combiners,   ///< NV_register_combiners: state, not objects, of which programs are made
 };
-inline constexpr int kTargetCount = 5;
+inline constexpr int kTargetCount = 6;
 /// When a name becomes a program's: BindProgramARB makes one, under NVIDIA's API a load does.
 enum class Existence : std::uint8_t { Now, OnceLoaded };
 

@@ -89,9 +89,9 @@ public:
   /// Set for good by the first use of a program target of the layer's by any context of the group:
   /// until then lists are the host's own, whole, and cost nothing.
   std::atomic<bool> programApiUsed{false};
-  /// Set for good by the first enable of ATI fragment shaders: lists are cut where fixed-function
-  /// state that their draws depend on changes.
-  std::atomic<bool> atiShadersUsed{false};
+  /// Set for good by the first enable of ATI fragment shaders or register combiners: lists are cut
+  /// where fixed-function state that their draws depend on changes.
+  std::atomic<bool> shadersFollowFixedFunction{false};
   /// Set for good by the first enable of a clip plane that goes into a list.
   std::atomic<bool> listsEnableClipPlanes{false};
   /// Set for good by the first TEXTURE_COMPARE_MODE other than NONE.

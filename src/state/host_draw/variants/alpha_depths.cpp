@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/texture_names.h"
 #include "state/host_draw/linked_program.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -10,35 +11,10 @@ namespace arbiter::state {
 
 namespace {
 
-struct BoundImage {
-  GLenum target; ///< of parameters
-  GLenum level;  ///< of levels
-};
-
-BoundImage imageOf(fp::ir::TexTarget target) {
-  using fp::ir::TexTarget;
-  switch (target) {
-  case TexTarget::Tex1D:
-  case TexTarget::Shadow1D:
-    return {GL_TEXTURE_1D, GL_TEXTURE_1D};
-  case TexTarget::Tex2D:
-  case TexTarget::Shadow2D:
-    return {GL_TEXTURE_2D, GL_TEXTURE_2D};
-  case TexTarget::Tex3D:
-    return {GL_TEXTURE_3D, GL_TEXTURE_3D};
-  case TexTarget::Cube:
-    return {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_POSITIVE_X};
-  case TexTarget::Rect:
-  case TexTarget::ShadowRect:
-    return {GL_TEXTURE_RECTANGLE, GL_TEXTURE_RECTANGLE};
-  }
-  return {};
-}
-
 /// A unit of another image than depths may have the mode too, where it does nothing.
 bool readsAlpha(Context &context, const fp::GlslSampler &sampler) {
   const host::HostTable &host = *context.host;
-  const BoundImage image = imageOf(sampler.target);
+  const TextureNames image = textureNames(sampler.target);
   host.ActiveTexture(GL_TEXTURE0 + sampler.unit);
   GLint mode = GL_LUMINANCE;
   host.GetTexParameteriv(image.target, GL_DEPTH_TEXTURE_MODE, &mode);

@@ -1,0 +1,17 @@
+#include "state/lists/issue_combiners.h"
+
+#include "state/core/context.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+
+namespace arbiter::state {
+
+void issueCombinerCommand(Context &context, const CombinerCommand &command) {
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list->record(context,
+                                {.kind = Command::Kind::Combiners, .bytes = bytesOf(command)});
+  executeCombinerCommand(context, command);
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,74 @@
+#include "state/programs/combiners/combiner_state.h"
+
+#include <type_traits>
+
+#include "fp_compiler/abi.h"
+#include "fp_compiler/combiners/lower.h"
+#include "state/core/context.h"
+#include "state/host_draw/variants/drop_variants.h"
+#include "state/host_draw/variants/state_program.h"
+#include "state/programs/program_bind.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// An application has some dozens. One that makes others for ever begins again here.
+constexpr std::size_t kMostPrograms = 2048;
+
+} // namespace
+
+std::size_t CombinerState::KeyHash::operator()(const Key &key) const {
+  static_assert(std::has_unique_object_representations_v<Key>);
+  return abi::hashOf(key);
+}
+
+CombinerSettings &CombinerState::writable() {
+  if (m_settings.use_count() > 1)
+    m_settings = std::make_shared<CombinerSettings>(*m_settings);
+  return *m_settings;
+}
+
+void CombinerState::changed(Context &context) {
+  if (context.row(Target::Combiners).enabled)
+    invalidateProgram(context);
+}
+
+void CombinerState::setConstant(Context &context, int index, const Vec4 &value) {
+  if (constant(index) == value)
+    return;
+  writable().constants[std::size_t(index)] = value;
+  ProgramTarget &row = context.row(Target::Combiners);
+  row.env[std::size_t(index)] = value;
+  ++row.envVersion;
+  context.attention |= row.parameterBits;
+}
+
+void CombinerState::restore(Context &context,
+                            const std::shared_ptr<const CombinerSettings> &settings) {
+  if (settings == m_settings)
+    return;
+  m_settings = std::const_pointer_cast<CombinerSettings>(settings); // this class made them
+  ProgramTarget &row = context.row(Target::Combiners);
+  row.env.assign(m_settings->constants.begin(), m_settings->constants.end());
+  ++row.envVersion;
+  context.attention |= row.parameterBits;
+  changed(context);
+}
+
+std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &context, const Key &key,
+                                                                   const fp::GlslHost &host) {
+  if (const auto it = m_programs.find(key); it != m_programs.end())
+    return it->second;
+  if (m_programs.size() >= kMostPrograms) {
+    for (const auto &known : m_programs)
+      dropVariants(context, *known.second);
+    m_programs.clear();
+  }
+  return m_programs
+      .emplace(key, programOfState(context, Target::Combiners,
+                                   fp::combiners::lower(key.state, key.around), host))
+      .first->second;
+}
+
+} // namespace arbiter::state

@@ -1,0 +1,82 @@
+"""A client that draws random states and judges them itself, under the layer: on the host and by its rasterizer.
+Shared by the tests of state that the layer makes programs of."""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "rasterizer_vs_host"))
+import sides  # noqa: E402
+
+SKIPPED = 77
+
+
+def draw(args, client, backend, scratch):
+    """(the client's result, its last line as JSON, the rasterizer's statistics)"""
+    build = args.build.resolve()
+    stats = pathlib.Path(scratch) / f"stats-{backend}.json"
+    env = sides.environment(sides.layer_of(build), backend, {
+        "XDG_CACHE_HOME": str(scratch), "ARBITER_STATS": str(stats), "ARBITER_PROFILE": args.profile})
+    result = subprocess.run([build / client, "--first", str(args.first), "--count", str(args.count)], env=env,
+                            capture_output=True, text=True, timeout=args.count * 5 + 60)
+    lines = result.stdout.splitlines()
+    try:
+        report = json.loads(lines[-1])
+    except (IndexError, ValueError):
+        report = {}
+    return result, report, sides.software_statistics(stats)
+
+
+def judge(backend, result, report, part, most_unjudged, least_drawn):
+    """What is wrong, a line each."""
+    wrong = []
+    if result.returncode not in (0, 1) or not report:
+        return [f"status {result.returncode}: {result.stderr[-600:]}"]
+    if report["different"]:
+        wrong += result.stdout.splitlines()[:10]
+        wrong.append(f"{report['different']} of {report['states']} states differ")
+    if report["unjudged"] > most_unjudged * report["cells"]:
+        wrong.append(f"{report['unjudged']} of {report['cells']} cells were not judged")
+    drawn, given = part.get("drawn", 0), sum(part.get("given_to_host", {}).values())
+    if backend == "swrast" and (drawn == 0 or drawn < least_drawn * (drawn + given)):
+        wrong.append(f"the rasterizer drew {drawn}, the host {part.get('given_to_host')}")
+    return wrong
+
+
+def main(description, client, most_unjudged, least_drawn):
+    """
+    client: its path in the build folder
+    most_unjudged: of the cells, the part that may stay undecided
+    least_drawn: of the draws, the part that the rasterizer draws where it is asked for
+    """
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=pathlib.Path("build"))
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--count", type=int, default=2000)
+    parser.add_argument("--backend", default="both", choices=("host", "swrast", "both"))
+    parser.add_argument("--profile", default="host")
+    parser.add_argument("--json", type=pathlib.Path)
+    args = parser.parse_args()
+    failed, reports = 0, {}
+    backends = ("host", "swrast") if args.backend == "both" else (args.backend,)
+    with tempfile.TemporaryDirectory(prefix="arbiter-states-") as scratch:
+        for backend in backends:
+            result, report, part = draw(args, client, backend, scratch)
+            if result.returncode == SKIPPED:
+                print(f"0 passed, 0 failed, 1 skipped: {result.stderr.strip()}")
+                return SKIPPED
+            wrong = judge(backend, result, report, part, most_unjudged, least_drawn)
+            failed += bool(wrong)
+            reports[backend] = {**report, "rasterizer_drew": part.get("drawn", 0),
+                                "given_to_host": part.get("given_to_host", {}), "wrong": wrong}
+            print(f"{'FAIL' if wrong else 'pass'} {backend}: {json.dumps(report)}, "
+                  f"the rasterizer drew {part.get('drawn', 0)}")
+            for line in wrong:
+                print(f"  {line}")
+    if args.json:
+        args.json.write_text(json.dumps(reports, indent=2) + "\n")
+    print(f"{len(backends) - failed} passed, {failed} failed, 0 skipped")
+    return 1 if failed else 0

@@ -1,0 +1,15 @@
+#pragma once
+#include <epoxy/gl.h>
+
+#include "fp_compiler/combiners/state.h"
+#include "fp_compiler/testing/evaluate_combiners.h"
+
+namespace combined {
+
+/// Sets the register combiners of the current context to the state; of general stages the active
+/// ones.
+void issue(const arbiter::fp::combiners::State &state);
+/// The constant colours, of as many stages.
+void issueConstants(const arbiter::fp::combiners::Inputs &inputs, int stages);
+
+} // namespace combined

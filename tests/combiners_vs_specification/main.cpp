@@ -1,0 +1,193 @@
+// combiners [--first SEED] [--count N] [--unsigned] [--verbose]: draws with random states of
+// NV_register_combiners and 2, and compares each pixel with the equations of section 3.8.12, worked
+// out in double precision. Ends with one line of JSON: what was drawn, what differs, what was not
+// judged.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "open_context.h"
+#include "scene.h"
+
+namespace {
+
+using namespace arbiter::fp;
+using combiners::Evaluated;
+
+constexpr double kTolerance = 1.0;     ///< of 255, between a byte that was drawn and the equations
+constexpr double kUndetermined = 1e-3; ///< distances of a mux from its other choice
+
+struct Options {
+  std::uint64_t first = 0;
+  int count = 100;
+  bool verbose = false;
+  bool isUnsigned = false; ///< no texels below zero
+};
+
+struct Tally {
+  int states = 0, different = 0;
+  long cells = 0, unjudged = 0;
+  double worst = 0.0;
+};
+
+void makeTarget() {
+  GLuint framebuffer = 0, buffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(1, &buffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, combined::kSize, combined::kSize);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  glViewport(0, 0, combined::kSize, combined::kSize);
+  glDisable(GL_DITHER);
+}
+
+using Pixels = std::vector<std::uint8_t>;
+
+/// How far a cell's pixels are from what is expected, in steps of a byte.
+double distanceOf(const Pixels &pixels, int cell, const combiners::Color &color) {
+  double worst = 0.0;
+  const int x0 = cell % combined::kCells * combined::kCellSize,
+            y0 = cell / combined::kCells * combined::kCellSize;
+  for (int y = y0; y < y0 + combined::kCellSize; ++y)
+    for (int x = x0; x < x0 + combined::kCellSize; ++x)
+      for (std::size_t c = 0; c < 4; ++c) {
+        const std::size_t at = (std::size_t(y) * combined::kSize + std::size_t(x)) * 4 + c;
+        worst =
+            std::max(worst, std::abs(double(pixels[at]) - std::clamp(color[c], 0.0, 1.0) * 255.0));
+      }
+  return worst;
+}
+
+const char *nameOf(combiners::Register name) {
+  constexpr const char *kNames[] = {
+      "zero", "const0", "const1", "fog",  "col0", "col1", "spare0", "spare1",      "tex0",   "tex1",
+      "tex2", "tex3",   "tex4",   "tex5", "tex6", "tex7", "E*F",    "spare0+col1", "discard"};
+  return kNames[std::size_t(name)];
+}
+
+void print(const combiners::Input &input) {
+  constexpr const char *kMappings[] = {"unsigned",  "unsigned_invert", "expand", "-expand",
+                                       "half_bias", "-half_bias",      "signed", "-signed"};
+  constexpr const char *kUsages[] = {"rgb", "a", "b"};
+  std::printf(" %s(%s.%s)", kMappings[std::size_t(input.mapping)], nameOf(input.source),
+              kUsages[std::size_t(input.usage)]);
+}
+
+void print(const char *half, const combiners::Portion &portion) {
+  constexpr const char *kScales[] = {"", " *2", " *4", " /2"};
+  std::printf("    %s:", half);
+  for (const combiners::Input &input : portion.inputs)
+    print(input);
+  std::printf(" -> AB%s %s, CD%s %s, %s %s%s%s\n", portion.abDot ? "(dot)" : "", nameOf(portion.ab),
+              portion.cdDot ? "(dot)" : "", nameOf(portion.cd), portion.mux ? "mux" : "sum",
+              nameOf(portion.sum), portion.bias ? " -0.5" : "",
+              kScales[std::size_t(portion.scale)]);
+}
+
+void report(std::uint64_t seed, const combined::Scene &scene, int cell, double distance,
+            const Evaluated &expected) {
+  const auto &c = expected.color;
+  std::printf("seed %llu, cell %d: %.2f steps of 255 away; (%.4f %.4f %.4f %.4f) by the "
+              "equations, %d stages\n",
+              static_cast<unsigned long long>(seed), cell, distance, c[0], c[1], c[2], c[3],
+              int(scene.state().count));
+  for (std::size_t i = 0; i < scene.state().count; ++i) {
+    std::printf("  stage %zu\n", i);
+    print("rgb", scene.state().stages[i].rgb);
+    print("alpha", scene.state().stages[i].alpha);
+  }
+  std::printf("  final:");
+  for (const combiners::Input &input : scene.state().finals)
+    print(input);
+  std::printf("\n");
+}
+
+void judge(std::uint64_t seed, const combined::Scene &scene, const Options &options, Tally &tally) {
+  Pixels pixels(combined::kSize * combined::kSize * 4);
+  glReadPixels(0, 0, combined::kSize, combined::kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  bool same = true;
+  for (int cell = 0; cell < combined::kCells * combined::kCells; ++cell) {
+    const Evaluated expected = scene.evaluate(cell);
+    ++tally.cells;
+    if (expected.margin < kUndetermined) {
+      ++tally.unjudged;
+      continue;
+    }
+    const double distance = distanceOf(pixels, cell, expected.color);
+    tally.worst = std::max(tally.worst, distance);
+    if (distance <= kTolerance)
+      continue;
+    if (same || options.verbose)
+      report(seed, scene, cell, distance, expected);
+    same = false;
+  }
+  ++tally.states;
+  tally.different += same ? 0 : 1;
+}
+
+int run(const Options &options) {
+  GLint units = 0, stages = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+  glGetIntegerv(GL_MAX_GENERAL_COMBINERS_NV, &stages);
+  units = std::min(units, GLint(combiners::kTextures));
+  stages = std::min(stages, GLint(combiners::kStages));
+  makeTarget();
+  combined::Scene scene(units, !options.isUnsigned);
+  Tally tally;
+  for (std::uint64_t seed = options.first; seed < options.first + std::uint64_t(options.count);
+       ++seed) {
+    testing::Random random(seed);
+    scene.arrange(random, {.stages = stages, .units = units});
+    glClear(GL_COLOR_BUFFER_BIT);
+    scene.draw();
+    judge(seed, scene, options, tally);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+      std::fprintf(stderr, "seed %llu: GL error 0x%04X\n", static_cast<unsigned long long>(seed),
+                   error);
+      return 1;
+    }
+  }
+  std::printf("{\"renderer\": \"%s\", \"units\": %d, \"stages\": %d, \"states\": %d, "
+              "\"different\": %d, \"cells\": %ld, \"unjudged\": %ld, \"worst_steps\": %.3f}\n",
+              reinterpret_cast<const char *>(glGetString(GL_RENDERER)), units, stages, tally.states,
+              tally.different, tally.cells, tally.unjudged, tally.worst);
+  return tally.different == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const char *const next = i + 1 < argc ? argv[i + 1] : nullptr;
+    if (word == "--verbose")
+      options.verbose = true;
+    else if (word == "--unsigned")
+      options.isUnsigned = true;
+    else if (word == "--first" && next)
+      options.first = std::strtoull(argv[++i], nullptr, 10);
+    else if (word == "--count" && next)
+      options.count = std::atoi(argv[++i]);
+    else {
+      std::fprintf(stderr,
+                   "usage: combiners [--first SEED] [--count N] [--unsigned] [--verbose]\n");
+      return 2;
+    }
+  }
+  if (!openContext()) {
+    std::fprintf(stderr, "no OpenGL context without a window system\n");
+    return 77;
+  }
+  if (!epoxy_has_gl_extension("GL_NV_register_combiners2")) {
+    std::fprintf(stderr, "GL_NV_register_combiners2 is not announced\n");
+    return 77;
+  }
+  return run(options);
+}

@@ -1,0 +1,145 @@
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "issue.h"
+
+namespace combined {
+
+using namespace arbiter::fp::combiners;
+using arbiter::fp::testing::Random;
+
+namespace {
+
+constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
+                               GL_TEXTURE_CUBE_MAP};
+
+Color color(Random &random) {
+  Color value;
+  for (double &c : value)
+    c = double(random.real(0.0f, 1.0f));
+  return value;
+}
+
+} // namespace
+
+Scene::Scene(int units, bool negativeTexels)
+    : m_units(units), m_textures(makeTextures(negativeTexels)), m_cells(kCells * kCells) {}
+
+/// Of each unit every target has a texture, and one or none is enabled.
+std::uint8_t Scene::bind(Random &random) {
+  std::uint8_t enabled = 0;
+  m_bound.fill(nullptr);
+  for (int unit = 0; unit < m_units; ++unit) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    const auto pick = random.below(int(m_textures.size()));
+    const Texture &texture = m_textures[std::size_t(pick)];
+    const bool used = random.chance(85);
+    for (const GLenum target : kTargets)
+      (used && target == texture.target ? glEnable : glDisable)(target);
+    glBindTexture(texture.target, texture.name);
+    if (!used)
+      continue;
+    m_bound[std::size_t(unit)] = &texture;
+    enabled |= std::uint8_t(1u << unsigned(unit));
+  }
+  return enabled;
+}
+
+void Scene::arrangeFog(Random &random) {
+  constexpr GLenum kModes[] = {GL_NONE, GL_LINEAR, GL_EXP, GL_EXP2};
+  m_fogMode = kModes[random.below(4)];
+  m_inputs.fog = color(random);
+  m_inputs.fog[3] = 0.25; // is in no register
+  m_density = double(random.real(0.25f, 2.0f));
+  m_start = double(random.real(0.0f, 0.5f));
+  m_end = double(random.real(0.75f, 2.0f));
+  (m_fogMode == GL_NONE ? glDisable : glEnable)(GL_FOG);
+  if (m_fogMode != GL_NONE)
+    glFogi(GL_FOG_MODE, GLint(m_fogMode));
+  const GLfloat fog[] = {GLfloat(m_inputs.fog[0]), GLfloat(m_inputs.fog[1]),
+                         GLfloat(m_inputs.fog[2]), GLfloat(m_inputs.fog[3])};
+  glFogfv(GL_FOG_COLOR, fog);
+  glFogf(GL_FOG_DENSITY, GLfloat(m_density));
+  glFogf(GL_FOG_START, GLfloat(m_start));
+  glFogf(GL_FOG_END, GLfloat(m_end));
+  glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+}
+
+double Scene::fogFactor(double distance) const {
+  switch (m_fogMode) {
+  case GL_LINEAR:
+    return std::clamp((m_end - distance) / (m_end - m_start), 0.0, 1.0);
+  case GL_EXP:
+    return std::exp(-m_density * distance);
+  case GL_EXP2:
+    return std::exp(-m_density * distance * m_density * distance);
+  default:
+    return 1.0;
+  }
+}
+
+void Scene::arrangeCells(Random &random) {
+  for (Cell &cell : m_cells) {
+    cell.primary = color(random);
+    cell.secondary = color(random);
+    cell.secondary[3] = 1.0; // what SecondaryColor3 gives it
+    cell.fog = random.real(0.0f, 2.0f);
+    for (std::size_t unit = 0; unit < cell.r.size(); ++unit) {
+      cell.r[unit] = random.real(0.0f, 1.0f);
+      const Texture *const texture = m_bound[unit];
+      if (texture && std::abs(double(cell.r[unit]) - texture->contents[3]) < 1e-3)
+        cell.r[unit] += 4e-3f;
+    }
+  }
+}
+
+void Scene::arrange(Random &random, arbiter::fp::testing::RandomCombinersOptions options) {
+  options.textures = bind(random);
+  m_state = arbiter::fp::testing::randomCombiners(random, options);
+  issue(m_state);
+  for (Color &constant : m_inputs.constants)
+    constant = color(random);
+  issueConstants(m_inputs, options.stages);
+  arrangeFog(random);
+  arrangeCells(random);
+}
+
+void Scene::draw() const {
+  glBegin(GL_QUADS);
+  for (int i = 0; i < kCells * kCells; ++i) {
+    const Cell &cell = m_cells[std::size_t(i)];
+    glColor4dv(cell.primary.data());
+    glSecondaryColor3dv(cell.secondary.data());
+    glFogCoordf(cell.fog);
+    for (unsigned unit = 0; unit < unsigned(m_units); ++unit)
+      glMultiTexCoord4f(GL_TEXTURE0 + unit, 0.5f, 0.5f, cell.r[unit], 1.0f);
+    const float x = float(i % kCells) * 2.0f / kCells - 1.0f,
+                y = float(i / kCells) * 2.0f / kCells - 1.0f, side = 2.0f / kCells;
+    glVertex2f(x, y);
+    glVertex2f(x + side, y);
+    glVertex2f(x + side, y + side);
+    glVertex2f(x, y + side);
+  }
+  glEnd();
+}
+
+Evaluated Scene::evaluate(int cell) const {
+  const Cell &of = m_cells[std::size_t(cell)];
+  Inputs inputs = m_inputs;
+  inputs.primary = of.primary;
+  inputs.secondary = of.secondary;
+  inputs.fogFactor = fogFactor(double(of.fog));
+  for (std::size_t unit = 0; unit < m_bound.size(); ++unit) {
+    const Texture *const texture = m_bound[unit];
+    if (!texture)
+      continue;
+    inputs.textures[unit] = texture->contents;
+    if (texture->compares)
+      inputs.textures[unit].fill(double(of.r[unit]) <= texture->contents[3] ? 1.0 : 0.0);
+  }
+  return arbiter::fp::combiners::evaluate(m_state, inputs);
+}
+
+} // namespace combined
