@@ -37,13 +37,16 @@ bool inLayer(const void *function, const void *layerMain) {
   return function && dladdr(function, &a) && dladdr(layerMain, &b) && a.dli_fbase == b.dli_fbase;
 }
 
-constexpr const char *kIntercepted[] = {
-    "glProgramStringARB", "glBindProgramARB",    "glBindProgramNV", "glEnable",
-    "glDrawArrays",       "glDrawArraysEXT",     "glGetError",      "glUseProgramObjectARB",
-    "glUseProgram",       "glCopyTexSubImage2D", "glUniform4fv",    "glUniform4fvARB"};
+constexpr const char *kIntercepted[] = {"glProgramStringARB", "glBindProgramARB",
+                                        "glBindProgramNV",    "glEnable",
+                                        "glDrawArrays",       "glDrawArraysEXT",
+                                        "glGetError",         "glUseProgramObjectARB",
+                                        "glUseProgram",       "glCopyTexSubImage2D",
+                                        "glUniform4fv",       "glUniform4fvARB",
+                                        "glTexImage2D",       "glTexEnvi"};
 /// There for the rasterizer: the host's own where the host is the backend.
-constexpr const char *kForRasterizer[] = {"glClear",      "glViewport",  "glVertex3f",
-                                          "glTexImage2D", "glBlendFunc", "glClearColor"};
+constexpr const char *kForRasterizer[] = {"glClear", "glViewport",  "glVertex3f",
+                                          "glFlush", "glBlendFunc", "glClearColor"};
 constexpr const char *kPassed[] = {"glIsBuffer", "glIsTexture", "glGenTextures",
                                    "glNoSuchFunctionOfAnyGl"};
 

@@ -147,7 +147,6 @@ TEST_F(NvCombinerDraws, FogIsAnInput) {
 }
 
 TEST_F(NvCombinerDraws, ColorSumClamp) {
-  glColor4f(0.75f, 0, 0, 1);
   glSecondaryColor3f(0.75f, 0, 0);
   rgb(GL_VARIABLE_A_NV, GL_CONSTANT_COLOR0_NV); // 0.75
   constant(GL_CONSTANT_COLOR0_NV, 0.75f, 0, 0);
@@ -202,7 +201,6 @@ TEST_F(NvCombinerDraws, WhatAListEnablesChoosesTheProgram) {
 TEST_F(NvCombinerDraws, ADotProductOfExpandedNormals) {
   makeTexture(GL_TEXTURE_2D, {128, 128, 255, 255}); // (0, 0, 1)
   glEnable(GL_TEXTURE_2D);
-  glColor4f(0.5f, 0.5f, 0.75f, 1); // (0, 0, 0.5)
   rgb(GL_VARIABLE_A_NV, GL_TEXTURE0, GL_EXPAND_NORMAL_NV);
   rgb(GL_VARIABLE_B_NV, GL_CONSTANT_COLOR0_NV, GL_EXPAND_NORMAL_NV);
   constant(GL_CONSTANT_COLOR0_NV, 0.5f, 0.5f, 0.75f);

@@ -51,7 +51,7 @@ public:
 
 private:
   static constexpr std::array kFragments = {Target::Fragment, Target::AtiText, Target::AtiApi,
-                                            Target::Combiners};
+                                            Target::Combiners, Target::TextureShaders};
   Context &m_context;
   const std::shared_ptr<const CompiledProgram> m_compiled;
   std::shared_ptr<ProgramObject> m_bound;

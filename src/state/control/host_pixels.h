@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/host_errors.h"
+#include "state/core/plain_transfer.h"
 
 /// Pixels of the host's, read and written for clients and for figures in the frame. What state that
 /// needs otherwise than the application left it is put back at the end; no name of the
@@ -27,25 +27,6 @@ struct Picture {
 /// Made smaller by whole steps, each pixel the mean of a square, until no side is above the limit
 /// (0: any).
 [[nodiscard]] Picture reduced(Picture picture, int maxWidth, int maxHeight);
-
-/// Pixel store and transfer as GL begins with, no pixel buffer bound, alignment 1.
-class PlainTransfer {
-public:
-  enum class Way : std::uint8_t { Pack, Unpack };
-  PlainTransfer(Context &context, Way way);
-  ~PlainTransfer();
-  PlainTransfer(const PlainTransfer &) = delete;
-  PlainTransfer &operator=(const PlainTransfer &) = delete;
-
-private:
-  Context &m_context;
-  HostErrorScope m_errors;
-  Way m_way;
-  std::array<GLint, 8> m_store{};
-  GLint m_buffer = 0;
-  std::array<GLfloat, 10> m_transfer{};
-  GLint m_mapColor = 0;
-};
 
 /// The size of the current drawable, from the window system. False: it is not known.
 [[nodiscard]] bool drawableSize(const Context &context, int &width, int &height);

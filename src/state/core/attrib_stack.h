@@ -13,11 +13,13 @@
 namespace arbiter::state {
 
 struct CombinerSettings;
+struct ComponentTransfers;
+struct TextureShaderSettings;
 
 /// Mirrors the host's attribute stack as far as our own state is in it: the enables are, in
 /// GL_ENABLE_BIT (AFP 4642-4645), those of evaluators in GL_EVAL_BIT too (NV_vertex_program);
-/// hints, in GL_HINT_BIT; those of register combiners in GL_TEXTURE_BIT with all of their state.
-/// Bindings and parameters are in no group.
+/// hints, in GL_HINT_BIT; those of register combiners and of texture shaders in GL_TEXTURE_BIT with
+/// all of their state. Bindings and parameters are in no group.
 class AttribStack {
 public:
   struct Entry {
@@ -26,9 +28,11 @@ public:
     std::uint32_t dirty = software::dirty::kAll; ///< groups that the pop restores
     bool hasMaps = false;                        ///< of NV_vertex_program's evaluators
     std::uint32_t enabledMaps = 0;
-    std::optional<Hints> hints;                        ///< of GL_HINT_BIT
-    bool perStageConstants = false;                    ///< PER_STAGE_CONSTANTS_NV
-    std::shared_ptr<const CombinerSettings> combiners; ///< null without GL_TEXTURE_BIT
+    std::optional<Hints> hints;                                  ///< of GL_HINT_BIT
+    bool perStageConstants = false;                              ///< PER_STAGE_CONSTANTS_NV
+    std::shared_ptr<const CombinerSettings> combiners;           ///< null without GL_TEXTURE_BIT
+    std::shared_ptr<const TextureShaderSettings> textureShaders; ///< the same
+    std::shared_ptr<const ComponentTransfers> transfers;         ///< null without GL_PIXEL_MODE_BIT
   };
 
   void setMaxDepth(std::size_t depth) {

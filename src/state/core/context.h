@@ -32,6 +32,7 @@ class HostAssembly;
 class ListCompiler;
 class SamplerOverride;
 class ShareGroup;
+class TextureShaderState;
 class LinkedProgramCache;
 struct LinkedProgram;
 struct NvState;
@@ -118,6 +119,7 @@ public:
   std::unique_ptr<NvState> nv; ///< where the profile has NVIDIA's languages, else null
 
   std::unique_ptr<CombinerState> combiners; ///< where the profile has register combiners, else null
+  std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader
 
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
 
@@ -193,9 +195,9 @@ public:
 }
 
 /// The row that `cap` of Enable names: that of a program target, of ATI_fragment_shader, or of
-/// NV_register_combiners.
+/// NV_register_combiners or NV_texture_shader.
 [[nodiscard]] inline ProgramTarget *enableRowOf(Context &context, GLenum cap) {
-  for (const Target target : {Target::AtiApi, Target::Combiners})
+  for (const Target target : {Target::AtiApi, Target::Combiners, Target::TextureShaders})
     if (cap == infoOf(target).name) {
       ProgramTarget &row = context.row(target);
       return row.offered ? &row : nullptr;

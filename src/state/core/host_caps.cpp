@@ -185,6 +185,11 @@ HostCaps queryHostCaps(const host::HostTable &host) {
 
 bool HostCaps::drawsNvOptions() const { return bitEncoding && has("GL_ARB_shader_texture_lod"); }
 
+bool HostCaps::drawsTextureShaders() const {
+  return has("GL_EXT_texture_snorm") && has("GL_ARB_texture_float") && has("GL_ARB_texture_rg") &&
+         textureRectangle;
+}
+
 fp::Limits queryHostLimits(GLenum target, const host::HostTable &host, const HostCaps &caps) {
   const auto get = [&](GLenum pname) {
     GLint value = 0;

@@ -86,6 +86,8 @@ struct HostCaps {
   /// Whether programs under NVIDIA's options can be drawn: GLSL 1.20 lacks the bits of floats, and
   /// levels of detail that a fragment program gives.
   [[nodiscard]] bool drawsNvOptions() const;
+  /// Whether the texture formats of NV_texture_shader have one of the host's that stands for them.
+  [[nodiscard]] bool drawsTextureShaders() const;
   /// Whether a vertex program's clip distances can be drawn: gl_ClipDistance came with GLSL 1.30.
   [[nodiscard]] bool clipDistances() const { return glslVersion >= 130; }
 

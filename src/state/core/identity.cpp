@@ -140,6 +140,7 @@ IdentityRules identityRules() {
   rules.nvVertexOptions = activeProfile().vertex.nvOptions;
   rules.generalCombiners = activeProfile().combiners.general;
   rules.perStageConstants = activeProfile().combiners.perStageConstants != 0;
+  rules.textureShaders = activeProfile().textureShaders;
   rules.maxYear = settings().extensionsMaxYear;
   rules.maxLength = settings().extensionsMaxLength;
   if (!settings().identityOfProfile)
@@ -185,9 +186,10 @@ void addNvExtensions(FilteredExtensions &extensions, const HostCaps &caps,
   }
 }
 
-/// A host that has register combiners itself is not asked for them: the layer's answer in every
-/// context that offers them, as ATI's fragment shaders are.
-void addCombiners(FilteredExtensions &extensions, const IdentityRules &rules) {
+/// A host that has register combiners or texture shaders itself is not asked for them: the layer's
+/// answer in every context that offers them, as ATI's fragment shaders are.
+void addStateShaders(FilteredExtensions &extensions, const HostCaps &caps,
+                     const IdentityRules &rules) {
   const auto announce = [&](const char *name, bool offered) {
     const auto known = std::find(extensions.names.begin(), extensions.names.end(), name);
     if (!offered || known != extensions.names.end())
@@ -199,6 +201,10 @@ void addCombiners(FilteredExtensions &extensions, const IdentityRules &rules) {
     return;
   announce("GL_NV_register_combiners", true);
   announce("GL_NV_register_combiners2", rules.perStageConstants);
+  const std::uint32_t shaders = caps.drawsTextureShaders() ? rules.textureShaders : 0;
+  announce("GL_NV_texture_shader", shaders >= 1);
+  announce("GL_NV_texture_shader2", shaders >= 2);
+  announce("GL_NV_texture_shader3", shaders >= 3);
 }
 
 void addEraExtensions(FilteredExtensions &extensions, const HostCaps &caps) {
@@ -216,7 +222,7 @@ Identity makeIdentity(const HostCaps &caps, bool offered, const IdentityRules &r
   if (offered && caps.drawsNvOptions())
     addNvExtensions(identity.extensions, caps, rules);
   if (offered)
-    addCombiners(identity.extensions, rules);
+    addStateShaders(identity.extensions, caps, rules);
   if (offered)
     addEraExtensions(identity.extensions, caps);
   if (rules.cutExtensions())

@@ -21,6 +21,7 @@ struct IdentityRules {
   std::uint32_t nvVertexOptions = 0;      ///< and of vertex programs
   std::uint32_t generalCombiners = 0;     ///< stages of NV_register_combiners; 0: not offered
   bool perStageConstants = false;         ///< and NV_register_combiners2
+  std::uint32_t textureShaders = 0;       ///< the first so many of NV_texture_shader, 2 and 3
   bool nvAsHost = false; ///< of NVIDIA's extensions only those that the host announces too
 
   [[nodiscard]] bool cutExtensions() const { return card || maxYear != 0 || maxLength != 0; }

@@ -27,6 +27,7 @@
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
 #include "state/report/capture.h"
@@ -133,6 +134,20 @@ void offerEra(Context &context) {
   context.era->offered = std::move(offers);
 }
 
+/// Texture shaders, where the profile's card and the host's formats have them.
+void offerTextureShaders(Context &context) {
+  fp::Limits limits = context.row(Target::Fragment).limits;
+  const std::uint32_t extensions = activeProfile().textureShaders;
+  if (extensions == 0 || !context.caps.drawsTextureShaders())
+    return;
+  limits.envParameters = fp::texture_shader::kParameters;
+  limits.localParameters = 0;
+  offer(context, Target::TextureShaders, limits);
+  context.textureShaders =
+      std::make_unique<TextureShaderState>(int(extensions), int(std::min(limits.textureUnits, 8u)));
+  context.textureShaders->setParameters(context);
+}
+
 /// What this host can be given of the mode that is asked for; said once where it is less.
 fp::Numerics numericsOf(const Context &context) {
   const fp::Numerics asked = activeNumerics();
@@ -236,6 +251,7 @@ void initialise(Context &context) {
     offer(context, Target::AtiApi, limits);
     offerNvPrograms(context);
     offerCombiners(context);
+    offerTextureShaders(context);
     offerEra(context);
   }
   context.attribStack.setMaxDepth(std::size_t(context.caps.maxAttribStackDepth));
@@ -372,6 +388,7 @@ void makeCurrent(Context *context, const software::Drawable *drawable) {
   if (context->group->contexts.load(std::memory_order_relaxed) > 1 &&
       (context->attention & attention::kShared) == 0)
     invalidateProgram(*context);
+  noteTextureChange(*context);
   if (context->software)
     context->software->residency.enter(context->drawable);
 }
@@ -392,6 +409,15 @@ void copyContext(const Context &from, Context &to, std::uint32_t mask) {
   if (from.combiners && to.combiners && (mask & GL_TEXTURE_BIT) != 0) {
     to.combiners->restore(to, std::make_shared<CombinerSettings>(*from.combiners->settings()));
     setEnabled(to, to.row(Target::Combiners), from.row(Target::Combiners).enabled);
+  }
+  if (from.textureShaders && to.textureShaders) {
+    if ((mask & GL_TEXTURE_BIT) != 0) {
+      to.textureShaders->restore(
+          to, std::make_shared<TextureShaderSettings>(*from.textureShaders->settings()));
+      setEnabled(to, to.row(Target::TextureShaders), from.row(Target::TextureShaders).enabled);
+    }
+    if ((mask & GL_PIXEL_MODE_BIT) != 0)
+      to.textureShaders->transfers = from.textureShaders->transfers;
   }
   if ((mask & GL_ENABLE_BIT) == 0)
     return;
@@ -418,6 +444,7 @@ void frameEnd(Context *context) {
   withinMemory(*context, "SwapBuffers", [&] {
     captureFrame(*context);
     ++context->frames;
+    noteTextureChange(*context); // by commands that the layer does not see
     if (const ControlHooks *const hooks = controlHooks()) [[unlikely]]
       hooks->frameEnds(*context);
     if (context->frames >= software::kEarlyFrames && context->group->lists.hasEarly())

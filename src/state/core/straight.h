@@ -21,6 +21,11 @@ namespace arbiter::state::straight {
 [[nodiscard]] inline bool Enable(Context &context, GLenum cap) { return isHosts(context, cap); }
 [[nodiscard]] inline bool Disable(Context &context, GLenum cap) { return isHosts(context, cap); }
 
+/// What is bound chooses among the programs of texture shaders.
+[[nodiscard]] inline bool BindTexture(Context &context, GLenum, GLuint) {
+  return !context.textureShaders;
+}
+
 /// The layer has a part in MATRIXi_NV, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array ranges.
 [[nodiscard]] inline bool MatrixMode(Context &, GLenum mode) { return mode - GL_MATRIX0_NV >= 8u; }
 [[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {
@@ -80,15 +85,16 @@ ARBITER_EVALUATES(EvalPoint2)
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 
-/// Of the parameters of textures the layer has a part in the comparison alone.
+/// Of the parameters of textures the layer has a part in the comparison, and texture shaders in
+/// what makes a texture consistent.
 [[nodiscard]] constexpr bool compares(GLenum pname) {
   return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE || isSgixShadow(pname);
 }
-[[nodiscard]] inline bool TexParameteri(Context &, GLenum, GLenum pname, GLint) {
-  return !compares(pname);
+[[nodiscard]] inline bool TexParameteri(Context &context, GLenum, GLenum pname, GLint) {
+  return !compares(pname) && !context.textureShaders;
 }
-[[nodiscard]] inline bool TexParameterf(Context &, GLenum, GLenum pname, GLfloat) {
-  return !compares(pname);
+[[nodiscard]] inline bool TexParameterf(Context &context, GLenum, GLenum pname, GLfloat) {
+  return !compares(pname) && !context.textureShaders;
 }
 
 } // namespace arbiter::state::straight

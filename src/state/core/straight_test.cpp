@@ -68,6 +68,13 @@ TEST(Straight, TheLayerSeesWhichTexturesCompare) {
   EXPECT_FALSE(straight::TexParameteri(*context, GL_TEXTURE_2D, GL_TEXTURE_COMPARE_SGIX, GL_TRUE));
 }
 
+TEST(Straight, TexturesAreTheHostsWhereNoTextureShaderIs) {
+  FakeHost host; // without the formats that they need
+  const CurrentContext context(host);
+  ASSERT_FALSE(context->textureShaders);
+  EXPECT_TRUE(straight::BindTexture(*context, GL_TEXTURE_2D, 1));
+}
+
 TEST(Straight, OnlyNvidiasMatricesArraysAndRangesAreTheLayers) {
   FakeHost host;
   const CurrentContext context(host);

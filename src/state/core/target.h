@@ -15,7 +15,8 @@ namespace arbiter::state {
 
 /// What the specifications say of a program target, whatever the context.
 struct TargetInfo {
-  /// As Enable takes it, and every entry point of the program API (not AtiApi's and Combiners').
+  /// As Enable takes it, and every entry point of the program API (not AtiApi's, Combiners'
+  /// and TextureShaders').
   GLenum name;
   fp::ir::Language language;
   const char *word;      ///< in statistics and logs
@@ -28,6 +29,7 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
     {GL_FRAGMENT_SHADER_ATI, fp::ir::Language::AtiFragment, "ati-fragment-api", ""},
     {GL_VERTEX_STATE_PROGRAM_NV, fp::ir::Language::ArbVertex, "vertex-state", ".vsp"},
     {GL_REGISTER_COMBINERS_NV, fp::ir::Language::ArbFragment, "combiners", ""},
+    {GL_TEXTURE_SHADER_NV, fp::ir::Language::ArbFragment, "texture-shaders", ""},
 };
 [[nodiscard]] constexpr const TargetInfo &infoOf(Target target) {
   return kTargets[std::size_t(target)];
@@ -35,7 +37,8 @@ inline constexpr TargetInfo kTargets[kTargetCount] = {
 
 /// Draws of the target depend on fixed-function state (host_draw/fixed_function.h).
 [[nodiscard]] constexpr bool followsFixedFunction(Target target) {
-  return target == Target::AtiText || target == Target::AtiApi || target == Target::Combiners;
+  return target == Target::AtiText || target == Target::AtiApi || target == Target::Combiners ||
+         target == Target::TextureShaders;
 }
 
 /// The name of a text's file in a capture and in a folder of replacements: "<hash>.fp".

@@ -16,6 +16,7 @@
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "util/flags.h"
 #include "util/log.h"
@@ -123,6 +124,12 @@ bool combinerValue(const Context &context, GLenum pname, GLint &value) {
   }
 }
 
+/// TEXTURE_SHADER_NV.
+bool textureShaderValue(const Context &context, GLint &value) {
+  value = context.row(Target::TextureShaders).enabled ? 1 : 0;
+  return context.textureShaders != nullptr;
+}
+
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
 /// show our objects is put back.
 bool ownValue(Context &context, GLenum pname, GLint &value) {
@@ -156,6 +163,8 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_MAX_GENERAL_COMBINERS_NV:
   case GL_PER_STAGE_CONSTANTS_NV:
     return combinerValue(context, pname, value);
+  case infoOf(Target::TextureShaders).name:
+    return textureShaderValue(context, value);
   case GL_TRANSFORM_HINT_APPLE:
   case GL_MULTISAMPLE_FILTER_HINT_NV:
   case GL_VERTEX_ARRAY_RANGE_NV:
@@ -247,8 +256,25 @@ template <typename T> bool getCombinerColor(const Context &context, GLenum pname
   return true;
 }
 
+/// True, with it, for a scale or bias of HILO components or texture offset groups.
+template <typename T> bool getTransfer(const Context &context, GLenum pname, T *data) {
+  const GLenum at = pname - GL_HI_SCALE_NV;
+  if (at > 11 || !context.textureShaders) [[likely]]
+    return false;
+  const ComponentTransfers &transfers = context.textureShaders->transfers;
+  const GLfloat value = at < 6 ? transfers.scales[at] : transfers.biases[at - 6];
+  if constexpr (std::is_same_v<T, GLboolean>)
+    *data = value != 0.0f ? GL_TRUE : GL_FALSE;
+  else if constexpr (std::is_integral_v<T>)
+    *data = T(std::floor(double(value) + 0.5));
+  else
+    *data = T(value);
+  return true;
+}
+
 template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
-  if (!context.insideBeginEnd && data && getCombinerColor(context, pname, data))
+  if (!context.insideBeginEnd && data &&
+      (getCombinerColor(context, pname, data) || getTransfer(context, pname, data)))
     return;
   GLint value = 0;
   if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]

@@ -3,9 +3,12 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/dirty_bits.h"
+#include "state/programs/texture_shaders/component_formats.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
@@ -52,22 +55,15 @@ void BlitFramebuffer(Context &context, GLint srcX0, GLint srcY0, GLint srcX1, GL
 
 void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                 GLenum type, void *pixels) {
+  if (context.textureShaders && !context.insideBeginEnd &&
+      (isComponentFormat(format) || isSignedPacked(type))) [[unlikely]]
+    return raise(context, GL_INVALID_ENUM, "ReadPixels: a format or type of textures alone");
   if (executes(context) && context.software) {
     if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
       return;
     context.software->residency.synchronise("glReadPixels");
   }
   context.host->ReadPixels(x, y, width, height, format, type, pixels);
-}
-
-void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
-                 void *pixels) {
-  if (executes(context) && context.software) {
-    if (context.software->residency.getTexImage(target, level, format, type, pixels))
-      return;
-    context.software->residency.synchronise("glGetTexImage");
-  }
-  context.host->GetTexImage(target, level, format, type, pixels);
 }
 
 void Flush(Context &context) {
@@ -122,18 +118,9 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
     if (changes(context) && context.software)                                                      \
       context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
+    noteTextureChange(context);                                                                    \
   }
 
-ARBITER_REDEFINES(TexImage1D,
-                  (Context & context, GLenum target, GLint level, GLint internalformat,
-                   GLsizei width, GLint border, GLenum format, GLenum type, const void *pixels),
-                  (target, level, internalformat, width, border, format, type, pixels))
-ARBITER_REDEFINES(TexImage3D,
-                  (Context & context, GLenum target, GLint level, GLint internalformat,
-                   GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format,
-                   GLenum type, const void *pixels),
-                  (target, level, internalformat, width, height, depth, border, format, type,
-                   pixels))
 ARBITER_REDEFINES(CompressedTexImage1D,
                   (Context & context, GLenum target, GLint level, GLenum internalformat,
                    GLsizei width, GLint border, GLsizei size, const void *data),
@@ -174,42 +161,5 @@ ARBITER_REDEFINES(TexStorage3D,
                   (target, levels, internalformat, width, height, depth))
 ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
 #undef ARBITER_REDEFINES
-
-void TexImage2D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels) {
-  if (changes(context) && context.software)
-    context.software->residency.texImage2D(target, level, internalformat, width, height, border,
-                                           format, type, pixels);
-  context.host->TexImage2D(target, level, internalformat, width, height, border, format, type,
-                           pixels);
-}
-
-// --- Texels are replaced ---
-
-void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
-                   GLenum format, GLenum type, const void *pixels) {
-  if (changes(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
-                                            pixels);
-  context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
-}
-
-void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
-                   GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
-  if (changes(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
-                                            format, type, pixels);
-  context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
-}
-
-void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
-                   GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
-                   GLenum type, const void *pixels) {
-  if (changes(context) && context.software)
-    context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
-                                            depth, format, type, pixels);
-  context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
-                              format, type, pixels);
-}
 
 } // namespace arbiter::state::handlers

@@ -4,6 +4,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/neighbours.h"
@@ -57,8 +58,10 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
   if (context.group && !context.insideBeginEnd) {
     context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
     context.group->textureViews.remove(n, textures);
+    context.group->textureFormats.remove(n, textures);
   }
   context.host->DeleteTextures(n, textures);
+  noteTextureChange(context);
 }
 
 void DeleteRenderbuffers(Context &context, GLsizei n, const GLuint *renderbuffers) {

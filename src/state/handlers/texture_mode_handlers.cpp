@@ -3,12 +3,15 @@
 // beside clip distances for depths that are ALPHA (state/host_draw/variants/alpha_depths.h). A
 // list's commands are seen when they are compiled, and PopAttrib restores only what one of these
 // set before.
+#include <type_traits>
+
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/sgix_shadow.h"
 #include "state/host_draw/draw.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -46,6 +49,17 @@ void setShadow(Context &context, GLenum target, GLenum pname, const T *value) {
     setShadow(context, target, pname, *value);
 }
 
+/// TEXTURE_BORDER_VALUES_NV is what the host has as a border colour that it does not clamp; its
+/// values are four, so that a command of one has no part in it.
+GLenum hostName(const Context &context, GLenum pname) {
+  return pname == GL_TEXTURE_BORDER_VALUES_NV && context.textureShaders
+             ? GLenum(GL_TEXTURE_BORDER_COLOR)
+             : pname;
+}
+template <typename T> GLenum hostName(const Context &context, GLenum pname, T) {
+  return std::is_pointer_v<T> ? hostName(context, pname) : pname;
+}
+
 } // namespace
 
 namespace handlers {
@@ -53,7 +67,7 @@ namespace handlers {
 #define BOUND_GETTER(name, Value)                                                                  \
   void name(Context &context, GLenum target, GLenum pname, Value *values) {                        \
     if (!hasSgixShadow(context, pname)) [[likely]]                                                 \
-      return context.host->name(target, pname, values);                                            \
+      return context.host->name(target, hostName(context, pname), values);                         \
     GLint arb = 0;                                                                                 \
     context.host->GetTexParameteriv(target, arbShadowName(pname), &arb);                           \
     if (values)                                                                                    \
@@ -66,19 +80,22 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
 #define SETTER(name, Object, Value)                                                                \
   void name(Context &context, Object object, GLenum pname, Value value) {                          \
     note(context, pname, value);                                                                   \
-    context.host->name(object, pname, value);                                                      \
+    context.host->name(object, hostName(context, pname, value), value);                            \
+    noteTextureChange(context);                                                                    \
   }
 #define BOUND_SETTER(name, Object, Value)                                                          \
   void name(Context &context, Object target, GLenum pname, Value value) {                          \
     if (hasSgixShadow(context, pname)) [[unlikely]]                                                \
       return setShadow(context, target, pname, value);                                             \
     note(context, pname, value);                                                                   \
-    context.host->name(target, pname, value);                                                      \
+    context.host->name(target, hostName(context, pname, value), value);                            \
+    noteTextureChange(context);                                                                    \
   }
 #define TARGET_SETTER(name, Object, Value)                                                         \
   void name(Context &context, Object object, GLenum target, GLenum pname, Value value) {           \
     note(context, pname, value);                                                                   \
     context.host->name(object, target, pname, value);                                              \
+    noteTextureChange(context);                                                                    \
   }
 #define SETTERS(setter, prefix, suffix, Object)                                                    \
   setter(prefix##i##suffix, Object, GLint) setter(prefix##f##suffix, Object, GLfloat)              \
@@ -95,10 +112,12 @@ SETTERS(TARGET_SETTER, MultiTexParameter, EXT, GLenum)
 void BindSampler(Context &context, GLuint unit, GLuint sampler) {
   releaseSamplers(context);
   context.host->BindSampler(unit, sampler);
+  noteTextureChange(context);
 }
 void BindSamplers(Context &context, GLuint first, GLsizei count, const GLuint *samplers) {
   releaseSamplers(context);
   context.host->BindSamplers(first, count, samplers);
+  noteTextureChange(context);
 }
 
 } // namespace handlers

@@ -17,8 +17,10 @@
 #include "state/host_draw/sampler_override.h"
 #include "state/host_draw/variants/alpha_depths.h"
 #include "state/host_draw/variants/combiner_draw.h"
+#include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/report/capture.h"
 #include "state/share/garbage.h"
@@ -75,7 +77,7 @@ std::uint32_t stickyAttention(const Context &context) {
     bits |= attention::kState;
   if (mayFollowAlphaDepths(context))
     bits |= attention::kDepth;
-  if (mayFollowCombinedDepths(context))
+  if (mayFollowCombinedDepths(context) || mayFollowTextures(context))
     bits |= attention::kDepth;
   if (context.linkedProgram) {
     if (context.linkedProgram->readsState)
@@ -183,6 +185,8 @@ bool validatePrograms(Context &context) {
     refreshNativeInputs(context);
   if (mayFollowCombinedDepths(context)) [[unlikely]]
     followCombinedDepths(context);
+  if (mayFollowTextures(context)) [[unlikely]]
+    followTextures(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
@@ -205,6 +209,8 @@ bool validate(Context &context) {
     followAlphaDepths(context);
   if (mayFollowCombinedDepths(context)) [[unlikely]]
     followCombinedDepths(context);
+  if (mayFollowTextures(context)) [[unlikely]]
+    followTextures(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {
@@ -259,6 +265,7 @@ void validateForList(Context &context) {
 
 void afterHostList(Context &context) {
   noteFixedFunctionChange(context);
+  noteTextureChange(context);
   noteClipPlanesAfterList(context);
   if (!context.group->hostListsChangeProgram.load(std::memory_order_relaxed))
     return;

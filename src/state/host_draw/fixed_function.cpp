@@ -5,6 +5,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -26,6 +27,8 @@ std::shared_ptr<const CompiledProgram> atiShaderEffective(Context &context) {
 void noteFixedFunctionChange(Context &context) {
   if (context.followsFixedFunction)
     invalidateProgram(context);
+  else
+    noteTextureChange(context); // of fixed function's own textures
 }
 
 void noteFixedFunctionCommand(Context &context) {

@@ -15,10 +15,12 @@
 #include "state/host_draw/variants/clipped_variant.h"
 #include "state/host_draw/variants/combiner_draw.h"
 #include "state/host_draw/variants/depth_variants.h"
+#include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_edits.h"
 #include "state/programs/program_load.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/share_group.h"
 
@@ -51,10 +53,15 @@ struct EffectivePrograms {
   const ProgramTarget *fragment = nullptr;
   bool ati = false;       ///< an ATI fragment shader is enabled, of either form, and no `fragment`
   bool combiners = false; ///< register combiners are enabled, and no `fragment`
-  [[nodiscard]] bool none() const { return !vertex && !fragment && !ati && !combiners; }
+  /// Texture shaders are enabled, or fixed function has textures or environments that the host
+  /// lacks, and no `fragment`.
+  bool textureShaders = false;
+  [[nodiscard]] bool none() const {
+    return !vertex && !fragment && !ati && !combiners && !textureShaders;
+  }
 };
 
-EffectivePrograms enabledRows(const Context &context) {
+EffectivePrograms enabledRows(Context &context) {
   const auto ifEnabled = [&](Target target) {
     const ProgramTarget &row = context.row(target);
     return row.enabled && !isSwitchedOff(context, row) ? &row : nullptr;
@@ -62,6 +69,8 @@ EffectivePrograms enabledRows(const Context &context) {
   EffectivePrograms rows = {ifEnabled(Target::Vertex), ifEnabled(Target::Fragment)};
   rows.ati = !rows.fragment && (ifEnabled(Target::AtiText) || ifEnabled(Target::AtiApi));
   rows.combiners = !rows.fragment && ifEnabled(Target::Combiners);
+  rows.textureShaders =
+      !rows.fragment && (ifEnabled(Target::TextureShaders) || texturesNeedLayer(context));
   return rows;
 }
 
@@ -88,7 +97,9 @@ bool takePrograms(Context &context, const EffectivePrograms &rows, ProgramPair &
     pair.fragment = context.group->compiledOf(*rows.fragment->bound);
   else if (rows.ati)
     pair.fragment = atiShaderEffective(context);
-  if (rows.combiners && !pair.fragment)
+  if (rows.textureShaders && !pair.fragment)
+    pair.fragment = texturesEffective(context, glslHost(context.caps), rows.combiners);
+  else if (rows.combiners && !pair.fragment)
     pair.fragment = combinersEffective(context, glslHost(context.caps));
   return (!rows.vertex || pair.vertex) && (!rows.fragment || pair.fragment) && targetsAgree(pair);
 }
@@ -156,6 +167,8 @@ Path choosePath(Context &context, HostPart part) {
   context.stagesAreLinked = false;
   context.alphaDepths.reset();
   context.followsFixedFunction = false;
+  if (context.textureShaders)
+    context.textureShaders->effective = false;
   if (context.combiners)
     context.combiners->effective = false;
   for (ProgramTarget &row : context.targets)
@@ -177,7 +190,7 @@ Path choosePath(Context &context, HostPart part) {
     rows.vertex = nullptr;
   if (theirs.fragment) {
     rows.fragment = nullptr;
-    rows.ati = rows.combiners = false;
+    rows.ati = rows.combiners = rows.textureShaders = false;
   }
   if (rows.none())
     return program != 0 ? Path::ApplicationGlsl : Path::ApplicationPipeline;

@@ -11,10 +11,10 @@ namespace arbiter::state {
 enum class HostPart : std::uint8_t { Now, WhenItDraws };
 
 /// Which program is effective, and how it draws: stage by stage the application's own GLSL wins
-/// over ARB programs (ARB_shader_objects), these over ATI's fragment shaders, these over register
-/// combiners (NV_fragment_program: "the fragment program replaces ..."), and these over fixed
-/// function. Links what is to be linked, and notes it in `context`; nothing is made current but the
-/// host's ARB programs, where they are all that draws. Raises no error.
+/// over ARB programs (ARB_shader_objects), these over ATI's fragment shaders, these over texture
+/// shaders and register combiners (NV_fragment_program: "the fragment program replaces ..."), and
+/// these over fixed function. Links what is to be linked, and notes it in `context`; nothing is
+/// made current but the host's ARB programs, where they are all that draws. Raises no error.
 ///
 /// With WhenItDraws, and where the rasterizer may draw, the programs are chosen and no more
 /// (Context::hostPartWaits). Whether the host takes them as GLSL, as assembly or not at all is then

@@ -15,6 +15,7 @@
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -45,6 +46,10 @@ void pushEnables(Context &context, GLbitfield mask) {
     if ((mask & GL_TEXTURE_BIT) != 0)
       entry.combiners = context.combiners->settings();
   }
+  if (context.textureShaders && (mask & GL_TEXTURE_BIT) != 0)
+    entry.textureShaders = context.textureShaders->settings();
+  if (context.textureShaders && (mask & GL_PIXEL_MODE_BIT) != 0)
+    entry.transfers = std::make_shared<const ComponentTransfers>(context.textureShaders->transfers);
   (void)context.attribStack.push(std::move(entry));
 }
 
@@ -62,6 +67,17 @@ void popCombiners(Context &context, const AttribStack::Entry &entry) {
   }
 }
 
+/// The same of texture shaders.
+void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
+  ProgramTarget &row = context.row(Target::TextureShaders);
+  if (entry.textureShaders) {
+    context.textureShaders->restore(context, entry.textureShaders);
+    setEnabled(context, row, (entry.enabledTargets >> unsigned(row.target) & 1u) != 0);
+  }
+  if (entry.transfers)
+    context.textureShaders->transfers = *entry.transfers;
+}
+
 void popEnables(Context &context) {
   AttribStack::Entry entry;
   const bool popped = context.attribStack.pop(entry);
@@ -72,6 +88,8 @@ void popEnables(Context &context) {
     context.era->hints = *entry.hints;
   if (popped && context.combiners)
     popCombiners(context, entry);
+  if (popped && context.textureShaders)
+    popTextureShaders(context, entry);
   if (!popped || !entry.hasEnables)
     return;
   for (ProgramTarget &row : context.targets)
@@ -91,6 +109,7 @@ void popAttrib(Context &context) {
   context.hostAssembly->restoreEnables(context);
   popEnables(context);
   noteFixedFunctionChange(context);
+  noteTextureChange(context);
   noteClipPlanesChange(context);
 }
 

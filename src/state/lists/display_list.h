@@ -53,12 +53,14 @@ struct Command {
     DefineMap,        ///< target, name and object: the orders; format: an error; values: the
                       ///< domain, the points
     PrepareEvaluation,
-    EvalPoint,   ///< bytes: an EvaluatorPoint
-    EvalMesh,    ///< target: mode; name: the dimension; bytes: four GLint
-    SetFence,    ///< target: a FenceOf; name; format: the condition
-    FinishFence, ///< target, name
-    Hint,        ///< target; name: the mode
-    Combiners,   ///< bytes: some CombinerCommands, in a row
+    EvalPoint,      ///< bytes: an EvaluatorPoint
+    EvalMesh,       ///< target: mode; name: the dimension; bytes: four GLint
+    SetFence,       ///< target: a FenceOf; name; format: the condition
+    FinishFence,    ///< target, name
+    Hint,           ///< target; name: the mode
+    Combiners,      ///< bytes: some CombinerCommands, in a row
+    TextureShaders, ///< bytes: some TextureShaderCommands, in a row
+    ComponentImage, ///< bytes: a ComponentImage, then its components as floats
   };
   Kind kind;
   GLenum target = 0;

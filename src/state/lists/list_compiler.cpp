@@ -25,7 +25,7 @@ std::uint32_t recordable(std::uint32_t dirty) {
 
 /// A bind that follows a bind of the same target is kept with it, as four bytes: a list may hold
 /// millions. Each of them makes its object and may be an error, so none is left out. So are
-/// commands of register combiners, which come by the dozen.
+/// commands of register combiners and texture shaders, which come by the dozen.
 bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) {
   if (!last.command || last.command->kind != command.kind)
     return false;
@@ -34,7 +34,8 @@ bool join(DisplayList::Item &last, const Command &command, std::uint32_t dirty) 
   if (command.kind == Command::Kind::BindProgram && last.command->target == command.target &&
       command.target != infoOf(Target::AtiApi).name)
     bytes.append(reinterpret_cast<const char *>(&command.name), sizeof command.name);
-  else if (command.kind == Command::Kind::Combiners)
+  else if (command.kind == Command::Kind::Combiners ||
+           command.kind == Command::Kind::TextureShaders)
     bytes += command.bytes;
   else
     return false;

@@ -17,6 +17,9 @@
 #include "state/programs/parameters.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
+#include "state/programs/texture_shaders/component_image.h"
+#include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/raster_draw/context_state.h"
 #include "state/raster_draw/copy_texture.h"
 
 namespace arbiter::state {
@@ -177,6 +180,12 @@ void execute(Context &context, const Command &command) {
     return setEraHint(context, command.target, command.name);
   case Command::Kind::Combiners:
     return executeCombinerCommands(context, command.bytes);
+  case Command::Kind::TextureShaders:
+    return executeTextureShaderCommands(context, command.bytes);
+  case Command::Kind::ComponentImage:
+    if (context.software)
+      context.software->residency.textureRedefined(componentImageOf(command.bytes).target);
+    return executeComponentImage(context, command.bytes);
   case Command::Kind::CopyTexture:
     return copyTexture(context, copyOf(command));
   default:

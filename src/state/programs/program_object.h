@@ -20,14 +20,15 @@ using Vec4 = std::array<GLfloat, 4>;
 
 /// The program targets (target.h says what is known of each).
 enum class Target : std::uint8_t {
-  Fragment,    ///< ARB_fragment_program
-  Vertex,      ///< ARB_vertex_program
-  AtiText,     ///< ATI_text_fragment_shader
-  AtiApi,      ///< ATI_fragment_shader: its objects have commands and names of their own
-  VertexState, ///< state programs of NV_vertex_program, which are executed and never bound
-  Combiners,   ///< NV_register_combiners: state, not objects, of which programs are made
+  Fragment,       ///< ARB_fragment_program
+  Vertex,         ///< ARB_vertex_program
+  AtiText,        ///< ATI_text_fragment_shader
+  AtiApi,         ///< ATI_fragment_shader: its objects have commands and names of their own
+  VertexState,    ///< state programs of NV_vertex_program, which are executed and never bound
+  Combiners,      ///< NV_register_combiners: state, not objects, of which programs are made
+  TextureShaders, ///< NV_texture_shader: the same, before combiners or texture environments
 };
-inline constexpr int kTargetCount = 6;
+inline constexpr int kTargetCount = 7;
 /// When a name becomes a program's: BindProgramARB makes one, under NVIDIA's API a load does.
 enum class Existence : std::uint8_t { Now, OnceLoaded };
 

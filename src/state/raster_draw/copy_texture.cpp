@@ -3,8 +3,13 @@
 #include <cstring>
 
 #include "host/host_table.h"
+#include "state/core/errors.h"
 #include "state/core/texture_binding.h"
+#include "state/programs/texture_shaders/component_formats.h"
+#include "state/programs/texture_shaders/component_image.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -52,9 +57,11 @@ void trackCopy(Context &context, const TextureLevel &to, CopyKind kind, const Co
   context.feedback.record(to, kind, source, region, context.frames);
 }
 
-/// Where the copy goes to is asked from the host, once: bindings are passed on untracked, and a
-/// query is small beside a copy.
-void copyTexture(Context &context, const CopyCommand &copy) {
+namespace {
+
+/// To an image that the host has as it is asked for. Where the copy goes to is asked from the host,
+/// once: bindings are passed on untracked, and a query is small beside a copy.
+void copyColors(Context &context, const CopyCommand &copy) {
   if (context.insideBeginEnd || context.listMode == GL_COMPILE)
     return forward(*context.host, copy);
   GLint texture = 0;
@@ -66,6 +73,47 @@ void copyTexture(Context &context, const CopyCommand &copy) {
       context.software->residency.copyToTexture(copyTo(GLuint(texture), copy)))
     return;
   forward(*context.host, copy);
+}
+
+bool defines(CopyKind kind) { return kind == CopyKind::Image1D || kind == CopyKind::Image2D; }
+
+/// An image of HILO components or of a texture offset group (NV_texture_shader, 3.8.2).
+bool takesNoColors(Context &context, const CopyCommand &copy) {
+  const GLenum name = defines(copy.kind) ? copy.internalFormat
+                                         : componentFormatOf(context, copy.target, copy.level);
+  const ComponentFormat *const format = componentFormat(name);
+  return format && format->external != 0;
+}
+
+/// The same where internal formats are NV_texture_shader's too.
+void copyToOwnFormat(Context &context, const CopyCommand &copy) {
+  if (takesNoColors(context, copy))
+    return raise(context, GL_INVALID_OPERATION, "CopyTexImage: the image has no colours");
+  const ComponentFormat *const own =
+      defines(copy.kind)
+          ? componentFormat(copy.internalFormat, context.textureShaders->extensions())
+          : nullptr;
+  noteTextureChange(context);
+  CopyCommand hosts = copy;
+  if (own)
+    hosts.internalFormat = own->host;
+  if (!defines(copy.kind) || (!own && !context.group->textureFormats.any()))
+    return copyColors(context, hosts);
+  const GLenum earlier = takeHostErrors(*context.host);
+  copyColors(context, hosts);
+  const GLenum error = takeHostErrors(*context.host);
+  if (error == GL_NO_ERROR)
+    noteImageFormat(context, copy.target, copy.level, own ? own->name : 0);
+  if (earlier != GL_NO_ERROR || error != GL_NO_ERROR)
+    raise(context, earlier != GL_NO_ERROR ? earlier : error, "CopyTexImage");
+}
+
+} // namespace
+
+void copyTexture(Context &context, const CopyCommand &copy) {
+  if (context.textureShaders && !context.insideBeginEnd && context.listMode != GL_COMPILE)
+    return copyToOwnFormat(context, copy);
+  copyColors(context, copy);
 }
 
 Command commandOf(const CopyCommand &copy) {

@@ -12,6 +12,7 @@
 #include "state/programs/fragment_shader_table.h"
 #include "state/programs/program_object.h"
 #include "state/share/deleted_names.h"
+#include "state/share/texture_formats.h"
 #include "state/share/texture_views.h"
 
 namespace arbiter::state {
@@ -59,6 +60,7 @@ public:
 
   DeletedNames deletedNames;
   TextureViews textureViews;
+  TextureFormats textureFormats;
 
   // --- Host objects to delete ---
 

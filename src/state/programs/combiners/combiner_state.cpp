@@ -8,6 +8,7 @@
 #include "state/host_draw/variants/drop_variants.h"
 #include "state/host_draw/variants/state_program.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
 
 namespace arbiter::state {
 
@@ -38,10 +39,12 @@ void CombinerState::setConstant(Context &context, int index, const Vec4 &value) 
   if (constant(index) == value)
     return;
   writable().constants[std::size_t(index)] = value;
-  ProgramTarget &row = context.row(Target::Combiners);
-  row.env[std::size_t(index)] = value;
-  ++row.envVersion;
-  context.attention |= row.parameterBits;
+  for (const Target target : {Target::Combiners, Target::TextureShaders})
+    if (ProgramTarget &row = context.row(target); row.offered) {
+      row.env[std::size_t(index)] = value;
+      ++row.envVersion;
+      context.attention |= row.parameterBits;
+    }
 }
 
 void CombinerState::restore(Context &context,
@@ -53,6 +56,8 @@ void CombinerState::restore(Context &context,
   row.env.assign(m_settings->constants.begin(), m_settings->constants.end());
   ++row.envVersion;
   context.attention |= row.parameterBits;
+  if (context.textureShaders)
+    context.textureShaders->setParameters(context);
   changed(context);
 }
 

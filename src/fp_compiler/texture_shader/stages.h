@@ -1,0 +1,50 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "fp_compiler/ir/builder.h"
+#include "fp_compiler/texture_shader/operations.h"
+
+namespace arbiter::fp::texture_shader {
+
+/// Writes the stages of a state that is essential() into a program: each unit's results when they
+/// are first asked for, what the stages do beside that (culling, depths) at finish().
+class Stages {
+public:
+  Stages(ir::Builder &builder, const State &state) : m_builder(builder), m_state(state) {}
+
+  /// The texture unit RGBA result (tables 3.D and 3.E); nothing where it is (0, 0, 0, 0).
+  [[nodiscard]] std::optional<ir::Source> color(int unit);
+  /// The base internal format that the unit's texture environment takes its colour for; None where
+  /// it passes by.
+  [[nodiscard]] Base environmentBase(int unit) const;
+  /// Every stage that discards fragments or replaces their depth, in their order.
+  void finish();
+
+private:
+  [[nodiscard]] const Stage &stage(int unit) const { return m_state.stages[std::size_t(unit)]; }
+  [[nodiscard]] const OperationInfo &info(int unit) const { return infoOf(stage(unit).operation); }
+  [[nodiscard]] ir::Source coordinates(int unit) {
+    return m_builder.attribute(ir::AttributeKind::TexCoord, unit);
+  }
+  /// The shader result: a colour, (HI, LO), or (ds, dt, magnitude, intensity).
+  ir::Source result(int unit);
+  ir::Source shade(int unit);
+  ir::Source sample(int unit, ir::Opcode opcode, const ir::Source &at);
+  ir::Source moved(int unit);
+  ir::Source dependent(int unit);
+  /// The scalar that the stage computes, in every component.
+  ir::Source dot(int unit);
+  ir::Source product(int unit);
+  ir::Source products(int first, int count);
+  ir::Source reflected(int unit);
+  ir::Source scaled(int unit);
+  void cull(int unit);
+  void replaceDepth(int unit);
+
+  ir::Builder &m_builder;
+  const State &m_state;
+  std::array<std::optional<ir::Source>, kUnits> m_results, m_dots, m_scaled;
+};
+
+} // namespace arbiter::fp::texture_shader

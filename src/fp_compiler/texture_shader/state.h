@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "fp_compiler/combiners/state.h"
+#include "fp_compiler/ir/interface.h"
+
+/// The state of NV_texture_shader ("TS"), NV_texture_shader2 ("TS2") and NV_texture_shader3 ("TS3")
+/// that decides what is computed, as plain bytes: what resolve() and lower() read. Matrices,
+/// scales, biases and eye vectors are parameters and no part of it.
+namespace arbiter::fp::texture_shader {
+
+inline constexpr int kUnits = 8; ///< texture units, each with a stage
+
+/// SHADER_OPERATION_NV, in the order of the sections 3.8.13.1.1 to 3.8.13.1.37.
+enum class Operation : std::uint8_t {
+  None,
+  Texture1D,
+  Texture2D,
+  TextureRectangle,
+  TextureCubeMap,
+  PassThrough,
+  CullFragment,
+  Offset2D,
+  Offset2DScale,
+  OffsetRectangle,
+  OffsetRectangleScale,
+  DependentAR2D,
+  DependentGB2D,
+  DotProduct,
+  DotProduct2D,
+  DotProductRectangle,
+  DotProductCubeMap,
+  DotProductReflectCubeMap,
+  DotProductConstEyeReflectCubeMap,
+  DotProductDiffuseCubeMap,
+  DotProductDepthReplace,
+  Texture3D,    // TS2
+  DotProduct3D, // TS2
+  OffsetProjective2D,
+  OffsetProjective2DScale,
+  OffsetProjectiveRectangle,
+  OffsetProjectiveRectangleScale,
+  OffsetHilo2D,
+  OffsetHiloRectangle,
+  OffsetHiloProjective2D,
+  OffsetHiloProjectiveRectangle,
+  DependentHilo2D,
+  DependentRgb3D,
+  DependentRgbCubeMap,
+  DotProductPassThrough,
+  DotProduct1D,
+  DotProductAffineDepthReplace,
+};
+inline constexpr int kOperations = 37;
+
+/// RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV.
+enum class Mapping : std::uint8_t { UnsignedIdentity, ExpandNormal, ForceBlueToOne };
+
+/// One unit's stage.
+struct Stage {
+  Operation operation = Operation::None;
+  std::uint8_t previous = 0; ///< PREVIOUS_TEXTURE_INPUT_NV, the number of a unit
+  std::uint8_t cullLess = 0; ///< CULL_MODES_NV: bit i is LESS of component i, else GEQUAL
+  Mapping mapping = Mapping::UnsignedIdentity;
+  bool operator==(const Stage &) const = default;
+};
+
+/// The base internal format of a texture (table 3.15).
+enum class Base : std::uint8_t {
+  None, ///< the target is not consistent: no texture that may be sampled
+  Alpha,
+  Luminance,
+  LuminanceAlpha,
+  Intensity,
+  Rgb,
+  Rgba,
+  Hilo,
+  Dsdt,
+  DsdtMag,
+  DsdtMagIntensity,
+};
+/// Its components' signedness.
+enum class Signs : std::uint8_t { Unsigned, Signed, SignedRgb };
+
+/// What the texture of a stage's target is.
+struct Texture {
+  Base base = Base::None;
+  Signs signs = Signs::Unsigned;
+  bool compares = false; ///< a depth texture, with TEXTURE_COMPARE_MODE
+  bool operator==(const Texture &) const = default;
+};
+/// Format type RGBA in the rules of consistency: DSDT_MAG_INTENSITY does not count as one.
+[[nodiscard]] constexpr bool isRgba(Base base) { return base >= Base::Alpha && base <= Base::Rgba; }
+
+/// The stages and the textures of their targets. Bytes without holes, to be compared and hashed.
+struct State {
+  std::array<Stage, kUnits> stages;
+  std::array<Texture, kUnits> textures;
+  std::uint8_t units = kUnits; ///< that there are
+  /// Conventional texturing in the form of stages, TEXTURE_SHADER_NV being disabled: ALPHA textures
+  /// are then (0, 0, 0, A).
+  bool conventional = false;
+  bool operator==(const State &) const = default;
+};
+
+/// The state with what it does not depend on as it is initially: stages that are not consistent are
+/// NONE, and what an operation does not read is at its default.
+[[nodiscard]] State essential(const State &state);
+
+/// The env parameters of a unit, behind those of register combiners: OFFSET_TEXTURE_MATRIX_NV (a1,
+/// a2, a3, a4), (OFFSET_TEXTURE_SCALE_NV, OFFSET_TEXTURE_BIAS_NV), CONST_EYE_NV.
+enum class Row : std::uint8_t { Matrix, ScaleBias, Eye };
+[[nodiscard]] constexpr int parameter(int unit, Row row) {
+  return combiners::kConstants + 3 * unit + int(row);
+}
+inline constexpr int kParameters = combiners::kConstants + 3 * kUnits;
+
+} // namespace arbiter::fp::texture_shader

@@ -1,0 +1,167 @@
+// TexEnv and GetTexEnv: the stages of NV_texture_shader, and the environments that their draws
+// depend on.
+#include <cmath>
+#include <type_traits>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/host_draw/fixed_function.h"
+#include "state/host_draw/variants/texture_shader_draw.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/programs/texture_shaders/texture_shader_names.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using fp::texture_shader::Row;
+using fp::texture_shader::Stage;
+
+void issue(Context &context, const TextureShaderCommand &command) {
+  noteProgramApiUse(context);
+  if (context.listMode)
+    return context.list->record(context,
+                                {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
+  executeTextureShaderCommand(context, command);
+}
+
+/// TexEnv of TEXTURE_SHADER_NV. An unknown pname may point to nothing.
+template <typename T> void setShader(Context &context, GLenum pname, const T *params, bool scalar) {
+  if (!outsideBeginEnd(context, "TexEnv of TEXTURE_SHADER_NV between Begin and End"))
+    return;
+  TextureShaderCommand command{
+      .kind = TextureShaderCommand::Kind::Environment, .scalar = scalar, .pname = pname};
+  const int count = params ? textureShaderValues(pname) : 0;
+  for (int i = 0; i < (scalar ? count != 0 : count); ++i)
+    command.values[std::size_t(i)] = GLfloat(params[i]);
+  context.textureShaders->used = true;
+  issue(context, command);
+}
+
+/// True for TEXTURE_ENV_MODE NONE, which the host lacks; of another mode the layer's is cleared.
+template <typename T> bool setMode(Context &context, GLenum target, GLenum pname, const T *params) {
+  if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE || !params || context.insideBeginEnd)
+    return false;
+  const bool none = params[0] == T(GL_NONE);
+  if (none || context.textureShaders->now().environmentNone != 0)
+    issue(context, {.kind = TextureShaderCommand::Kind::Mode, .values = {none ? 1.0f : 0.0f}});
+  return none;
+}
+
+/// Texture environments changed: draws that depend on them look again, and a list that is compiled
+/// is cut. One test where none does.
+void noteEnvironmentCommand(Context &context) {
+  if (context.listMode != 0 || followsTextures(context))
+    noteFixedFunctionCommand(context);
+}
+
+template <typename T, typename Host>
+void set(Context &context, GLenum target, GLenum pname, const T *params, bool scalar, Host host) {
+  if (!context.textureShaders) [[likely]]
+    return host();
+  if (target == GL_TEXTURE_SHADER_NV)
+    return setShader(context, pname, params, scalar);
+  if (setMode(context, target, pname, params))
+    return;
+  host();
+  if (pname != GL_TEXTURE_ENV_COLOR)
+    noteEnvironmentCommand(context);
+}
+
+template <typename T> void give(GLfloat value, T *to) {
+  if constexpr (std::is_integral_v<T>)
+    *to = T(std::lround(value));
+  else
+    *to = value;
+}
+template <typename T> void give(const Vec4 &values, int first, int count, T *to) {
+  for (int i = 0; i < count; ++i)
+    give(values[std::size_t(first + i)], to + i);
+}
+
+/// GetTexEnv of TEXTURE_SHADER_NV.
+template <typename T> void getShader(Context &context, GLenum pname, T *params) {
+  if (!outsideBeginEnd(context, "GetTexEnv between Begin and End"))
+    return;
+  const TextureShaderState &shaders = *context.textureShaders;
+  const GLuint unit = activeUnit(context);
+  if (textureShaderValues(pname) == 0 && pname != GL_SHADER_CONSISTENT_NV)
+    return raise(context, GL_INVALID_ENUM, "GetTexEnv: pname of TEXTURE_SHADER_NV");
+  if (unit >= GLuint(shaders.units()))
+    return raise(context, GL_INVALID_OPERATION, "GetTexEnv: the active unit has no environment");
+  const Stage &stage = shaders.now().stages[unit];
+  const auto &rows = shaders.now().rows[unit];
+  switch (pname) {
+  case GL_SHADER_CONSISTENT_NV:
+    *params = T(stageIsConsistent(context, int(unit)) ? GL_TRUE : GL_FALSE);
+    return;
+  case GL_SHADER_OPERATION_NV:
+    *params = T(nameOf(stage.operation));
+    return;
+  case GL_PREVIOUS_TEXTURE_INPUT_NV:
+    *params = T(GL_TEXTURE0 + stage.previous);
+    return;
+  case GL_RGBA_UNSIGNED_DOT_PRODUCT_MAPPING_NV:
+    *params = T(nameOf(stage.mapping));
+    return;
+  case GL_CULL_MODES_NV:
+    for (unsigned i = 0; i < 4; ++i)
+      params[i] = T((stage.cullLess >> i & 1u) != 0 ? GL_LESS : GL_GEQUAL);
+    return;
+  case GL_OFFSET_TEXTURE_MATRIX_NV:
+    return give(rows[std::size_t(Row::Matrix)], 0, 4, params);
+  case GL_CONST_EYE_NV:
+    return give(rows[std::size_t(Row::Eye)], 0, 3, params);
+  default:
+    return give(rows[std::size_t(Row::ScaleBias)], pname == GL_OFFSET_TEXTURE_SCALE_NV ? 0 : 1, 1,
+                params);
+  }
+}
+
+template <typename T, typename Host>
+void get(Context &context, GLenum target, GLenum pname, T *params, Host host) {
+  if (context.textureShaders && params && !context.insideBeginEnd) {
+    if (target == GL_TEXTURE_SHADER_NV)
+      return getShader(context, pname, params);
+    const std::uint8_t none = context.textureShaders->now().environmentNone;
+    if (none != 0 && target == GL_TEXTURE_ENV && pname == GL_TEXTURE_ENV_MODE)
+      if (const GLuint unit = activeUnit(context); unit < 8 && (none >> unit & 1u) != 0) {
+        *params = T(GL_NONE);
+        return;
+      }
+  }
+  host();
+}
+
+} // namespace
+
+namespace handlers {
+
+void TexEnvf(Context &context, GLenum target, GLenum pname, GLfloat param) {
+  set(context, target, pname, &param, true, [&] { context.host->TexEnvf(target, pname, param); });
+}
+void TexEnvi(Context &context, GLenum target, GLenum pname, GLint param) {
+  set(context, target, pname, &param, true, [&] { context.host->TexEnvi(target, pname, param); });
+}
+void TexEnvfv(Context &context, GLenum target, GLenum pname, const GLfloat *params) {
+  set(context, target, pname, params, false,
+      [&] { context.host->TexEnvfv(target, pname, params); });
+}
+void TexEnviv(Context &context, GLenum target, GLenum pname, const GLint *params) {
+  set(context, target, pname, params, false,
+      [&] { context.host->TexEnviv(target, pname, params); });
+}
+void GetTexEnvfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
+  get(context, target, pname, params, [&] { context.host->GetTexEnvfv(target, pname, params); });
+}
+void GetTexEnviv(Context &context, GLenum target, GLenum pname, GLint *params) {
+  get(context, target, pname, params, [&] { context.host->GetTexEnviv(target, pname, params); });
+}
+
+} // namespace handlers
+} // namespace arbiter::state

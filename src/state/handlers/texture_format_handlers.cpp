@@ -1,0 +1,125 @@
+// What is asked of textures with NV_texture_shader's internal formats, and the scales and biases of
+// their components.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/component_formats.h"
+#include "state/programs/texture_shaders/component_image.h"
+#include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The row of ComponentFormat::bits that a size's name asks for; -1 for another name.
+int sizeRow(GLenum pname) {
+  switch (pname) {
+  case GL_TEXTURE_RED_SIZE:
+    return 0;
+  case GL_TEXTURE_GREEN_SIZE:
+    return 1;
+  case GL_TEXTURE_BLUE_SIZE:
+    return 2;
+  case GL_TEXTURE_ALPHA_SIZE:
+    return 3;
+  case GL_TEXTURE_LUMINANCE_SIZE:
+    return 4;
+  case GL_TEXTURE_INTENSITY_SIZE:
+    return 5;
+  default:
+    break;
+  }
+  const GLenum at = pname - GL_TEXTURE_HI_SIZE_NV;
+  return at < 5 ? int(6 + at) : -1;
+}
+
+/// True, with the value, for what the host does not know of a level.
+bool levelValue(Context &context, GLenum target, GLint level, GLenum pname, GLint &value) {
+  if (!context.textureShaders || context.insideBeginEnd)
+    return false;
+  const int row = sizeRow(pname);
+  if (row < 0 && pname != GL_TEXTURE_INTERNAL_FORMAT)
+    return false;
+  const GLenum name = componentFormatOf(context, target, level);
+  GLint width = 0;
+  if (name != 0)
+    context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
+  const ComponentFormat *const own = width != 0 ? componentFormat(name) : nullptr;
+  if (!own) {
+    // A level of another format has none of these; the host judges target and level.
+    if (row < 6)
+      return false;
+    context.host->GetTexLevelParameteriv(target, level, GL_TEXTURE_WIDTH, &width);
+    value = 0;
+    return true;
+  }
+  value = row < 0 ? GLint(name) : own->bits[std::size_t(row)];
+  return true;
+}
+
+/// True for a scale or bias of the extension's components.
+bool transfer(Context &context, GLenum pname, GLfloat param) {
+  if (!context.textureShaders || componentTransfer(pname) < 0) [[likely]]
+    return false;
+  if (!outsideBeginEnd(context, "PixelTransfer between Begin and End"))
+    return true;
+  const TextureShaderCommand command = {
+      .kind = TextureShaderCommand::Kind::Transfer, .pname = pname, .values = {param}};
+  noteProgramApiUse(context);
+  if (context.listMode != 0)
+    context.list->record(context,
+                         {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(command)});
+  else
+    executeTextureShaderCommand(context, command);
+  return true;
+}
+
+} // namespace
+
+namespace handlers {
+
+/// In a list that texture shaders may be drawn from what follows looks at the textures again.
+void BindTexture(Context &context, GLenum target, GLuint texture) {
+  context.host->BindTexture(target, texture);
+  noteTextureChange(context);
+  if (context.listMode != 0 && !context.insideBeginEnd && context.textureShaders &&
+      context.textureShaders->used)
+    context.list->cut(context);
+}
+
+void GetTexLevelParameteriv(Context &context, GLenum target, GLint level, GLenum pname,
+                            GLint *params) {
+  GLint value = 0;
+  if (params && levelValue(context, target, level, pname, value)) {
+    *params = value;
+    return;
+  }
+  context.host->GetTexLevelParameteriv(target, level, pname, params);
+}
+
+void GetTexLevelParameterfv(Context &context, GLenum target, GLint level, GLenum pname,
+                            GLfloat *params) {
+  GLint value = 0;
+  if (params && levelValue(context, target, level, pname, value)) {
+    *params = GLfloat(value);
+    return;
+  }
+  context.host->GetTexLevelParameterfv(target, level, pname, params);
+}
+
+void PixelTransferf(Context &context, GLenum pname, GLfloat param) {
+  if (!transfer(context, pname, param))
+    context.host->PixelTransferf(pname, param);
+}
+
+void PixelTransferi(Context &context, GLenum pname, GLint param) {
+  if (!transfer(context, pname, GLfloat(param)))
+    context.host->PixelTransferi(pname, param);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

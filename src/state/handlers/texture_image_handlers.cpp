@@ -1,0 +1,332 @@
+// TexImage, TexSubImage and GetTexImage: the rasterizer's shadows are kept up to date, and images
+// of NV_texture_shader's formats are the layer's.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/core/plain_transfer.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/component_formats.h"
+#include "state/programs/texture_shaders/component_image.h"
+#include "state/programs/texture_shaders/component_texels.h"
+#include "state/programs/texture_shaders/texture_shader_commands.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/raster_draw/context_state.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// The command is executed now, and is no error for being where it is.
+bool executes(const Context &context) { return !context.insideBeginEnd && context.listMode == 0; }
+/// The same of a command that goes into a list, and changes pixels where the list is called.
+bool changes(Context &context) {
+  if (context.listMode != 0)
+    context.list->notePixels();
+  return executes(context);
+}
+
+// --- HILO components and texture offset groups ---
+
+GLenum errorOf(Context &context, const ComponentImage &image, GLenum type) {
+  if (const GLenum error = componentTypeError(image.format, type); error != GL_NO_ERROR)
+    return error;
+  if (image.replaces != 0)
+    return GL_NO_ERROR;
+  const ComponentFormat *const format =
+      componentFormat(image.internalFormat, context.textureShaders->extensions());
+  return format && format->external == image.format ? GL_NO_ERROR : GL_INVALID_OPERATION;
+}
+
+/// Whether an image may have the size, or a level the texels that are replaced: the application's
+/// memory is not read for a command that the host will refuse.
+bool hasRoom(Context &context, const ComponentImage &image) {
+  if (!mayHaveSize(context, image))
+    return false;
+  const GLsizei sizes[] = {image.width, image.height, image.depth};
+  if (image.replaces == 0 || context.listMode != 0)
+    return true;
+  const GLint from[] = {image.x, image.y, image.z};
+  constexpr GLenum kNames[] = {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH};
+  for (int i = 0; i < image.dimensions; ++i) {
+    GLint there = 0;
+    context.host->GetTexLevelParameteriv(image.target, image.level, kNames[i], &there);
+    if (from[i] > there || sizes[i] > there)
+      return false;
+  }
+  return true;
+}
+
+void giveComponents(Context &context, ComponentImage image, GLenum type, const void *pixels) {
+  if (const GLenum error = errorOf(context, image, type); error != GL_NO_ERROR)
+    return raise(context, error, "TexImage: format, type and internal format do not go together");
+  if (image.width < 0 || image.height < 0 || image.depth < 0)
+    return raise(context, GL_INVALID_VALUE, "TexImage: a size is negative");
+  GLint buffer = 0;
+  if (context.caps.pixelBuffers)
+    context.host->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer);
+  const bool empty = image.width == 0 || image.height == 0 || image.depth == 0;
+  image.hasPixels = !empty && (pixels || buffer != 0) && hasRoom(context, image) ? 1 : 0;
+  std::vector<GLfloat> components;
+  const ComponentPixels from = {
+      image.width, image.height, image.depth, componentsOf(image.format), type, image.dimensions};
+  if (image.hasPixels != 0 && !unpackComponents(context, from, pixels, components))
+    return;
+  if (context.listMode == 0 && context.software)
+    context.software->residency.textureRedefined(image.target);
+  if (context.listMode == 0)
+    return executeComponentImage(context, image, std::move(components));
+  noteProgramApiUse(context);
+  context.list->record(
+      context, {.kind = Command::Kind::ComponentImage, .bytes = bytesOf(image, components)});
+}
+
+/// True if the command was the layer's: it has such components, or mixes them with colours.
+bool isComponents(Context &context, const ComponentImage &image, GLenum type, const void *pixels) {
+  if (!context.textureShaders || context.insideBeginEnd) [[likely]]
+    return false;
+  if (isComponentFormat(image.format)) {
+    giveComponents(context, image, type, pixels);
+    return true;
+  }
+  const GLenum name = image.replaces == 0 ? image.internalFormat
+                      : context.listMode == 0
+                          ? componentFormatOf(context, image.target, image.level)
+                          : 0;
+  const ComponentFormat *const format = name != 0 ? componentFormat(name) : nullptr;
+  if (!isSignedPacked(type) && (!format || format->external == 0))
+    return false;
+  raise(context, GL_INVALID_OPERATION, "TexImage: format, type and internal format do not match");
+  return true;
+}
+
+// --- Colours ---
+
+/// A TexImage of colours; `host` is given the internal format that the host has for it.
+template <typename Host>
+void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
+  if (!context.textureShaders || context.insideBeginEnd) [[likely]]
+    return host(internalformat);
+  context.textureShaders->wholeTextures.clear();
+  noteTextureChange(context);
+  const ComponentFormat *const own =
+      componentFormat(GLenum(internalformat), context.textureShaders->extensions());
+  if (!own && !context.group->textureFormats.any()) [[likely]]
+    return host(internalformat);
+  const TextureShaderCommand format = {.kind = TextureShaderCommand::Kind::Format,
+                                       .pname = own ? own->name : 0,
+                                       .values = {GLfloat(target), GLfloat(level)}};
+  const GLint there = own ? GLint(own->host) : internalformat;
+  if (context.listMode != 0) {
+    host(there);
+    noteProgramApiUse(context);
+    return context.list->record(context,
+                                {.kind = Command::Kind::TextureShaders, .bytes = bytesOf(format)});
+  }
+  const GLenum earlier = takeHostErrors(*context.host);
+  host(there);
+  const GLenum error = takeHostErrors(*context.host);
+  if (error == GL_NO_ERROR)
+    executeTextureShaderCommand(context, format);
+  if (earlier != GL_NO_ERROR || error != GL_NO_ERROR)
+    raise(context, earlier != GL_NO_ERROR ? earlier : error, "TexImage");
+}
+
+// --- GetTexImage ---
+
+GLint sizeOf(const Context &context, GLenum target, GLint level, GLenum pname) {
+  GLint value = 0;
+  context.host->GetTexLevelParameteriv(target, level, pname, &value);
+  return value;
+}
+
+/// Of one of the two packed types, which the host lacks.
+void getSignedBytes(Context &context, GLenum target, GLint level, GLenum type, void *pixels) {
+  const ComponentPixels to = {sizeOf(context, target, level, GL_TEXTURE_WIDTH),
+                              std::max(sizeOf(context, target, level, GL_TEXTURE_HEIGHT), 1),
+                              std::max(sizeOf(context, target, level, GL_TEXTURE_DEPTH), 1),
+                              4,
+                              type,
+                              target == GL_TEXTURE_3D ? 3 : 2};
+  if (to.width == 0)
+    return;
+  std::vector<GLfloat> texels(std::size_t(to.width) * std::size_t(to.height) *
+                              std::size_t(to.depth) * 4);
+  {
+    const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+    context.host->GetTexImage(target, level, GL_RGBA, GL_FLOAT, texels.data());
+  }
+  if (pixels || context.caps.pixelBuffers)
+    (void)packSignedBytes(context, to, texels, pixels);
+}
+
+/// The format that the host knows; 0 where the command was an error, or is done.
+GLenum getFormat(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
+                 void *pixels) {
+  if (!context.textureShaders || context.insideBeginEnd) [[likely]]
+    return format;
+  const GLenum name = componentFormatOf(context, target, level);
+  const ComponentFormat *const own = name != 0 ? componentFormat(name) : nullptr;
+  const GLenum external = own ? own->external : 0;
+  if (!isComponentFormat(format) && external == 0 && !isSignedPacked(type)) [[likely]]
+    return format;
+  if (format != external) {
+    raise(context, GL_INVALID_OPERATION, "GetTexImage: the image has no such components");
+    return 0;
+  }
+  if (const GLenum error = componentTypeError(format, type); error != GL_NO_ERROR) {
+    raise(context, error, "GetTexImage: the format has no such type");
+    return 0;
+  }
+  if (isSignedPacked(type)) {
+    if (context.software)
+      context.software->residency.synchronise("glGetTexImage");
+    getSignedBytes(context, target, level, type, pixels);
+    return 0;
+  }
+  constexpr GLenum kFormats[] = {GL_RG, GL_RGB, GL_RGBA};
+  return kFormats[componentsOf(format) - 2];
+}
+
+} // namespace
+
+namespace handlers {
+
+void GetTexImage(Context &context, GLenum target, GLint level, GLenum format, GLenum type,
+                 void *pixels) {
+  const GLenum there = getFormat(context, target, level, format, type, pixels);
+  if (there == 0 && format != 0)
+    return;
+  if (executes(context) && context.software) {
+    if (context.software->residency.getTexImage(target, level, there, type, pixels))
+      return;
+    context.software->residency.synchronise("glGetTexImage");
+  }
+  context.host->GetTexImage(target, level, there, type, pixels);
+}
+
+void TexImage1D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLint border, GLenum format, GLenum type, const void *pixels) {
+  const ComponentImage image = {.dimensions = 1,
+                                .target = target,
+                                .level = level,
+                                .internalFormat = GLenum(internalformat),
+                                .border = border,
+                                .width = width,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  if (changes(context) && context.software)
+    context.software->residency.textureRedefined(target);
+  defineColors(context, target, level, internalformat, [&](GLint there) {
+    context.host->TexImage1D(target, level, there, width, border, format, type, pixels);
+  });
+}
+
+void TexImage2D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels) {
+  const ComponentImage image = {.target = target,
+                                .level = level,
+                                .internalFormat = GLenum(internalformat),
+                                .border = border,
+                                .width = width,
+                                .height = height,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (changes(context) && context.software)
+      context.software->residency.texImage2D(target, level, there, width, height, border, format,
+                                             type, pixels);
+    context.host->TexImage2D(target, level, there, width, height, border, format, type, pixels);
+  });
+}
+
+void TexImage3D(Context &context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
+                const void *pixels) {
+  const ComponentImage image = {.dimensions = 3,
+                                .target = target,
+                                .level = level,
+                                .internalFormat = GLenum(internalformat),
+                                .border = border,
+                                .width = width,
+                                .height = height,
+                                .depth = depth,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  if (changes(context) && context.software)
+    context.software->residency.textureRedefined(target);
+  defineColors(context, target, level, internalformat, [&](GLint there) {
+    context.host->TexImage3D(target, level, there, width, height, depth, border, format, type,
+                             pixels);
+  });
+}
+
+void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, GLsizei width,
+                   GLenum format, GLenum type, const void *pixels) {
+  const ComponentImage image = {.dimensions = 1,
+                                .replaces = 1,
+                                .target = target,
+                                .level = level,
+                                .x = xoffset,
+                                .width = width,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
+                                            pixels);
+  context.host->TexSubImage1D(target, level, xoffset, width, format, type, pixels);
+}
+
+void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                   GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels) {
+  const ComponentImage image = {.replaces = 1,
+                                .target = target,
+                                .level = level,
+                                .x = xoffset,
+                                .y = yoffset,
+                                .width = width,
+                                .height = height,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
+                                            format, type, pixels);
+  context.host->TexSubImage2D(target, level, xoffset, yoffset, width, height, format, type, pixels);
+}
+
+void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                   GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                   GLenum type, const void *pixels) {
+  const ComponentImage image = {.dimensions = 3,
+                                .replaces = 1,
+                                .target = target,
+                                .level = level,
+                                .x = xoffset,
+                                .y = yoffset,
+                                .z = zoffset,
+                                .width = width,
+                                .height = height,
+                                .depth = depth,
+                                .format = format};
+  if (isComponents(context, image, type, pixels))
+    return;
+  if (changes(context) && context.software)
+    context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,
+                                            depth, format, type, pixels);
+  context.host->TexSubImage3D(target, level, xoffset, yoffset, zoffset, width, height, depth,
+                              format, type, pixels);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

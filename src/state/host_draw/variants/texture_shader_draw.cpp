@@ -1,0 +1,157 @@
+#include "state/host_draw/variants/texture_shader_draw.h"
+
+#include "fp_compiler/texture_shader/operations.h"
+#include "state/core/context.h"
+#include "state/host_draw/linked_program.h"
+#include "state/host_draw/sampler_override.h"
+#include "state/host_draw/variants/environment_now.h"
+#include "state/host_draw/variants/fixed_function_now.h"
+#include "state/host_draw/variants/shader_textures.h"
+#include "state/programs/combiners/combiner_state.h"
+#include "state/programs/program_bind.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using fp::ir::TexTarget;
+using fp::texture_shader::Base;
+using fp::texture_shader::Operation;
+using fp::texture_shader::Stage;
+using fp::texture_shader::State;
+
+Operation conventionalOperation(TexTarget target) {
+  switch (target) {
+  case TexTarget::Tex1D:
+    return Operation::Texture1D;
+  case TexTarget::Tex3D:
+    return Operation::Texture3D;
+  case TexTarget::Cube:
+    return Operation::TextureCubeMap;
+  case TexTarget::Rect:
+    return Operation::TextureRectangle;
+  default:
+    return Operation::Texture2D;
+  }
+}
+
+std::uint32_t allUnits(const Context &context) {
+  return (1u << unsigned(context.textureShaders->units())) - 1u;
+}
+
+/// The application's samplers and textures are asked, not the layer's.
+void releaseOverride(Context &context) {
+  if (!context.samplerOverride->active())
+    return;
+  context.samplerOverride->release(context);
+  context.attention |= attention::kCompare;
+}
+
+void askTextures(Context &context, State &state) {
+  releaseOverride(context);
+  for (int unit = 0; unit < state.units; ++unit) {
+    const auto &info = fp::texture_shader::infoOf(state.stages[std::size_t(unit)].operation);
+    if (info.target)
+      state.textures[std::size_t(unit)] = boundTexture(context, unit, *info.target);
+  }
+}
+
+bool isEnabled(const Context &context) { return context.row(Target::TextureShaders).enabled; }
+
+/// The stages and what they sample; conventional ones where the enable is off.
+State stagesNow(Context &context) {
+  const TextureShaderState &shaders = *context.textureShaders;
+  State state;
+  state.units = std::uint8_t(shaders.units());
+  state.conventional = !isEnabled(context);
+  if (!state.conventional) {
+    state.stages = shaders.now().stages;
+  } else {
+    const fp::FixedFunction fixed = fixedFunctionNow(context, allUnits(context));
+    for (std::size_t unit = 0; unit < state.units; ++unit)
+      if ((fixed.disabledUnits >> unit & 1u) == 0)
+        state.stages[unit].operation = conventionalOperation(fixed.targets[unit]);
+  }
+  askTextures(context, state);
+  return state;
+}
+
+/// A texture whose meaning fixed function lacks.
+bool isSpecial(const fp::texture_shader::Texture &texture) {
+  return texture.base >= Base::Hilo || texture.signs != fp::texture_shader::Signs::Unsigned;
+}
+
+} // namespace
+
+std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const fp::GlslHost &host,
+                                                         bool combines) {
+  TextureShaderState &shaders = *context.textureShaders;
+  fp::texture_shader::Key key;
+  key.shaders = stagesNow(context);
+  const fp::FixedFunction fixed = fixedFunctionNow(context, 0);
+  key.fog = fixed.fog;
+  key.combines = combines;
+  if (combines) {
+    key.combiners = context.combiners->state();
+  } else {
+    key.environments = environmentsNow(context);
+    key.colorSum = fixed.colorSum;
+  }
+  context.followsFixedFunction = true;
+  shaders.effective = true;
+  shaders.drawnUnder = key.shaders;
+  shaders.texturesChanged = false;
+  return shaders.programUnder(context, fp::texture_shader::essential(key), host);
+}
+
+bool texturesNeedLayer(Context &context) {
+  if (!context.textureShaders || isEnabled(context))
+    return false;
+  const std::uint8_t none = context.textureShaders->now().environmentNone;
+  if (none == 0 && !context.group->textureFormats.any()) [[likely]]
+    return false;
+  const State state = stagesNow(context);
+  for (std::size_t unit = 0; unit < state.units; ++unit)
+    if (isSpecial(state.textures[unit]) ||
+        ((none >> unit & 1) != 0 && state.stages[unit].operation != Operation::None))
+      return true;
+  return false;
+}
+
+bool mayFollowTextures(const Context &context) {
+  return followsTextures(context) && (context.textureShaders->texturesChanged ||
+                                      context.group->contexts.load(std::memory_order_relaxed) > 1);
+}
+
+void followTextures(Context &context) {
+  if ((context.attention & attention::kProgram) != 0)
+    return; // the choice looks by itself
+  TextureShaderState &shaders = *context.textureShaders;
+  shaders.texturesChanged = false;
+  if (!shaders.effective) {
+    const LinkedProgram *const linked = context.linkedProgram;
+    const bool combines = linked && linked->fragment.compiled &&
+                          linked->fragment.compiled->target == Target::Combiners;
+    if ((combines || context.path == Path::NoProgram) && texturesNeedLayer(context))
+      invalidateProgram(context);
+    return;
+  }
+  State now = shaders.drawnUnder;
+  now.textures = {};
+  askTextures(context, now);
+  if (!(now == shaders.drawnUnder))
+    invalidateProgram(context);
+}
+
+bool stageIsConsistent(Context &context, int unit) {
+  TextureShaderState &shaders = *context.textureShaders;
+  State state;
+  state.units = std::uint8_t(shaders.units());
+  state.stages = shaders.now().stages;
+  askTextures(context, state);
+  return (fp::texture_shader::consistentStages(state) >> unit & 1u) != 0;
+}
+
+} // namespace arbiter::state

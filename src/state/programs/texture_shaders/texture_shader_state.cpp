@@ -1,0 +1,104 @@
+#include "state/programs/texture_shaders/texture_shader_state.h"
+
+#include <type_traits>
+
+#include "fp_compiler/abi.h"
+#include "state/core/context.h"
+#include "state/host_draw/variants/drop_variants.h"
+#include "state/host_draw/variants/state_program.h"
+#include "state/programs/combiners/combiner_state.h"
+#include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+using fp::texture_shader::Key;
+using fp::texture_shader::Row;
+
+namespace {
+
+/// An application has some hundreds. One that makes others for ever begins again here.
+constexpr std::size_t kMostPrograms = 2048;
+
+void setEnv(Context &context, int index, const Vec4 &value) {
+  ProgramTarget &row = context.row(Target::TextureShaders);
+  row.env[std::size_t(index)] = value;
+  ++row.envVersion;
+  context.attention |= row.parameterBits;
+}
+
+} // namespace
+
+std::size_t TextureShaderState::KeyHash::operator()(const Key &key) const {
+  static_assert(std::has_unique_object_representations_v<Key>);
+  return abi::hashOf(key);
+}
+
+TextureShaderSettings &TextureShaderState::writable() {
+  if (m_settings.use_count() > 1)
+    m_settings = std::make_shared<TextureShaderSettings>(*m_settings);
+  return *m_settings;
+}
+
+void TextureShaderState::changed(Context &context) {
+  if (effective || m_settings->environmentNone != 0 || context.row(Target::TextureShaders).enabled)
+    invalidateProgram(context);
+}
+
+void TextureShaderState::setRow(Context &context, int unit, Row row, const Vec4 &value) {
+  const auto at = std::size_t(row);
+  if (m_settings->rows[std::size_t(unit)][at] == value)
+    return;
+  writable().rows[std::size_t(unit)][at] = value;
+  setEnv(context, fp::texture_shader::parameter(unit, row), value);
+}
+
+void TextureShaderState::restore(Context &context,
+                                 const std::shared_ptr<const TextureShaderSettings> &settings) {
+  if (settings == m_settings)
+    return;
+  changed(context);
+  m_settings = std::const_pointer_cast<TextureShaderSettings>(settings); // this class made them
+  setParameters(context);
+  changed(context);
+}
+
+void TextureShaderState::setParameters(Context &context) {
+  if (context.combiners)
+    for (int index = 0; index < fp::combiners::kConstants; ++index)
+      setEnv(context, index, context.combiners->constant(index));
+  for (int unit = 0; unit < fp::texture_shader::kUnits; ++unit)
+    for (const Row row : {Row::Matrix, Row::ScaleBias, Row::Eye})
+      setEnv(context, fp::texture_shader::parameter(unit, row),
+             m_settings->rows[std::size_t(unit)][std::size_t(row)]);
+}
+
+std::shared_ptr<const CompiledProgram>
+TextureShaderState::programUnder(Context &context, const Key &key, const fp::GlslHost &host) {
+  if (const auto it = m_programs.find(key); it != m_programs.end())
+    return it->second;
+  if (m_programs.size() >= kMostPrograms) {
+    for (const auto &known : m_programs)
+      dropVariants(context, *known.second);
+    m_programs.clear();
+  }
+  return m_programs
+      .emplace(key, programOfState(context, Target::TextureShaders, fp::texture_shader::lower(key),
+                                   host))
+      .first->second;
+}
+
+bool followsTextures(const Context &context) {
+  const TextureShaderState *const shaders = context.textureShaders.get();
+  return shaders && (shaders->effective || shaders->now().environmentNone != 0 ||
+                     context.group->textureFormats.any());
+}
+
+void noteTextureChange(Context &context) {
+  if (!followsTextures(context))
+    return;
+  context.textureShaders->texturesChanged = true;
+  context.attention |= attention::kDepth;
+}
+
+} // namespace arbiter::state

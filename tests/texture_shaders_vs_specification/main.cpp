@@ -1,0 +1,227 @@
+// texture_shaders [--first SEED] [--count N] [--verbose]: draws with random stages of
+// NV_texture_shader, 2 and 3, before register combiners and before texture environments, and
+// compares each pixel with the specification's words, worked out in double precision. Ends with one
+// line of JSON: what was drawn, what differs, what was not judged.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "fp_compiler/texture_shader/operations.h"
+#include "../combiners_vs_specification/open_context.h"
+#include "scene.h"
+
+namespace {
+
+using namespace arbiter::fp;
+using texture_shader::Color;
+using texture_shader::Evaluated;
+
+constexpr double kTolerance = 1.0; ///< of 255, between a byte that was drawn and the specification
+constexpr double kDepthTolerance = 1e-4;
+/// Coordinates so near to another texel, in texels, and quotients so near to 0/0 may be either.
+constexpr double kUndetermined = 1e-3;
+
+struct Options {
+  std::uint64_t first = 0;
+  int count = 100;
+  bool verbose = false;
+};
+
+struct Tally {
+  int states = 0, different = 0;
+  long cells = 0, unjudged = 0, discarded = 0, depths = 0, stages = 0, inconsistent = 0;
+  double worst = 0.0;
+  std::array<long, texture_shader::kOperations> operations{}; ///< consistent stages of each
+};
+
+void makeTarget() {
+  GLuint framebuffer = 0, buffers[2] = {};
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(2, buffers);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  constexpr GLenum kFormats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+  constexpr GLenum kPoints[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  for (int i = 0; i < 2; ++i) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+    glRenderbufferStorage(GL_RENDERBUFFER, kFormats[i], shaded::kSize, shaded::kSize);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, kPoints[i], GL_RENDERBUFFER, buffers[i]);
+  }
+  glViewport(0, 0, shaded::kSize, shaded::kSize);
+  glDisable(GL_DITHER);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  const auto &c = shaded::kClearColor;
+  glClearColor(c[0], c[1], c[2], c[3]);
+  glClearDepth(double(shaded::kClearDepth));
+}
+
+struct Picture {
+  std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(shaded::kSize * shaded::kSize * 4);
+  std::vector<float> depths = std::vector<float>(shaded::kSize * shaded::kSize);
+
+  void read() {
+    glReadPixels(0, 0, shaded::kSize, shaded::kSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glReadPixels(0, 0, shaded::kSize, shaded::kSize, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  }
+};
+
+/// How far a cell's pixels are from what is expected, in steps of a byte; of depths that are
+/// further than their tolerance a thousand.
+double distanceOf(const Picture &picture, int cell, const Color &color, const double *depth) {
+  double worst = 0.0;
+  const int x0 = cell % shaded::kCells * shaded::kCellSize,
+            y0 = cell / shaded::kCells * shaded::kCellSize;
+  for (int y = y0; y < y0 + shaded::kCellSize; ++y)
+    for (int x = x0; x < x0 + shaded::kCellSize; ++x) {
+      const std::size_t at = std::size_t(y) * shaded::kSize + std::size_t(x);
+      for (std::size_t c = 0; c < 4; ++c)
+        worst = std::max(worst, std::abs(double(picture.pixels[at * 4 + c]) -
+                                         std::clamp(color[c], 0.0, 1.0) * 255.0));
+
+      if (depth && std::abs(double(picture.depths[at]) - *depth) > kDepthTolerance)
+        worst = std::max(worst, 1000.0);
+    }
+  return worst;
+}
+
+void report(std::uint64_t seed, const shaded::Scene &scene, int cell, double distance,
+            const Evaluated &expected, const Color &color) {
+  std::printf("seed %llu, cell %d: %.2f steps of 255 away; (%.4f %.4f %.4f %.4f) by the "
+              "specification%s%s, by %s%s; stages",
+              static_cast<unsigned long long>(seed), cell, distance, color[0], color[1], color[2],
+              color[3], expected.discarded ? ", discarded" : "",
+              expected.replacesDepth ? ", a depth" : "",
+              scene.combines() ? "combiners" : "environments",
+              scene.state().conventional ? ", conventional" : "");
+  for (std::size_t unit = 0; unit < scene.state().units; ++unit)
+    std::printf(" %d(%d,%d)%s", int(scene.state().stages[unit].operation),
+                int(scene.state().textures[unit].base), int(scene.state().textures[unit].signs),
+                expected.consistent[unit] ? "" : "!");
+  if (expected.replacesDepth)
+    std::printf("; depth %.7f, margin %.5f", expected.depth, expected.margin);
+  std::printf("\n");
+}
+
+void judge(std::uint64_t seed, const shaded::Scene &scene, const Options &options, Tally &tally) {
+  Picture picture;
+  picture.read();
+  bool same = true;
+  for (int cell = 0; cell < shaded::kCells * shaded::kCells; ++cell) {
+    const Evaluated expected = scene.evaluate(cell);
+    if (cell == 0)
+      for (std::size_t unit = 0; unit < scene.state().units; ++unit) {
+        ++tally.stages;
+        tally.inconsistent += expected.consistent[unit] ? 0 : 1;
+        tally.operations[std::size_t(scene.state().stages[unit].operation)] +=
+            expected.consistent[unit] ? 1 : 0;
+      }
+    ++tally.cells;
+    if (expected.margin < kUndetermined) {
+      ++tally.unjudged;
+      continue;
+    }
+    tally.discarded += expected.discarded ? 1 : 0;
+    tally.depths += expected.replacesDepth && !expected.discarded ? 1 : 0;
+    const auto &clear = shaded::kClearColor;
+    const Color color = expected.discarded ? Color{double(clear[0]), double(clear[1]),
+                                                   double(clear[2]), double(clear[3])}
+                                           : scene.colorOf(cell, expected);
+    const double depth = expected.discarded ? double(shaded::kClearDepth) : expected.depth;
+    const double distance = distanceOf(
+        picture, cell, color, expected.discarded || expected.replacesDepth ? &depth : nullptr);
+    tally.worst = std::max(tally.worst, distance);
+    if (distance <= kTolerance)
+      continue;
+    if (same || options.verbose)
+      report(seed, scene, cell, distance, expected, color);
+    same = false;
+  }
+  ++tally.states;
+  tally.different += same ? 0 : 1;
+}
+
+/// SHADER_CONSISTENT_NV of every unit against the specification's rules.
+bool consistencyIsTold(std::uint64_t seed, const shaded::Scene &scene) {
+  if (scene.state().conventional)
+    return true;
+  const Evaluated expected = scene.evaluate(0);
+  for (unsigned unit = 0; unit < scene.state().units; ++unit) {
+    GLint told = -1;
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glGetTexEnviv(GL_TEXTURE_SHADER_NV, GL_SHADER_CONSISTENT_NV, &told);
+    if (told == GLint(expected.consistent[unit]))
+      continue;
+    std::printf("seed %llu, unit %u: SHADER_CONSISTENT_NV is %d\n",
+                static_cast<unsigned long long>(seed), unit, told);
+    return false;
+  }
+  return true;
+}
+
+int run(const Options &options) {
+  GLint units = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+  units = std::min(units, GLint(texture_shader::kUnits));
+  makeTarget();
+  shaded::Scene scene;
+  Tally tally;
+  for (std::uint64_t seed = options.first; seed < options.first + std::uint64_t(options.count);
+       ++seed) {
+    testing::Random random(seed);
+    scene.arrange(random, units);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    scene.draw();
+    judge(seed, scene, options, tally);
+    tally.different += consistencyIsTold(seed, scene) ? 0 : 1;
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+      std::fprintf(stderr, "seed %llu: GL error 0x%04X\n", static_cast<unsigned long long>(seed),
+                   error);
+      return 1;
+    }
+  }
+  long least = tally.stages;
+  for (std::size_t i = 1; i < tally.operations.size(); ++i)
+    least = std::min(least, tally.operations[i]);
+  std::printf("{\"renderer\": \"%s\", \"units\": %d, \"states\": %d, \"different\": %d, "
+              "\"cells\": %ld, \"unjudged\": %ld, \"discarded\": %ld, \"depths\": %ld, "
+              "\"stages\": %ld, \"inconsistent\": %ld, \"least_of_an_operation\": %ld, "
+              "\"worst_steps\": %.3f}\n",
+              reinterpret_cast<const char *>(glGetString(GL_RENDERER)), units, tally.states,
+              tally.different, tally.cells, tally.unjudged, tally.discarded, tally.depths,
+              tally.stages, tally.inconsistent, least, tally.worst);
+  return tally.different == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const char *const next = i + 1 < argc ? argv[i + 1] : nullptr;
+    if (word == "--verbose")
+      options.verbose = true;
+    else if (word == "--first" && next)
+      options.first = std::strtoull(argv[++i], nullptr, 10);
+    else if (word == "--count" && next)
+      options.count = std::atoi(argv[++i]);
+    else {
+      std::fprintf(stderr, "usage: texture_shaders [--first SEED] [--count N] [--verbose]\n");
+      return 2;
+    }
+  }
+  if (!openContext()) {
+    std::fprintf(stderr, "no OpenGL context without a window system\n");
+    return 77;
+  }
+  if (!epoxy_has_gl_extension("GL_NV_texture_shader3")) {
+    std::fprintf(stderr, "GL_NV_texture_shader3 is not announced\n");
+    return 77;
+  }
+  return run(options);
+}

@@ -1,0 +1,182 @@
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fp_compiler/testing/random_texture_shaders.h"
+#include "fp_compiler/texture_shader/operations.h"
+#include "issue.h"
+
+namespace shaded {
+
+using namespace arbiter::fp::texture_shader;
+using arbiter::fp::testing::Random;
+
+namespace {
+
+constexpr GLenum kTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D,
+                               GL_TEXTURE_CUBE_MAP};
+
+/// Random numbers are of a grid that edges of texels are on.
+constexpr float kOffGrid = 0.0011f;
+
+Color color(Random &random) {
+  Color value;
+  for (double &c : value)
+    c = double(random.real(0.0f, 1.0f));
+  return value;
+}
+
+} // namespace
+
+Scene::Scene() : m_textures(makeTextures()), m_cells(kCells * kCells) {}
+
+/// Conventional texturing: each unit has a target or none.
+void Scene::arrangeConventional(Random &random) {
+  constexpr Operation kOperations[] = {Operation::None,      Operation::Texture1D,
+                                       Operation::Texture2D, Operation::TextureRectangle,
+                                       Operation::Texture3D, Operation::TextureCubeMap};
+  m_state.conventional = true;
+  for (std::size_t unit = 0; unit < m_state.units; ++unit) {
+    m_state.stages[unit] = {};
+    m_state.stages[unit].operation = kOperations[random.below(6)];
+    m_state.textures[unit] = arbiter::fp::testing::randomTexture(random);
+  }
+}
+
+/// A texture of the kind that the state wants, and of any other targets any.
+void Scene::bind(Random &random, int unit) {
+  const auto at = std::size_t(unit);
+  const GLenum wanted = targetOf(m_state.stages[at].operation);
+  m_bound[at] = nullptr;
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  for (const GLenum target : kTargets) {
+    std::vector<const Texture *> fitting;
+    for (const Texture &texture : m_textures)
+      if (texture.target == target && (target != wanted || texture.kind == m_state.textures[at]))
+        fitting.push_back(&texture);
+    const Texture *const texture = fitting[std::size_t(random.below(int(fitting.size())))];
+    glBindTexture(target, texture->name);
+    if (target == wanted)
+      m_bound[at] = texture;
+  }
+}
+
+void Scene::arrangeParameters(Random &random) {
+  for (std::size_t unit = 0; unit < m_state.units; ++unit) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    const auto wide = [&] { return random.real(-1.5f, 1.5f); };
+    GLfloat matrix[4], eye[3];
+    for (std::size_t i = 0; i < 4; ++i)
+      m_inputs.matrices[unit][i] = double(matrix[i] = wide());
+    for (std::size_t i = 0; i < 3; ++i)
+      m_inputs.eyes[unit][i] = double(eye[i] = wide());
+    const GLfloat scale = wide(), bias = wide();
+    m_inputs.scales[unit] = double(scale);
+    m_inputs.biases[unit] = double(bias);
+    glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, matrix);
+    glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, eye);
+    glTexEnvf(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, scale);
+    glTexEnvf(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_BIAS_NV, bias);
+  }
+  constexpr float kRanges[][2] = {{0, 1}, {0.125f, 0.875f}, {0.75f, 0.25f}};
+  const auto &range = kRanges[random.below(3)];
+  glDepthRange(double(range[0]), double(range[1]));
+  m_inputs.near = double(range[0]);
+  m_inputs.far = double(range[1]);
+}
+
+void Scene::arrangeCoordinates(Random &random) {
+  for (Cell &cell : m_cells)
+    for (std::size_t unit = 0; unit < m_state.units; ++unit) {
+      const Stage &stage = m_state.stages[unit];
+      const Family family = infoOf(stage.operation).family;
+      Color &c = cell.coordinates[unit];
+      const bool texels = targetOf(stage.operation) == GL_TEXTURE_RECTANGLE &&
+                          (family == Family::Texture || family == Family::Offset);
+      for (std::size_t i = 0; i < 3; ++i)
+        c[i] = double(random.real(-1.25f, 1.25f) + kOffGrid) * (texels ? 8.0 : 1.0);
+      if (random.chance(60) && !texels)
+        c[0] = std::abs(c[0]);
+      c[3] = random.chance(50) ? 1.0 : 2.0;
+      if (family == Family::Dot || family == Family::Reflect || family == Family::Diffuse)
+        c[3] = double(random.real(-1.25f, 1.25f)); // an eye vector's component
+      for (std::size_t i = 0; i < 4 && family == Family::Cull; ++i) {
+        const bool less = (stage.cullLess >> i & 1) != 0;
+        const double size = random.chance(10) && !less ? 0.0 : double(random.real(0.125f, 2.0f));
+        c[i] = (less != random.chance(8)) ? -size : size;
+      }
+    }
+}
+
+void Scene::arrangeColoring(Random &random) {
+  m_combines = random.chance(50);
+  (m_combines ? glEnable : glDisable)(GL_REGISTER_COMBINERS_NV);
+  m_shown = random.below(m_state.units);
+  showUnit(m_shown);
+  m_environments = arbiter::fp::testing::randomEnvironments(random, m_state.units);
+  for (Environment &environment : m_environments)
+    if (m_state.conventional && (environment.mode == EnvironmentMode::Combine ||
+                                 environment.mode == EnvironmentMode::Decal))
+      environment = {EnvironmentMode::Modulate, {}, {}}; // what GL leaves undefined is the host's
+  issue(m_environments, m_state.units);
+  for (std::size_t unit = 0; unit < m_state.units; ++unit) {
+    m_constants[unit] = color(random);
+    const Color &c = m_constants[unit];
+    const GLfloat single[] = {GLfloat(c[0]), GLfloat(c[1]), GLfloat(c[2]), GLfloat(c[3])};
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, single);
+  }
+  for (Cell &cell : m_cells)
+    cell.primary = color(random);
+}
+
+void Scene::arrange(Random &random, int units) {
+  m_state = arbiter::fp::testing::randomTextureShaders(random, units);
+  if (random.chance(12))
+    arrangeConventional(random);
+  issue(m_state);
+  for (int unit = 0; unit < units; ++unit)
+    bind(random, unit);
+  arrangeParameters(random);
+  arrangeCoordinates(random);
+  arrangeColoring(random);
+  m_inputs.sample = [this](int unit, const std::array<double, 3> &at) {
+    return m_bound[std::size_t(unit)]->at(at);
+  };
+}
+
+void Scene::draw() const {
+  glBegin(GL_QUADS);
+  for (int i = 0; i < kCells * kCells; ++i) {
+    const Cell &cell = m_cells[std::size_t(i)];
+    glColor4dv(cell.primary.data());
+    for (unsigned unit = 0; unit < m_state.units; ++unit)
+      glMultiTexCoord4dv(GL_TEXTURE0 + unit, cell.coordinates[unit].data());
+    const float x = float(i % kCells) * 2.0f / kCells - 1.0f,
+                y = float(i / kCells) * 2.0f / kCells - 1.0f, side = 2.0f / kCells;
+    glVertex2f(x, y);
+    glVertex2f(x + side, y);
+    glVertex2f(x + side, y + side);
+    glVertex2f(x, y + side);
+  }
+  glEnd();
+}
+
+Evaluated Scene::evaluate(int cell) const {
+  Inputs inputs = m_inputs;
+  inputs.coordinates = m_cells[std::size_t(cell)].coordinates;
+  return arbiter::fp::texture_shader::evaluate(m_state, inputs);
+}
+
+Color Scene::colorOf(int cell, const Evaluated &evaluated) const {
+  if (!m_combines)
+    return evaluateEnvironments(m_environments, evaluated.environment, evaluated.colors,
+                                m_constants, m_cells[std::size_t(cell)].primary);
+  Color color = evaluated.colors[std::size_t(m_shown)];
+  for (double &c : color)
+    c = c * 0.5 + 0.5;
+  return color;
+}
+
+} // namespace shaded

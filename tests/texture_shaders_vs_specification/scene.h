@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "fp_compiler/testing/evaluate_environments.h"
+#include "fp_compiler/testing/random.h"
+#include "textures.h"
+
+/// What random stages are drawn with: textures of every target and format, and an 8x8 grid of
+/// rectangles, each of one colour and one coordinate a unit, so that no interpolation stands
+/// between a draw and the specification.
+namespace shaded {
+
+inline constexpr int kCells = 8;    ///< a side
+inline constexpr int kCellSize = 4; ///< in pixels
+inline constexpr int kSize = kCells * kCellSize;
+
+/// What the framebuffer holds before a draw.
+inline constexpr std::array<float, 4> kClearColor = {0.2f, 0.4f, 0.6f, 0.8f};
+inline constexpr float kClearDepth = 0.125f;
+
+class Scene {
+public:
+  Scene();
+  /// New stages and new values for everything around them; GL is set to it.
+  void arrange(arbiter::fp::testing::Random &random, int units);
+  void draw() const;
+
+  [[nodiscard]] const arbiter::fp::texture_shader::State &state() const { return m_state; }
+  [[nodiscard]] bool combines() const { return m_combines; }
+  [[nodiscard]] arbiter::fp::texture_shader::Evaluated evaluate(int cell) const;
+  /// The colour that the framebuffer gets of a fragment, before it is clamped.
+  [[nodiscard]] arbiter::fp::texture_shader::Color
+  colorOf(int cell, const arbiter::fp::texture_shader::Evaluated &evaluated) const;
+
+private:
+  struct Cell {
+    std::array<arbiter::fp::texture_shader::Color, arbiter::fp::texture_shader::kUnits>
+        coordinates{};
+    arbiter::fp::texture_shader::Color primary{};
+  };
+
+  void arrangeConventional(arbiter::fp::testing::Random &random);
+  void bind(arbiter::fp::testing::Random &random, int unit);
+  void arrangeParameters(arbiter::fp::testing::Random &random);
+  void arrangeCoordinates(arbiter::fp::testing::Random &random);
+  void arrangeColoring(arbiter::fp::testing::Random &random);
+
+  std::vector<Texture> m_textures;
+  arbiter::fp::texture_shader::State m_state;
+  std::array<const Texture *, arbiter::fp::texture_shader::kUnits> m_bound{};
+  bool m_combines = false;
+  int m_shown = 0;
+  arbiter::fp::texture_shader::Environments m_environments;
+  std::array<arbiter::fp::texture_shader::Color, arbiter::fp::texture_shader::kUnits> m_constants{};
+  arbiter::fp::texture_shader::Inputs m_inputs; ///< without coordinates
+  std::vector<Cell> m_cells;
+};
+
+} // namespace shaded
