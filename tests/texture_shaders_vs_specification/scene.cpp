@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fp_compiler/testing/random_texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
@@ -27,9 +28,25 @@ Color color(Random &random) {
   return value;
 }
 
+/// What ARB_texture_env_combine and NV_texture_env_combine4 alone have no name for becomes what
+/// they have: hosts without ATI_texture_env_combine3 lack its functions, and its sources but with
+/// four arguments.
+void withoutAtis(Environment &environment) {
+  for (CombineHalf *const half : {&environment.color, &environment.alpha}) {
+    if (half->function >= CombineFunction::ModulateAdd &&
+        half->function <= CombineFunction::ModulateSubtract)
+      half->function = CombineFunction::Modulate;
+    const bool four = argumentsOf(half->function) == 4;
+    for (CombineArgument &argument : half->arguments)
+      if (argument.source == CombineSource::One ||
+          (argument.source == CombineSource::Zero && !four))
+        argument.source = CombineSource::Previous;
+  }
+}
+
 } // namespace
 
-Scene::Scene() : m_textures(makeTextures()), m_cells(kCells * kCells) {}
+Scene::Scene(bool peer) : m_peer(peer), m_textures(makeTextures(peer)), m_cells(kCells * kCells) {}
 
 /// Conventional texturing: each unit has a target or none.
 void Scene::arrangeConventional(Random &random) {
@@ -74,6 +91,8 @@ void Scene::arrangeParameters(Random &random) {
     const GLfloat scale = wide(), bias = wide();
     m_inputs.scales[unit] = double(scale);
     m_inputs.biases[unit] = double(bias);
+    if (m_peer)
+      std::swap(matrix[1], matrix[2]);
     glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_MATRIX_NV, matrix);
     glTexEnvfv(GL_TEXTURE_SHADER_NV, GL_CONST_EYE_NV, eye);
     glTexEnvf(GL_TEXTURE_SHADER_NV, GL_OFFSET_TEXTURE_SCALE_NV, scale);
@@ -119,6 +138,9 @@ void Scene::arrangeColoring(Random &random) {
     if (m_state.conventional && (environment.mode == EnvironmentMode::Combine ||
                                  environment.mode == EnvironmentMode::Decal))
       environment = {EnvironmentMode::Modulate, {}, {}}; // what GL leaves undefined is the host's
+  if (!epoxy_has_gl_extension("GL_ATI_texture_env_combine3"))
+    for (Environment &environment : m_environments)
+      withoutAtis(environment);
   issue(m_environments, m_state.units);
   for (std::size_t unit = 0; unit < m_state.units; ++unit) {
     m_constants[unit] = color(random);
@@ -173,7 +195,7 @@ Color Scene::colorOf(int cell, const Evaluated &evaluated) const {
   if (!m_combines)
     return evaluateEnvironments(m_environments, evaluated.environment, evaluated.colors,
                                 m_constants, m_cells[std::size_t(cell)].primary);
-  Color color = evaluated.colors[std::size_t(m_shown)];
+  Color color = registerOf(evaluated, m_shown);
   for (double &c : color)
     c = c * 0.5 + 0.5;
   return color;

@@ -21,7 +21,9 @@ inline constexpr float kClearDepth = 0.125f;
 
 class Scene {
 public:
-  Scene();
+  /// \param peer for a driver that transposes OFFSET_TEXTURE_MATRIX_NV and converts signed bytes in
+  /// a way of its own (NVIDIA's, docs/texture_shaders.md)
+  explicit Scene(bool peer);
   /// New stages and new values for everything around them; GL is set to it.
   void arrange(arbiter::fp::testing::Random &random, int units);
   void draw() const;
@@ -46,6 +48,7 @@ private:
   void arrangeCoordinates(arbiter::fp::testing::Random &random);
   void arrangeColoring(arbiter::fp::testing::Random &random);
 
+  bool m_peer;
   std::vector<Texture> m_textures;
   arbiter::fp::texture_shader::State m_state;
   std::array<const Texture *, arbiter::fp::texture_shader::kUnits> m_bound{};

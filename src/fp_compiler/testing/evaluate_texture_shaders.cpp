@@ -210,4 +210,12 @@ Evaluated evaluate(const State &state, const Inputs &inputs) {
   return Fragment(state, inputs).run();
 }
 
+Color registerOf(const Evaluated &evaluated, int unit) {
+  const Color &color = evaluated.colors[std::size_t(unit)];
+  const Base base = evaluated.environment[std::size_t(unit)];
+  if (base == Base::Alpha || base == Base::DsdtMagIntensity)
+    return {0, 0, 0, color[3]};
+  return color;
+}
+
 } // namespace arbiter::fp::texture_shader

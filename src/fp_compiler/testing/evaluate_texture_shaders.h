@@ -42,4 +42,7 @@ struct Evaluated {
 
 [[nodiscard]] Evaluated evaluate(const State &state, const Inputs &inputs);
 
+/// A unit's texture register of register combiners (NV_register_combiners, table 2).
+[[nodiscard]] Color registerOf(const Evaluated &evaluated, int unit);
+
 } // namespace arbiter::fp::texture_shader

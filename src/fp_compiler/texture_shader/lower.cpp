@@ -43,6 +43,15 @@ void finishColor(ir::Builder &builder, const ir::Source &color, const Key &key) 
   builder.op(ir::Opcode::Mov, to, {clamped.read()});
 }
 
+/// What register combiners have of a unit: of table RC.2's formats without a colour only the alpha,
+/// where table 3.E has a white one, and an environment the intensity.
+std::optional<ir::Source> registerOf(Stages &stages, int unit) {
+  const std::optional<ir::Source> color = stages.color(unit);
+  const Base base = stages.environmentBase(unit);
+  const bool alphaAlone = base == Base::Alpha || base == Base::DsdtMagIntensity;
+  return color && alphaAlone ? color->swz("000w") : color;
+}
+
 } // namespace
 
 ir::Program lower(const Key &key) {
@@ -51,7 +60,8 @@ ir::Program lower(const Key &key) {
   if (key.combines) {
     combiners::Surroundings around;
     around.fog = key.fog;
-    combiners::lower(builder, key.combiners, around, [&](int unit) { return stages.color(unit); });
+    combiners::lower(builder, key.combiners, around,
+                     [&](int unit) { return registerOf(stages, unit); });
   } else {
     std::array<Base, kUnits> bases{};
     for (int unit = 0; unit < key.shaders.units; ++unit)
