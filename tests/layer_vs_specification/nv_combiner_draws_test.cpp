@@ -118,6 +118,32 @@ TEST_F(NvCombinerDraws, DepthTextures) { // table RC.2
   expectNear(drawn(), {255, 255, 0, 255}); // another texture is bound: green, and red by its alpha
 }
 
+TEST_F(NvCombinerDraws, DepthImagesOfOtherCommands) {
+  rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
+  glEnable(GL_TEXTURE_2D);
+  makeTexture(GL_TEXTURE_2D, kRedPixel);
+  expectNear(drawn(), kRedPixel);
+  const auto isDepth = [](const char *what) { // no colour (table RC.2)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    EXPECT_EQ(drawn(), kOpaqueBlack) << what;
+  };
+  const GLfloat depth = 1;
+  const auto fill = [&] {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  };
+  GLuint names[2] = {};
+  glGenTextures(2, names);
+  glBindTexture(GL_TEXTURE_2D, names[0]);
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, 1, 1);
+  fill();
+  isDepth("TexStorage");
+  glBindTexture(GL_TEXTURE_2D, names[1]);
+  glTextureImage2DEXT(names[1], GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, 1, 1, 0, GL_DEPTH_COMPONENT,
+                      GL_FLOAT, &depth);
+  isDepth("TextureImageEXT");
+  glDeleteTextures(2, names);
+}
+
 TEST_F(NvCombinerDraws, Spare0BeginsWithTheAlphaOfTexture0) {
   makeTexture(GL_TEXTURE_2D, {255, 0, 0, 128});
   glEnable(GL_TEXTURE_2D);

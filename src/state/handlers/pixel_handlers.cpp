@@ -12,6 +12,7 @@
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
+#include "state/share/depth_images.h"
 
 namespace arbiter::state::handlers {
 
@@ -120,6 +121,14 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
     context.host->Name Arguments;                                                                  \
     noteTextureChange(context);                                                                    \
   }
+#define ARBITER_STORES(Name, Parameters, Arguments)                                                \
+  void Name Parameters {                                                                           \
+    noteInternalFormat(context, internalformat);                                                   \
+    if (changes(context) && context.software)                                                      \
+      context.software->residency.textureRedefined(target);                                        \
+    context.host->Name Arguments;                                                                  \
+    noteTextureChange(context);                                                                    \
+  }
 
 ARBITER_REDEFINES(CompressedTexImage1D,
                   (Context & context, GLenum target, GLint level, GLenum internalformat,
@@ -147,19 +156,20 @@ ARBITER_REDEFINES(CompressedTexSubImage3D,
                    GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei size,
                    const void *data),
                   (target, level, x, y, z, width, height, depth, format, size, data))
-ARBITER_REDEFINES(TexStorage1D,
-                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
-                   GLsizei width),
-                  (target, levels, internalformat, width))
-ARBITER_REDEFINES(TexStorage2D,
-                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
-                   GLsizei width, GLsizei height),
-                  (target, levels, internalformat, width, height))
-ARBITER_REDEFINES(TexStorage3D,
-                  (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
-                   GLsizei width, GLsizei height, GLsizei depth),
-                  (target, levels, internalformat, width, height, depth))
+ARBITER_STORES(TexStorage1D,
+               (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                GLsizei width),
+               (target, levels, internalformat, width))
+ARBITER_STORES(TexStorage2D,
+               (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                GLsizei width, GLsizei height),
+               (target, levels, internalformat, width, height))
+ARBITER_STORES(TexStorage3D,
+               (Context & context, GLenum target, GLsizei levels, GLenum internalformat,
+                GLsizei width, GLsizei height, GLsizei depth),
+               (target, levels, internalformat, width, height, depth))
 ARBITER_REDEFINES(GenerateMipmap, (Context & context, GLenum target), (target))
 #undef ARBITER_REDEFINES
+#undef ARBITER_STORES
 
 } // namespace arbiter::state::handlers

@@ -17,6 +17,7 @@
 #include "state/programs/texture_shaders/texture_shader_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
+#include "state/share/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -111,6 +112,7 @@ bool isComponents(Context &context, const ComponentImage &image, GLenum type, co
 /// A TexImage of colours; `host` is given the internal format that the host has for it.
 template <typename Host>
 void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
+  noteInternalFormat(context, GLenum(internalformat));
   if (!context.textureShaders || context.insideBeginEnd) [[likely]]
     return host(internalformat);
   context.textureShaders->wholeTextures.clear();

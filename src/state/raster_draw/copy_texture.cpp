@@ -9,6 +9,7 @@
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
+#include "state/share/depth_images.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {
@@ -111,6 +112,8 @@ void copyToOwnFormat(Context &context, const CopyCommand &copy) {
 } // namespace
 
 void copyTexture(Context &context, const CopyCommand &copy) {
+  if (defines(copy.kind))
+    noteInternalFormat(context, copy.internalFormat);
   if (context.textureShaders && !context.insideBeginEnd && context.listMode != GL_COMPILE)
     return copyToOwnFormat(context, copy);
   copyColors(context, copy);

@@ -100,6 +100,8 @@ public:
   std::atomic<bool> compareModeUsed{false};
   /// DEPTH_TEXTURE_MODE was set to ALPHA: draws beside clip distances look for such images.
   std::atomic<bool> alphaDepthsUsed{false};
+  /// Set for good by the first image that may hold depths: draws of register combiners look for such.
+  std::atomic<bool> depthImagesUsed{false};
   /// A list kept by the host alone holds UseProgram, or calls others, which may push or pop
   /// attributes.
   std::atomic<bool> hostListsChangeProgram{false};

@@ -11,6 +11,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -74,9 +75,15 @@ void releaseOverride(Context &context) {
   context.attention |= attention::kCompare;
 }
 
+/// Some image of the share group was one of depths, or another context may have made one.
+bool mayHaveDepths(const Context &context) {
+  return context.caps.shadow && (context.group->depthImagesUsed.load(std::memory_order_relaxed) ||
+                                 context.group->contexts.load(std::memory_order_relaxed) > 1);
+}
+
 /// What is sampled as a depth, of targets that are known.
 void askDepths(Context &context, Surroundings &around) {
-  if (!context.caps.shadow)
+  if (!mayHaveDepths(context))
     return;
   releaseOverride(context);
   for (std::size_t unit = 0; unit < around.texels.size(); ++unit) {
@@ -118,7 +125,7 @@ std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
 }
 
 bool mayFollowCombinedDepths(const Context &context) {
-  if (!context.combiners || !context.combiners->effective || !context.caps.shadow)
+  if (!context.combiners || !context.combiners->effective || !mayHaveDepths(context))
     return false;
   const Surroundings &around = context.combiners->drawnUnder;
   for (std::size_t unit = 0; unit < around.texels.size(); ++unit)
