@@ -77,14 +77,14 @@ void CopyTextureSubImage3D(Context &context, GLuint texture, GLint level, GLint 
 #define COPY_IMAGE_1D(name, by, Object)                                                            \
   void name(Context &context, Object object, GLenum target, GLint level, GLenum format, GLint x,   \
             GLint y, GLsizei width, GLint border) {                                                \
-    noteInternalFormat(context, internalformat);                                                   \
+    noteInternalFormat(context, format);                                                           \
     by(context, object, target, level, CopyKind::Image1D, {0, 0, 0, x, y, width, 1});              \
     context.host->name(object, target, level, format, x, y, width, border);                        \
   }
 #define COPY_IMAGE_2D(name, by, Object)                                                            \
   void name(Context &context, Object object, GLenum target, GLint level, GLenum format, GLint x,   \
             GLint y, GLsizei width, GLsizei height, GLint border) {                                \
-    noteInternalFormat(context, internalformat);                                                   \
+    noteInternalFormat(context, format);                                                           \
     by(context, object, target, level, CopyKind::Image2D, {0, 0, 0, x, y, width, height});         \
     context.host->name(object, target, level, format, x, y, width, height, border);                \
   }
