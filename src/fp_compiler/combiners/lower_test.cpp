@@ -165,9 +165,10 @@ TEST(Combiners, WhatIsSampledIsAmongTheTexturesThatAreRead) {
     const Fragment fragment(seed);
     const std::uint32_t read = texturesRead(fragment.state);
     for (const ir::Instruction &instruction : lower(fragment.state, fragment.around).code)
-      if (ir::info(instruction.op).has(ir::Texture))
+      if (ir::info(instruction.op).has(ir::Texture)) {
         ASSERT_NE(read >> instruction.unit & 1u, 0u)
             << "seed " << seed << ", unit " << int(instruction.unit);
+      }
   }
 }
 

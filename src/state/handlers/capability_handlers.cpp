@@ -54,8 +54,10 @@ void setMap(Context &context, GLenum cap, bool enabled) {
 void setPerStageConstants(Context &context, bool enabled) {
   if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
     return;
-  issueCombinerCommand(context, {.kind = CombinerCommand::Kind::PerStageConstants,
-                                 .flags = enabled ? CombinerCommand::kOn : std::uint8_t(0)});
+  CombinerCommand command{.kind = CombinerCommand::Kind::PerStageConstants};
+  if (enabled)
+    command.flags = CombinerCommand::kOn;
+  issueCombinerCommand(context, command);
 }
 
 bool hasPerStageConstants(const Context &context) {

@@ -1,0 +1,117 @@
+// techniques [--png FOLDER]: what games of 2002 drew with register combiners, and their ARB paths'
+// programs for the same, drawn beside each other: a glow that is blurred by four taps of a
+// rectangle texture, and bump mapping with a normalisation cube map, a specular term that is
+// sharpened by a square and a bias, and an attenuation. Ends with a line of JSON; status 1 if a
+// pixel of the two is further apart than 2 of 255.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <png.h>
+#include <string>
+
+#include "open_context.h"
+#include "techniques.h"
+
+namespace {
+
+using namespace techniques;
+
+constexpr int kTolerance = 2; ///< steps of 255
+
+void makeTarget() {
+  GLuint framebuffer = 0, buffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(1, &buffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSize, kSize);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  glViewport(0, 0, kSize, kSize);
+  glDisable(GL_DITHER);
+}
+
+Picture read() {
+  Picture picture(std::size_t(kSize) * kSize * 4);
+  glReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+  return picture;
+}
+
+/// A way to shade, and to be rid of it.
+enum class Way { Combiners, Program };
+void endWay() {
+  glDisable(GL_REGISTER_COMBINERS_NV);
+  glDisable(GL_FRAGMENT_PROGRAM_ARB);
+}
+
+Picture drawnBy(Way way, const Technique &technique) {
+  way == Way::Combiners ? technique.byCombiners() : technique.byProgram();
+  glClear(GL_COLOR_BUFFER_BIT);
+  technique.draw();
+  Picture picture = read();
+  endWay();
+  return picture;
+}
+
+void write(const std::string &path, const Picture &picture) {
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = image.height = kSize;
+  image.format = PNG_FORMAT_RGBA;
+  // GL's first row is the lowest.
+  if (!png_image_write_to_file(&image, path.c_str(), 0, picture.data(), -kSize * 4, nullptr))
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), image.message);
+}
+
+int worstOf(const Picture &a, const Picture &b) {
+  int worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    worst = std::max(worst, std::abs(int(a[i]) - int(b[i])));
+  return worst;
+}
+
+int compareAll(const char *folder) {
+  makeTarget();
+  int worstOfAll = 0;
+  std::printf("{");
+  for (const Technique &technique : {kGlow, kBumps}) {
+    technique.makeTextures();
+    const Picture combined = drawnBy(Way::Combiners, technique);
+    const Picture programmed = drawnBy(Way::Program, technique);
+    const int worst = worstOf(combined, programmed);
+    const auto lit = std::count_if(combined.begin(), combined.end(),
+                                   [](std::uint8_t byte) { return byte > 64 && byte < 255; });
+    std::printf("\"%s\": {\"worst_steps\": %d, \"lit\": %ld}, ", technique.name, worst, long(lit));
+    worstOfAll = std::max(worstOfAll, lit > 3000 ? worst : 255); // an empty picture proves nothing
+    if (folder) {
+      write(std::string(folder) + "/" + technique.name + "-combiners.png", combined);
+      write(std::string(folder) + "/" + technique.name + "-program.png", programmed);
+    }
+    for (GLenum unit = 0; unit < 4; ++unit) {
+      glActiveTexture(GL_TEXTURE0 + unit);
+      for (const GLenum target : {GL_TEXTURE_RECTANGLE, GL_TEXTURE_2D, GL_TEXTURE_CUBE_MAP})
+        glDisable(target);
+    }
+  }
+  const GLenum error = glGetError();
+  std::printf("\"error\": %u}\n", error);
+  return worstOfAll <= kTolerance && error == GL_NO_ERROR ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+  const bool writes = argc == 3 && std::string(argv[1]) == "--png";
+  if (argc != 1 && !writes) {
+    std::fprintf(stderr, "usage: techniques [--png FOLDER]\n");
+    return 2;
+  }
+  if (!openContext()) {
+    std::fprintf(stderr, "no OpenGL context without a window system\n");
+    return 77;
+  }
+  if (!epoxy_has_gl_extension("GL_NV_register_combiners")) {
+    std::fprintf(stderr, "GL_NV_register_combiners is not announced\n");
+    return 77;
+  }
+  return compareAll(writes ? argv[2] : nullptr);
+}
