@@ -48,7 +48,7 @@ GLenum errorOf(Context &context, const ComponentImage &image, GLenum type) {
 /// Whether an image may have the size, or a level the texels that are replaced: the application's
 /// memory is not read for a command that the host will refuse.
 bool hasRoom(Context &context, const ComponentImage &image) {
-  if (!mayHaveSize(context, image))
+  if (image.level < 0 || !mayHaveSize(context, image))
     return false;
   const GLsizei sizes[] = {image.width, image.height, image.depth};
   if (image.replaces == 0 || context.listMode != 0)
