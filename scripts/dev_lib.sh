@@ -69,13 +69,15 @@ need_packages() {
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "${missing[@]}" >&2
 }
 
-# usage: configure TREE OPTIONS...
+# usage: configure TREE OPTIONS...   a new tree also takes those of ARBITER_BUILD_OPTIONS
 configure() {
   local tree=$1
   shift
   if [[ ! -f $tree/build.ninja ]]; then
     step "configuring $(basename "$tree")" >&2
-    meson setup "$tree" "$root" "$@" >&2
+    local -a more=()
+    read -ra more <<<"${ARBITER_BUILD_OPTIONS:-}"
+    meson setup "$tree" "$root" "$@" "${more[@]}" >&2
   elif [[ $# -gt 0 ]]; then
     # Only a changed option touches the tree; an equal one would still make ninja look again.
     local option
