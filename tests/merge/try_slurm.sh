@@ -73,18 +73,25 @@ until_ready() {
   fail "there are no $1 nodes"
 }
 
-# What a node runs belongs to step daemons that have left it.
-kill_node() {
-  say "the node $1 is lost, with $(whole_results) of $shards results here"
+# usage: has_in_environment PID NAME=VALUE
+has_in_environment() { tr '\0' '\n' 2>/dev/null <"/proc/$1/environ" | grep -qxF "$2"; }
+
+# The daemon and what it runs, which belongs to step daemons that have left it.
+end_node() {
+  local step task
   kill_tree "${daemons[$1]}"
-  local step
   for step in $(pgrep -x slurmstepd); do
-    if tr '\0' '\n' <"/proc/$step/environ" | grep -qx "SLURM_CONF=$SLURM_CONF" &&
-      readlink "/proc/$step/cwd" | grep -q "/slurm/$1"; then kill_tree "$step"; fi
+    for task in $(pgrep -P "$step"); do
+      if has_in_environment "$task" "SLURMD_NODENAME=$1" &&
+        has_in_environment "$step" "SLURM_CONF=$SLURM_CONF"; then kill_tree "$step"; fi
+    done
   done
 }
 
-stop() { for name in "${!daemons[@]}"; do kill_tree "${daemons[$name]}"; done; }
+stop() {
+  local name
+  for name in "${!daemons[@]}"; do end_node "$name"; done
+}
 trap stop EXIT
 
 engine_run() { "$root/dev" "$suite" --engine slurm --shards "$shards" "$@"; }
@@ -104,7 +111,8 @@ engine=$!
 until_results 2 "$engine"
 sleep 1
 job=$(sed -n "s/^Slurm's job \([0-9]*\),.*/\1/p" "$folder/engine.txt")
-kill_node other
+say "the node other is lost, and task $shards cancelled, with $(whole_results) of $shards results here"
+end_node other
 scancel "${job}_$shards"
 status=0
 wait "$engine" || status=$?

@@ -5,6 +5,7 @@
 #include <llvm/Config/llvm-config.h>
 #include <llvm/Support/Alignment.h>
 #include <llvm/Support/CodeGen.h>
+#include <llvm/Target/TargetOptions.h>
 #if LLVM_VERSION_MAJOR >= 16
 #include <llvm/TargetParser/Host.h>
 #include <llvm/TargetParser/Triple.h>
@@ -50,6 +51,14 @@ inline llvm::StringMap<bool> hostFeatures() {
   if (!llvm::sys::getHostCPUFeatures(features))
     features.clear();
   return features;
+#endif
+}
+
+/// Denormal numbers are zeros to the code generator, as the functions' attribute says too: from 22
+/// on the attribute alone.
+inline void flushDenormals([[maybe_unused]] llvm::TargetOptions &options) {
+#if LLVM_VERSION_MAJOR < 22
+  options.setFPDenormalMode(llvm::DenormalMode::getPreserveSign());
 #endif
 }
 

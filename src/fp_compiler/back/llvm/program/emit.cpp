@@ -35,7 +35,7 @@ MachinePtr makeMachine(const Cpu &cpu, std::string &reason) {
     return nullptr;
   llvm::TargetOptions options;
   options.AllowFPOpFusion = llvm::FPOpFusion::Strict;
-  options.setFPDenormalMode(llvm::DenormalMode::getPreserveSign());
+  release::flushDenormals(options);
   MachinePtr machine(target->createTargetMachine(release::nameOf(triple), cpu.name, cpu.features,
                                                  options, llvm::Reloc::PIC_, llvm::CodeModel::Small,
                                                  release::kUsualOptimisation, true));
