@@ -185,10 +185,12 @@ class Pieces(Case):
         paths = self.write(differential_result, 2)
         document = json.loads(paths[1].read_text())
         del document["digest"]
-        document["schema"] = results.SCHEMA + 1
-        document["digest"] = results.digest(document)
-        paths[1].write_text(json.dumps(document))
-        self.refused(paths, "of schema 2")
+        for change, said in (({"schema": 2}, "of schema 2"), ({"shard": "9/2"}, "it lacks"),
+                             ({"shard": None}, "it lacks")):
+            changed = {**document, **change}
+            changed["digest"] = results.digest(changed)
+            paths[1].write_text(json.dumps(changed))
+            self.refused(paths, said)
 
     def test_a_doubled_shard_counts_once(self):
         paths = self.write(differential_result, 3)

@@ -66,8 +66,11 @@ def read(path):
         raise Damaged("its digest is not that of what it holds")
     if document.get("schema") != SCHEMA:
         raise Damaged("of schema %s; this program reads %d" % (document.get("schema"), SCHEMA))
-    return Result(document["run"], Shard.parse(document["shard"]), document["content"],
-                  document["seconds"], str(path))
+    try:
+        return Result(document["run"], Shard.parse(document["shard"]), document["content"],
+                      document["seconds"], str(path))
+    except (KeyError, TypeError, ValueError):
+        raise Damaged("it lacks what a result has") from None
 
 
 def sources_digest(root, folders):
