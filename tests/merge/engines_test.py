@@ -144,7 +144,10 @@ class Common:
         self.result(5).unlink()
         # That of another shard under this one's name.
         self.result(1).write_bytes(self.result(2).read_bytes())
-        self.assertEqual(self.run_engine()[:2], (0, [1, 3, 5]))
+        status, ran, text = self.run_engine()
+        self.assertEqual((status, ran), (0, [1, 3, 5]))
+        self.assertIn("shard-3-of-5.json does not count: cut short", text)
+        self.assertIn("shard-1-of-5.json is of shard 2/5", text)
 
     def test_results_of_another_run_are_none(self):
         self.run_engine()
@@ -154,6 +157,7 @@ class Common:
         self.assertEqual(ran, [1, 2, 3, 4, 5])
         # The stand-in's results say that they are of the old one.
         self.assertEqual(status, merge.PIECES, text)
+        self.assertIn("is of another run (sources: d2 and changed)", text)
         self.run_of = dict(merge_test.DIFFERENTIAL)
         self.args.fresh = True
         self.assertEqual(self.run_engine()[:2], (0, [1, 2, 3, 4, 5]))

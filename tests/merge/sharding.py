@@ -64,15 +64,22 @@ def pieces_folder(folder, args):
 
 
 def wanting(run, shards, folder):
-    """Numbers of the shards of a run that have no whole result; what is not one of this run is removed."""
+    """Numbers of the shards of a run that have no whole result; what is not one of this run is removed,
+    and it is said why."""
     numbers = []
     for index in range(1, shards + 1):
         shard = Shard(index, shards)
         path = result_path(folder, shard)
-        found, _ = join.read_all([path] if path.exists() else [])
-        if found and found[0].run == run and str(found[0].shard) == str(shard):
-            continue
-        path.unlink(missing_ok=True)
+        if path.exists():
+            found, notes = join.read_all([path])
+            if found and found[0].run != run:
+                notes.append("%s is of another run (%s)" % (path, join.difference(found[0].run, run)))
+            elif found and str(found[0].shard) != str(shard):
+                notes.append("%s is of shard %s" % (path, found[0].shard))
+            if not notes:
+                continue
+            print("\n".join(notes), file=sys.stderr)
+            path.unlink()
         numbers.append(index)
     return numbers
 
