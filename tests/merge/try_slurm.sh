@@ -56,11 +56,13 @@ start_munge() {
     --pid-file "$folder/slurm/munge.pid" --log-file "$folder/slurm/munge.log" \
     --seed-file "$folder/slurm/munge.seed" 2>"$folder/slurm/munge.txt" &
   daemons[munge]=$!
+  disown # their ends are no news
 }
 
 start_node() {
   slurmd -D -N "$1" -f "$SLURM_CONF" >"$folder/slurm/$1.txt" 2>&1 &
   daemons[$1]=$!
+  disown
 }
 
 until_ready() {
@@ -101,6 +103,7 @@ write_configuration
 start_munge
 slurmctld -D -f "$SLURM_CONF" >"$folder/slurm/slurmctld.txt" 2>&1 &
 daemons[slurmctld]=$!
+disown
 start_node one
 start_node other
 until_ready 2

@@ -65,6 +65,7 @@ start_node() {
     /usr/sbin/sshd -D -f "$folder/ssh/server-$1" -E "$folder/ssh/$1.log" &
   fi
   nodes[$1]=$!
+  disown # its end is no news
   local tries
   for ((tries = 0; tries < 50; tries++)); do
     ssh -F "$folder/ssh/client" "$1" true 2>/dev/null && return
