@@ -51,7 +51,8 @@ case "\$1" in
   --version) echo 15.0.6 ;;
   --includedir) echo $sysroot/usr/lib/llvm-15/include ;;
   --libdir) echo $sysroot/usr/lib/llvm-15/lib ;;
-  --link-static) exec llvm-config-15 --link-static --libs aarch64 runtimedyld passes ;;
+  --link-shared) echo -lLLVM-15 ;;
+  --link-static) [ "\$2" = --system-libs ] || exec llvm-config-15 --link-static --libs aarch64 runtimedyld passes ;;
 esac
 TEXT
   cat >"$tree/pkg-config" <<TEXT
@@ -85,7 +86,7 @@ TEXT
 [[ -f $tree/unpacked ]] || unpack_packages
 if [[ ! -f $tree/build/build.ninja ]]; then
   write_tools
-  meson setup "$tree/build" "$root" --cross-file "$tree/cross.ini" -Ddemos=false
+  meson setup "$tree/build" "$root" --cross-file "$tree/cross.ini" -Ddemos=false -Dllvm=15
 fi
 
 # Without names: the rooms that make machine code or run it.

@@ -30,31 +30,54 @@ need() {
   need_packages "${wanted[@]}"
 }
 
+is_installed() {
+  local package
+  for package in ${1//|/ }; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] && return
+  done
+  return 1
+}
+
+# usage: one_of NAME|OTHER...   the first that this release of Debian has, or the first of all
+one_of() {
+  local package
+  for package in ${1//|/ }; do
+    if apt-cache show --no-all-versions "$package" >/dev/null 2>&1; then
+      echo "$package"
+      return
+    fi
+  done
+  echo "${1%%|*}"
+}
+
 # Installs what is missing of the named packages. Nothing is asked of the network if nothing is.
 need_packages() {
   local package
-  local -a missing=()
+  local -a lacking=() missing=()
   command -v dpkg-query >/dev/null || return 0
   for package in "$@"; do
-    if [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
-      missing+=("$package")
-    fi
+    is_installed "$package" || lacking+=("$package")
   done
-  [[ ${#missing[@]} == 0 ]] && return 0
+  [[ ${#lacking[@]} == 0 ]] && return 0
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
+  for package in "${lacking[@]}"; do
+    missing+=("$(one_of "$package")")
+  done
   # All messages go to stderr: stdout may be the output of `./dev run -- COMMAND`.
   step "installing ${#missing[@]} packages: ${missing[*]}" >&2
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
     -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "${missing[@]}" >&2
 }
 
-# usage: configure TREE OPTIONS...
+# usage: configure TREE OPTIONS...   a new tree also takes those of ARBITER_BUILD_OPTIONS
 configure() {
   local tree=$1
   shift
   if [[ ! -f $tree/build.ninja ]]; then
     step "configuring $(basename "$tree")" >&2
-    meson setup "$tree" "$root" "$@" >&2
+    local -a more=()
+    read -ra more <<<"${ARBITER_BUILD_OPTIONS:-}"
+    meson setup "$tree" "$root" "$@" "${more[@]}" >&2
   elif [[ $# -gt 0 ]]; then
     # Only a changed option touches the tree; an equal one would still make ninja look again.
     local option
@@ -86,6 +109,25 @@ compile() {
   if option_is "$1" b_pch=true; then export CCACHE_DISABLE=1; else unset CCACHE_DISABLE; fi
   step "building $(basename "$1") with $jobs jobs" >&2
   ninja -C "$1" -j "$jobs" "${@:2}" >&2
+}
+
+# With the tests and demonstrations, while no other verb of this kind does: shards of a run may begin on
+# one machine, or in one shared folder, at once.
+compile_alone() {
+  mkdir -p "$out"
+  (
+    flock 9
+    configure "$build" -Dtests=true -Ddemos=true
+    compile "$build"
+  ) 9>"$out/.build-lock"
+}
+
+# usage: need_engine OPTION...   what `--engine NAME` among the options runs shards with
+need_engine() {
+  case " $* " in
+    *" --engine parallel "* | *" --engine=parallel "*) need parallel ;;
+    *" --engine slurm "* | *" --engine=slurm "*) need slurm ;;
+  esac
 }
 
 # Tests see a plain GL of software, whatever the caller has set.

@@ -1,5 +1,6 @@
 # shellcheck shell=bash disable=SC2034  # the arrays are read by ./dev
-# Debian 12 packages by what needs them; docs/dependencies.md says why each is here.
+# Debian's packages by what needs them; docs/dependencies.md says why each is here. NAME|OTHER is what one
+# release of Debian calls differently from another: the first that is installed or can be.
 
 # The layer, the command and the demonstrations: what compiles, and the software GL they run on.
 packages_build=(
@@ -7,7 +8,7 @@ packages_build=(
   libgl-dev libegl-dev libopengl-dev libglvnd-dev libglvnd-core-dev libx11-dev libxext-dev
   khronos-api libosmesa6-dev libepoxy-dev libglm-dev libglfw3-dev libpng-dev
   libjpeg62-turbo-dev libtinyobjloader-dev
-  llvm-15-dev libfmt-dev libxxhash-dev nlohmann-json3-dev libtomlplusplus-dev libelf-dev libcli11-dev
+  'llvm-15-dev|llvm-19-dev' libzstd-dev libfmt-dev libxxhash-dev nlohmann-json3-dev libtomlplusplus-dev libelf-dev libcli11-dev
   qt6-base-dev qt6-base-dev-tools
   libgl1 libglx0 libegl1 libopengl0 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libosmesa6
 )
@@ -15,13 +16,17 @@ packages_build=(
 # `./dev test`: unit tests, the clients, piglit and a display for them, a browser for pages.
 packages_test=(
   libgtest-dev libgmock-dev lld glslang-tools xvfb xauth piglit
-  libsdl2-dev libglew-dev chromium vim nodejs libjemalloc2 libtcmalloc-minimal4 locales valgrind
+  libsdl2-dev libglew-dev chromium vim nodejs parallel libjemalloc2 'libtcmalloc-minimal4|libtcmalloc-minimal4t64' locales valgrind
 )
 
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.
 packages_real_quick=(openscad apitrace python3-opengl libglut3.12)
 
 # `./dev real` asks tests/real_programs_vs_host/run.py --packages, which knows what each of its programs needs.
+
+# Shards of a suite on several machines: `./dev piglit --engine parallel`, and `--engine slurm`.
+packages_parallel=(parallel rsync openssh-client)
+packages_slurm=(slurm-client)
 
 packages_bench=(xvfb xauth)
 packages_check=(clang-format clang-tidy flake8 shellcheck)

@@ -9,7 +9,8 @@ layer in front through ATI_text_fragment_shader and through ATI_fragment_shader.
 the same under those modes of arithmetic; wild: programs that multiply infinities by zeros;
 unwritten: programs that read what nothing wrote and leave results, or a position, unwritten.
 swrast-...: the layer's rasterizer draws, by machine code of each program; its statistics must show
-that it drew every one of them and gave the host nothing.
+that it drew every one of them and gave the host nothing. --shard and --engine spread the programs
+over machines (docs/shards.md).
 """
 
 import argparse
@@ -18,29 +19,38 @@ import os
 import pathlib
 import subprocess
 import sys
+import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests/merge"))
+
+import of_differential
+import results
+import sharding
+
+SOURCES = ("include", "src", "tests/back_ends_vs_interpreter")  # what a result depends on
+STATISTICS = "statistics.json"  # of the layer, in the way that ran last
 SUITE_GLSL = 16  # draws of the suite's own GLSL: one an attribute that programs read
 
 
-def run(name, args, count, options, extra):
-    """(failed, programs) of one way; failed is None if it could not run at all."""
-    report = args.out / (name + ".json")
+def run(name, out, build, block, options, extra):
+    """One way's row for the report, of a block (first, how many) of its programs."""
+    report = out / (name + ".json")
     report.unlink(missing_ok=True)
-    print("%-15s" % name, end=" ", flush=True)
-    done = subprocess.run(
-        [str(args.build / "tests/back_ends_vs_interpreter/differential"), *options,
-         "--count", str(count), "--json", str(report),
-         "--failures", str(args.out / (name + "-failures"))],
-        env={**os.environ, **extra}, stdin=subprocess.DEVNULL)
+    first, count = block
+    with open(out / (name + ".txt"), "w") as log:
+        done = subprocess.run(
+            [str(build / "tests/back_ends_vs_interpreter/differential"), *options,
+             "--seed", str(1 + first), "--count", str(count), "--json", str(report),
+             "--failures", str(out / (name + "-failures"))],
+            env={**os.environ, **extra}, stdin=subprocess.DEVNULL, stdout=log,
+            stderr=subprocess.STDOUT)
     try:
-        document = json.loads(report.read_text())
-    except (OSError, ValueError):
-        print("%-15s no report, status %d" % (name, done.returncode), flush=True)
-        return None
-    failed = len(document["failures"])
-    if done.returncode not in (0, 1) or (done.returncode == 1) != (failed > 0):
-        return None
-    return failed, document["programs"]
+        row = of_differential.row(name, json.loads(report.read_text()))
+    except (OSError, ValueError, KeyError):
+        return of_differential.fault(name, "no report, status %d" % done.returncode)
+    if done.returncode not in (0, 1) or (done.returncode == 1) != bool(row["failures"]):
+        row["faults"].append("status %d" % done.returncode)
+    return row
 
 
 def not_drawn(stats, programs):
@@ -65,28 +75,16 @@ def compiled_by_layer(stats):
         return 0
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, required=True)
-    parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--count", type=int, default=500, help="fragment programs")
-    parser.add_argument("--vertex-count", type=int, default=300, help="vertex programs")
-    parser.add_argument("--mode-count", type=int, default=60,
-                        help="programs of each kind in each mode of arithmetic")
-    parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
-    args = parser.parse_args()
-    args.out.mkdir(parents=True, exist_ok=True)
+def all_ways(args, out):
+    """(name, programs, options, environment) of each; statistics go to `out`."""
     layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
-    stats = args.out / "stats.json"
-    stats.unlink(missing_ok=True)
     in_front = {"LD_PRELOAD": str(layer), "ARBITER_PROFILE": "host"}
     ati = ["--language", "ati", "--mode"]
     vertex = ["--language", "vertex", "--mode"]
     ways = [("glsl", args.count, ["--mode", "glsl"], {}),
             ("host", args.count, ["--mode", "arb"], {}),
             ("printed", args.count, ["--mode", "assembly"], {}),
-            ("layer", args.count, ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(stats)}),
+            ("layer", args.count, ["--mode", "arb"], {**in_front, "ARBITER_STATS": str(out / STATISTICS)}),
             ("vertex-glsl", args.vertex_count, [*vertex, "glsl"], {}),
             ("vertex-host", args.vertex_count, [*vertex, "arb"], {}),
             ("vertex-printed", args.vertex_count, [*vertex, "assembly"], {}),
@@ -137,32 +135,71 @@ def main():
              ("l-edges", [*of_legacy, "arb", "--suite", "edges"], legacy),
              ("l-ati", ["--language", "ati", *of_legacy, "arb"], legacy),
              ("l-vertex", ["--numerics", "legacy", *vertex, "arb"], legacy)]
-    (args.out / "drawn.json").unlink(missing_ok=True)
     ways += [(("swrast-" + name).rstrip("-"), count, options,
-              {**extra, "ARBITER_STATS": str(args.out / "drawn.json")})
+              {**extra, "ARBITER_STATS": str(out / STATISTICS)})
              for name, options, extra in drawn]
-    passed = failed = 0
-    for name, count, options, extra in ways:
-        result = run(name, args, count, options, extra)
-        if result is None:
-            failed += 1
+    return [way for way in ways if way[1] > 0 and (not args.ways or way[0] in args.ways)]
+
+
+def statistics_fault(name, row, stats):
+    """What statistics of the layer lack of a way; empty if nothing."""
+    if name.startswith("swrast"):
+        lacking = not_drawn(stats, row["programs"])
+        return "the rasterizer " + lacking if lacking else ""
+    if name == "layer" and compiled_by_layer(stats) < row["programs"]:
+        return "it compiled fewer programs than were drawn"
+    return ""
+
+
+def run_shard(args, shard):
+    """(content, seconds) of the shard's block of each way's programs."""
+    out = sharding.pieces_folder(args.out, args)
+    out.mkdir(parents=True, exist_ok=True)
+    stats = out / STATISTICS
+    rows, start = {}, time.monotonic()
+    for name, count, options, extra in all_ways(args, out):
+        # Edges have no numbers: they are one test.
+        block = shard.block(count) if "edges" not in options else (0, int(shard.has(name)) * count)
+        if block[1] == 0:
             continue
-        failed += result[0]
-        passed += result[1] - result[0]
-        if name.startswith("swrast"):
-            fault = not_drawn(args.out / "drawn.json", result[1])
-            (args.out / "drawn.json").unlink(missing_ok=True)
-            if fault:
-                print("%s: the rasterizer %s" % (name, fault))
-                failed += 1
-    if compiled_by_layer(stats) < args.count:
-        print("layer: it compiled fewer programs than were drawn")
-        failed += 1
-    if args.counts:
-        args.counts.write_text(json.dumps({"name": "differential", "passed": passed,
-                                           "failed": failed, "skipped": 0}) + "\n")
-    print("%d passed, %d failed, 0 skipped" % (passed, failed))
-    return 1 if failed else 0
+        stats.unlink(missing_ok=True)
+        row = rows[name] = run(name, out, args.build, block, options, extra)
+        lacking = statistics_fault(name, row, stats)
+        if lacking:
+            row["faults"].append(lacking)
+        print("%-15s %4d programs, %d failed" % (name, row["programs"], len(row["failures"])), flush=True)
+    return {"ways": rows}, {"all": time.monotonic() - start}
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--count", type=int, default=500, help="fragment programs")
+    parser.add_argument("--vertex-count", type=int, default=300, help="vertex programs")
+    parser.add_argument("--mode-count", type=int, default=60,
+                        help="programs of each kind in each mode of arithmetic")
+    parser.add_argument("--ways", type=lambda text: text.split(","), help="only these, by name")
+    parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
+    sharding.add_options(parser)
+    args = parser.parse_args()
+    sharding.check(parser, args)
+    known = [way[0] for way in all_ways(argparse.Namespace(**{**vars(args), "ways": None}), args.out)]
+    if args.ways and not set(args.ways) <= set(known):
+        parser.error("--ways: there are " + " ".join(known))
+    return args
+
+
+def main():
+    args = arguments()
+    run = {"kind": of_differential.KIND, "count": args.count, "vertex_count": args.vertex_count,
+           "mode_count": args.mode_count, "ways": [way[0] for way in all_ways(args, args.out)],
+           "sources": results.sources_digest(sharding.ROOT, SOURCES)}
+    command = [str(sharding.ROOT / "dev"), "differential", "--count", str(args.count),
+               "--vertex-count", str(args.vertex_count), "--mode-count", str(args.mode_count),
+               *(["--ways", ",".join(args.ways)] if args.ways else [])]
+    return sharding.main(args, run, lambda shard: run_shard(args, shard), command, args.out)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     lists = re.sub(r"#.*", "", (root / "scripts/packages.sh").read_text())
     installed = {word for body in re.findall(r"packages_\w+=\(([^)]*)\)", lists)
-                 for word in body.split()}
+                 for word in re.findall(r"[^\s'|]+", body)}
     real = root / "tests/real_programs_vs_host/run.py"
     if real.exists():
         installed.update(subprocess.run([sys.executable, str(real), "--packages"], check=True,

@@ -5,7 +5,7 @@ Both sides run now, on this machine: nothing but the expected differences is sto
 expectations/PROFILE.txt, each with its reason. A difference that no line explains is run again on
 both sides; if it does not stay, it is a flake and is reported as one. Ends with
 "N passed, N failed, N skipped": passed is the same result as on the bare host or an explained
-one, skipped is skipped by both.
+one, skipped is skipped by both. --shard and --engine spread the tests over machines (docs/shards.md).
 """
 
 import argparse
@@ -17,18 +17,24 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "merge"))
+
 import expectations
+import of_piglit
 import profiles
+import results
 import run as piglit
-import table
+import sharding
+
+SOURCES = ("include", "src", "tests/piglit_vs_host")  # what a result depends on
 
 
-def layer_is_active(layer, library, folder):
+def layer_is_active(layer, library, folder, platform):
     """Whether a test under the layer leaves statistics with a program that it compiled."""
     stats = folder / "probe.json"
     stats.unlink(missing_ok=True)
     env = piglit.environment(layer, "host", {"ARBITER_STATS": str(stats),
-                                             "PIGLIT_PLATFORM": "glx"})
+                                             "PIGLIT_PLATFORM": platform})
     subprocess.run([str(library / "bin/fp-kil"), "-auto", "-fbo"], env=env, cwd=library,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120)
     try:
@@ -56,8 +62,8 @@ def run_again(unexpected, tests, sides, attempts):
 
 
 def compare(profile, bare, tests, args, run_bare):
-    """Runs under the layer with `profile`; returns the report as a dictionary."""
-    label = args.results / ("layer-" + profile.replace(":", "-"))
+    """Runs under the layer with `profile`; returns ({"layer": table, "flakes": …}, seconds)."""
+    label = args.work / ("layer-" + profile.replace(":", "-"))
 
     def run_layer(some, suffix=""):
         return piglit.run(some, str(label) + suffix, piglit.environment(args.layer, profile),
@@ -65,35 +71,11 @@ def compare(profile, bare, tests, args, run_bare):
 
     start = time.monotonic()
     layer = run_layer(tests)
-    rows = expectations.load(profile)
-    explained, unexpected = expectations.judge(expectations.differences(bare, layer), rows)
-    unexpected, flakes = run_again(
+    _, unexpected = expectations.judge(expectations.differences(bare, layer),
+                                       expectations.load(profile))
+    _, flakes = run_again(
         unexpected, tests, (run_bare, lambda some: run_layer(some, "-again")), args.attempts)
-    unused = [] if args.tests else expectations.unused_rows(rows, set(bare) | set(layer))
-    skipped = sum(1 for test, status in layer.items()
-                  if status == "skip" and bare.get(test) == "skip")
-    return {
-        "profile": profile, "seconds": round(time.monotonic() - start, 1),
-        "bare": collections.Counter(bare.values()), "layer": collections.Counter(layer.values()),
-        "explained": {k: {"bare": bare.get(k, "missing"), "layer": layer.get(k, "missing"),
-                          "reason": reason} for k, reason in explained.items()},
-        "unexpected": {k: {"bare": b, "layer": l} for k, (b, l) in unexpected.items()},
-        "flakes": {k: {"bare": b, "layer": l} for k, (b, l) in flakes.items()},
-        "stale": {row.where: row.pattern for row in unused},
-        "passed": len(set(bare) | set(layer)) - len(unexpected) - skipped,
-        "failed": len(unexpected) + len(unused), "skipped": skipped,
-    }
-
-
-def show(report):
-    print("\nprofile %s (%.0f s)" % (report["profile"], report["seconds"]))
-    for side in ("bare", "layer"):
-        print("  %-6s %s" % (side, "  ".join("%s %d" % pair
-                                             for pair in sorted(report[side].items()))))
-    for kind, test, bare, layer, reason in table.rows(report):
-        results = ": %s on the bare host, %s under the layer" % (bare, layer) if bare else ""
-        print("  %-11s %s%s (%s)" % (kind, test, results, reason))
-    sys.stdout.flush()
+    return {"layer": layer, "flakes": flakes}, time.monotonic() - start
 
 
 def arguments():
@@ -113,10 +95,53 @@ def arguments():
     parser.add_argument("--counts", type=pathlib.Path, help="file for the counts, as JSON")
     parser.add_argument("--bare-only", action="store_true", help="show the bare host's results")
     parser.add_argument("tests", nargs="*", help="only tests whose name contains one of these")
-    args = parser.parse_args()
+    sharding.add_options(parser)
+    args = parser.parse_intermixed_args()
+    sharding.check(parser, args)
     args.layer = (args.build / "src/interposer/libGLX_arbiter.so.0").resolve()
     args.results = args.results.resolve()
+    args.work = sharding.pieces_folder(args.results, args)
     return args
+
+
+def description(args, tests):
+    """What is the same in all shards of a run."""
+    return {"kind": of_piglit.KIND, "set": args.set, "filter": args.tests,
+            "profiles": args.profiles.split(","), "platform": args.platform,
+            "tests": results.digest(sorted(tests.items())),
+            "sources": results.sources_digest(sharding.ROOT, SOURCES)}
+
+
+def command(args):
+    """The words that do the same run, of a shard."""
+    return [str(sharding.ROOT / "dev"), "piglit", "--set", args.set, "--profiles", args.profiles,
+            "--platform", args.platform, "--jobs", str(args.jobs), "--attempts", str(args.attempts),
+            *args.tests]
+
+
+def run_shard(args, tests, shard):
+    """(content, seconds) of the shard's part of the tests; None where the layer is not there."""
+    tests = {name: profile for name, profile in tests.items() if shard.has(name)}
+
+    def run_bare(some, name="bare-again"):
+        return piglit.run(some, args.work / name, piglit.environment(), args.jobs, args.platform)
+
+    print("%d tests (%s) with %d jobs" % (len(tests), args.set, args.jobs), flush=True)
+    start = time.monotonic()
+    bare = run_bare(tests, "bare")
+    seconds = {"bare": time.monotonic() - start}
+    print("bare host: %s (%.0f s)" % (dict(collections.Counter(bare.values())), seconds["bare"]),
+          flush=True)
+    if not layer_is_active(args.layer, profiles.library_of_piglit(), args.work, args.platform):
+        print("the layer is not active in a test: %s" % args.layer, file=sys.stderr)
+        return None
+    content = {"bare": bare, "profiles": {}}
+    for profile in args.profiles.split(","):
+        content["profiles"][profile], seconds[profile] = compare(profile, bare, tests, args, run_bare)
+        print("profile %s: %s (%.0f s)" % (
+            profile, dict(collections.Counter(content["profiles"][profile]["layer"].values())),
+            seconds[profile]), flush=True)
+    return content, seconds
 
 
 def main():
@@ -127,35 +152,13 @@ def main():
     if not tests:
         print("no such tests", file=sys.stderr)
         return 2
-    args.results.mkdir(parents=True, exist_ok=True)
-
-    def run_bare(some, name="bare-again"):
-        return piglit.run(some, args.results / name, piglit.environment(), args.jobs,
-                          args.platform)
-
-    print("%d tests (%s) with %d jobs" % (len(tests), args.set, args.jobs), flush=True)
-    start = time.monotonic()
-    bare = run_bare(tests, "bare")
-    print("bare host: %s (%.0f s)" % (dict(collections.Counter(bare.values())),
-                                      time.monotonic() - start), flush=True)
+    args.work.mkdir(parents=True, exist_ok=True)
     if args.bare_only:
+        bare = piglit.run(tests, args.work / "bare", piglit.environment(), args.jobs, args.platform)
+        print("bare host: %s" % dict(collections.Counter(bare.values())))
         return 0
-    if not layer_is_active(args.layer, profiles.library_of_piglit(), args.results):
-        print("the layer is not active in a test: %s" % args.layer, file=sys.stderr)
-        return 1
-
-    reports = []
-    for profile in args.profiles.split(","):
-        reports.append(compare(profile, bare, tests, args, run_bare))
-        show(reports[-1])
-    document = {"schema": 2, "set": args.set, "reports": reports}
-    (args.results / "report.json").write_text(json.dumps(document, indent=1) + "\n")
-    (args.results / "report.md").write_text(table.markdown(document))
-    sums = {k: sum(r[k] for r in reports) for k in ("passed", "failed", "skipped")}
-    if args.counts:
-        args.counts.write_text(json.dumps({"name": "piglit", **sums}) + "\n")
-    print("\n%(passed)d passed, %(failed)d failed, %(skipped)d skipped" % sums)
-    return 1 if sums["failed"] else 0
+    return sharding.main(args, description(args, tests), lambda shard: run_shard(args, tests, shard),
+                         command(args), args.results)
 
 
 if __name__ == "__main__":

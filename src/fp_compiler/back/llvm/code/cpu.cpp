@@ -3,7 +3,8 @@
 #include <span>
 
 #include <llvm/ADT/StringMap.h>
-#include <llvm/Support/Host.h>
+
+#include "fp_compiler/back/llvm/code/release.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -32,11 +33,9 @@ const Row kFamilies[] = {{Cpu::Family::Neon, "neon", "generic", {"neon"}}};
 const std::span<const Row> kFamilies;
 #endif
 
-/// What the operating system lets programs use, as getHostCPUFeatures() asks it.
+/// What the operating system lets programs use.
 llvm::StringMap<bool> hostFeatures() {
-  llvm::StringMap<bool> features;
-  if (!llvm::sys::getHostCPUFeatures(features))
-    features.clear();
+  llvm::StringMap<bool> features = release::hostFeatures();
 #if defined(__aarch64__)
   features["neon"] = true; // of every processor of the architecture that has an FPU
 #endif

@@ -21,9 +21,9 @@ CodeMemory::~CodeMemory() {
     munmap(m_mapping, m_mapped);
 }
 
-void CodeMemory::reserveAllocationSpace(std::uintptr_t codeBytes, std::uint32_t,
-                                        std::uintptr_t constantBytes, std::uint32_t,
-                                        std::uintptr_t dataBytes, std::uint32_t) {
+void CodeMemory::reserveAllocationSpace(std::uintptr_t codeBytes, release::SectionAlignment,
+                                        std::uintptr_t constantBytes, release::SectionAlignment,
+                                        std::uintptr_t dataBytes, release::SectionAlignment) {
   // No section is aligned to more than a page.
   const std::size_t page = std::size_t(sysconf(_SC_PAGESIZE));
   m_code.bytes = roundUp(codeBytes, page);

@@ -6,6 +6,8 @@
 
 #include <llvm/ExecutionEngine/RTDyldMemoryManager.h>
 
+#include "fp_compiler/back/llvm/code/release.h"
+
 namespace arbiter::fp::llvm_back {
 
 /// The memory of one object that is linked: all its sections in one mapping. Code reaches its
@@ -21,9 +23,10 @@ public:
   [[nodiscard]] std::size_t codeBytes() const { return m_code.used; }
 
   bool needsToReserveAllocationSpace() override { return true; }
-  void reserveAllocationSpace(std::uintptr_t codeBytes, std::uint32_t codeAlignment,
-                              std::uintptr_t constantBytes, std::uint32_t constantAlignment,
-                              std::uintptr_t dataBytes, std::uint32_t dataAlignment) override;
+  void reserveAllocationSpace(std::uintptr_t codeBytes, release::SectionAlignment codeAlignment,
+                              std::uintptr_t constantBytes,
+                              release::SectionAlignment constantAlignment, std::uintptr_t dataBytes,
+                              release::SectionAlignment dataAlignment) override;
   std::uint8_t *allocateCodeSection(std::uintptr_t bytes, unsigned alignment, unsigned id,
                                     llvm::StringRef name) override;
   std::uint8_t *allocateDataSection(std::uintptr_t bytes, unsigned alignment, unsigned id,

@@ -9,13 +9,13 @@
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/MC/TargetRegistry.h>
-#include <llvm/Support/Host.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Target/TargetMachine.h>
 
 #include "fp_compiler/back/llvm/code/failures.h"
 #include "fp_compiler/back/llvm/code/passes.h"
+#include "fp_compiler/back/llvm/code/release.h"
 
 namespace arbiter::fp::llvm_back {
 
@@ -29,18 +29,18 @@ MachinePtr makeMachine(const Cpu &cpu, std::string &reason) {
     llvm::InitializeNativeTargetAsmPrinter();
     llvm::InitializeNativeTargetAsmParser();
   });
-  const std::string triple = llvm::sys::getProcessTriple();
-  const llvm::Target *const target = llvm::TargetRegistry::lookupTarget(triple, reason);
+  llvm::Triple triple(llvm::sys::getProcessTriple());
+  const llvm::Target *const target = llvm::TargetRegistry::lookupTarget("", triple, reason);
   if (!target)
     return nullptr;
   llvm::TargetOptions options;
   options.AllowFPOpFusion = llvm::FPOpFusion::Strict;
-  options.setFPDenormalMode(llvm::DenormalMode::getPreserveSign());
-  MachinePtr machine(target->createTargetMachine(triple, cpu.name, cpu.features, options,
-                                                 llvm::Reloc::PIC_, llvm::CodeModel::Small,
-                                                 llvm::CodeGenOpt::Default, true));
+  release::flushDenormals(options);
+  MachinePtr machine(target->createTargetMachine(release::nameOf(triple), cpu.name, cpu.features,
+                                                 options, llvm::Reloc::PIC_, llvm::CodeModel::Small,
+                                                 release::kUsualOptimisation, true));
   if (!machine)
-    reason = "LLVM makes no code for " + triple;
+    reason = "LLVM makes no code for " + triple.str();
   return machine;
 }
 
@@ -104,7 +104,8 @@ public:
   Value *modeOf(Value *word) { return m_ir.CreateAnd(word, m_ir.getInt32(~0x3Fu)); }
 #else
   static constexpr std::uint64_t kMode = 1u << 24; ///< FPCR.FZ alone
-  Value *read() { return m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_get_fpcr, {}, {}); }
+  static constexpr llvm::ArrayRef<llvm::Type *> kNoTypes;
+  Value *read() { return m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_get_fpcr, kNoTypes, {}); }
   void set(Value *word) { m_ir.CreateIntrinsic(llvm::Intrinsic::aarch64_set_fpcr, {}, {word}); }
   Value *mode() { return m_ir.getInt64(kMode); }
   Value *modeOf(Value *word) { return word; }
@@ -158,7 +159,7 @@ bool write(Workspace &space, Emit what, std::string &reason) {
     space.module.print(space.stream, nullptr);
     return true;
   }
-  const auto type = what == Emit::Object ? llvm::CGFT_ObjectFile : llvm::CGFT_AssemblyFile;
+  const auto type = what == Emit::Object ? release::kObjectFile : release::kAssemblyFile;
   if (space.machine->addPassesToEmitFile(space.passes, space.stream, nullptr, type)) {
     reason = "LLVM writes no objects for this processor";
     return false;
@@ -184,7 +185,7 @@ llvm::SmallVector<char, 0> emit(const Cpu &cpu, int pointers, const BodyWriter &
   llvm::LLVMContext &context = space->context;
   context.setDiagnosticHandler(std::make_unique<Listener>(problem));
   llvm::Module &module = space->module;
-  module.setTargetTriple(space->machine->getTargetTriple().str());
+  module.setTargetTriple(release::nameOf(space->machine->getTargetTriple()));
   module.setDataLayout(space->machine->createDataLayout());
   setControlFlow(module);
 

@@ -209,8 +209,7 @@ Texel shadowLookup(Code &code, const abi::SamplerKey &key, abi::Lanes lanes, Val
 Value *constantField(Code &code, llvm::Type *type, Value *pointer, std::size_t offset) {
   auto *const load = code.ir.CreateLoad(
       type, code.ir.CreateConstInBoundsGEP1_64(code.ir.getInt8Ty(), pointer, offset));
-  load->setMetadata(llvm::LLVMContext::MD_invariant_load,
-                    llvm::MDNode::get(code.context(), llvm::None));
+  load->setMetadata(llvm::LLVMContext::MD_invariant_load, llvm::MDNode::get(code.context(), {}));
   return load;
 }
 
@@ -221,7 +220,7 @@ ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *i
                     int dimensions) {
   llvm::Type *const i32 = code.ir.getInt32Ty(), *const i64 = code.ir.getInt64Ty();
   Value *const levels =
-      constantField(code, code.ir.getInt8PtrTy(), view, offsetof(abi::TextureView, levels));
+      constantField(code, code.ir.getPtrTy(), view, offsetof(abi::TextureView, levels));
   Value *const at = code.ir.CreateMul(code.ir.CreateZExt(image, i64),
                                       code.ir.getInt64(sizeof(abi::TextureLevel)));
   Value *const level = code.ir.CreateGEP(code.ir.getInt8Ty(), levels, at);
@@ -233,8 +232,7 @@ ImageCode loadImage(Code &code, const abi::Format &format, Value *view, Value *i
   };
   ImageCode result;
   result.format = format;
-  result.base =
-      constantField(code, code.ir.getInt8PtrTy(), level, offsetof(abi::TextureLevel, base));
+  result.base = constantField(code, code.ir.getPtrTy(), level, offsetof(abi::TextureLevel, base));
   result.size[0] = constantField(code, i32, level, offsetof(abi::TextureLevel, width));
   if (dimensions > 1) {
     result.size[1] = constantField(code, i32, level, offsetof(abi::TextureLevel, height));

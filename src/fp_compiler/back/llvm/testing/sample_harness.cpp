@@ -47,10 +47,10 @@ private:
     auto *const load = m_code.ir.CreateLoad(
         type, m_code.ir.CreateConstInBoundsGEP1_64(m_code.ir.getInt8Ty(), m_call, offset));
     load->setMetadata(llvm::LLVMContext::MD_invariant_load,
-                      llvm::MDNode::get(m_code.context(), llvm::None));
+                      llvm::MDNode::get(m_code.context(), {}));
     return load;
   }
-  Value *pointer(std::size_t offset) { return constant(m_code.ir.getInt8PtrTy(), offset); }
+  Value *pointer(std::size_t offset) { return constant(m_code.ir.getPtrTy(), offset); }
   Value *element(std::size_t offset) {
     return m_code.ir.CreateGEP(m_code.ir.getInt32Ty(), pointer(offset), m_first);
   }

@@ -1,0 +1,80 @@
+"""The report of piglit on the bare host and under the layer, from the tables of all shards of a run.
+
+A shard's content is {"bare": {test: status}, "profiles": {profile: {"layer": {test: status}, "flakes":
+{test: [bare, layer]}}}}. What is judged is the whole: a row of the expectations is stale if no shard
+saw its difference."""
+
+import collections
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "piglit_vs_host"))
+
+import expectations
+import table
+
+KIND = "piglit"
+MEASURED = ("seconds",)  # not equal from run to run
+
+
+def report(profile, bare, layer, flaky, seconds, is_part):
+    """One profile's. flaky: tests whose difference did not stay; is_part: of tests chosen by name,
+    where a row that nothing used says nothing."""
+    rows = expectations.load(profile)
+    explained, unexpected = expectations.judge(expectations.differences(bare, layer), rows)
+    flakes = {key: unexpected.pop(key) for key in list(unexpected) if key in flaky}
+    unused = [] if is_part else expectations.unused_rows(rows, set(bare) | set(layer))
+    skipped = sum(1 for test, status in layer.items()
+                  if status == "skip" and bare.get(test) == "skip")
+    return {
+        "profile": profile, "seconds": round(seconds, 1),
+        "bare": collections.Counter(bare.values()), "layer": collections.Counter(layer.values()),
+        "explained": {k: {"bare": bare.get(k, "missing"), "layer": layer.get(k, "missing"),
+                          "reason": reason} for k, reason in explained.items()},
+        "unexpected": {k: {"bare": b, "layer": l} for k, (b, l) in unexpected.items()},
+        "flakes": {k: {"bare": b, "layer": l} for k, (b, l) in flakes.items()},
+        "stale": {row.where: row.pattern for row in unused},
+        "passed": len(set(bare) | set(layer)) - len(unexpected) - skipped,
+        "failed": len(unexpected) + len(unused), "skipped": skipped,
+    }
+
+
+def document(run, parts):
+    def joined(table_of):
+        every = {key: value for part in parts for key, value in table_of(part).items()}
+        return {key: every[key] for key in sorted(every)}
+
+    bare = joined(lambda part: part.content["bare"])
+    reports = []
+    for profile in run["profiles"]:
+        layer, flaky = (joined(lambda part: part.content["profiles"][profile][kind])
+                        for kind in ("layer", "flakes"))
+        seconds = sum(part.seconds[profile] for part in parts)
+        reports.append(report(profile, bare, layer, flaky, seconds, bool(run["filter"])))
+    return {"schema": 2, "set": run["set"], "reports": reports}
+
+
+def show_one(its):
+    print("\nprofile %s (%.0f s)" % (its["profile"], its["seconds"]))
+    for side in ("bare", "layer"):
+        print("  %-6s %s" % (side, "  ".join("%s %d" % pair for pair in sorted(its[side].items()))))
+    for kind, test, bare, layer, reason in table.rows(its):
+        results = ": %s on the bare host, %s under the layer" % (bare, layer) if bare else ""
+        print("  %-11s %s%s (%s)" % (kind, test, results, reason))
+    sys.stdout.flush()
+
+
+def show(its):
+    for each in its["reports"]:
+        show_one(each)
+    print()
+
+
+def counts(its):
+    return {key: sum(each[key] for each in its["reports"])
+            for key in ("passed", "failed", "skipped")}
+
+
+def files(its):
+    return {"report.json": json.dumps(its, indent=1) + "\n", "report.md": table.markdown(its)}
