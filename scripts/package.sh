@@ -3,8 +3,8 @@
 # usage: scripts/package.sh [ARCHITECTURE]     out/packages has those of this machine's, or of another
 #
 # Another architecture whose programs this processor runs (i386 beside amd64) has a Debian of its own in
-# build-package, which they are built in; nothing of the running system is changed. Shader Builder is left
-# out there: of a second architecture programs want the libraries alone.
+# build-package, which they are built in; nothing of the running system is changed. They are the libraries
+# alone: programs of a second architecture want nothing else.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

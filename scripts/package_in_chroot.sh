@@ -20,7 +20,7 @@ if [[ -z ${ARBITER_PACKAGE_INSIDE:-} ]]; then
 fi
 
 inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
-  DEBIAN_FRONTEND=noninteractive DEB_BUILD_PROFILES=pkg.arbiter.nobuilder \
+  DEBIAN_FRONTEND=noninteractive DEB_BUILD_PROFILES=pkg.arbiter.libs \
   DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-parallel=$(nproc)}" "$@"; }
 
 # What the packages are built with is kept; it is asked for again, as that may have changed.
