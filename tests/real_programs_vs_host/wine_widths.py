@@ -29,7 +29,9 @@ CLIENTS = {"opengl32": (["-lopengl32", "-lgdi32"], [], 5),
            "tiles": (["-ld3d9", "-ld3dx9_43"], [], 6),
            "stages": ([], ["o.ppm"], 4)}
 WINDOWS = {"win64": (64, 32), "win32": (32,)}  # and whose programs run there
-MOST = 1  # of 255: what a pixel may be apart
+BACKENDS = ("host", "swrast")
+MOST = 2  # of 255: what pixels may be apart
+OTHERS = 4  # and how many may be more: where a comparison of a shader falls the other way
 
 
 def environment(prefix: Path, windows: str, display: str) -> dict[str, str]:
@@ -67,10 +69,25 @@ def problem(bare: picture.Picture, layer: picture.Picture, stats: list[dict], le
     apart = picture.compare(bare, layer)
     if bare.is_blank():
         return "bare Wine draws nothing"
-    if not apart.same_size or apart.maximum > MOST:
-        return f"up to {apart.maximum} of 255 apart in {apart.pixels} pixels"
+    if not apart.same_size or apart.pixels_over > OTHERS:
+        return f"more than {MOST} of 255 apart in {apart.pixels_over} pixels"
     if programs < least or draws == 0:
         return f"the layer compiled {programs} programs, of {least}, and drew {draws} times"
+    return ""
+
+
+def compared(folder: Path, command: list, setting: dict[str, str], arbiter: str, least: int) -> str:
+    """What is wrong with a client under either back end; empty if nothing is."""
+    try:
+        bare = drawn(folder / "bare", command, setting)
+        for backend in BACKENDS:
+            layered = [arbiter, "run", "--backend", backend, "--stats", str(folder / backend / "stats.%p.json"),
+                       "--", *command]
+            layer = drawn(folder / backend, layered, setting)
+            if wrong := problem(bare, layer, session.read_stats(folder / backend), least):
+                return f"{backend}: {wrong}"
+    except (PrepareError, picture.PictureError, OSError, subprocess.SubprocessError) as failure:
+        return f"{failure}; see {folder}"
     return ""
 
 
@@ -78,6 +95,7 @@ def run_windows(windows: str, clients: Path, arbiter: str, out: Path, display: s
     """The clients in one installation of Windows; the names of those that fail."""
     setting = environment(out / windows / "prefix", windows, display)
     failed = []
+    (out / windows).mkdir()
     shell(["wine", "wineboot", "-i"], environment=setting, timeout=600)
     try:
         for name, kind, value in (("shader_backend", "REG_SZ", "arb"), ("MaxVersionGL", "REG_DWORD", "131073")):
@@ -86,13 +104,7 @@ def run_windows(windows: str, clients: Path, arbiter: str, out: Path, display: s
             for name, (_, arguments, least) in CLIENTS.items():
                 folder = out / windows / f"{name}.{width}"
                 command = ["wine", str(clients / f"{name}.{width}.exe"), *arguments]
-                try:
-                    bare = drawn(folder / "bare", command, setting)
-                    stats = folder / "layer" / "stats.%p.json"
-                    layer = drawn(folder / "layer", [arbiter, "run", "--stats", str(stats), "--", *command], setting)
-                    wrong = problem(bare, layer, session.read_stats(folder / "layer"), least)
-                except (PrepareError, picture.PictureError, OSError, subprocess.SubprocessError) as failure:
-                    wrong = f"{failure}; see {folder}"
+                wrong = compared(folder, command, setting, arbiter, least)
                 print(f"{'fail' if wrong else 'pass'}  {windows}  {name:8} of {width} bits  {wrong}", flush=True)
                 if wrong:
                     failed.append(f"{windows} {name} {width}")
