@@ -32,16 +32,17 @@ packages=(
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 python3
 )
 
-# Programs of the packages start with the unpacked loader and libraries, as those that are built here do.
+# Libraries find each other where they were unpacked, and programs start with the unpacked loader, as those
+# do that are built here. By RUNPATH, which LD_LIBRARY_PATH goes before.
 settle_programs() {
   [[ $tree/settled -nt $tree/unpacked ]] && return
   local file
-  # A library's own folders of libraries go before the program's.
   while IFS= read -r file; do
-    if readelf -d "$file" 2>/dev/null | grep -q RUNPATH; then patchelf --remove-rpath "$file"; fi
-  done < <(find "$sysroot/usr/lib/$triplet" -maxdepth 1 -name '*.so*' -type f)
+    if [[ $(head -c 4 "$file" | tail -c 3) == ELF ]]; then patchelf --set-rpath "$libraries" "$file"; fi
+  done < <(find "$sysroot"/{usr/,}"lib/$triplet" "$sysroot"/usr/lib/python3.*/lib-dynload -name '*.so*' -type f \
+    ! -name 'ld-linux*' ! -name 'libc.so*' ! -path '*/dri/*' ! -path '*/gconv/*'; echo "$sysroot/usr/lib/$triplet/dri/swrast_dri.so")
   for file in "$sysroot"/usr/bin/python3.[0-9]*; do
-    patchelf --set-interpreter "$loader" --force-rpath --set-rpath "$libraries" "$file"
+    patchelf --set-interpreter "$loader" --set-rpath "$libraries" "$file"
   done
   touch "$tree/settled"
 }
@@ -57,11 +58,10 @@ ar = 'i686-linux-gnu-ar'
 strip = 'i686-linux-gnu-strip'
 pkgconfig = '$tree/pkg-config'
 llvm-config-15 = '$tree/llvm-config-15'
-python3 = '$sysroot/usr/bin/python3'
 
 [built-in options]
 cpp_args = ['--sysroot=$sysroot', '-g1']
-cpp_link_args = ['--sysroot=$sysroot', '-Wl,--dynamic-linker=$loader', '-Wl,--disable-new-dtags',
+cpp_link_args = ['--sysroot=$sysroot', '-Wl,--dynamic-linker=$loader', '-Wl,--enable-new-dtags',
   '-Wl,-rpath,$libraries', '-Wl,-rpath-link,$libraries']
 
 [properties]
@@ -99,8 +99,11 @@ mapfile -t tests <"$tree/tests"
 [[ ${#tests[@]} -gt 0 ]] || fail "i386: no such test"
 plain_environment
 start_display
+export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri
+export CLIENT_PYTHON=$sysroot/usr/bin/python3
 failures=0
-record meson test -C "$tree/build" --no-rebuild --print-errorlogs --num-processes "$jobs" "${tests[@]}"
+record meson test -C "$tree/build" --no-rebuild --print-errorlogs --timeout-multiplier 4 --num-processes "$jobs" \
+  "${tests[@]}"
 if [[ -z $WANTED ]]; then
   step "differential: interpreter, compiler's GLSL, host, layer"
   record python3 "$root/scripts/run_differential.py" --build "$tree/build" --out "$out/differential-i386"
