@@ -7,6 +7,8 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=scripts/sysroot.sh
+source "$root/scripts/sysroot.sh"
 tree=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
 triplet=aarch64-linux-gnu
@@ -16,52 +18,13 @@ packages=(
   libc6-dev libstdc++-12-dev llvm-15-dev libgtest-dev libgmock-dev libbenchmark-dev
   nlohmann-json3-dev libfmt-dev libxxhash-dev libtomlplusplus-dev libcli11-dev libglm-dev
   libgl-dev libegl-dev libopengl-dev libglvnd-dev libglvnd-core-dev libx11-dev libxext-dev
-  libosmesa6-dev libepoxy-dev libglfw3-dev libpng-dev
+  libosmesa6-dev libepoxy-dev libglfw3-dev libpng-dev libjpeg62-turbo-dev libtinyobjloader-dev libelf-dev
 )
-
-# A package manager of its own: it knows the system's archives, and believes that nothing is installed.
-unpack_packages() {
-  local apt=$tree/apt package
-  mkdir -p "$apt"/{state/lists/partial,cache/archives/partial,etc} "$sysroot"
-  cp -r /etc/apt/. "$apt/etc"
-  : >"$apt/status"
-  cat >"$apt/apt.conf" <<TEXT
-APT::Architecture "arm64";
-APT::Architectures { "arm64"; };
-APT::Install-Recommends "false";
-APT::Sandbox::User "root";
-Debug::NoLocking "true";
-Dir::State "$apt/state";
-Dir::State::status "$apt/status";
-Dir::Cache "$apt/cache";
-Dir::Etc "$apt/etc";
-TEXT
-  APT_CONFIG=$apt/apt.conf apt-get update -qq
-  APT_CONFIG=$apt/apt.conf apt-get install -y -qq --download-only "${packages[@]}"
-  for package in "$apt"/cache/archives/*.deb; do dpkg-deb -x "$package" "$sysroot"; done
-  rm -rf "$apt/cache"
-  touch "$tree/unpacked"
-}
 
 # What meson is to use in place of this machine's own.
 write_tools() {
-  cat >"$tree/llvm-config-15" <<TEXT
-#!/bin/sh
-case "\$1" in
-  --version) echo 15.0.6 ;;
-  --includedir) echo $sysroot/usr/lib/llvm-15/include ;;
-  --libdir) echo $sysroot/usr/lib/llvm-15/lib ;;
-  --link-shared) echo -lLLVM-15 ;;
-  --link-static) [ "\$2" = --system-libs ] || exec llvm-config-15 --link-static --libs aarch64 runtimedyld passes ;;
-esac
-TEXT
-  cat >"$tree/pkg-config" <<TEXT
-#!/bin/sh
-export PKG_CONFIG_SYSROOT_DIR=$sysroot
-export PKG_CONFIG_LIBDIR=$sysroot/usr/lib/$triplet/pkgconfig:$sysroot/usr/share/pkgconfig
-exec pkg-config "\$@"
-TEXT
-  chmod +x "$tree/llvm-config-15" "$tree/pkg-config"
+  write_llvm_config "$tree" aarch64
+  write_pkg_config "$tree" $triplet
   cat >"$tree/cross.ini" <<TEXT
 [binaries]
 cpp = ['ccache', '$triplet-g++']
@@ -83,7 +46,7 @@ endian = 'little'
 TEXT
 }
 
-[[ -f $tree/unpacked ]] || unpack_packages
+unpack_sysroot arm64 "$tree" "${packages[@]}"
 if [[ ! -f $tree/build/build.ninja ]]; then
   write_tools
   meson setup "$tree/build" "$root" --cross-file "$tree/cross.ini" -Ddemos=false -Dllvm=15

@@ -102,5 +102,11 @@ if [[ $architectures == *i386 ]]; then
     step "and where it has both widths"
     inside sh -c "${install[*]} ./packages/*.deb"
     used python3 /checks/widths -v
+    step "programs for Windows of both widths"
+    inside "${install[@]}" --no-install-recommends wine wine64 wine32:i386
+    mkdir "$chroot/checks/real"
+    cp "$root"/tests/real_programs_vs_host/{wine_widths,cases,picture,session}.py "$chroot/checks/real/"
+    python3 "$root/tests/real_programs_vs_host/wine_widths.py" --build-clients "$chroot/checks/clients"
+    used python3 /checks/real/wine_widths.py --clients /checks/clients --out /tmp/wine
   fi
 fi

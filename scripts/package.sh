@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
 # Debian packages of this tree, of the files that git knows, as they stand.
-# usage: scripts/package.sh     packages of this machine's architecture in out/packages
+# usage: scripts/package.sh [ARCHITECTURE]     out/packages has those of this machine's, or of another
+#
+# Another architecture whose programs this processor runs (i386 beside amd64) has a Debian of its own in
+# build-package, which they are built in; nothing of the running system is changed. They are the libraries
+# alone: programs of a second architecture want nothing else.
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -10,8 +14,10 @@ source "$root/scripts/packages.sh"
 # shellcheck source=scripts/dev_lib.sh
 source "$root/scripts/dev_lib.sh"
 
-[[ $# == 0 ]] || fail "package: $1: packages are built for this machine's architecture alone"
-architecture=$(dpkg --print-architecture)
+native=$(dpkg --print-architecture)
+architecture=${1:-$native}
+[[ $# -le 1 && ($architecture == "$native" || "$native $architecture" == "amd64 i386") ]] ||
+  fail "package: ${*: -1}: there is $native here$([[ $native != amd64 ]] || echo ", and i386")"
 version=$(dpkg-parsechangelog -l "$root/debian/changelog" -S Version)
 work=${ARBITER_PACKAGE_BUILD:-$root/build-package}/$architecture
 source=$work/arbiter-$version
@@ -27,23 +33,31 @@ copy_tree() {
   fi
 }
 
-rm -rf "$work"
+build_here() {
+  # debhelper gives the build a home of its own; objects are looked for where the user's are.
+  if command -v ccache >/dev/null; then
+    CCACHE_DIR=$(ccache --get-config cache_dir)
+    export CCACHE_DIR
+  fi
+  export DEB_BUILD_OPTIONS=${DEB_BUILD_OPTIONS:-parallel=$(nproc)}
+  cd "$source"
+  if ! dpkg-checkbuilddeps 2>/dev/null; then
+    step "installing what the packages are built with" >&2
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get build-dep -y -qq --no-install-recommends \
+      -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 ./ >&2
+  fi
+  step "building the packages of $architecture" >&2
+  dpkg-buildpackage --no-sign --build=binary
+}
+
+rm -rf --one-file-system "$work"
 copy_tree "$source"
-# debhelper gives the build a home of its own; objects are looked for where the user's are.
-if command -v ccache >/dev/null; then
-  CCACHE_DIR=$(ccache --get-config cache_dir)
-  export CCACHE_DIR
+if [[ $architecture == "$native" ]]; then
+  build_here
+else
+  as_root "$root/scripts/package_in_chroot.sh" "$architecture" "$work"
 fi
-export DEB_BUILD_OPTIONS=${DEB_BUILD_OPTIONS:-parallel=$(nproc)}
-cd "$source"
-if ! dpkg-checkbuilddeps 2>/dev/null; then
-  step "installing what the packages are built with" >&2
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq >&2
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get build-dep -y -qq --no-install-recommends \
-    -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 ./ >&2
-fi
-step "building the packages of $architecture" >&2
-dpkg-buildpackage --no-sign --build=binary
 mkdir -p "$out/packages"
 rm -f "$out"/packages/*_"$architecture".*
 cp "$work"/*.deb "$work"/*.changes "$work"/*.buildinfo "$out/packages/"

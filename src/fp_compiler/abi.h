@@ -383,10 +383,10 @@ using VertexFunction = void (*)(const VertexData *data, std::uint32_t count);
 /// Bytes as a hash and as a comparison.
 template <typename Key> [[nodiscard]] std::size_t hashOf(const Key &key) {
   const auto *const bytes = reinterpret_cast<const unsigned char *>(&key);
-  std::size_t hash = 1469598103934665603ull;
+  std::uint64_t hash = 1469598103934665603ull;
   for (std::size_t i = 0; i < sizeof(Key); ++i)
     hash = (hash ^ bytes[i]) * 1099511628211ull;
-  return hash;
+  return std::size_t(sizeof(std::size_t) < sizeof hash ? hash ^ hash >> 32 : hash);
 }
 
 } // namespace arbiter::abi

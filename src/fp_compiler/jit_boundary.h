@@ -130,7 +130,8 @@ static_assert(allPlain(&I::makeEngine, &I::freeEngine, &I::describe, &I::prepare
                        &I::prepareVertex, &I::freeVertex, &I::vertexBytes, &I::compileVertex,
                        &I::listVertex, &I::freeCode, &I::view, &I::freeBytes));
 static_assert(std::is_trivial_v<Interface> && std::is_standard_layout_v<Interface>);
-static_assert(sizeof(Interface) == 17 * sizeof(void *), "every function is in the list above");
+static_assert(sizeof(Interface) == sizeof(std::uint64_t) + 16 * sizeof(void *),
+              "every function is in the list above");
 } // namespace detail
 
 } // namespace arbiter::fp::jit::boundary

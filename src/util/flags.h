@@ -82,10 +82,11 @@ inline constexpr std::size_t kMaxEnvBytes = 4096;
 
 /// The value of a variable that the environment does not have; null: none. The layer's library
 /// defines it (interposer/process.cpp): there defaults of single programs hold. Other programs
-/// have none.
-[[gnu::weak, gnu::visibility("hidden")]] const char *fallbackValue(const char *name);
+/// have none. Visible, as the address of a hidden one that is missing is not null on 32-bit x86:
+/// linkers resolve it against the address that the file is loaded at.
+[[gnu::weak, gnu::visibility("default")]] const char *fallbackValue(const char *name);
 /// Logs what fallbackValue() found wrong, and what it gives; called when the log is open.
-[[gnu::weak, gnu::visibility("hidden")]] void reportFallbacks();
+[[gnu::weak, gnu::visibility("default")]] void reportFallbacks();
 
 /// This process's settings: read by secure_getenv once, at the first call (none in a set-user-id
 /// program), and where that has no variable by fallbackValue(). The first call also opens the log,

@@ -8,7 +8,7 @@ namespace arbiter {
 
 namespace {
 Vectors ofProcessor() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (__builtin_cpu_supports("popcnt") && __builtin_cpu_supports("avx2"))
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? Vectors::Avx512
                                                                                    : Vectors::Avx2;

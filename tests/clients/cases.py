@@ -1,10 +1,18 @@
 """The cases of the client tests by their names: which client each starts, or what else proves it."""
+import subprocess
+
 from extra_cases import (run_apitrace, run_arbiter, run_array_memory, run_chosen, run_close, run_count, run_cycles,
                          run_disassembly, run_early, run_exports, run_overlay, run_secure, run_selected_host, run_spawn,
                          run_vendor_gpa, run_vendor_only)
+from plain_environment import PYTHON
 from setting import Client, Piglit
 
-SYSTEM_GL = "/usr/lib/x86_64-linux-gnu/libGL.so.1"
+
+def system_gl():
+    """Where processes of this one's width find libGL."""
+    script = ("import ctypes; ctypes.CDLL('libGL.so.1');"
+              "print(*[line.split()[5] for line in open('/proc/self/maps') if '/libGL.so.1' in line][:1])")
+    return subprocess.run([PYTHON, "-c", script], capture_output=True, text=True, check=True).stdout.strip()
 
 
 def all_cases():
@@ -34,11 +42,11 @@ def all_cases():
         "dlsym from libdl": Client([c + "client_glx_dynamic", "libdl"]),
         "RTLD_LOCAL plugin": Client([c + "client_plugin_host", c + "libclient_plugin.so", "local"]),
         "DEEPBIND plugin": Client([c + "client_plugin_host", c + "libclient_plugin.so", "deepbind"]),
-        "Python ctypes": Client(["python3", "{source}/ctypes_client.py"]),
+        "Python ctypes": Client([PYTHON, "{source}/ctypes_client.py"]),
     }
     extras = {
         "RPATH": Client([c + "client_rpath"]),
-        "absolute path": Client([c + "client_glx_dynamic", "absolute", SYSTEM_GL]),
+        "absolute path": Client([c + "client_glx_dynamic", "absolute", system_gl()]),
         "EGL surfaceless": Client([c + "client_egl_direct", "surfaceless"]),
         "EGL device": Client([c + "client_egl_direct", "device"]),
         "handle reuse, GLX": Client([c + "client_reuse", "glx", "1000"], bare=False),

@@ -3,6 +3,7 @@ the layer, for the loader of libraries or for Mesa reaches them; nor an ignored 
 
 import os
 import signal
+import sys
 from pathlib import Path
 
 SCRIPTS = Path(__file__).resolve().parent.parent.parent / "scripts"
@@ -19,11 +20,15 @@ SANITIZERS = {"ASAN_OPTIONS": "verify_asan_link_order=0:detect_leaks=0",
 HOST_ALONE = f":intercept_strlen=0:suppressions={SCRIPTS}/asan_host.supp"
 
 FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_")
+# Where the drivers lie is no wish of how they draw: a tree of another width has its own.
+KEPT = ("LIBGL_DRIVERS_PATH",)
+# That runs clients in Python: of the width that the layer has.
+PYTHON = os.environ.get("CLIENT_PYTHON", sys.executable)
 
 
 def plain(**more):
     """The caller's environment without FOREIGN names, on a GL of software; `more` is set in it."""
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(FOREIGN)}
+    kept = {name: value for name, value in os.environ.items() if name in KEPT or not name.startswith(FOREIGN)}
     return {**kept, "LIBGL_ALWAYS_SOFTWARE": "1", **more}
 
 

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import sys
 
-from plain_environment import plain
+from plain_environment import PYTHON, plain
 
 GL_XML = '/usr/share/khronos-api/gl.xml'
 SKIPPED = 77
@@ -55,7 +55,7 @@ def osmesa_context(_):
 def ask(script, options, kind, arguments):
     """What `script --client kind` prints under `arbiter run` with the arguments; on the bare host if they
     are None. None where the client cannot run here."""
-    command = [sys.executable, str(pathlib.Path(script).resolve()), '--client', kind]
+    command = [PYTHON, str(pathlib.Path(script).resolve()), '--client', kind]
     if arguments is not None:
         command = [options.arbiter, 'run', '--library', options.library, *arguments, '--', *command]
     environment = plain(EGL_PLATFORM='surfaceless')

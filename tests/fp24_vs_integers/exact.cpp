@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <compare>
 
 namespace arbiter::fp::proof {
 
@@ -114,21 +115,46 @@ Exact exactReciprocal(float value) {
   return {false, dividend / divisor << 1 | (dividend % divisor != 0), -63 - (p.exponent + 36)};
 }
 
+namespace {
+/// Numbers of 128 bits, which not every processor's compiler has.
+struct Wide {
+  std::uint64_t high, low;
+  auto operator<=>(const Wide &) const = default;
+};
+
+Wide squareOf(std::uint64_t value) {
+  const std::uint64_t low = value & 0xFFFFFFFF, high = value >> 32;
+  const std::uint64_t middle = low * high + (low * low >> 32); // below 2^64: (2^32-1)^2 + 2^32-1
+  const std::uint64_t more = (middle & 0xFFFFFFFF) + low * high;
+  return {high * high + (middle >> 32) + (more >> 32), more << 32 | (low * low & 0xFFFFFFFF)};
+}
+
+/// 2^120 / divisor, which is below 2^32, rounded down. \param whole whether it is exact
+Wide quotientOf120(std::uint64_t divisor, bool &whole) {
+  std::uint64_t digits[4] = {std::uint64_t(1) << 24, 0, 0, 0}, rest = 0;
+  for (std::uint64_t &digit : digits) {
+    const std::uint64_t part = rest << 32 | digit;
+    digit = part / divisor;
+    rest = part % divisor;
+  }
+  whole = rest == 0;
+  return {digits[0] << 32 | digits[1], digits[2] << 32 | digits[3]};
+}
+} // namespace
+
 Exact exactReciprocalRoot(float value) {
   const Parts p = partsOf(double(value));
   const int exponent = p.exponent + 36;
   const int odd = exponent & 1;
   const auto mantissa = (p.mantissa >> 36) << odd; // value = mantissa * 2^(exponent - odd)
   // The largest root with root^2 * mantissa <= 2^120, digit by digit.
-  __extension__ using Wide = unsigned __int128;
-  const Wide limit = Wide(1) << 120;
+  bool whole = false;
+  const Wide limit = quotientOf120(mantissa, whole);
   std::uint64_t root = 0;
-  for (std::uint64_t digit = std::uint64_t(1) << 53; digit != 0; digit >>= 1) {
-    const Wide next = root | digit;
-    if (next * next <= limit / mantissa)
+  for (std::uint64_t digit = std::uint64_t(1) << 53; digit != 0; digit >>= 1)
+    if (squareOf(root | digit) <= limit)
       root |= digit;
-  }
-  const bool more = Wide(root) * root * mantissa != limit;
+  const bool more = !whole || squareOf(root) != limit;
   return {false, root << 1 | more, -61 - (exponent - odd) / 2};
 }
 

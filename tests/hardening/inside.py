@@ -20,7 +20,7 @@ import threading
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / 'clients'))
 import identity  # noqa: E402
-from plain_environment import plain  # noqa: E402
+from plain_environment import PYTHON, plain  # noqa: E402
 import process  # noqa: E402
 from properties import is_writable_table  # noqa: E402
 
@@ -179,7 +179,7 @@ def ask(options, kind, layered=True, planted=False):
     """The client's answers, and what the layer's statistics say."""
     with tempfile.TemporaryDirectory(prefix='arbiter-inside-') as folder:
         stats = pathlib.Path(folder) / 'stats.json'
-        command = [sys.executable, str(HERE / 'inside.py'), '--client', kind]
+        command = [PYTHON, str(HERE / 'inside.py'), '--client', kind]
         if planted:
             command.append('--plant')
         if layered:

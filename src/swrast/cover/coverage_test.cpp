@@ -135,7 +135,7 @@ TEST(Rasterize, FansCoverEachPixelOnce) {
 
 TEST(Rasterize, SmallTrianglesAreTheSameOnAllInstructionSets) {
   std::vector<CoverSmall> others;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (vectors() >= Vectors::Avx2)
     others.push_back(coverSmallAvx2);
 #endif

@@ -1,5 +1,5 @@
 #pragma once
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 #include <xmmintrin.h>
 #endif
 
@@ -13,7 +13,7 @@ class FlushMode {
 public:
   FlushMode(const FlushMode &) = delete;
   FlushMode &operator=(const FlushMode &) = delete;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   FlushMode() : m_before(_mm_getcsr()) { _mm_setcsr(0x9FC0); }
   ~FlushMode() { _mm_setcsr(m_before); }
 

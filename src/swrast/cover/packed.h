@@ -53,7 +53,7 @@ struct PackedKernels {
 };
 /// All give the same.
 extern const PackedKernels kPackedBaseline;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 extern const PackedKernels kPackedAvx2;
 extern const PackedKernels kPackedAvx512;
 #endif

@@ -216,7 +216,7 @@ struct Tile {
 /// The others that this processor runs.
 std::vector<const PackedKernels *> otherKernels() {
   std::vector<const PackedKernels *> result;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (vectors() >= Vectors::Avx2)
     result.push_back(&kPackedAvx2);
   if (vectors() >= Vectors::Avx512)

@@ -198,7 +198,7 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
 const PackedKernels kPackedBaseline = {[](const DepthTest &) { return &testBlocks; }, listPixels};
 
 const PackedKernels &choosePackedKernels() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (vectors() == Vectors::Avx512)
     return kPackedAvx512;
   if (vectors() == Vectors::Avx2)

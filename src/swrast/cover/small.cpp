@@ -11,7 +11,7 @@ SmallCover coverSmallBaseline(const WindowVertex corner[3], bool counterclockwis
 }
 
 CoverSmall chooseCoverSmall() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (vectors() == Vectors::Avx512)
     return coverSmallAvx512;
   if (vectors() == Vectors::Avx2)

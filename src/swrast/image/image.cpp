@@ -42,7 +42,7 @@ Image makeImage(const abi::Format &format, int width, int height, int depth, boo
   const std::int64_t row = strideOf(std::int64_t(width) * abi::bytesOf(format.layout));
   const std::int64_t slice = row * height;
   // 2^28 rows of 2^18 bytes cannot overflow, but no machine has them.
-  std::shared_ptr<Storage> storage = Storage::make(std::size_t(slice) * std::size_t(depth));
+  std::shared_ptr<Storage> storage = Storage::make(std::uint64_t(slice) * std::uint64_t(depth));
   if (!storage)
     return image;
   image.format = format;

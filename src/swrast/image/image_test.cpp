@@ -39,6 +39,28 @@ TEST(Image, SizesOutOfRangeMakeNone) {
   EXPECT_FALSE(makeImage(kRgba8, 16384, 1).empty());
 }
 
+TEST(Image, SizesBeyondAllAddressesMakeNone) {
+  EXPECT_TRUE(makeImage(kRgba32f, 16384, 16384, 16384).empty());
+  if (sizeof(void *) == 4) // counted in 32 bits it would be half a megabyte
+    EXPECT_TRUE(makeImage(kRgba32f, 16384, 8193, 2).empty());
+}
+
+TEST(Storage, HoldsNoMoreThanItMay) {
+  constexpr std::size_t kBytes = std::size_t(1) << 20;
+  const std::uint64_t before = Storage::limitTotal(Storage::totalBytes() + 3 * kBytes + 1024);
+  std::vector<std::shared_ptr<Storage>> held;
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(held.emplace_back(Storage::make(kBytes))) << i;
+  EXPECT_FALSE(Storage::make(kBytes));
+  // What was given back waits in the pool for one of its size, and makes way for others.
+  held.resize(1);
+  EXPECT_TRUE(held.emplace_back(Storage::make(kBytes / 2)));
+  EXPECT_TRUE(held.emplace_back(Storage::make(kBytes + kBytes / 4)));
+  EXPECT_FALSE(Storage::make(kBytes));
+  EXPECT_LE(Storage::totalBytes(), Storage::limitTotal(before));
+  EXPECT_TRUE(Storage::make(kBytes));
+}
+
 TEST(Image, RowsAreAlignedAndTheirSurroundingsReadable) {
   for (const bool topFirst : {false, true}) {
     const Image image = makeImage(kRgba8, 33, 5, 2, topFirst);

@@ -15,7 +15,7 @@ constexpr std::size_t kGuardBytes = 64; ///< that may be read before and behind
 constexpr std::size_t kHugePage = std::size_t(2) << 20;
 constexpr std::size_t kPoolBlocks = 8;
 constexpr std::size_t kPoolBytes = std::size_t(16) << 20; ///< beyond as much as is in use
-constexpr std::size_t kLargestBytes = std::size_t(1) << 40;
+constexpr std::uint64_t kLargestBytes = std::min(std::uint64_t(1) << 40, Storage::kMostBytes);
 
 struct Freed {
   std::uint8_t *block = nullptr;
@@ -35,6 +35,7 @@ Pool &pool() {
   return *instance;
 }
 std::atomic<std::size_t> g_totalBytes{0};
+std::atomic<std::uint64_t> g_mostBytes{Storage::kMostBytes};
 
 std::size_t blockBytes(std::size_t bytes) { return (bytes + 2 * kGuardBytes + 63) / 64 * 64; }
 
@@ -49,6 +50,26 @@ std::uint8_t *allocate(std::size_t bytes) {
   if (huge)
     (void)madvise(block, size, MADV_HUGEPAGE);
   return static_cast<std::uint8_t *>(block);
+}
+
+void release(const Freed &freed) {
+  g_totalBytes.fetch_sub(blockBytes(freed.bytes), std::memory_order_relaxed);
+  std::free(freed.block);
+}
+
+/// Whether there may be another block of that size; what the pool keeps goes before it is refused.
+bool mayGrow(std::size_t bytes) {
+  const auto fits = [bytes] {
+    return g_totalBytes.load(std::memory_order_relaxed) + std::uint64_t(blockBytes(bytes)) <=
+           g_mostBytes.load(std::memory_order_relaxed);
+  };
+  if (fits())
+    return true;
+  Pool &p = pool();
+  const std::lock_guard lock(p.mutex);
+  std::for_each_n(p.freed.begin(), p.count, release);
+  p.count = p.freedBytes = 0;
+  return fits();
 }
 
 /// Gives back what std::shared_ptr keeps beside the storage, without the heap in a steady state.
@@ -81,9 +102,10 @@ template <typename T> struct HandleAllocator {
 
 } // namespace
 
-std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
-  if (bytes == 0 || bytes > kLargestBytes)
+std::shared_ptr<Storage> Storage::make(std::uint64_t wanted) {
+  if (wanted == 0 || wanted > kLargestBytes)
     return nullptr;
+  const auto bytes = std::size_t(wanted);
   struct Made : Storage {
     Made(std::uint8_t *data, std::size_t size) : Storage(data, size) {}
   };
@@ -108,6 +130,10 @@ std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
     pool().usedBytes -= bytes;
   };
   if (!block) {
+    if (!mayGrow(bytes)) {
+      withdraw();
+      return nullptr;
+    }
     block = allocate(bytes);
     if (!block) {
       withdraw();
@@ -118,8 +144,7 @@ std::shared_ptr<Storage> Storage::make(std::size_t bytes) {
   try {
     return std::allocate_shared<Made>(HandleAllocator<Made>(), block + kGuardBytes, bytes);
   } catch (const std::bad_alloc &) {
-    g_totalBytes.fetch_sub(blockBytes(bytes), std::memory_order_relaxed);
-    std::free(block);
+    release({block, bytes});
     withdraw();
     return nullptr;
   }
@@ -177,12 +202,11 @@ Storage::~Storage() {
       leaving[leavingCount++] = mine;
     }
   }
-  for (std::size_t i = 0; i < leavingCount; ++i) {
-    g_totalBytes.fetch_sub(blockBytes(leaving[i].bytes), std::memory_order_relaxed);
-    std::free(leaving[i].block);
-  }
+  std::for_each_n(leaving.begin(), leavingCount, release);
 }
 
 std::size_t Storage::totalBytes() { return g_totalBytes.load(std::memory_order_relaxed); }
+
+std::uint64_t Storage::limitTotal(std::uint64_t bytes) { return g_mostBytes.exchange(bytes); }
 
 } // namespace arbiter::swrast

@@ -32,8 +32,8 @@ struct PendingUse {
 /// a small pool, so that ping-pong between two buffers allocates nothing.
 class Storage {
 public:
-  /// Null if there is no memory. The bytes are undefined.
-  [[nodiscard]] static std::shared_ptr<Storage> make(std::size_t bytes);
+  /// Null if there is no memory, or storages hold what they may. The bytes are undefined.
+  [[nodiscard]] static std::shared_ptr<Storage> make(std::uint64_t bytes);
   /// Whose memory images use that no Storage allocated.
   struct Owner {
     void (*release)(void *user); ///< the last image lets go
@@ -78,6 +78,11 @@ public:
   }
   /// Memory that all storages hold now, pool included.
   [[nodiscard]] static std::size_t totalBytes();
+  /// How much all may hold, pool included. In processes of 32 bits it is an eighth of the addresses
+  /// there are: what the application and the host's driver cannot map ends the application.
+  static constexpr std::uint64_t kMostBytes = std::uint64_t(1) << (sizeof(void *) == 4 ? 29 : 46);
+  /// For tests. \returns what it was
+  static std::uint64_t limitTotal(std::uint64_t bytes);
 
 protected:
   Storage(std::uint8_t *data, std::size_t bytes) : m_data(data), m_bytes(bytes) {}

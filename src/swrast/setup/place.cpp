@@ -29,7 +29,7 @@ void placeCorners(const Viewport &viewport, const Vertices &vertices, const std:
 }
 
 PlaceVertices choosePlaceVertices() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (vectors() == Vectors::Avx512)
     return placeVerticesAvx512;
   if (vectors() == Vectors::Avx2)

@@ -117,7 +117,7 @@ TEST(Place, PlacesFourCornersAsOneAtATimeIsPlaced) {
   }
 }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 TEST(Place, PlacesThemSoWithAvx2) {
   if (vectors() < Vectors::Avx2)
     GTEST_SKIP() << "no AVX2";

@@ -6,7 +6,7 @@
 namespace arbiter {
 
 /// Of memory that is sealed, in bytes: the largest page that kernels of this processor use.
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 inline constexpr std::size_t kSealedPage = 4096;
 #else
 inline constexpr std::size_t kSealedPage = 65536;

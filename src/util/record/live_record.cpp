@@ -44,13 +44,15 @@ struct Path {
 };
 } // namespace
 
-/// What lies in the file. Written in an order in which it is whole at every moment: texts first,
-/// then what says that they are there.
+/// What lies in the file, for processes of 32 and of 64 bits alike. Written in an order in which it
+/// is whole at every moment: texts first, then what says that they are there.
 struct LiveRecord::Layout {
   char magic[sizeof kMagic];
   std::int32_t process;
   std::uint32_t named, forked, inFile;
-  timespec began;
+  struct Moment {
+    std::int64_t seconds, nanoseconds;
+  } began;
   char target[kPathBytes];
   std::uint64_t counters[kCounters];
   struct Frame {
@@ -62,13 +64,13 @@ struct LiveRecord::Layout {
   char rows[1]; ///< each its length in four bytes, then its text; to the end of kBytes
 
   static constexpr std::size_t kRowsAt =
-      16 + 16 + sizeof(timespec) + kPathBytes + 8 * kCounters + 2 * (8 + kFrameBytes) + 8;
+      16 + 16 + sizeof(Moment) + kPathBytes + 8 * kCounters + 2 * (8 + kFrameBytes) + 8;
   static constexpr std::size_t kRowsBytes = kBytes - kRowsAt;
 
   void begin(const std::string &path, bool pathNamed, const timespec &now) {
     process = ::getpid();
     named = pathNamed;
-    began = now;
+    began = {now.tv_sec, now.tv_nsec};
     std::memcpy(target, path.data(), path.size());
     std::memcpy(magic, kMagic, sizeof magic);
   }
@@ -102,8 +104,8 @@ struct LiveRecord::Layout {
   [[nodiscard]] bool isOthers(const char *path) const {
     struct stat info = {};
     return ::lstat(path, &info) == 0 && S_ISREG(info.st_mode) &&
-           (info.st_mtim.tv_sec > began.tv_sec ||
-            (info.st_mtim.tv_sec == began.tv_sec && info.st_mtim.tv_nsec > began.tv_nsec));
+           (info.st_mtim.tv_sec > began.seconds ||
+            (info.st_mtim.tv_sec == began.seconds && info.st_mtim.tv_nsec > began.nanoseconds));
   }
 };
 
@@ -157,6 +159,9 @@ void *mapFile(const char *path, std::size_t bytes) {
 
 LiveRecord *LiveRecord::make(const std::string &target, bool named) {
   static_assert(offsetof(Layout, rows) <= Layout::kRowsAt && sizeof(Layout) <= kBytes);
+  static_assert(offsetof(Layout, counters) == 48 + kPathBytes &&
+                    offsetof(Layout, frames) == 48 + kPathBytes + 8 * kCounters,
+                "no holes that only some processors leave");
   if (target.size() >= kPathBytes)
     return nullptr;
   auto *const record = new (std::nothrow) LiveRecord;
@@ -280,7 +285,9 @@ bool LiveRecord::finish() {
       ::unlink(m_layout->recordPath().text);
     // The file is of this process now, and may be written again.
     m_layout->inFile = 0;
-    clock_gettime(CLOCK_REALTIME, &m_layout->began);
+    timespec now = {};
+    clock_gettime(CLOCK_REALTIME, &now);
+    m_layout->began = {now.tv_sec, now.tv_nsec};
     errno = before;
   }
   return good;
@@ -322,8 +329,7 @@ std::int64_t LiveRecord::beganAt(const std::string &recordPath) {
   Layout *const layout = open(recordPath);
   if (!layout)
     return 0;
-  const std::int64_t began =
-      std::int64_t(layout->began.tv_sec) * 1'000'000'000 + layout->began.tv_nsec;
+  const std::int64_t began = layout->began.seconds * 1'000'000'000 + layout->began.nanoseconds;
   ::munmap(layout, kBytes);
   return began;
 }

@@ -1,11 +1,13 @@
 // Direct3D 8: texture stages of the fixed function and pixel shaders 1.1, for Wine's ARB back end.
+// usage: stages [FILE]     FILE becomes a PPM of the last frame
 #include <cmath>
+#include <cstdio>
 #include <d3d8.h>
 #include <windows.h>
 
 namespace {
 
-constexpr int kFrames = 12;
+constexpr int kFrames = 12, kWidth = 300, kHeight = 200;
 constexpr int kSide = 64;
 constexpr DWORD kFormat = D3DFVF_XYZ | D3DFVF_DIFFUSE | D3DFVF_TEX2;
 
@@ -95,18 +97,43 @@ void drawFrame(IDirect3DDevice8 *device, int frame, DWORD product, DWORD mixture
     drawTile(device, tile++);
   }
   device->EndScene();
-  device->Present(nullptr, nullptr, nullptr, nullptr);
+}
+
+/// What has been drawn, before it is shown.
+bool write(IDirect3DDevice8 *device, const char *path) {
+  IDirect3DSurface8 *drawn = nullptr, *copy = nullptr;
+  D3DLOCKED_RECT lock;
+  if (device->GetBackBuffer(0, D3DBACKBUFFER_TYPE_MONO, &drawn) != D3D_OK ||
+      device->CreateImageSurface(kWidth, kHeight, D3DFMT_X8R8G8B8, &copy) != D3D_OK ||
+      device->CopyRects(drawn, nullptr, 0, copy, nullptr) != D3D_OK ||
+      copy->LockRect(&lock, nullptr, D3DLOCK_READONLY) != D3D_OK)
+    return false;
+  std::FILE *const file = std::fopen(path, "wb");
+  if (!file)
+    return false;
+  std::fprintf(file, "P6\n%d %d\n255\n", kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const unsigned char *const bgr =
+          static_cast<const unsigned char *>(lock.pBits) + y * lock.Pitch + 4 * x;
+      for (int c = 2; c >= 0; --c)
+        std::fputc(bgr[c], file);
+    }
+  copy->UnlockRect();
+  copy->Release();
+  drawn->Release();
+  return std::fclose(file) == 0;
 }
 
 } // namespace
 
-int main() {
+int main(int count, char **arguments) {
   WNDCLASSA kind = {};
   kind.lpfnWndProc = DefWindowProcA;
   kind.lpszClassName = "stages";
   RegisterClassA(&kind);
-  HWND window = CreateWindowA("stages", "stages", WS_POPUP | WS_VISIBLE, 0, 0, 300, 200, nullptr,
-                              nullptr, nullptr, nullptr);
+  HWND window = CreateWindowA("stages", "stages", WS_POPUP | WS_VISIBLE, 0, 0, kWidth, kHeight,
+                              nullptr, nullptr, nullptr, nullptr);
   IDirect3D8 *direct3d = createDirect3D();
   if (!direct3d)
     return 1;
@@ -114,8 +141,8 @@ int main() {
   shown.Windowed = TRUE;
   shown.SwapEffect = D3DSWAPEFFECT_DISCARD;
   shown.BackBufferFormat = D3DFMT_X8R8G8B8;
-  shown.BackBufferWidth = 300;
-  shown.BackBufferHeight = 200;
+  shown.BackBufferWidth = kWidth;
+  shown.BackBufferHeight = kHeight;
   shown.BackBufferCount = 1;
   shown.hDeviceWindow = window;
   IDirect3DDevice8 *device = nullptr;
@@ -131,8 +158,12 @@ int main() {
   if (device->CreatePixelShader(kProduct, &product) != D3D_OK ||
       device->CreatePixelShader(kMixture, &mixture) != D3D_OK)
     return 3;
-  for (int frame = 0; frame < kFrames; ++frame)
+  for (int frame = 0; frame < kFrames; ++frame) {
     drawFrame(device, frame, product, mixture);
+    if (frame == kFrames - 1 && count > 1 && !write(device, arguments[1]))
+      return 4;
+    device->Present(nullptr, nullptr, nullptr, nullptr);
+  }
   device->Release();
   direct3d->Release();
   DestroyWindow(window);

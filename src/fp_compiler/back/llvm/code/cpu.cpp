@@ -18,7 +18,7 @@ struct Row {
   std::initializer_list<const char *> features;
 };
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 const Row kFamilies[] = {
     {Cpu::Family::Avx512,
      "avx512",

@@ -183,7 +183,7 @@ public:
   Scattered &operator=(const Scattered &) = delete;
 
 private:
-  static constexpr std::size_t kReserved = std::size_t(8) << 30, kPage = 4096;
+  static constexpr std::size_t kReserved = std::size_t(8ull << 30), kPage = 4096;
   static constexpr std::size_t kMost = 4000; ///< where addresses are given from below
 
   void *map(std::size_t bytes) {
@@ -198,6 +198,8 @@ private:
 };
 
 TEST(Engine, CodeLiesBesideItsConstants) {
+  if (sizeof(void *) == 4)
+    GTEST_SKIP() << "of 32 bits no two addresses are too far apart";
   const auto engine = engineFor({});
   ASSERT_NE(engine, nullptr);
   const auto before = compiled(*engine, scaled(1)); // what LLVM itself maps once is mapped

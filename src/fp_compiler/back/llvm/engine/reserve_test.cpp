@@ -78,7 +78,7 @@ TEST(Reserve, EndsAndIsWholeAgain) {
       reserve::release(block);
     EXPECT_FALSE(reserve::isLow());
   }
-  EXPECT_EQ(reserve::allocate(std::size_t(1) << 40), nullptr);
+  EXPECT_EQ(reserve::allocate(std::size_t(1) << (sizeof(void *) == 4 ? 31 : 40)), nullptr);
   EXPECT_EQ(reserve::allocate(~std::size_t(0)), nullptr);
   int own = 0;
   EXPECT_FALSE(reserve::has(&own));

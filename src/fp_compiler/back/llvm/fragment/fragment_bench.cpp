@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
 #include <xmmintrin.h>
 #endif
 
@@ -183,7 +183,7 @@ void print(const char *name, double one, double two, std::size_t bytes = 0, doub
 /// The mode that functions compute in, as the rasterizer sets it for many small calls.
 class FlushMode {
 public:
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   FlushMode() : m_before(_mm_getcsr()) { _mm_setcsr(0x9FC0); }
   ~FlushMode() { _mm_setcsr(m_before); }
 

@@ -22,6 +22,14 @@ namespace arbiter::fp::llvm_back {
 namespace {
 using MachinePtr = std::unique_ptr<llvm::TargetMachine>;
 
+/// Code is linked where it stays. On 32-bit x86 it has no instruction relative to its own place,
+/// and what would do instead, a table of offsets, is nothing that RuntimeDyld knows.
+#if defined(__i386__)
+constexpr llvm::Reloc::Model kRelocations = llvm::Reloc::Static;
+#else
+constexpr llvm::Reloc::Model kRelocations = llvm::Reloc::PIC_;
+#endif
+
 MachinePtr makeMachine(const Cpu &cpu, std::string &reason) {
   static std::once_flag s_once;
   std::call_once(s_once, [] {
@@ -37,7 +45,7 @@ MachinePtr makeMachine(const Cpu &cpu, std::string &reason) {
   options.AllowFPOpFusion = llvm::FPOpFusion::Strict;
   release::flushDenormals(options);
   MachinePtr machine(target->createTargetMachine(release::nameOf(triple), cpu.name, cpu.features,
-                                                 options, llvm::Reloc::PIC_, llvm::CodeModel::Small,
+                                                 options, kRelocations, llvm::CodeModel::Small,
                                                  release::kUsualOptimisation, true));
   if (!machine)
     reason = "LLVM makes no code for " + triple.str();
@@ -61,7 +69,7 @@ struct Listener final : llvm::DiagnosticHandler {
 /// A program's code is called by address: where the processor checks that such calls arrive at a
 /// landing pad, and returns where they came from, it stands the check.
 void setControlFlow(llvm::Module &module) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   module.addModuleFlag(llvm::Module::Override, "cf-protection-branch", 1);
   module.addModuleFlag(llvm::Module::Override, "cf-protection-return", 1);
 #else
@@ -84,12 +92,12 @@ void setAttributes(llvm::Function &function, const Cpu &cpu) {
 class ControlWord {
 public:
   explicit ControlWord(llvm::IRBuilder<> &ir) : m_ir(ir) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
     m_slot = ir.CreateAlloca(ir.getInt32Ty());
 #endif
   }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   static constexpr std::uint64_t kMode = 0x9FC0; ///< no traps, to nearest, FTZ and DAZ
   Value *read() {
     m_ir.CreateIntrinsic(llvm::Intrinsic::x86_sse_stmxcsr, {}, {m_slot});

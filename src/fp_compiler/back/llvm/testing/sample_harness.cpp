@@ -29,7 +29,8 @@ public:
                                where(), m_options.needed);
     for (std::size_t i = 0; i < 4; ++i)
       if (texel.rgba[i] && !m_options.onlyPacked)
-        ir.CreateAlignedStore(texel.rgba[i], element(offsetof(SampleCall, result) + 8 * i),
+        ir.CreateAlignedStore(texel.rgba[i],
+                              element(offsetof(SampleCall, result) + sizeof(void *) * i),
                               llvm::Align(4));
     if (texel.packed)
       ir.CreateAlignedStore(texel.packed, element(offsetof(SampleCall, packed)), llvm::Align(4));
@@ -60,7 +61,7 @@ private:
   SampleAt where() {
     SampleAt at;
     for (std::size_t i = 0; i < 3; ++i) {
-      at.coordinate[i] = vector(offsetof(SampleCall, coordinate) + 8 * i);
+      at.coordinate[i] = vector(offsetof(SampleCall, coordinate) + sizeof(void *) * i);
       if (m_options.derivatives) {
         llvm::Type *const real = m_code.ir.getFloatTy();
         at.dx[i] = m_code.splat(constant(real, offsetof(SampleCall, dx) + 4 * i));

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Builds the packages of another architecture in a Debian of that architecture. Runs as root.
+# usage: scripts/package_in_chroot.sh ARCHITECTURE FOLDER     FOLDER/arbiter-VERSION is the source; the
+#                                                             packages come to lie in FOLDER
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+# shellcheck source=scripts/dev_lib.sh
+source "$root/scripts/dev_lib.sh"
+architecture=$1
+work=$(readlink -f "$2")
+suite=bookworm
+base=$(dirname "$work")/build-$architecture.tar
+chroot=$work/chroot
+
+# All mounts are this script's, and go with it.
+if [[ -z ${ARBITER_PACKAGE_INSIDE:-} ]]; then
+  exec unshare --mount --pid --fork --mount-proc --propagation private -- \
+    env ARBITER_PACKAGE_INSIDE=1 "$root/scripts/package_in_chroot.sh" "$@"
+fi
+
+inside() { chroot "$chroot" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp LC_ALL=C.UTF-8 \
+  DEBIAN_FRONTEND=noninteractive DEB_BUILD_PROFILES=pkg.arbiter.libs \
+  DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-parallel=$(nproc)}" "$@"; }
+
+# What the packages are built with is kept; it is asked for again, as that may have changed.
+step "a $suite of $architecture" >&2
+if [[ ! -f $base ]]; then
+  mmdebstrap --quiet --format=tar --variant=buildd --architectures="$architecture" "$suite" "$base.part" \
+    "deb http://deb.debian.org/debian $suite main"
+  mv "$base.part" "$base"
+fi
+mkdir -p "$chroot"
+tar -C "$chroot" -xf "$base"
+cp /etc/resolv.conf "$chroot/etc/resolv.conf"
+echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
+mount -t proc proc "$chroot/proc"
+mount -t tmpfs tmpfs "$chroot/dev/shm"
+mkdir "$chroot/work"
+cp -r "$work"/arbiter-* "$chroot/work/"
+source=/work/$(basename "$(echo "$chroot"/work/arbiter-*)")
+inside apt-get update -qq >&2
+inside apt-get build-dep -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "$source/" >&2
+step "building the packages of $architecture" >&2
+# As the architecture's own programs see the machine: of 32 bits.
+inside setarch "$architecture" sh -c "cd $source && dpkg-buildpackage --no-sign --build=any"
+find "$chroot/work" -maxdepth 1 -type f -exec cp {} "$work/" \;
+umount "$chroot/dev/shm" "$chroot/proc"
+rm -rf --one-file-system "$chroot"
