@@ -41,8 +41,9 @@ TEST(Image, SizesOutOfRangeMakeNone) {
 
 TEST(Image, SizesBeyondAllAddressesMakeNone) {
   EXPECT_TRUE(makeImage(kRgba32f, 16384, 16384, 16384).empty());
-  if (sizeof(void *) == 4) // counted in 32 bits it would be half a megabyte
+  if (sizeof(void *) == 4) { // counted in 32 bits it would be half a megabyte
     EXPECT_TRUE(makeImage(kRgba32f, 16384, 8193, 2).empty());
+  }
 }
 
 TEST(Storage, HoldsNoMoreThanItMay) {

@@ -28,8 +28,9 @@ TEST(NvAttributes, AreTheConventionalOnesByNumber) {
     ASSERT_EQ(host.calls.size(), wider ? 2u : 1u);
     EXPECT_EQ(host.calls[0].substr(0, std::string(expected[i]).size()), expected[i]);
     EXPECT_NE(host.calls[0].find(" 1000"), std::string::npos);
-    if (wider)
+    if (wider) {
       EXPECT_EQ(host.calls[1], "VertexAttrib4fv " + std::to_string(i) + " 1000 2000 3000 4000");
+    }
   }
 }
 
