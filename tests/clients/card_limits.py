@@ -118,6 +118,10 @@ def answered(value):
     return {name: {'value': shown(value)} for name, (_, shown) in GETTERS.items()}
 
 
+# Rows of what the layer itself has on every host, where they are not 0.
+OFFERED = ('model.general_combiners',)
+
+
 def host_value(bare, row):
     """What the host answers to Get; None where it does not know the name."""
     return bare['answers'][row].get('glGetIntegerv', {}).get('value')
@@ -125,6 +129,8 @@ def host_value(bare, row):
 
 def wanted(row, value, bare, from_host, is_program):
     """The answers that a row is to have, by function."""
+    if row in OFFERED:
+        return answered(value) if value else bare['answers'][row]
     if is_program:
         return bare['answers'][row] if from_host else {'glGetProgramivARB': {'value': value}}
     host = host_value(bare, row)
