@@ -100,36 +100,6 @@ bool nvValue(const Context &context, GLenum pname, GLint &value) {
   return true;
 }
 
-/// The values of NV_register_combiners and 2 but for the colours, which are four.
-bool combinerValue(const Context &context, GLenum pname, GLint &value) {
-  const CombinerState *const combiners = context.combiners.get();
-  if (!combiners)
-    return false;
-  switch (pname) {
-  case infoOf(Target::Combiners).name:
-    value = context.row(Target::Combiners).enabled ? 1 : 0;
-    return true;
-  case GL_NUM_GENERAL_COMBINERS_NV:
-    value = combiners->state().count;
-    return true;
-  case GL_COLOR_SUM_CLAMP_NV:
-    value = combiners->state().sumClamp ? 1 : 0;
-    return true;
-  case GL_MAX_GENERAL_COMBINERS_NV:
-    value = combiners->stages();
-    return true;
-  default:
-    value = combiners->state().perStageConstants ? 1 : 0;
-    return combiners->hasPerStageConstants();
-  }
-}
-
-/// TEXTURE_SHADER_NV.
-bool textureShaderValue(const Context &context, GLint &value) {
-  value = context.row(Target::TextureShaders).enabled ? 1 : 0;
-  return context.textureShaders != nullptr;
-}
-
 /// True, with the value, for what we answer ourselves. Before the rest goes to the host, what would
 /// show our objects is put back.
 bool ownValue(Context &context, GLenum pname, GLint &value) {

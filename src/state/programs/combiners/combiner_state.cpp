@@ -76,4 +76,27 @@ std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &cont
       .first->second;
 }
 
+bool combinerValue(const Context &context, GLenum pname, GLint &value) {
+  const CombinerState *const combiners = context.combiners.get();
+  if (!combiners)
+    return false;
+  switch (pname) {
+  case infoOf(Target::Combiners).name:
+    value = context.row(Target::Combiners).enabled ? 1 : 0;
+    return true;
+  case GL_NUM_GENERAL_COMBINERS_NV:
+    value = combiners->state().count;
+    return true;
+  case GL_COLOR_SUM_CLAMP_NV:
+    value = combiners->state().sumClamp ? 1 : 0;
+    return true;
+  case GL_MAX_GENERAL_COMBINERS_NV:
+    value = combiners->stages();
+    return true;
+  default:
+    value = combiners->state().perStageConstants ? 1 : 0;
+    return combiners->hasPerStageConstants();
+  }
+}
+
 } // namespace arbiter::state

@@ -88,4 +88,8 @@ private:
   std::unordered_map<Key, std::shared_ptr<const CompiledProgram>, KeyHash> m_programs;
 };
 
+/// True, with it, for a value of Get that NV_register_combiners and 2 have, but for the colours,
+/// which are four. False where the context does not offer the extension.
+[[nodiscard]] bool combinerValue(const Context &context, GLenum pname, GLint &value);
+
 } // namespace arbiter::state

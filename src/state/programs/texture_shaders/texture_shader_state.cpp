@@ -101,4 +101,9 @@ void noteTextureChange(Context &context) {
   context.attention |= attention::kDepth;
 }
 
+bool textureShaderValue(const Context &context, GLint &value) {
+  value = context.row(Target::TextureShaders).enabled ? 1 : 0;
+  return context.textureShaders != nullptr;
+}
+
 } // namespace arbiter::state

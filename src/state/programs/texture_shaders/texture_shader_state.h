@@ -109,4 +109,7 @@ private:
 /// asks. One test where none depends on it.
 void noteTextureChange(Context &context);
 
+/// The value of Get of TEXTURE_SHADER_NV; false where the context does not offer it.
+[[nodiscard]] bool textureShaderValue(const Context &context, GLint &value);
+
 } // namespace arbiter::state
