@@ -47,6 +47,7 @@ const GLubyte *getStringi(GLenum, GLuint index) {
 }
 
 void getIntegerv(GLenum pname, GLint *value) {
+  ++fake().queries;
   FakeHost &f = fake();
   if (f.lost)
     return;
@@ -250,6 +251,7 @@ void enable(GLenum cap) {
   noteTarget(cap, true);
 }
 GLboolean isEnabled(GLenum cap) {
+  ++fake().queries;
   fake().note(words("IsEnabled", {cap}));
   return fake().enabled.count(cap) != 0;
 }

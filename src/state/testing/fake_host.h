@@ -63,6 +63,7 @@ public:
   /// "UseProgram 3", in order.
   std::vector<std::string> calls;
   [[nodiscard]] int count(const std::string &call) const;
+  int queries = 0; ///< of GetIntegerv and IsEnabled
   /// Calls that would be recorded into the application's list, had it been a real host.
   std::vector<std::string> recorded;
 
