@@ -34,7 +34,7 @@ def parallel_command(job, numbers):
 
 
 def run_parallel(job, numbers):
-    # It asks nothing of the terminal, and a test's display is its own.
+    # The command is quoted for a shell of this kind, whatever the user's own is.
     return subprocess.run(parallel_command(job, numbers), stdin=subprocess.DEVNULL,
                           env={**os.environ, "SHELL": "/bin/bash"}).returncode
 
