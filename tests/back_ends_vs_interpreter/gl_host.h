@@ -48,8 +48,8 @@ private:
 inline constexpr float kUntouched = 777.0f;
 
 /// Whether the host's shaders compute with denormals, as they may, where the interpreter takes them
-/// for zeros: Debian's Mesa of 32 bits is compiled for processors that cannot be told to. Draws once,
-/// and leaves the state as it was.
+/// for zeros: Debian's Mesa of 32 bits is compiled for processors that cannot be told to. Draws
+/// once, and leaves the state as it was.
 [[nodiscard]] bool keepsDenormals();
 /// `value`, or the zero of its sign where it is a denormal and the host keeps those.
 [[nodiscard]] float comparable(float value);
