@@ -58,7 +58,8 @@ case "\$1" in
   --version) echo 15.0.6 ;;
   --includedir) echo $1/root/usr/lib/llvm-15/include ;;
   --libdir) echo $1/root/usr/lib/llvm-15/lib ;;
-  --link-static) exec llvm-config-15 --link-static --libs $2 runtimedyld passes ;;
+  --link-shared) echo -lLLVM-15 ;;
+  --link-static) [ "\$2" = --system-libs ] || exec llvm-config-15 --link-static --libs $2 runtimedyld passes ;;
 esac
 TEXT
   chmod +x "$1/llvm-config-15"
