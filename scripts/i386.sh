@@ -100,7 +100,8 @@ mapfile -t tests <"$tree/tests"
 plain_environment
 start_display
 # The machine's own too: X servers that tests start.
-export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri:/usr/lib/$(g++ -print-multiarch)/dri
+own=$(g++ -print-multiarch)
+export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri:/usr/lib/$own/dri
 export CLIENT_PYTHON=$sysroot/usr/bin/python3
 failures=0
 record meson test -C "$tree/build" --no-rebuild --print-errorlogs --timeout-multiplier 4 --num-processes "$jobs" \
