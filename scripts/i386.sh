@@ -99,7 +99,9 @@ mapfile -t tests <"$tree/tests"
 [[ ${#tests[@]} -gt 0 ]] || fail "i386: no such test"
 plain_environment
 start_display
-export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri
+# The machine's own too: X servers that tests start.
+own=$(g++ -print-multiarch)
+export LIBGL_DRIVERS_PATH=$sysroot/usr/lib/$triplet/dri:/usr/lib/$own/dri
 export CLIENT_PYTHON=$sysroot/usr/bin/python3
 failures=0
 record meson test -C "$tree/build" --no-rebuild --print-errorlogs --timeout-multiplier 4 --num-processes "$jobs" \

@@ -21,8 +21,8 @@ constexpr std::array<float, kSide> kSpecial = {0.0f,  -0.0f,  1.0f,   -1.0f,    
 
 /// Texel (x, y): a pair and, in z and w, two more that differ from pixel to pixel.
 Vec4 texelAt(int x, int y) {
-  return {kSpecial[std::size_t(x)], kSpecial[std::size_t(y)],
-          kSpecial[std::size_t((x + 3 * y) % kSide)], kSpecial[std::size_t((5 * x + y) % kSide)]};
+  const auto at = [](int i) { return comparable(kSpecial[std::size_t(i % kSide)]); };
+  return {at(x), at(y), at(x + 3 * y), at(5 * x + y)};
 }
 
 void bindTexels() {

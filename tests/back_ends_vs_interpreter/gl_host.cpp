@@ -1,5 +1,6 @@
 #include "gl_host.h"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -113,6 +114,59 @@ Pixels FloatTarget::read(int buffer) const {
   glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_FLOAT, pixels.rgba.data());
   glReadPixels(0, 0, kSide, kSide, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.depth.data());
   return pixels;
+}
+
+namespace {
+GLuint denormalProgram() {
+  constexpr const char *kVertex = "uniform float small; varying float found;\n"
+                                  "void main() { found = small * 1e30; gl_Position = gl_Vertex; }";
+  constexpr const char *kFragment =
+      "uniform float small; varying float found;\n"
+      "void main() { gl_FragData[0] = vec4(found, small * 1e30, 0.0, 0.0); }";
+  const GLuint program = glCreateProgram();
+  for (const auto &[kind, text] :
+       {std::pair(GL_VERTEX_SHADER, kVertex), std::pair(GL_FRAGMENT_SHADER, kFragment)}) {
+    const GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+  }
+  glLinkProgram(program);
+  return program;
+}
+
+bool drawsDenormals() {
+  GLint framebuffer = 0, before = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+  glGetIntegerv(GL_CURRENT_PROGRAM, &before);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  FloatTarget target;
+  bool found = false;
+  if (target.create()) {
+    const GLuint program = denormalProgram();
+    glUseProgram(program);
+    glUniform1f(glGetUniformLocation(program, "small"), 1e-40f);
+    glRectf(-1, -1, 1, 1);
+    const Pixels pixels = target.read(0);
+    found = pixels.rgba[0] != 0 || pixels.rgba[1] != 0;
+    glUseProgram(GLuint(before));
+    glDeleteProgram(program);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer));
+  glPopAttrib();
+  return found;
+}
+} // namespace
+
+bool keepsDenormals() {
+  static const bool s_keeps = drawsDenormals();
+  return s_keeps;
+}
+
+float comparable(float value) {
+  return std::fpclassify(value) == FP_SUBNORMAL && keepsDenormals() ? std::copysign(0.0f, value)
+                                                                    : value;
 }
 
 std::string takeErrors() {

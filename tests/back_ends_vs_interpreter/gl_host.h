@@ -47,6 +47,13 @@ private:
 /// What clear() leaves in a colour buffer: a value that no program makes.
 inline constexpr float kUntouched = 777.0f;
 
+/// Whether the host's shaders compute with denormals, as they may, where the interpreter takes them
+/// for zeros: Debian's Mesa of 32 bits is compiled for processors that cannot be told to. Draws
+/// once, and leaves the state as it was.
+[[nodiscard]] bool keepsDenormals();
+/// `value`, or the zero of its sign where it is a denormal and the host keeps those.
+[[nodiscard]] float comparable(float value);
+
 /// GL errors since the last call, as text; empty if there were none.
 [[nodiscard]] std::string takeErrors();
 

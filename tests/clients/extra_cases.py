@@ -6,7 +6,8 @@ import shutil
 import stat
 import subprocess
 
-from setting import R300_INDIRECTIONS, Skip, execute, need, need_statistics, need_success, write_icd
+from plain_environment import PYTHON
+from setting import R300_INDIRECTIONS, Skip, execute, need, need_statistics, need_success, width, write_icd
 
 
 def run_early(setting):
@@ -33,8 +34,8 @@ def run_chosen(setting):
         need_success(outcome, vendor)
         need(outcome.reports()[0]["indirections"] == R300_INDIRECTIONS, f"{vendor}: not through the layer")
         need_statistics(setting.stats)
-    shell = 'echo "$__GLX_VENDOR_LIBRARY_NAME $ARBITER_SAVED_GLX_VENDOR"'
-    outcome = execute(["sh", "-c", shell], setting.environment(True, {"__GLX_VENDOR_LIBRARY_NAME": "mesa"}))
+    script = "import os; print(*map(os.environ.get, ('__GLX_VENDOR_LIBRARY_NAME', 'ARBITER_SAVED_GLX_VENDOR')))"
+    outcome = execute([PYTHON, "-c", script], setting.environment(True, {"__GLX_VENDOR_LIBRARY_NAME": "mesa"}))
     need(outcome.out.split() == ["arbiter", "mesa"], "children find " + outcome.out)
 
 
@@ -170,8 +171,9 @@ def run_overlay(setting):
 
 def run_apitrace(setting):
     """apitrace records the application's calls, and its trace replays with the same picture."""
-    if not shutil.which("apitrace"):
-        raise Skip("apitrace is not installed")
+    tool = shutil.which("apitrace")
+    if not tool or width(tool) != width(setting.layer):
+        raise Skip("apitrace is of another width" if tool else "apitrace is not installed")
     trace = setting.scratch / "client.trace"
     for program in ("client_libgl", "client_glx_dynamic"):
         trace.unlink(missing_ok=True)
@@ -247,8 +249,8 @@ def run_exports(setting):
 def run_disassembly(setting):
     """A passed-on call: no thread-local by function call, no lock, no call on its straight way. 32-bit x86
     asks where it is by a call, and its arguments are moved on the stack."""
-    is_32 = setting.layer.read_bytes()[4] == 1
-    thread, most = ("%gs:", 25) if is_32 else ("%fs:", 10)
+    is_32 = width(setting.layer) == 32
+    thread, most = ("%gs:", 30) if is_32 else ("%fs:", 10)
     code = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(setting.layer)], text=True,
                           capture_output=True, check=True).stdout
     callers, function = set(), ""

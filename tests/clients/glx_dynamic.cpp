@@ -18,6 +18,13 @@ using namespace clients;
 
 namespace {
 
+/// That the C library's oldest functions have on this processor.
+#if defined(__i386__)
+constexpr const char *kFirstVersion = "GLIBC_2.0";
+#else
+constexpr const char *kFirstVersion = "GLIBC_2.2.5";
+#endif
+
 void *g_gl = nullptr;
 void *g_glx = nullptr;
 decltype(Glx::GetProcAddressARB) g_getProc = nullptr;
@@ -42,7 +49,7 @@ void *systemDlsym(void *handle, const char *name) { return dlsym(handle, name); 
 
 /// libc and libGLX do carry versions; libGL's symbols have none, and dlvsym must miss cleanly.
 void *versionedDlsym(void *handle, const char *name) {
-  void *const found = dlvsym(handle, name, "GLIBC_2.2.5");
+  void *const found = dlvsym(handle, name, kFirstVersion);
   return found ? found : dlsym(handle, name);
 }
 
@@ -67,7 +74,7 @@ int main(int argc, char **argv) {
       g_dlsym = versionedDlsym;
     if (!std::strcmp(way, "libdl"))
       g_dlsym =
-          reinterpret_cast<decltype(g_dlsym)>(dlvsym(open("libdl.so.2"), "dlsym", "GLIBC_2.2.5"));
+          reinterpret_cast<decltype(g_dlsym)>(dlvsym(open("libdl.so.2"), "dlsym", kFirstVersion));
     if (!g_dlsym)
       die("libdl has no dlsym");
   }

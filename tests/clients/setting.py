@@ -83,6 +83,12 @@ def write_icd(path, library):
     return path
 
 
+def width(path):
+    """Of an ELF file, in bits."""
+    with open(path, "rb") as file:
+        return {1: 32, 2: 64}[file.read(5)[4]]
+
+
 @dataclass
 class Outcome:
     code: int
@@ -164,8 +170,8 @@ class Piglit:
 
     def __call__(self, setting):
         found = [Path(f) / self.program for f in PIGLIT_FOLDERS if (Path(f) / self.program).exists()]
-        if not found:
-            raise Skip("piglit is not installed")
+        if not found or width(found[0]) != width(setting.layer):
+            raise Skip("piglit is not installed" if not found else "piglit is of another width")
         command = [found[0], *[a.format(source=setting.source) for a in self.arguments], "-auto",
                    "-fbo"]
         for layer in (False, True):
