@@ -43,13 +43,34 @@ template <typename T> void setShader(Context &context, GLenum pname, const T *pa
   issue(context, command);
 }
 
+/// A mode of the host's; of another name it makes an error, and the unit keeps what it has.
+bool isHostMode(GLenum mode) {
+  switch (mode) {
+  case GL_MODULATE:
+  case GL_REPLACE:
+  case GL_DECAL:
+  case GL_BLEND:
+  case GL_ADD:
+  case GL_COMBINE:
+  case GL_COMBINE4_NV:
+    return true;
+  default:
+    return false;
+  }
+}
+
 /// True for TEXTURE_ENV_MODE NONE, which the host lacks; of another mode the layer's is cleared.
 template <typename T> bool setMode(Context &context, GLenum target, GLenum pname, const T *params) {
   if (target != GL_TEXTURE_ENV || pname != GL_TEXTURE_ENV_MODE || !params || context.insideBeginEnd)
     return false;
   const bool none = params[0] == T(GL_NONE);
-  if (none || context.textureShaders->now().environmentNone != 0)
+  TextureShaderState &shaders = *context.textureShaders;
+  // What a list does before it is known where it is called.
+  const bool mayBeNone = shaders.now().environmentNone != 0 || (context.listMode && shaders.used);
+  if (none || (mayBeNone && params[0] > T(0) && isHostMode(GLenum(params[0])))) {
+    shaders.used = shaders.used || none;
     issue(context, {.kind = TextureShaderCommand::Kind::Mode, .values = {none ? 1.0f : 0.0f}});
+  }
   return none;
 }
 
