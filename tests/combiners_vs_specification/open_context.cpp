@@ -1,6 +1,9 @@
 #include "open_context.h"
 
+#include <cstdio>
+
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 bool openContext() {
   EGLDisplay display =
@@ -25,4 +28,15 @@ bool openContext() {
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
   return context != EGL_NO_CONTEXT &&
          eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+}
+
+bool openContextWith(const char *extension) {
+  if (!openContext()) {
+    std::fprintf(stderr, "no OpenGL context without a window system\n");
+    return false;
+  }
+  if (epoxy_has_gl_extension(extension))
+    return true;
+  std::fprintf(stderr, "%s is not announced\n", extension);
+  return false;
 }

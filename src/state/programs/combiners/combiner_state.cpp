@@ -1,28 +1,11 @@
 #include "state/programs/combiners/combiner_state.h"
 
-#include <type_traits>
-
-#include "fp_compiler/abi.h"
 #include "fp_compiler/combiners/lower.h"
 #include "state/core/context.h"
-#include "state/host_draw/variants/drop_variants.h"
-#include "state/host_draw/variants/state_program.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
 namespace arbiter::state {
-
-namespace {
-
-/// An application has some dozens. One that makes others for ever begins again here.
-constexpr std::size_t kMostPrograms = 2048;
-
-} // namespace
-
-std::size_t CombinerState::KeyHash::operator()(const Key &key) const {
-  static_assert(std::has_unique_object_representations_v<Key>);
-  return abi::hashOf(key);
-}
 
 CombinerSettings &CombinerState::writable() {
   if (m_settings.use_count() > 1)
@@ -63,17 +46,8 @@ void CombinerState::restore(Context &context,
 
 std::shared_ptr<const CompiledProgram> CombinerState::programUnder(Context &context, const Key &key,
                                                                    const fp::GlslHost &host) {
-  if (const auto it = m_programs.find(key); it != m_programs.end())
-    return it->second;
-  if (m_programs.size() >= kMostPrograms) {
-    for (const auto &known : m_programs)
-      dropVariants(context, *known.second);
-    m_programs.clear();
-  }
-  return m_programs
-      .emplace(key, programOfState(context, Target::Combiners,
-                                   fp::combiners::lower(key.state, key.around), host))
-      .first->second;
+  return m_programs.of(context, Target::Combiners, key, host,
+                       [](const Key &of) { return fp::combiners::lower(of.state, of.around); });
 }
 
 bool combinerValue(const Context &context, GLenum pname, GLint &value) {

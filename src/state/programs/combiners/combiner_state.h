@@ -1,14 +1,13 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 
 #include <GL/gl.h>
 
 #include "fp_compiler/combiners/state.h"
 #include "fp_compiler/emit.h"
+#include "state/host_draw/variants/state_program.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
@@ -73,10 +72,6 @@ public:
   fp::combiners::Surroundings drawnUnder;
 
 private:
-  struct KeyHash {
-    std::size_t operator()(const Key &key) const;
-  };
-
   [[nodiscard]] CombinerSettings &writable();
   void changed(Context &context);
 
@@ -85,7 +80,7 @@ private:
   bool m_perStageConstants;
   /// Never null. Made by this class alone, as what may be changed while nothing else has it.
   std::shared_ptr<CombinerSettings> m_settings;
-  std::unordered_map<Key, std::shared_ptr<const CompiledProgram>, KeyHash> m_programs;
+  StatePrograms<Key> m_programs;
 };
 
 /// True, with it, for a value of Get that NV_register_combiners and 2 have, but for the colours,

@@ -1,11 +1,6 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 
-#include <type_traits>
-
-#include "fp_compiler/abi.h"
 #include "state/core/context.h"
-#include "state/host_draw/variants/drop_variants.h"
-#include "state/host_draw/variants/state_program.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
 #include "state/share/share_group.h"
@@ -17,9 +12,6 @@ using fp::texture_shader::Row;
 
 namespace {
 
-/// An application has some hundreds. One that makes others for ever begins again here.
-constexpr std::size_t kMostPrograms = 2048;
-
 void setEnv(Context &context, int index, const Vec4 &value) {
   ProgramTarget &row = context.row(Target::TextureShaders);
   row.env[std::size_t(index)] = value;
@@ -28,11 +20,6 @@ void setEnv(Context &context, int index, const Vec4 &value) {
 }
 
 } // namespace
-
-std::size_t TextureShaderState::KeyHash::operator()(const Key &key) const {
-  static_assert(std::has_unique_object_representations_v<Key>);
-  return abi::hashOf(key);
-}
 
 TextureShaderSettings &TextureShaderState::writable() {
   if (m_settings.use_count() > 1)
@@ -75,17 +62,8 @@ void TextureShaderState::setParameters(Context &context) {
 
 std::shared_ptr<const CompiledProgram>
 TextureShaderState::programUnder(Context &context, const Key &key, const fp::GlslHost &host) {
-  if (const auto it = m_programs.find(key); it != m_programs.end())
-    return it->second;
-  if (m_programs.size() >= kMostPrograms) {
-    for (const auto &known : m_programs)
-      dropVariants(context, *known.second);
-    m_programs.clear();
-  }
-  return m_programs
-      .emplace(key, programOfState(context, Target::TextureShaders, fp::texture_shader::lower(key),
-                                   host))
-      .first->second;
+  return m_programs.of(context, Target::TextureShaders, key, host,
+                       [](const Key &of) { return fp::texture_shader::lower(of); });
 }
 
 bool followsTextures(const Context &context) {

@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 
 #include "fp_compiler/texture_shader/lower.h"
+#include "state/host_draw/variants/state_program.h"
 #include "state/programs/program_object.h"
 
 namespace arbiter::state {
@@ -87,10 +88,6 @@ public:
   std::vector<Whole> wholeTextures;
 
 private:
-  struct KeyHash {
-    std::size_t operator()(const fp::texture_shader::Key &key) const;
-  };
-
   [[nodiscard]] TextureShaderSettings &writable();
   void changed(Context &context);
 
@@ -98,8 +95,7 @@ private:
   int m_units;
   /// Never null. Made by this class alone, as what may be changed while nothing else has it.
   std::shared_ptr<TextureShaderSettings> m_settings;
-  std::unordered_map<fp::texture_shader::Key, std::shared_ptr<const CompiledProgram>, KeyHash>
-      m_programs;
+  StatePrograms<fp::texture_shader::Key> m_programs;
 };
 
 /// Draws depend on which textures are bound and on what they are: their consistency chooses
