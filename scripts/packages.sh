@@ -20,7 +20,7 @@ packages_test=(
 )
 
 # The real programs of `./dev test`: openscad, and recordings of clients in Python.
-packages_real_quick=(openscad apitrace python3-opengl libglut3.12)
+packages_real_quick=(openscad apitrace python3-opengl freeglut3-dev)
 
 # `./dev real` asks tests/real_programs_vs_host/run.py --packages, which knows what each of its programs needs.
 

@@ -24,6 +24,6 @@ class PyOpenGl(Program):
                 for name, programs, refused in CLIENTS]
 
 
-PROGRAM = PyOpenGl("pyopengl", ("python3-opengl", "libglut3.12", "apitrace", "xvfb",
+PROGRAM = PyOpenGl("pyopengl", ("python3-opengl", "freeglut3-dev", "apitrace", "xvfb",
                                 "libgl1-mesa-dri"),
                    "nine clients of the project: feedback, lists, buffers, framebuffers, contexts, every opcode")
