@@ -25,24 +25,11 @@ packages=(
 write_tools() {
   write_llvm_config "$tree" aarch64
   write_pkg_config "$tree" $triplet
-  cat >"$tree/cross.ini" <<TEXT
-[binaries]
-cpp = ['ccache', '$triplet-g++']
-ar = '$triplet-ar'
-strip = '$triplet-strip'
-pkgconfig = '$tree/pkg-config'
-llvm-config-15 = '$tree/llvm-config-15'
-exe_wrapper = ['qemu-aarch64', '-L', '$sysroot']
-
+  write_cross_file "$tree" $triplet aarch64 aarch64 "exe_wrapper = ['qemu-aarch64', '-L', '$sysroot']"
+  cat >>"$tree/cross.ini" <<TEXT
 [built-in options]
 cpp_args = ['--sysroot=$sysroot']
 cpp_link_args = ['--sysroot=$sysroot', '-Wl,-rpath-link,$sysroot/usr/lib/$triplet:$sysroot/lib/$triplet']
-
-[host_machine]
-system = 'linux'
-cpu_family = 'aarch64'
-cpu = 'aarch64'
-endian = 'little'
 TEXT
 }
 

@@ -51,14 +51,8 @@ settle_programs() {
 write_tools() {
   write_llvm_config "$tree" x86
   write_pkg_config "$tree" $triplet
-  cat >"$tree/cross.ini" <<TEXT
-[binaries]
-cpp = ['ccache', 'i686-linux-gnu-g++']
-ar = 'i686-linux-gnu-ar'
-strip = 'i686-linux-gnu-strip'
-pkgconfig = '$tree/pkg-config'
-llvm-config-15 = '$tree/llvm-config-15'
-
+  write_cross_file "$tree" i686-linux-gnu x86 i686
+  cat >>"$tree/cross.ini" <<TEXT
 [built-in options]
 cpp_args = ['--sysroot=$sysroot', '-g1']
 cpp_link_args = ['--sysroot=$sysroot', '-Wl,--dynamic-linker=$loader', '-Wl,--enable-new-dtags',
@@ -66,12 +60,6 @@ cpp_link_args = ['--sysroot=$sysroot', '-Wl,--dynamic-linker=$loader', '-Wl,--en
 
 [properties]
 needs_exe_wrapper = false
-
-[host_machine]
-system = 'linux'
-cpu_family = 'x86'
-cpu = 'i686'
-endian = 'little'
 TEXT
 }
 

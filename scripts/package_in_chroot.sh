@@ -36,14 +36,14 @@ cp /etc/resolv.conf "$chroot/etc/resolv.conf"
 echo force-unsafe-io >"$chroot/etc/dpkg/dpkg.cfg.d/unsafe-io"
 mount -t proc proc "$chroot/proc"
 mount -t tmpfs tmpfs "$chroot/dev/shm"
-mkdir "$chroot/work"
-cp -r "$work"/arbiter-* "$chroot/work/"
-source=/work/$(basename "$(echo "$chroot"/work/arbiter-*)")
+mkdir "$chroot/build"
+cp -r "$work"/arbiter-* "$chroot/build/"
+source=/build/$(basename "$(echo "$chroot"/build/arbiter-*)")
 inside apt-get update -qq >&2
 inside apt-get build-dep -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "$source/" >&2
 step "building the packages of $architecture" >&2
 # As the architecture's own programs see the machine: of 32 bits.
 inside setarch "$architecture" sh -c "cd $source && dpkg-buildpackage --no-sign --build=any"
-find "$chroot/work" -maxdepth 1 -type f -exec cp {} "$work/" \;
+find "$chroot/build" -maxdepth 1 -type f -exec cp {} "$work/" \;
 umount "$chroot/dev/shm" "$chroot/proc"
 rm -rf --one-file-system "$chroot"

@@ -64,3 +64,23 @@ esac
 TEXT
   chmod +x "$1/llvm-config-15"
 }
+
+# usage: write_cross_file TREE PREFIX FAMILY CPU [LINE]     TREE/cross.ini, of the cross compiler PREFIX-g++
+# and of what is written above; LINE is one more of its [binaries]. Options are the caller's to append.
+write_cross_file() {
+  cat >"$1/cross.ini" <<TEXT
+[host_machine]
+system = 'linux'
+cpu_family = '$3'
+cpu = '$4'
+endian = 'little'
+
+[binaries]
+cpp = ['ccache', '$2-g++']
+ar = '$2-ar'
+strip = '$2-strip'
+pkgconfig = '$1/pkg-config'
+llvm-config-15 = '$1/llvm-config-15'
+${5-}
+TEXT
+}

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 #include <epoxy/gl.h>
 
+#include "client_options.h"
 #include "open_context.h"
 #include "scene.h"
 
@@ -23,8 +22,7 @@ constexpr double kTolerance = 1.0;     ///< of 255, between a byte that was draw
 constexpr double kUndetermined = 1e-3; ///< distances of a mux from its other choice
 
 struct Options {
-  std::uint64_t first = 0;
-  int count = 100;
+  Seeds seeds;
   bool verbose = false;
   bool isUnsigned = false; ///< no texels below zero
 };
@@ -140,8 +138,7 @@ int run(const Options &options) {
   makeTarget();
   combined::Scene scene(units, !options.isUnsigned);
   Tally tally;
-  for (std::uint64_t seed = options.first; seed < options.first + std::uint64_t(options.count);
-       ++seed) {
+  for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {
     testing::Random random(seed);
     scene.arrange(random, {.stages = stages, .units = units});
     glClear(GL_COLOR_BUFFER_BIT);
@@ -164,23 +161,12 @@ int run(const Options &options) {
 
 int main(int argc, char **argv) {
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const char *const next = i + 1 < argc ? argv[i + 1] : nullptr;
-    if (word == "--verbose")
-      options.verbose = true;
-    else if (word == "--unsigned")
-      options.isUnsigned = true;
-    else if (word == "--first" && next)
-      options.first = std::strtoull(argv[++i], nullptr, 10);
-    else if (word == "--count" && next)
-      options.count = std::atoi(argv[++i]);
-    else {
-      std::fprintf(stderr,
-                   "usage: combiners [--first SEED] [--count N] [--unsigned] [--verbose]\n");
-      return 2;
-    }
-  }
+  if (const auto status = parseOptions(
+          argc, argv, "Draws random states of register combiners and judges each pixel.",
+          options.seeds,
+          {{"--verbose", "says what differs", options.verbose},
+           {"--unsigned", "no texels below zero", options.isUnsigned}}))
+    return *status;
   if (!openContextWith("GL_NV_register_combiners2"))
     return kSkipped;
   return run(options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_square.h"
 #include "issue.h"
 
 namespace combined {
@@ -115,12 +116,7 @@ void Scene::draw() const {
     glFogCoordf(cell.fog);
     for (unsigned unit = 0; unit < unsigned(m_units); ++unit)
       glMultiTexCoord4f(GL_TEXTURE0 + unit, 0.5f, 0.5f, cell.r[unit], 1.0f);
-    const float x = float(i % kCells) * 2.0f / kCells - 1.0f,
-                y = float(i / kCells) * 2.0f / kCells - 1.0f, side = 2.0f / kCells;
-    glVertex2f(x, y);
-    glVertex2f(x + side, y);
-    glVertex2f(x + side, y + side);
-    glVertex2f(x, y + side);
+    drawCellSquare(i, kCells);
   }
   glEnd();
 }

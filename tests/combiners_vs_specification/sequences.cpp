@@ -4,11 +4,10 @@
 // each sequence are those of a model that the specifications' sections Errors and New State were
 // made into. Ends with a line of JSON.
 #include <cstdio>
-#include <cstdlib>
-#include <string>
 
 #include <epoxy/gl.h>
 
+#include "client_options.h"
 #include "command_model.h"
 #include "open_context.h"
 
@@ -169,19 +168,10 @@ bool run(std::uint64_t seed, int units, Model &model, Tally &tally) {
 } // namespace
 
 int main(int argc, char **argv) {
-  std::uint64_t first = 0;
-  int count = 100;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--first" && i + 1 < argc)
-      first = std::strtoull(argv[++i], nullptr, 10);
-    else if (word == "--count" && i + 1 < argc)
-      count = std::atoi(argv[++i]);
-    else {
-      std::fprintf(stderr, "usage: sequences [--first SEED] [--count N]\n");
-      return 2;
-    }
-  }
+  Seeds seeds;
+  if (const auto status =
+          parseOptions(argc, argv, "Issues random commands and compares errors and state.", seeds))
+    return *status;
   if (!openContextWith("GL_NV_register_combiners2"))
     return kSkipped;
   GLint units = 0;
@@ -189,10 +179,10 @@ int main(int argc, char **argv) {
   Model model;
   Tally tally;
   int different = 0;
-  for (std::uint64_t seed = first; seed < first + std::uint64_t(count); ++seed)
+  for (std::uint64_t seed = seeds.first; seed < seeds.last(); ++seed)
     different += run(seed, units, model, tally) ? 0 : 1;
   std::printf("{\"sequences\": %d, \"different\": %d, \"commands\": %ld, \"errors\": %ld, "
               "\"in_lists\": %ld, \"saved\": %ld}\n",
-              count, different, tally.commands, tally.errors, tally.listed, tally.saved);
+              seeds.count, different, tally.commands, tally.errors, tally.listed, tally.saved);
   return different == 0 ? 0 : 1;
 }

@@ -37,9 +37,10 @@ bool chooseConfig() {
 
 } // namespace
 
-GlContext::GlContext(const GlContext *share) {
-  m_context =
-      eglCreateContext(g_display, g_config, share ? share->m_context : EGL_NO_CONTEXT, nullptr);
+GlContext::GlContext(const GlContext *share, Profile profile) {
+  const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
+  m_context = eglCreateContext(g_display, g_config, share ? share->m_context : EGL_NO_CONTEXT,
+                               profile == Profile::Core ? core : nullptr);
   makeCurrent();
   glGenFramebuffers(1, &m_framebuffer);
   glGenRenderbuffers(1, &m_renderbuffer);

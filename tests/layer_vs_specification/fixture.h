@@ -11,7 +11,8 @@ namespace api {
 /// A GL context of its own or in the share group of another, with a framebuffer object bound.
 class GlContext {
 public:
-  explicit GlContext(const GlContext *share = nullptr);
+  enum class Profile { Compatibility, Core };
+  explicit GlContext(const GlContext *share = nullptr, Profile profile = Profile::Compatibility);
   ~GlContext();
   GlContext(const GlContext &) = delete;
   GlContext &operator=(const GlContext &) = delete;

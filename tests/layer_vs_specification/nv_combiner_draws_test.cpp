@@ -1,4 +1,6 @@
 // Draws with register combiners: what they depend on, and what they take the place of.
+#include <thread>
+
 #include "ati_draws.h"
 #include "nv_combiners.h"
 
@@ -24,6 +26,24 @@ protected:
 };
 
 constexpr GLubyte kWhiteTexel[] = {255, 255, 255, 255};
+
+/// A texture of one depth, 1, and bound.
+GLuint makeDepths() {
+  const GLfloat depth = 1;
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+               &depth);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  return name;
+}
+
+GLint boundTexture() {
+  GLint name = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &name);
+  return name;
+}
 
 TEST_F(NvCombinerDraws, ConstantsReachTheNextDraw) {
   rgb(GL_VARIABLE_A_NV, GL_CONSTANT_COLOR0_NV);
@@ -142,6 +162,89 @@ TEST_F(NvCombinerDraws, DepthImagesOfOtherCommands) {
                       GL_FLOAT, &depth);
   isDepth("TextureImageEXT");
   glDeleteTextures(2, names);
+}
+
+/// Depths have no colour (table RC.2).
+TEST_F(NvCombinerDraws, EachCommandThatBinds) {
+  rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
+  glEnable(GL_TEXTURE_2D);
+  const GLuint red = makeTexture(GL_TEXTURE_2D, kRedPixel);
+  const GLuint depths = makeDepths();
+  const auto draws = [&](const char *what, const auto &bind) {
+    glBindTexture(GL_TEXTURE_2D, red);
+    EXPECT_EQ(drawn(), kRedPixel) << what;
+    bind(depths);
+    EXPECT_EQ(drawn(), kOpaqueBlack) << what;
+    bind(red);
+    EXPECT_EQ(drawn(), kRedPixel) << what;
+  };
+  draws("BindTexture", [](GLuint name) { glBindTexture(GL_TEXTURE_2D, name); });
+  if (epoxy_has_gl_extension("GL_ARB_multi_bind"))
+    draws("BindTextures", [](GLuint name) { glBindTextures(0, 1, &name); });
+  if (epoxy_has_gl_extension("GL_ARB_direct_state_access"))
+    draws("BindTextureUnit", [](GLuint name) { glBindTextureUnit(0, name); });
+  if (epoxy_has_gl_extension("GL_EXT_direct_state_access"))
+    draws("BindMultiTextureEXT",
+          [](GLuint name) { glBindMultiTextureEXT(GL_TEXTURE0, GL_TEXTURE_2D, name); });
+  draws("PopAttrib", [](GLuint name) {
+    const GLint before = boundTexture();
+    glBindTexture(GL_TEXTURE_2D, name);
+    glPushAttrib(GL_TEXTURE_BIT);
+    glBindTexture(GL_TEXTURE_2D, GLuint(before));
+    drawn();
+    glPopAttrib();
+  });
+  glBindTexture(GL_TEXTURE_2D, depths);
+  EXPECT_EQ(drawn(), kOpaqueBlack);
+  glDeleteTextures(1, &depths);
+  drawn(); // of an incomplete texture: undefined, and without an error
+}
+
+/// The second draw's depths, by their alpha: the mode and the binding are the list's.
+TEST_F(NvCombinerDraws, TexturesThatListsBind) {
+  rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
+  rgb(GL_VARIABLE_C_NV, GL_TEXTURE0, GL_UNSIGNED_IDENTITY_NV, GL_ALPHA);
+  rgb(GL_VARIABLE_D_NV, GL_CONSTANT_COLOR0_NV);
+  constant(GL_CONSTANT_COLOR0_NV, 0, 0, 1);
+  glEnable(GL_TEXTURE_2D);
+  const GLuint depths = makeDepths();
+  const GLuint red = makeTexture(GL_TEXTURE_2D, {255, 0, 0, 0});
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glRectf(-1, -1, 0, 1);
+  glBindTexture(GL_TEXTURE_2D, depths);
+  glRectf(0, -1, 1, 1);
+  glBindTexture(GL_TEXTURE_2D, red);
+  glEndList();
+  for (int call = 0; call < 2; ++call) {
+    clear();
+    glCallList(list);
+    expectNear(readPixel(4), kRedPixel);
+    expectNear(readPixel(28), kBluePixel);
+  }
+  glDeleteLists(list, 1);
+}
+
+TEST_F(NvCombinerDraws, DepthsThatAnotherThreadsContextMade) {
+  rgb(GL_VARIABLE_A_NV, GL_TEXTURE0);
+  glEnable(GL_TEXTURE_2D);
+  for (const auto profile : {GlContext::Profile::Core, GlContext::Profile::Compatibility}) {
+    const GLuint texture = makeTexture(GL_TEXTURE_2D, kRedPixel);
+    EXPECT_EQ(drawn(), kRedPixel);
+    glFinish();
+    std::thread([&] {
+      eglBindAPI(EGL_OPENGL_API);
+      const GlContext other(&m_context, profile);
+      glBindTexture(GL_TEXTURE_2D, texture);
+      const GLfloat depth = 1;
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                   &depth);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      glFinish();
+    }).join();
+    glBindTexture(GL_TEXTURE_2D, texture); // from here on it is seen (OpenGL 4.6, 5.3.3)
+    EXPECT_EQ(drawn(), kOpaqueBlack);
+  }
 }
 
 TEST_F(NvCombinerDraws, Spare0BeginsWithTheAlphaOfTexture0) {

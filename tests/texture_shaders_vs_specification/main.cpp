@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 #include <epoxy/gl.h>
 
+#include "../combiners_vs_specification/client_options.h"
 #include "../combiners_vs_specification/open_context.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "scene.h"
@@ -27,8 +26,7 @@ constexpr double kDepthTolerance = 1e-4;
 constexpr double kUndetermined = 1e-3;
 
 struct Options {
-  std::uint64_t first = 0;
-  int count = 100;
+  Seeds seeds;
   bool verbose = false;
   bool peer = false; ///< the driver is NVIDIA's: what it does otherwise is left out
 };
@@ -173,8 +171,7 @@ int run(const Options &options) {
   makeTarget();
   shaded::Scene scene(options.peer);
   Tally tally;
-  for (std::uint64_t seed = options.first; seed < options.first + std::uint64_t(options.count);
-       ++seed) {
+  for (std::uint64_t seed = options.seeds.first; seed < options.seeds.last(); ++seed) {
     testing::Random random(seed);
     scene.arrange(random, units);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -204,23 +201,11 @@ int run(const Options &options) {
 
 int main(int argc, char **argv) {
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const char *const next = i + 1 < argc ? argv[i + 1] : nullptr;
-    if (word == "--verbose")
-      options.verbose = true;
-    else if (word == "--peer")
-      options.peer = true;
-    else if (word == "--first" && next)
-      options.first = std::strtoull(argv[++i], nullptr, 10);
-    else if (word == "--count" && next)
-      options.count = std::atoi(argv[++i]);
-    else {
-      std::fprintf(stderr,
-                   "usage: texture_shaders [--first SEED] [--count N] [--peer] [--verbose]\n");
-      return 2;
-    }
-  }
+  if (const auto status = parseOptions(
+          argc, argv, "Draws random texture shaders and judges each pixel.", options.seeds,
+          {{"--verbose", "says what differs", options.verbose},
+           {"--peer", "leaves out what NVIDIA's driver does otherwise", options.peer}}))
+    return *status;
   if (!openContextWith("GL_NV_texture_shader3"))
     return kSkipped;
   return run(options);

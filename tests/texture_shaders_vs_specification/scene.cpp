@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../combiners_vs_specification/cell_square.h"
 #include "fp_compiler/testing/random_texture_shaders.h"
 #include "fp_compiler/texture_shader/operations.h"
 #include "issue.h"
@@ -175,12 +176,7 @@ void Scene::draw() const {
     glColor4dv(cell.primary.data());
     for (unsigned unit = 0; unit < m_state.units; ++unit)
       glMultiTexCoord4dv(GL_TEXTURE0 + unit, cell.coordinates[unit].data());
-    const float x = float(i % kCells) * 2.0f / kCells - 1.0f,
-                y = float(i / kCells) * 2.0f / kCells - 1.0f, side = 2.0f / kCells;
-    glVertex2f(x, y);
-    glVertex2f(x + side, y);
-    glVertex2f(x + side, y + side);
-    glVertex2f(x, y + side);
+    drawCellSquare(i, kCells);
   }
   glEnd();
 }

@@ -6,12 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <iterator>
-#include <string>
 
 #include <epoxy/gl.h>
 
+#include "../combiners_vs_specification/client_options.h"
 #include "../combiners_vs_specification/open_context.h"
 #include "fp_compiler/testing/random.h"
 
@@ -308,19 +307,10 @@ bool run(std::uint64_t seed, int units, Model &model, long &errors) {
 } // namespace
 
 int main(int argc, char **argv) {
-  std::uint64_t first = 0;
-  int count = 100;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--first" && i + 1 < argc)
-      first = std::strtoull(argv[++i], nullptr, 10);
-    else if (word == "--count" && i + 1 < argc)
-      count = std::atoi(argv[++i]);
-    else {
-      std::fprintf(stderr, "usage: sequences [--first SEED] [--count N]\n");
-      return 2;
-    }
-  }
+  Seeds seeds;
+  if (const auto status =
+          parseOptions(argc, argv, "Issues random commands and compares errors and state.", seeds))
+    return *status;
   if (!openContextWith("GL_NV_texture_shader3"))
     return kSkipped;
   GLint units = 0;
@@ -329,9 +319,9 @@ int main(int argc, char **argv) {
   Model model;
   long errors = 0;
   int different = 0;
-  for (std::uint64_t seed = first; seed < first + std::uint64_t(count); ++seed)
+  for (std::uint64_t seed = seeds.first; seed < seeds.last(); ++seed)
     different += run(seed, units, model, errors) ? 0 : 1;
-  std::printf("{\"sequences\": %d, \"different\": %d, \"commands\": %ld, \"errors\": %ld}\n", count,
-              different, long(count) * kCommands, errors);
+  std::printf("{\"sequences\": %d, \"different\": %d, \"commands\": %ld, \"errors\": %ld}\n",
+              seeds.count, different, long(seeds.count) * kCommands, errors);
   return different == 0 ? 0 : 1;
 }

@@ -27,7 +27,7 @@ public:
   State make() {
     State state;
     state.count = std::uint8_t(1 + m_random.below(m_options.stages));
-    state.perStageConstants = m_options.perStageConstants && m_random.chance(50);
+    state.perStageConstants = m_random.chance(50);
     state.sumClamp = m_random.chance(70);
     for (std::size_t i = 0; i < state.count; ++i) {
       const Stage stage = {portion(false), portion(true)};

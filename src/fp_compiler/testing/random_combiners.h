@@ -12,7 +12,6 @@ struct RandomCombinersOptions {
   int stages = combiners::kStages;  ///< general stages that there are
   int units = combiners::kTextures; ///< that have a register
   std::uint8_t textures = 0xFF;     ///< registers that inputs name, bit 0 = unit 0
-  bool perStageConstants = true;    ///< NV_register_combiners2
 };
 
 /// No register is read that is undefined.

@@ -127,6 +127,8 @@ public:
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI
 
   bool followsFixedFunction = false; ///< draws depend on that state (fixed_function.h)
+  /// What is bound, or what it is, may be other than when a draw last asked (texture_changes.h).
+  bool texturesChanged = true;
 
   ClipPlanes clipPlanes; ///< which form vertex programs are drawn in
 

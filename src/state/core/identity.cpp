@@ -197,9 +197,7 @@ void addStateShaders(FilteredExtensions &extensions, const HostCaps &caps,
     extensions.names.emplace_back(name);
     extensions.joined += std::string(name) + " ";
   };
-  if (rules.generalCombiners == 0)
-    return;
-  announce("GL_NV_register_combiners", true);
+  announce("GL_NV_register_combiners", rules.generalCombiners != 0);
   announce("GL_NV_register_combiners2", rules.perStageConstants);
   const std::uint32_t shaders = caps.drawsTextureShaders() ? rules.textureShaders : 0;
   announce("GL_NV_texture_shader", shaders >= 1);

@@ -27,6 +27,7 @@
 #include "state/programs/program_bind.h"
 #include "state/programs/program_load.h"
 #include "state/programs/replacement.h"
+#include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
@@ -200,6 +201,8 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
     exchange(Exchange::Read, "a context is made that shares");
   auto context = std::make_unique<Context>(provider, table,
                                            share ? share->group : std::make_shared<ShareGroup>());
+  if (share) // either may make one by commands that the layer does not see, as of a core profile
+    context->group->depthImagesUsed.store(true, std::memory_order_relaxed);
   noteContextCreated(*context);
   if (!withinMemory(*context, "capture", [&] { captureContextMade(*context); }))
     context->pendingError = GL_NO_ERROR; // a capture without this context, and no error of its own

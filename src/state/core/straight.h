@@ -21,9 +21,13 @@ namespace arbiter::state::straight {
 [[nodiscard]] inline bool Enable(Context &context, GLenum cap) { return isHosts(context, cap); }
 [[nodiscard]] inline bool Disable(Context &context, GLenum cap) { return isHosts(context, cap); }
 
-/// What is bound chooses among the programs of texture shaders.
+/// Which textures are bound, and what they are, chooses among the programs of texture shaders and
+/// of register combiners.
+[[nodiscard]] inline bool texturesChoose(const Context &context) {
+  return context.textureShaders || context.combiners;
+}
 [[nodiscard]] inline bool BindTexture(Context &context, GLenum, GLuint) {
-  return !context.textureShaders;
+  return !texturesChoose(context);
 }
 
 /// The layer has a part in MATRIXi_NV, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array ranges.
@@ -85,16 +89,16 @@ ARBITER_EVALUATES(EvalPoint2)
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 
-/// Of the parameters of textures the layer has a part in the comparison, and texture shaders in
-/// what makes a texture consistent.
+/// Of the parameters of textures the layer has a part in the comparison, and in all of them where
+/// textures choose among programs.
 [[nodiscard]] constexpr bool compares(GLenum pname) {
   return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE || isSgixShadow(pname);
 }
 [[nodiscard]] inline bool TexParameteri(Context &context, GLenum, GLenum pname, GLint) {
-  return !compares(pname) && !context.textureShaders;
+  return !compares(pname) && !texturesChoose(context);
 }
 [[nodiscard]] inline bool TexParameterf(Context &context, GLenum, GLenum pname, GLfloat) {
-  return !compares(pname) && !context.textureShaders;
+  return !compares(pname) && !texturesChoose(context);
 }
 
 } // namespace arbiter::state::straight

@@ -3,6 +3,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/texture_binding.h"
+#include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/copy_texture.h"
 #include "state/share/depth_images.h"
@@ -80,6 +81,7 @@ void CopyTextureSubImage3D(Context &context, GLuint texture, GLint level, GLint 
     noteInternalFormat(context, format);                                                           \
     by(context, object, target, level, CopyKind::Image1D, {0, 0, 0, x, y, width, 1});              \
     context.host->name(object, target, level, format, x, y, width, border);                        \
+    noteTextureChange(context);                                                                    \
   }
 #define COPY_IMAGE_2D(name, by, Object)                                                            \
   void name(Context &context, Object object, GLenum target, GLint level, GLenum format, GLint x,   \
@@ -87,6 +89,7 @@ void CopyTextureSubImage3D(Context &context, GLuint texture, GLint level, GLint 
     noteInternalFormat(context, format);                                                           \
     by(context, object, target, level, CopyKind::Image2D, {0, 0, 0, x, y, width, height});         \
     context.host->name(object, target, level, format, x, y, width, height, border);                \
+    noteTextureChange(context);                                                                    \
   }
 #define COPY_SUB_IMAGE_1D(name, by, Object)                                                        \
   void name(Context &context, Object object, GLenum target, GLint level, GLint xoffset, GLint x,   \

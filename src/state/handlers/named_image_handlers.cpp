@@ -4,7 +4,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/lists/texture_commands.h"
 #include "state/share/depth_images.h"
 
 namespace arbiter::state::handlers {
@@ -13,7 +13,7 @@ namespace arbiter::state::handlers {
   void Name Parameters {                                                                           \
     noteInternalFormat(context, GLenum(internalformat));                                           \
     context.host->Name Arguments;                                                                  \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 
 #define DEFINES_BY_NAME(Name, Named)                                                               \

@@ -6,6 +6,7 @@
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -119,7 +120,7 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
     if (changes(context) && context.software)                                                      \
       context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 #define ARBITER_STORES(Name, Parameters, Arguments)                                                \
   void Name Parameters {                                                                           \
@@ -127,7 +128,7 @@ void PixelStoref(Context &context, GLenum pname, GLfloat param) {
     if (changes(context) && context.software)                                                      \
       context.software->residency.textureRedefined(target);                                        \
     context.host->Name Arguments;                                                                  \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 
 ARBITER_REDEFINES(CompressedTexImage1D,

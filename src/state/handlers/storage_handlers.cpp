@@ -4,7 +4,7 @@
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
-#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/texture_changes.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
 #include "state/share/neighbours.h"

@@ -82,15 +82,6 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
 
 namespace handlers {
 
-/// In a list that texture shaders may be drawn from what follows looks at the textures again.
-void BindTexture(Context &context, GLenum target, GLuint texture) {
-  context.host->BindTexture(target, texture);
-  noteTextureChange(context);
-  if (context.listMode != 0 && !context.insideBeginEnd && context.textureShaders &&
-      context.textureShaders->used)
-    context.list->cut(context);
-}
-
 void GetTexLevelParameteriv(Context &context, GLenum target, GLint level, GLenum pname,
                             GLint *params) {
   GLint value = 0;

@@ -10,6 +10,7 @@
 #include "state/core/errors.h"
 #include "state/core/plain_transfer.h"
 #include "state/lists/list_compiler.h"
+#include "state/lists/texture_commands.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"
@@ -109,14 +110,12 @@ bool isComponents(Context &context, const ComponentImage &image, GLenum type, co
 
 // --- Colours ---
 
-/// A TexImage of colours; `host` is given the internal format that the host has for it.
 template <typename Host>
-void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
-  noteInternalFormat(context, GLenum(internalformat));
+void defineColorsAlone(Context &context, GLenum target, GLint level, GLint internalformat,
+                       Host host) {
   if (!context.textureShaders || context.insideBeginEnd) [[likely]]
     return host(internalformat);
   context.textureShaders->wholeTextures.clear();
-  noteTextureChange(context);
   const ComponentFormat *const own =
       componentFormat(GLenum(internalformat), context.textureShaders->extensions());
   if (!own && !context.group->textureFormats.any()) [[likely]]
@@ -138,6 +137,14 @@ void defineColors(Context &context, GLenum target, GLint level, GLint internalfo
     executeTextureShaderCommand(context, format);
   if (earlier != GL_NO_ERROR || error != GL_NO_ERROR)
     raise(context, earlier != GL_NO_ERROR ? earlier : error, "TexImage");
+}
+
+/// A TexImage of colours; `host` is given the internal format that the host has for it.
+template <typename Host>
+void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
+  noteInternalFormat(context, GLenum(internalformat));
+  defineColorsAlone(context, target, level, internalformat, host);
+  noteTextureCommand(context);
 }
 
 // --- GetTexImage ---

@@ -10,7 +10,8 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/sgix_shadow.h"
-#include "state/host_draw/draw.h"
+#include "state/host_draw/sampler_override.h"
+#include "state/lists/texture_commands.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
@@ -42,6 +43,7 @@ template <typename T> void setShadow(Context &context, GLenum target, GLenum pna
     return raise(context, GL_INVALID_OPERATION, "TexParameter: TEXTURE_COMPARE_OPERATOR_SGIX");
   note(context, parameter.pname, parameter.value);
   context.host->TexParameteri(target, parameter.pname, parameter.value);
+  noteTextureCommand(context);
 }
 template <typename T>
 void setShadow(Context &context, GLenum target, GLenum pname, const T *value) {
@@ -81,7 +83,7 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
   void name(Context &context, Object object, GLenum pname, Value value) {                          \
     note(context, pname, value);                                                                   \
     context.host->name(object, hostName(context, pname, value), value);                            \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 #define BOUND_SETTER(name, Object, Value)                                                          \
   void name(Context &context, Object target, GLenum pname, Value value) {                          \
@@ -89,13 +91,13 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
       return setShadow(context, target, pname, value);                                             \
     note(context, pname, value);                                                                   \
     context.host->name(target, hostName(context, pname, value), value);                            \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 #define TARGET_SETTER(name, Object, Value)                                                         \
   void name(Context &context, Object object, GLenum target, GLenum pname, Value value) {           \
     note(context, pname, value);                                                                   \
     context.host->name(object, target, pname, value);                                              \
-    noteTextureChange(context);                                                                    \
+    noteTextureCommand(context);                                                                   \
   }
 #define SETTERS(setter, prefix, suffix, Object)                                                    \
   setter(prefix##i##suffix, Object, GLint) setter(prefix##f##suffix, Object, GLfloat)              \
@@ -112,12 +114,12 @@ SETTERS(TARGET_SETTER, MultiTexParameter, EXT, GLenum)
 void BindSampler(Context &context, GLuint unit, GLuint sampler) {
   releaseSamplers(context);
   context.host->BindSampler(unit, sampler);
-  noteTextureChange(context);
+  noteTextureCommand(context);
 }
 void BindSamplers(Context &context, GLuint first, GLsizei count, const GLuint *samplers) {
   releaseSamplers(context);
   context.host->BindSamplers(first, count, samplers);
-  noteTextureChange(context);
+  noteTextureCommand(context);
 }
 
 } // namespace handlers

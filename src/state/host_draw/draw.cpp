@@ -20,7 +20,7 @@
 #include "state/host_draw/variants/texture_shader_draw.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/replacement.h"
-#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/texture_changes.h"
 #include "state/raster_draw/context_state.h"
 #include "state/report/capture.h"
 #include "state/share/garbage.h"
@@ -161,6 +161,15 @@ bool changedElsewhere(const Context &context) {
   });
 }
 
+/// Draws that depend on which textures are bound look at them, once after each change.
+void followTextureChanges(Context &context) {
+  if (mayFollowCombinedDepths(context)) [[unlikely]]
+    followCombinedDepths(context);
+  if (mayFollowTextures(context)) [[unlikely]]
+    followTextures(context);
+  context.texturesChanged = false;
+}
+
 /// What is effective, as far as that may have changed.
 void refreshEffective(Context &context, HostPart part) {
   if (context.group->hasGarbage())
@@ -183,10 +192,7 @@ void refreshEffective(Context &context, HostPart part) {
 bool validatePrograms(Context &context) {
   if (context.nv)
     refreshNativeInputs(context);
-  if (mayFollowCombinedDepths(context)) [[unlikely]]
-    followCombinedDepths(context);
-  if (mayFollowTextures(context)) [[unlikely]]
-    followTextures(context);
+  followTextureChanges(context);
   constexpr std::uint32_t kMayChange = attention::kProgram | attention::kWatch | attention::kShared;
   const bool known = (context.attention & kMayChange) == 0 && !context.group->hasGarbage() &&
                      context.group->contexts.load(std::memory_order_relaxed) == 1;
@@ -207,10 +213,7 @@ bool validate(Context &context) {
     refreshNativeInputs(context);
   if (mayFollowAlphaDepths(context)) [[unlikely]]
     followAlphaDepths(context);
-  if (mayFollowCombinedDepths(context)) [[unlikely]]
-    followCombinedDepths(context);
-  if (mayFollowTextures(context)) [[unlikely]]
-    followTextures(context);
+  followTextureChanges(context);
   refreshEffective(context, HostPart::Now);
   const std::uint32_t sticky = stickyAttention(context);
   if (context.linkedProgram) {
@@ -226,13 +229,6 @@ bool validate(Context &context) {
   }
   context.attention = sticky | (context.attention & attention::kList);
   return !isDropped(context.path);
-}
-
-void releaseSamplers(Context &context) {
-  if (!context.samplerOverride->active())
-    return;
-  context.samplerOverride->release(context);
-  context.attention |= attention::kCompare;
 }
 
 void releaseHostState(Context &context) {

@@ -12,8 +12,6 @@ bool validatePrograms(Context &context);
 
 /// The host's current program becomes the application's again, and its sampler bindings too.
 void releaseHostState(Context &context);
-/// Its sampler bindings alone; the next draw looks again.
-void releaseSamplers(Context &context);
 /// While the effective program is not valid: makes the host itself refuse draws, in lists too, as
 /// the specification asks for. releaseHostState() ends it.
 void refuseDraws(Context &context);

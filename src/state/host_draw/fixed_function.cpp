@@ -5,7 +5,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
-#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/programs/texture_changes.h"
 #include "state/share/share_group.h"
 
 namespace arbiter::state {

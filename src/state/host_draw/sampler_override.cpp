@@ -137,4 +137,11 @@ std::vector<GLuint> SamplerOverride::abandon() {
   return names;
 }
 
+void releaseSamplers(Context &context) {
+  if (!context.samplerOverride->active())
+    return;
+  context.samplerOverride->release(context);
+  context.attention |= attention::kCompare;
+}
+
 } // namespace arbiter::state

@@ -40,4 +40,7 @@ private:
   std::uint32_t m_active = 0; ///< one bit a unit
 };
 
+/// The host's sampler bindings become the application's again; the next draw looks.
+void releaseSamplers(Context &context);
+
 } // namespace arbiter::state

@@ -10,11 +10,13 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
+#include "state/host_draw/sampler_override.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_groups.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 

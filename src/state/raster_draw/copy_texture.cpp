@@ -5,6 +5,7 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
+#include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -94,7 +95,6 @@ void copyToOwnFormat(Context &context, const CopyCommand &copy) {
       defines(copy.kind)
           ? componentFormat(copy.internalFormat, context.textureShaders->extensions())
           : nullptr;
-  noteTextureChange(context);
   CopyCommand hosts = copy;
   if (own)
     hosts.internalFormat = own->host;
@@ -112,8 +112,10 @@ void copyToOwnFormat(Context &context, const CopyCommand &copy) {
 } // namespace
 
 void copyTexture(Context &context, const CopyCommand &copy) {
-  if (defines(copy.kind))
+  if (defines(copy.kind)) {
     noteInternalFormat(context, copy.internalFormat);
+    noteTextureChange(context);
+  }
   if (context.textureShaders && !context.insideBeginEnd && context.listMode != GL_COMPILE)
     return copyToOwnFormat(context, copy);
   copyColors(context, copy);

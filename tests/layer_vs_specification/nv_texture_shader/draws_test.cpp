@@ -221,6 +221,26 @@ TEST_F(NvTextureShaderDraws, TexturesThatListsBind) {
   glDeleteLists(list, 1);
 }
 
+TEST_F(NvTextureShaderDraws, EachCommandThatBinds) { // 0 is incomplete, so inconsistent
+  glColor4f(0, 0, 1, 1);
+  const auto draws = [&](const char *what, const auto &bind) {
+    bind(m_four);
+    EXPECT_EQ(drawn(), kRedPixel) << what;
+    bind(0u);
+    EXPECT_EQ(drawn(), kBluePixel) << what;
+    bind(m_four);
+    EXPECT_EQ(drawn(), kRedPixel) << what;
+  };
+  draws("BindTexture", [](GLuint name) { glBindTexture(GL_TEXTURE_2D, name); });
+  if (epoxy_has_gl_extension("GL_ARB_multi_bind"))
+    draws("BindTextures", [](GLuint name) { glBindTextures(1, 1, &name); });
+  if (epoxy_has_gl_extension("GL_ARB_direct_state_access"))
+    draws("BindTextureUnit", [](GLuint name) { glBindTextureUnit(1, name); });
+  if (epoxy_has_gl_extension("GL_EXT_direct_state_access"))
+    draws("BindMultiTextureEXT",
+          [](GLuint name) { glBindMultiTextureEXT(GL_TEXTURE1, GL_TEXTURE_2D, name); });
+}
+
 TEST_F(NvTextureShaderDraws, Fog) {
   const GLfloat green[] = {0, 1, 0, 1};
   glFogfv(GL_FOG_COLOR, green);

@@ -99,11 +99,6 @@ std::array<GLfloat, 4> texelOf(GLenum format) {
   return texel;
 }
 
-template <typename T> struct Typed {
-  GLenum type;
-  T values[4];
-};
-
 template <typename T>
 void expectPixels(GLenum type, const T (&values)[4], const std::array<GLfloat, 4> &expected,
                   GLenum internal = GL_DSDT_MAG_INTENSITY_NV, GLenum format = GL_DSDT_MAG_VIB_NV) {

@@ -11,7 +11,7 @@
 #include "state/host_draw/variants/fixed_function_now.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
-#include "state/share/share_group.h"
+#include "state/programs/texture_changes.h"
 
 namespace arbiter::state {
 
@@ -67,25 +67,11 @@ void askDepth(Context &context, const DepthTarget &target, Texel &texel, TexTarg
     sampled = target.compares;
 }
 
-/// The application's samplers and textures are asked, not the layer's.
-void releaseOverride(Context &context) {
-  if (!context.samplerOverride->active())
-    return;
-  context.samplerOverride->release(context);
-  context.attention |= attention::kCompare;
-}
-
-/// Some image of the share group was one of depths, or another context may have made one.
-bool mayHaveDepths(const Context &context) {
-  return context.caps.shadow && (context.group->depthImagesUsed.load(std::memory_order_relaxed) ||
-                                 context.group->contexts.load(std::memory_order_relaxed) > 1);
-}
-
 /// What is sampled as a depth, of targets that are known.
 void askDepths(Context &context, Surroundings &around) {
-  if (!mayHaveDepths(context))
+  if (!mayCombineDepths(context))
     return;
-  releaseOverride(context);
+  releaseSamplers(context); // the application's are asked, not the layer's
   for (std::size_t unit = 0; unit < around.texels.size(); ++unit) {
     if (around.texels[unit] == Texel::None)
       continue;
@@ -125,13 +111,7 @@ std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
 }
 
 bool mayFollowCombinedDepths(const Context &context) {
-  if (!context.combiners || !context.combiners->effective || !mayHaveDepths(context))
-    return false;
-  const Surroundings &around = context.combiners->drawnUnder;
-  for (std::size_t unit = 0; unit < around.texels.size(); ++unit)
-    if (around.texels[unit] != Texel::None && depthTargetOf(around.targets[unit]))
-      return true;
-  return false;
+  return followsDepths(context) && texturesMayDiffer(context);
 }
 
 void followCombinedDepths(Context &context) {

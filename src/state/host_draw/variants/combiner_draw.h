@@ -15,7 +15,8 @@ struct CompiledProgram;
 [[nodiscard]] std::shared_ptr<const CompiledProgram> combinersEffective(Context &context,
                                                                         const fp::GlslHost &host);
 
-/// What draws now samples textures that might be depths, or cease to be.
+/// What draws now samples textures that might be depths, or cease to be: after what may have
+/// changed which are (noteTextureChange()), and always where other contexts may.
 [[nodiscard]] bool mayFollowCombinedDepths(const Context &context);
 /// Before a draw of which that is true: the program is chosen anew if one is otherwise than when it
 /// was chosen. Asks the host.

@@ -9,6 +9,7 @@
 #include "state/host_draw/variants/shader_textures.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
@@ -41,16 +42,8 @@ std::uint32_t allUnits(const Context &context) {
   return (1u << unsigned(context.textureShaders->units())) - 1u;
 }
 
-/// The application's samplers and textures are asked, not the layer's.
-void releaseOverride(Context &context) {
-  if (!context.samplerOverride->active())
-    return;
-  context.samplerOverride->release(context);
-  context.attention |= attention::kCompare;
-}
-
 void askTextures(Context &context, State &state) {
-  releaseOverride(context);
+  releaseSamplers(context); // the application's are asked, not the layer's
   for (int unit = 0; unit < state.units; ++unit) {
     const auto &info = fp::texture_shader::infoOf(state.stages[std::size_t(unit)].operation);
     if (info.target)
@@ -102,7 +95,6 @@ std::shared_ptr<const CompiledProgram> texturesEffective(Context &context, const
   context.followsFixedFunction = true;
   shaders.effective = true;
   shaders.drawnUnder = key.shaders;
-  shaders.texturesChanged = false;
   return shaders.programUnder(context, fp::texture_shader::essential(key), host);
 }
 
@@ -121,15 +113,13 @@ bool texturesNeedLayer(Context &context) {
 }
 
 bool mayFollowTextures(const Context &context) {
-  return followsTextures(context) && (context.textureShaders->texturesChanged ||
-                                      context.group->contexts.load(std::memory_order_relaxed) > 1);
+  return followsTextures(context) && texturesMayDiffer(context);
 }
 
 void followTextures(Context &context) {
   if ((context.attention & attention::kProgram) != 0)
     return; // the choice looks by itself
   TextureShaderState &shaders = *context.textureShaders;
-  shaders.texturesChanged = false;
   if (!shaders.effective) {
     const LinkedProgram *const linked = context.linkedProgram;
     const bool combines = linked && linked->fragment.compiled &&

@@ -4,6 +4,7 @@
 #include "state/core/context.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/share/share_group.h"
 
 namespace arbiter::state {
 
@@ -71,6 +72,15 @@ bool combinerValue(const Context &context, GLenum pname, GLint &value) {
     value = combiners->state().perStageConstants ? 1 : 0;
     return combiners->hasPerStageConstants();
   }
+}
+
+bool mayCombineDepths(const Context &context) {
+  return context.combiners && context.caps.shadow &&
+         context.group->depthImagesUsed.load(std::memory_order_relaxed);
+}
+
+bool followsDepths(const Context &context) {
+  return mayCombineDepths(context) && context.combiners->effective;
 }
 
 } // namespace arbiter::state

@@ -87,4 +87,10 @@ private:
 /// which are four. False where the context does not offer the extension.
 [[nodiscard]] bool combinerValue(const Context &context, GLenum pname, GLint &value);
 
+/// Some texture may be of depths, where the context has register combiners: what those read of it
+/// is not a colour (table RC.2).
+[[nodiscard]] bool mayCombineDepths(const Context &context);
+/// Draws depend on which of the bound textures are.
+[[nodiscard]] bool followsDepths(const Context &context);
+
 } // namespace arbiter::state

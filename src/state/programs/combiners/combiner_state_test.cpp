@@ -75,7 +75,7 @@ TEST(CombinerState, AConstantChoosesNothing) {
 }
 
 /// A query is small beside a draw, but not beside a small one.
-TEST(CombinerState, DrawsAskForDepthsOnceThereWasOne) {
+TEST(CombinerState, DrawsAskForDepthsOnceAfterAChange) {
   CombinerHost host;
   const CurrentContext context(host);
   host.enabled.insert(GL_TEXTURE_2D);
@@ -87,8 +87,13 @@ TEST(CombinerState, DrawsAskForDepthsOnceThereWasOne) {
   EXPECT_EQ(host.queries, 0);
   handlers::TexImage2D(*context, GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 1, 1, 0,
                        GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-  ASSERT_TRUE(draw(*context));
   host.queries = 0;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_GT(host.queries, 0);
+  host.queries = 0;
+  ASSERT_TRUE(draw(*context));
+  EXPECT_EQ(host.queries, 0);
+  handlers::BindTexture(*context, GL_TEXTURE_2D, 1);
   ASSERT_TRUE(draw(*context));
   EXPECT_GT(host.queries, 0);
 }

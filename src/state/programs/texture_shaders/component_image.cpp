@@ -11,6 +11,7 @@
 #include "state/core/plain_transfer.h"
 #include "state/core/texture_binding.h"
 #include "state/programs/program_bind.h"
+#include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"

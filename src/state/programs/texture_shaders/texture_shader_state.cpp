@@ -72,13 +72,6 @@ bool followsTextures(const Context &context) {
                      context.group->textureFormats.any());
 }
 
-void noteTextureChange(Context &context) {
-  if (!followsTextures(context))
-    return;
-  context.textureShaders->texturesChanged = true;
-  context.attention |= attention::kDepth;
-}
-
 bool textureShaderValue(const Context &context, GLint &value) {
   value = context.row(Target::TextureShaders).enabled ? 1 : 0;
   return context.textureShaders != nullptr;

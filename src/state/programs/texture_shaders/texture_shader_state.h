@@ -71,8 +71,6 @@ public:
 
   ComponentTransfers transfers;
 
-  /// What is bound, or what it is, may be other than when it was last asked (noteTextureChange()).
-  bool texturesChanged = true;
   /// A stage was set here once, or an image of their formats: lists are cut where textures change.
   bool used = false;
 
@@ -101,9 +99,6 @@ private:
 /// Draws depend on which textures are bound and on what they are: their consistency chooses
 /// programs.
 [[nodiscard]] bool followsTextures(const Context &context);
-/// After a command that binds or defines textures, or sets how they are sampled: the next draw
-/// asks. One test where none depends on it.
-void noteTextureChange(Context &context);
 
 /// The value of Get of TEXTURE_SHADER_NV; false where the context does not offer it.
 [[nodiscard]] bool textureShaderValue(const Context &context, GLint &value);

@@ -1,0 +1,30 @@
+#include "state/lists/texture_commands.h"
+
+#include "state/core/context.h"
+#include "state/lists/list_compiler.h"
+#include "state/programs/combiners/combiner_state.h"
+#include "state/programs/texture_changes.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+namespace {
+
+/// A list may be called where texture shaders or register combiners are enabled.
+bool listsFollowTextures(const Context &context) {
+  if (context.textureShaders && context.textureShaders->used)
+    return true;
+  return mayCombineDepths(context) &&
+         context.group->shadersFollowFixedFunction.load(std::memory_order_relaxed);
+}
+
+} // namespace
+
+void noteTextureCommand(Context &context) {
+  noteTextureChange(context);
+  if (context.listMode != 0 && !context.insideBeginEnd && listsFollowTextures(context))
+    context.list->cut(context);
+}
+
+} // namespace arbiter::state

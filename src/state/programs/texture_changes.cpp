@@ -1,0 +1,21 @@
+#include "state/programs/texture_changes.h"
+
+#include "state/core/context.h"
+#include "state/programs/combiners/combiner_state.h"
+#include "state/programs/texture_shaders/texture_shader_state.h"
+#include "state/share/share_group.h"
+
+namespace arbiter::state {
+
+void noteTextureChange(Context &context) {
+  if (!followsTextures(context) && !followsDepths(context))
+    return;
+  context.texturesChanged = true;
+  context.attention |= attention::kDepth;
+}
+
+bool texturesMayDiffer(const Context &context) {
+  return context.texturesChanged || context.group->contexts.load(std::memory_order_relaxed) > 1;
+}
+
+} // namespace arbiter::state
