@@ -268,7 +268,7 @@ enum class Lanes : std::uint8_t {
   Row,    ///< `lanes` pixels of one row; items are spans. Derivatives only where a coordinate is an
           ///< affine function of an input (Code never asks for more: the compiler refuses)
   Quad,   ///< 2x2 quads: 4x4 pixels of 16 lanes, 4x2 of 8, 2x2 of 4; items are blocks
-  Packed, ///< pixels from anywhere near the primitive's origin, or quads of such; items are pixels
+  Packed, ///< pixels, or quads of such, from anywhere in a tile, of several primitives
 };
 
 /// How much of its pixel a fragment covers (OpenGL 2.1, 3.12), which its alpha is multiplied with
@@ -350,22 +350,58 @@ struct Block {
   std::int16_t x = 0, y = 0;
   std::uint16_t mask = 0, reserved = 0;
 };
-/// Lanes::Packed: one lane. Where a level of detail or a derivative is wanted each four are a quad:
-/// lower left, lower right, upper left, upper right. Lie no further than 16384 bytes * rows allow:
-/// within 1024 pixels of the primitive's origin, in x and in y.
+/// Lanes::Packed: one lane. Where a level of detail or a derivative is wanted each four are a quad
+/// of one primitive: lower left, lower right, upper left, upper right.
 struct Pixel {
-  std::uint16_t x = 0, y = 0;
-  /// In `y`: the lane is none of the primitive's pixels. It is computed, for its neighbours'
-  /// derivatives, and not written.
-  static constexpr std::uint16_t kHelper = 0x8000;
+  std::uint8_t x = 0, y = 0; ///< from the base of PrimitiveColumns
+  std::uint8_t column = 0;   ///< of its primitive
+  std::uint8_t isHelper = 0; ///< kHelper or 0
+  /// The lane is none of the primitive's pixels. It is computed, for its neighbours' derivatives,
+  /// and not written.
+  static constexpr std::uint8_t kHelper = 0x80;
 };
 
-/// Shades pixels of one primitive. `items` are `count` Spans, Blocks or Pixels, by the key's lanes;
-/// of Pixels a multiple of the lane count, none of them twice but for helpers. Safe to
+/// Lanes::Packed: primitives side by side, so that pixels of several fill one vector. The word at
+/// byte 4 * k of each one's Primitive lies in row k, in its column.
+struct PrimitiveColumns {
+  /// As many as the widest vector has lanes, since one instruction finds a lane's value in a row;
+  /// functions look at no more columns than they have lanes.
+  static constexpr int kColumns = 16;
+  static constexpr std::size_t kRows = sizeof(Primitive) / 4;
+  static constexpr std::size_t rowOf(std::size_t offset) { return offset / 4; }
+
+  std::int32_t baseX = 0, baseY = 0; ///< the pixel that is (0, 0) of Pixel
+  alignas(64) std::uint32_t rows[kRows][kColumns];
+
+  void setWord(std::size_t offset, int column, std::uint32_t word) {
+    rows[rowOf(offset)][column] = word;
+  }
+  /// All of a column.
+  void set(int column, const Primitive &primitive) {
+    std::uint32_t words[kRows];
+    std::memcpy(words, &primitive, sizeof words);
+    for (std::size_t row = 0; row < kRows; ++row)
+      rows[row][column] = words[row];
+  }
+  [[nodiscard]] Primitive at(int column) const {
+    std::uint32_t words[kRows];
+    for (std::size_t row = 0; row < kRows; ++row)
+      words[row] = rows[row][column];
+    Primitive primitive;
+    std::memcpy(&primitive, words, sizeof words);
+    return primitive;
+  }
+};
+
+/// Shades pixels of one primitive. `items` are `count` Spans or Blocks, by the key's lanes. Safe to
 /// call on several threads for pixels that do not meet. Reads 64 bytes beyond rows of textures at
 /// most, writes no byte outside the given pixels.
 using ShadeFunction = void (*)(const FragmentData *data, const Primitive *primitive,
                                const void *items, std::uint32_t count);
+/// The same of Lanes::Packed: `count` is a multiple of the lane count, and no pixel is there twice
+/// but for helpers.
+using PackedShadeFunction = void (*)(const FragmentData *data, const PrimitiveColumns *primitives,
+                                     const Pixel *pixels, std::uint32_t count);
 
 // --- Vertices
 // -------------------------------------------------------------------------------------

@@ -118,7 +118,7 @@ struct Shading {
 
   /// Lanes::Packed, for small triangles, with a key without depth, which `depth` describes. Only
   /// where nothing after the depth test may discard a fragment.
-  abi::ShadeFunction packed = nullptr;
+  abi::PackedShadeFunction packed = nullptr;
   DepthTest depth;
   bool packsQuads = false; ///< a level of detail or a derivative is wanted
   /// A fragment that passes replaces what was there, or its unmasked components, whatever it is.

@@ -90,7 +90,8 @@ void Pipeline::choosePacked(bool quads, swrast::Shading &shading, Fallback &why)
     return;
   const abi::DepthStencilKey depth = m_key.depthStencil;
   m_key.depthStencil = {};
-  shading.packed = functionFor(abi::Lanes::Packed, why);
+  // By this key it is one of the other type.
+  shading.packed = reinterpret_cast<abi::PackedShadeFunction>(functionFor(abi::Lanes::Packed, why));
   m_key.depthStencil = depth;
   shading.packsQuads = quads;
   if (depth.depthTest)

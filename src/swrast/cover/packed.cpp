@@ -8,15 +8,17 @@ namespace arbiter::swrast {
 
 namespace {
 constexpr std::uint32_t kMostPending = 512, kMostBlocks = 4096;
-/// Padding is written a vector at a time.
-constexpr std::uint32_t kMostPixels = PackedTile::kSide * PackedTile::kSide + 32;
+/// As many as one triangle may have, and what is written in vain behind them.
+constexpr std::uint32_t kMostPixels = PackedTile::kSide * PackedTile::kSide;
+constexpr std::uint32_t kVector = 16;
 } // namespace
 
 struct PackedShader::Storage {
   PackedTile tile;
-  alignas(64) abi::Pixel pixels[kMostPixels];
-  abi::Primitive primitive;
-  Pending pending[kMostPending];
+  alignas(64) abi::Pixel pixels[kMostPixels + kVector];
+  abi::PrimitiveColumns columns;
+  const PackedTriangle *column[abi::PrimitiveColumns::kColumns];
+  PackedTriangle pending[kMostPending];
   /// Of a triangle there are no more than the tile has, and one is written in vain.
   abi::Block blocks[kMostBlocks + PackedTile::kBlocks + 1];
 };
@@ -32,6 +34,8 @@ bool PackedShader::begin(const Rect &tile) {
   m_storage->tile.begin(intersect(m_state.clip, {tile.x & -kSide, tile.y & -kSide, kSide, kSide}),
                         m_shading);
   m_test = m_kernels.test(m_shading.depth);
+  m_storage->columns.baseX = tile.x & -kSide;
+  m_storage->columns.baseY = tile.y & -kSide;
   m_owner = 0;
   return true;
 }
@@ -41,7 +45,7 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   if (m_pending == kMostPending || m_blocks > kMostBlocks)
     resolve();
   Storage &own = *m_storage;
-  Pending &next = own.pending[m_pending];
+  PackedTriangle &next = own.pending[m_pending];
   next.gradients = gradientsOf(m_state, triangle.corner, origin.originX, origin.originY);
   next.depth = makeDepthPlane(m_state, triangle, next.gradients, m_state.offsetFill);
   abi::Block *const left = own.blocks + m_blocks;
@@ -55,31 +59,50 @@ void PackedShader::add(const PlanePlan &plan, const Triangle &triangle, const Bo
   next.originY = origin.originY;
   next.count = seen;
   if (!m_shading.replaces) {
-    shade(next, 0, left);
+    list(next, 0, left);
+    shade();
     return;
   }
   ++m_pending;
   m_blocks += seen;
 }
 
-void PackedShader::shade(const Pending &each, std::uint32_t owner, const abi::Block *blocks) {
+void PackedShader::list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks) {
   Storage &own = *m_storage;
+  if (m_columns == m_shading.lanes || m_pixels + each.count * PackedTile::kLanes > kMostPixels)
+    shade();
   const std::uint32_t pixels =
-      m_kernels.list(own.tile, owner, m_shading.packsQuads, blocks, each.count, own.pixels);
+      m_kernels.list(own.tile, owner, unsigned(m_columns), m_shading.packsQuads, blocks, each.count,
+                     own.pixels + m_pixels);
   if (pixels == 0)
     return;
-  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
-             own.primitive);
-  m_shading.packed(m_shading.data, &own.primitive, own.pixels, pixels);
+  own.column[m_columns++] = &each;
+  m_pixels += pixels;
+}
+
+void PackedShader::shade() {
+  if (m_pixels == 0)
+    return;
+  Storage &own = *m_storage;
+  m_kernels.columns(own.column, m_columns, own.columns);
+  const auto lanes = std::uint32_t(m_shading.lanes);
+  abi::Pixel padding = own.pixels[m_pixels - 1];
+  padding.isHelper = abi::Pixel::kHelper;
+  for (; m_pixels % lanes != 0; ++m_pixels)
+    own.pixels[m_pixels] = padding;
+  m_shading.packed(m_shading.data, &own.columns, own.pixels, m_pixels);
+  m_columns = 0;
+  m_pixels = 0;
 }
 
 void PackedShader::resolve() {
   const abi::Block *blocks = m_storage->blocks;
   for (std::uint32_t i = 0; i < m_pending; ++i) {
-    const Pending &each = m_storage->pending[i];
-    shade(each, m_owner + i + 1, blocks);
+    const PackedTriangle &each = m_storage->pending[i];
+    list(each, m_owner + i + 1, blocks);
     blocks += each.count;
   }
+  shade();
   m_owner += m_pending;
   m_pending = m_blocks = 0;
 }

@@ -7,7 +7,8 @@
 /// Small triangles by the pixel: the rasterizer tests depth itself, in a copy of the tile that
 /// stays in the processor's nearest cache, and hands the machine code full vectors of what is left
 /// to be seen. Where fragments replace what is there, a tile is shaded when all its triangles have
-/// been tested, so that a pixel is shaded once however many triangles lie over each other.
+/// been tested, so that a pixel is shaded once however many triangles lie over each other, and
+/// pixels of several triangles fill a vector.
 namespace arbiter::swrast {
 
 /// Blocks of 4x4 pixels of a tile of 64x64, one behind the other; lane 4 * row + column of a block.
@@ -25,6 +26,10 @@ struct PackedTile {
   [[nodiscard, gnu::always_inline]] static inline unsigned blockAt(int x, int y) {
     return (unsigned(y) >> 2 & 15) << 4 | (unsigned(x) >> 2 & 15);
   }
+  /// A block's first pixel as the word of an abi::Pixel.
+  [[nodiscard, gnu::always_inline]] static inline int placeOf(const abi::Block &block) {
+    return (block.y & (kSide - 1)) << 8 | (block.x & (kSide - 1));
+  }
   void begin(const Rect &tile, const Shading &shading);
   /// Fills a block from the depth buffer; no triangle is seen in it.
   void load(int x, int y);
@@ -41,15 +46,29 @@ private:
 using TestBlocks = std::uint32_t (*)(PackedTile &tile, const abi::Plane &z, int originX,
                                      int originY, std::uint32_t owner, const abi::Block *blocks,
                                      std::uint32_t count, abi::Block *out);
-/// The pixels of blocks, one behind the other: all of the masks, or if `owner` is not 0 those that
-/// it still owns. Of `quads` each quad is whole, its other pixels helpers. Filled up with helpers
-/// to a multiple of 16. \param out room for 16 more than the blocks have
-using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner, bool quads,
-                                     const abi::Block *blocks, std::uint32_t count,
+/// A triangle that is shaded later, with what is left of it.
+struct PackedTriangle {
+  const PlanePlan *plan;
+  Triangle triangle; ///< not clipped
+  Gradients gradients;
+  abi::Plane depth;
+  std::int32_t originX, originY; ///< the pixel that planes are exact at
+  std::uint32_t count;           ///< its blocks
+};
+
+/// The pixels of blocks, one behind the other, of a primitive in `column`: all of the masks, or if
+/// `owner` is not 0 those that it still owns. Of `quads` each quad is whole, its other pixels
+/// helpers. \param out room for 16 more than the blocks have
+using ListPixels = std::uint32_t (*)(const PackedTile &tile, std::uint32_t owner, unsigned column,
+                                     bool quads, const abi::Block *blocks, std::uint32_t count,
                                      abi::Pixel *out);
+/// What `count` triangles are shaded with, the first one's in column 0.
+using SetColumns = void (*)(const PackedTriangle *const *triangles, int count,
+                            abi::PrimitiveColumns &columns);
 struct PackedKernels {
   TestBlocks (*test)(const DepthTest &); ///< the one for a test
   ListPixels list;
+  SetColumns columns;
 };
 /// All give the same.
 extern const PackedKernels kPackedBaseline;
@@ -78,19 +97,13 @@ public:
   void finish();
 
 private:
-  /// A triangle that is shaded later; its blocks are the next `count` ones.
-  struct Pending {
-    const PlanePlan *plan;
-    Triangle triangle;
-    Gradients gradients;
-    abi::Plane depth;
-    std::int32_t originX, originY;
-    std::uint32_t count;
-  };
   struct Storage;
   [[nodiscard]] static Storage *storage();
   void resolve();
-  void shade(const Pending &each, std::uint32_t owner, const abi::Block *blocks);
+  /// Puts a triangle's pixels behind those that wait.
+  void list(const PackedTriangle &each, std::uint32_t owner, const abi::Block *blocks);
+  /// Shades the pixels that wait.
+  void shade();
 
   const RasterState &m_state;
   const Shading &m_shading;
@@ -98,7 +111,9 @@ private:
   TestBlocks m_test = nullptr;
   Storage *m_storage = nullptr; ///< null: not begun
   std::uint32_t m_pending = 0, m_blocks = 0;
-  std::uint32_t m_owner = 0; ///< of the last triangle before the pending ones
+  std::uint32_t m_owner = 0;  ///< of the last triangle before the pending ones
+  int m_columns = 0;          ///< triangles with pixels that wait
+  std::uint32_t m_pixels = 0; ///< that wait
 };
 
 } // namespace arbiter::swrast

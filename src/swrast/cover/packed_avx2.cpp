@@ -1,6 +1,7 @@
 #include <array>
 #include <immintrin.h>
 
+#include "swrast/cover/columns.h"
 #include "swrast/cover/packed_choice.h"
 
 /// The kernels for processors with vectors of 8 lanes: two rows of a block at a time.
@@ -159,14 +160,15 @@ __m256i closed(__m256i lanes, unsigned set) {
   return _mm256_permutevar8x32_epi32(lanes, _mm256_cvtepu8_epi32(order));
 }
 
-std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads,
+std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned column, bool quads,
                          const abi::Block *blocks, std::uint32_t count, abi::Pixel *out) {
   // x and y of the lanes of two rows as abi::Pixel, row by row or quad by quad.
-  const __m256i rows = _mm256_setr_epi32(0, 1, 2, 3, 0x10000, 0x10001, 0x10002, 0x10003);
-  const __m256i byQuad = _mm256_setr_epi32(0, 1, 0x10000, 0x10001, 2, 3, 0x10002, 0x10003);
-  const __m256i lanes = quads ? byQuad : rows;
+  const __m256i rows = _mm256_setr_epi32(0, 1, 2, 3, 0x100, 0x101, 0x102, 0x103);
+  const __m256i byQuad = _mm256_setr_epi32(0, 1, 0x100, 0x101, 2, 3, 0x102, 0x103);
+  const __m256i lanes =
+      _mm256_add_epi32(quads ? byQuad : rows, _mm256_set1_epi32(int(column << 16)));
   const __m256i owners = _mm256_set1_epi32(int(owner));
-  const __m256i helper = _mm256_set1_epi32(int(unsigned(abi::Pixel::kHelper) << 16));
+  const __m256i helper = _mm256_set1_epi32(int(unsigned(abi::Pixel::kHelper) << 24));
   std::uint32_t total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block block = blocks[i];
@@ -175,9 +177,8 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
       unsigned mask = unsigned(block.mask) >> kHalf * half & 0xFF;
       if (owner != 0)
         mask = bitsOf(_mm256_cmpeq_epi32(owners, _mm256_load_si256(vectorAt(seen + kHalf * half))));
-      __m256i pixels = _mm256_add_epi32(
-          lanes,
-          _mm256_set1_epi32(int(std::uint32_t(block.y + 2 * half) << 16 | std::uint32_t(block.x))));
+      __m256i pixels =
+          _mm256_add_epi32(lanes, _mm256_set1_epi32(PackedTile::placeOf(block) + (2 * half << 8)));
       if (quads) {
         // The second pair of a row changes places with the first pair of the next.
         mask = (mask & 0xC3) | (mask & 0x0C) << 2 | (mask >> 2 & 0x0C);
@@ -191,18 +192,11 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
       total += unsigned(__builtin_popcount(mask));
     }
   }
-  if (total == 0)
-    return 0;
-  std::uint32_t last;
-  __builtin_memcpy(&last, out + total - 1, sizeof last);
-  const __m256i padding = _mm256_or_si256(_mm256_set1_epi32(int(last)), helper);
-  _mm256_storeu_si256(vectorAt(out + total), padding);
-  _mm256_storeu_si256(vectorAt(out + total + kHalf), padding);
-  return (total + 15) & ~15u;
+  return total;
 }
 
 } // namespace
 
-const PackedKernels kPackedAvx2 = {chooseTest<Kernels>, listPixels};
+const PackedKernels kPackedAvx2 = {chooseTest<Kernels>, listPixels, setColumns};
 
 } // namespace arbiter::swrast

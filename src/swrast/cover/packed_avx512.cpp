@@ -1,5 +1,6 @@
 #include <immintrin.h>
 
+#include "swrast/cover/columns.h"
 #include "swrast/cover/packed_choice.h"
 
 /// The kernels for processors with vectors of 16 lanes, and instructions that close the gaps in
@@ -107,20 +108,18 @@ struct Kernels {
 
 /// x and y of the lanes of a block as abi::Pixel, row by row or quad by quad.
 __m512i lanesOf(bool quads) {
-  const __m512i rows =
-      _mm512_setr_epi32(0, 1, 2, 3, 0x10000, 0x10001, 0x10002, 0x10003, 0x20000, 0x20001, 0x20002,
-                        0x20003, 0x30000, 0x30001, 0x30002, 0x30003);
-  const __m512i byQuad =
-      _mm512_setr_epi32(0, 1, 0x10000, 0x10001, 2, 3, 0x10002, 0x10003, 0x20000, 0x20001, 0x30000,
-                        0x30001, 0x20002, 0x20003, 0x30002, 0x30003);
+  const __m512i rows = _mm512_setr_epi32(0, 1, 2, 3, 0x100, 0x101, 0x102, 0x103, 0x200, 0x201,
+                                         0x202, 0x203, 0x300, 0x301, 0x302, 0x303);
+  const __m512i byQuad = _mm512_setr_epi32(0, 1, 0x100, 0x101, 2, 3, 0x102, 0x103, 0x200, 0x201,
+                                           0x300, 0x301, 0x202, 0x203, 0x302, 0x303);
   return quads ? byQuad : rows;
 }
 
-std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads,
+std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned column, bool quads,
                          const abi::Block *blocks, std::uint32_t count, abi::Pixel *out) {
-  const __m512i lanes = lanesOf(quads);
+  const __m512i lanes = _mm512_add_epi32(lanesOf(quads), _mm512_set1_epi32(int(column << 16)));
   const __m512i owners = _mm512_set1_epi32(int(owner));
-  const __m512i helper = _mm512_set1_epi32(int(unsigned(abi::Pixel::kHelper) << 16));
+  const __m512i helper = _mm512_set1_epi32(int(unsigned(abi::Pixel::kHelper) << 24));
   std::uint32_t total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Block block = blocks[i];
@@ -128,8 +127,7 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
     if (owner != 0)
       mask = _mm512_cmpeq_epi32_mask(
           owners, _mm512_load_si512(tile.owner[PackedTile::blockAt(block.x, block.y)]));
-    __m512i pixels = _mm512_add_epi32(
-        lanes, _mm512_set1_epi32(int(std::uint32_t(block.y) << 16 | std::uint32_t(block.x))));
+    __m512i pixels = _mm512_add_epi32(lanes, _mm512_set1_epi32(PackedTile::placeOf(block)));
     if (quads) {
       // The second pair of a row changes places with the first pair of the next.
       mask = (mask & 0xC3C3) | (mask & 0x0C0C) << 2 | (mask >> 2 & 0x0C0C);
@@ -142,16 +140,11 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
     _mm512_storeu_si512(out + total, _mm512_maskz_compress_epi32(__mmask16(mask), pixels));
     total += unsigned(__builtin_popcount(mask));
   }
-  if (total == 0)
-    return 0;
-  std::uint32_t last;
-  __builtin_memcpy(&last, out + total - 1, sizeof last);
-  _mm512_storeu_si512(out + total, _mm512_or_si512(_mm512_set1_epi32(int(last)), helper));
-  return (total + 15) & ~15u;
+  return total;
 }
 
 } // namespace
 
-const PackedKernels kPackedAvx512 = {chooseTest<Kernels>, listPixels};
+const PackedKernels kPackedAvx512 = {chooseTest<Kernels>, listPixels, setColumns};
 
 } // namespace arbiter::swrast

@@ -73,23 +73,26 @@ void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive
     }
 }
 
-void packedPixels(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
-                  std::uint32_t count) {
-  const auto *const pixels = static_cast<const abi::Pixel *>(items);
+std::uint32_t g_several = 0; ///< calls whose first vector has pixels of several triangles
+
+void packedPixels(const abi::FragmentData *data, const abi::PrimitiveColumns *primitives,
+                  const abi::Pixel *pixels, std::uint32_t count) {
   if (count % 16 != 0)
     __builtin_trap();
+  g_several += pixels[0].column != pixels[15].column ? 1 : 0;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const int y = pixels[i].y & ~abi::Pixel::kHelper;
-    const int first = int(i) & ~3;
+    const abi::Pixel &pixel = pixels[i], &first = pixels[i & ~3u];
     // Padding may follow the last quad in any number.
-    const bool padding = (pixels[first].y & pixels[first + 1].y & pixels[first + 2].y &
-                          pixels[first + 3].y & abi::Pixel::kHelper) != 0;
+    const bool padding =
+        (first.isHelper & (&first)[1].isHelper & (&first)[2].isHelper & (&first)[3].isHelper) != 0;
     if (g_quads && !padding &&
-        (pixels[i].x != pixels[first].x + int(i & 1) ||
-         y != (pixels[first].y & ~abi::Pixel::kHelper) + int(i >> 1 & 1) || pixels[first].x % 2))
+        (pixel.x != first.x + (i & 1) || pixel.y != first.y + (i >> 1 & 1) || first.x % 2 != 0 ||
+         pixel.column != first.column))
       __builtin_trap();
-    if (!(pixels[i].y & abi::Pixel::kHelper))
-      Canvas::shadePixel(data, primitive, pixels[i].x, y);
+    if (pixel.isHelper)
+      continue;
+    const abi::Primitive primitive = primitives->at(pixel.column);
+    Canvas::shadePixel(data, &primitive, primitives->baseX + pixel.x, primitives->baseY + pixel.y);
   }
 }
 
@@ -187,6 +190,7 @@ TEST(Packed, DrawsWhatBlocksDraw) {
       ASSERT_GT(fewer, 0u) << "what is covered was shaded";
     }
   }
+  EXPECT_GT(g_several, 1000u) << "each vector had one triangle's pixels";
 }
 
 /// A tile in the middle of a buffer, with its depth.
@@ -256,14 +260,88 @@ TEST_P(Kernels, AreTheSameOnAllInstructionSets) {
         for (const std::uint32_t of : {0u, owner, owner - 1}) {
           std::vector<abi::Pixel> pixels(5000), others(5000);
           const std::uint32_t m =
-              kPackedBaseline.list(*a.tile, of, quads, left.data(), n, pixels.data());
-          ASSERT_EQ(best.list(*b.tile, of, quads, left.data(), n, others.data()), m);
+              kPackedBaseline.list(*a.tile, of, owner, quads, left.data(), n, pixels.data());
+          ASSERT_EQ(best.list(*b.tile, of, owner, quads, left.data(), n, others.data()), m);
           ASSERT_EQ(std::memcmp(pixels.data(), others.data(), m * sizeof(abi::Pixel)), 0);
         }
     }
     a.tile->end();
     b.tile->end();
     ASSERT_EQ(a.buffer, b.buffer);
+  }
+}
+
+/// Triangles of several draws, with what their planes are made of.
+struct Group {
+  static constexpr int kVertices = 60;
+  Group(std::mt19937 &random, int count) {
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (float &value : values)
+      value = random() % 9 == 0 ? 0.5f : unit(random); // some planes are level
+    for (PlanePlan &plan : plans) {
+      plan.wantsW = random() % 4 != 0;
+      for (plan.count = 0; plan.count < 9; ++plan.count) {
+        const float *const front = values + random() % 40, *const back = values + random() % 40;
+        const bool isConstant = random() % 5 == 0, hasSides = random() % 2 != 0;
+        const std::uint32_t mask = isConstant ? 0 : ~0u;
+        plan.sources[plan.count] = {{front, hasSides ? back : front},
+                                    {mask, mask},
+                                    std::uint8_t(plan.count / 4),
+                                    std::uint8_t(plan.count % 4)};
+      }
+      plan.linearFrom = 3;
+      plan.flatFrom = 6;
+    }
+    std::size_t plan = 0;
+    for (int k = 0; k < count; ++k) {
+      PackedTriangle &each = triangles[k];
+      plan = random() % 6 == 0 ? (plan + 1) % 2 : plan;
+      each.plan = &plans[plan];
+      for (int i = 0; i < 3; ++i) {
+        each.triangle.corner[i].x = 40 * unit(random);
+        each.triangle.corner[i].y = 40 * unit(random);
+        each.triangle.corner[i].inverseW = 1 + 0.5f * unit(random);
+        each.triangle.vertex[i] = std::uint32_t(random() % 20);
+      }
+      each.triangle.provoking = each.triangle.vertex[random() % 3];
+      each.triangle.backFacing = random() % 2 != 0;
+      each.originX = int(random() % 64);
+      each.originY = int(random() % 64);
+      each.gradients = gradientsOf(RasterState(), each.triangle.corner, each.originX, each.originY);
+      each.depth = {unit(random), unit(random), unit(random)};
+      pointers[k] = &each;
+    }
+  }
+  float values[kVertices];
+  PlanePlan plans[2];
+  PackedTriangle triangles[abi::PrimitiveColumns::kColumns];
+  const PackedTriangle *pointers[abi::PrimitiveColumns::kColumns];
+};
+
+/// All kernels make the planes that makePlanes() makes, bit for bit.
+TEST(Packed, ColumnsAreThePlanesOfEachTriangle) {
+  std::vector<const PackedKernels *> all = otherKernels();
+  all.push_back(&kPackedBaseline);
+  std::mt19937 random(11);
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    const int count = 1 + round % abi::PrimitiveColumns::kColumns;
+    const Group group(random, count);
+    for (const PackedKernels *const kernels : all) {
+      auto columns = std::make_unique<abi::PrimitiveColumns>();
+      std::memset(columns->rows, 0, sizeof columns->rows);
+      kernels->columns(group.pointers, count, *columns);
+      for (int k = 0; k < count; ++k) {
+        const PackedTriangle &each = group.triangles[k];
+        abi::Primitive expected = {};
+        makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX,
+                   each.originY, expected);
+        abi::Primitive got = columns->at(k);
+        if (!each.plan->wantsW)
+          got.inverseW = {};
+        ASSERT_EQ(std::memcmp(&got, &expected, sizeof got), 0) << "column " << k;
+      }
+    }
   }
 }
 

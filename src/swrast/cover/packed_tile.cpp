@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "swrast/cover/columns.h"
 #include "swrast/cover/packed.h"
 #include "util/processor.h"
 
@@ -165,7 +166,7 @@ std::uint32_t testBlocks(PackedTile &tile, const abi::Plane &z, int originX, int
   return left;
 }
 
-std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads,
+std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, unsigned column, bool quads,
                          const abi::Block *blocks, std::uint32_t count, abi::Pixel *out) {
   std::uint32_t total = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -182,20 +183,19 @@ std::uint32_t listPixels(const PackedTile &tile, std::uint32_t owner, bool quads
       if (!seen && !(quads && (isSeen(first) || isSeen(first + 1) || isSeen(first + 4) ||
                                isSeen(first + 5))))
         continue;
-      out[total++] = {std::uint16_t(block.x + lane % 4),
-                      std::uint16_t((block.y + lane / 4) | (seen ? 0 : abi::Pixel::kHelper))};
+      constexpr int kIn = PackedTile::kSide - 1;
+      out[total++] = {std::uint8_t((block.x & kIn) + lane % 4),
+                      std::uint8_t((block.y & kIn) + lane / 4), std::uint8_t(column),
+                      std::uint8_t(seen ? 0 : abi::Pixel::kHelper)};
     }
-  }
-  for (; total % 16 != 0; ++total) {
-    out[total] = out[total - 1];
-    out[total].y |= abi::Pixel::kHelper;
   }
   return total;
 }
 
 } // namespace
 
-const PackedKernels kPackedBaseline = {[](const DepthTest &) { return &testBlocks; }, listPixels};
+const PackedKernels kPackedBaseline = {[](const DepthTest &) { return &testBlocks; }, listPixels,
+                                       setColumns};
 
 const PackedKernels &choosePackedKernels() {
 #if defined(__x86_64__) || defined(__i386__)

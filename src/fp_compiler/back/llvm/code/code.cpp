@@ -1,6 +1,9 @@
 #include "fp_compiler/back/llvm/code/code.h"
 
 #include <llvm/IR/Intrinsics.h>
+#if defined(__x86_64__) || defined(__i386__)
+#include <llvm/IR/IntrinsicsX86.h>
+#endif
 
 namespace arbiter::fp::llvm_back {
 
@@ -44,6 +47,22 @@ void Code::prefetch(Value *pointer, unsigned bytes, bool isWritten) {
     ir.CreateIntrinsic(llvm::Intrinsic::prefetch, {ir.getPtrTy()},
                        {ir.CreateConstGEP1_32(ir.getInt8Ty(), pointer, at),
                         ir.getInt32(isWritten ? 1 : 0), ir.getInt32(3), ir.getInt32(1)});
+}
+
+Value *Code::lookUp(Value *table, Value *index) {
+#if defined(__x86_64__) || defined(__i386__)
+  const llvm::Align align(std::uint64_t(lanes) * 4);
+  if (cpu.family == Cpu::Family::Avx512)
+    return ir.CreateIntrinsic(llvm::Intrinsic::x86_avx512_permvar_si_512, {},
+                              {ir.CreateAlignedLoad(i32, table, align), index});
+  if (cpu.family == Cpu::Family::Avx2)
+    return ir.CreateIntrinsic(llvm::Intrinsic::x86_avx2_permd, {},
+                              {ir.CreateAlignedLoad(i32, table, align), index});
+#endif
+  Value *const element = ir.CreateAnd(index, splat(lanes - 1));
+  Value *const pointers = ir.CreateGEP(ir.getInt32Ty(), table, element);
+  return ir.CreateMaskedGather(i32, pointers, llvm::Align(4), llvm::Constant::getAllOnesValue(i1),
+                               llvm::Constant::getNullValue(i32));
 }
 
 Value *Code::field(llvm::Type *type, Value *pointer, std::size_t offset) {

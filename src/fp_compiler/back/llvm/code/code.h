@@ -54,6 +54,9 @@ struct Code {
   [[nodiscard]] Value *saturate(Value *a);
   /// Asks for \p bytes from a pointer on, which need not be there, to be read or written soon.
   void prefetch(Value *pointer, unsigned bytes, bool isWritten);
+  /// i32s of a table of `lanes` such, which lies aligned to its size: element \p index modulo
+  /// lanes.
+  [[nodiscard]] Value *lookUp(Value *table, Value *index);
   /// A scalar of a struct that `pointer` leads to: a load of `type` at `offset` bytes.
   [[nodiscard]] Value *field(llvm::Type *type, Value *pointer, std::size_t offset);
 };

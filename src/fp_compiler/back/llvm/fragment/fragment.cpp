@@ -17,7 +17,7 @@ public:
       : m_code(code), m_ir(code.ir), m_function(function), m_program(program), m_key(key),
         m_interpolator(code, key, m_places, function->getArg(1), function->getArg(0)),
         m_pixels(code, key, m_places, function->getArg(0)),
-        m_depth(code, key, m_places, function->getArg(0), function->getArg(1)) {}
+        m_depth(code, key, m_places, function->getArg(0), m_interpolator) {}
 
   /// False where a row cannot give a derivative or a level of detail.
   bool write() {
@@ -123,9 +123,9 @@ private:
             m_ir.CreateZExt(half(offsetof(abi::Span, count)), m_ir.getInt32Ty())};
   }
 
-  /// Places of packed pixels count from the primitive's origin.
+  /// Places of packed pixels count from the columns' base.
   Item packedItem(Value *number) {
-    Value *const primitive = m_function->getArg(1);
+    Value *const primitives = m_function->getArg(1);
     Value *const raw = m_ir.CreateAlignedLoad(m_code.i32, itemPointer(number, sizeof(abi::Pixel)),
                                               llvm::Align(sizeof(abi::Pixel)));
     // Quads that follow each other, to the lanes of a block that their pixels have.
@@ -135,9 +135,16 @@ private:
       const int x = lane % width, y = lane / width;
       from.push_back((y / 2 * (width / 2) + x / 2) * 4 + y % 2 * 2 + x % 2);
     }
-    return {m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originX)),
-            m_code.field(m_ir.getInt32Ty(), primitive, offsetof(abi::Primitive, originY)),
-            m_ir.CreateShuffleVector(raw, from)};
+    Value *const pixels = m_ir.CreateShuffleVector(raw, from);
+    m_interpolator.setColumns(byteOf(pixels, offsetof(abi::Pixel, column)));
+    return {m_code.field(m_ir.getInt32Ty(), primitives, offsetof(abi::PrimitiveColumns, baseX)),
+            m_code.field(m_ir.getInt32Ty(), primitives, offsetof(abi::PrimitiveColumns, baseY)),
+            pixels};
+  }
+  /// Of each lane's abi::Pixel, from the byte at \p offset.
+  Value *byteOf(Value *pixels, std::size_t offset) {
+    Value *const shifted = m_ir.CreateLShr(pixels, m_code.splat(int(8 * offset)));
+    return m_ir.CreateAnd(shifted, m_code.splat(0xFF));
   }
 
   /// Where all affine samples read consecutive texels: the pixels [begin, end) of the span in which
@@ -249,15 +256,12 @@ private:
   }
 
   void writePacked(const Item &item, llvm::BasicBlock *next) {
-    static_assert(offsetof(abi::Pixel, y) == 2 && abi::Pixel::kHelper == 0x8000);
+    static_assert(offsetof(abi::Pixel, isHelper) == 3 && abi::Pixel::kHelper == 0x80);
     PixelPlace place;
     place.lanes = abi::Lanes::Packed;
     place.covered = m_ir.CreateICmpSGE(item.extent, m_code.splat(0));
-    Value *const x = m_ir.CreateAnd(item.extent, m_code.splat(0xFFFF));
-    Value *const y =
-        m_ir.CreateAnd(m_ir.CreateLShr(item.extent, m_code.splat(16)), m_code.splat(0x7FFF));
-    place.dx = m_ir.CreateSub(x, m_code.splat(item.x));
-    place.dy = m_ir.CreateSub(y, m_code.splat(item.y));
+    place.dx = byteOf(item.extent, offsetof(abi::Pixel, x));
+    place.dy = byteOf(item.extent, offsetof(abi::Pixel, y));
     m_interpolator.setLanes(place.dx, place.dy);
     writePixels(SamplePath::General, nullptr, place);
     m_ir.CreateBr(next);

@@ -262,20 +262,27 @@ int measurePacked(jit::Engine &engine, const std::string &only) {
     std::printf("%-22s %s\n", "packed", reason.c_str());
     return 1;
   }
-  std::vector<abi::Pixel> pixels;
-  pixels.reserve(std::size_t(g_size) * std::size_t(g_size));
-  for (int i = 0; i < g_size * g_size; ++i)
-    pixels.push_back({std::uint16_t(i / 64 % (g_size / 8) * 8 + i % 8),
-                      std::uint16_t(i / (8 * g_size) * 8 + i / 8 % 8)});
+  // Tiles of 8x8 pixels, which as many primitives as there are columns share.
+  constexpr int kTile = 8, kPixels = kTile * kTile;
+  std::array<abi::Pixel, kPixels> pixels;
+  for (int i = 0; i < kPixels; ++i)
+    pixels[std::size_t(i)] = {std::uint8_t(i % kTile), std::uint8_t(i / kTile),
+                              std::uint8_t(i % engine.lanes()), 0};
+  abi::PrimitiveColumns columns;
+  for (int k = 0; k < abi::PrimitiveColumns::kColumns; ++k)
+    columns.set(k, made->primitive);
+  const auto function = reinterpret_cast<abi::PackedShadeFunction>(code->function);
   const FlushMode mode;
   for (const std::size_t vectors : {std::size_t(1), std::size_t(2), std::size_t(4)}) {
     const std::size_t batch = vectors * std::size_t(engine.lanes());
     const double one = best(CLOCK_THREAD_CPUTIME_ID, [&] {
-      for (std::size_t i = 0; i < pixels.size(); i += batch) {
-        made->primitive.originX = pixels[i].x;
-        made->primitive.originY = pixels[i].y;
-        code->function(&made->data, &made->primitive, &pixels[i], std::uint32_t(batch));
-      }
+      for (int y = 0; y < g_size; y += kTile)
+        for (int x = 0; x < g_size; x += kTile) {
+          columns.baseX = x;
+          columns.baseY = y;
+          for (std::size_t i = 0; i < kPixels; i += batch)
+            function(&made->data, &columns, &pixels[i], std::uint32_t(batch));
+        }
     });
     const std::string name = "cartoon, packed by " + std::to_string(batch);
     print(name.c_str(), one, 0, code->bytes);

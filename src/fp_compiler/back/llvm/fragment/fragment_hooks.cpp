@@ -29,14 +29,8 @@ Vec FragmentHooks::attribute(int index, unsigned needed) {
 
 /// (1, 0, 0, 1) of a primitive that is seen from ahead, (-1, 0, 0, 1) of others.
 Vec FragmentHooks::facing(unsigned needed) {
-  Value *const x = writeIn(m_code, m_places.entry, [&] {
-    llvm::IRBuilder<> &ir = m_code.ir;
-    Value *const back =
-        m_code.field(ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, backFacing));
-    return m_code.splat(ir.CreateSelect(ir.CreateIsNotNull(back),
-                                        llvm::ConstantFP::get(ir.getFloatTy(), -1),
-                                        llvm::ConstantFP::get(ir.getFloatTy(), 1)));
-  });
+  Value *const x =
+      m_code.select(m_interpolator.backFacing(), m_code.splat(-1.0f), m_code.splat(1.0f));
   const Vec all = {x, m_code.splat(0.0f), m_code.splat(0.0f), m_code.splat(1.0f)};
   Vec value = {};
   for (std::size_t i = 0; i < 4; ++i)

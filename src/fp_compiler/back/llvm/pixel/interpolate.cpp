@@ -10,16 +10,40 @@ void Interpolator::setPixel(Value *x, Value *y) {
 void Interpolator::setLanes(Value *dx, Value *dy) {
   m_laneX = dx;
   m_laneY = dy;
-  Value *const x = writeIn(m_code, m_places.item,
-                           [&] { return m_code.splat(m_code.ir.CreateSub(m_x, origin(false))); });
-  m_fx = m_code.toFloat(m_code.ir.CreateAdd(x, dx));
-  m_fy = nullptr;
+  const auto fromOrigin = [&](Value *first, Value *lanes, std::size_t origin) {
+    Value *const from = writeIn(m_code, m_places.item, [&] {
+      return m_columns ? m_code.ir.CreateSub(m_code.splat(first), integer(origin))
+                       : m_code.splat(m_code.ir.CreateSub(first, scalarInteger(origin)));
+    });
+    return m_code.toFloat(m_code.ir.CreateAdd(from, lanes));
+  };
+  m_fx = fromOrigin(m_x, dx, offsetof(abi::Primitive, originX));
+  m_fy = dy ? fromOrigin(m_y, dy, offsetof(abi::Primitive, originY)) : nullptr;
   m_w = nullptr;
-  if (!dy)
-    return;
-  Value *const y = writeIn(m_code, m_places.item,
-                           [&] { return m_code.splat(m_code.ir.CreateSub(m_y, origin(true))); });
-  m_fy = m_code.toFloat(m_code.ir.CreateAdd(y, dy));
+}
+
+/// The lanes' values in their columns, as i32.
+Value *Interpolator::inColumns(std::size_t offset) {
+  return writeIn(m_code, m_places.item, [&]() -> Value * {
+    llvm::IRBuilder<> &ir = m_code.ir;
+    const std::size_t row =
+        offsetof(abi::PrimitiveColumns, rows) +
+        abi::PrimitiveColumns::rowOf(offset) * sizeof(abi::PrimitiveColumns{}.rows[0]);
+    Value *const first = ir.CreateConstInBoundsGEP1_64(ir.getInt8Ty(), m_primitive, row);
+    return m_code.lookUp(first, m_columns);
+  });
+}
+
+Value *Interpolator::number(std::size_t offset) {
+  if (m_columns)
+    return m_code.ir.CreateBitCast(inColumns(offset), m_code.f32);
+  return writeIn(m_code, m_places.entry, [&] { return m_code.splat(scalarField(offset)); });
+}
+
+Value *Interpolator::integer(std::size_t offset) {
+  if (m_columns)
+    return inColumns(offset);
+  return writeIn(m_code, m_places.entry, [&] { return m_code.splat(scalarInteger(offset)); });
 }
 
 Value *Interpolator::scalarField(std::size_t offset) {
@@ -36,11 +60,12 @@ Value *Interpolator::slope(std::size_t planeOffset, bool ofY) {
 }
 
 Value *Interpolator::origin(bool ofY) {
-  return writeIn(m_code, m_places.entry, [&] {
-    return m_code.field(m_code.ir.getInt32Ty(), m_primitive,
-                        ofY ? offsetof(abi::Primitive, originY)
-                            : offsetof(abi::Primitive, originX));
-  });
+  return scalarInteger(ofY ? offsetof(abi::Primitive, originY) : offsetof(abi::Primitive, originX));
+}
+
+Value *Interpolator::scalarInteger(std::size_t offset) {
+  return writeIn(m_code, m_places.entry,
+                 [&] { return m_code.field(m_code.ir.getInt32Ty(), m_primitive, offset); });
 }
 
 Value *Interpolator::rowConstant(std::size_t planeOffset, Value *y) {
@@ -58,13 +83,11 @@ Value *Interpolator::rowConstant(std::size_t planeOffset, Value *y) {
 
 Value *Interpolator::plane(std::size_t offset) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  Value *const dx =
-      writeIn(m_code, m_places.entry, [&] { return m_code.splat(slope(offset, false)); });
+  Value *const dx = number(offset + offsetof(abi::Plane, dx));
   Value *row = nullptr;
   if (m_fy) {
-    const auto [c, dy] = writeIn(m_code, m_places.entry, [&] {
-      return std::pair{m_code.splat(constant(offset)), m_code.splat(slope(offset, true))};
-    });
+    Value *const c = number(offset + offsetof(abi::Plane, c));
+    Value *const dy = number(offset + offsetof(abi::Plane, dy));
     row = ir.CreateFAdd(c, ir.CreateFMul(dy, m_fy));
   } else {
     row = writeIn(m_code, m_places.item, [&] { return m_code.splat(rowConstant(offset, m_y)); });
@@ -87,7 +110,7 @@ Vec Interpolator::input(int index, unsigned needed) {
     const std::size_t offset = planeOf(index, c);
     Value *&value = values[std::size_t(c)];
     if (how == abi::Interpolation::Flat)
-      value = writeIn(m_code, m_places.entry, [&] { return m_code.splat(constant(offset)); });
+      value = number(offset + offsetof(abi::Plane, c));
     else
       value = plane(offset);
     if (how == abi::Interpolation::Perspective)
@@ -131,5 +154,9 @@ Vec Interpolator::position(const ir::Options &options, unsigned needed) {
 }
 
 Value *Interpolator::depth() { return plane(offsetof(abi::Primitive, z)); }
+
+Value *Interpolator::backFacing() {
+  return m_code.ir.CreateICmpNE(integer(offsetof(abi::Primitive, backFacing)), m_code.splat(0));
+}
 
 } // namespace arbiter::fp::llvm_back

@@ -6,7 +6,8 @@
 
 /// The planes of a primitive as values of the lanes. Row and Quad do the same steps in the same
 /// order, each rounded, so that a pixel's value does not depend on which of them draws it:
-/// (c + dy * (y - originY)) + dx * (x - originX).
+/// (c + dy * (y - originY)) + dx * (x - originX). So does Packed, whose lanes find each term in the
+/// column of their primitive.
 namespace arbiter::fp::llvm_back {
 
 /// Where the code stands: blocks that run once a call, once a group of spans, once an item, and the
@@ -26,7 +27,7 @@ template <typename Make> auto writeIn(Code &code, llvm::BasicBlock *block, Make 
 
 class Interpolator {
 public:
-  /// \param primitive the abi::Primitive
+  /// \param primitive the abi::Primitive, of Lanes::Packed the abi::PrimitiveColumns
   Interpolator(Code &code, const abi::FragmentKey &key, const Places &places, Value *primitive,
                Value *data)
       : m_code(code), m_key(key), m_places(places), m_primitive(primitive), m_data(data) {}
@@ -36,11 +37,15 @@ public:
   /// In a loop, before anything else is asked for: each lane's pixel relative to the first one, as
   /// i32; `dy` is null where all lanes are of the row.
   void setLanes(Value *dx, Value *dy);
+  /// Packed, in the item's block: each lane's column, as i32.
+  void setColumns(Value *columns) { m_columns = columns; }
 
   [[nodiscard]] Vec input(int index, unsigned needed);
   [[nodiscard]] Vec position(const ir::Options &options, unsigned needed);
   /// Window depth, as the plane gives it.
   [[nodiscard]] Value *depth();
+  /// Where the primitive's back is seen, a mask.
+  [[nodiscard]] Value *backFacing();
 
   // What the affine coordinates are made of.
   /// The float c + dy * (y - originY) of a row, or of rows: `y` is an i32 or a vector of them.
@@ -56,6 +61,11 @@ public:
 
 private:
   [[nodiscard]] Value *scalarField(std::size_t offset);
+  [[nodiscard]] Value *scalarInteger(std::size_t offset);
+  /// A number or an integer of the primitive, in all lanes, made in the entry's or item's block.
+  [[nodiscard]] Value *number(std::size_t offset);
+  [[nodiscard]] Value *integer(std::size_t offset);
+  [[nodiscard]] Value *inColumns(std::size_t offset);
   [[nodiscard]] Value *plane(std::size_t offset);
   [[nodiscard]] Value *perspective();
 
@@ -67,6 +77,7 @@ private:
   Value *m_laneX = nullptr, *m_laneY = nullptr; ///< relative to the first pixel
   Value *m_fx = nullptr, *m_fy = nullptr;       ///< relative to the origin, floats
   Value *m_w = nullptr;                         ///< 1 / inverseW of this loop
+  Value *m_columns = nullptr;                   ///< null but for Packed
 };
 
 } // namespace arbiter::fp::llvm_back

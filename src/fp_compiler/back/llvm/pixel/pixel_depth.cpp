@@ -43,14 +43,13 @@ Value *DepthStencil::passes(Value *incoming, Value *stored) {
 
 Value *DepthStencil::ofSide(std::size_t offset) {
   llvm::IRBuilder<> &ir = m_code.ir;
-  return writeIn(m_code, m_places.entry, [&] {
-    Value *const back =
-        m_code.field(ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, backFacing));
-    Value *const side = ir.CreateZExt(ir.CreateICmpNE(back, ir.getInt32(0)), ir.getInt64Ty());
-    Value *const pair = ir.CreateConstInBoundsGEP1_64(ir.getInt8Ty(), m_data, offset);
-    Value *const byte = ir.CreateLoad(ir.getInt8Ty(), ir.CreateGEP(ir.getInt8Ty(), pair, side));
-    return m_code.splat(ir.CreateZExt(byte, ir.getInt32Ty()));
-  });
+  const auto at = [&](std::size_t side) {
+    return writeIn(m_code, m_places.entry, [&] {
+      Value *const byte = m_code.field(ir.getInt8Ty(), m_data, offset + side);
+      return m_code.splat(ir.CreateZExt(byte, ir.getInt32Ty()));
+    });
+  };
+  return m_code.select(m_interpolator.backFacing(), at(1), at(0));
 }
 
 Value *DepthStencil::operated(abi::StencilOp op, Value *stencil) {
@@ -83,12 +82,7 @@ template <typename Make> Value *DepthStencil::chosen(Make make) {
   Value *const front = make(m_key.front);
   if (m_key.front == m_key.back)
     return front;
-  Value *const isBack = writeIn(m_code, m_places.entry, [&] {
-    Value *const back =
-        m_code.field(m_code.ir.getInt32Ty(), m_primitive, offsetof(abi::Primitive, backFacing));
-    return m_code.ir.CreateICmpNE(back, m_code.ir.getInt32(0));
-  });
-  return m_code.ir.CreateSelect(isBack, make(m_key.back), front);
+  return m_code.select(m_interpolator.backFacing(), make(m_key.back), front);
 }
 
 Value *DepthStencil::test(const PixelPlace &place, Value *depth, Value *mask) {

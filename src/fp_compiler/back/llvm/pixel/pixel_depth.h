@@ -10,9 +10,9 @@ namespace arbiter::fp::llvm_back {
 class DepthStencil {
 public:
   DepthStencil(Code &code, const abi::FragmentKey &key, const Places &places, Value *data,
-               Value *primitive)
+               Interpolator &interpolator)
       : m_code(code), m_key(key.depthStencil), m_places(places), m_data(data),
-        m_primitive(primitive) {}
+        m_interpolator(interpolator) {}
 
   /// Whether there is anything to test or write.
   [[nodiscard]] bool active() const { return testsDepth() || testsStencil(); }
@@ -34,17 +34,18 @@ private:
   [[nodiscard]] Value *quantised(Value *depth);
   /// The lanes whose depth passes against the buffer's, both as quantised() has them.
   [[nodiscard]] Value *passes(Value *incoming, Value *stored);
-  /// Of the primitive's side: a byte of a pair in FragmentData, in all lanes.
+  /// Of each lane's side: a byte of a pair in FragmentData, in all lanes.
   [[nodiscard]] Value *ofSide(std::size_t offset);
   /// What a face's operations make of a stencil value.
   [[nodiscard]] Value *operated(abi::StencilOp op, Value *stencil);
-  /// Of both sides' results that of the primitive's.
+  /// Of both sides' results that of each lane's.
   template <typename Make> Value *chosen(Make make);
 
   Code &m_code;
   const abi::DepthStencilKey &m_key;
   const Places &m_places;
-  Value *m_data, *m_primitive;
+  Value *m_data;
+  Interpolator &m_interpolator;
   std::optional<PixelMemory> m_memory;
 };
 

@@ -203,6 +203,7 @@ struct Items {
   std::vector<abi::Block> blocks;
   std::vector<abi::Pixel> pixels;
 };
+constexpr std::uint8_t kColumn = 2; ///< of the packed primitive, between others
 /// Half of all quads in any order, some of their pixels helpers, or single pixels.
 void addPacked(int lanes, Random &random, Items &items) {
   std::vector<std::pair<int, int>> quads;
@@ -216,12 +217,12 @@ void addPacked(int lanes, Random &random, Items &items) {
       const bool helper = random.below(3) == 0;
       if (helper && !whole)
         continue;
-      items.pixels.push_back({std::uint16_t(x + i % 2),
-                              std::uint16_t((y + i / 2) | (helper ? abi::Pixel::kHelper : 0))});
+      items.pixels.push_back({std::uint8_t(x + i % 2), std::uint8_t(y + i / 2), kColumn,
+                              std::uint8_t(helper ? abi::Pixel::kHelper : 0)});
     }
   while (items.pixels.size() % std::size_t(lanes) != 0) {
     items.pixels.push_back(items.pixels.back());
-    items.pixels.back().y |= abi::Pixel::kHelper;
+    items.pixels.back().isHelper = abi::Pixel::kHelper;
   }
 }
 
@@ -319,9 +320,13 @@ TEST_P(PixelTest, RandomStates) {
     };
     const bool rows = draw.key.lanes == abi::Lanes::Row;
     const bool packed = draw.key.lanes == abi::Lanes::Packed;
-    if (packed)
-      shade(items.pixels);
-    else if (rows)
+    if (packed) {
+      abi::PrimitiveColumns columns;
+      std::memset(columns.rows, 0x5A, sizeof columns.rows);
+      columns.set(kColumn, draw.primitive);
+      reinterpret_cast<abi::PackedShadeFunction>(code->function)(
+          &draw.data, &columns, items.pixels.data(), std::uint32_t(items.pixels.size()));
+    } else if (rows)
       shade(items.spans);
     else
       shade(items.blocks);
@@ -338,7 +343,7 @@ TEST_P(PixelTest, RandomStates) {
           check(x, span.y);
     else if (packed)
       for (const abi::Pixel &pixel : items.pixels) {
-        if (!(pixel.y & abi::Pixel::kHelper))
+        if (pixel.isHelper == 0)
           check(pixel.x, pixel.y);
       }
     else

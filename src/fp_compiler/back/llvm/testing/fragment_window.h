@@ -70,10 +70,19 @@ struct Scene {
   std::vector<std::uint8_t> shade(const ir::Program &program, const std::vector<QuadInput> &corners,
                                   const void *items, std::size_t count,
                                   const std::vector<std::array<float, 4>> &locals) {
+    if (const auto code = begin(program, corners, locals))
+      code->function(&data, &primitive, items, std::uint32_t(count));
+    return target.bytes;
+  }
+
+  /// Machine code by the key, and a target and a primitive for it.
+  std::unique_ptr<jit::FragmentCode> begin(const ir::Program &program,
+                                           const std::vector<QuadInput> &corners,
+                                           const std::vector<std::array<float, 4>> &locals = {}) {
     prepared = engine->prepareFragment(program, Numerics::Host);
     EXPECT_NE(prepared, nullptr);
     for (std::size_t i = 0; i < prepared->shape().inputs.size(); ++i) {
-      key.inputs[i] = abi::Interpolation::Linear;
+      key.inputs[i] = interpolation;
       setQuadInput(primitive, int(i), corners[prepared->shape().inputs[i].attribute.index], kWidth,
                    kHeight);
     }
@@ -82,11 +91,9 @@ struct Scene {
     target = makeTarget(key.targets[0].format, kWidth, kHeight, 1);
     data.targets[0] = {target.pixel(0, 0), target.rowStride};
     std::string reason;
-    const auto code = engine->compile(*prepared, key, reason);
+    std::unique_ptr<jit::FragmentCode> code = engine->compile(*prepared, key, reason);
     EXPECT_NE(code, nullptr) << reason;
-    if (code)
-      code->function(&data, &primitive, items, std::uint32_t(count));
-    return target.bytes;
+    return code;
   }
 
   /// An input's value as the function computes it.
@@ -101,6 +108,7 @@ struct Scene {
   std::unique_ptr<jit::Engine> engine;
   std::unique_ptr<jit::FragmentProgram> prepared;
   abi::FragmentKey key{};
+  abi::Interpolation interpolation = abi::Interpolation::Linear; ///< of all inputs
   abi::FragmentData data{};
   abi::Primitive primitive{};
   std::vector<std::array<float, 4>> rows;

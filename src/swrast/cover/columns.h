@@ -1,0 +1,171 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "swrast/cover/packed.h"
+
+/// The planes of up to sixteen triangles at a time, a lane each, compiled once for each instruction
+/// set: include it only where its kernels are made. Nothing in here may be shared between those,
+/// hence the nameless namespace and no inline function of another header. The steps are those of
+/// planes.h in the same order, each rounded, so that a pixel's value does not depend on which of
+/// them made its plane.
+namespace arbiter::swrast {
+namespace {
+
+constexpr int kColumns = abi::PrimitiveColumns::kColumns;
+
+/// What planes are made of, of a run of triangles of one draw; behind the last its fields again.
+struct ColumnTerms {
+  double dx1[kColumns], dx2[kColumns], dy1[kColumns], dy2[kColumns], toX[kColumns], toY[kColumns];
+  double inverseW[3][kColumns];
+  std::uint32_t vertex[3][kColumns], provoking[kColumns];
+  bool backFacing[kColumns];
+
+  ColumnTerms(const PackedTriangle *const *triangles, int count) {
+    for (int k = 0; k < kColumns; ++k) {
+      const PackedTriangle &each = *triangles[k < count ? k : count - 1];
+      dx1[k] = each.gradients.dx1;
+      dx2[k] = each.gradients.dx2;
+      dy1[k] = each.gradients.dy1;
+      dy2[k] = each.gradients.dy2;
+      toX[k] = each.gradients.toX;
+      toY[k] = each.gradients.toY;
+      for (int i = 0; i < 3; ++i) {
+        inverseW[i][k] = each.triangle.corner[i].inverseW;
+        vertex[i][k] = each.triangle.vertex[i];
+      }
+      provoking[k] = each.triangle.provoking;
+      backFacing[k] = each.triangle.backFacing;
+    }
+  }
+
+  /// A component of the vertices in \p index.
+  void fetch(const PlanePlan::Source &source, const std::uint32_t *index, float *values) const {
+    const float *const front = source.values[0], *const back = source.values[1];
+    const std::uint32_t frontMask = source.mask[0], backMask = source.mask[1];
+    if (front == back && frontMask == backMask) {
+      for (int k = 0; k < kColumns; ++k)
+        values[k] = front[index[k] & frontMask];
+      return;
+    }
+    for (int k = 0; k < kColumns; ++k)
+      values[k] = backFacing[k] ? back[index[k] & backMask] : front[index[k] & frontMask];
+  }
+
+  /// Gradients::plane() of values at the corners.
+  void plane(const double (&f)[3][kColumns], float (&out)[3][kColumns]) const {
+    for (int k = 0; k < kColumns; ++k) {
+      const double f0 = f[0][k], d1 = f[1][k] - f0, d2 = f[2][k] - f0;
+      const double dx = d1 * dx1[k] + d2 * dx2[k], dy = d1 * dy1[k] + d2 * dy2[k];
+      const double c = f0 + dx * toX[k] + dy * toY[k], level = f0 + 0.0;
+      const bool isLevel = (d1 == 0) & (d2 == 0);
+      out[0][k] = float(isLevel ? level : c);
+      out[1][k] = float(isLevel ? 0.0 : dx);
+      out[2][k] = float(isLevel ? 0.0 : dy);
+    }
+  }
+};
+
+/// Of a component's plane in a Primitive.
+inline std::size_t offsetOf(const PlanePlan::Source &source) {
+  return offsetof(abi::Primitive, inputs) +
+         sizeof(abi::Plane) * (std::size_t(4) * source.input + source.component);
+}
+
+/// Columns [first, first + count) of a plane's rows.
+inline void storePlane(abi::PrimitiveColumns &to, std::size_t offset, int first, int count,
+                       const float (&plane)[3][kColumns]) {
+  std::uint32_t(*const rows)[kColumns] = to.rows + offset / 4;
+  // From the first column on all may be written: columns behind these are made later.
+  if (first == 0) {
+    __builtin_memcpy(rows, plane, sizeof plane);
+    return;
+  }
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k < count; ++k)
+      __builtin_memcpy(&rows[row][first + k], &plane[row][k], 4);
+}
+
+/// Of triangles of one draw.
+inline void setColumnsOf(const PlanePlan &plan, const PackedTriangle *const *triangles, int first,
+                         int count, abi::PrimitiveColumns &to) {
+  const ColumnTerms terms(triangles, count);
+  float plane[3][kColumns];
+  if (plan.wantsW) {
+    terms.plane(terms.inverseW, plane);
+    storePlane(to, offsetof(abi::Primitive, inverseW), first, count, plane);
+  }
+  for (int i = 0; i < plan.count; ++i) {
+    const PlanePlan::Source &source = plan.sources[i];
+    const std::size_t offset =
+        offsetof(abi::Primitive, inputs) +
+        sizeof(abi::Plane) * (std::size_t(4) * source.input + source.component);
+    if (i >= plan.flatFrom) {
+      terms.fetch(source, terms.provoking, plane[0]);
+      for (int k = 0; k < kColumns; ++k)
+        plane[1][k] = plane[2][k] = 0;
+    } else {
+      float values[3][kColumns];
+      double f[3][kColumns];
+      for (int corner = 0; corner < 3; ++corner)
+        terms.fetch(source, terms.vertex[corner], values[corner]);
+      const bool perspective = i < plan.linearFrom;
+      for (int corner = 0; corner < 3; ++corner)
+        for (int k = 0; k < kColumns; ++k)
+          f[corner][k] = perspective ? values[corner][k] * terms.inverseW[corner][k]
+                                     : double(values[corner][k]);
+      terms.plane(f, plane);
+    }
+    storePlane(to, offset, first, count, plane);
+  }
+}
+
+/// One triangle's planes, as planes.h makes them.
+inline void setColumnOf(const PackedTriangle &each, int column, abi::PrimitiveColumns &to) {
+  abi::Primitive primitive;
+  makePlanes(*each.plan, each.triangle, each.gradients, each.depth, each.originX, each.originY,
+             primitive);
+  const auto copy = [&](std::size_t offset) {
+    for (std::size_t word = 0; word < 3; ++word)
+      __builtin_memcpy(&to.rows[offset / 4 + word][column],
+                       reinterpret_cast<const char *>(&primitive) + offset + 4 * word, 4);
+  };
+  if (each.plan->wantsW)
+    copy(offsetof(abi::Primitive, inverseW));
+  for (int i = 0; i < each.plan->count; ++i)
+    copy(offsetOf(each.plan->sources[i]));
+}
+
+/// SetColumns
+void setColumns(const PackedTriangle *const *triangles, int count, abi::PrimitiveColumns &to) {
+  /// All lanes are computed for any number of triangles.
+  constexpr int kLeastRun = 4;
+  for (int k = 0; k < count; ++k) {
+    const PackedTriangle &each = *triangles[k];
+    const auto set = [&](std::size_t offset, const void *word) {
+      __builtin_memcpy(&to.rows[offset / 4][k], word, 4);
+    };
+    const std::uint32_t backFacing = each.triangle.backFacing ? 1 : 0;
+    set(offsetof(abi::Primitive, originX), &each.originX);
+    set(offsetof(abi::Primitive, originY), &each.originY);
+    set(offsetof(abi::Primitive, backFacing), &backFacing);
+    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, c), &each.depth.c);
+    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dx), &each.depth.dx);
+    set(offsetof(abi::Primitive, z) + offsetof(abi::Plane, dy), &each.depth.dy);
+  }
+  for (int first = 0; first < count;) {
+    const PlanePlan *const plan = triangles[first]->plan;
+    int end = first + 1;
+    while (end < count && triangles[end]->plan == plan)
+      ++end;
+    if (end - first >= kLeastRun)
+      setColumnsOf(*plan, triangles + first, first, end - first, to);
+    else
+      for (int k = first; k < end; ++k)
+        setColumnOf(*triangles[k], k, to);
+    first = end;
+  }
+}
+
+} // namespace
+} // namespace arbiter::swrast
