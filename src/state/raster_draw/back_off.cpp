@@ -8,13 +8,28 @@ namespace arbiter::state::software {
 void BackOff::enter(Phase phase) {
   m_phase = phase;
   m_frames = 0;
-  m_moving = m_plain = 0;
+  m_moving = m_plain = m_others = 0;
 }
 
-/// Both ways have been tried: m_times holds the host's frames.
-void BackOff::decide() {
+void BackOff::look(float time) {
+  const bool isOther =
+      m_decidedTime > 0 && (time > m_decidedTime * kOther || time * kOther < m_decidedTime);
+  m_others = isOther ? m_others + 1 : 0;
+}
+
+void BackOff::tryAgain() {
+  m_patience = isStale() ? std::min(2 * m_patience, kKeepFrames) : kLeastPatience;
+  enter(Phase::TrySoftware);
+}
+
+float BackOff::median() {
   std::nth_element(std::begin(m_times), m_times + kTrialFrames / 2, std::end(m_times));
-  const float host = m_times[kTrialFrames / 2];
+  return m_times[kTrialFrames / 2];
+}
+
+/// Both ways have been tried.
+void BackOff::decide() {
+  const float host = m_hostTime;
   ++m_statistics.trials;
   m_statistics.lastSoftwareMilliseconds = double(m_softwareTime);
   m_statistics.lastHostMilliseconds = double(host);
@@ -23,6 +38,7 @@ void BackOff::decide() {
   m_keep = !isHost && host > m_softwareTime * kClearlySlower && m_keep >= kKeepFrames
                ? std::min(4 * m_keep, kMostKeepFrames)
                : kKeepFrames;
+  m_decidedTime = isHost ? host : m_softwareTime;
   enter(isHost ? Phase::Host : Phase::Software);
 }
 
@@ -40,28 +56,39 @@ void BackOff::frameEnded(Frame frame, std::chrono::steady_clock::time_point now)
   case Phase::Software:
     m_moving = frame.moved ? m_moving + 1 : 0;
     m_plain = frame.plain ? m_plain + 1 : 0;
+    look(time);
     // After a trial that was won the next one waits, too.
-    if (++m_frames > m_keep && std::max(m_moving, m_plain) >= kDoubtFrames)
-      enter(Phase::TrySoftware);
+    ++m_frames;
+    if ((m_frames > m_keep || isStale()) && std::max(m_moving, m_plain) >= kDoubtFrames)
+      tryAgain();
     break;
   case Phase::TrySoftware:
   case Phase::TryHost:
+  case Phase::Confirm:
     // The first frame after a change of sides pays for the change.
     if (m_frames > 0 && measured)
       m_times[m_frames - 1] = time;
     if (++m_frames <= kTrialFrames)
       break;
-    if (m_phase == Phase::TryHost) {
+    if (m_phase == Phase::TrySoftware) {
+      m_softwareTime = median();
+      enter(Phase::TryHost);
+    } else if (m_phase == Phase::TryHost) {
+      m_hostTime = median();
+      if (m_hostTime < m_softwareTime * kFaster)
+        enter(Phase::Confirm);
+      else
+        decide();
+    } else {
+      m_softwareTime = std::min(m_softwareTime, median());
       decide();
-      break;
     }
-    std::nth_element(std::begin(m_times), m_times + kTrialFrames / 2, std::end(m_times));
-    m_softwareTime = m_times[kTrialFrames / 2];
-    enter(Phase::TryHost);
     break;
   case Phase::Host:
-    if (++m_frames > kKeepFrames)
-      enter(Phase::TrySoftware);
+    look(time);
+    ++m_frames;
+    if (m_frames > kKeepFrames || isStale())
+      tryAgain();
     break;
   }
 }

@@ -7,7 +7,9 @@ namespace arbiter::state::software {
 /// Decides by measurement whether the rasterizer or the host draws. It only doubts where pixels are
 /// moved between the two in every frame, and where the rasterizer draws whole frames without a
 /// program, for which the host's machine code may be the better: then some frames are drawn the one
-/// way and some the other, and the faster way is kept until it is looked at again.
+/// way and some the other, and the faster way is kept until it is looked at again: after many
+/// frames, or when frames take another time than those that it was decided by, as where an
+/// application shows its title first.
 class BackOff {
 public:
   struct Frame {
@@ -42,10 +44,23 @@ private:
   static constexpr int kMostKeepFrames = 64'000;
   /// The host is faster by more than what frames differ by chance.
   static constexpr float kFaster = 0.96f, kClearlySlower = 1.25f;
-  enum class Phase : std::uint8_t { Software, TrySoftware, TryHost, Host };
+  /// Frames of so many times the time, or such a part of it, are others than were tried.
+  static constexpr float kOther = 1.5f;
+  /// Frames before others lead to a trial: twice as many after each such trial, as an application
+  /// may always have frames of several kinds.
+  static constexpr int kLeastPatience = 32;
+  /// Confirm: the rasterizer again, where the host was faster: frames may have changed meanwhile.
+  enum class Phase : std::uint8_t { Software, TrySoftware, TryHost, Confirm, Host };
 
   void enter(Phase phase);
+  /// The median of the frames that were tried.
+  [[nodiscard]] float median();
   void decide();
+  /// A frame of a side that was decided for took \p time.
+  void look(float time);
+  [[nodiscard]] bool isStale() const { return m_others >= kDoubtFrames && m_frames > m_patience; }
+  /// Ends a side's phase: the next trial begins.
+  void tryAgain();
 
   Phase m_phase = Phase::Software;
   bool m_forced = false;
@@ -56,7 +71,10 @@ private:
   bool m_hasBefore = false;
   std::chrono::steady_clock::time_point m_before;
   float m_times[kTrialFrames] = {};
-  float m_softwareTime = 0;
+  float m_softwareTime = 0, m_hostTime = 0;
+  float m_decidedTime = 0; ///< a frame's, of the side that was decided for; 0: none was
+  int m_others = 0;        ///< frames in a row that took another time
+  int m_patience = kLeastPatience;
   Statistics m_statistics;
 };
 

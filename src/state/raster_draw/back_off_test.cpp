@@ -68,6 +68,31 @@ TEST(BackOff, AnApplicationThatChangesIsTriedAgain) {
   EXPECT_EQ(backOff.statistics().trials, 2u);
 }
 
+/// A title of which the host draws more in less time, then what the application is for.
+TEST(BackOff, FramesOfAnotherTimeAreTriedSoon) {
+  BackOff backOff;
+  Frames frames(backOff);
+  frames.run(60, true, 3, 2);
+  ASSERT_FALSE(backOff.engaged());
+  frames.run(100, true, 20, 40);
+  EXPECT_TRUE(backOff.engaged());
+  EXPECT_EQ(backOff.statistics().trials, 2u);
+  frames.run(100, true, 50, 40); // and the other way
+  EXPECT_FALSE(backOff.engaged());
+}
+
+/// Frames of two kinds by turns cost no more than a tenth of them on the slower side.
+TEST(BackOff, FramesThatAlwaysChangeAreNotTriedForEver) {
+  BackOff backOff;
+  Frames frames(backOff);
+  for (int i = 0; i < 250; ++i) {
+    frames.run(20, true, 2, 4);
+    frames.run(20, true, 20, 40);
+  }
+  EXPECT_LT(frames.onHost(), 1000);
+  EXPECT_LT(backOff.statistics().trials, 60u);
+}
+
 TEST(BackOff, OneFrameThatMovesIsNoDoubt) {
   BackOff backOff;
   Frames frames(backOff);
