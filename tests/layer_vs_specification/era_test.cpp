@@ -52,7 +52,8 @@ TEST_F(Era, AnnouncedAsTheProfileHasThem) {
     EXPECT_EQ(has(extension), nvidia) << extension;
   for (const char *const extension :
        {"GL_APPLE_fence", "GL_APPLE_vertex_array_range", "GL_APPLE_client_storage",
-        "GL_APPLE_transform_hint", "GL_APPLE_float_pixels"})
+        "GL_APPLE_transform_hint", "GL_APPLE_float_pixels", "GL_APPLE_vertex_array_object",
+        "GL_APPLE_texture_range"})
     EXPECT_EQ(has(extension), profile == "host") << extension;
   EXPECT_EQ(has("GL_ATIX_texture_env_combine3"), profile == "host" || profile == "r300");
 }

@@ -14,6 +14,7 @@ namespace arbiter::state {
 
 struct CombinerSettings;
 struct ComponentTransfers;
+struct SavedTextureRange;
 struct TextureShaderSettings;
 
 /// Mirrors the host's attribute stack as far as our own state is in it: the enables are, in
@@ -33,6 +34,7 @@ public:
     std::shared_ptr<const CombinerSettings> combiners;           ///< null without GL_TEXTURE_BIT
     std::shared_ptr<const TextureShaderSettings> textureShaders; ///< the same
     std::shared_ptr<const ComponentTransfers> transfers;         ///< null without GL_PIXEL_MODE_BIT
+    std::shared_ptr<const std::vector<SavedTextureRange>> textureRanges; ///< of GL_TEXTURE_BIT
   };
 
   void setMaxDepth(std::size_t depth) {

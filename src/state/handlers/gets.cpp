@@ -142,6 +142,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_VERTEX_ARRAY_RANGE_VALID_NV:
   case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
   case GL_UNPACK_CLIENT_STORAGE_APPLE:
+  case GL_VERTEX_ARRAY_BINDING:
     return eraValue(context, pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;

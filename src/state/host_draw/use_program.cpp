@@ -5,6 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
+#include "state/era/texture_range.h"
 #include "state/host_draw/application_glsl.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
@@ -43,6 +44,8 @@ void pushEnables(Context &context, GLbitfield mask) {
   }
   if (context.era && (mask & GL_HINT_BIT) != 0)
     entry.hints = context.era->hints;
+  if ((mask & GL_TEXTURE_BIT) != 0)
+    entry.textureRanges = saveTextureRanges(context);
   if (context.combiners) {
     entry.perStageConstants = context.combiners->state().perStageConstants;
     if ((mask & GL_TEXTURE_BIT) != 0)
@@ -88,6 +91,8 @@ void popEnables(Context &context) {
     context.nv->enabledMaps = entry.enabledMaps;
   if (popped && entry.hints && context.era)
     context.era->hints = *entry.hints;
+  if (popped && entry.textureRanges)
+    restoreTextureRanges(context, *entry.textureRanges);
   if (popped && context.combiners)
     popCombiners(context, entry);
   if (popped && context.textureShaders)
