@@ -46,9 +46,9 @@ TEST_F(Era, AnnouncedAsTheProfileHasThem) {
   const char *const name = std::getenv("ARBITER_PROFILE");
   const std::string profile = name ? name : "r300";
   const bool nvidia = profile == "host" || profile == "nv40" || profile == "nv30";
-  for (const char *const extension :
-       {"GL_NV_fence", "GL_NV_vertex_array_range", "GL_NV_vertex_array_range2",
-        "GL_NV_multisample_filter_hint", "GL_SGIX_depth_texture", "GL_SGIX_shadow"})
+  for (const char *const extension : {"GL_NV_fence", "GL_NV_vertex_array_range",
+                                      "GL_NV_vertex_array_range2", "GL_NV_multisample_filter_hint",
+                                      "GL_SGIX_depth_texture", "GL_SGIX_shadow", "GL_ARB_imaging"})
     EXPECT_EQ(has(extension), nvidia) << extension;
   for (const char *const extension :
        {"GL_APPLE_fence", "GL_APPLE_vertex_array_range", "GL_APPLE_client_storage",

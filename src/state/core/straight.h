@@ -32,8 +32,11 @@ namespace arbiter::state::straight {
   return !texturesChoose(context);
 }
 
-/// The layer has a part in MATRIXi_NV, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array ranges.
-[[nodiscard]] inline bool MatrixMode(Context &, GLenum mode) { return mode - GL_MATRIX0_NV >= 8u; }
+/// The layer has a part in MATRIXi_NV and COLOR, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array
+/// ranges.
+[[nodiscard]] inline bool MatrixMode(Context &context, GLenum mode) {
+  return mode - GL_MATRIX0_NV >= 8u && mode != GL_COLOR && !context.imagesPixels;
+}
 [[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {
   return array - GL_VERTEX_ATTRIB_ARRAY0_NV >= 16u && !isVertexArrayRange(array);
 }

@@ -13,6 +13,7 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -243,9 +244,24 @@ template <typename T> bool getTransfer(const Context &context, GLenum pname, T *
   return true;
 }
 
+/// True, with it, for a value of ARB_imaging.
+template <typename T> bool getImaging(Context &context, GLenum pname, T *data) {
+  std::array<GLfloat, 16> values{};
+  const int count = context.imaging ? imagingValues(context, pname, values) : 0;
+  for (int i = 0; i < count; ++i)
+    if constexpr (std::is_same_v<T, GLboolean>)
+      data[i] = values[std::size_t(i)] != 0.0f ? GL_TRUE : GL_FALSE;
+    else if constexpr (std::is_integral_v<T>)
+      data[i] = T(std::floor(double(values[std::size_t(i)]) + 0.5));
+    else
+      data[i] = T(values[std::size_t(i)]);
+  return count != 0;
+}
+
 template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
   if (!context.insideBeginEnd && data &&
-      (getCombinerColor(context, pname, data) || getTransfer(context, pname, data)))
+      (getCombinerColor(context, pname, data) || getTransfer(context, pname, data) ||
+       getImaging(context, pname, data)))
     return;
   GLint value = 0;
   if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]

@@ -9,6 +9,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/plain_transfer.h"
+#include "state/imaging/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/programs/program_bind.h"
@@ -139,6 +140,25 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
     raise(context, earlier != GL_NO_ERROR ? earlier : error, "TexImage");
 }
 
+/// Whether ARB_imaging has a part in the image, and has given it to the host.
+bool isImaged(Context &context, const ComponentImage &image, GLint internalFormat, GLenum type,
+              const void *pixels) {
+  return context.imagesPixels && imagedTexImage(context,
+                                                {.dimensions = image.dimensions,
+                                                 .replaces = image.replaces,
+                                                 .target = image.target,
+                                                 .level = image.level,
+                                                 .internalFormat = internalFormat,
+                                                 .border = image.border,
+                                                 .x = image.x,
+                                                 .y = image.y,
+                                                 .z = image.z,
+                                                 .width = image.width,
+                                                 .height = image.height,
+                                                 .depth = image.depth},
+                                                image.format, type, pixels);
+}
+
 /// A TexImage of colours; `host` is given the internal format that the host has for it.
 template <typename Host>
 void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
@@ -231,9 +251,11 @@ void TexImage1D(Context &context, GLenum target, GLint level, GLint internalform
                                 .format = format};
   if (isComponents(context, image, type, pixels))
     return;
-  if (changes(context) && context.software)
-    context.software->residency.textureRedefined(target);
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
+    if (changes(context) && context.software)
+      context.software->residency.textureRedefined(target);
     context.host->TexImage1D(target, level, there, width, border, format, type, pixels);
   });
 }
@@ -250,6 +272,8 @@ void TexImage2D(Context &context, GLenum target, GLint level, GLint internalform
   if (isComponents(context, image, type, pixels))
     return;
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
     if (changes(context) && context.software)
       context.software->residency.texImage2D(target, level, there, width, height, border, format,
                                              type, pixels);
@@ -271,9 +295,11 @@ void TexImage3D(Context &context, GLenum target, GLint level, GLint internalform
                                 .format = format};
   if (isComponents(context, image, type, pixels))
     return;
-  if (changes(context) && context.software)
-    context.software->residency.textureRedefined(target);
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
+    if (changes(context) && context.software)
+      context.software->residency.textureRedefined(target);
     context.host->TexImage3D(target, level, there, width, height, depth, border, format, type,
                              pixels);
   });
@@ -288,7 +314,7 @@ void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .x = xoffset,
                                 .width = width,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
@@ -306,7 +332,7 @@ void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .width = width,
                                 .height = height,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
@@ -328,7 +354,7 @@ void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .height = height,
                                 .depth = depth,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,

@@ -10,6 +10,7 @@
 #include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
+#include "state/imaging/commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -179,6 +180,8 @@ void execute(Context &context, const Command &command) {
     return finishFence(context, FenceOf(command.target), command.name);
   case Command::Kind::Hint:
     return setEraHint(context, command.target, command.name);
+  case Command::Kind::Imaging:
+    return executeImaging(context, command);
   case Command::Kind::TextureRange:
     return executeTextureRange(context, command);
   case Command::Kind::Combiners:
