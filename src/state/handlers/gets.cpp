@@ -14,6 +14,7 @@
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
 #include "state/imaging/imaging_state.h"
+#include "state/imaging/queries.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -252,7 +253,7 @@ template <typename T> bool getImaging(Context &context, GLenum pname, T *data) {
     if constexpr (std::is_same_v<T, GLboolean>)
       data[i] = values[std::size_t(i)] != 0.0f ? GL_TRUE : GL_FALSE;
     else if constexpr (std::is_integral_v<T>)
-      data[i] = T(std::floor(double(values[std::size_t(i)]) + 0.5));
+      data[i] = wholeNumber<T>(double(values[std::size_t(i)]));
     else
       data[i] = T(values[std::size_t(i)]);
   return count != 0;

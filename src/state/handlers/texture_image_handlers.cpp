@@ -143,20 +143,12 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
 /// Whether ARB_imaging has a part in the image, and has given it to the host.
 bool isImaged(Context &context, const ComponentImage &image, GLint internalFormat, GLenum type,
               const void *pixels) {
-  return context.imagesPixels && imagedTexImage(context,
-                                                {.dimensions = image.dimensions,
-                                                 .replaces = image.replaces,
-                                                 .target = image.target,
-                                                 .level = image.level,
-                                                 .internalFormat = internalFormat,
-                                                 .border = image.border,
-                                                 .x = image.x,
-                                                 .y = image.y,
-                                                 .z = image.z,
-                                                 .width = image.width,
-                                                 .height = image.height,
-                                                 .depth = image.depth},
-                                                image.format, type, pixels);
+  if (!context.imagesPixels) [[likely]]
+    return false;
+  const ImageUpload upload{image.dimensions, image.replaces, image.target, image.level,
+                           internalFormat,   image.border,   image.x,      image.y,
+                           image.z,          image.width,    image.height, image.depth};
+  return imagedTexImage(context, upload, image.format, type, pixels);
 }
 
 /// A TexImage of colours; `host` is given the internal format that the host has for it.

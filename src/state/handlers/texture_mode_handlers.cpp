@@ -67,10 +67,11 @@ void issueRange(Context &context, Command command) {
 
 /// TexParameter of APPLE_texture_range's, of the texture that is bound.
 template <typename T> void setRange(Context &context, GLenum target, GLenum pname, T value) {
+  const bool isName = double(value) >= 0.0 && double(value) < 65536.0;
   issueRange(context, {.kind = Command::Kind::TextureRange,
                        .target = target,
                        .name = pname,
-                       .format = GLenum(value)});
+                       .format = isName ? GLenum(value) : 0});
 }
 template <typename T> void setRange(Context &context, GLenum target, GLenum pname, const T *value) {
   if (value)

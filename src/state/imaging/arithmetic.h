@@ -18,6 +18,11 @@ namespace arbiter::state::imaging {
 /// The entry of a table that a component selects: clamped, by the greatest index, rounded.
 [[nodiscard]] std::size_t indexOf(float value, std::size_t entries);
 
+/// A name of GL's that was given as a float; 0 for what is none.
+[[nodiscard]] inline unsigned nameOf(float value) {
+  return value >= 0.0f && value < 65536.0f ? unsigned(value) : 0u;
+}
+
 /// A scale and a bias of each component.
 struct ScaleBias {
   Rgba scale = {1, 1, 1, 1};

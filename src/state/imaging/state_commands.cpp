@@ -95,6 +95,10 @@ void setFilter(Context &context, const ImagingCommand &command,
         filterFrom(command.pname, command.width, command.height, values);
     return;
   }
+  if (values.size() != std::size_t(command.width) + std::size_t(command.height)) {
+    state.contents.row = state.contents.column = {command.pname, {}}; // one of them has no weights
+    return;
+  }
   const auto middle = values.begin() + command.width; // the column follows the row
   state.contents.row = filterFrom(command.pname, command.width, 1, {values.begin(), middle});
   state.contents.column = filterFrom(command.pname, command.height, 1, {middle, values.end()});
@@ -106,7 +110,7 @@ void setFilterParameter(Context &context, const ImagingCommand &command) {
     return raise(context, GL_INVALID_ENUM, "ConvolutionParameter: target");
   imaging::Settings &settings = context.imaging->settings;
   imaging::Border &border = settings.borders[std::size_t(number)];
-  const auto mode = GLenum(command.values[0]);
+  const GLenum mode = imaging::nameOf(command.values[0]);
   if (command.pname == GL_CONVOLUTION_BORDER_MODE) {
     if (mode != GL_REDUCE && mode != GL_CONSTANT_BORDER && mode != GL_REPLICATE_BORDER)
       return raise(context, GL_INVALID_ENUM, "ConvolutionParameter: border mode");

@@ -98,8 +98,13 @@ bool hasDepths(const Context &context, GLenum target, GLint level) {
   return bits != 0;
 }
 
-bool isDepthFormat(GLenum format) {
+/// Formats of CopyTexImage that are depths, or that TexImage alone has: the host judges them.
+bool isHostsFormat(GLenum format) {
   switch (format) {
+  case 1:
+  case 2:
+  case 3:
+  case 4:
   case GL_DEPTH_COMPONENT:
   case GL_DEPTH_COMPONENT16:
   case GL_DEPTH_COMPONENT24:
@@ -172,7 +177,7 @@ bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum 
 bool imagedCopyTexture(Context &context, const CopyCommand &copy) {
   const bool defines = copy.kind == CopyKind::Image1D || copy.kind == CopyKind::Image2D;
   if (!context.imaging->isActive(context) ||
-      (defines ? isDepthFormat(copy.internalFormat) : hasDepths(context, copy.target, copy.level)))
+      (defines ? isHostsFormat(copy.internalFormat) : hasDepths(context, copy.target, copy.level)))
     return false;
   const CopyRegion &region = copy.region;
   auto pixels = readFramebuffer(context, region.x, region.y, region.width, region.height);

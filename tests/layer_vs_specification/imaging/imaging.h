@@ -26,6 +26,36 @@ inline GLint levelSize(GLenum target, GLenum pname) {
   return value;
 }
 
+class ImagingState : public ImagingTest {};
+
+inline constexpr GLenum kTables[] = {GL_COLOR_TABLE, GL_POST_CONVOLUTION_COLOR_TABLE,
+                                     GL_POST_COLOR_MATRIX_COLOR_TABLE};
+inline constexpr GLenum kFilters[] = {GL_CONVOLUTION_1D, GL_CONVOLUTION_2D, GL_SEPARABLE_2D};
+
+inline GLint table(GLenum target, GLenum pname) {
+  GLint value = -1;
+  glGetColorTableParameteriv(target, pname, &value);
+  return value;
+}
+inline GLint filter(GLenum target, GLenum pname) {
+  GLint value = -1;
+  glGetConvolutionParameteriv(target, pname, &value);
+  return value;
+}
+inline GLint histogram(GLenum target, GLenum pname) {
+  GLint value = -1;
+  glGetHistogramParameteriv(target, pname, &value);
+  return value;
+}
+inline GLfloat number(GLenum pname) {
+  GLfloat value = -1;
+  glGetFloatv(pname, &value);
+  return value;
+}
+
+inline constexpr GLubyte kBytes[] = {10, 20,  30,  40,  50,  60,  70,  80,
+                                     90, 100, 110, 120, 130, 140, 150, 160};
+
 /// The level's bytes, which the image has the size of.
 inline std::vector<GLubyte> texels(GLenum target, const Image &image) {
   std::vector<GLubyte> bytes(std::size_t(image.width * image.height) * 4 + 4);

@@ -80,7 +80,7 @@ void setParameter(Context &context, GLenum target, GLenum pname, const T *params
 template <typename T> void giveBorderColor(const imaging::Rgba &color, T *to) {
   for (std::size_t c = 0; c < 4; ++c)
     if constexpr (std::is_integral_v<T>)
-      to[c] = T(std::floor((4294967295.0 * double(color[c]) - 1.0) / 2.0 + 0.5));
+      to[c] = wholeNumber<T>((4294967295.0 * double(color[c]) - 1.0) / 2.0);
     else
       to[c] = color[c];
 }
