@@ -63,7 +63,11 @@ void setPerStageConstants(Context &context, bool enabled) {
 }
 
 void setImaging(Context &context, GLenum cap, bool enabled) {
-  if (outsideBeginEnd(context, "Enable or Disable between Begin and End"))
+  if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
+    return;
+  // Programs disable it all before they draw pixels, and use none of it.
+  const bool isEnabled = (context.imaging->settings.enabled & imagingBitOf(cap)) != 0;
+  if (enabled != isEnabled || context.listMode != 0)
     issueImaging(context, {.kind = ImagingCommand::Kind::Enable, .flag = enabled, .pname = cap});
 }
 

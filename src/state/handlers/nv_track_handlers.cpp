@@ -48,9 +48,11 @@ void MatrixMode(Context &context, GLenum mode) {
   const GLuint number = mode - GL_MATRIX0_NV;
   const GLenum named = context.nv && number < 8 ? GL_MATRIX0_ARB + number : mode;
   // COLOR is the layer's; so is what ends it, which in a list is known where the list is called.
-  const bool colors = context.imaging && (mode == GL_COLOR || context.imagesPixels);
+  const bool colors =
+      context.imaging && (mode == GL_COLOR || context.imaging->colorMatrix.isUsed());
   if (!colors || context.insideBeginEnd)
     return context.host->MatrixMode(named);
+  context.imaging->colorMatrix.noteUse();
   if (mode == GL_COLOR || context.listMode != 0 || context.imaging->colorMatrix.isCurrent(context))
     return issueImaging(context, {.kind = ImagingCommand::Kind::MatrixMode, .pname = named});
   context.host->MatrixMode(named);

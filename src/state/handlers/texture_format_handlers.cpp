@@ -82,9 +82,12 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
 
 /// True for a scale or bias of ARB_imaging.
 bool imagingScale(Context &context, GLenum pname, GLfloat param) {
-  if (!context.imaging || !imagingTransfer(context.imaging->settings, pname))
+  const float *const value =
+      context.imaging ? imagingTransfer(context.imaging->settings, pname) : nullptr;
+  if (!value)
     return false;
-  if (outsideBeginEnd(context, "PixelTransfer between Begin and End"))
+  if (outsideBeginEnd(context, "PixelTransfer between Begin and End") &&
+      (*value != param || context.listMode != 0))
     issueImaging(
         context,
         {.kind = ImagingCommand::Kind::Transfer, .pname = pname, .values = {param, 0, 0, 0}});

@@ -48,6 +48,7 @@ bool ColorMatrix::isPossible(const Context &context) {
 }
 
 void ColorMatrix::enter(Context &context) {
+  noteUse();
   if (isCurrent(context))
     return;
   context.host->MatrixMode(borrowed(context));

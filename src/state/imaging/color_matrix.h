@@ -22,6 +22,9 @@ public:
   void enter(Context &context);
   /// MatrixMode of any other: before the host's.
   void leave(Context &context);
+  /// MatrixMode of COLOR was called here, maybe into a list: any MatrixMode may end it.
+  [[nodiscard]] bool isUsed() const { return m_used; }
+  void noteUse() { m_used = true; }
   /// COLOR is the matrix mode. The host's may have been changed by a list or by PopAttrib.
   [[nodiscard]] bool isCurrent(Context &context);
   /// After PopAttrib, whose push saw COLOR as the mode or another.
@@ -35,6 +38,7 @@ private:
   using Stack = std::vector<imaging::Matrix>; ///< from the bottom; never empty
 
   bool m_current = false;
+  bool m_used = false;
   Stack m_stack = {imaging::kIdentity}; ///< while another mode is current
   Stack m_program;                      ///< the program matrix's, while COLOR is
 };

@@ -117,7 +117,7 @@ GLubyte red() {
 
 TEST_F(ImagingState, CommandsAreInLists) {
   const GLfloat inverted[] = {1, 0};
-  glPixelTransferf(GL_POST_COLOR_MATRIX_RED_SCALE, 1); // imaging is used
+  glMinmax(GL_MINMAX, GL_RGBA, GL_FALSE); // imaging is used
   glNewList(1, GL_COMPILE);
   glColorTable(GL_COLOR_TABLE, GL_INTENSITY, 2, GL_RED, GL_FLOAT, inverted);
   glEnable(GL_COLOR_TABLE);
@@ -147,6 +147,28 @@ TEST_F(ImagingState, CommandsAreInLists) {
   EXPECT_EQ(texel[1], 255);
   glGetTexImage(GL_TEXTURE_1D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
   EXPECT_EQ(texel[0], 102) << "102 is nearer to 0, which becomes 1, and is scaled again";
+  glDeleteLists(1, 2);
+}
+
+TEST_F(ImagingState, AListMayEndTheModeColor) {
+  glNewList(1, GL_COMPILE);
+  glMatrixMode(GL_COLOR);
+  glLoadIdentity();
+  glScalef(2, 2, 2);
+  glEndList();
+  glNewList(2, GL_COMPILE);
+  glMatrixMode(GL_MODELVIEW);
+  glEndList();
+  EXPECT_EQ(integer(GL_MATRIX_MODE), GL_MODELVIEW);
+  glCallList(1);
+  EXPECT_EQ(integer(GL_MATRIX_MODE), GL_COLOR);
+  glCallList(2);
+  EXPECT_EQ(integer(GL_MATRIX_MODE), GL_MODELVIEW);
+  GLfloat matrix[16] = {};
+  glGetFloatv(GL_COLOR_MATRIX, matrix);
+  EXPECT_EQ(matrix[0], 2);
+  glGetFloatv(GL_MODELVIEW_MATRIX, matrix);
+  EXPECT_EQ(matrix[0], 1);
   glDeleteLists(1, 2);
 }
 
