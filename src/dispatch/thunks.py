@@ -47,6 +47,16 @@ def draws_itself(table, name):
     return f"  if (software::mayDraw(here()) && software::{table.draw_commands[name]})\n    return;\n"
 
 
+# Commands that ARB_imaging may have a part in (state/imaging/pixel_commands.h).
+IMAGED = ("CopyPixels", "DrawPixels")
+
+
+def imaged(command):
+    """What such a command asks before anything else: a line."""
+    return (f"  if (here().imagesPixels && arbiter::state::imaged{command.name}"
+            f"({command.arguments(['here()'])}))\n    return;\n")
+
+
 def hides_from_host(table, name):
     """What it does before the host draws."""
     if name in table.draw_commands:
@@ -114,6 +124,9 @@ def thunks(table, command, action, symbol):
         elif action == "validate":
             flag, begin = "t->attention || t->stagesAreLinked", "beginRasterPos"
         slow = f"  if (!handlers::{begin}(here()))\n    return{'' if result == 'void' else ' {}'};\n"
+    if name in IMAGED:
+        flag += " || t->imagesPixels"
+        slow = imaged(command) + slow
     if action in ("draw", "pixels"):
         slow = draws_itself(table, name) + slow + hides_from_host(table, name)
     aside = (f"[[gnu::cold, gnu::noinline]] static {result} slow_{symbol}({command.declare()}) {{\n"
@@ -132,7 +145,8 @@ def entry_points_source(table):
            '#include "dispatch/function_set.h"\n'
            '#include "host/handlers.h"\n#include "host/host_table.h"\n'
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
-           '#include "state/core/straight.h"\n#include "state/raster_draw/commands.h"\n'
+           '#include "state/core/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
+           '#include "state/raster_draw/commands.h"\n'
            '#include "state/mirror/dirty_bits.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"

@@ -12,8 +12,12 @@
 
 namespace arbiter::state {
 
+namespace imaging {
+struct Settings;
+}
 struct CombinerSettings;
 struct ComponentTransfers;
+struct SavedTextureRange;
 struct TextureShaderSettings;
 
 /// Mirrors the host's attribute stack as far as our own state is in it: the enables are, in
@@ -33,6 +37,11 @@ public:
     std::shared_ptr<const CombinerSettings> combiners;           ///< null without GL_TEXTURE_BIT
     std::shared_ptr<const TextureShaderSettings> textureShaders; ///< the same
     std::shared_ptr<const ComponentTransfers> transfers;         ///< null without GL_PIXEL_MODE_BIT
+    std::shared_ptr<const std::vector<SavedTextureRange>> textureRanges; ///< of GL_TEXTURE_BIT
+    std::shared_ptr<const imaging::Settings> imaging; ///< once ARB_imaging was used
+    bool hasPixelMode = false;                        ///< GL_PIXEL_MODE_BIT
+    bool hasMatrixMode = false;                       ///< GL_TRANSFORM_BIT
+    bool colorMatrix = false;                         ///< COLOR was the mode
   };
 
   void setMaxDepth(std::size_t depth) {

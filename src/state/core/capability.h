@@ -19,6 +19,7 @@ enum class Capability : std::uint8_t {
   ClipPlane,         ///< the host, and which form a vertex program is drawn in (clip_planes.h)
   EvaluatorMap,      ///< the layer, where NV_vertex_program is offered
   PerStageConstants, ///< the layer, where NV_register_combiners2 is offered
+  Imaging,           ///< the layer, where ARB_imaging is its own
 };
 
 /// Eight bytes, which an index scales by itself.
@@ -45,6 +46,14 @@ inline constexpr CapabilityRow kCapabilities[] = {
     {infoOf(Target::TextureShaders).name, Capability::ProgramTarget, 0},
     {GL_FRAGMENT_PROGRAM_NV, Capability::ProgramTarget, 0},
     {GL_PER_STAGE_CONSTANTS_NV, Capability::PerStageConstants, 0},
+    {GL_COLOR_TABLE, Capability::Imaging, 0},
+    {GL_POST_CONVOLUTION_COLOR_TABLE, Capability::Imaging, 0},
+    {GL_POST_COLOR_MATRIX_COLOR_TABLE, Capability::Imaging, 0},
+    {GL_CONVOLUTION_1D, Capability::Imaging, 0},
+    {GL_CONVOLUTION_2D, Capability::Imaging, 0},
+    {GL_SEPARABLE_2D, Capability::Imaging, 0},
+    {GL_HISTOGRAM, Capability::Imaging, 0},
+    {GL_MINMAX, Capability::Imaging, 0},
     {GL_FOG, Capability::ChoosesForm, kFog | kLighting},
     {GL_LIGHTING, Capability::ChoosesForm, kLighting},
     {GL_COLOR_SUM, Capability::ChoosesForm, kFog | kLighting},

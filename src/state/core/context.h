@@ -28,6 +28,7 @@ namespace arbiter::state {
 
 class CombinerState;
 struct EraState;
+struct ImagingState;
 class HostAssembly;
 class ListCompiler;
 class SamplerOverride;
@@ -122,6 +123,8 @@ public:
   std::unique_ptr<TextureShaderState> textureShaders; ///< the same of NV_texture_shader
 
   std::unique_ptr<EraState> era; ///< where the layer offers one of its extensions, else null
+
+  std::unique_ptr<ImagingState> imaging; ///< where ARB_imaging is the layer's, else null
 
   // --- ATI fragment shaders ---
   std::unique_ptr<AtiRecorder> atiRecorder; ///< between Begin- and EndFragmentShaderATI

@@ -43,6 +43,9 @@ struct ContextHot {
   bool softwareListens = false;
   /// An evaluator map of NV_vertex_program was named here once: what evaluates is looked at.
   bool mapsNamed = false;
+  /// A command of ARB_imaging was used here, where the layer has it: commands that move pixels ask
+  /// for it (state/imaging/pixel_commands.h).
+  bool imagesPixels = false;
   /// A primitive is deferred: its vertices go here. Null: to the host.
   software::ImmediateRecorder *recorder = nullptr;
   /// Groups of the host's state that may have changed since we asked for them

@@ -30,11 +30,11 @@ PlainTransfer::PlainTransfer(Context &context, Way way)
     : m_context(context), m_errors(*context.host, context.pendingError), m_way(way) {
   const host::HostTable &host = *context.host;
   const auto &names = way == Way::Pack ? kPack : kUnpack;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; way != Way::AsStored && i < names.size(); ++i) {
     m_store[i] = get(host, names[i]);
     host.PixelStorei(names[i], i + 1 == names.size() ? 1 : 0);
   }
-  if (context.caps.pixelBuffers) {
+  if (context.caps.pixelBuffers && way != Way::AsStored) {
     const bool pack = way == Way::Pack;
     m_buffer = get(host, pack ? GL_PIXEL_PACK_BUFFER_BINDING : GL_PIXEL_UNPACK_BUFFER_BINDING);
     if (m_buffer != 0)
@@ -52,7 +52,7 @@ PlainTransfer::PlainTransfer(Context &context, Way way)
 PlainTransfer::~PlainTransfer() {
   const host::HostTable &host = *m_context.host;
   const auto &names = m_way == Way::Pack ? kPack : kUnpack;
-  for (std::size_t i = 0; i < names.size(); ++i)
+  for (std::size_t i = 0; m_way != Way::AsStored && i < names.size(); ++i)
     host.PixelStorei(names[i], m_store[i]);
   if (m_buffer != 0)
     host.BindBuffer(m_way == Way::Pack ? GL_PIXEL_PACK_BUFFER : GL_PIXEL_UNPACK_BUFFER,

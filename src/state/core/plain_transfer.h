@@ -10,10 +10,11 @@ namespace arbiter::state {
 
 class Context;
 
-/// Pixel store and transfer as GL begins with, no pixel buffer bound, alignment 1.
+/// Pixel store and transfer as GL begins with, no pixel buffer bound, alignment 1. AsStored: the
+/// transfer alone.
 class PlainTransfer {
 public:
-  enum class Way : std::uint8_t { Pack, Unpack };
+  enum class Way : std::uint8_t { Pack, Unpack, AsStored };
   PlainTransfer(Context &context, Way way);
   ~PlainTransfer();
   PlainTransfer(const PlainTransfer &) = delete;

@@ -1,7 +1,9 @@
 #pragma once
 #include "state/core/capability.h"
 #include "state/core/context.h"
+#include "state/era/era_state.h"
 #include "state/era/sgix_shadow.h"
+#include "state/era/texture_range.h"
 #include "state/era/vertex_array_range.h"
 
 /// The commands that are called most of those that the layer has a part in, and mostly are the
@@ -30,8 +32,11 @@ namespace arbiter::state::straight {
   return !texturesChoose(context);
 }
 
-/// The layer has a part in MATRIXi_NV, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array ranges.
-[[nodiscard]] inline bool MatrixMode(Context &, GLenum mode) { return mode - GL_MATRIX0_NV >= 8u; }
+/// The layer has a part in MATRIXi_NV and COLOR, in VERTEX_ATTRIB_ARRAYi_NV and in vertex array
+/// ranges.
+[[nodiscard]] inline bool MatrixMode(Context &context, GLenum mode) {
+  return mode - GL_MATRIX0_NV >= 8u && mode != GL_COLOR && !context.imagesPixels;
+}
 [[nodiscard]] inline bool EnableClientState(Context &, GLenum array) {
   return array - GL_VERTEX_ATTRIB_ARRAY0_NV >= 16u && !isVertexArrayRange(array);
 }
@@ -82,6 +87,11 @@ ARBITER_EVALUATES(EvalPoint2)
   return isHostsMesh(context);
 }
 
+/// Names of APPLE_vertex_array_object's are the layer's.
+[[nodiscard]] inline bool BindVertexArray(Context &context, GLuint) {
+  return !context.era || !context.era->vertexArrays.any();
+}
+
 [[nodiscard]] inline bool GetPointerv(Context &, GLenum pname, void **) {
   return pname != GL_VERTEX_ARRAY_RANGE_POINTER_NV;
 }
@@ -89,10 +99,11 @@ ARBITER_EVALUATES(EvalPoint2)
 /// The layer has raised none.
 [[nodiscard]] inline bool GetError(Context &context) { return context.pendingError == GL_NO_ERROR; }
 
-/// Of the parameters of textures the layer has a part in the comparison, and in all of them where
-/// textures choose among programs.
+/// Of the parameters of textures the layer has a part in the comparison and the ranges, and in all
+/// of them where textures choose among programs.
 [[nodiscard]] constexpr bool compares(GLenum pname) {
-  return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE || isSgixShadow(pname);
+  return pname == GL_TEXTURE_COMPARE_MODE || pname == GL_DEPTH_TEXTURE_MODE ||
+         isSgixShadow(pname) || isTextureRange(pname);
 }
 [[nodiscard]] inline bool TexParameteri(Context &context, GLenum, GLenum pname, GLint) {
   return !compares(pname) && !texturesChoose(context);

@@ -75,12 +75,12 @@ TEST(Straight, TexturesAreTheHostsWhereNoTextureShaderIs) {
   EXPECT_TRUE(straight::BindTexture(*context, GL_TEXTURE_2D, 1));
 }
 
-TEST(Straight, OnlyNvidiasMatricesArraysAndRangesAreTheLayers) {
+TEST(Straight, NvidiasMatricesArraysAndRangesAndTheColorMatrixAreTheLayers) {
   FakeHost host;
   const CurrentContext context(host);
   int handled = 0;
   for (GLenum name = 0; name < kMostNames; ++name) {
-    const bool matrix = name >= GL_MATRIX0_NV && name <= GL_MATRIX7_NV;
+    const bool matrix = (name >= GL_MATRIX0_NV && name <= GL_MATRIX7_NV) || name == GL_COLOR;
     const bool array =
         (name >= GL_VERTEX_ATTRIB_ARRAY0_NV && name <= GL_VERTEX_ATTRIB_ARRAY15_NV) ||
         name == GL_VERTEX_ARRAY_RANGE_NV || name == GL_VERTEX_ARRAY_RANGE_WITHOUT_FLUSH_NV;
@@ -89,7 +89,10 @@ TEST(Straight, OnlyNvidiasMatricesArraysAndRangesAreTheLayers) {
     ASSERT_EQ(straight::DisableClientState(*context, name), !array) << name;
     handled += matrix || array ? 1 : 0;
   }
-  EXPECT_EQ(handled, 26);
+  EXPECT_EQ(handled, 27);
+  EXPECT_TRUE(straight::BindVertexArray(*context, 1)) << "no object is of Apple's extension";
+  context->imagesPixels = true;
+  EXPECT_FALSE(straight::MatrixMode(*context, GL_MODELVIEW)) << "it may end the mode COLOR";
 }
 
 } // namespace

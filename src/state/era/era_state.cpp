@@ -6,30 +6,61 @@
 
 namespace arbiter::state {
 
-void EraClientStack::push(const Context &context, const EraClientState &state, GLbitfield mask) {
+void EraClientStack::push(const Context &context, Entry entry) {
   if (m_maxDepth < 0) {
     context.host->GetIntegerv(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, &m_maxDepth);
     m_entries.reserve(std::size_t(m_maxDepth > 0 ? m_maxDepth : 0)); // then no push allocates
   }
   if (m_entries.size() >= std::size_t(m_maxDepth))
     return; // the host raises the error
-  Entry entry;
-  if ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0)
-    entry.range = state.range;
-  if ((mask & GL_CLIENT_PIXEL_STORE_BIT) != 0)
-    entry.clientStorage = state.clientStorage;
   m_entries.push_back(entry);
 }
 
-void EraClientStack::pop(EraClientState &state) {
+std::optional<EraClientStack::Entry> EraClientStack::pop() {
   if (m_entries.empty())
-    return;
-  const Entry &entry = m_entries.back();
-  if (entry.range)
-    state.range = *entry.range;
-  if (entry.clientStorage)
-    state.clientStorage = *entry.clientStorage;
+    return {};
+  const Entry entry = m_entries.back();
   m_entries.pop_back();
+  return entry;
+}
+
+namespace {
+/// The object that is in the host's default one, where that is current.
+std::optional<GLuint> inHostsDefault(const Context &context) {
+  GLint bound = 0;
+  if (!context.era->offered.vertexArrayObject)
+    return {};
+  context.host->GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
+  return bound == 0 ? std::optional(context.era->vertexArrays.resident()) : std::nullopt;
+}
+} // namespace
+
+void pushEraClient(Context &context, GLbitfield mask) {
+  const EraClientState &state = context.era->client;
+  EraClientStack::Entry entry;
+  if ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0) {
+    entry.range = state.range;
+    entry.vertexArray = inHostsDefault(context);
+  }
+  if ((mask & GL_CLIENT_PIXEL_STORE_BIT) != 0)
+    entry.clientStorage = state.clientStorage;
+  context.era->clientStack.push(context, entry);
+}
+
+void popEraClient(Context &context, void (*hostPop)()) {
+  EraState &era = *context.era;
+  const std::optional<EraClientStack::Entry> entry = era.clientStack.pop();
+  if (entry && entry->vertexArray)
+    era.vertexArrays.prepareRestore(context, era.client.range, *entry->vertexArray);
+  hostPop();
+  if (!entry)
+    return;
+  if (entry->vertexArray)
+    era.vertexArrays.restored(context, *entry->vertexArray);
+  if (entry->range)
+    era.client.range = *entry->range;
+  if (entry->clientStorage)
+    era.client.clientStorage = *entry->clientStorage;
 }
 
 GLenum *eraHint(Context &context, GLenum target) {
@@ -87,6 +118,13 @@ bool eraValue(Context &context, GLenum pname, GLint &value) {
   case GL_UNPACK_CLIENT_STORAGE_APPLE:
     value = client.clientStorage ? 1 : 0;
     return offered.clientStorage;
+  case GL_VERTEX_ARRAY_BINDING: // Apple's name is the same
+    if (!offered.vertexArrayObject || context.era->vertexArrays.resident() == 0)
+      return false;
+    context.host->GetIntegerv(GL_VERTEX_ARRAY_BINDING, &value);
+    if (value == 0)
+      value = GLint(context.era->vertexArrays.resident());
+    return true;
   default:
     return false;
   }

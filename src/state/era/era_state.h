@@ -6,6 +6,7 @@
 #include "state/era/fences.h"
 #include "state/era/hints.h"
 #include "state/era/offers.h"
+#include "state/era/vertex_array_objects.h"
 #include "state/era/vertex_array_range.h"
 
 /// Extensions of the years of the first fragment programs that today's hosts have dropped, and that
@@ -22,14 +23,18 @@ struct EraClientState {
 /// The client attribute stack's part of it, as deep as the host's.
 class EraClientStack {
 public:
-  void push(const Context &context, const EraClientState &state, GLbitfield mask);
-  void pop(EraClientState &state);
-
-private:
+  /// What a push saved.
   struct Entry {
     std::optional<VertexArrayRange> range;
     std::optional<bool> clientStorage;
+    /// The object that was in the host's default one, where that was current.
+    std::optional<GLuint> vertexArray;
   };
+  void push(const Context &context, Entry entry);
+  /// Without an entry: the host's stack is empty too.
+  [[nodiscard]] std::optional<Entry> pop();
+
+private:
   std::vector<Entry> m_entries;
   GLint m_maxDepth = -1; ///< -1: not asked for yet
 };
@@ -40,7 +45,13 @@ struct EraState {
   Hints hints;
   EraClientState client;
   EraClientStack clientStack;
+  VertexArrayObjects vertexArrays;
 };
+
+/// PushClientAttrib and PopClientAttrib, about the host's own.
+void pushEraClient(Context &context, GLbitfield mask);
+/// \param hostPop the host's
+void popEraClient(Context &context, void (*hostPop)());
 
 /// Sets a hint of the two, with the errors of Hint.
 void setEraHint(Context &context, GLenum target, GLenum mode);

@@ -15,6 +15,9 @@ struct EraOffers {
   bool transformHint = false;
   bool sgixShadow = false;
   bool clientStorage = false;
+  bool imaging = false;
+  bool textureRange = false;
+  bool vertexArrayObject = false;
   /// Names in the extension string, of those that need no state beyond the host's too.
   std::vector<const char *> names;
 

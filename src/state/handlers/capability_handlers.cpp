@@ -8,6 +8,8 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/fixed_function.h"
+#include "state/imaging/commands.h"
+#include "state/imaging/imaging_state.h"
 #include "state/lists/issue_combiners.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
@@ -60,6 +62,15 @@ void setPerStageConstants(Context &context, bool enabled) {
   issueCombinerCommand(context, command);
 }
 
+void setImaging(Context &context, GLenum cap, bool enabled) {
+  if (!outsideBeginEnd(context, "Enable or Disable between Begin and End"))
+    return;
+  // Programs disable it all before they draw pixels, and use none of it.
+  const bool isEnabled = (context.imaging->settings.enabled & imagingBitOf(cap)) != 0;
+  if (enabled != isEnabled || context.listMode != 0)
+    issueImaging(context, {.kind = ImagingCommand::Kind::Enable, .flag = enabled, .pname = cap});
+}
+
 bool hasPerStageConstants(const Context &context) {
   return context.combiners && context.combiners->hasPerStageConstants();
 }
@@ -80,6 +91,8 @@ void setCapability(Context &context, GLenum cap, Capability capability, bool ena
     return setMap(context, cap, enabled);
   if (capability == Capability::PerStageConstants && hasPerStageConstants(context))
     return setPerStageConstants(context, enabled);
+  if (capability == Capability::Imaging && context.imaging)
+    return setImaging(context, cap, enabled);
   if (enabled)
     context.host->Enable(cap);
   else
@@ -140,6 +153,11 @@ GLboolean IsEnabled(Context &context, GLenum cap) {
   if (cap == GL_PER_STAGE_CONSTANTS_NV && hasPerStageConstants(context))
     return outsideBeginEnd(context, "IsEnabled between Begin and End") &&
                    context.combiners->state().perStageConstants
+               ? GL_TRUE
+               : GL_FALSE;
+  if (const unsigned bit = context.imaging ? imagingBitOf(cap) : 0)
+    return outsideBeginEnd(context, "IsEnabled between Begin and End") &&
+                   (context.imaging->settings.enabled & bit) != 0
                ? GL_TRUE
                : GL_FALSE;
   const ProgramTarget *const row = enableRowOf(context, cap);

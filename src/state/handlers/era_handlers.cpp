@@ -72,7 +72,8 @@ bool isObject(Context &context, GLenum object, GLuint name) {
   case GL_TEXTURE:
     return name == 0 || context.host->IsTexture(name) == GL_TRUE;
   case GL_VERTEX_ARRAY:
-    return name == 0 || (context.caps.vertexArrays && context.host->IsVertexArray(name) == GL_TRUE);
+    return name == 0 || context.era->vertexArrays.has(name) ||
+           (context.caps.vertexArrays && context.host->IsVertexArray(name) == GL_TRUE);
   case GL_DRAW_PIXELS_APPLE:
     return true;
   default:
@@ -296,14 +297,14 @@ void GetPointerv(Context &context, GLenum pname, void **params) {
 
 void PushClientAttrib(Context &context, GLbitfield mask) {
   if (context.era && !context.insideBeginEnd)
-    context.era->clientStack.push(context, context.era->client, mask);
+    pushEraClient(context, mask);
   context.host->PushClientAttrib(mask);
 }
 
 void PushClientAttribDefaultEXT(Context &context, GLbitfield mask) {
   if (context.era && !context.insideBeginEnd) {
     EraClientState &state = context.era->client;
-    context.era->clientStack.push(context, state, mask);
+    pushEraClient(context, mask);
     if ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0)
       state.range = {};
     if ((mask & GL_CLIENT_PIXEL_STORE_BIT) != 0)
@@ -314,8 +315,9 @@ void PushClientAttribDefaultEXT(Context &context, GLbitfield mask) {
 
 void PopClientAttrib(Context &context) {
   if (context.era && !context.insideBeginEnd)
-    context.era->clientStack.pop(context.era->client);
-  context.host->PopClientAttrib();
+    popEraClient(context, context.host->PopClientAttrib);
+  else
+    context.host->PopClientAttrib();
 }
 
 // --- Hints ---

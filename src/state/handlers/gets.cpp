@@ -13,6 +13,8 @@
 #include "state/era/era_state.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/imaging/imaging_state.h"
+#include "state/imaging/queries.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
@@ -142,6 +144,7 @@ bool ownValue(Context &context, GLenum pname, GLint &value) {
   case GL_VERTEX_ARRAY_RANGE_VALID_NV:
   case GL_MAX_VERTEX_ARRAY_RANGE_ELEMENT_NV:
   case GL_UNPACK_CLIENT_STORAGE_APPLE:
+  case GL_VERTEX_ARRAY_BINDING:
     return eraValue(context, pname, value);
   case GL_PROGRAM_ERROR_POSITION_ARB:
     value = context.errorPosition;
@@ -242,9 +245,24 @@ template <typename T> bool getTransfer(const Context &context, GLenum pname, T *
   return true;
 }
 
+/// True, with it, for a value of ARB_imaging.
+template <typename T> bool getImaging(Context &context, GLenum pname, T *data) {
+  std::array<GLfloat, 16> values{};
+  const int count = context.imaging ? imagingValues(context, pname, values) : 0;
+  for (int i = 0; i < count; ++i)
+    if constexpr (std::is_same_v<T, GLboolean>)
+      data[i] = values[std::size_t(i)] != 0.0f ? GL_TRUE : GL_FALSE;
+    else if constexpr (std::is_integral_v<T>)
+      data[i] = wholeNumber<T>(double(values[std::size_t(i)]));
+    else
+      data[i] = T(values[std::size_t(i)]);
+  return count != 0;
+}
+
 template <typename T, typename Host> void get(Context &context, GLenum pname, T *data, Host host) {
   if (!context.insideBeginEnd && data &&
-      (getCombinerColor(context, pname, data) || getTransfer(context, pname, data)))
+      (getCombinerColor(context, pname, data) || getTransfer(context, pname, data) ||
+       getImaging(context, pname, data)))
     return;
   GLint value = 0;
   if (context.insideBeginEnd || !data || !ownValue(context, pname, value)) [[likely]]

@@ -2,6 +2,8 @@
 // matrices that are for nothing else.
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/imaging/commands.h"
+#include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/nv/matrix_tracking.h"
 #include "state/programs/nv/nv_programs.h"
@@ -44,7 +46,16 @@ void GetTrackMatrixivNV(Context &context, GLenum target, GLuint address, GLenum 
 void MatrixMode(Context &context, GLenum mode) {
   // MATRIXi_NV are the ARB's program matrices, as on NVIDIA's driver.
   const GLuint number = mode - GL_MATRIX0_NV;
-  context.host->MatrixMode(context.nv && number < 8 ? GL_MATRIX0_ARB + number : mode);
+  const GLenum named = context.nv && number < 8 ? GL_MATRIX0_ARB + number : mode;
+  // COLOR is the layer's; so is what ends it, which in a list is known where the list is called.
+  const bool colors =
+      context.imaging && (mode == GL_COLOR || context.imaging->colorMatrix.isUsed());
+  if (!colors || context.insideBeginEnd)
+    return context.host->MatrixMode(named);
+  context.imaging->colorMatrix.noteUse();
+  if (mode == GL_COLOR || context.listMode != 0 || context.imaging->colorMatrix.isCurrent(context))
+    return issueImaging(context, {.kind = ImagingCommand::Kind::MatrixMode, .pname = named});
+  context.host->MatrixMode(named);
 }
 
 } // namespace arbiter::state::handlers

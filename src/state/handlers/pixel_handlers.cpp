@@ -5,6 +5,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
+#include "state/imaging/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/mirror/dirty_bits.h"
@@ -60,6 +61,9 @@ void ReadPixels(Context &context, GLint x, GLint y, GLsizei width, GLsizei heigh
   if (context.textureShaders && !context.insideBeginEnd &&
       (isComponentFormat(format) || isSignedPacked(type))) [[unlikely]]
     return raise(context, GL_INVALID_ENUM, "ReadPixels: a format or type of textures alone");
+  if (context.imagesPixels && imagedReadPixels(context, x, y, width, height, format, type, pixels))
+      [[unlikely]]
+    return;
   if (executes(context) && context.software) {
     if (context.software->residency.readPixels(x, y, width, height, format, type, pixels))
       return;

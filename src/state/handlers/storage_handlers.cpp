@@ -59,6 +59,7 @@ void DeleteTextures(Context &context, GLsizei n, const GLuint *textures) {
     context.group->deletedNames.add(DeletedNames::Kind::Texture, n, textures, context.serial);
     context.group->textureViews.remove(n, textures);
     context.group->textureFormats.remove(n, textures);
+    context.group->textureRanges.remove(n, textures);
   }
   context.host->DeleteTextures(n, textures);
   noteTextureChange(context);

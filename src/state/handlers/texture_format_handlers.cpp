@@ -4,6 +4,8 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/imaging/commands.h"
+#include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/component_formats.h"
@@ -78,6 +80,20 @@ bool transfer(Context &context, GLenum pname, GLfloat param) {
   return true;
 }
 
+/// True for a scale or bias of ARB_imaging.
+bool imagingScale(Context &context, GLenum pname, GLfloat param) {
+  const float *const value =
+      context.imaging ? imagingTransfer(context.imaging->settings, pname) : nullptr;
+  if (!value)
+    return false;
+  if (outsideBeginEnd(context, "PixelTransfer between Begin and End") &&
+      (*value != param || context.listMode != 0))
+    issueImaging(
+        context,
+        {.kind = ImagingCommand::Kind::Transfer, .pname = pname, .values = {param, 0, 0, 0}});
+  return true;
+}
+
 } // namespace
 
 namespace handlers {
@@ -103,12 +119,12 @@ void GetTexLevelParameterfv(Context &context, GLenum target, GLint level, GLenum
 }
 
 void PixelTransferf(Context &context, GLenum pname, GLfloat param) {
-  if (!transfer(context, pname, param))
+  if (!transfer(context, pname, param) && !imagingScale(context, pname, param))
     context.host->PixelTransferf(pname, param);
 }
 
 void PixelTransferi(Context &context, GLenum pname, GLint param) {
-  if (!transfer(context, pname, GLfloat(param)))
+  if (!transfer(context, pname, GLfloat(param)) && !imagingScale(context, pname, GLfloat(param)))
     context.host->PixelTransferi(pname, param);
 }
 

@@ -9,6 +9,7 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/core/plain_transfer.h"
+#include "state/imaging/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
 #include "state/programs/program_bind.h"
@@ -139,6 +140,17 @@ void defineColorsAlone(Context &context, GLenum target, GLint level, GLint inter
     raise(context, earlier != GL_NO_ERROR ? earlier : error, "TexImage");
 }
 
+/// Whether ARB_imaging has a part in the image, and has given it to the host.
+bool isImaged(Context &context, const ComponentImage &image, GLint internalFormat, GLenum type,
+              const void *pixels) {
+  if (!context.imagesPixels) [[likely]]
+    return false;
+  const ImageUpload upload{image.dimensions, image.replaces, image.target, image.level,
+                           internalFormat,   image.border,   image.x,      image.y,
+                           image.z,          image.width,    image.height, image.depth};
+  return imagedTexImage(context, upload, image.format, type, pixels);
+}
+
 /// A TexImage of colours; `host` is given the internal format that the host has for it.
 template <typename Host>
 void defineColors(Context &context, GLenum target, GLint level, GLint internalformat, Host host) {
@@ -231,9 +243,11 @@ void TexImage1D(Context &context, GLenum target, GLint level, GLint internalform
                                 .format = format};
   if (isComponents(context, image, type, pixels))
     return;
-  if (changes(context) && context.software)
-    context.software->residency.textureRedefined(target);
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
+    if (changes(context) && context.software)
+      context.software->residency.textureRedefined(target);
     context.host->TexImage1D(target, level, there, width, border, format, type, pixels);
   });
 }
@@ -250,6 +264,8 @@ void TexImage2D(Context &context, GLenum target, GLint level, GLint internalform
   if (isComponents(context, image, type, pixels))
     return;
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
     if (changes(context) && context.software)
       context.software->residency.texImage2D(target, level, there, width, height, border, format,
                                              type, pixels);
@@ -271,9 +287,11 @@ void TexImage3D(Context &context, GLenum target, GLint level, GLint internalform
                                 .format = format};
   if (isComponents(context, image, type, pixels))
     return;
-  if (changes(context) && context.software)
-    context.software->residency.textureRedefined(target);
   defineColors(context, target, level, internalformat, [&](GLint there) {
+    if (isImaged(context, image, there, type, pixels))
+      return;
+    if (changes(context) && context.software)
+      context.software->residency.textureRedefined(target);
     context.host->TexImage3D(target, level, there, width, height, depth, border, format, type,
                              pixels);
   });
@@ -288,7 +306,7 @@ void TexSubImage1D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .x = xoffset,
                                 .width = width,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, 0, 0, width, 1, 1, format, type,
@@ -306,7 +324,7 @@ void TexSubImage2D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .width = width,
                                 .height = height,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, 0, width, height, 1,
@@ -328,7 +346,7 @@ void TexSubImage3D(Context &context, GLenum target, GLint level, GLint xoffset, 
                                 .height = height,
                                 .depth = depth,
                                 .format = format};
-  if (isComponents(context, image, type, pixels))
+  if (isComponents(context, image, type, pixels) || isImaged(context, image, 0, type, pixels))
     return;
   if (changes(context) && context.software)
     context.software->residency.texSubImage(target, level, xoffset, yoffset, zoffset, width, height,

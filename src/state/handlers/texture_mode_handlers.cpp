@@ -3,15 +3,20 @@
 // beside clip distances for depths that are ALPHA (state/host_draw/variants/alpha_depths.h). A
 // list's commands are seen when they are compiled, and PopAttrib restores only what one of these
 // set before.
+#include <string>
 #include <type_traits>
+#include <utility>
 
 #include "host/handlers.h"
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/sgix_shadow.h"
+#include "state/era/texture_range.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
+#include "state/programs/program_bind.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/share/share_group.h"
 
@@ -51,6 +56,35 @@ void setShadow(Context &context, GLenum target, GLenum pname, const T *value) {
     setShadow(context, target, pname, *value);
 }
 
+void issueRange(Context &context, Command command) {
+  if (!outsideBeginEnd(context, "a texture's range between Begin and End"))
+    return;
+  if (!context.listMode)
+    return executeTextureRange(context, command);
+  noteProgramApiUse(context);
+  context.list->record(context, std::move(command));
+}
+
+/// TexParameter of APPLE_texture_range's, of the texture that is bound.
+template <typename T> void setRange(Context &context, GLenum target, GLenum pname, T value) {
+  const bool isName = double(value) >= 0.0 && double(value) < 65536.0;
+  issueRange(context, {.kind = Command::Kind::TextureRange,
+                       .target = target,
+                       .name = pname,
+                       .format = isName ? GLenum(value) : 0});
+}
+template <typename T> void setRange(Context &context, GLenum target, GLenum pname, const T *value) {
+  if (value)
+    setRange(context, target, pname, *value);
+}
+
+template <typename T> void getRange(Context &context, GLenum target, GLenum pname, T *value) {
+  TextureRange range;
+  if (outsideBeginEnd(context, "GetTexParameter between Begin and End") &&
+      getTextureRange(context, target, range) && value)
+    *value = pname == GL_TEXTURE_RANGE_LENGTH_APPLE ? T(range.length) : T(GLint(range.storageHint));
+}
+
 /// TEXTURE_BORDER_VALUES_NV is what the host has as a border colour that it does not clamp; its
 /// values are four, so that a command of one has no part in it.
 GLenum hostName(const Context &context, GLenum pname) {
@@ -68,6 +102,8 @@ namespace handlers {
 
 #define BOUND_GETTER(name, Value)                                                                  \
   void name(Context &context, GLenum target, GLenum pname, Value *values) {                        \
+    if (hasTextureRange(context, pname)) [[unlikely]]                                              \
+      return getRange(context, target, pname, values);                                             \
     if (!hasSgixShadow(context, pname)) [[likely]]                                                 \
       return context.host->name(target, hostName(context, pname), values);                         \
     GLint arb = 0;                                                                                 \
@@ -89,6 +125,8 @@ BOUND_GETTER(GetTexParameterfv, GLfloat)
   void name(Context &context, Object target, GLenum pname, Value value) {                          \
     if (hasSgixShadow(context, pname)) [[unlikely]]                                                \
       return setShadow(context, target, pname, value);                                             \
+    if (hasTextureRange(context, pname)) [[unlikely]]                                              \
+      return setRange(context, target, pname, value);                                              \
     note(context, pname, value);                                                                   \
     context.host->name(target, hostName(context, pname, value), value);                            \
     noteTextureCommand(context);                                                                   \
@@ -110,6 +148,28 @@ SETTERS(SETTER, TextureParameter, , GLuint)
 SETTERS(SETTER, SamplerParameter, , GLuint)
 SETTERS(TARGET_SETTER, TextureParameter, EXT, GLuint)
 SETTERS(TARGET_SETTER, MultiTexParameter, EXT, GLenum)
+
+void TextureRangeAPPLE(Context &context, GLenum target, GLsizei length, const void *pointer) {
+  if (!hasTextureRange(context, GL_TEXTURE_RANGE_LENGTH_APPLE))
+    return context.host->TextureRangeAPPLE(target, length, pointer);
+  issueRange(context,
+             {.kind = Command::Kind::TextureRange,
+              .target = target,
+              .count = length,
+              .bytes = std::string(reinterpret_cast<const char *>(&pointer), sizeof pointer)});
+}
+
+void GetTexParameterPointervAPPLE(Context &context, GLenum target, GLenum pname, void **params) {
+  if (!hasTextureRange(context, GL_TEXTURE_RANGE_LENGTH_APPLE))
+    return context.host->GetTexParameterPointervAPPLE(target, pname, params);
+  if (!outsideBeginEnd(context, "GetTexParameterPointerv between Begin and End"))
+    return;
+  TextureRange range;
+  if (pname != GL_TEXTURE_RANGE_POINTER_APPLE)
+    return raise(context, GL_INVALID_ENUM, "GetTexParameterPointerv: pname");
+  if (getTextureRange(context, target, range) && params)
+    *params = const_cast<void *>(range.pointer); // the application's own
+}
 
 void BindSampler(Context &context, GLuint unit, GLuint sampler) {
   releaseSamplers(context);

@@ -5,12 +5,14 @@
 #include "state/core/context.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
+#include "state/era/texture_range.h"
 #include "state/host_draw/application_glsl.h"
 #include "state/host_draw/clip_planes.h"
 #include "state/host_draw/draw.h"
 #include "state/host_draw/fixed_function.h"
 #include "state/host_draw/host_assembly.h"
 #include "state/host_draw/sampler_override.h"
+#include "state/imaging/imaging_state.h"
 #include "state/lists/list_compiler.h"
 #include "state/mirror/attribute_groups.h"
 #include "state/programs/combiners/combiner_state.h"
@@ -43,6 +45,8 @@ void pushEnables(Context &context, GLbitfield mask) {
   }
   if (context.era && (mask & GL_HINT_BIT) != 0)
     entry.hints = context.era->hints;
+  if ((mask & GL_TEXTURE_BIT) != 0)
+    entry.textureRanges = saveTextureRanges(context);
   if (context.combiners) {
     entry.perStageConstants = context.combiners->state().perStageConstants;
     if ((mask & GL_TEXTURE_BIT) != 0)
@@ -52,6 +56,13 @@ void pushEnables(Context &context, GLbitfield mask) {
     entry.textureShaders = context.textureShaders->settings();
   if (context.textureShaders && (mask & GL_PIXEL_MODE_BIT) != 0)
     entry.transfers = std::make_shared<const ComponentTransfers>(context.textureShaders->transfers);
+  if (context.imaging) {
+    entry.hasPixelMode = (mask & GL_PIXEL_MODE_BIT) != 0;
+    entry.hasMatrixMode = (mask & GL_TRANSFORM_BIT) != 0;
+    entry.colorMatrix = context.imagesPixels && context.imaging->colorMatrix.isCurrent(context);
+    if (context.imagesPixels && (entry.hasPixelMode || entry.hasEnables))
+      entry.imaging = std::make_shared<const imaging::Settings>(context.imaging->settings);
+  }
   (void)context.attribStack.push(std::move(entry));
 }
 
@@ -80,6 +91,18 @@ void popTextureShaders(Context &context, const AttribStack::Entry &entry) {
     context.textureShaders->transfers = *entry.transfers;
 }
 
+/// ARB_imaging: what is in no entry was as it is at first.
+void popImaging(Context &context, const AttribStack::Entry &entry) {
+  ImagingState &state = *context.imaging;
+  const imaging::Settings before = entry.imaging ? *entry.imaging : imaging::Settings{};
+  if (entry.hasPixelMode)
+    state.settings = before;
+  else if (entry.hasEnables)
+    state.settings.enabled = before.enabled;
+  if (entry.hasMatrixMode)
+    state.colorMatrix.restore(context, entry.colorMatrix);
+}
+
 void popEnables(Context &context) {
   AttribStack::Entry entry;
   const bool popped = context.attribStack.pop(entry);
@@ -88,6 +111,10 @@ void popEnables(Context &context) {
     context.nv->enabledMaps = entry.enabledMaps;
   if (popped && entry.hints && context.era)
     context.era->hints = *entry.hints;
+  if (popped && entry.textureRanges)
+    restoreTextureRanges(context, *entry.textureRanges);
+  if (popped && context.imagesPixels)
+    popImaging(context, entry);
   if (popped && context.combiners)
     popCombiners(context, entry);
   if (popped && context.textureShaders)

@@ -60,6 +60,9 @@ struct Command {
     Hint,           ///< target; name: the mode
     Combiners,      ///< bytes: some CombinerCommands, in a row
     TextureShaders, ///< bytes: some TextureShaderCommands, in a row
+    Imaging,        ///< bytes: an ImagingCommand, and what belongs to it
+    TextureRange,   ///< target; name: of a parameter, and format: its value, or 0; else count: the
+                    ///< length, bytes: the pointer
     ComponentImage, ///< bytes: a ComponentImage, then its components as floats
   };
   Kind kind;

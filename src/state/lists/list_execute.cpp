@@ -7,8 +7,10 @@
 #include "host/handlers.h"
 #include "state/core/errors.h"
 #include "state/era/era_state.h"
+#include "state/era/texture_range.h"
 #include "state/host_draw/evaluators/evaluation.h"
 #include "state/host_draw/use_program.h"
+#include "state/imaging/commands.h"
 #include "state/programs/combiners/combiner_commands.h"
 #include "state/programs/fragment_shaders.h"
 #include "state/programs/nv/matrix_tracking.h"
@@ -178,6 +180,10 @@ void execute(Context &context, const Command &command) {
     return finishFence(context, FenceOf(command.target), command.name);
   case Command::Kind::Hint:
     return setEraHint(context, command.target, command.name);
+  case Command::Kind::Imaging:
+    return executeImaging(context, command);
+  case Command::Kind::TextureRange:
+    return executeTextureRange(context, command);
   case Command::Kind::Combiners:
     return executeCombinerCommands(context, command.bytes);
   case Command::Kind::TextureShaders:

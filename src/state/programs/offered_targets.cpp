@@ -9,6 +9,7 @@
 #include "state/core/active_profile.h"
 #include "state/core/context.h"
 #include "state/era/era_state.h"
+#include "state/imaging/imaging_state.h"
 #include "state/programs/combiners/combiner_state.h"
 #include "state/programs/nv/nv_state.h"
 #include "state/programs/texture_shaders/texture_shader_state.h"
@@ -98,6 +99,8 @@ void offerEra(Context &context) {
     return;
   context.era = std::make_unique<EraState>();
   context.era->offered = std::move(offers);
+  if (context.era->offered.imaging)
+    context.imaging = std::make_unique<ImagingState>();
 }
 
 /// Texture shaders, where the profile's card and the host's formats have them.

@@ -5,6 +5,7 @@
 #include "host/host_table.h"
 #include "state/core/errors.h"
 #include "state/core/texture_binding.h"
+#include "state/imaging/pixel_commands.h"
 #include "state/programs/texture_changes.h"
 #include "state/programs/texture_shaders/component_formats.h"
 #include "state/programs/texture_shaders/component_image.h"
@@ -71,6 +72,9 @@ void copyColors(Context &context, const CopyCommand &copy) {
     context.host->GetIntegerv(binding, &texture);
     trackCopy(context, {GLuint(texture), copy.target, copy.level}, copy.kind, copy.region);
   }
+  if (context.imagesPixels && context.listMode == 0 && imagedCopyTexture(context, copy))
+      [[unlikely]]
+    return;
   if (context.software && context.listMode == 0 &&
       context.software->residency.copyToTexture(copyTo(GLuint(texture), copy)))
     return;

@@ -13,6 +13,7 @@
 #include "state/programs/program_object.h"
 #include "state/share/deleted_names.h"
 #include "state/share/texture_formats.h"
+#include "state/share/texture_ranges.h"
 #include "state/share/texture_views.h"
 
 namespace arbiter::state {
@@ -61,6 +62,7 @@ public:
   DeletedNames deletedNames;
   TextureViews textureViews;
   TextureFormats textureFormats;
+  TextureRanges textureRanges;
 
   // --- Host objects to delete ---
 

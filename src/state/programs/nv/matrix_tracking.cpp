@@ -11,6 +11,7 @@
 #include "host/host_table.h"
 #include "state/core/context.h"
 #include "state/host_draw/linked_program.h"
+#include "state/imaging/imaging_state.h"
 #include "state/programs/nv/nv_state.h"
 
 namespace arbiter::state {
@@ -71,7 +72,9 @@ std::optional<StateRef> stateOf(const Context &context, GLenum matrix) {
   return numbered(GL_TEXTURE0, context.caps.maxTextureCoords, StateItem::MatrixTexture);
 }
 
-bool hasColorMatrix(const Context &context) { return context.caps.has("GL_ARB_imaging"); }
+bool hasColorMatrix(const Context &context) {
+  return context.imaging || context.caps.has("GL_ARB_imaging");
+}
 
 bool isMatrix(const Context &context, GLenum matrix) {
   return matrix == GL_NONE || (matrix == GL_COLOR && hasColorMatrix(context)) ||
@@ -79,9 +82,12 @@ bool isMatrix(const Context &context, GLenum matrix) {
 }
 
 /// Programs do not read the colour matrix, so that it is no StateItem.
-void fetchColorMatrix(const host::HostTable &host, MatrixModifier modifier, GLfloat rows[4][4]) {
+void fetchColorMatrix(Context &context, MatrixModifier modifier, GLfloat rows[4][4]) {
   glm::mat4 matrix(1.0f);
-  host.GetFloatv(GL_COLOR_MATRIX, glm::value_ptr(matrix));
+  if (context.imaging)
+    matrix = glm::make_mat4(context.imaging->colorMatrix.top(context).data());
+  else
+    context.host->GetFloatv(GL_COLOR_MATRIX, glm::value_ptr(matrix));
   if (modifier == MatrixModifier::Inverse || modifier == MatrixModifier::InvTrans)
     matrix = glm::determinant(matrix) != 0.0f ? glm::inverse(matrix) : glm::mat4(0.0f);
   if (modifier == MatrixModifier::Plain || modifier == MatrixModifier::Inverse)
@@ -92,7 +98,7 @@ void fetchColorMatrix(const host::HostTable &host, MatrixModifier modifier, GLfl
 void fetch(Context &context, const TrackedMatrix &tracked, GLfloat rows[4][4]) {
   const MatrixModifier modifier = modifierOf(tracked.transform).value_or(MatrixModifier::Plain);
   if (tracked.matrix == GL_COLOR)
-    return fetchColorMatrix(*context.host, modifier, rows);
+    return fetchColorMatrix(context, modifier, rows);
   StateRef state = stateOf(context, tracked.matrix).value_or(StateRef{});
   state.modifier = modifier;
   fetchMatrix(context, state, rows);

@@ -1,0 +1,266 @@
+// Convolution filters (ARB_imaging), where the host has none.
+#include "host/handlers.h"
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/core/errors.h"
+#include "state/imaging/commands.h"
+#include "state/imaging/formats.h"
+#include "state/imaging/imaging_state.h"
+#include "state/imaging/queries.h"
+#include "state/imaging/transfer.h"
+
+namespace arbiter::state {
+
+namespace {
+
+using Kind = ImagingCommand::Kind;
+
+bool isOutside(Context &context) {
+  return outsideBeginEnd(context, "a convolution's command between Begin and End");
+}
+
+bool isInRange(GLsizei size) { return size > 0 && size <= ImagingState::kMostFilter; }
+
+/// Adds an image in memory to the colours; false after an error. One that is an error by its size
+/// is not read.
+bool read(Context &context, const ImageInMemory &image, const void *pixels,
+          std::vector<imaging::Rgba> &colors) {
+  if (!isColorFormat(image.format) || image.format == GL_COLOR_INDEX) {
+    raise(context, GL_INVALID_ENUM, "ConvolutionFilter: format");
+    return false;
+  }
+  if (!isInRange(image.width) || !isInRange(image.height))
+    return true;
+  const auto read = unpackPixels(context, image, pixels);
+  if (read)
+    colors.insert(colors.end(), read->texels.begin(), read->texels.end());
+  return read.has_value();
+}
+
+/// A target that the command has: the two of ConvolutionFilter are not the separable one's.
+bool isTarget(Context &context, GLenum target, GLenum only) {
+  if (target == only)
+    return true;
+  raise(context, GL_INVALID_ENUM, "ConvolutionFilter: target");
+  return false;
+}
+
+void copyFilter(Context &context, GLenum target, GLenum only, const ImagingCommand &command) {
+  if (!isOutside(context) || !isTarget(context, target, only))
+    return;
+  if (command.width > ImagingState::kMostFilter || command.height > ImagingState::kMostFilter)
+    return raise(context, GL_INVALID_VALUE, "CopyConvolutionFilter: a size");
+  issueImaging(context, command);
+}
+
+/// Whole numbers of a colour stand for the range -1 to 1 (OpenGL 2.1, table 2.9).
+template <typename T> float colorValue(T value) {
+  if constexpr (std::is_integral_v<T>)
+    return float((2.0 * double(value) + 1.0) / 4294967295.0);
+  else
+    return value;
+}
+
+template <typename T>
+void setParameter(Context &context, GLenum target, GLenum pname, const T *params, bool scalar) {
+  if (!isOutside(context))
+    return;
+  ImagingCommand command{
+      .kind = Kind::FilterParameter, .flag = scalar, .target = target, .pname = pname};
+  const bool color = pname == GL_CONVOLUTION_BORDER_COLOR;
+  const bool four =
+      color || pname == GL_CONVOLUTION_FILTER_SCALE || pname == GL_CONVOLUTION_FILTER_BIAS;
+  if (pname == GL_CONVOLUTION_BORDER_MODE)
+    command.values[0] = float(params[0]);
+  for (std::size_t c = 0; four && !scalar && c < 4; ++c)
+    command.values[c] = color ? colorValue(params[c]) : float(params[c]);
+  issueImaging(context, command);
+}
+
+template <typename T> void giveBorderColor(const imaging::Rgba &color, T *to) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if constexpr (std::is_integral_v<T>)
+      to[c] = wholeNumber<T>((4294967295.0 * double(color[c]) - 1.0) / 2.0);
+    else
+      to[c] = color[c];
+}
+
+template <typename T> void getParameter(Context &context, GLenum target, GLenum pname, T *params) {
+  if (!isOutside(context))
+    return;
+  const int number = filterTargetOf(target);
+  if (number < 0)
+    return raise(context, GL_INVALID_ENUM, "GetConvolutionParameter: target");
+  const imaging::Settings &settings = context.imaging->settings;
+  const imaging::Contents &contents = context.imaging->contents;
+  const auto at = std::size_t(number);
+  const imaging::Filter &filter = number == 2 ? contents.row : contents.filters[at];
+  switch (pname) {
+  case GL_CONVOLUTION_BORDER_MODE:
+    *params = T(GLint(settings.borders[at].mode));
+    return;
+  case GL_CONVOLUTION_BORDER_COLOR:
+    return giveBorderColor(settings.borders[at].color, params);
+  case GL_CONVOLUTION_FILTER_SCALE:
+    return giveColor(settings.filters[at].scale, params);
+  case GL_CONVOLUTION_FILTER_BIAS:
+    return giveColor(settings.filters[at].bias, params);
+  case GL_CONVOLUTION_FORMAT:
+    *params = T(GLint(filter.format));
+    return;
+  case GL_CONVOLUTION_WIDTH:
+    *params = T(filter.image.width);
+    return;
+  case GL_CONVOLUTION_HEIGHT:
+    *params = T(number == 2      ? contents.column.image.width
+                : filter.empty() ? 0
+                                 : filter.image.height);
+    return;
+  case GL_MAX_CONVOLUTION_WIDTH:
+    *params = T(ImagingState::kMostFilter);
+    return;
+  case GL_MAX_CONVOLUTION_HEIGHT:
+    *params = T(number == 0 ? 1 : ImagingState::kMostFilter);
+    return;
+  default:
+    raise(context, GL_INVALID_ENUM, "GetConvolutionParameter: pname");
+  }
+}
+
+} // namespace
+
+namespace handlers {
+
+void ConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
+                         GLenum format, GLenum type, const void *image) {
+  if (!context.imaging)
+    return context.host->ConvolutionFilter1D(target, internalformat, width, format, type, image);
+  std::vector<imaging::Rgba> colors;
+  if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_1D) &&
+      read(context, {.dimensions = 1, .width = width, .format = format, .type = type}, image,
+           colors))
+    issueImaging(context,
+                 {.kind = Kind::Filter, .target = target, .pname = internalformat, .width = width},
+                 colors);
+}
+
+void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
+                         GLsizei height, GLenum format, GLenum type, const void *image) {
+  if (!context.imaging)
+    return context.host->ConvolutionFilter2D(target, internalformat, width, height, format, type,
+                                             image);
+  std::vector<imaging::Rgba> colors;
+  if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_2D) &&
+      read(context, {.width = width, .height = height, .format = format, .type = type}, image,
+           colors))
+    issueImaging(context,
+                 {.kind = Kind::Filter,
+                  .target = target,
+                  .pname = internalformat,
+                  .width = width,
+                  .height = height},
+                 colors);
+}
+
+void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
+                       GLsizei height, GLenum format, GLenum type, const void *row,
+                       const void *column) {
+  if (!context.imaging)
+    return context.host->SeparableFilter2D(target, internalformat, width, height, format, type, row,
+                                           column);
+  std::vector<imaging::Rgba> colors;
+  const bool inRange = isInRange(width) && isInRange(height); // else nothing is read
+  if (isOutside(context) && isTarget(context, target, GL_SEPARABLE_2D) &&
+      read(context, {.dimensions = 1, .width = inRange ? width : 0, .format = format, .type = type},
+           row, colors) &&
+      read(context,
+           {.dimensions = 1, .width = inRange ? height : 0, .format = format, .type = type}, column,
+           colors))
+    issueImaging(context,
+                 {.kind = Kind::Filter,
+                  .target = target,
+                  .pname = internalformat,
+                  .width = width,
+                  .height = height},
+                 colors);
+}
+
+void CopyConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat, GLint x,
+                             GLint y, GLsizei width) {
+  if (!context.imaging)
+    return context.host->CopyConvolutionFilter1D(target, internalformat, x, y, width);
+  copyFilter(context, target, GL_CONVOLUTION_1D,
+             {.kind = Kind::CopyFilter,
+              .target = target,
+              .pname = internalformat,
+              .x = x,
+              .y = y,
+              .width = width});
+}
+
+void CopyConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat, GLint x,
+                             GLint y, GLsizei width, GLsizei height) {
+  if (!context.imaging)
+    return context.host->CopyConvolutionFilter2D(target, internalformat, x, y, width, height);
+  copyFilter(context, target, GL_CONVOLUTION_2D,
+             {.kind = Kind::CopyFilter,
+              .target = target,
+              .pname = internalformat,
+              .x = x,
+              .y = y,
+              .width = width,
+              .height = height});
+}
+
+#define SET_PARAMETER(name, Value, pointer, scalar)                                                \
+  void name(Context &context, GLenum target, GLenum pname, Value params) {                         \
+    if (!context.imaging)                                                                          \
+      return context.host->name(target, pname, params);                                            \
+    setParameter(context, target, pname, pointer, scalar);                                         \
+  }
+SET_PARAMETER(ConvolutionParameterf, GLfloat, &params, true)
+SET_PARAMETER(ConvolutionParameteri, GLint, &params, true)
+SET_PARAMETER(ConvolutionParameterfv, const GLfloat *, params, false)
+SET_PARAMETER(ConvolutionParameteriv, const GLint *, params, false)
+#undef SET_PARAMETER
+
+void GetConvolutionFilter(Context &context, GLenum target, GLenum format, GLenum type,
+                          void *image) {
+  if (!context.imaging)
+    return context.host->GetConvolutionFilter(target, format, type, image);
+  if (!isOutside(context))
+    return;
+  const int number = filterTargetOf(target);
+  if (number < 0 || number == 2)
+    return raise(context, GL_INVALID_ENUM, "GetConvolutionFilter: target");
+  const imaging::Filter &filter = context.imaging->contents.filters[std::size_t(number)];
+  returnImage(context, filter.format, filter.image, format, type, image);
+}
+
+void GetSeparableFilter(Context &context, GLenum target, GLenum format, GLenum type, void *row,
+                        void *column, void *span) {
+  if (!context.imaging)
+    return context.host->GetSeparableFilter(target, format, type, row, column, span);
+  if (!isOutside(context))
+    return;
+  if (target != GL_SEPARABLE_2D)
+    return raise(context, GL_INVALID_ENUM, "GetSeparableFilter: target");
+  const imaging::Contents &contents = context.imaging->contents;
+  if (returnImage(context, contents.row.format, contents.row.image, format, type, row))
+    returnImage(context, contents.column.format, contents.column.image, format, type, column);
+}
+
+void GetConvolutionParameterfv(Context &context, GLenum target, GLenum pname, GLfloat *params) {
+  if (!context.imaging)
+    return context.host->GetConvolutionParameterfv(target, pname, params);
+  getParameter(context, target, pname, params);
+}
+
+void GetConvolutionParameteriv(Context &context, GLenum target, GLenum pname, GLint *params) {
+  if (!context.imaging)
+    return context.host->GetConvolutionParameteriv(target, pname, params);
+  getParameter(context, target, pname, params);
+}
+
+} // namespace handlers
+} // namespace arbiter::state

@@ -1,0 +1,105 @@
+#include "state/imaging/color_matrix.h"
+
+#include "host/host_table.h"
+#include "state/core/context.h"
+#include "state/mirror/dirty_bits.h"
+
+namespace arbiter::state {
+
+namespace {
+
+GLint get(const Context &context, GLenum name) {
+  GLint value = 0;
+  context.host->GetIntegerv(name, &value);
+  return value;
+}
+
+/// The matrix mode of the host that COLOR borrows.
+GLenum borrowed(const Context &context) {
+  return GLenum(GL_MATRIX0_ARB + context.caps.maxProgramMatrices - 1);
+}
+
+/// The current stack of the host becomes `to`; what it held is given.
+std::vector<imaging::Matrix> replaceStack(const Context &context,
+                                          const std::vector<imaging::Matrix> &to) {
+  const host::HostTable &host = *context.host;
+  std::vector<imaging::Matrix> held(std::size_t(get(context, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)));
+  for (std::size_t i = held.size(); i-- > 0;) {
+    host.GetFloatv(GL_CURRENT_MATRIX_ARB, held[i].data());
+    if (i != 0)
+      host.PopMatrix();
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    if (i != 0)
+      host.PushMatrix();
+    host.LoadMatrixf(to[i].data());
+  }
+  return held;
+}
+
+void noteMatrices(Context &context) {
+  context.dirty |= software::dirty::kTransform | software::dirty::kProgramState;
+}
+
+} // namespace
+
+bool ColorMatrix::isPossible(const Context &context) {
+  return context.caps.maxProgramMatrices > 0 && context.caps.maxProgramMatrixStackDepth >= 2;
+}
+
+void ColorMatrix::enter(Context &context) {
+  noteUse();
+  if (isCurrent(context))
+    return;
+  context.host->MatrixMode(borrowed(context));
+  m_program = replaceStack(context, m_stack);
+  m_current = true;
+  noteMatrices(context);
+}
+
+void ColorMatrix::leave(Context &context) {
+  if (!m_current)
+    return;
+  const GLint mode = get(context, GL_MATRIX_MODE);
+  if (GLenum(mode) != borrowed(context))
+    context.host->MatrixMode(borrowed(context));
+  m_stack = replaceStack(context, m_program);
+  m_current = false;
+  if (GLenum(mode) != borrowed(context))
+    context.host->MatrixMode(GLenum(mode));
+  noteMatrices(context);
+}
+
+bool ColorMatrix::isCurrent(Context &context) {
+  if (m_current && GLenum(get(context, GL_MATRIX_MODE)) != borrowed(context))
+    leave(context);
+  return m_current;
+}
+
+void ColorMatrix::restore(Context &context, bool current) {
+  if (current) {
+    enter(context);
+    return;
+  }
+  // The host has put the mode back, which may be that of the borrowed matrix itself.
+  leave(context);
+}
+
+imaging::Matrix ColorMatrix::top(Context &context) {
+  if (!isCurrent(context))
+    return m_stack.back();
+  imaging::Matrix matrix;
+  context.host->GetFloatv(GL_CURRENT_MATRIX_ARB, matrix.data());
+  return matrix;
+}
+
+GLint ColorMatrix::depth(Context &context) {
+  return isCurrent(context) ? get(context, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)
+                            : GLint(m_stack.size());
+}
+
+GLint ColorMatrix::maxDepth(const Context &context) {
+  return context.caps.maxProgramMatrixStackDepth;
+}
+
+} // namespace arbiter::state

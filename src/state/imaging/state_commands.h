@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "state/imaging/commands.h"
+
+/// What commands.h executes, by what it is about. Each raises its errors.
+namespace arbiter::state {
+
+void setColorTable(Context &context, const ImagingCommand &command,
+                   const std::vector<imaging::Rgba> &colors);
+void setColorSubTable(Context &context, const ImagingCommand &command,
+                      const std::vector<imaging::Rgba> &colors);
+void setTableParameter(Context &context, const ImagingCommand &command);
+void setFilter(Context &context, const ImagingCommand &command,
+               const std::vector<imaging::Rgba> &colors);
+void setFilterParameter(Context &context, const ImagingCommand &command);
+void setHistogram(Context &context, const ImagingCommand &command);
+void setMinmax(Context &context, const ImagingCommand &command);
+/// ResetHistogram and ResetMinmax.
+void resetStatistics(Context &context, GLenum target);
+
+} // namespace arbiter::state

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <GL/gl.h>
+
+#include "state/imaging/pixels.h"
+
+/// What only counts pixels.
+namespace arbiter::state::imaging {
+
+/// The counters of a bin; of a format with luminance red's are luminance's.
+using Counts = std::array<std::uint32_t, 4>;
+
+struct Histogram {
+  GLenum format = GL_RGBA;
+  bool sink = false;
+  std::vector<Counts> bins;
+
+  void count(const Pixels &pixels);
+};
+
+struct Minmax {
+  static constexpr float kMost = std::numeric_limits<float>::max();
+
+  GLenum format = GL_RGBA;
+  bool sink = false;
+  Rgba least = {kMost, kMost, kMost, kMost};
+  Rgba most = {-kMost, -kMost, -kMost, -kMost};
+
+  void count(const Pixels &pixels);
+};
+
+/// Whether a table of the format has something of the component.
+[[nodiscard]] bool counts(GLenum format, int component);
+
+} // namespace arbiter::state::imaging
