@@ -1,7 +1,8 @@
 // Meshes that a vertex program displaces and colours by a texture: rasterizer-vertex-textures SEED
 // COUNT. Each seed is a random sequence of definitions, texels, feedback, draws to the texture,
 // changed levels and samplers, deletions, and of draws by arrays, by Begin and End, from display
-// lists and of many vertices; writes what is left as records. run_vertex_textures.py compares.
+// lists and of many vertices; writes what is left as records. With a third argument, "finish", it
+// waits for what it draws to textures. run_vertex_textures.py compares.
 #include <cstdio>
 #include <cstdlib>
 
@@ -59,8 +60,8 @@ std::vector<GLuint> trianglesOf(int cells) {
 
 class Sequence {
 public:
-  Sequence(std::uint64_t seed, Screen &screen, GLXDrawable window)
-      : m_random(seed), m_screen(screen), m_context(screen.makeContext()) {
+  Sequence(std::uint64_t seed, bool finishes, Screen &screen, GLXDrawable window)
+      : m_random(seed), m_finishes(finishes), m_screen(screen), m_context(screen.makeContext()) {
     screen.makeCurrent(window, m_context);
     glViewport(0, 0, kEdge, kEdge);
     glDisable(GL_DITHER);
@@ -207,6 +208,8 @@ private:
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, kEdge, kEdge);
+    if (m_finishes)
+      glFinish();
   }
 
   [[nodiscard]] GLuint programFor(std::size_t target, std::size_t opcode, std::size_t unit) {
@@ -318,6 +321,7 @@ private:
   }
 
   Random m_random;
+  const bool m_finishes;
   Screen &m_screen;
   GLXContext m_context;
   GLuint m_plain = 0, m_sampling = 0, m_copying = 0, m_framebuffer = 0;
@@ -330,7 +334,8 @@ private:
 } // namespace software
 
 int main(int argc, char **argv) {
-  if (argc != 3)
+  const bool finishes = argc == 4 && std::string(argv[3]) == "finish";
+  if (argc != 3 && !finishes)
     return 2;
   software::Screen screen;
   if (!screen.open())
@@ -338,6 +343,7 @@ int main(int argc, char **argv) {
   const GLXDrawable window = screen.makeWindow(software::kEdge, software::kEdge);
   const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
   for (int seed = first; seed < first + count; ++seed)
-    software::Sequence(std::uint64_t(seed), screen, window).run("seed " + std::to_string(seed));
+    software::Sequence(std::uint64_t(seed), finishes, screen, window)
+        .run("seed " + std::to_string(seed));
   return 0;
 }
