@@ -99,7 +99,6 @@ def all_ways(args, out):
              ("nv-layer", args.mode_count, [*nv, "arb"], nv_card),
              ("nv-v-glsl", args.vertex_count // 3, [*nv_vertex, "glsl"], {}),
              ("nv-v-layer", args.mode_count, [*nv_vertex, "arb"], nv_card),
-             # Those that sample textures are the host's.
              ("nv-v-both", args.mode_count, [*nv_vertex, "arb"],
               {**nv_card, "ARBITER_BACKEND": "swrast"})]
     count = args.mode_count

@@ -406,6 +406,12 @@ using PackedShadeFunction = void (*)(const FragmentData *data, const PrimitiveCo
 // --- Vertices
 // -------------------------------------------------------------------------------------
 
+/// What a vertex function is compiled for, beside the program.
+struct VertexKey {
+  std::array<SamplerKey, kMaxUnits> samplers = {}; ///< by unit; only those that the program samples
+  bool operator==(const VertexKey &) const = default;
+};
+
 /// `inputs[4 * i + c]` points at component c of the program's attribute i, one float a vertex;
 /// `outputs[4 * i + c]` likewise for its outputs. Arrays hold a multiple of 16 floats, aligned to
 /// 64 bytes, and the function may write all of the last vector.
@@ -413,6 +419,8 @@ struct VertexData {
   const float (*parameters)[4] = nullptr;
   const float *const *inputs = nullptr;
   float *const *outputs = nullptr;
+  /// kMaxUnits of them; null where the program samples nothing.
+  const TextureView *const *textures = nullptr;
 };
 using VertexFunction = void (*)(const VertexData *data, std::uint32_t count);
 

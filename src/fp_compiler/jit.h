@@ -21,14 +21,16 @@ struct FragmentInput {
   std::uint8_t components = 0xF;
 };
 
+/// A texture image unit that a program samples.
+struct Sampler {
+  std::uint8_t unit = 0;
+  ir::TexTarget target = ir::TexTarget::Tex2D;
+};
+
 /// What must be known of a program before a key can be made: what it reads, samples and writes
 /// after the passes.
 struct FragmentShape {
   std::vector<FragmentInput> inputs; ///< the fog coordinate included, where an option wants it
-  struct Sampler {
-    std::uint8_t unit = 0;
-    ir::TexTarget target = ir::TexTarget::Tex2D;
-  };
   std::vector<Sampler> samplers;
   std::uint8_t colorOutputs = 0; ///< bit i: result.color[i] is written
   bool writesDepth = false;
@@ -51,6 +53,7 @@ public:
 struct VertexShape {
   std::vector<ir::Attribute> inputs; ///< VertexData::inputs, in order
   std::vector<ir::Output> outputs;   ///< VertexData::outputs, in order
+  std::vector<Sampler> samplers;
 };
 class VertexProgram {
 public:
@@ -95,15 +98,15 @@ public:
                                                                      Numerics numerics) = 0;
   [[nodiscard]] virtual std::unique_ptr<FragmentCode>
   compile(const FragmentProgram &program, const abi::FragmentKey &key, std::string &reason) = 0;
-  [[nodiscard]] virtual std::unique_ptr<VertexCode> compile(const VertexProgram &program,
-                                                            std::string &reason) = 0;
+  [[nodiscard]] virtual std::unique_ptr<VertexCode>
+  compile(const VertexProgram &program, const abi::VertexKey &key, std::string &reason) = 0;
   /// LLVM's IR or the machine's assembly text of what compile() makes; empty, with a reason, where
   /// that is null.
   [[nodiscard]] virtual std::string listing(const FragmentProgram &program,
                                             const abi::FragmentKey &key, Listing what,
                                             std::string &reason) = 0;
-  [[nodiscard]] virtual std::string listing(const VertexProgram &program, Listing what,
-                                            std::string &reason) = 0;
+  [[nodiscard]] virtual std::string listing(const VertexProgram &program, const abi::VertexKey &key,
+                                            Listing what, std::string &reason) = 0;
 };
 
 /// Opens the library beside this one (or the one that ARBITER_JIT_LIBRARY names) at the first call

@@ -78,10 +78,10 @@ struct Interface {
   VertexHandle *(*prepareVertex)(EngineHandle *engine, Bytes program, std::uint8_t numerics);
   void (*freeVertex)(VertexHandle *vertex);
   BytesHandle *(*vertexBytes)(const VertexHandle *vertex);
-  void (*compileVertex)(EngineHandle *engine, const VertexHandle *vertex, Code *code,
-                        Reason *reason);
-  BytesHandle *(*listVertex)(EngineHandle *engine, const VertexHandle *vertex, std::uint8_t listing,
-                             Reason *reason);
+  void (*compileVertex)(EngineHandle *engine, const VertexHandle *vertex, const abi::VertexKey *key,
+                        Code *code, Reason *reason);
+  BytesHandle *(*listVertex)(EngineHandle *engine, const VertexHandle *vertex,
+                             const abi::VertexKey *key, std::uint8_t listing, Reason *reason);
 
   void (*freeCode)(CodeHandle *code);
   Bytes (*view)(const BytesHandle *bytes); ///< valid until freeBytes()

@@ -130,10 +130,11 @@ public:
     m_library.compileFragment(m_handle, handleOf(program), &key, &code, &why);
     return received<abi::ShadeFunction>(m_library, code, why, reason);
   }
-  std::unique_ptr<VertexCode> compile(const VertexProgram &program, std::string &reason) override {
+  std::unique_ptr<VertexCode> compile(const VertexProgram &program, const abi::VertexKey &key,
+                                      std::string &reason) override {
     boundary::Code code{};
     Reason why{};
-    m_library.compileVertex(m_handle, handleOf(program), &code, &why);
+    m_library.compileVertex(m_handle, handleOf(program), &key, &code, &why);
     return received<abi::VertexFunction>(m_library, code, why, reason);
   }
 
@@ -144,10 +145,11 @@ public:
         m_library.listFragment(m_handle, handleOf(program), &key, std::uint8_t(what), &why), why,
         reason);
   }
-  std::string listing(const VertexProgram &program, Listing what, std::string &reason) override {
+  std::string listing(const VertexProgram &program, const abi::VertexKey &key, Listing what,
+                      std::string &reason) override {
     Reason why{};
-    return listed(m_library.listVertex(m_handle, handleOf(program), std::uint8_t(what), &why), why,
-                  reason);
+    return listed(m_library.listVertex(m_handle, handleOf(program), &key, std::uint8_t(what), &why),
+                  why, reason);
   }
 
 private:

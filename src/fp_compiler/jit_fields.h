@@ -7,9 +7,9 @@
 namespace arbiter::fp::jit {
 
 FP_FIELDS(FragmentInput, attribute, components)
-FP_FIELDS(FragmentShape::Sampler, unit, target)
+FP_FIELDS(Sampler, unit, target)
 FP_FIELDS(FragmentShape, inputs, samplers, colorOutputs, writesDepth, kills, derivatives,
           needsQuads)
-FP_FIELDS(VertexShape, inputs, outputs)
+FP_FIELDS(VertexShape, inputs, outputs, samplers)
 
 } // namespace arbiter::fp::jit

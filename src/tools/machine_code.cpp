@@ -32,6 +32,17 @@ bool isShadow(fp::ir::TexTarget target) {
          target == fp::ir::TexTarget::ShadowRect;
 }
 
+void fillSamplers(const std::vector<fp::jit::Sampler> &units,
+                  std::array<abi::SamplerKey, abi::kMaxUnits> &samplers) {
+  for (const fp::jit::Sampler &used : units) {
+    abi::SamplerKey &sampler = samplers[used.unit];
+    sampler.dimension = dimensionOf(used.target);
+    sampler.shadow = isShadow(used.target);
+    sampler.format.layout = sampler.shadow ? abi::Layout::Depth24Stencil8 : abi::Layout::U8x4;
+    sampler.wrap.fill(abi::Wrap::ClampToEdge);
+  }
+}
+
 abi::FragmentKey plainKey(const fp::jit::FragmentShape &shape, fp::Numerics numerics) {
   abi::FragmentKey key{};
   key.numerics = std::uint8_t(numerics);
@@ -39,13 +50,13 @@ abi::FragmentKey plainKey(const fp::jit::FragmentShape &shape, fp::Numerics nume
   for (std::size_t i = 0; i < key.targets.size(); ++i)
     if (shape.colorOutputs >> i & 1)
       key.targets[i].format.layout = abi::Layout::U8x4;
-  for (const fp::jit::FragmentShape::Sampler &used : shape.samplers) {
-    abi::SamplerKey &sampler = key.samplers[used.unit];
-    sampler.dimension = dimensionOf(used.target);
-    sampler.shadow = isShadow(used.target);
-    sampler.format.layout = sampler.shadow ? abi::Layout::Depth24Stencil8 : abi::Layout::U8x4;
-    sampler.wrap.fill(abi::Wrap::ClampToEdge);
-  }
+  fillSamplers(shape.samplers, key.samplers);
+  return key;
+}
+
+abi::VertexKey plainKey(const fp::jit::VertexShape &shape) {
+  abi::VertexKey key{};
+  fillSamplers(shape.samplers, key.samplers);
   return key;
 }
 
@@ -67,7 +78,7 @@ Result<std::string, MachineCodeError> machineCode(const fp::ir::Program &program
     const auto prepared = engine->prepareVertex(program, numerics);
     if (!prepared)
       return notOffered();
-    text = engine->listing(*prepared, what, reason);
+    text = engine->listing(*prepared, plainKey(prepared->shape()), what, reason);
   } else {
     const auto prepared = engine->prepareFragment(program, numerics);
     if (!prepared)

@@ -122,7 +122,7 @@ void Pipeline::fillRaster(const Mirror &mirror) {
 /// All but the parameters.
 void Pipeline::fillData(const Mirror &mirror) {
   m_data = mirror.constants;
-  m_units.fill(m_data);
+  m_units.fill(m_data.textures);
   const auto targetOf = [](const swrast::Image *image, int slice = 0) {
     return image ? abi::Target{image->placeOf(0, 0, slice), image->rowStride} : abi::Target{};
   };

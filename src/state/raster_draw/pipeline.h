@@ -87,7 +87,7 @@ private:
   void takeProgram(Context &context, const std::shared_ptr<const fp::ir::Program> &source);
   /// What pixels' functions are compiled for. Requires: all else is chosen, as what the rasterizer
   /// lacks is judged before the frame is.
-  Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage);
+  Outcome makeKey(Context &context, Mirror &mirror, abi::Coverage coverage, bool hasVertices);
   Outcome chooseFunctions(const Mirror &mirror, bool affine);
   /// The function for small triangles whose depth the rasterizer tests.
   /// \param levels a sampler wants a level of detail

@@ -59,7 +59,8 @@ void Pipeline::takeProgram(Context &context, const std::shared_ptr<const fp::ir:
     m_program->functions = fragmentFunctions(source, context.numerics, m_wait);
 }
 
-Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage coverage) {
+Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage coverage,
+                          bool hasVertices) {
   const fp::jit::FragmentShape &shape = m_program->functions->prepared()->shape();
   m_key = mirror.pixelOps;
   if (coverage != abi::Coverage::Whole && shape.inputs.size() == m_key.inputs.size())
@@ -90,11 +91,15 @@ Outcome Pipeline::makeKey(Context &context, Mirror &mirror, abi::Coverage covera
     m_key.clampColors = 0;
   if (!m_compiled && !m_key.clampColors && clampsInside(*m_program->source))
     return Fallback::State;
-  if (!testsDepth() || context.software->mayTestDepth())
-    return m_units.bind(context, mirror, shape, m_key);
+  if (!testsDepth() || context.software->mayTestDepth()) {
+    const Outcome bound = m_units.bind(context, mirror, shape.samplers, m_key.samplers);
+    return bound.ok() && hasVertices ? m_vertices.bindTextures(context, mirror, m_wait) : bound;
+  }
   // Last: what the rasterizer lacks is the host's turn in mixed frames too, or else one without a
   // turn would say that the next can be drawn as a whole, and frames would be drawn by turns.
-  const Outcome lacking = m_units.judge(context, mirror, shape);
+  Outcome lacking = m_units.judge(context, mirror, shape.samplers);
+  if (lacking.ok() && hasVertices)
+    lacking = m_vertices.judgeTextures(context, mirror);
   return lacking.ok() ? Outcome(Fallback::Mixed) : lacking;
 }
 
@@ -146,7 +151,8 @@ Outcome Pipeline::chooseAnew(Context &context, Mirror &mirror, const Kind *verti
   if (vertices)
     if (const Outcome outcome = chooseVertices(context, mirror, *vertices); !outcome.ok())
       return outcome;
-  return makeKey(context, mirror, vertices ? mirror.coverageOf(m_topology) : abi::Coverage::Whole);
+  return makeKey(context, mirror, vertices ? mirror.coverageOf(m_topology) : abi::Coverage::Whole,
+                 vertices != nullptr);
 }
 
 Outcome Pipeline::choosePixels(Context &context, Mirror &mirror) {

@@ -95,9 +95,9 @@ abi::Dimension dimensionOf(TexTarget target) {
   return abi::Dimension::Tex2D;
 }
 
-void Units::refresh(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
+void Units::refresh(Context &context, Mirror &mirror, const Samplers &samplers) {
   m_uses.clear();
-  for (const auto &sampler : shape.samplers)
+  for (const auto &sampler : samplers)
     m_uses.push_back({sampler.unit, dimensionOf(sampler.target)});
   if (mirror.samplersAreDirty(m_uses)) [[unlikely]] {
     releaseSamplers(context);
@@ -105,8 +105,8 @@ void Units::refresh(Context &context, Mirror &mirror, const fp::jit::FragmentSha
   }
 }
 
-Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape) {
-  refresh(context, mirror, shape);
+Outcome Units::judge(Context &context, Mirror &mirror, const Samplers &samplers) {
+  refresh(context, mirror, samplers);
   for (const SamplerUse &use : m_uses) {
     const SamplerState &state = mirror.samplers[use.unit][std::size_t(use.dimension)];
     if (state.obstacle ||
@@ -116,13 +116,12 @@ Outcome Units::judge(Context &context, Mirror &mirror, const fp::jit::FragmentSh
   return {};
 }
 
-Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
-                    abi::FragmentKey &key) {
+Outcome Units::bind(Context &context, Mirror &mirror, const Samplers &samplers, Keys &keys) {
   m_bound = 0;
   m_storages.clear();
   m_levelsMatter = 0;
-  refresh(context, mirror, shape);
-  for (const auto &sampler : shape.samplers) {
+  refresh(context, mirror, samplers);
+  for (const auto &sampler : samplers) {
     const abi::Dimension dimension = dimensionOf(sampler.target);
     const SamplerState &state = mirror.samplers[sampler.unit][std::size_t(dimension)];
     if (state.obstacle)
@@ -132,7 +131,7 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
         state.texture, dimension, levelsOf(state), state.key.mip != abi::MipFilter::None, reason);
     if (!images)
       return fallbackNamed(reason, Fallback::Texture);
-    abi::SamplerKey &code = key.samplers[sampler.unit];
+    abi::SamplerKey &code = keys[sampler.unit];
     code = {};
     abi::TextureView &view = m_views[sampler.unit];
     view = {};
@@ -165,14 +164,20 @@ Outcome Units::bind(Context &context, Mirror &mirror, const fp::jit::FragmentSha
   return {};
 }
 
+void Units::settle() const {
+  for (const swrast::Storage *const storage : m_storages)
+    if (storage->settle(); swrast::DeferredClear *const clear = storage->pendingClear())
+      clear->complete();
+}
+
 void Units::describe(swrast::ShadingUse &use) const {
   use.imageCount = m_imageCount;
   use.textures = m_storages;
 }
 
-void Units::fill(abi::FragmentData &data) const {
+void Units::fill(std::array<const abi::TextureView *, abi::kMaxUnits> &textures) const {
   for (std::size_t unit = 0; unit < m_views.size(); ++unit)
-    data.textures[unit] = (m_bound >> unit & 1u) != 0 ? &m_views[unit] : nullptr;
+    textures[unit] = (m_bound >> unit & 1u) != 0 ? &m_views[unit] : nullptr;
 }
 
 } // namespace arbiter::state::software

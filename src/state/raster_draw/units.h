@@ -16,27 +16,31 @@ namespace arbiter::state::software {
 /// The texture that a target samples; a SHADOW target's is the plain one's.
 [[nodiscard]] abi::Dimension dimensionOf(fp::ir::TexTarget target);
 
-/// The textures that a fragment program samples: what its code is compiled for, and what it is
+/// The textures that a program samples: what its code is compiled for, and what it is
 /// called with.
 class Units {
 public:
-  /// Why the host draws whatever is in the images of `shape`'s units: their sampler state, or their
-  /// formats. No pixel is moved.
-  [[nodiscard]] Outcome judge(Context &context, Mirror &mirror,
-                              const fp::jit::FragmentShape &shape);
-  /// Looks at the units of `shape`, and has their images ready. Fills the samplers of `key`, which
-  /// are None before.
-  Outcome bind(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape,
-               abi::FragmentKey &key);
-  void fill(abi::FragmentData &data) const;
+  using Samplers = std::vector<fp::jit::Sampler>;
+  using Keys = std::array<abi::SamplerKey, abi::kMaxUnits>;
+  /// Why the host draws whatever is in the images of the units that are sampled: their sampler
+  /// state, or their formats. No pixel is moved.
+  [[nodiscard]] Outcome judge(Context &context, Mirror &mirror, const Samplers &samplers);
+  /// Looks at the units that are sampled, and has their images ready. Fills their samplers of a
+  /// key, which are None before.
+  Outcome bind(Context &context, Mirror &mirror, const Samplers &samplers, Keys &keys);
+  /// The units that are not sampled are null.
+  void fill(std::array<const abi::TextureView *, abi::kMaxUnits> &textures) const;
+  /// Draws and clears that wait are done that write what is bound: for functions that sample at
+  /// once.
+  void settle() const;
   /// What fill() refers to.
   void describe(swrast::ShadingUse &use) const;
   /// Units whose level of detail matters: with mipmaps, or with two filters.
   [[nodiscard]] std::uint32_t levelsMatter() const { return m_levelsMatter; }
 
 private:
-  /// The sampler state of `shape`'s units is up to date.
-  void refresh(Context &context, Mirror &mirror, const fp::jit::FragmentShape &shape);
+  /// The sampler state of the units is up to date.
+  void refresh(Context &context, Mirror &mirror, const Samplers &samplers);
 
   std::vector<SamplerUse> m_uses;
   std::array<abi::TextureView, abi::kMaxUnits> m_views;

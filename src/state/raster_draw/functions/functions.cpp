@@ -62,6 +62,34 @@ template <typename Work> void withoutMemory(Work work) {
   }
 }
 
+/// Fills a place with what `compile` makes.
+template <typename Slot, typename Compile>
+void make(Slot &slot, const char *what, Compile compile) {
+  const Stopwatch stopwatch;
+  std::string reason;
+  withoutMemory([&] { slot.code = compile(reason); });
+  note(slot.code, what, reason);
+  if (slot.code)
+    slot.function.store(slot.code->function, std::memory_order_release);
+  slot.progress.store(slot.code ? Progress::Ready : Progress::Failed, std::memory_order_release);
+}
+
+/// The place for a key, which `fill` fills where it is new.
+template <typename Slots, typename Key, typename Fill>
+typename Slots::Slot &placeFor(Slots &slots, const Key &key, Wait wait, Fill fill) {
+  bool made = false;
+  typename Slots::Slot &slot = slots.find(key, made);
+  if (!made)
+    return slot;
+  try {
+    run(wait, [fill = std::move(fill), place = &slot] { fill(*place); });
+  } catch (const std::exception &) { // it will not be made
+    slot.progress.store(Progress::Failed, std::memory_order_release);
+    throw;
+  }
+  return slot;
+}
+
 /// The objects by program and mode. An entry whose program nothing else holds is dropped when the
 /// next one is made.
 template <typename Functions> class Table {
@@ -158,50 +186,43 @@ void FragmentFunctions::prepare() {
 }
 
 void FragmentFunctions::compile(const abi::FragmentKey &key, Slot &slot) {
-  const Stopwatch stopwatch;
-  std::string reason;
-  withoutMemory([&] { slot.code = engine()->compile(*m_owned, key, reason); });
-  note(slot.code, "fragment", reason);
-  if (slot.code)
-    slot.function.store(slot.code->function, std::memory_order_release);
-  slot.progress.store(slot.code ? Progress::Ready : Progress::Failed, std::memory_order_release);
+  make(slot, "fragment",
+       [&](std::string &reason) { return engine()->compile(*m_owned, key, reason); });
 }
 
 FragmentFunctions::Slot &FragmentFunctions::slot(const abi::FragmentKey &key, Wait wait) {
-  Slot *slot = nullptr;
-  bool made = false;
-  {
-    const std::lock_guard lock(m_mutex);
-    std::unique_ptr<Slot> &entry = m_slots[key];
-    made = !entry;
-    if (made)
-      entry = std::make_unique<Slot>();
-    slot = entry.get();
-  }
-  if (!made)
-    return *slot;
-  try {
-    run(wait, [self = shared_from_this(), key, slot] { self->compile(key, *slot); });
-  } catch (const std::exception &) { // it will not be made
-    slot->progress.store(Progress::Failed, std::memory_order_release);
-    throw;
-  }
-  return *slot;
+  return placeFor(m_slots, key, wait,
+                  [self = shared_from_this(), key](Slot &slot) { self->compile(key, slot); });
+}
+
+void VertexFunctions::compile(const abi::VertexKey &key, Slot &slot) {
+  state::software::make(slot, "vertex", [&](std::string &reason) {
+    return engine()->compile(*m_owned, key, reason);
+  });
+}
+
+VertexFunctions::Slot &VertexFunctions::slot(const abi::VertexKey &key, Wait wait) {
+  return placeFor(m_slots, key, wait,
+                  [self = shared_from_this(), key](Slot &slot) { self->compile(key, slot); });
 }
 
 void VertexFunctions::make() {
-  const Stopwatch stopwatch;
-  std::string reason = "it cannot be prepared";
-  withoutMemory([&] {
-    if (fp::jit::Engine *const jit = engine()) {
-      m_owned = jit->prepareVertex(*m_source, m_numerics);
-      if (m_owned)
-        m_code = jit->compile(*m_owned, reason);
-    }
-  });
-  note(m_code, "vertex", reason);
-  m_prepared.store(m_code ? m_owned.get() : nullptr, std::memory_order_release);
-  m_progress.store(m_code ? Progress::Ready : Progress::Failed, std::memory_order_release);
+  {
+    const Stopwatch stopwatch;
+    withoutMemory([&] {
+      if (fp::jit::Engine *const jit = engine())
+        m_owned = jit->prepareVertex(*m_source, m_numerics);
+    });
+  }
+  bool ready = m_owned != nullptr;
+  if (ready && m_owned->shape().samplers.empty()) {
+    compile({}, m_only);
+    ready = function() != nullptr;
+  }
+  if (!m_owned)
+    note(m_only.code, "vertex", "it cannot be prepared");
+  m_prepared.store(ready ? m_owned.get() : nullptr, std::memory_order_release);
+  m_progress.store(ready ? Progress::Ready : Progress::Failed, std::memory_order_release);
 }
 
 std::shared_ptr<FragmentFunctions>

@@ -35,11 +35,34 @@ template <typename Function> struct FunctionSlot {
 /// or until all is compiled (ARBITER_BACKEND=swrast).
 enum class Wait : std::uint8_t { Not, Briefly, UntilDone };
 
+/// The functions of one program by key.
+template <typename Key, typename Function> class FunctionSlots {
+public:
+  using Slot = FunctionSlot<Function>;
+  /// The place of the function for `key`. \param made whether there was none before
+  Slot &find(const Key &key, bool &made) {
+    const std::lock_guard lock(m_mutex);
+    std::unique_ptr<Slot> &entry = m_slots[key];
+    made = !entry;
+    if (made)
+      entry = std::make_unique<Slot>();
+    return *entry;
+  }
+
+private:
+  struct Hash {
+    std::size_t operator()(const Key &key) const { return abi::hashOf(key); }
+  };
+  std::mutex m_mutex;
+  std::unordered_map<Key, std::unique_ptr<Slot>, Hash> m_slots;
+};
+
 /// The functions of one fragment program in one mode. Contexts share it; it lives as long as
 /// someone holds it, functions as long as it.
 class FragmentFunctions : public std::enable_shared_from_this<FragmentFunctions> {
 public:
-  using Slot = FunctionSlot<abi::ShadeFunction>;
+  using Slots = FunctionSlots<abi::FragmentKey, abi::ShadeFunction>;
+  using Slot = Slots::Slot;
   FragmentFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
       : m_source(std::move(source)), m_numerics(numerics) {}
 
@@ -60,40 +83,46 @@ private:
   void prepare();
   void compile(const abi::FragmentKey &key, Slot &slot);
 
-  struct Hash {
-    std::size_t operator()(const abi::FragmentKey &key) const { return abi::hashOf(key); }
-  };
   const std::shared_ptr<const fp::ir::Program> m_source;
   const fp::Numerics m_numerics;
   std::unique_ptr<fp::jit::FragmentProgram> m_owned;
   std::uint32_t m_pixelCost = 1;
   std::atomic<const fp::jit::FragmentProgram *> m_prepared{nullptr};
   std::atomic<Progress> m_progress{Progress::Making};
-  std::mutex m_mutex;
-  std::unordered_map<abi::FragmentKey, std::unique_ptr<Slot>, Hash> m_slots;
+  Slots m_slots;
 };
 
-/// The same of a vertex program, which has one function.
+/// The same of a vertex program. One that samples nothing has one function.
 class VertexFunctions : public std::enable_shared_from_this<VertexFunctions> {
 public:
+  using Slots = FunctionSlots<abi::VertexKey, abi::VertexFunction>;
+  using Slot = Slots::Slot;
   VertexFunctions(std::shared_ptr<const fp::ir::Program> source, fp::Numerics numerics)
       : m_source(std::move(source)), m_numerics(numerics) {}
-  /// Null until the function is ready, and where it cannot be made.
+  /// Null until it is ready, its function included where it is the only one, and where it cannot
+  /// be made.
   [[nodiscard]] const fp::jit::VertexProgram *prepared() const {
     return m_prepared.load(std::memory_order_acquire);
   }
-  [[nodiscard]] abi::VertexFunction function() const { return m_code ? m_code->function : nullptr; }
+  /// The only one, of a program that samples nothing.
+  [[nodiscard]] abi::VertexFunction function() const {
+    return m_only.function.load(std::memory_order_acquire);
+  }
+  /// As FragmentFunctions::slot(), of a program that samples.
+  [[nodiscard]] Slot &slot(const abi::VertexKey &key, Wait wait);
   [[nodiscard]] Progress progress() const { return m_progress.load(std::memory_order_acquire); }
 
 private:
   friend std::shared_ptr<VertexFunctions>
   vertexFunctions(const std::shared_ptr<const fp::ir::Program> &, fp::Numerics, Wait);
   void make();
+  void compile(const abi::VertexKey &key, Slot &slot);
 
   const std::shared_ptr<const fp::ir::Program> m_source;
   const fp::Numerics m_numerics;
   std::unique_ptr<fp::jit::VertexProgram> m_owned;
-  std::unique_ptr<fp::jit::VertexCode> m_code;
+  Slot m_only;
+  Slots m_slots;
   std::atomic<const fp::jit::VertexProgram *> m_prepared{nullptr};
   std::atomic<Progress> m_progress{Progress::Making};
 };

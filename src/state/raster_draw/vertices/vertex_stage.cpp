@@ -100,6 +100,28 @@ Outcome VertexStage::choose(Context &context, Mirror &mirror, const CompiledProg
   return {};
 }
 
+Outcome VertexStage::judgeTextures(Context &context, Mirror &mirror) {
+  return m_units.judge(context, mirror, m_shape->samplers);
+}
+
+Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
+  if (m_shape->samplers.empty()) [[likely]] {
+    m_function = m_program->functions->function();
+    return {};
+  }
+  abi::VertexKey key{};
+  if (const Outcome outcome = m_units.bind(context, mirror, m_shape->samplers, key.samplers);
+      !outcome.ok())
+    return outcome;
+  m_units.fill(m_textures);
+  const VertexFunctions::Slot &slot = m_program->functions->slot(key, wait);
+  m_function = slot.function.load(std::memory_order_acquire);
+  if (m_function)
+    return {};
+  return slot.progress.load(std::memory_order_acquire) == Progress::Failed ? Fallback::NotCompiled
+                                                                           : Fallback::Compiling;
+}
+
 void VertexStage::findUnwritten(const Context &context) {
   m_unwritten.clear();
   if (!m_compiled || context.linkedProgram->fragment.compiled)
@@ -140,8 +162,8 @@ void VertexStage::transformStretch(std::uint32_t begin, std::uint32_t end) const
     inputs[i] = m_data.inputs[i] ? m_data.inputs[i] + begin : nullptr;
   for (std::size_t i = 0; i < 4 * outputCount; ++i)
     results[i] = m_data.outputs[i] + begin;
-  const abi::VertexData part{m_data.parameters, inputs, results};
-  m_program->functions->function()(&part, end - begin);
+  const abi::VertexData part{m_data.parameters, inputs, results, m_data.textures};
+  m_function(&part, end - begin);
 }
 
 void VertexStage::transformAll(std::uint32_t count) const {
@@ -163,10 +185,13 @@ Outcome VertexStage::run(Context &context, Mirror &mirror, const VertexSource &s
     return Fallback::Memory;
   m_program->values->update(context, mirror.clock,
                             m_compiled ? &context.row(m_compiled->target) : nullptr);
-  m_data = {m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs};
+  m_data = {m_program->values->data(), m_fetcher.inputs(m_shape->inputs), outputs,
+            m_textures.data()};
+  if (!m_shape->samplers.empty()) [[unlikely]]
+    m_units.settle();
   later = later && many && !edgeFlags;
   if (!many)
-    m_program->functions->function()(&m_data, count);
+    m_function(&m_data, count);
   else if (!later)
     transformAll(count);
   if (!m_connected || m_connectedTo != m_fetcher.outputsVersion()) {

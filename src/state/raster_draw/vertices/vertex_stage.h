@@ -10,6 +10,7 @@
 #include "state/raster_draw/functions/program_table.h"
 #include "state/raster_draw/outcome.h"
 #include "state/raster_draw/program_state.h"
+#include "state/raster_draw/units.h"
 #include "state/raster_draw/vertices/vertex_fetch.h"
 #include "swrast/rasterize.h"
 
@@ -28,6 +29,10 @@ public:
   /// program, or null; `floatTarget`: a colour buffer holds floats.
   Outcome choose(Context &context, Mirror &mirror, const CompiledProgram *compiled,
                  const fp::jit::FragmentShape &fragments, bool points, bool floatTarget, Wait wait);
+  /// Of the textures that the program samples, as Units::judge(). Requires: choose().
+  [[nodiscard]] Outcome judgeTextures(Context &context, Mirror &mirror);
+  /// Has them ready, and the function for them. Requires: choose().
+  Outcome bindTextures(Context &context, Mirror &mirror, Wait wait);
   /// The slots that the function reads.
   [[nodiscard]] std::uint32_t slots() const { return m_slots; }
   /// Those, and the others whose current values are wanted.
@@ -62,6 +67,9 @@ private:
   ExtendedPrograms m_extended;
   ProgramTable<Program> m_programs;
   Program *m_program = nullptr; ///< current; one of m_programs
+  abi::VertexFunction m_function = nullptr;
+  Units m_units;
+  std::array<const abi::TextureView *, abi::kMaxUnits> m_textures = {};
   std::uint32_t m_slots = 0;
   bool m_twoSided = false;
   bool m_pointSize = false;

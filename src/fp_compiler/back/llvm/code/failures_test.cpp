@@ -125,9 +125,9 @@ TEST(FailuresLast, AnEngineMeetsOneAndThenAsksNoMore) {
   const auto prepared = engine->prepareVertex(b.take(), Numerics::Host);
   ASSERT_NE(prepared, nullptr);
   std::string reason;
-  EXPECT_NE(engine->compile(*prepared, reason), nullptr) << reason;
+  EXPECT_NE(engine->compile(*prepared, abi::VertexKey{}, reason), nullptr) << reason;
   noteFailure();
-  EXPECT_EQ(engine->compile(*prepared, reason), nullptr);
+  EXPECT_EQ(engine->compile(*prepared, abi::VertexKey{}, reason), nullptr);
   EXPECT_EQ(reason, "LLVM has failed before in this process");
 }
 

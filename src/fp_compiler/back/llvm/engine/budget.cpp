@@ -64,15 +64,15 @@ double workOf(const ir::Instruction &instruction) {
 
 } // namespace
 
-double expectedMilliseconds(const ir::Program &program, const abi::FragmentKey *key) {
-  double work = 0, samples = 0;
+double expectedMilliseconds(const ir::Program &program, const SamplerKeys *samplers) {
+  double work = 0, sampling = 0;
   for (const ir::Instruction &instruction : program.code) {
     work += workOf(instruction);
-    if (key && ir::info(instruction.op).has(ir::Texture))
-      samples += sampleMilliseconds(key->samplers[instruction.unit]);
+    if (samplers && ir::info(instruction.op).has(ir::Texture))
+      sampling += sampleMilliseconds((*samplers)[instruction.unit]);
   }
   constexpr double kBase = 5, kEach = 0.035, kSquare = 10e-6;
-  return kBase + samples + kEach * work + kSquare * work * work;
+  return kBase + sampling + kEach * work + kSquare * work * work;
 }
 
 } // namespace arbiter::fp::llvm_back

@@ -93,7 +93,8 @@ public:
   std::unique_ptr<jit::FragmentCode> compile(const jit::FragmentProgram &program,
                                              const abi::FragmentKey &key,
                                              std::string &reason) override {
-    if (!sameNumerics(program, key, reason) || !isWithinBudget(program.program(), &key, reason))
+    if (!sameNumerics(program, key, reason) ||
+        !isWithinBudget(program.program(), &key.samplers, reason))
       return nullptr;
     return make<abi::ShadeFunction>("fragment", program.program(),
                                     {reinterpret_cast<const char *>(&key), sizeof key},
@@ -101,12 +102,15 @@ public:
   }
 
   std::unique_ptr<jit::VertexCode> compile(const jit::VertexProgram &program,
+                                           const abi::VertexKey &key,
                                            std::string &reason) override {
-    if (!isWithinBudget(program.program(), nullptr, reason))
+    if (!isWithinBudget(program.program(), &key.samplers, reason))
       return nullptr;
-    const char numerics = char(static_cast<const PreparedVertex &>(program).numerics());
-    return make<abi::VertexFunction>("vertex", program.program(), {&numerics, 1}, kVertexPointers,
-                                     bodyOf(program), reason);
+    std::string whole(1, char(static_cast<const PreparedVertex &>(program).numerics()));
+    if (!program.shape().samplers.empty())
+      whole.append(reinterpret_cast<const char *>(&key), sizeof key);
+    return make<abi::VertexFunction>("vertex", program.program(), whole, kVertexPointers,
+                                     bodyOf(program, key), reason);
   }
 
   std::string listing(const jit::FragmentProgram &program, const abi::FragmentKey &key,
@@ -115,18 +119,18 @@ public:
       return {};
     return listed(kFragmentPointers, bodyOf(program, key), what, reason);
   }
-  std::string listing(const jit::VertexProgram &program, jit::Listing what,
-                      std::string &reason) override {
-    return listed(kVertexPointers, bodyOf(program), what, reason);
+  std::string listing(const jit::VertexProgram &program, const abi::VertexKey &key,
+                      jit::Listing what, std::string &reason) override {
+    return listed(kVertexPointers, bodyOf(program, key), what, reason);
   }
 
 private:
   static constexpr int kFragmentPointers = 3; ///< parameters of abi::ShadeFunction before the count
   static constexpr int kVertexPointers = 1;   ///< of abi::VertexFunction
 
-  static bool isWithinBudget(const ir::Program &program, const abi::FragmentKey *key,
+  static bool isWithinBudget(const ir::Program &program, const SamplerKeys *samplers,
                              std::string &reason) {
-    const double expected = expectedMilliseconds(program, key);
+    const double expected = expectedMilliseconds(program, samplers);
     if (expected <= kMostMilliseconds)
       return true;
     reason = "its " + std::to_string(program.code.size()) + " instructions would take some " +
@@ -147,9 +151,9 @@ private:
       return writeFragment(code, function, program, key, why);
     };
   }
-  static BodyWriter bodyOf(const jit::VertexProgram &program) {
+  static BodyWriter bodyOf(const jit::VertexProgram &program, const abi::VertexKey &key) {
     return [&](Code &code, llvm::Function *function, std::string &) {
-      writeVertex(code, function, static_cast<const PreparedVertex &>(program));
+      writeVertex(code, function, static_cast<const PreparedVertex &>(program), key);
       return true;
     };
   }

@@ -39,7 +39,7 @@ std::unique_ptr<VertexCode> compiled(Engine &engine, const ir::Program &program)
   const auto prepared = engine.prepareVertex(program, Numerics::Host);
   EXPECT_NE(prepared, nullptr);
   std::string reason;
-  auto code = prepared ? engine.compile(*prepared, reason) : nullptr;
+  auto code = prepared ? engine.compile(*prepared, abi::VertexKey{}, reason) : nullptr;
   EXPECT_NE(code, nullptr) << reason;
   return code;
 }

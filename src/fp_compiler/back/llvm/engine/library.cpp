@@ -136,9 +136,10 @@ void compileFragment(EngineHandle *engine, const FragmentHandle *fragment,
     return engine->engine->compile(*fragment->program, *key, why);
   });
 }
-void compileVertex(EngineHandle *engine, const VertexHandle *vertex, Code *code, Reason *reason) {
+void compileVertex(EngineHandle *engine, const VertexHandle *vertex, const abi::VertexKey *key,
+                   Code *code, Reason *reason) {
   compiled(&CodeHandle::vertex, code, reason,
-           [&](std::string &why) { return engine->engine->compile(*vertex->program, why); });
+           [&](std::string &why) { return engine->engine->compile(*vertex->program, *key, why); });
 }
 
 template <typename List> BytesHandle *listed(Reason *reason, List list) {
@@ -157,10 +158,10 @@ BytesHandle *listFragment(EngineHandle *engine, const FragmentHandle *fragment,
     return engine->engine->listing(*fragment->program, *key, Listing(listing), why);
   });
 }
-BytesHandle *listVertex(EngineHandle *engine, const VertexHandle *vertex, std::uint8_t listing,
-                        Reason *reason) {
+BytesHandle *listVertex(EngineHandle *engine, const VertexHandle *vertex, const abi::VertexKey *key,
+                        std::uint8_t listing, Reason *reason) {
   return listed(reason, [&](std::string &why) {
-    return engine->engine->listing(*vertex->program, Listing(listing), why);
+    return engine->engine->listing(*vertex->program, *key, Listing(listing), why);
   });
 }
 

@@ -44,12 +44,12 @@ std::vector<jit::FragmentInput> inputsOf(const ir::Program &program,
   return inputs;
 }
 
-void addSampler(jit::FragmentShape &shape, const ir::Instruction &instruction) {
-  const bool known = std::any_of(
-      shape.samplers.begin(), shape.samplers.end(),
-      [&](const jit::FragmentShape::Sampler &sampler) { return sampler.unit == instruction.unit; });
+void addSampler(std::vector<jit::Sampler> &samplers, const ir::Instruction &instruction) {
+  const bool known =
+      std::any_of(samplers.begin(), samplers.end(),
+                  [&](const jit::Sampler &sampler) { return sampler.unit == instruction.unit; });
   if (!known)
-    shape.samplers.push_back({instruction.unit, instruction.target});
+    samplers.push_back({instruction.unit, instruction.target});
 }
 
 jit::FragmentShape shapeOf(const ir::Program &program) {
@@ -65,7 +65,7 @@ jit::FragmentShape shapeOf(const ir::Program &program) {
     shape.derivatives |= derives && live.written[i] != 0;
     if (!row.has(ir::Texture) || live.written[i] == 0)
       continue;
-    addSampler(shape, instruction);
+    addSampler(shape.samplers, instruction);
     if (curved[i])
       shape.needsQuads |= 1u << instruction.unit;
   }
@@ -100,15 +100,17 @@ jit::VertexShape vertexShapeOf(const ir::Program &program) {
   for (std::size_t i = 0; i < program.outputs.size(); ++i)
     if (live.outputs[i] != 0 || program.outputs[i].kind == ir::OutputKind::Position)
       shape.outputs.push_back(program.outputs[i]);
+  for (std::size_t i = 0; i < program.code.size(); ++i)
+    if (ir::info(program.code[i].op).has(ir::Texture) && live.written[i] != 0)
+      addSampler(shape.samplers, program.code[i]);
   return shape;
 }
 } // namespace
 
 bool hasCode(const ir::Program &program) {
-  return program.language != ir::Language::ArbVertex ||
-         std::none_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
-           return ir::info(instruction.op).has(ir::Texture);
-         });
+  return std::none_of(program.code.begin(), program.code.end(), [](const auto &instruction) {
+    return ir::info(instruction.op).has(ir::Texture) && instruction.unit >= abi::kMaxUnits;
+  });
 }
 
 PreparedFragment::PreparedFragment(ir::Program program, Numerics numerics)

@@ -8,8 +8,7 @@
 /// draw.
 namespace arbiter::fp::llvm_back {
 
-/// True if machine code can be written for all of the program: not for the samples of vertex
-/// programs, which the host draws.
+/// True if a key has a place for each unit that the program samples.
 [[nodiscard]] bool hasCode(const ir::Program &program);
 
 class PreparedFragment final : public jit::FragmentProgram {

@@ -14,9 +14,11 @@ constexpr int kRowBytes = 4 * int(sizeof(float));
 class VertexHooks final : public ProgramHooks {
 public:
   /// \param count the vertices, an i64
-  VertexHooks(Code &code, const PreparedVertex &program, Value *data, Value *count)
+  VertexHooks(Code &code, const PreparedVertex &program, const abi::VertexKey &key, Value *data,
+              Value *count)
       : m_code(code), m_ir(code.ir), m_program(program.program()), m_shape(program.shape()),
-        m_count(count), m_parameters(pointer(data, offsetof(abi::VertexData, parameters))),
+        m_key(key), m_data(data), m_count(count),
+        m_parameters(pointer(data, offsetof(abi::VertexData, parameters))),
         m_inputs(pointer(data, offsetof(abi::VertexData, inputs))),
         m_outputs(pointer(data, offsetof(abi::VertexData, outputs))) {}
 
@@ -46,8 +48,25 @@ public:
     return value;
   }
 
-  Vec texture(const ir::Instruction &, const std::array<Vec, 3> &, unsigned) override {
-    return {}; // hasCode()
+  /// A vertex has no neighbours: what asks for no level of detail has 0, before biases and clamps,
+  /// and TXB is TXL (NV_vertex_program3).
+  Vec texture(const ir::Instruction &instruction, const std::array<Vec, 3> &operands,
+              unsigned needed) override {
+    const Vec &operand = operands[0];
+    const bool isGiven = instruction.op == ir::Opcode::Txl || instruction.op == ir::Opcode::Txb;
+    SampleAt at;
+    at.lod = isGiven && operand[3] ? operand[3] : m_code.splat(0.0f); // a rectangle's has no w
+    for (std::size_t c = 0; c < 3; ++c)
+      if (operand[c])
+        at.coordinate[c] = instruction.op == ir::Opcode::Txp
+                               ? m_ir.CreateFDiv(operand[c], operand[3])
+                               : operand[c];
+    at.mask = wanted();
+    if (running())
+      at.mask = m_ir.CreateAnd(at.mask, running());
+    Value *const views = pointer(m_data, offsetof(abi::VertexData, textures));
+    Value *const view = pointer(views, sizeof(void *) * instruction.unit);
+    return sample(m_code, m_key.samplers[instruction.unit], abi::Lanes::Row, view, at, needed).rgba;
   }
   void kill(Value *) override {}
   /// Behind the last vertex anything may lie.
@@ -130,19 +149,21 @@ private:
   llvm::IRBuilder<> &m_ir;
   const ir::Program &m_program;
   const jit::VertexShape &m_shape;
-  Value *m_count, *m_parameters, *m_inputs, *m_outputs;
+  const abi::VertexKey &m_key;
+  Value *m_data, *m_count, *m_parameters, *m_inputs, *m_outputs;
   Value *m_first = nullptr;
 };
 } // namespace
 
-void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program) {
+void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program,
+                 const abi::VertexKey &key) {
   llvm::IRBuilder<> &ir = code.ir;
   auto *const entry = llvm::BasicBlock::Create(code.context(), "entry", function);
   auto *const loop = llvm::BasicBlock::Create(code.context(), "loop", function);
   auto *const end = llvm::BasicBlock::Create(code.context(), "end", function);
   ir.SetInsertPoint(entry);
   Value *const count = ir.CreateZExt(function->getArg(1), ir.getInt64Ty());
-  VertexHooks hooks(code, program, function->getArg(0), count);
+  VertexHooks hooks(code, program, key, function->getArg(0), count);
   ir.CreateCondBr(ir.CreateICmpEQ(count, ir.getInt64(0)), end, loop);
 
   ir.SetInsertPoint(loop);

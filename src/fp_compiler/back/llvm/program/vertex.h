@@ -6,7 +6,9 @@ namespace arbiter::fp::llvm_back {
 
 /// Writes the body of \p function, an abi::VertexFunction that is empty yet. Of an input only the
 /// components that are read are asked for; of an output those that count (ir::resultMask) are
-/// written, with zeros where the program writes none.
-void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program);
+/// written, with zeros where the program writes none. \p key has a sampler for each unit that the
+/// program samples.
+void writeVertex(Code &code, llvm::Function *function, const PreparedVertex &program,
+                 const abi::VertexKey &key);
 
 } // namespace arbiter::fp::llvm_back

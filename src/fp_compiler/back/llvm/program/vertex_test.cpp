@@ -56,7 +56,7 @@ protected:
     ASSERT_NE(prepared, nullptr);
     m_shape = prepared->shape();
     std::string reason;
-    const auto code = engine->compile(*prepared, reason);
+    const auto code = engine->compile(*prepared, abi::VertexKey{}, reason);
     ASSERT_NE(code, nullptr) << reason;
     abi::VertexData data;
     data.parameters = reinterpret_cast<const float(*)[4]>(rows.data());
