@@ -132,7 +132,8 @@ void executeImaging(Context &context, const Command &recorded) {
     at += sizeof upload;
   }
   std::vector<imaging::Rgba> colors((bytes.size() - at) / sizeof(imaging::Rgba));
-  std::memcpy(colors.data(), bytes.data() + at, colors.size() * sizeof(imaging::Rgba));
+  if (!colors.empty()) // commands without an image; an empty vector has no pointer
+    std::memcpy(colors.data(), bytes.data() + at, colors.size() * sizeof(imaging::Rgba));
   if (command.kind == ImagingCommand::Kind::TexImage)
     uploadImage(context, upload, std::move(colors));
   else

@@ -65,7 +65,8 @@ GLint get(const Context &context, GLenum name) {
 /// To memory, or into the pixel buffer.
 bool store(Context &context, const std::vector<std::uint8_t> &bytes, std::size_t first, void *to) {
   if (!context.caps.pixelBuffers || get(context, GL_PIXEL_PACK_BUFFER_BINDING) == 0) {
-    std::memcpy(static_cast<std::uint8_t *>(to) + first, bytes.data(), bytes.size());
+    if (!bytes.empty()) // of an empty table nothing is written, wherever
+      std::memcpy(static_cast<std::uint8_t *>(to) + first, bytes.data(), bytes.size());
     return true;
   }
   const std::size_t at = std::size_t(to) + first;
