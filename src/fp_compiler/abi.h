@@ -373,9 +373,6 @@ struct PrimitiveColumns {
   std::int32_t baseX = 0, baseY = 0; ///< the pixel that is (0, 0) of Pixel
   alignas(64) std::uint32_t rows[kRows][kColumns];
 
-  void setWord(std::size_t offset, int column, std::uint32_t word) {
-    rows[rowOf(offset)][column] = word;
-  }
   /// All of a column.
   void set(int column, const Primitive &primitive) {
     std::uint32_t words[kRows];

@@ -18,15 +18,9 @@ def main():
     # Mesa 22.3.6 reads memory that it freed where a context ends that shared textures, and waits for
     # ever where freed memory holds something else by then: Meson asks for that of its tests.
     bare, wrong, part = sides.compare(args, "rasterizer-default-textures", sides.differences, {"MALLOC_PERTURB_": "0"})
-    drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
-    if args.backend == "swrast" and drawn <= 50 * sum(given.values()):
+    if not sides.mostly_ours(args, part, 50):
         wrong.append("too many draws are the host's")
-    print(f"{args.count} sequences from seed {args.first}, {len(bare)} records; the rasterizer drew "
-          f"{drawn}, the host {given}")
-    for line in wrong[:12]:
-        print(f"     {line}")
-    print(f"{int(not wrong)} passed, {int(bool(wrong))} failed, 0 skipped")
-    return 1 if wrong else 0
+    return sides.conclude(args, "sequences", bare, wrong, part)
 
 
 if __name__ == "__main__":

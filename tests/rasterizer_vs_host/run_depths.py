@@ -46,12 +46,7 @@ def main():
         print("the host gives no window 32 bits")
     if args.backend == "swrast" and (not drawn or given):
         wrong.append("draws of the host's")
-    print(f"{args.count} frames from seed {args.first}, {len(bare)} records; the rasterizer drew "
-          f"{drawn}, the host {given}")
-    for line in wrong[:12]:
-        print(f"     {line}")
-    print(f"{int(not wrong)} passed, {int(bool(wrong))} failed, 0 skipped")
-    return 1 if wrong else 0
+    return sides.conclude(args, "frames", bare, wrong, part)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ def main():
         drawn, given = part.get("drawn", 0), part.get("given_to_host", {})
         if mode == "programs" and (drawn or given):
             wrong.append("the rasterizer is used where no program is")
-        if mode == "always" and args.backend == "swrast" and drawn <= 20 * sum(given.values()):
+        if mode == "always" and not sides.mostly_ours(args, part, 20):
             wrong.append("too many draws are the host's")
         print(f"{'FAIL' if wrong else 'pass'} {mode}: {args.count} scenes from seed {args.first}, {len(bare)} "
               f"records; the rasterizer drew {drawn}, the host {given}")

@@ -177,21 +177,38 @@ def seeded_arguments(doc, count):
     return parser.parse_args()
 
 
-def compare(args, client, judge, extra=None):
-    """(the bare host's records, what judge(bare, layer) finds wrong, the rasterizer's statistics) of a
-    client of tests/rasterizer_vs_host that draws args.count scenes from seed args.first on."""
+def compare(args, client, judge, extra=None, host=None):
+    """(the other side's records, what judge(other, layer) finds wrong, the rasterizer's statistics) of a
+    client of tests/rasterizer_vs_host that draws args.count scenes from seed args.first on. The other side
+    is the bare host, or with `host`, further arguments of the client, the layer whose host draws all."""
     build = args.build.resolve()
     command = [build / "tests/rasterizer_vs_host" / client, args.first, args.count]
     with tempfile.TemporaryDirectory(prefix="arbiter-sides-") as scratch, XServer() as display:
         both = {"DISPLAY": display, "XDG_CACHE_HOME": scratch, **(extra or {})}
         stats = pathlib.Path(scratch) / "stats.json"
         layer = environment(layer_of(build), args.backend, {**both, "ARBITER_STATS": str(stats)})
+        other = environment(extra=both) if host is None else environment(layer_of(build), "host", both)
         try:
-            bare = run(command, environment(extra=both))
+            bare = run([*command, *(host or [])], other)
             wrong = judge(bare, run(command, layer))
         except (Died, subprocess.TimeoutExpired) as death:
             bare, wrong = [], [str(death)]
         return bare, wrong, software_statistics(stats)
+
+
+def conclude(args, what, records, wrong, part):
+    """Says how a comparison of compare() went; 1 where something is wrong."""
+    print(f"{args.count} {what} from seed {args.first}, {len(records)} records; the rasterizer drew "
+          f"{part.get('drawn', 0)}, the host {part.get('given_to_host', {})}")
+    for line in wrong[:12]:
+        print(f"     {line}")
+    print(f"{int(not wrong)} passed, {int(bool(wrong))} failed, 0 skipped")
+    return 1 if wrong else 0
+
+
+def mostly_ours(args, part, least):
+    """Whether the rasterizer, where it must draw, drew more than `least` times what the host did."""
+    return args.backend != "swrast" or part.get("drawn", 0) > least * sum(part.get("given_to_host", {}).values())
 
 
 class Tally:

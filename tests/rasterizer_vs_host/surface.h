@@ -31,6 +31,24 @@ private:
   Window m_window = 0; ///< the last that was made
 };
 
+/// What a client of random scenes does: for each of COUNT seeds from SEED on, its arguments,
+/// `draw(seed, screen, window, option)` in a window of `edge` pixels a side.
+/// \param option what a third argument may be; the last parameter says whether it is there
+template <typename Draw>
+int drawSeeds(int argc, char **argv, int edge, const char *option, Draw draw) {
+  const bool chosen = argc == 4 && option && std::string(argv[3]) == option;
+  if (argc != 3 && !chosen)
+    return 2;
+  Screen screen;
+  if (!screen.open())
+    return 1;
+  const GLXDrawable window = screen.makeWindow(edge, edge);
+  const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
+  for (int seed = first; seed < first + count; ++seed)
+    draw(seed, screen, window, chosen);
+  return 0;
+}
+
 /// Writes `text` as one line and then the bytes to standard output: what run.py reads.
 void record(const std::string &text, const std::vector<unsigned char> &bytes);
 /// The read framebuffer's rectangle as RGBA8.

@@ -22,7 +22,7 @@ std::vector<DepthReplica::Value> DepthReplica::read(GLuint framebuffer) const {
   std::vector<float> depths(count);
   std::vector<GLuint> stencils(count);
   m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, framebuffer);
-  const PlainTransfer plain(m_context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(m_context, PixelStore::Pack);
   m_host.ReadPixels(r.x, r.y, r.width, r.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   if (m_target.hasStencil())
     m_host.ReadPixels(r.x, r.y, r.width, r.height, GL_STENCIL_INDEX, GL_UNSIGNED_INT,

@@ -124,7 +124,7 @@ Result<std::vector<Vec4>, std::string> DrawProbe::draw(const Redraw &redraw, con
     redraw(m_host);
   }
   m_host.BindFramebufferEXT(GL_READ_FRAMEBUFFER, m_target.name());
-  const PlainTransfer plain(m_context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(m_context, PixelStore::Pack);
   const std::size_t pixels = std::size_t(r.width) * std::size_t(r.height);
   for (std::size_t i = 0; i < wish.targets; ++i) {
     m_host.ReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + i));

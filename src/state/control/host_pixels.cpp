@@ -137,7 +137,7 @@ Picture readDrawable(Context &context, const char *&why) {
     return {};
   }
   picture.bytes.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
-  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(context, PixelStore::Pack);
   HostErrorScope errors(*context.host, context.pendingError);
   {
     const WindowRead window(context);
@@ -200,7 +200,7 @@ Picture readTexture(Context &context, const BoundTexture &texture, const char *&
   }
   bringHostUpToDate(context);
   const host::HostTable &host = *context.host;
-  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(context, PixelStore::Pack);
   HostErrorScope errors(host, context.pendingError);
   Picture picture = {texture.width, std::max(texture.height, 1), {}};
   picture.bytes.resize(std::size_t(pixels) * 4);
@@ -232,7 +232,7 @@ bool writeTexture(Context &context, const BoundTexture &texture, const Picture &
   if (context.software) // its pixels are the host's from here on
     context.software->residency.textureRedefined(target.target);
   context.dirty |= software::dirty::kTextureBindings;
-  const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+  const PlainTransfer plain(context, PixelStore::Unpack);
   HostErrorScope errors(host, context.pendingError);
   Picture level = picture;
   for (GLint i = 0;; ++i) {

@@ -6,7 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "state/core/plain_transfer.h"
+#include "state/client_pixels/plain_transfer.h"
 
 /// Pixels of the host's, read and written for clients and for figures in the frame. What state that
 /// needs otherwise than the application left it is put back at the end; no name of the

@@ -80,7 +80,7 @@ void ProbeTarget::image(std::size_t index, int width, int height, GLenum format)
 bool ProbeTarget::attach(std::size_t colors, const Region &region, GLenum depthFormat) {
   m_made = true;
   const int width = region.x + region.width, height = region.y + region.height;
-  const PlainTransfer plain(m_context, PlainTransfer::Way::Unpack);
+  const PlainTransfer plain(m_context, PixelStore::Unpack);
   for (std::size_t i = 0; i < colors; ++i)
     image(i, width, height, GL_RGBA32F);
   if (depthFormat != 0)

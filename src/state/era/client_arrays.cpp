@@ -2,6 +2,7 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/host_integer.h"
 
 namespace arbiter::state {
 
@@ -32,21 +33,15 @@ constexpr Names kTexCoord = {GL_TEXTURE_COORD_ARRAY,         GL_TEXTURE_COORD_AR
                              GL_TEXTURE_COORD_ARRAY_TYPE,    GL_TEXTURE_COORD_ARRAY_STRIDE,
                              GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
 
-GLint integer(const host::HostTable &host, GLenum name) {
-  GLint value = 0;
-  host.GetIntegerv(name, &value);
-  return value;
-}
-
 ClientArray read(const host::HostTable &host, const Names &names) {
   ClientArray array;
   array.enabled = host.IsEnabled(names.enable) == GL_TRUE;
   if (names.size != 0)
-    array.size = integer(host, names.size);
+    array.size = hostInteger(host, names.size);
   if (names.type != 0)
-    array.type = integer(host, names.type);
-  array.stride = integer(host, names.stride);
-  array.buffer = integer(host, names.buffer);
+    array.type = hostInteger(host, names.type);
+  array.stride = hostInteger(host, names.stride);
+  array.buffer = hostInteger(host, names.buffer);
   host.GetPointerv(names.pointer, &array.pointer);
   return array;
 }
@@ -85,7 +80,7 @@ ArrayPoint readPoint(const host::HostTable &host, GLuint index) {
 /// Runs `function(set)` with each coordinate set as the one that is selected.
 template <typename F>
 void eachTexCoord(const host::HostTable &host, std::size_t count, F function) {
-  const GLint selected = integer(host, GL_CLIENT_ACTIVE_TEXTURE);
+  const GLint selected = hostInteger(host, GL_CLIENT_ACTIVE_TEXTURE);
   for (std::size_t set = 0; set < count; ++set) {
     host.ClientActiveTexture(GLenum(GL_TEXTURE0 + set));
     function(set);
@@ -186,13 +181,13 @@ ClientArrays readArrays(const Context &context) {
     arrays.generic[i] = readGeneric(context.caps, host, i);
   for (GLuint i = 0; i < arrays.points.size(); ++i)
     arrays.points[i] = readPoint(host, i);
-  arrays.elementBuffer = integer(host, GL_ELEMENT_ARRAY_BUFFER_BINDING);
+  arrays.elementBuffer = hostInteger(host, GL_ELEMENT_ARRAY_BUFFER_BINDING);
   return arrays;
 }
 
 void writeArrays(const Context &context, const ClientArrays &from, const ClientArrays &to) {
   const host::HostTable &host = *context.host;
-  const GLint bound = integer(host, GL_ARRAY_BUFFER_BINDING);
+  const GLint bound = hostInteger(host, GL_ARRAY_BUFFER_BINDING);
   for (std::size_t i = 0; i < kNames.size(); ++i)
     write(host, int(i), kNames[i].enable, from.conventional[i], to.conventional[i]);
   if (from.texCoords != to.texCoords)

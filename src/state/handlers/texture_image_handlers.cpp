@@ -6,9 +6,9 @@
 
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/plain_transfer.h"
 #include "state/imaging/pixel_commands.h"
 #include "state/lists/list_compiler.h"
 #include "state/lists/texture_commands.h"
@@ -180,7 +180,7 @@ void getSignedBytes(Context &context, GLenum target, GLint level, GLenum type, v
   std::vector<GLfloat> texels(std::size_t(to.width) * std::size_t(to.height) *
                               std::size_t(to.depth) * 4);
   {
-    const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+    const PlainTransfer plain(context, PixelStore::Pack);
     context.host->GetTexImage(target, level, GL_RGBA, GL_FLOAT, texels.data());
   }
   if (pixels || context.caps.pixelBuffers)

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/control/host_pixels.h"
 #include "state/control/tallies.h"
 #include "state/core/context.h"
-#include "state/core/plain_transfer.h"
 #include "state/core/unit_scope.h"
 #include "state/hud/hud_text.h"
 #include "state/mirror/dirty_bits.h"
@@ -104,7 +104,7 @@ bool write(const swrast::Image &image, const Picture &picture) {
 /// The picture as a texture of the layer's.
 void upload(Context &context, const Picture &picture) {
   const host::HostTable &host = *context.host;
-  const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+  const PlainTransfer plain(context, PixelStore::Unpack);
   const UnitScope unit(host, 0);
   const GLint before = get(host, GL_TEXTURE_BINDING_2D);
   host.BindTexture(GL_TEXTURE_2D, kOurTexture);

@@ -2,17 +2,12 @@
 
 #include "host/host_table.h"
 #include "state/core/context.h"
+#include "state/core/host_integer.h"
 #include "state/mirror/dirty_bits.h"
 
 namespace arbiter::state {
 
 namespace {
-
-GLint get(const Context &context, GLenum name) {
-  GLint value = 0;
-  context.host->GetIntegerv(name, &value);
-  return value;
-}
 
 /// The matrix mode of the host that COLOR borrows.
 GLenum borrowed(const Context &context) {
@@ -23,7 +18,8 @@ GLenum borrowed(const Context &context) {
 std::vector<imaging::Matrix> replaceStack(const Context &context,
                                           const std::vector<imaging::Matrix> &to) {
   const host::HostTable &host = *context.host;
-  std::vector<imaging::Matrix> held(std::size_t(get(context, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)));
+  std::vector<imaging::Matrix> held(
+      std::size_t(hostInteger(*context.host, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)));
   for (std::size_t i = held.size(); i-- > 0;) {
     host.GetFloatv(GL_CURRENT_MATRIX_ARB, held[i].data());
     if (i != 0)
@@ -60,7 +56,7 @@ void ColorMatrix::enter(Context &context) {
 void ColorMatrix::leave(Context &context) {
   if (!m_current)
     return;
-  const GLint mode = get(context, GL_MATRIX_MODE);
+  const GLint mode = hostInteger(*context.host, GL_MATRIX_MODE);
   if (GLenum(mode) != borrowed(context))
     context.host->MatrixMode(borrowed(context));
   m_stack = replaceStack(context, m_program);
@@ -71,7 +67,7 @@ void ColorMatrix::leave(Context &context) {
 }
 
 bool ColorMatrix::isCurrent(Context &context) {
-  if (m_current && GLenum(get(context, GL_MATRIX_MODE)) != borrowed(context))
+  if (m_current && GLenum(hostInteger(*context.host, GL_MATRIX_MODE)) != borrowed(context))
     leave(context);
   return m_current;
 }
@@ -94,7 +90,7 @@ imaging::Matrix ColorMatrix::top(Context &context) {
 }
 
 GLint ColorMatrix::depth(Context &context) {
-  return isCurrent(context) ? get(context, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)
+  return isCurrent(context) ? hostInteger(*context.host, GL_CURRENT_MATRIX_STACK_DEPTH_ARB)
                             : GLint(m_stack.size());
 }
 

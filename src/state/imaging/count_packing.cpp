@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "host/host_table.h"
+#include "state/client_pixels/client_image.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/core/host_integer.h"
 #include "state/imaging/pixel_types.h"
 
 namespace arbiter::state {
@@ -56,27 +58,16 @@ void putPacked(const Counts &bin, const std::vector<int> &components, const Pack
   std::memcpy(to, &word, type.bytes); // the least significant bytes
 }
 
-GLint get(const Context &context, GLenum name) {
-  GLint value = 0;
-  context.host->GetIntegerv(name, &value);
-  return value;
-}
-
 /// To memory, or into the pixel buffer.
 bool store(Context &context, const std::vector<std::uint8_t> &bytes, std::size_t first, void *to) {
-  if (!context.caps.pixelBuffers || get(context, GL_PIXEL_PACK_BUFFER_BINDING) == 0) {
+  if (!hasPixelBuffer(context, PixelStore::Pack)) {
     if (!bytes.empty()) // of an empty table nothing is written, wherever
       std::memcpy(static_cast<std::uint8_t *>(to) + first, bytes.data(), bytes.size());
     return true;
   }
   const std::size_t at = std::size_t(to) + first;
-  GLint size = 0, mapped = 0;
-  context.host->GetBufferParameteriv(GL_PIXEL_PACK_BUFFER, GL_BUFFER_SIZE, &size);
-  context.host->GetBufferParameteriv(GL_PIXEL_PACK_BUFFER, GL_BUFFER_MAPPED, &mapped);
-  if (mapped != 0 || at + bytes.size() > std::size_t(size)) {
-    raise(context, GL_INVALID_OPERATION, "GetHistogram: the pixel buffer is too small, or mapped");
+  if (!pixelBufferHolds(context, PixelStore::Pack, at, bytes.size()))
     return false;
-  }
   context.host->BufferSubData(GL_PIXEL_PACK_BUFFER, GLintptr(at), GLsizeiptr(bytes.size()),
                               bytes.data());
   return true;
@@ -116,10 +107,11 @@ bool packCounts(Context &context, const std::vector<Counts> &bins, GLenum format
     for (std::size_t c = 0; !packed && c < components.size(); ++c)
       putComponent(bins[i][std::size_t(components[c])], type, at + c * element);
   }
-  if (get(context, GL_PACK_SWAP_BYTES) != 0)
+  if (hostInteger(*context.host, GL_PACK_SWAP_BYTES) != 0)
     swapBytes(bytes, element);
+  const ImageSize size{.width = bins.size(), .height = 1};
   return bins.empty() ||
-         store(context, bytes, packedLayout(context, bins.size(), 1, element, pixel).first, to);
+         store(context, bytes, layoutOf(context, PixelStore::Pack, size, element, pixel).first, to);
 }
 
 } // namespace arbiter::state

@@ -11,8 +11,6 @@ bool ImagingState::isActive(Context &context) {
          colorMatrix.top(context) != imaging::kIdentity;
 }
 
-ImagingState *imagingOf(Context &context) { return context.imaging.get(); }
-
 int tableOf(GLenum target, bool &proxy) {
   proxy = target >= GL_PROXY_COLOR_TABLE && target <= GL_PROXY_POST_COLOR_MATRIX_COLOR_TABLE;
   const GLenum first = proxy ? GLenum(GL_PROXY_COLOR_TABLE) : GLenum(GL_COLOR_TABLE);

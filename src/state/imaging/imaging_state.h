@@ -33,9 +33,6 @@ struct ImagingState {
   [[nodiscard]] bool isActive(Context &context);
 };
 
-/// Null where the host has ARB_imaging, or none does.
-[[nodiscard]] ImagingState *imagingOf(Context &context);
-
 /// The number of a table's target, of a proxy's with `proxy` set; -1: none.
 [[nodiscard]] int tableOf(GLenum target, bool &proxy);
 /// 0 to 2 for CONVOLUTION_1D, CONVOLUTION_2D and SEPARABLE_2D; -1: none.

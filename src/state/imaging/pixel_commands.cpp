@@ -1,13 +1,10 @@
 #include "state/imaging/pixel_commands.h"
 
-#include <type_traits>
-#include <utility>
-
 #include "host/handlers.h"
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/plain_transfer.h"
 #include "state/imaging/imaging_state.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/context_state.h"
@@ -37,7 +34,7 @@ void draw(Context &context, const char *command, const Pixels &pixels) {
     return;
   GLenum error = GL_NO_ERROR;
   {
-    const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+    const PlainTransfer plain(context, PixelStore::Unpack);
     context.host->DrawPixels(pixels.width, pixels.height, GL_RGBA, GL_FLOAT, pixels.texels.data());
     error = takeHostErrors(*context.host);
   }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "host/host_table.h"
+#include "state/client_pixels/client_image.h"
 #include "state/core/context.h"
 
 namespace arbiter::state {
@@ -25,36 +26,12 @@ constexpr PackedType kPacked[] = {
     {GL_UNSIGNED_INT_2_10_10_10_REV, 4, true, {10, 10, 10, 2}},
 };
 
-GLint get(const Context &context, GLenum name) {
-  GLint value = 0;
-  context.host->GetIntegerv(name, &value);
-  return value;
-}
-
 } // namespace
 
 const PackedType *packedType(GLenum type) {
   const auto *const found = std::find_if(std::begin(kPacked), std::end(kPacked),
                                          [&](const PackedType &p) { return p.type == type; });
   return found == std::end(kPacked) ? nullptr : found;
-}
-
-std::size_t componentBytes(GLenum type) {
-  switch (type) {
-  case GL_BYTE:
-  case GL_UNSIGNED_BYTE:
-    return 1;
-  case GL_SHORT:
-  case GL_UNSIGNED_SHORT:
-  case GL_HALF_FLOAT:
-    return 2;
-  case GL_INT:
-  case GL_UNSIGNED_INT:
-  case GL_FLOAT:
-    return 4;
-  default:
-    return 0;
-  }
 }
 
 std::vector<int> componentsOfQuery(GLenum format) {
@@ -85,22 +62,6 @@ std::vector<int> componentsOfQuery(GLenum format) {
   }
 }
 
-PackedLayout packedLayout(const Context &context, std::size_t width, std::size_t height,
-                          std::size_t element, std::size_t pixel) {
-  const auto length = std::size_t(get(context, GL_PACK_ROW_LENGTH));
-  const auto alignment = std::size_t(std::max(get(context, GL_PACK_ALIGNMENT), 1));
-  PackedLayout layout;
-  layout.row = pixel * (length != 0 ? length : width);
-  if (element < alignment)
-    layout.row = (layout.row + alignment - 1) / alignment * alignment;
-  layout.first = std::size_t(get(context, GL_PACK_SKIP_ROWS)) * layout.row +
-                 std::size_t(get(context, GL_PACK_SKIP_PIXELS)) * pixel;
-  layout.end = layout.first;
-  if (width != 0 && height != 0)
-    layout.end += (height - 1) * layout.row + width * pixel;
-  return layout;
-}
-
 bool fits(const Context &context, GLsizei bytes, GLsizei width, GLsizei height, GLenum format,
           GLenum type) {
   const std::size_t components = componentsOfQuery(format).size();
@@ -109,7 +70,8 @@ bool fits(const Context &context, GLsizei bytes, GLsizei width, GLsizei height, 
   if (components == 0 || element == 0 || width <= 0 || height <= 0)
     return true;
   const std::size_t pixel = packed ? element : element * components;
-  return packedLayout(context, std::size_t(width), std::size_t(height), element, pixel).end <=
+  const ImageSize size{.width = std::size_t(width), .height = std::size_t(height)};
+  return layoutOf(context, PixelStore::Pack, size, element, pixel).end <=
          std::size_t(std::max(bytes, 0));
 }
 

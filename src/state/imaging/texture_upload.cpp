@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/plain_transfer.h"
 #include "state/imaging/imaging_state.h"
 #include "state/imaging/pixel_commands.h"
 #include "state/programs/texture_changes.h"
@@ -82,7 +82,7 @@ void give(Context &context, const ImageUpload &to, const void *pixels) {
   }
   GLenum error = GL_NO_ERROR;
   {
-    const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+    const PlainTransfer plain(context, PixelStore::Unpack);
     (to.replaces != 0 ? replace : define)(*context.host, to, pixels);
     error = takeHostErrors(*context.host);
   }
@@ -119,13 +119,6 @@ bool isHostsFormat(GLenum format) {
   }
 }
 
-bool bindsBuffer(const Context &context) {
-  GLint buffer = 0;
-  if (context.caps.pixelBuffers)
-    context.host->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer);
-  return buffer != 0;
-}
-
 } // namespace
 
 void uploadImage(Context &context, const ImageUpload &upload, std::vector<imaging::Rgba> colors) {
@@ -152,7 +145,8 @@ bool imagedTexImage(Context &context, ImageUpload upload, GLenum format, GLenum 
   if (context.insideBeginEnd || !isColorFormat(format) ||
       (records ? isProxy(upload.target) : !context.imaging->isActive(context)))
     return false;
-  const bool given = !isProxy(upload.target) && (pixels || bindsBuffer(context));
+  const bool given =
+      !isProxy(upload.target) && (pixels || hasPixelBuffer(context, PixelStore::Unpack));
   upload.hasPixels = given && upload.width > 0 && upload.height > 0 && upload.depth > 0 ? 1 : 0;
   upload.indices = format == GL_COLOR_INDEX ? 1 : 0;
   const auto image = unpackPixels(context,

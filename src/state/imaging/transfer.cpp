@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/plain_transfer.h"
+#include "state/core/host_integer.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
 
@@ -17,18 +18,12 @@ namespace {
 /// not have the memory for them.
 constexpr std::size_t kMostPixels = std::size_t(1) << 26;
 
-GLint get(const Context &context, GLenum name) {
-  GLint value = 0;
-  context.host->GetIntegerv(name, &value);
-  return value;
-}
-
 /// A texture of the layer's own, bound to the active unit as long as this lives.
 class Scratch {
 public:
   Scratch(const Context &context, bool deep)
       : m_host(*context.host), m_target(deep ? GL_TEXTURE_3D : GL_TEXTURE_2D),
-        m_bound(get(context, deep ? GL_TEXTURE_BINDING_3D : GL_TEXTURE_BINDING_2D)) {
+        m_bound(hostInteger(*context.host, deep ? GL_TEXTURE_BINDING_3D : GL_TEXTURE_BINDING_2D)) {
     m_host.GenTextures(1, &m_name);
     m_host.BindTexture(m_target, m_name);
   }
@@ -71,7 +66,7 @@ template <typename F> void atOnce(Context &context, F function) {
 template <typename F> bool succeeds(Context &context, const char *command, F function) {
   GLenum error = GL_NO_ERROR;
   {
-    const PlainTransfer arithmetic(context, PlainTransfer::Way::AsStored);
+    const PlainArithmetic arithmetic(context);
     function();
     error = takeHostErrors(*context.host);
   }
@@ -89,7 +84,7 @@ std::optional<imaging::Pixels> unpack(Context &context, const ImageInMemory &ima
   if (!given)
     return {};
   result.texels.resize(result.count());
-  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(context, PixelStore::Pack);
   if (result.count() != 0)
     scratch.take(GL_RGBA, GL_FLOAT, result.texels.data());
   return result;
@@ -98,7 +93,7 @@ std::optional<imaging::Pixels> unpack(Context &context, const ImageInMemory &ima
 bool pack(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum type, void *to) {
   const Scratch scratch(context, false);
   {
-    const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+    const PlainTransfer plain(context, PixelStore::Unpack);
     scratch.give({.width = pixels.width, .height = pixels.height}, pixels.texels.data());
   }
   return succeeds(context, "an image's format or type", [&] { scratch.take(format, type, to); });
@@ -108,7 +103,7 @@ bool pack(Context &context, const imaging::Pixels &pixels, GLenum format, GLenum
 GLenum read(Context &context, GLint x, GLint y, imaging::Pixels &to) {
   if (context.software)
     context.software->residency.synchronise("pixels that are read for imaging");
-  const PlainTransfer plain(context, PlainTransfer::Way::Pack);
+  const PlainTransfer plain(context, PixelStore::Pack);
   context.host->ReadPixels(x, y, to.width, to.height, GL_RGBA, GL_FLOAT, to.texels.data());
   return takeHostErrors(*context.host);
 }
@@ -184,17 +179,20 @@ imaging::FirstArithmetic firstArithmetic(const Context &context) {
     host.GetFloatv(kScales[c], &first.scaleBias.scale[c]);
     host.GetFloatv(kBiases[c], &first.scaleBias.bias[c]);
   }
-  first.maps = get(context, GL_MAP_COLOR) != 0;
-  for (GLenum c = 0; first.maps && c < 4; ++c) {
-    // Into a buffer object they would go, were one bound.
-    first.map[c].resize(std::size_t(std::max(get(context, GL_PIXEL_MAP_R_TO_R_SIZE + c), 0)));
-    const GLint buffer = context.caps.pixelBuffers ? get(context, GL_PIXEL_PACK_BUFFER_BINDING) : 0;
-    if (buffer != 0)
-      host.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  first.maps = hostInteger(host, GL_MAP_COLOR) != 0;
+  if (!first.maps)
+    return first;
+  for (GLenum c = 0; c < 4; ++c)
+    first.map[c].resize(std::size_t(std::max(hostInteger(host, GL_PIXEL_MAP_R_TO_R_SIZE + c), 0)));
+  // Into a buffer object they would go, were one bound.
+  const GLint buffer =
+      context.caps.pixelBuffers ? hostInteger(host, GL_PIXEL_PACK_BUFFER_BINDING) : 0;
+  if (buffer != 0)
+    host.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  for (GLenum c = 0; c < 4; ++c)
     host.GetPixelMapfv(GL_PIXEL_MAP_R_TO_R + c, first.map[c].data());
-    if (buffer != 0)
-      host.BindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(buffer));
-  }
+  if (buffer != 0)
+    host.BindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(buffer));
   return first;
 }
 

@@ -22,19 +22,11 @@ constexpr int kLeastPackedLanes = 8;
 
 abi::ShadeFunction Pipeline::functionFor(abi::Lanes lanes, Fallback &why) {
   m_key.lanes = lanes;
-  FragmentFunctions::Slot *slot = nullptr;
-  for (const Recent &recent : m_program->recent)
-    if (recent.slot && std::memcmp(&recent.key, &m_key, sizeof m_key) == 0)
-      slot = recent.slot;
-  if (!slot) {
-    slot = &m_program->functions->slot(m_key, m_wait);
-    m_program->recent[m_program->nextRecent++ % m_program->recent.size()] = {m_key, slot};
-  }
-  const abi::ShadeFunction function = slot->function.load(std::memory_order_acquire);
-  if (!function)
-    why = slot->progress.load(std::memory_order_acquire) == Progress::Failed ? Fallback::NotCompiled
-                                                                             : Fallback::Compiling;
-  return function;
+  const FragmentFunctions::Slot &slot =
+      m_program->recent.slot(*m_program->functions, m_key, m_wait);
+  if (const Outcome outcome = outcomeOf(slot); !outcome.ok())
+    why = outcome.reason();
+  return slot.function.load(std::memory_order_acquire);
 }
 
 Outcome Pipeline::chooseFunctions(const Mirror &mirror, bool affine) {

@@ -101,19 +101,12 @@ private:
   void takeClears();
   void describeUse();
 
-  /// A function that was asked for before, so that a draw that repeats takes no lock.
-  struct Recent {
-    abi::FragmentKey key;
-    FragmentFunctions::Slot *slot = nullptr;
-  };
-
   /// A fragment program that was drawn with, and what its draws need beside its code.
   struct Program {
     std::shared_ptr<const fp::ir::Program> source;
     std::shared_ptr<FragmentFunctions> functions;
     std::unique_ptr<ProgramValues> values; ///< null until it is prepared
-    std::array<Recent, 8> recent{};
-    std::size_t nextRecent = 0;
+    RecentFunctions<FragmentFunctions, abi::FragmentKey> recent;
   };
 
   swrast::Topology m_topology = swrast::Topology::Triangles;

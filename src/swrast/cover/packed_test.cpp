@@ -61,6 +61,7 @@ bool testReference(const DepthTest &test, const abi::FragmentData &data,
 
 DepthTest g_test; ///< of the draw under way: shading functions are given no more than their data
 bool g_quads = false;
+int g_lanes = 16; ///< of the function of packed pixels
 
 void testedBlocks(const abi::FragmentData *data, const abi::Primitive *primitive, const void *items,
                   std::uint32_t count) {
@@ -77,11 +78,13 @@ std::uint32_t g_several = 0; ///< calls whose first vector has pixels of several
 
 void packedPixels(const abi::FragmentData *data, const abi::PrimitiveColumns *primitives,
                   const abi::Pixel *pixels, std::uint32_t count) {
-  if (count % 16 != 0)
+  if (count % unsigned(g_lanes) != 0)
     __builtin_trap();
-  g_several += pixels[0].column != pixels[15].column ? 1 : 0;
+  g_several += pixels[0].column != pixels[g_lanes - 1].column ? 1 : 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const abi::Pixel &pixel = pixels[i], &first = pixels[i & ~3u];
+    if (pixel.column >= g_lanes)
+      __builtin_trap(); // where no lane would find it
     // Padding may follow the last quad in any number.
     const bool padding =
         (first.isHelper & (&first)[1].isHelper & (&first)[2].isHelper & (&first)[3].isHelper) != 0;
@@ -105,6 +108,7 @@ struct Picture {
 struct Case {
   DepthTest test;
   bool replaces = false, quads = false, stippled = false;
+  int lanes = 16;
   Rect clip;
   std::vector<float> x, y, z;
 };
@@ -115,6 +119,7 @@ Picture drawn(const Case &what, bool packed) {
   static const std::vector<std::uint8_t> stipple(128, 0xB6);
   g_test = what.test;
   g_quads = what.quads;
+  g_lanes = what.lanes;
   Canvas canvas(kWidth, kHeight);
   std::mt19937 random(7);
   std::vector<std::uint32_t> depth(std::size_t(kWidth * kHeight));
@@ -132,6 +137,7 @@ Picture drawn(const Case &what, bool packed) {
   canvas.shading.quad = testedBlocks;
   if (packed) {
     canvas.shading.packed = packedPixels;
+    canvas.shading.lanes = what.lanes;
     canvas.shading.depth = what.test;
     canvas.shading.packsQuads = what.quads;
     canvas.shading.replaces = what.replaces;
@@ -153,6 +159,7 @@ Case randomCase(std::mt19937 &random, int round) {
   what.test = {kLayouts[random() % 4], abi::Compare(random() % 8), random() % 4 != 0};
   what.replaces = random() % 2 != 0;
   what.quads = random() % 2 != 0;
+  what.lanes = round % 2 ? 8 : 16;
   what.stippled = random() % 8 == 0;
   what.clip = random() % 3 ? Rect{0, 0, kWidth, kHeight} : Rect{13, 6, 101, 77};
   const int triangles = round % 5 == 0 ? 2000 : 150;

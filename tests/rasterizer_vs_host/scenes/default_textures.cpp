@@ -198,14 +198,9 @@ private:
 } // namespace software
 
 int main(int argc, char **argv) {
-  if (argc != 3)
-    return 2;
-  software::Screen screen;
-  if (!screen.open())
-    return 1;
-  const GLXDrawable window = screen.makeWindow(software::kEdge, software::kEdge);
-  const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  for (int seed = first; seed < first + count; ++seed)
-    software::Sequence(std::uint64_t(seed), screen, window).run("seed " + std::to_string(seed));
-  return 0;
+  using namespace software;
+  return drawSeeds(
+      argc, argv, kEdge, nullptr, [](int seed, software::Screen &screen, GLXDrawable window, bool) {
+        Sequence(std::uint64_t(seed), screen, window).run("seed " + std::to_string(seed));
+      });
 }

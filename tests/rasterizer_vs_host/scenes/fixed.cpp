@@ -266,15 +266,10 @@ private:
 } // namespace software
 
 int main(int argc, char **argv) {
-  const bool each = argc == 4 && std::string(argv[3]) == "each";
-  if (argc != 3 && !each)
-    return 2;
-  software::Screen screen;
-  if (!screen.open())
-    return 1;
-  const GLXDrawable window = screen.makeWindow(software::kEdge, software::kEdge);
-  const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  for (int seed = first; seed < first + count; ++seed)
-    software::Scene(std::uint64_t(seed), screen, window).run("seed " + std::to_string(seed), each);
-  return 0;
+  using namespace software;
+  return drawSeeds(
+      argc, argv, kEdge, "each",
+      [](int seed, software::Screen &screen, GLXDrawable window, bool each) {
+        Scene(std::uint64_t(seed), screen, window).run("seed " + std::to_string(seed), each);
+      });
 }

@@ -335,16 +335,10 @@ private:
 } // namespace software
 
 int main(int argc, char **argv) {
-  const bool finishes = argc == 4 && std::string(argv[3]) == "finish";
-  if (argc != 3 && !finishes)
-    return 2;
-  software::Screen screen;
-  if (!screen.open())
-    return 1;
-  const GLXDrawable window = screen.makeWindow(software::kEdge, software::kEdge);
-  const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
-  for (int seed = first; seed < first + count; ++seed)
-    software::Sequence(std::uint64_t(seed), finishes, screen, window)
-        .run("seed " + std::to_string(seed));
-  return 0;
+  using namespace software;
+  return drawSeeds(
+      argc, argv, kEdge, "finish",
+      [](int seed, software::Screen &screen, GLXDrawable window, bool finishes) {
+        Sequence(std::uint64_t(seed), finishes, screen, window).run("seed " + std::to_string(seed));
+      });
 }

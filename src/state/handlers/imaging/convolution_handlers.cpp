@@ -45,6 +45,17 @@ bool isTarget(Context &context, GLenum target, GLenum only) {
   return false;
 }
 
+void issueFilter(Context &context, GLenum target, GLenum internalformat, GLsizei width,
+                 GLsizei height, const std::vector<imaging::Rgba> &colors) {
+  issueImaging(context,
+               {.kind = Kind::Filter,
+                .target = target,
+                .pname = internalformat,
+                .width = width,
+                .height = height},
+               colors);
+}
+
 void copyFilter(Context &context, GLenum target, GLenum only, const ImagingCommand &command) {
   if (!isOutside(context) || !isTarget(context, target, only))
     return;
@@ -139,9 +150,7 @@ void ConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat,
   if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_1D) &&
       read(context, {.dimensions = 1, .width = width, .format = format, .type = type}, image,
            colors))
-    issueImaging(context,
-                 {.kind = Kind::Filter, .target = target, .pname = internalformat, .width = width},
-                 colors);
+    issueFilter(context, target, internalformat, width, ImagingCommand{}.height, colors);
 }
 
 void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
@@ -153,13 +162,7 @@ void ConvolutionFilter2D(Context &context, GLenum target, GLenum internalformat,
   if (isOutside(context) && isTarget(context, target, GL_CONVOLUTION_2D) &&
       read(context, {.width = width, .height = height, .format = format, .type = type}, image,
            colors))
-    issueImaging(context,
-                 {.kind = Kind::Filter,
-                  .target = target,
-                  .pname = internalformat,
-                  .width = width,
-                  .height = height},
-                 colors);
+    issueFilter(context, target, internalformat, width, height, colors);
 }
 
 void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, GLsizei width,
@@ -176,13 +179,7 @@ void SeparableFilter2D(Context &context, GLenum target, GLenum internalformat, G
       read(context,
            {.dimensions = 1, .width = inRange ? height : 0, .format = format, .type = type}, column,
            colors))
-    issueImaging(context,
-                 {.kind = Kind::Filter,
-                  .target = target,
-                  .pname = internalformat,
-                  .width = width,
-                  .height = height},
-                 colors);
+    issueFilter(context, target, internalformat, width, height, colors);
 }
 
 void CopyConvolutionFilter1D(Context &context, GLenum target, GLenum internalformat, GLint x,

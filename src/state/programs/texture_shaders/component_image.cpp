@@ -6,9 +6,9 @@
 #include <type_traits>
 
 #include "host/host_table.h"
+#include "state/client_pixels/plain_transfer.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
-#include "state/core/plain_transfer.h"
 #include "state/core/texture_binding.h"
 #include "state/programs/program_bind.h"
 #include "state/programs/texture_changes.h"
@@ -124,7 +124,7 @@ void replace(const host::HostTable &host, const ComponentImage &image, GLenum fo
 /// To the host as floats; \returns its error.
 GLenum upload(Context &context, const ComponentImage &image, const ComponentFormat &format,
               const std::vector<GLfloat> &pixels) {
-  const PlainTransfer plain(context, PlainTransfer::Way::Unpack);
+  const PlainTransfer plain(context, PixelStore::Unpack);
   const void *const data = image.hasPixels != 0 ? pixels.data() : nullptr;
   const GLenum external = hostFormatOf(format);
   if (image.replaces != 0)

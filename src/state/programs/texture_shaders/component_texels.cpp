@@ -8,70 +8,32 @@
 #include <limits>
 
 #include "host/host_table.h"
+#include "state/client_pixels/client_image.h"
 #include "state/core/context.h"
 #include "state/core/errors.h"
+#include "state/core/host_integer.h"
 #include "state/programs/texture_shaders/component_formats.h"
 
 namespace arbiter::state {
 
 namespace {
 
-GLint get(const Context &context, GLenum name) {
-  GLint value = 0;
-  context.host->GetIntegerv(name, &value);
-  return value;
-}
+/// Of a component, or of a texel of a packed type; 0 for what is no type.
+std::size_t bytesOf(GLenum type) { return isSignedPacked(type) ? 4 : componentBytes(type); }
 
-std::size_t bytesOf(GLenum type) {
-  switch (type) {
-  case GL_BYTE:
-  case GL_UNSIGNED_BYTE:
-    return 1;
-  case GL_SHORT:
-  case GL_UNSIGNED_SHORT:
-  case GL_HALF_FLOAT:
-    return 2;
-  case GL_INT:
-  case GL_UNSIGNED_INT:
-  case GL_FLOAT:
-  case GL_UNSIGNED_INT_S8_S8_8_8_NV:
-  case GL_UNSIGNED_INT_8_8_S8_S8_REV_NV:
-    return 4;
-  default:
-    return 0;
-  }
-}
-
-/// Where texels lie in memory (3.6.4, Unpacking).
-struct Layout {
-  std::size_t element, texel, row, image, first, end;
+/// Where texels lie in memory.
+struct Layout : ImageLayout {
+  std::size_t element = 0, texel = 0;
 };
 
-Layout layoutOf(const Context &context, const ComponentPixels &pixels, bool pack) {
-  const auto store = [&](GLenum packName, GLenum unpackName) {
-    return std::size_t(std::max(get(context, pack ? packName : unpackName), 0));
-  };
-  const std::size_t alignment = store(GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT);
-  const std::size_t length = store(GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH);
-  const bool deep = pixels.dimensions == 3;
-  const std::size_t rows =
-      deep ? store(GL_PACK_IMAGE_HEIGHT, GL_UNPACK_IMAGE_HEIGHT) : std::size_t(0);
-  const std::size_t images =
-      deep ? store(GL_PACK_SKIP_IMAGES, GL_UNPACK_SKIP_IMAGES) : std::size_t(0);
-  const auto width = std::size_t(pixels.width), height = std::size_t(pixels.height);
-  Layout layout{};
+Layout layoutOf(const Context &context, const ComponentPixels &pixels, PixelStore store) {
+  Layout layout;
   layout.element = bytesOf(pixels.type);
   layout.texel =
       layout.element * (isSignedPacked(pixels.type) ? 1 : std::size_t(pixels.components));
-  layout.row = layout.texel * (length != 0 ? length : width);
-  if (layout.element < alignment)
-    layout.row = (layout.row + alignment - 1) / alignment * alignment;
-  layout.image = layout.row * (rows != 0 ? rows : height);
-  layout.first = images * layout.image +
-                 store(GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_ROWS) * layout.row +
-                 store(GL_PACK_SKIP_PIXELS, GL_UNPACK_SKIP_PIXELS) * layout.texel;
-  layout.end = layout.first + (std::size_t(pixels.depth) - 1) * layout.image +
-               (height - 1) * layout.row + width * layout.texel;
+  const ImageSize size{pixels.dimensions, std::size_t(pixels.width), std::size_t(pixels.height),
+                       std::size_t(pixels.depth)};
+  static_cast<ImageLayout &>(layout) = layoutOf(context, store, size, layout.element, layout.texel);
   return layout;
 }
 
@@ -139,17 +101,6 @@ std::uint32_t word(const GLfloat *from, GLenum type) {
   return result;
 }
 
-/// A pixel buffer that holds so many bytes from an offset on; an error else.
-bool bufferHolds(Context &context, GLenum target, std::size_t offset, std::size_t bytes) {
-  GLint size = 0, mapped = 0;
-  context.host->GetBufferParameteriv(target, GL_BUFFER_SIZE, &size);
-  context.host->GetBufferParameteriv(target, GL_BUFFER_MAPPED, &mapped);
-  if (mapped == 0 && offset + bytes <= std::size_t(size))
-    return true;
-  raise(context, GL_INVALID_OPERATION, "pixels reach out of the pixel buffer, or it is mapped");
-  return false;
-}
-
 template <typename Visit>
 void forEachTexel(const ComponentPixels &pixels, const Layout &layout, Visit visit) {
   std::size_t index = 0;
@@ -186,19 +137,19 @@ GLenum componentTypeError(GLenum format, GLenum type) {
 
 bool unpackComponents(Context &context, const ComponentPixels &pixels, const void *from,
                       std::vector<GLfloat> &to) {
-  const Layout layout = layoutOf(context, pixels, false);
+  const Layout layout = layoutOf(context, pixels, PixelStore::Unpack);
   const auto *bytes = static_cast<const std::uint8_t *>(from);
   std::vector<std::uint8_t> buffer;
-  if (context.caps.pixelBuffers && get(context, GL_PIXEL_UNPACK_BUFFER_BINDING) != 0) {
+  if (hasPixelBuffer(context, PixelStore::Unpack)) {
     const auto offset = std::size_t(from);
-    if (!bufferHolds(context, GL_PIXEL_UNPACK_BUFFER, offset, layout.end))
+    if (!pixelBufferHolds(context, PixelStore::Unpack, offset, layout.end))
       return false;
     buffer.resize(layout.end);
     context.host->GetBufferSubData(GL_PIXEL_UNPACK_BUFFER, GLintptr(offset), GLsizeiptr(layout.end),
                                    buffer.data());
     bytes = buffer.data();
   }
-  const bool swaps = get(context, GL_UNPACK_SWAP_BYTES) != 0;
+  const bool swaps = hostInteger(*context.host, GL_UNPACK_SWAP_BYTES) != 0;
   const auto count = std::size_t(pixels.components);
   to.resize(std::size_t(pixels.width) * std::size_t(pixels.height) * std::size_t(pixels.depth) *
             count);
@@ -214,11 +165,10 @@ bool unpackComponents(Context &context, const ComponentPixels &pixels, const voi
 
 bool packSignedBytes(Context &context, const ComponentPixels &pixels,
                      const std::vector<GLfloat> &from, void *to) {
-  const Layout layout = layoutOf(context, pixels, true);
-  const bool swaps = get(context, GL_PACK_SWAP_BYTES) != 0;
-  const bool buffered =
-      context.caps.pixelBuffers && get(context, GL_PIXEL_PACK_BUFFER_BINDING) != 0;
-  if (buffered && !bufferHolds(context, GL_PIXEL_PACK_BUFFER, std::size_t(to), layout.end))
+  const Layout layout = layoutOf(context, pixels, PixelStore::Pack);
+  const bool swaps = hostInteger(*context.host, GL_PACK_SWAP_BYTES) != 0;
+  const bool buffered = hasPixelBuffer(context, PixelStore::Pack);
+  if (buffered && !pixelBufferHolds(context, PixelStore::Pack, std::size_t(to), layout.end))
     return false;
   forEachTexel(pixels, layout, [&](std::size_t index, std::size_t at) {
     std::uint32_t value = word(&from[index * 4], pixels.type);

@@ -1,12 +1,15 @@
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 
 #include "fp_compiler/abi.h"
 #include "fp_compiler/jit.h"
+#include "state/raster_draw/outcome.h"
 
 /// The process's machine code: the engine, made when first wanted, and the functions by program and
 /// key. What is missing is compiled on a thread of its own, which the draw waits for a while; if it
@@ -56,6 +59,37 @@ private:
   std::mutex m_mutex;
   std::unordered_map<Key, std::unique_ptr<Slot>, Hash> m_slots;
 };
+
+/// Functions of one program that were asked for before, so that a draw that repeats takes no lock.
+template <typename Functions, typename Key> class RecentFunctions {
+public:
+  using Slot = typename Functions::Slot;
+  /// As Functions::slot().
+  Slot &slot(Functions &functions, const Key &key, Wait wait) {
+    for (const Recent &recent : m_recent)
+      if (recent.slot && std::memcmp(&recent.key, &key, sizeof key) == 0)
+        return *recent.slot;
+    Slot &found = functions.slot(key, wait);
+    m_recent[m_next++ % m_recent.size()] = {key, &found};
+    return found;
+  }
+
+private:
+  struct Recent {
+    Key key;
+    Slot *slot = nullptr;
+  };
+  std::array<Recent, 8> m_recent{};
+  std::size_t m_next = 0;
+};
+
+/// What a draw has of a place: the function, or why it is the host's.
+template <typename Function> Outcome outcomeOf(const FunctionSlot<Function> &slot) {
+  if (slot.function.load(std::memory_order_acquire))
+    return {};
+  return slot.progress.load(std::memory_order_acquire) == Progress::Failed ? Fallback::NotCompiled
+                                                                           : Fallback::Compiling;
+}
 
 /// The functions of one fragment program in one mode. Contexts share it; it lives as long as
 /// someone holds it, functions as long as it.

@@ -114,12 +114,10 @@ Outcome VertexStage::bindTextures(Context &context, Mirror &mirror, Wait wait) {
       !outcome.ok())
     return outcome;
   m_units.fill(m_textures);
-  const VertexFunctions::Slot &slot = m_program->functions->slot(key, wait);
+  const VertexFunctions::Slot &slot = m_program->recent.slot(*m_program->functions, key, wait);
+  const Outcome outcome = outcomeOf(slot);
   m_function = slot.function.load(std::memory_order_acquire);
-  if (m_function)
-    return {};
-  return slot.progress.load(std::memory_order_acquire) == Progress::Failed ? Fallback::NotCompiled
-                                                                           : Fallback::Compiling;
+  return outcome;
 }
 
 void VertexStage::findUnwritten(const Context &context) {

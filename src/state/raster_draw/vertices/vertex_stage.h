@@ -52,6 +52,7 @@ private:
     std::shared_ptr<const fp::ir::Program> source;
     std::shared_ptr<VertexFunctions> functions;
     std::unique_ptr<ProgramValues> values;
+    RecentFunctions<VertexFunctions, abi::VertexKey> recent; ///< of one that samples
   };
   void take(Context &context, const std::shared_ptr<const fp::ir::Program> &source, Wait wait);
   void connect(float *const *outputs);
