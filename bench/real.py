@@ -42,7 +42,7 @@ def parse(argv):
     parser.add_argument("--layer", type=pathlib.Path,
                         help="by default BUILD/src/interposer/libGLX_arbiter.so.0")
     parser.add_argument("--backend", default="auto", choices=("auto", "swrast", "host"))
-    parser.add_argument("--fixed-function", choices=("programs", "always"),
+    parser.add_argument("--fixed-function", choices=("always", "programs"),
                         help="whose draws without a program are (default: as the layer has it)")
     parser.add_argument("--turns", type=int, default=3, help="of each side (default: %(default)s)")
     parser.add_argument("--seconds", type=float, default=1.5,

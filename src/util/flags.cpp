@@ -158,10 +158,10 @@ void readBackend(Reader &reader, Settings &result) {
 
 void readFixedFunction(Reader &reader, Settings &result) {
   const std::string_view value = reader.read(Env::FixedFunction);
-  if (value == "always")
-    result.alwaysFixedFunction = true;
-  else if (!value.empty() && value != "programs")
-    reader.warn(Env::FixedFunction, "expected programs or always, not " + quoted(value));
+  if (value == "programs")
+    result.alwaysFixedFunction = false;
+  else if (!value.empty() && value != "always")
+    reader.warn(Env::FixedFunction, "expected always or programs, not " + quoted(value));
 }
 
 void readCpu(Reader &reader, Settings &result) {

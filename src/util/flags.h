@@ -47,7 +47,7 @@ struct Settings {
   bool identityOfProfile = false;
   std::string numerics; ///< "host", "legacy", "fp24" (fp_compiler/numerics.h); empty: the profile's
   Backend backend = Backend::Auto;
-  bool alwaysFixedFunction = false; ///< ARBITER_FIXED_FUNCTION=always
+  bool alwaysFixedFunction = true; ///< false: ARBITER_FIXED_FUNCTION=programs
   std::uint32_t threads = 0;        ///< of the rasterizer; 0: one a processor
   std::string cpu;                  ///< "avx512", "avx2", "sse4.1"; empty: this one
   bool cache = true;                ///< of programs, on disk

@@ -116,12 +116,12 @@ TEST(Settings, TheIdentityIsTheHostsOrTheProfiles) {
   EXPECT_EQ(bad.warnings[0], "ARBITER_IDENTITY: expected host or profile, not \"r300\"; ignored");
 }
 
-TEST(Settings, FixedFunctionIsProgramsOrAlways) {
-  EXPECT_FALSE(parse({}).settings.alwaysFixedFunction);
+TEST(Settings, FixedFunctionIsAlwaysOrPrograms) {
+  EXPECT_TRUE(parse({}).settings.alwaysFixedFunction);
   EXPECT_FALSE(parse({{"ARBITER_FIXED_FUNCTION", "programs"}}).settings.alwaysFixedFunction);
   EXPECT_TRUE(parse({{"ARBITER_FIXED_FUNCTION", "always"}}).settings.alwaysFixedFunction);
   const auto bad = parse({{"ARBITER_FIXED_FUNCTION", "never"}});
-  EXPECT_FALSE(bad.settings.alwaysFixedFunction);
+  EXPECT_TRUE(bad.settings.alwaysFixedFunction);
   EXPECT_EQ(bad.warnings.size(), 1u);
 }
 

@@ -86,8 +86,8 @@ def arguments():
     parser.add_argument("--set", choices=("quick", "named", "full"), default="named")
     parser.add_argument("--profiles", default="host,r300,r300:report,nv40,swrast",
                         help="names, each with :report for ARBITER_LIMITS=report; swrast and auto "
-                             "are the profile host with that ARBITER_BACKEND, swrast-fixed and "
-                             "auto-fixed also with ARBITER_FIXED_FUNCTION=always")
+                             "are the profile host with that ARBITER_BACKEND, swrast-programs and "
+                             "auto-programs also with ARBITER_FIXED_FUNCTION=programs")
     parser.add_argument("--platform", default="glx",
                         choices=("glx", "x11_egl", "surfaceless_egl", "mixed_glx_egl"))
     parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1))

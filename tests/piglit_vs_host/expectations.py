@@ -46,8 +46,8 @@ def parse(text, where):
 
 
 def load(profile):
-    """What is expected of a configuration; auto-fixed and swrast-fixed are held to what auto and swrast are."""
-    name = profile.removesuffix("-fixed").replace(":", "-")
+    """What is expected of a configuration; auto-programs and swrast-programs are held to what auto and swrast are."""
+    name = profile.removesuffix("-programs").replace(":", "-")
     path = pathlib.Path(__file__).parent / "expectations" / (name + ".txt")
     return parse(path.read_text(), path.name)
 

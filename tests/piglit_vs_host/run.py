@@ -15,9 +15,9 @@ FOREIGN = ("ARBITER_", "__GLX_", "__EGL_", "MESA_", "GALLIUM_", "LIBGL_", "LD_PR
 
 # Who draws (ARBITER_BACKEND), by configuration: with the profile `host`, the host alone and
 # Arbiter's own rasterizer wherever it can; with all others, the default back end.
-BACKENDS = {"host": "host", "swrast": "swrast", "swrast-fixed": "swrast"}
-# Back ends by name, with the profile `host`; -fixed: with ARBITER_FIXED_FUNCTION=always.
-BY_BACKEND = ("swrast", "auto", "swrast-fixed", "auto-fixed")
+BACKENDS = {"host": "host", "swrast": "swrast", "swrast-programs": "swrast"}
+# Back ends by name, with the profile `host`; -programs: with ARBITER_FIXED_FUNCTION=programs.
+BY_BACKEND = ("swrast", "auto", "swrast-programs", "auto-programs")
 
 
 def environment(layer=None, profile=None, extra=None):
@@ -31,8 +31,8 @@ def environment(layer=None, profile=None, extra=None):
         name, _, limits = profile.partition(":")
         env["ARBITER_PROFILE"] = "host" if name in BY_BACKEND else name
         env["ARBITER_BACKEND"] = BACKENDS.get(name, "auto")
-        if name.endswith("-fixed"):
-            env["ARBITER_FIXED_FUNCTION"] = "always"
+        if name.endswith("-programs"):
+            env["ARBITER_FIXED_FUNCTION"] = "programs"
         if limits:
             env["ARBITER_LIMITS"] = limits
     env.update(extra or {})

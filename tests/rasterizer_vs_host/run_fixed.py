@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Fixed function without any program: random scenes on the bare host and under the layer, whose rasterizer
-draws them (ARBITER_FIXED_FUNCTION=always); with the default it must not draw one.
+draws them; with ARBITER_FIXED_FUNCTION=programs it must not draw one.
 
   run_fixed.py --build build [--first SEED] [--count N] [--backend auto]
 

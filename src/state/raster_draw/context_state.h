@@ -88,8 +88,8 @@ struct ContextState {
 };
 
 /// Makes Context::software where it is to be, once: when a fragment program first becomes
-/// effective, or under ARBITER_FIXED_FUNCTION=always at the first draw of fixed function. Until
-/// then the rasterizer costs nothing.
+/// effective, or, unless ARBITER_FIXED_FUNCTION is programs, at the first draw of fixed function.
+/// Until then the rasterizer costs nothing.
 void engage(Context &context);
 /// Lists that are compiled now keep their primitives for the rasterizer: it is used here, or will
 /// be where a fragment program of the layer's becomes effective, and programs are made already.

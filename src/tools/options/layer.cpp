@@ -20,9 +20,9 @@ void addLayer(Verb &verb, LayerArguments &layer) {
               "who draws with programs: auto; the host; swrast, Arbiter's own rasterizer")
       .oneOf({"auto", "host", "swrast"});
   verb.option("--fixed-function", layer.fixedFunction,
-              "whose draws without a program are: the rasterizer's once a program has been drawn, "
-              "or always")
-      .oneOf({"programs", "always"});
+              "whose draws without a program are: always the rasterizer's, or only once a program "
+              "has been drawn")
+      .oneOf({"always", "programs"});
   verb.option("--extensions-max-year", layer.extensionsMaxYear,
               "announce no extension of a later year")
       .range(1992, 9999);

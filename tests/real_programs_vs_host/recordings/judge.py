@@ -123,7 +123,7 @@ def _unproved(recording: Recording, way: Way, summary: dict) -> list[str]:
     """Why the statistics do not show that the layer drew, and with the recording's programs."""
     if recording.refused is None:
         return []
-    idle = way.rasterizes and not recording.least_programs and not summary["draws_rasterizer"]
+    idle = way.mode.backend == "swrast" and not recording.least_programs and not summary["draws_rasterizer"]
     return (["the rasterizer drew nothing"] if idle else []) + \
         evidence.problems(summary, recording.least_programs, recording.refused)
 

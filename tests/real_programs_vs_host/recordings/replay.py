@@ -28,7 +28,7 @@ class Way:
 
     mode: session.Mode
     cold: bool = False  # begins with empty caches; otherwise with what earlier ways left
-    rasterizes: bool = False  # all that it can, programs or not
+    programs_alone: bool = False  # fixed function is the host's where no program is
     late: bool = False  # machine code is late, as on a busy machine: the host draws meanwhile
 
     @property
@@ -51,14 +51,14 @@ class Run:
 def ways(library: Path) -> list[Way]:
     """The back ends, with caches cold and warm, and with machine code that is late; the default
     profile, whose limits are reported only, as a recording holds no answer to a refusal that it did
-    not meet; and fixed function drawn by the rasterizer in contexts without programs too."""
+    not meet; and fixed function drawn by the host in contexts without programs."""
     def mode(name: str, backend: str, profile: str = "host") -> session.Mode:
         return session.Mode(name, library, profile, backend)
 
     return [Way(mode("auto-late", "auto"), cold=True, late=True),
             Way(mode("auto-cold", "auto"), cold=True), Way(mode("auto-warm", "auto")),
             Way(mode("swrast", "swrast")), Way(mode("host", "host")),
-            Way(mode("r300", "auto", "r300")), Way(mode("fixed", "auto"), rasterizes=True)]
+            Way(mode("r300", "auto", "r300")), Way(mode("programs", "auto"), programs_alone=True)]
 
 
 def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: float,
@@ -76,8 +76,8 @@ def replay(recording: Recording, calls: str, way: Way, folder: Path, timeout: fl
         environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **_FILLED,
                        **recording.environment, **way.mode.environment(folder), "DISPLAY": server.display,
                        "XDG_CACHE_HOME": str(cache)}
-        if way.rasterizes:
-            environment["ARBITER_FIXED_FUNCTION"] = "always"
+        if way.programs_alone:
+            environment["ARBITER_FIXED_FUNCTION"] = "programs"
         if way.late:
             environment["ARBITER_DEBUG"] = "late-code"
         if recording.over_limits or way.mode.profile == "r300":
