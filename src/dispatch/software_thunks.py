@@ -3,6 +3,7 @@ import re
 import sys
 
 from gl_commands import HEADING
+from thunks import draws_held
 
 SLOTS = {"Vertex": "kPosition", "Color": "kColor", "SecondaryColor": "kSecondary",
          "Normal": "kNormal", "TexCoord": "kTexCoord0", "FogCoord": "kFogCoord"}
@@ -45,36 +46,43 @@ def recorded(command):
         return (f"{lead} - GL_TEXTURE0 < 8u",
                 f"hot->recorder->set(kTexCoord0 + int({lead} - GL_TEXTURE0), {values})")
     if what == "VertexAttrib":
-        return f"{lead} < 16u", f"generic(*hot->recorder, {lead}, {values})"
+        # Outside of Begin and End attribute 0 is a value like others, and makes no vertex.
+        return f"{lead} < 16u && ({lead} != 0 || !hot->held)", f"generic(*hot->recorder, {lead}, {values})"
     return "true", f"hot->recorder->set({SLOTS[what]}, {values})"
 
 
-def call(table, command):
-    """The host's function called, and the function of its own for the first call."""
+def call(table, command, host="hot->host"):
+    """The function of `host` called, and the function of its own for the first call."""
     give = "" if command.result == "void" else "return "
     if command.name in table.members:
-        return "", f"  {give}hot->host->{command.name}({command.arguments()});\n"
+        return "", f"  {give}{host}->{command.name}({command.arguments()});\n"
     symbol = "gl" + command.name
     pointer = f"{command.result} (*)({command.types()})"
+    index = table.lazy.index(command.name)
     first = (f"[[gnu::cold, gnu::noinline]] static {command.result} first_{symbol}"
-             f"({command.declare()}) {{\n"
-             f"  const host::LazyCall call(*t_current->host, {table.lazy.index(command.name)});\n"
+             f"({command.declare()}) {{\n  ContextHot *const hot = t_current;\n"
+             f"  const host::LazyCall call(*{host}, {index});\n"
              f"  if (call.function())\n    {give}reinterpret_cast<{pointer}>(call.function())"
              f"({command.arguments()});\n"
              + ("" if command.result == "void" else "  return {};\n") + "}\n")
-    body = (f"  if (void *const found = host::lazyFunction(*hot->host, {table.lazy.index(command.name)})) "
+    body = (f"  if (void *const found = host::lazyFunction(*{host}, {index})) "
             f"[[likely]]\n    return reinterpret_cast<{pointer}>(found)({command.arguments()});\n"
             f"  {give}first_{symbol}({command.arguments()});\n")
     return first, body
 
 
 def thunk(table, command, way):
-    first, body = call(table, command)
+    """(functions of its own, body) of the entry point."""
+    first, body = call(table, command, *(["answeringHost(*hot)"] if way == "current" else []))
+    held, look = draws_held(command, "gl" + command.name)
     lines = "  ContextHot *const hot = t_current;\n"
     if way == "record":
         condition, statement = recorded(command)
-        condition = "" if condition == "true" else f" && {condition}"
-        lines += f"  if (hot->recorder{condition})\n    return {statement};\n"
+        if condition == "true":
+            held = look = ""  # while a primitive is held there is a recorder
+        guard = "" if condition == "true" else f" && {condition}"
+        lines += f"  if (hot->recorder{guard})\n    return {statement};\n"
+    lines += look
     if SPLITS.fullmatch(command.name):
         lines += "  const software::PrimitiveSplit split(*hot);\n"
     bits = "dirty::kAll" if way == "unknown" else table.bits_of(command.name)
@@ -85,7 +93,7 @@ def thunk(table, command, way):
     if before:
         lines += (f"  if ({before[0]}) [[unlikely]]\n"
                   f"    software::{before[1]}(here(), \"gl{command.name}\");\n")
-    return first, lines + body
+    return first, held, lines + body
 
 
 def source(table):
@@ -99,6 +107,7 @@ def source(table):
 #include "host/lazy_functions.h"
 #include "host/host_table.h"
 #include "state/raster_draw/commands.h"
+#include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/split.h"
 #include "state/mirror/dirty_bits.h"
 
@@ -121,9 +130,9 @@ namespace {
     for name in leads(table):
         command, way = table.commands[name], table.software[name]
         root, *aliases = table.entry_names(name)
-        first, body = thunk(table, command, way)
+        first, held, body = thunk(table, command, way)
         signature = f"{command.result} arbiter_{root}({command.declare()})"
-        out.append(f'// {way}\n{first}ARBITER_ENTRY {signature} __asm__("{root}");\n'
+        out.append(f'// {way}\n{first}ARBITER_ENTRY {signature} __asm__("{root}");\n{held}'
                    f"{signature} {{\n{body}}}\n")
         for alias in aliases:
             out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "

@@ -139,6 +139,23 @@ def thunks(table, command, action, symbol):
     return aside, lead + f"  if ({flag}) [[unlikely]] {turn}{count}{dirty}  {call}\n"
 
 
+# What opens a primitive, and what ends it: these know of one that is held.
+PRIMITIVE = ("Begin", "End")
+
+
+def draws_held(command, symbol):
+    """A function that draws the primitive that is held (state/raster_draw/immediate/held.h) and then is
+    the command, and the line of the entry point that calls it: apart, so that the way without it saves
+    no registers."""
+    if command.name in PRIMITIVE:
+        return "", ""
+    result, arguments = command.result, command.arguments()
+    give = "" if result == "void" else "return "
+    aside = (f"[[gnu::cold, gnu::noinline]] static {result} held_{symbol}({command.declare()}) {{\n"
+             f"  software::drawHeld(*t_current);\n  {give}arbiter_{symbol}({arguments});\n}}\n")
+    return aside, f"  if (t_current->held) [[unlikely]]\n    return held_{symbol}({arguments});\n"
+
+
 def entry_points_source(table):
     out = [HEADING, '#include "dispatch/entry_points.h"\n\n#include <algorithm>\n'
            '#include <cstring>\n#include <exception>\n#include <iterator>\n\n'
@@ -147,7 +164,8 @@ def entry_points_source(table):
            '#include "state/core/context.h"\n#include "state/core/memory.h"\n'
            '#include "state/core/straight.h"\n#include "state/imaging/pixel_commands.h"\n'
            '#include "state/raster_draw/commands.h"\n'
-           '#include "state/mirror/dirty_bits.h"\n\n#define ARBITER_ENTRY '
+           '#include "state/mirror/dirty_bits.h"\n'
+           '#include "state/raster_draw/immediate/held.h"\n\n#define ARBITER_ENTRY '
            'extern "C" __attribute__((visibility("default")))\n\n'
            "using arbiter::state::Context;\nusing arbiter::state::ContextHot;\n"
            "using arbiter::state::t_current;\nnamespace software = arbiter::state::software;\n"
@@ -159,10 +177,11 @@ def entry_points_source(table):
         command = table.commands[name]
         root, *aliases = table.entry_names(name)
         aside, body = thunks(table, command, action, root)
+        held, look = draws_held(command, root)
         out.append(f"// {action}\n{aside}ARBITER_ENTRY {command.result} arbiter_{root}({command.declare()}) "
-                   f'__asm__("{root}");\n')
+                   f'__asm__("{root}");\n{held}')
         out.append(f"{command.result} arbiter_{root}({command.declare()}) {{\n"
-                   f"{body}}}\n")
+                   f"{look}{body}}}\n")
         for alias in aliases:
             out.append(f"ARBITER_ENTRY {command.result} arbiter_{alias}({command.declare()}) "
                        f'__asm__("{alias}") __attribute__((alias("{root}")));\n')

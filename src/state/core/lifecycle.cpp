@@ -32,6 +32,7 @@
 #include "state/programs/texture_shaders/texture_shader_state.h"
 #include "state/raster_draw/context_state.h"
 #include "state/raster_draw/frame.h"
+#include "state/raster_draw/immediate/held.h"
 #include "state/report/capture.h"
 #include "state/report/statistics.h"
 #include "state/share/garbage.h"
@@ -194,6 +195,12 @@ void release(Context *context) {
   delete context;
 }
 
+/// What the window system is to see: the primitive that waits for more (held.h), too.
+void drawHeldOf(Context *context) {
+  if (context && context->held)
+    software::drawHeld(*context);
+}
+
 } // namespace
 
 Context *createContext(Provider provider, const host::HostTable *table, Context *share) {
@@ -214,6 +221,7 @@ Context *createContext(Provider provider, const host::HostTable *table, Context 
 
 void leaveCurrent() {
   Context *const context = currentContext();
+  drawHeldOf(context);
   if (context)
     withinMemory(*context, "MakeCurrent", [&] {
       if (context->software)
@@ -223,6 +231,7 @@ void leaveCurrent() {
 
 bool exchange(Exchange what, const char *name) {
   Context *const context = currentContext();
+  drawHeldOf(context);
   if (!context || !context->softwarePossible || context->insideBeginEnd || context->listMode != 0)
     return false;
   bool isShown = false;
@@ -301,6 +310,8 @@ void destroyContext(Context *context) {
 }
 
 void copyContext(const Context &from, Context &to, std::uint32_t mask) {
+  if (&from == currentContext())
+    drawHeldOf(currentContext());
   noteFixedFunctionChange(to);
   to.dirty = software::dirty::kAll;
   if ((mask & (GL_ENABLE_BIT | GL_TRANSFORM_BIT)) != 0)

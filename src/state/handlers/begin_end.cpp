@@ -8,6 +8,7 @@
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/commands.h"
 #include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/held.h"
 #include "state/raster_draw/immediate/list_arrays.h"
 #include "state/raster_draw/immediate/primitive.h"
 #include "state/raster_draw/immediate/replay.h"
@@ -31,6 +32,8 @@ bool defer(Context &context, GLenum mode) {
 namespace handlers {
 
 void Begin(Context &context, GLenum mode) {
+  if (context.held && software::reopenHeld(context, mode))
+    return;
   const ImmediateInputs inputs(context);
   if (context.mapsNamed) [[unlikely]]
     beginEvaluation(context);
@@ -53,6 +56,10 @@ void Begin(Context &context, GLenum mode) {
 }
 
 void End(Context &context) {
+  if (context.held) [[unlikely]] // an error
+    software::drawHeld(context);
+  if (context.recorder && context.listMode == 0 && software::holdPrimitive(context))
+    return;
   const ImmediateInputs inputs(context);
   if (context.listMode != 0 && context.list->recordsPrimitive())
     return context.list->endPrimitive(context);

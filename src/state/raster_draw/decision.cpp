@@ -88,12 +88,12 @@ bool waitsForCode(Context &context, const Outcome &outcome) {
   return true;
 }
 
-void noteDrawn(Context &context) {
+void noteDrawn(Context &context, std::uint32_t draws) {
   ContextState &state = *context.software;
-  ++state.drawn;
+  state.drawn += draws;
   state.depthsTested = state.depthsTested || pipelineOf(context).testsDepth();
   state.drawsPlain = state.drawsPlain && !context.linkedProgram;
-  ++context.draws[std::size_t(Path::Rasterizer)];
+  context.draws[std::size_t(Path::Rasterizer)] += draws;
 }
 
 void giveToHost(Context &context, Fallback reason) {

@@ -53,7 +53,7 @@ template <typename Attempt> Outcome outcomeOf(Context &context, Attempt attempt)
 /// \return whether it is drawn
 bool conclude(Context &context, const Outcome &outcome);
 /// The two halves of conclude(), for a primitive that is open for longer than one call.
-void noteDrawn(Context &context);
+void noteDrawn(Context &context, std::uint32_t draws = 1);
 void giveToHost(Context &context, Fallback reason);
 
 /// The context's; made at the first draw that is looked at. Requires: Context::software.

@@ -54,13 +54,22 @@ bool drawOpen(void *owner, const float position[4]) {
   recorder.forget(part.kept, part.done);
   recorder.limit(kMostOpen, drawOpen, &context);
   if (!state.openParts && !recorder.failed())
-    noteDrawn(context);
+    noteDrawn(context, state.held + 1);
+  state.held = 0;
   state.openParts = true;
   startRecording(context);
   return !recorder.failed();
 }
 
 } // namespace
+
+void limitOpen(Context &context) {
+  ImmediateRecorder &recorder = context.software->recorder;
+  if (opensInParts(context, pipelineOf(context)))
+    recorder.limit(kMostAtOnce, drawOpen, &context);
+  else
+    recorder.unlimit();
+}
 
 bool beginPrimitive(Context &context, GLenum mode) {
   const Outcome outcome = outcomeOf(context, [&] { return decide(context, mode, 0); });
@@ -71,18 +80,24 @@ bool beginPrimitive(Context &context, GLenum mode) {
   ContextState &state = *context.software;
   state.recorder.begin(mode, state.mirror.current);
   state.openParts = false;
-  if (opensInParts(context, pipelineOf(context)))
-    state.recorder.limit(kMostAtOnce, drawOpen, &context);
+  state.held = 0;
+  limitOpen(context);
   return true;
 }
 
-void endPrimitive(Context &context) {
+namespace {
+
+/// `primitives` that follow one another, of which some may have waited since their End.
+void drawRecorded(Context &context, std::uint32_t primitives, bool haveWaited) {
   ContextState &state = *context.software;
   const VertexSource source = state.recorder.end();
   const std::uint32_t count = state.recorder.count();
+  state.held = 0;
   Outcome outcome;
   if (state.recorder.failed())
     outcome = Fallback::Memory;
+  else if (haveWaited && !state.residency.syncWithNeighbours())
+    outcome = Fallback::Shared;
   else if (count != 0)
     try {
       outcome = outcomeOf(context, [&] {
@@ -102,7 +117,16 @@ void endPrimitive(Context &context) {
   }
   setCurrentValues(context, state.recorder.values(), state.recorder.touched());
   if (!state.openParts)
-    noteDrawn(context);
+    noteDrawn(context, primitives);
 }
+
+} // namespace
+
+void endPrimitive(Context &context) {
+  const std::uint32_t held = context.software->held;
+  drawRecorded(context, held + 1, held != 0);
+}
+
+void endHeld(Context &context) { drawRecorded(context, context.software->held, true); }
 
 } // namespace arbiter::state::software

@@ -13,7 +13,12 @@ namespace arbiter::state::software {
 /// host draw it after all. False: the host draws, and has been brought up to date. Requires:
 /// isCandidate() (decision.h), a legal mode.
 [[nodiscard]] bool beginPrimitive(Context &context, GLenum mode);
-/// Raises OUT_OF_MEMORY where the primitive's vertices found no memory.
+/// The open primitive may be of as many vertices as its draw allows.
+void limitOpen(Context &context);
+/// Draws what is recorded, with the primitives that were held before it (held.h). Raises
+/// OUT_OF_MEMORY where vertices found no memory.
 void endPrimitive(Context &context);
+/// The same of those alone, as no other follows.
+void endHeld(Context &context);
 
 } // namespace arbiter::state::software

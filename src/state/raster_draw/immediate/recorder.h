@@ -21,6 +21,7 @@ public:
   using Full = bool (*)(void *owner, const float position[4]);
   /// From now on no more than `most` vertices are kept.
   void limit(std::uint32_t most, Full full, void *owner);
+  void unlimit() { limit(kNoLimit, nullptr, nullptr); }
   /// Leaves out vertices [first, first + count). The others are numbered anew.
   void forget(std::uint32_t first, std::uint32_t count);
   /// No more is recorded, and failed().

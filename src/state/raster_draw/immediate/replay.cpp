@@ -8,6 +8,7 @@
 #include "state/host_draw/draw.h"
 #include "state/lists/list_compiler.h"
 #include "state/raster_draw/context_state.h"
+#include "state/raster_draw/immediate/held.h"
 
 namespace arbiter::state::software {
 
@@ -50,6 +51,10 @@ const host::HostTable *flushToHost() {
   auto &context = static_cast<Context &>(*t_current);
   if (context.host != &kRecordingHost)
     return context.host; // the caller kept the table of a moment ago
+  if (context.held) {
+    drawHeld(context);
+    return context.host;
+  }
   if (context.listMode != 0) {
     context.list->giveHost(context);
     return context.host;

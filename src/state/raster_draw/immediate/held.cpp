@@ -1,0 +1,69 @@
+#include "state/raster_draw/immediate/held.h"
+
+#include "state/core/context.h"
+#include "state/core/memory.h"
+#include "state/host_draw/native_inputs.h"
+#include "state/mirror/dirty_bits.h"
+#include "state/raster_draw/context_state.h"
+#include "state/raster_draw/decision.h"
+#include "state/raster_draw/immediate/geometry.h"
+#include "state/raster_draw/immediate/primitive.h"
+#include "state/raster_draw/immediate/replay.h"
+
+namespace arbiter::state::software {
+
+namespace {
+
+/// A vertex outside of Begin and End: the host's, which makes nothing of it.
+bool vertexOutside(void *owner, const float position[4]) {
+  auto &context = *static_cast<Context *>(owner);
+  drawHeld(context);
+  context.dirty |= dirty::kCurrent;
+  setAttribute(*context.host, kPosition, position);
+  return false;
+}
+
+} // namespace
+
+bool holdPrimitive(Context &context) {
+  ContextState &state = *context.software;
+  ImmediateRecorder &recorder = state.recorder;
+  if (context.recorder != &recorder || state.openParts || recorder.failed())
+    return false;
+  const std::uint32_t size = independentVertices(recorder.mode());
+  const std::uint32_t count = recorder.count();
+  if (size == 0 || count == 0 || count > kMostHeld || count % size != 0)
+    return false;
+  recorder.limit(count, vertexOutside, &context);
+  ++state.held;
+  context.held = true;
+  context.insideBeginEnd = false;
+  return true;
+}
+
+bool reopenHeld(Context &context, GLenum mode) {
+  ContextState &state = *context.software;
+  if (mode != state.recorder.mode()) {
+    drawHeld(context);
+    return false;
+  }
+  context.held = false;
+  context.insideBeginEnd = true;
+  limitOpen(context);
+  return true;
+}
+
+void drawHeld(ContextHot &hot) {
+  auto &context = static_cast<Context &>(hot);
+  const ImmediateInputs inputs(context);
+  context.held = false;
+  stopRecording(context);
+  withinMemory(context, "End", [&] { endHeld(context); });
+}
+
+const host::HostTable *answeringHost(ContextHot &hot) {
+  const bool standsIn = hot.listMode != 0 && hot.host == &kRecordingHost;
+  return standsIn ? static_cast<Context &>(hot).trueHost : hot.host;
+}
+
+} // namespace arbiter::state::software
