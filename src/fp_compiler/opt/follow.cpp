@@ -18,8 +18,8 @@ using ir::Select;
 
 namespace {
 constexpr std::uint8_t kX = 1, kAll = 0xF;
-/// What a program may become: where constants alone decide, and where values do, which a loop may
-/// leave early and this code does not.
+/// What the loops of a program may become: where constants alone decide, and where values do, which
+/// a loop may leave early and this code does not.
 constexpr std::size_t kMostDecided = 1024, kMostSelected = 192;
 /// Labels of rounds that do nothing are gone by then; more is a loop to keep.
 constexpr std::size_t kMostSteps = 8192;
@@ -56,8 +56,8 @@ public:
     bool done = true;
     std::size_t steps = 0;
     for (std::size_t at = 0; done && at < m_program.code.size(); ++steps)
-      done = steps < kMostSteps && step(at) &&
-             m_made.size() <= (m_selected ? kMostSelected : kMostDecided);
+      done = steps < m_outside + kMostSteps && step(at) &&
+             m_made.size() <= m_outside + (m_selected ? kMostSelected : kMostDecided);
     if (!done) {
       m_program.temporaries.resize(registers);
       return false;
@@ -88,6 +88,7 @@ private:
     for (std::size_t at = 0; at < m_program.code.size(); ++at) {
       if (m_program.code[at].op == Opcode::Rep)
         open.push_back(at);
+      m_outside += open.empty() ? 1 : 0;
       if (m_program.code[at].op != Opcode::Endrep)
         continue;
       m_ends[open.back()] = at;
@@ -309,6 +310,7 @@ private:
 
   ir::Program &m_program;
   const Numerics m_numerics;
+  std::size_t m_outside = 0; ///< instructions that stand in no loop
   bool m_kills = false;
   bool m_selected = false;                   ///< a BRK was met that constants do not decide
   std::map<std::size_t, std::size_t> m_ends; ///< by REP: its ENDREP

@@ -194,7 +194,8 @@ private:
 
   void texture() {
     const std::string at = m_options.wild ? attribute() : operand(false);
-    const int number = m_options.vertex ? m_random.below(m_options.vertexUnits) : 0;
+    const bool chooses = m_options.vertex && m_options.vertexUnits > 1;
+    const int number = chooses ? m_random.below(m_options.vertexUnits) : 0;
     const std::string unit = ", texture[" + std::to_string(number) + "], " +
                              ir::targetText(kUnitTargets[std::size_t(number)]) + ";";
     const int kind = m_random.below(5);
