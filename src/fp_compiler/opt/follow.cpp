@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "fp_compiler/ir/reads.h"
 #include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/opt/known.h"
 #include "fp_compiler/opt/opt.h"
 #include "fp_compiler/opt/values.h"
 
@@ -42,16 +42,14 @@ Operand firstOf(std::uint16_t index) {
 class Follower {
 public:
   Follower(ir::Program &program, Numerics numerics)
-      : m_program(program), m_numerics(ir::numericsOf(program.language, numerics)),
-        m_known(program.temporaries.size()) {
-    for (auto &components : m_known)
-      components.fill(0.0f);
+      : m_program(program), m_rows(program),
+        m_known(program, ir::numericsOf(program.language, numerics)) {
     for (const Instruction &instruction : program.code)
       m_kills |= instruction.op == Opcode::Kil;
   }
 
   bool run() {
-    const std::size_t registers = m_program.temporaries.size();
+    const std::size_t registers = m_program.temporaries.size(), rows = m_program.parameters.size();
     findEnds();
     bool done = true;
     std::size_t steps = 0;
@@ -60,6 +58,7 @@ public:
              m_made.size() <= m_outside + (m_selected ? kMostSelected : kMostDecided);
     if (!done) {
       m_program.temporaries.resize(registers);
+      m_program.parameters.resize(rows);
       return false;
     }
     m_program.code = std::move(m_made);
@@ -67,7 +66,6 @@ public:
   }
 
 private:
-  using Known = std::array<std::optional<float>, 4>;
   struct Aside {
     std::uint16_t index = 0;
     std::uint8_t mask = 0;
@@ -124,7 +122,7 @@ private:
   }
 
   bool begin(const Instruction &instruction, std::size_t &at) {
-    const std::optional<float> count = valueOf(instruction.src[0], 0);
+    const std::optional<float> count = m_known.at(instruction.src[0], 0);
     if (!count)
       return false;
     const std::uint64_t times = ir::iterations(*count);
@@ -139,7 +137,7 @@ private:
   }
 
   bool leaves(const Instruction &instruction, std::size_t &at) {
-    const std::optional<float> value = valueOf(instruction.src[0], 0);
+    const std::optional<float> value = m_known.at(instruction.src[0], 0);
     if (value) {
       if (*value == 0.0f)
         ++at;
@@ -239,7 +237,7 @@ private:
 
   std::uint16_t fresh() {
     m_program.temporaries.emplace_back();
-    m_known.emplace_back().fill(0.0f);
+    m_known.addTemporary();
     return std::uint16_t(m_program.temporaries.size() - 1);
   }
 
@@ -257,64 +255,50 @@ private:
     note(instruction);
   }
 
-  std::optional<float> valueOf(const Operand &operand, int position) const {
-    const Select select = operand.swizzle[std::size_t(position)];
-    if (operand.file != File::Temporary || select > Select::W)
-      return constantAt(m_program, operand, position, m_numerics);
-    const std::optional<float> value = m_known[operand.index][std::size_t(select)];
-    return value && (operand.negate >> position & 1) ? -*value : value;
-  }
-
   /// What is known of the result.
   void note(const Instruction &instruction) {
     if (!ir::info(instruction.op).hasDestination() || instruction.dst.file != File::Temporary)
       return;
-    Known result = {};
-    for (int i = 0; i < 4; ++i)
-      if (instruction.dst.mask >> i & 1)
-        result[std::size_t(i)] = resultAt(instruction, i);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (instruction.dst.mask >> i & 1)
-        m_known[instruction.dst.index][i] = result[i];
+    const KnownValues::Components result = m_known.results(instruction);
+    shorten(m_made.back(), result);
+    m_known.set(instruction.dst, result);
   }
 
-  std::optional<float> resultAt(Instruction instruction, int component) const {
-    const ir::OpInfo &row = ir::info(instruction.op);
-    const bool packs = int(instruction.op) >= ir::kOpcodeCount && ir::carriesBits(instruction.op);
-    if (row.has(ir::Texture) || packs || instruction.op == Opcode::Ddx ||
-        instruction.op == Opcode::Ddy)
-      return {};
-    if (instruction.op == Opcode::Cmp && !instruction.dst.saturate) {
-      const std::optional<float> chooses = valueOf(instruction.src[0], component);
-      if (!chooses)
-        return {};
-      return valueOf(instruction.src[*chooses < 0.0f ? 1 : 2], component);
-    }
-    instruction.dst.mask = std::uint8_t(1 << component);
-    ir::Operands operands = {};
-    for (int s = 0; s < row.operandCount(); ++s) {
-      const std::uint8_t reads = ir::operandMask(instruction, s);
-      for (int i = 0; i < 4; ++i) {
-        if (!(reads >> i & 1))
-          continue;
-        const std::optional<float> value = valueOf(instruction.src[std::size_t(s)], i);
-        if (!value)
-          return {};
-        operands[std::size_t(s)][std::size_t(i)] = *value;
+  /// What is known is a constant, and a choice that is made is a copy: else the passes behind would
+  /// find it link by link.
+  void shorten(Instruction &made, const KnownValues::Components &result) {
+    const std::uint8_t mask = made.dst.mask;
+    ir::Vec4 value = {};
+    std::uint8_t known = 0, first = 0, second = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (!(mask >> i & 1))
+        continue;
+      const auto bit = std::uint8_t(1 << i);
+      if (const auto &each = result[std::size_t(i)]; each && std::isfinite(*each)) {
+        value[std::size_t(i)] = *each;
+        known |= bit;
       }
+      if (made.op == Opcode::Cmp && !made.dst.saturate)
+        if (const std::optional<float> chooses = m_known.at(made.src[0], i))
+          (*chooses < 0.0f ? first : second) |= bit;
     }
-    const float value =
-        ir::apply(instruction.op, operands, m_numerics, m_program.language)[std::size_t(component)];
-    return instruction.dst.saturate ? ir::saturated(value) : value;
+    if (known == mask && m_rows.hasRoom())
+      made.src = {m_rows.operand(value, made.span), {}, {}};
+    else if (first == mask || second == mask)
+      made.src = {made.src[first == mask ? 1 : 2], {}, {}};
+    else
+      return;
+    made.op = Opcode::Mov;
+    made.dst.saturate = false;
   }
 
   ir::Program &m_program;
-  const Numerics m_numerics;
+  ConstantRows m_rows;
   std::size_t m_outside = 0; ///< instructions that stand in no loop
   bool m_kills = false;
   bool m_selected = false;                   ///< a BRK was met that constants do not decide
   std::map<std::size_t, std::size_t> m_ends; ///< by REP: its ENDREP
-  std::vector<Known> m_known;                ///< by temporary
+  KnownValues m_known;
   std::vector<Loop> m_loops;
   std::vector<Scope> m_scopes;
   std::vector<Instruction> m_made;
