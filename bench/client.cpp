@@ -2,6 +2,8 @@
 // process with the layer and one without can take turns.
 //   rows                    -> ["name", ...]
 //   sample COUNT SEED NAME  -> [nanoseconds, ...]
+//   differ PAIR             -> the part of the pixels that a pair of nv_texts.h draws otherwise
+#include "nv_rows.h"
 #include "rows.h"
 
 #include "common/surface.h"
@@ -17,6 +19,7 @@ std::vector<bench::Row> allRows() {
   rows.insert(rows.end(), bench::drawRows().begin(), bench::drawRows().end());
   rows.insert(rows.end(), bench::loadRows().begin(), bench::loadRows().end());
   rows.insert(rows.end(), bench::fillRows().begin(), bench::fillRows().end());
+  rows.insert(rows.end(), bench::nvRows().begin(), bench::nvRows().end());
   return rows;
 }
 
@@ -61,10 +64,12 @@ int main() {
     if (order == "rows") {
       const char *comma = "[";
       for (const bench::Row &row : rows) {
-        std::printf("%s\"%s\"", comma, std::string(row.name).c_str());
+        std::printf("%s\"%s\"", comma, row.name.c_str());
         comma = ", ";
       }
       std::printf("]\n");
+    } else if (order.starts_with("differ ")) {
+      std::printf("%.6f\n", bench::nvDifference(order.substr(7)));
     } else if (!answerSample(rows, order)) {
       std::fprintf(stderr, "unknown order: %s\n", order.c_str());
       return 1;

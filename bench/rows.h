@@ -1,6 +1,6 @@
 #pragma once
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bench {
@@ -8,8 +8,8 @@ namespace bench {
 /// One thing to measure. A sample repeats it \p count times and gives nanoseconds: their average,
 /// or one time for each of \p count programs, the first of them number \p seed.
 struct Row {
-  std::string_view name;
-  std::vector<double> (*sample)(int count, unsigned seed);
+  std::string name;
+  std::function<std::vector<double>(int count, unsigned seed)> sample;
 };
 
 [[nodiscard]] const std::vector<Row> &callRows();

@@ -151,9 +151,12 @@ Subject vertexSubject(std::uint64_t seed) {
 namespace {
 Subject nvProgram(std::uint64_t seed, bool vertex, bool peer = false) {
   const NvOption option = seed % 2 == 0 ? NvOption::First : NvOption::Second;
-  return subjectOf(
-      vertex ? Language::ArbVertex : Language::ArbFragment,
-      fp::testing::randomNvProgram(seed, {.vertex = vertex, .option = option, .peer = peer}));
+  return subjectOf(vertex ? Language::ArbVertex : Language::ArbFragment,
+                   fp::testing::randomNvProgram(
+                       seed, {.vertex = vertex,
+                              .option = option,
+                              .vertexUnits = peer ? 1 : int(fp::testing::kUnitTargets.size()),
+                              .peer = peer}));
 }
 } // namespace
 

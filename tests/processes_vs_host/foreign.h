@@ -9,7 +9,13 @@ namespace foreign {
 void openContext();
 /// Makes that context current on this thread, or releases it.
 void makeCurrent(bool current);
-/// Draws a frame with programs of several kinds, each a new one for the compiler where `fresh` is
+/// Runs the body on this thread with another context, which shares objects with that one; the
+/// threads of both must be Xlib's to know (XInitThreads).
+void onOtherContext(const std::function<void()> &body);
+/// Deletes what drawFrame() samples. Where it is bound in another context it goes on to exist.
+void deleteTextures();
+/// Draws a frame with programs of several kinds (the vertex program samples a texture, where the
+/// environment has FOREIGN_VERTEX_TEXTURE), each a new one for the compiler where `fresh` is
 /// set, reads its picture, which is the same each time, and shows it.
 void drawFrame(bool fresh = false);
 /// One frame, and of its picture each fourth pixel of each fourth row as "picture HEX".

@@ -47,11 +47,20 @@ FROM_ASIDE = ("drawing", "compiling", "draws", "longjmp", "sig")
 # What the bare host does not stand at all, by the end that is asked for: rows of the layer's alone.
 ASKED = {"exit-slowly-in-thread-drawing": "exit 7"}
 WITHOUT_HOST = ("exit-in-layer-drawing-bitmaps", "exit-slowly-in-thread-drawing", "longjmp-out-of-layer-drawing")
+# Rows that are run again with a texture in the vertex program, of NV_vertex_program3: the bare host's picture
+# has none, and is the same.
+SAMPLING = ("plain", "exit-in-handler-drawing", "exit-in-thread-drawing", "longjmp-then-exit", "sigterm", "sigsegv",
+            "interrupted", "handler-draws", "own-faults", "callback-throws", "fork-before-context", "fork-child-_exits",
+            "fork-child-exits", "fork-while-compiling", "small-stack", "cancelled-drawing", "cancelled-compiling",
+            "other-context-deletes-drawing")
+VERTEX_TEXTURE = {"FOREIGN_VERTEX_TEXTURE": "1", "ARBITER_PROFILE": "nv40"}
 ALLOCATORS = {"jemalloc": "libjemalloc.so.2", "tcmalloc": "libtcmalloc_minimal.so.4"}
 
 
 class Row:
-    def __init__(self, name, mode, client="foreign", preload=None, wrapper=(), environment=None, without_layer=False):
+    def __init__(self, name, mode, client="foreign", preload=None, wrapper=(), environment=None, without_layer=False,
+                 layered=None):
+        self.layered = layered or {}  # the environment under the layer alone
         self.name, self.mode, self.client, self.without_layer = name, mode, client, without_layer
         self.preload, self.wrapper, self.environment = preload, wrapper, environment or {}
         # Where the host draws, the layer's part of a bitmap or of a large draw is a few instructions,
@@ -124,6 +133,11 @@ def all_rows(build, scratch):
     else:
         skipped.append(("valgrind:own-allocator", "no valgrind"))
     rows.append(Row("reopens-libgl", "plain", client="foreign_reopens"))
+    rows += [Row(f"vertex-texture:{mode}", mode, layered=VERTEX_TEXTURE) for mode in SAMPLING]
+    rows += [Row(f"vertex-texture:{mode}", mode, client="foreign_watched", layered=VERTEX_TEXTURE)
+             for mode in watched.stdout.split() if mode == "longjmp-out-of-layer-drawing"]
+    rows.append(Row("egl:other-context-deletes-drawing", "other-context-deletes-drawing",
+                    environment={"FOREIGN_EGL": "1"}, layered=VERTEX_TEXTURE))
     rows.append(Row("egl:plain", "plain", environment={"FOREIGN_EGL": "1"}))
     rows.append(Row("no-home", "plain", environment={"HOME": None, "XDG_CACHE_HOME": None}))
     rows.append(Row("read-only-home", "plain", environment={"HOME": "/proc", "XDG_CACHE_HOME": None}))
@@ -141,7 +155,7 @@ def environment_of(row, way, build, display, scratch, seed):
     if way != "bare":
         preload.insert(0, str(build / "src/interposer/libGLX_arbiter.so.0"))
         env.update(ARBITER_BACKEND=way, ARBITER_THREADS="3",
-                   ARBITER_STATS=str(stats_file(row, way, scratch, seed)))
+                   ARBITER_STATS=str(stats_file(row, way, scratch, seed)), **row.layered)
     if preload:
         env["LD_PRELOAD"] = ":".join(preload)
     for name, value in row.environment.items():

@@ -26,6 +26,8 @@ GLXContext g_glx = nullptr;
 EGLDisplay g_eglDisplay = EGL_NO_DISPLAY;
 EGLSurface g_eglSurface = EGL_NO_SURFACE;
 EGLContext g_egl = EGL_NO_CONTEXT;
+XVisualInfo *g_visual = nullptr;
+EGLConfig g_config = nullptr;
 unsigned char g_pixels[kSide][kSide][4];
 volatile std::sig_atomic_t g_inMidst = 0;
 
@@ -41,12 +43,11 @@ void openEgl() {
                            EGL_DEPTH_SIZE,
                            16,
                            EGL_NONE};
-  EGLConfig config = nullptr;
   EGLint count = 0;
-  need(eglChooseConfig(g_eglDisplay, wanted, &config, 1, &count) && count == 1, "EGL config");
+  need(eglChooseConfig(g_eglDisplay, wanted, &g_config, 1, &count) && count == 1, "EGL config");
   const EGLint size[] = {EGL_WIDTH, kSide, EGL_HEIGHT, kSide, EGL_NONE};
-  g_eglSurface = eglCreatePbufferSurface(g_eglDisplay, config, size);
-  g_egl = eglCreateContext(g_eglDisplay, config, EGL_NO_CONTEXT, nullptr);
+  g_eglSurface = eglCreatePbufferSurface(g_eglDisplay, g_config, size);
+  g_egl = eglCreateContext(g_eglDisplay, g_config, EGL_NO_CONTEXT, nullptr);
   need(g_egl != EGL_NO_CONTEXT, "EGL context");
 }
 
@@ -54,7 +55,8 @@ void openGlx() {
   g_display = XOpenDisplay(nullptr);
   need(g_display != nullptr, "display");
   int attributes[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_RED_SIZE, 8, GLX_DEPTH_SIZE, 16, None};
-  XVisualInfo *const visual = glXChooseVisual(g_display, DefaultScreen(g_display), attributes);
+  XVisualInfo *const visual = g_visual =
+      glXChooseVisual(g_display, DefaultScreen(g_display), attributes);
   need(visual != nullptr, "visual");
   XSetWindowAttributes set = {};
   const Window root = DefaultRootWindow(g_display);
@@ -91,19 +93,46 @@ std::string freshTerm() {
 }
 
 struct Programs {
-  GLuint vertex, fragment, texture;
+  GLuint vertex, fragment, texture, displacement;
 };
+Programs g_programs;
+
+/// Ones: by what a vertex program that samples it moves vertices, nothing moves.
+GLuint makeDisplacement() {
+  static unsigned char s_texels[16][16][4];
+  std::memset(s_texels, 255, sizeof s_texels);
+  GLuint name = 0;
+  glActiveTexture(GL_TEXTURE1);
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 16, 16, 0, GL_RGBA, GL_UNSIGNED_BYTE, s_texels);
+  glActiveTexture(GL_TEXTURE0);
+  return name;
+}
 
 Programs makePrograms(const std::string &term) {
-  Programs made;
-  made.vertex =
-      load(GL_VERTEX_PROGRAM_ARB,
-           "!!ARBvp1.0\nPARAM scale = {0.75, 0.75, 1, 1};\nTEMP p;\n"
-           "MUL p, vertex.position, scale;\nDP4 result.position.x, state.matrix.mvp.row[0], p;\n"
-           "DP4 result.position.y, state.matrix.mvp.row[1], p;\n"
-           "DP4 result.position.z, state.matrix.mvp.row[2], p;\n"
-           "DP4 result.position.w, state.matrix.mvp.row[3], p;\n"
-           "MOV result.color, vertex.color;\nMOV result.texcoord[0], vertex.texcoord[0];\nEND\n");
+  Programs made = {};
+  // The bare host draws the same without the texture.
+  const bool samples = std::getenv("FOREIGN_VERTEX_TEXTURE") != nullptr;
+  if (samples) {
+    const auto *const extensions = reinterpret_cast<const char *>(glGetString(GL_EXTENSIONS));
+    need(extensions && std::strstr(extensions, "GL_NV_vertex_program3"), "NV_vertex_program3");
+    made.displacement = makeDisplacement();
+  }
+  const std::string moved = "TXL d, vertex.texcoord[0], texture[1], 2D;\nMUL p.xy, p, d;\n";
+  made.vertex = load(
+      GL_VERTEX_PROGRAM_ARB,
+      std::string("!!ARBvp1.0\n") + (samples ? "OPTION NV_vertex_program3;\n" : "") +
+          "PARAM scale = {0.75, 0.75, 1, 1};\nTEMP p, d;\n"
+          "MUL p, vertex.position, scale;\n" +
+          (samples ? moved : std::string()) +
+          "DP4 result.position.x, state.matrix.mvp.row[0], p;\n"
+          "DP4 result.position.y, state.matrix.mvp.row[1], p;\n"
+          "DP4 result.position.z, state.matrix.mvp.row[2], p;\n"
+          "DP4 result.position.w, state.matrix.mvp.row[3], p;\n"
+          "MOV result.color, vertex.color;\nMOV result.texcoord[0], vertex.texcoord[0];\nEND\n");
   made.fragment =
       load(GL_FRAGMENT_PROGRAM_ARB,
            "!!ARBfp1.0\nTEMP c;\nTEX c, fragment.texcoord[0], texture[0], 2D;\n"
@@ -129,6 +158,7 @@ void drop(Programs &programs) {
   glDeleteProgramsARB(1, &programs.vertex);
   glDeleteProgramsARB(1, &programs.fragment);
   glDeleteTextures(1, &programs.texture);
+  glDeleteTextures(1, &programs.displacement);
 }
 
 /// Many triangles in few draws, so that there is work for several threads.
@@ -177,20 +207,52 @@ void openContext() {
   makeCurrent(true);
 }
 
+void onOtherContext(const std::function<void()> &body) {
+  const bool egl = g_egl != EGL_NO_CONTEXT;
+  GLXContext glx = nullptr;
+  EGLContext context = EGL_NO_CONTEXT;
+  EGLSurface surface = EGL_NO_SURFACE;
+  const EGLint size[] = {EGL_WIDTH, 8, EGL_HEIGHT, 8, EGL_NONE};
+  if (egl) {
+    surface = eglCreatePbufferSurface(g_eglDisplay, g_config, size);
+    context = eglCreateContext(g_eglDisplay, g_config, g_egl, nullptr);
+    need(eglBindAPI(EGL_OPENGL_API) && eglMakeCurrent(g_eglDisplay, surface, surface, context),
+         "another context");
+  } else {
+    glx = glXCreateContext(g_display, g_visual, g_glx, True);
+    need(glx && glXMakeCurrent(g_display, g_window, glx), "another context");
+  }
+  body();
+  need(glGetError() == GL_NO_ERROR, "a GL command of the other context");
+  if (egl) {
+    eglMakeCurrent(g_eglDisplay, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(g_eglDisplay, context);
+    eglDestroySurface(g_eglDisplay, surface);
+  } else {
+    glXMakeCurrent(g_display, None, nullptr);
+    glXDestroyContext(g_display, glx);
+  }
+}
+
+void deleteTextures() {
+  const GLuint names[] = {g_programs.texture, g_programs.displacement};
+  glDeleteTextures(2, names);
+  glFlush();
+}
+
 void drawFrame(bool fresh) {
-  static Programs s_programs;
-  if (fresh || !s_programs.vertex) {
-    if (s_programs.vertex)
-      drop(s_programs);
-    s_programs = makePrograms(fresh ? freshTerm() : std::string());
+  if (fresh || !g_programs.vertex) {
+    if (g_programs.vertex)
+      drop(g_programs);
+    g_programs = makePrograms(fresh ? freshTerm() : std::string());
   }
   glViewport(0, 0, kSide, kSide);
   glClearColor(0.125f, 0.25f, 0.5f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_VERTEX_PROGRAM_ARB);
   glEnable(GL_FRAGMENT_PROGRAM_ARB);
-  glBindProgramARB(GL_VERTEX_PROGRAM_ARB, s_programs.vertex);
-  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, s_programs.fragment);
+  glBindProgramARB(GL_VERTEX_PROGRAM_ARB, g_programs.vertex);
+  glBindProgramARB(GL_FRAGMENT_PROGRAM_ARB, g_programs.fragment);
   drawGrid();
   glReadPixels(0, 0, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE, g_pixels);
   if (g_egl != EGL_NO_CONTEXT)

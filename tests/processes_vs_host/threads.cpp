@@ -1,10 +1,12 @@
 // Threads of the application's: small, cancelled, ending with a context; and the layer's.
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <thread>
 
+#include <X11/Xlib.h>
 #include <dirent.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -105,6 +107,26 @@ template <bool fresh> void cancelled() {
   _exit(0);
 }
 
+/// Another thread deletes the textures of the draws that go on here, at any time, in a context of
+/// its own.
+void otherContextDeletes() {
+  XInitThreads();
+  openContext();
+  drawAndPrint();
+  std::atomic<bool> done = false;
+  std::thread other([&] {
+    onOtherContext([] {
+      usleep(useconds_t(1000 * someMilliseconds()));
+      deleteTextures();
+    });
+    done = true;
+  });
+  while (!done)
+    drawFrame();
+  other.join();
+  drawAndPrint();
+}
+
 /// Threads that the layer started take no signals: an application's handlers run on its own.
 void threadsOfTheLayer() {
   openContext();
@@ -140,6 +162,7 @@ void threadRows(void (*add)(Row)) {
   add({"cancelled-in-frame", cancelledInFrame<false>});
   add({"cancelled-drawing", cancelled<false>});
   add({"cancelled-compiling", cancelled<true>});
+  add({"other-context-deletes-drawing", otherContextDeletes});
   add({"threads-of-ours", threadsOfTheLayer});
 }
 

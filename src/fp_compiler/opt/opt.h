@@ -25,6 +25,9 @@ namespace arbiter::fp::opt {
 /// in every mode, as registers hold the mode's numbers; what a constant is depends on the mode.
 [[nodiscard]] bool simplify(ir::Program &program, Numerics numerics = Numerics::Host);
 
+/// Makes operands that are read by a constant address reads of their row.
+[[nodiscard]] bool resolveAddresses(ir::Program &program, Numerics numerics = Numerics::Host);
+
 /// Drops write mask components that nothing reads, and instructions that write none.
 [[nodiscard]] bool removeDeadCode(ir::Program &program);
 
@@ -32,6 +35,11 @@ namespace arbiter::fp::opt {
 /// it. One that would be too long stays, as do all of them if they would be too long together, or
 /// may come to the cap on iterations.
 [[nodiscard]] bool unrollLoops(ir::Program &program);
+
+/// Writes a program with loops as one without, if it stays short: as often as constants say, which
+/// may be those that the program computes of others, and with selects behind each BRK that they do
+/// not decide.
+[[nodiscard]] bool followLoops(ir::Program &program, Numerics numerics = Numerics::Host);
 
 /// All of them, until nothing moves, or until a long program has had its share of rounds.
 void run(ir::Program &program, Numerics numerics = Numerics::Host);

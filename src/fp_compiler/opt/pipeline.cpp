@@ -20,6 +20,7 @@ bool round(ir::Program &program, Numerics numerics) {
   count(propagateCopies(program));
   count(foldConstants(program, numerics));
   count(simplify(program, numerics));
+  count(resolveAddresses(program, numerics));
   count(shareExpressions(program));
   count(removeDeadCode(program));
   return progress;
@@ -33,6 +34,9 @@ constexpr int kMaxRounds = 64;
 void run(ir::Program &program, Numerics numerics) {
   // The others go through straight-line code. A host's compiler has its own for loops.
   (void)unrollLoops(program);
+  // Most of what it leaves is dead: the others need not look at it.
+  if (followLoops(program, numerics) && propagateCopies(program))
+    (void)removeDeadCode(program);
   if (ir::hasLoops(program))
     return;
   for (int rounds = 0; rounds < kMaxRounds; ++rounds)

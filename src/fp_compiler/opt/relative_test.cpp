@@ -122,5 +122,22 @@ TEST(Relative, EveryVertexResultIsLive) {
   EXPECT_EQ(program.code.back().dst.mask, 1);
 }
 
+TEST(Relative, ARowAtAConstantAddressIsReadAsItIs) {
+  Rows b;
+  const auto one = b.temporary(), two = b.temporary();
+  b.op(Opcode::Mov, one, {b.row(1)}); // addresses begin with 0
+  b.op(Opcode::Arl, b.a, {b.constant(2.75f).swz("x")});
+  b.op(Opcode::Mul, two, {b.row(-1), b.row(2)}); // the second is behind the array
+  b.op(Opcode::Arl, b.a, {b.scalar("x")});
+  b.op(Opcode::Mad, b.position, {one.read(), two.read(), b.row(0)});
+  ir::Program program = b.take();
+  EXPECT_TRUE(runChecked(resolveAddresses, program));
+  EXPECT_FALSE(program.code[0].src[0].relative);
+  EXPECT_EQ(program.code[0].src[0].index, program.arrays[0].rows[1]);
+  EXPECT_EQ(program.code[2].src[0].index, program.arrays[0].rows[1]);
+  EXPECT_EQ(program.code[2].src[1].swizzle[0], ir::Select::Zero);
+  EXPECT_TRUE(program.code[4].src[2].relative);
+}
+
 } // namespace
 } // namespace arbiter::fp::opt

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "fp_compiler/front/nv/words.h"
+#include "fp_compiler/ir/print.h"
 #include "fp_compiler/ir/semantics.h"
+#include "fp_compiler/testing/random.h"
 #include "fp_compiler/testing/random_nv_words.h"
 
 namespace arbiter::fp::testing {
@@ -42,6 +44,8 @@ private:
     line(std::string(m_language.header));
     line(std::string("OPTION NV_") + (vertex ? "vertex_program" : "fragment_program") +
          (vertex ? (second() ? "3;" : "2;") : (second() ? "2;" : ";")));
+    if (vertex && second() && m_options.vertexUnits > 1)
+      line("OPTION ARB_fragment_program_shadow;");
     // A register of a size of its own: what is less than its precision is the reader's to say.
     line(vertex                                   ? "TEMP r0;"
          : !m_options.peer && m_random.chance(30) ? "SHORT TEMP r0;"
@@ -190,7 +194,10 @@ private:
 
   void texture() {
     const std::string at = m_options.wild ? attribute() : operand(false);
-    const std::string unit = ", texture[0], 2D;";
+    const bool chooses = m_options.vertex && m_options.vertexUnits > 1;
+    const int number = chooses ? m_random.below(m_options.vertexUnits) : 0;
+    const std::string unit = ", texture[" + std::to_string(number) + "], " +
+                             ir::targetText(kUnitTargets[std::size_t(number)]) + ";";
     const int kind = m_random.below(5);
     if (kind == 1) {
       line("MOV guard, " + at + ";");

@@ -12,6 +12,9 @@ struct RandomNvOptions {
   /// Operands outside of functions' domains and results of any size; nothing is sampled at them.
   bool wild = false;
   bool textures = true;
+  /// Units 0 and up that a vertex program samples, each with its target of kUnitTargets; fragment
+  /// programs sample unit 0.
+  int vertexUnits = 1;
   /// Without what NVIDIA's driver does otherwise than the specifications say, or than others may:
   /// it rounds to half and fixed precision, which are the least that is asked for, PUSHA and POPA
   /// end its compiler or its draws, beyond an array and in registers that nothing wrote it reads

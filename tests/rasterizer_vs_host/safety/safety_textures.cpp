@@ -1,6 +1,8 @@
 #include "safety.h"
 
 #include <array>
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 
 namespace software {
@@ -37,17 +39,18 @@ void makeTexture(GLenum target, int side) {
   }
 }
 
+struct Kind {
+  GLenum target;
+  const char *name;
+};
+constexpr std::array<Kind, 5> kKinds = {{{GL_TEXTURE_1D, "1D"},
+                                         {GL_TEXTURE_2D, "2D"},
+                                         {GL_TEXTURE_3D, "3D"},
+                                         {GL_TEXTURE_CUBE_MAP, "CUBE"},
+                                         {GL_TEXTURE_RECTANGLE_ARB, "RECT"}}};
+
 /// NaN, infinite and huge coordinates: every target, wrap and filter.
 void oddCoordinates() {
-  struct Kind {
-    GLenum target;
-    const char *name;
-  };
-  static constexpr Kind kKinds[] = {{GL_TEXTURE_1D, "1D"},
-                                    {GL_TEXTURE_2D, "2D"},
-                                    {GL_TEXTURE_3D, "3D"},
-                                    {GL_TEXTURE_CUBE_MAP, "CUBE"},
-                                    {GL_TEXTURE_RECTANGLE_ARB, "RECT"}};
   static constexpr float kInf = std::numeric_limits<float>::infinity();
   for (const Kind &kind : kKinds) {
     const bool rectangle = kind.target == GL_TEXTURE_RECTANGLE_ARB;
@@ -141,6 +144,67 @@ void incomplete() {
   picture("unequal faces");
 }
 
+/// A vertex program that moves vertices by what it samples; false where there is no such language,
+/// as on the bare host, which then has as few errors.
+bool useSamplingVertices(const char *instruction, const char *target) {
+  const auto *const extensions = reinterpret_cast<const char *>(glGetString(GL_EXTENSIONS));
+  if (!extensions || !std::strstr(extensions, "GL_NV_vertex_program3 ")) {
+    if (std::getenv("SAFETY_NEEDS"))
+      std::abort();
+    return false;
+  }
+  (void)makeProgram(GL_VERTEX_PROGRAM_ARB,
+                    std::string("!!ARBvp1.0\nOPTION NV_vertex_program3;\nTEMP t;\n") + instruction +
+                        " t, vertex.texcoord[0], texture[0], " + target +
+                        ";\nMAD result.position, t, {0.5, 0.5, 0, 0}, vertex.position;\n"
+                        "MOV result.color, t;\nMOV result.texcoord[0], t;\nEND\n");
+  glEnable(GL_VERTEX_PROGRAM_ARB);
+  return true;
+}
+
+/// Coordinates and levels of any kind, images that are not there, deleted ones, and one that is
+/// drawn to, sampled by a vertex program.
+void sampledByVertices() {
+  static constexpr float kInf = std::numeric_limits<float>::infinity();
+  useFragments("MOV result.color, fragment.color;\n");
+  for (const Kind &kind : kKinds) {
+    makeTexture(kind.target, 8);
+    for (const char *instruction : {"TEX", "TXP", "TXL", "TXB"}) {
+      if (!useSamplingVertices(instruction, kind.name))
+        continue;
+      glBegin(GL_QUADS);
+      for (const float odd : {kInf, -kInf, kInf - kInf, 3e38f, -3e38f, 1e15f, -4e9f, 2.2e9f})
+        for (int corner = 0; corner < 4; ++corner) {
+          glTexCoord4f(corner == 0 ? odd : 0.3f, corner == 1 ? odd : 0.6f, corner == 2 ? odd : 0,
+                       corner == 3 ? odd : 1);
+          glVertex2f(corner == 1 || corner == 2 ? 1 : -1, corner > 1 ? 1 : -1);
+        }
+      glEnd();
+    }
+    note(std::string("vertices, ") + kind.name);
+  }
+  const GLuint texture = smoothTexture(kSide, kSide);
+  if (useSamplingVertices("TXL", "2D")) {
+    wholeQuad();
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 3);
+    wholeQuad();
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    for (int i = 0; i < 4; ++i)
+      wholeQuad(0.1f, 0, 1.1f, 1);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 16, 16, 0);
+    wholeQuad();
+    glDeleteFramebuffers(1, &framebuffer);
+    wholeQuad();
+  }
+  glDeleteTextures(1, &texture);
+  wholeQuad();
+  note("vertices, deleted");
+}
+
 /// Undefined what is drawn; it is the process that must live.
 void feedbackOntoItself() {
   GLuint framebuffer = 0;
@@ -167,6 +231,7 @@ const std::vector<Hazard> kTextureHazards = {
     {"large-target", largeTarget},
     {"incomplete", incomplete},
     {"feedback-onto-itself", feedbackOntoItself},
+    {"sampled-by-vertices", sampledByVertices},
 };
 
 } // namespace software

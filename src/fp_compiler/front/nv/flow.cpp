@@ -164,6 +164,8 @@ void Lowerer::flow(const Statement &statement) {
   case Opcode::Else:
     return turn();
   case Opcode::Endif:
+    if (m_function.blocks.back().selection)
+      endSelection();
     m_function.block = m_function.blocks.back().outer;
     m_function.blocks.pop_back();
     return;
@@ -190,6 +192,8 @@ void Lowerer::flow(const Statement &statement) {
 }
 
 void Lowerer::enter(const Statement &statement) {
+  if (selects(statement))
+    return beginSelection(statement);
   Flag inner = m_function.block;
   if (statement.test.rule == Rule::Fl) {
     inner = flag(zero());
@@ -205,26 +209,13 @@ void Lowerer::enter(const Statement &statement) {
 /// The outer block's, less what ran until here.
 void Lowerer::turn() {
   const Block &block = m_function.blocks.back();
+  if (block.selection) {
+    m_selections.back().turned = true;
+    return;
+  }
   const Operand outer = block.outer ? flagOf(*block.outer) : one();
   const Operand inner = block.inner ? flagOf(*block.inner) : one();
   m_function.block = flag(m_code.make(Opcode::Sub, {outer, inner}, kX));
-}
-
-/// True if a RET of the function stands in the loop.
-bool Lowerer::returnsWithin(const Statement &loop) const {
-  std::size_t depth = 0;
-  for (std::size_t at = std::size_t(&loop - m_statements.data()); at < m_statements.size(); ++at) {
-    const Opcode op = m_statements[at].instruction.op;
-    if (m_statements[at].isLabel)
-      continue;
-    depth += op == Opcode::Loop || op == Opcode::Rep ? 1 : 0;
-    depth -= op == Opcode::Endloop || op == Opcode::Endrep ? 1 : 0;
-    if (op == Opcode::Ret)
-      return true;
-    if (depth == 0)
-      break;
-  }
-  return false;
 }
 
 void Lowerer::beginLoop(const Statement &statement) {

@@ -10,7 +10,8 @@
 
 namespace arbiter::fp::nv {
 
-/// lower()'s work: what is written (lowering.cpp) and where what runs (flow.cpp). Flags are 1 or 0
+/// lower()'s work: what is written (lowering.cpp) and where what runs (flow.cpp,
+/// selection.cpp). Flags are 1 or 0
 /// in x of a register; a flag that is not there holds.
 class Lowerer {
 public:
@@ -60,6 +61,14 @@ private:
   [[nodiscard]] std::uint16_t shadowOf(std::uint16_t address);
   [[nodiscard]] std::uint16_t registerFor(std::uint16_t output, std::uint8_t mask);
 
+  // selection.cpp
+  [[nodiscard]] bool selects(const Statement &statement) const;
+  void beginSelection(const Statement &statement);
+  void endSelection();
+  [[nodiscard]] std::uint16_t current(std::uint16_t index) const;
+  [[nodiscard]] std::uint16_t aside(std::uint16_t index, std::uint8_t mask);
+  [[nodiscard]] std::optional<Operand> activeInSelections();
+
   // flow.cpp
   void function(std::size_t entry);
   void straight(std::size_t entry);
@@ -98,6 +107,19 @@ private:
 
   struct Block {
     Flag outer, inner;
+    bool selection = false; ///< the last of m_selections
+  };
+  /// A register that stands for another one in a part of an IF, and what of it was written.
+  struct Aside {
+    std::uint16_t index = 0;
+    std::uint8_t mask = 0;
+  };
+  /// An IF without jumps: both parts run on all lanes, each on registers of its own, and where they
+  /// join each lane takes its own.
+  struct Selection {
+    std::uint16_t holds = 0;
+    bool turned = false; ///< ELSE has come
+    std::array<std::map<std::uint16_t, Aside>, 2> parts;
   };
   struct Loop {
     bool counts = false; ///< LOOP
@@ -116,6 +138,7 @@ private:
   };
   Function m_function;
   std::vector<Loop> m_loops;
+  std::vector<Selection> m_selections; ///< that are open, inner ones last
   std::vector<std::uint16_t> m_calls;
 };
 

@@ -48,6 +48,8 @@ Instruction Lowerer::instructionOf(const Statement &statement) {
     Operand &operand = instruction.src[i];
     if (statement.indexed[i])
       operand = indexed(*statement.indexed[i], operand);
+    if (operand.file == File::Temporary)
+      operand.index = current(operand.index);
     if (!m_rules.rows.empty() && operand.file == File::Parameter)
       operand = written(operand);
     if (!(statement.absolute >> i & 1))
@@ -108,7 +110,7 @@ std::uint16_t Lowerer::conditionCode(std::uint8_t index) {
 
 /// 1 or 0 for each component in \p mask. A comparison with NaN holds for NE alone.
 Operand Lowerer::passes(const Test &test, std::uint8_t mask) {
-  const Operand value = swizzled(temporary(conditionCode(test.condition)), test.swizzle);
+  const Operand value = swizzled(temporary(current(conditionCode(test.condition))), test.swizzle);
   const Operand zero = number(Select::Zero);
   switch (test.rule) {
   case Rule::Eq:
@@ -138,7 +140,7 @@ std::optional<Operand> Lowerer::selector(const Test &test, std::uint8_t mask) {
     return runs ? std::optional(negated(*runs)) : std::nullopt;
   const bool direct = !runs && (test.rule == Rule::Lt || test.rule == Rule::Gt);
   if (direct) {
-    const Operand value = swizzled(temporary(conditionCode(test.condition)), test.swizzle);
+    const Operand value = swizzled(temporary(current(conditionCode(test.condition))), test.swizzle);
     return test.rule == Rule::Lt ? value : negated(value);
   }
   const Operand each = passes(test, mask);
@@ -187,7 +189,7 @@ void Lowerer::writeIndexed(const Statement &statement, const Instruction &instru
   const Operand is = temporary(m_code.scratch(kX).index);
   const Operand mixed = temporary(m_code.scratch(mask).index);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::uint16_t target = registerFor(rows[i], mask);
+    const std::uint16_t target = aside(registerFor(rows[i], mask), mask);
     m_code.write(Opcode::Seq, writtenTo(is.index, kX), {at, m_code.constant(float(i))});
     m_code.write(Opcode::Cmp, writtenTo(mixed.index, mask),
                  {negated(component(is, 0)), temporary(value), temporary(target)});
@@ -205,8 +207,9 @@ void Lowerer::write(const Statement &statement, Instruction instruction, std::ui
     return;
   const std::uint8_t mask = instruction.dst.mask;
   const std::optional<Operand> selects = selector(statement.test, mask);
-  const bool aside = selects || statement.suffix.signedSaturate;
-  Destination dst = aside ? m_code.scratch(mask) : writtenTo(target, mask);
+  target = aside(target, mask);
+  const bool later = selects || statement.suffix.signedSaturate;
+  Destination dst = later ? m_code.scratch(mask) : writtenTo(target, mask);
   dst.saturate = instruction.dst.saturate;
   instruction.dst = dst;
   compute(statement, instruction);
@@ -217,7 +220,7 @@ void Lowerer::write(const Statement &statement, Instruction instruction, std::ui
   }
   if (selects)
     m_code.write(Opcode::Cmp, writtenTo(target, mask), {*selects, value, temporary(target)});
-  else if (aside)
+  else if (later)
     m_code.write(Opcode::Mov, writtenTo(target, mask), {value});
   update(statement, mask, value, selects);
 }
@@ -226,7 +229,8 @@ void Lowerer::update(const Statement &statement, std::uint8_t mask, const Operan
                      const std::optional<Operand> &selects) {
   if (statement.suffix.updates == 0)
     return;
-  const std::uint16_t index = conditionCode(std::uint8_t(statement.suffix.updates - 1));
+  const std::uint16_t index =
+      aside(conditionCode(std::uint8_t(statement.suffix.updates - 1)), mask);
   if (selects)
     m_code.write(Opcode::Cmp, writtenTo(index, mask), {*selects, value, temporary(index)});
   else
@@ -234,15 +238,16 @@ void Lowerer::update(const Statement &statement, std::uint8_t mask, const Operan
 }
 
 void Lowerer::kill(const Statement &statement, const Instruction &instruction) {
+  Operand value = instruction.src[0];
   if (statement.tests) {
     if (statement.test.rule == Rule::Fl)
       return;
     const std::optional<Operand> selects = selector(statement.test, kAll);
-    m_code.write(Opcode::Kil, {}, {selects ? *selects : negated(number(Select::One))});
-    return;
+    value = selects ? *selects : negated(number(Select::One));
   }
-  Operand value = instruction.src[0];
-  if (const std::optional<Operand> runs = active())
+  // A test has all that runs in it, but for selections.
+  if (const std::optional<Operand> runs =
+          statement.tests && m_selections.empty() ? std::nullopt : activeInSelections())
     value = m_code.make(Opcode::Cmp, {negated(*runs), value, number(Select::Zero)});
   m_code.write(Opcode::Kil, {}, {value});
 }

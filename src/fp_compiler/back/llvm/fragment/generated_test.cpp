@@ -63,7 +63,7 @@ TEST_P(ProgramsTest, GeneratedOnesOfNvidiasOptionsAgree) {
   CompileOptions limits = roomy();
   limits.limits.nvOptions = 2;
   limits.limits.api.addressRegisters = 2;
-  constexpr std::uint64_t kPrograms = 80;
+  constexpr std::uint64_t kPrograms = 180; // of most of which no loop is left
   int loops = 0;
   for (std::uint64_t seed = 0; seed < kPrograms; ++seed) {
     const bool vertex = seed % 3 == 0, wild = seed % 2 == 1;
