@@ -28,7 +28,8 @@ struct LanguageRow {
 /// "ARBvp1.0", or the "VP2.0" of a text that is in one of NVIDIA's own languages.
 [[nodiscard]] std::string languageTitle(fp::ir::Language language, std::string_view text);
 
-/// The limits of the language's target; for ATI's those of the language itself.
+/// The limits of the language's target; for ATI's those of the language itself, for nvparse's those of
+/// the card's combiners and texture shaders.
 [[nodiscard]] fp::Limits limitsOf(const fp::hw::Profile &profile, fp::ir::Language language);
 
 } // namespace arbiter::tools

@@ -11,7 +11,8 @@ import tempfile
 import unittest
 
 ARBITER, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
-CARDS = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv30', 'nv35', 'nv40', 'i915']
+CARDS = ['r300', 'r300-catalyst-2004', 'r350', 'r360', 'r420', 'nv10', 'nv20', 'nv25', 'nv30',
+         'nv35', 'nv40', 'i915']
 SIMPLE = '!!ARBfp1.0\nMOV result.color, fragment.color;\nEND\n'
 FOURTH_BUFFER = '!!ARBfp1.0\nOPTION ARB_draw_buffers;\nMOV result.color[3], 1;\nEND\n'
 FIFTH_BUFFER = FOURTH_BUFFER.replace('[3]', '[4]')

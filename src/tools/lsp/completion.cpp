@@ -29,6 +29,8 @@ Json Completion::run() {
     behindDot();
   else if (m_language == fp::ir::Language::AtiFragment)
     inAtiStatement();
+  else if (isNvparse(m_language))
+    inNvparseStatement();
   else if (own)
     inOwnStatement();
   else
