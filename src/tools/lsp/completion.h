@@ -91,7 +91,7 @@ private:
   void addAtiSources(std::string_view word);
   void addAtiSuffixes(bool nested);
 
-  // completion_nvparse.cpp
+  // of nvparse's texts
   void inNvparseStatement();
   void addNvparseRegisters();
 
