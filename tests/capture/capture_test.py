@@ -295,9 +295,8 @@ class States(Folder):
         'combiners': ('.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n}\n',
                       b'!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n'),
         'texture-shaders': ('.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
-                            b'!!TS1.0\npass_through();\n!!RC1.0\n'
-                            b'{ rgb { spare0 = unsigned_invert(tex0); } }\n'
-                            b'const0 = (1, 0, 0, 1);\nout.rgb = const0 * spare0;\n'),
+                            b'!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'
+                            b'{ rgb { spare0 = unsigned_invert(tex0); } }\nout.rgb = const0 * spare0;\n'),
     }
 
     def capture(self, *command, code=0):
