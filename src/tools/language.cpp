@@ -1,5 +1,7 @@
 #include "tools/language.h"
 
+#include <iterator>
+
 #include "fp_compiler/ati/limits.h"
 #include "fp_compiler/front/nvparse/limits.h"
 
@@ -13,6 +15,7 @@ constexpr LanguageRow kLanguages[] = {
     {"atifs", "!!ATIfs1.0", Language::AtiFragment}, {"rc", "!!RC1.0", Language::Combiners},
     {"ts", "!!TS1.0", Language::TextureShaders},
 };
+static_assert(std::size(kLanguages) == kLanguageCount);
 } // namespace
 
 std::span<const LanguageRow> languageRows() { return kLanguages; }

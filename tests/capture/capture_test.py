@@ -292,7 +292,7 @@ class Replace(Folder):
 class States(Folder):
     """STATE_TICKER's state draws green."""
     KINDS = {
-        'combiners': ('.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n}\n',
+        'combiners': ('.nvrc', b'!!RC1.0\n{\n  rgb {\n    spare0 = const0;\n  }\n  alpha {\n',
                       b'!!RC1.0\nconst0 = (1, 0, 0, 1);\nout.rgb = const0;\n'),
         'texture-shaders': ('.nvts', b'!!TS1.0\npass_through();\n!!RC1.0\n{\n  rgb {\n    spare0 = tex0;\n',
                             b'!!TS1.0\npass_through();\n!!RC1.0\nconst0 = (1, 0, 0, 1);\n'

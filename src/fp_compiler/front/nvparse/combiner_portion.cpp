@@ -67,11 +67,12 @@ constexpr MappingWord kMappings[] = {
 void CombinerParser::parsePortion(Portion &portion, Usage usage) {
   m_products = 0;
   m_hasSum = m_hasScale = false;
+  const std::size_t errorsBefore = m_reporter.errorCount();
   if (!expect(TokenKind::OpenBrace, "'{'"))
     return recover();
   while (!m_reporter.full()) {
     if (m_tokens.accept(TokenKind::CloseBrace)) {
-      if (m_products == 0)
+      if (m_products == 0 && m_reporter.errorCount() == errorsBefore)
         error(DiagnosticId::RcPortion, {m_tokens.lastEnd() - 1, m_tokens.lastEnd()},
               "a block without a product", "leave the block out");
       return;
@@ -221,7 +222,8 @@ bool CombinerParser::parseRegister(Named &named, Access access) {
   const bool isConstant = named.name == Register::Constant0 || named.name == Register::Constant1;
   note(named.word, access, isConstant ? SymbolKind::Parameter : SymbolKind::Temporary);
   if (const int unit = combiners::textureUnit(named.name);
-      unit >= 0 && std::uint32_t(unit) >= m_options.limits.textureUnits)
+      unit >= 0 && std::uint32_t(unit) >= m_options.limits.textureUnits &&
+      m_options.limits.generalCombiners != 0)
     limit(DiagnosticId::ImageUnit, named.word.span,
           std::string(text(named.word)) + " has no texture unit of its number: there are " +
               std::to_string(m_options.limits.textureUnits));

@@ -13,8 +13,12 @@ using texture_shader::Row;
 using texture_shader::Stage;
 
 void ShaderParser::run(texture_shader::State &state, texture_shader::Values &values) {
-  m_state.units = std::uint8_t(
-      std::clamp(m_options.limits.textureUnits, 1u, std::uint32_t(texture_shader::kUnits)));
+  // What is not offered at all is said of the header.
+  const Limits &limits = m_options.limits;
+  m_state.units = limits.textureShaders == 0
+                      ? std::uint8_t(texture_shader::kUnits)
+                      : std::uint8_t(std::clamp(limits.textureUnits, 1u,
+                                                std::uint32_t(texture_shader::kUnits)));
   while (!m_tokens.at(TokenKind::EndOfText) && !m_reporter.full()) {
     const Token &token = m_tokens.peek();
     if (token.kind == TokenKind::InvalidByte && m_text[token.span.begin] == '!')

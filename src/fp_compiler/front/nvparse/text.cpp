@@ -13,12 +13,14 @@ using texture_shader::Base;
 using texture_shader::Family;
 using texture_shader::Signs;
 
-void checkOffered(std::uint32_t offered, Span header, const char *extension, Reporter &reporter,
+void checkOffered(std::uint32_t offered, Span header, bool shaders, Reporter &reporter,
                   LimitPolicy policy) {
   if (offered != 0)
     return;
-  std::string message = std::string(extension) + " is not offered under this profile";
-  std::string hint = "the profiles nv20 and nv25 have it, and host";
+  std::string message = std::string(shaders ? "NV_texture_shader" : "NV_register_combiners") +
+                        " is not offered under this profile";
+  std::string hint = std::string("the profiles from ") + (shaders ? "nv20" : "nv10") +
+                     " to nv40 have it, and host";
   if (policy == LimitPolicy::Enforce)
     reporter.error(DiagnosticId::NvparseNotOffered, header, std::move(message), std::move(hint));
   else
@@ -59,8 +61,7 @@ ParseResult parse(ir::Language language, std::string_view text, const CompileOpt
     WordTokens tokens(text, begin, Words::Calls);
     std::uint32_t next = begin;
     if (shaders) {
-      checkOffered(options.limits.textureShaders, {0, begin}, "NV_texture_shader", reporter,
-                   options.policy);
+      checkOffered(options.limits.textureShaders, {0, begin}, true, reporter, options.policy);
       ShaderParser(tokens, text, options, reporter, names).run(made.shaders.emplace(), made.values);
       next = tokens.peek().span.begin;
     }
@@ -72,7 +73,7 @@ ParseResult parse(ir::Language language, std::string_view text, const CompileOpt
     if (!shaders || rest.starts_with(kCombinerHeader)) {
       checkOffered(options.limits.generalCombiners,
                    {next - std::uint32_t(good || shaders ? kCombinerHeader.size() : 0), next},
-                   "NV_register_combiners", reporter, options.policy);
+                   false, reporter, options.policy);
       CombinerParser(tokens, text, options, reporter, names)
           .run(made.combiners.emplace(), made.values);
     } else if (tokens.peek().kind != TokenKind::EndOfText && !reporter.full()) {
