@@ -316,6 +316,7 @@ class States(Folder):
                 self.assertEqual((program['draws'], program['error']), (3, None))
                 self.assertEqual(program['counts']['alu_instructions'], 1)
                 self.assertIn('#version 120', program['glsl'])
+                self.assertFalse(list(self.folder.glob('*.shader_test')))
                 own = (self.folder / name).read_bytes()
                 self.assertTrue(own.startswith(text), own)
                 checked = run(ARBITER, 'check', '--profile', 'nv25', self.folder / name)

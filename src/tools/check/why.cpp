@@ -104,7 +104,9 @@ std::string Why::reasons(const fp::ResourceRow &row) const {
 }
 
 std::string Why::headline() const {
-  if (m_file.language == fp::ir::Language::AtiFragment || isNvparse(m_file.language))
+  if (isNvparse(m_file.language))
+    return "  native: the limits are those of the card's combiners and texture shaders\n";
+  if (m_file.language == fp::ir::Language::AtiFragment)
     return "  native: the limits are those of the language; what loads fits\n";
   if (m_report.model == fp::NativeModel::Documented)
     return "  native: documented, not modelled: the card's limits, the counts of the API\n";

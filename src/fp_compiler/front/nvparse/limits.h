@@ -15,7 +15,10 @@ namespace arbiter::fp::nvparse {
   counts.instructions = counts.aluInstructions + counts.texInstructions;
   counts.texIndirections = fragment.textureShaders != 0 ? fragment.textureUnits : 1;
   counts.temporaries = 4 + fragment.textureUnits; // both colours, both spares, a unit's each
-  counts.parameters = texture_shader::kParameters;
+  // Two constant colours, two of each stage, three rows of each unit.
+  counts.parameters = (fragment.generalCombiners != 0 ? 2 : 0) +
+                      (fragment.perStageConstants != 0 ? 2 * fragment.generalCombiners : 0) +
+                      (fragment.textureShaders != 0 ? 3 * fragment.textureUnits : 0);
   counts.attribs = 3 + fragment.textureUnits; // both colours, fog
   fragment.api = fragment.native = counts;
   fragment.envParameters = texture_shader::kParameters;
