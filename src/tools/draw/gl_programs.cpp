@@ -161,7 +161,7 @@ std::optional<RenderError> Programs::loadFile(const scene::Document &document, s
 /// The text is parsed by the context's limits; GL itself has no such texts.
 std::optional<RenderError> Programs::loadState(const scene::Document &document, std::size_t index) {
   const scene::ProgramFile &file = document.files[index];
-  fp::nvparse::ParseResult parsed =
+  const fp::nvparse::ParseResult parsed =
       fp::nvparse::parse(file.language, file.text, {stateTextLimits(), fp::LimitPolicy::Enforce});
   if (!parsed.text) {
     const auto error = std::find_if(
@@ -171,7 +171,7 @@ std::optional<RenderError> Programs::loadState(const scene::Document &document, 
                        fp::renderAll("program", file.text, parsed.diagnostics), index,
                        error == parsed.diagnostics.end() ? 0 : int(error->span.begin)};
   }
-  m_states[index] = std::move(parsed.text);
+  m_states[index] = parsed.text;
   return std::nullopt;
 }
 

@@ -41,7 +41,7 @@ std::string named(const Input &input, Usage usage) {
 }
 
 std::string mapped(const Input &input, Usage usage) {
-  const std::string name = named(input, usage);
+  std::string name = named(input, usage);
   switch (input.mapping) {
   case Mapping::UnsignedIdentity:
     return "unsigned(" + name + ")";
